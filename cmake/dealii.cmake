@@ -1,0 +1,10 @@
+# deal.II, PETSc and MPI behind one interface target, their headers as SYSTEM.
+# Only elasticity, stress and what stands above them may link it: a process
+# that loads deal.II pays 0.3-0.6 s before main().
+find_package(deal.II 9.4 REQUIRED HINTS /usr/share/cmake/deal.II)
+add_library(clevis_dealii INTERFACE)
+target_include_directories(clevis_dealii SYSTEM INTERFACE
+                           ${DEAL_II_INCLUDE_DIRS})
+target_link_libraries(clevis_dealii INTERFACE ${DEAL_II_LIBRARIES_RELEASE})
+target_compile_definitions(clevis_dealii INTERFACE
+                           ${DEAL_II_USER_DEFINITIONS_RELEASE})

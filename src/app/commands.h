@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/errors.h"
+
+namespace clevis::app {
+
+/// Options that the commands share; each uses those that its help lists.
+struct Options {
+  std::filesystem::path scene;
+  std::vector<std::string> parts;    ///< empty: all
+  std::optional<double> tolerance;   ///< of the peak stress, relative [1]
+  std::filesystem::path out;         ///< empty: results/<scene>
+  bool json = false;                 ///< stdout is one JSON document
+  int jobs = 0;                      ///< parts in parallel; 0: one per core
+};
+
+// Each command writes its result to stdout, its progress to stderr, and
+// returns the exit code of the process. Refusals are thrown as Error.
+ExitCode simulate_command(const Options& options);
+ExitCode check_command(const Options& options);
+ExitCode mesh_command(const Options& options);
+ExitCode explain_command(const std::string& code);  // empty: list all
+
+struct CompareOptions {
+  std::filesystem::path result, baseline;
+  std::filesystem::path junit;  ///< empty: none
+  std::vector<std::string> tolerances;  ///< "peak_von_mises=0.2%"
+  bool json = false;
+};
+ExitCode compare_command(const CompareOptions& options);
+
+}  // namespace clevis::app

@@ -1,0 +1,149 @@
+#include "base/diagnostics.h"
+
+#include <algorithm>
+#include <array>
+
+namespace clevis {
+namespace {
+
+using enum ExitCode;
+
+// Letters: F elasticity, I files, K mechanism, L loads, M mesh, R regression,
+// S scene, U command line, X internal. Keep sorted by code.
+constexpr auto kCatalogue = std::to_array<Diagnostic>({
+    {"F001", kModelInvalid, "free rigid mode",
+     "The supports of a case leave the part free to move as a rigid body, and "
+     "a linear solver would return a meaningless displacement. Hold the named "
+     "mode with `fixed`, or leave `fixed` out: a balanced part needs none."},
+    {"F002", kSolverFailed, "factorisation failed",
+     "The stiffness matrix is not positive definite or holds non-finite "
+     "entries. Look at the mesh quality and at the material constants."},
+    {"F003", kSolverFailed, "self-check failed",
+     "A check that runs on every solve (residual, equilibrium, energy, finite "
+     "values, reported peak = field maximum) was breached, so no verdict is "
+     "given. Please report the scene: this should not happen."},
+    {"F004", kResourceLimit, "memory forecast above the limit",
+     "The factorisation would need more memory than allowed. Coarsen the mesh "
+     "or raise --memory."},
+    {"I001", kIo, "cannot read file",
+     "The file does not exist or may not be read. Paths in a scene are "
+     "relative to the scene file; meshes of a scene in geometry/NAME are "
+     "looked for in meshes/NAME too."},
+    {"I002", kIo, "cannot write file",
+     "The output could not be written: check that the folder exists, that it "
+     "may be written and that the disk is not full."},
+    {"K001", kModelInvalid, "mechanism does not assemble",
+     "No position of the bodies satisfies all joints and drives at the start: "
+     "lengths break a loop, or the approximate placement is too far off. The "
+     "message lists the joints that stay open and by how much."},
+    {"K002", kModelInvalid, "under-driven mechanism",
+     "The drives leave degrees of freedom unprescribed. Add a drive on one of "
+     "the named joints."},
+    {"K003", kModelInvalid, "over-driven mechanism",
+     "More independent drives than degrees of freedom: they contradict each "
+     "other. Remove one of the named drives."},
+    {"K004", kModelInvalid, "motion cannot be continued",
+     "During the motion the closure equations stopped having a solution near "
+     "the last one: the drive runs past a dead centre or a link is too short. "
+     "Reduce the range of the drive or change the lengths."},
+    {"K005", kModelInvalid, "change point",
+     "At the named instant the constraint Jacobian loses rank: the position "
+     "branch is not determined and rigid reactions are unbounded. Keep away "
+     "from the change point or choose at_singularity."},
+    {"K006", kModelInvalid, "massless body must carry inertia",
+     "The body has neither a part nor a mass. Give it mass, center_of_mass "
+     "and inertia, or a part."},
+    {"L001", kModelInvalid, "unbalanced load on a free part",
+     "Forces, moments and inertia of a part that nothing holds do not cancel. "
+     "A linear static solve would hide the residual in arbitrary supports. "
+     "Give the missing load, or hold the part with `fixed`."},
+    {"L002", kModelInvalid, "pin force cannot be carried by its bore",
+     "The load on the group has a component that its surface cannot take."},
+    {"L003", kModelInvalid, "bore and joint do not coincide",
+     "A pin's bore in the part's mesh lies elsewhere than the joint in the "
+     "mechanism: the lengths in the scene and in the geometry disagree."},
+    {"M001", kMeshInvalid, "not a gmsh mesh",
+     "The file does not start with $MeshFormat, so it is not read. gmsh would "
+     "run unknown text as a script; clevis never does. Give a .msh of version "
+     "2.2 or 4.1."},
+    {"M002", kMeshInvalid, "mesh file is damaged",
+     "The file ends early or holds something other than its header promises. "
+     "Export it again."},
+    {"M003", kMeshInvalid, "physical group not found",
+     "A group that the scene names is not in the mesh. The message lists the "
+     "groups there are. Names are the $PhysicalNames of the .msh."},
+    {"M004", kMeshInvalid, "non-finite coordinate",
+     "A node has NaN or Inf as a coordinate."},
+    {"M005", kMeshInvalid, "inverted or degenerate cell",
+     "The Jacobian determinant of the mapped cell is not positive at every "
+     "quadrature point: the cell is turned inside out or folded."},
+    {"M006", kMeshInvalid, "mesh is not one connected body",
+     "The cells fall into several pieces that share no face. Delete the loose "
+     "piece or merge coincident nodes."},
+    {"M007", kMeshInvalid, "implausible size",
+     "The part is smaller than 1 µm or larger than 10 km: check length_unit."},
+    {"M008", kMeshInvalid, "unsupported cells",
+     "clevis takes hexahedra (orders 1-4), or tetrahedra (orders 1-2) as a "
+     "fallback; no mix, no shells, pyramids or prisms."},
+    {"M009", kMeshInvalid, "bore is not a cylinder",
+     "Groups named bore_* and round_* are exact circular cylinders by "
+     "definition, but the nodes of the group do not lie on one. Name the "
+     "group differently if it is not round."},
+    {"M010", kMeshInvalid, "mesher failed",
+     "gmsh could not mesh the geometry; its message is given."},
+    {"M011", kMeshInvalid, "mesh is out of date",
+     "The mesh was made from another version of the geometry. Run "
+     "`clevis mesh SCENE`."},
+    {"R001", kRegression, "regression against the baseline",
+     "At least one quantity moved by more than its tolerance."},
+    {"R002", kUsage, "result and baseline do not match",
+     "The two files are not results of the same scene, or the schema "
+     "differs."},
+    {"S001", kSceneInvalid, "scene is not valid TOML",
+     "The text could not be parsed at the given place."},
+    {"S002", kSceneInvalid, "unknown key",
+     "The key is not part of the scene format. A silent typo would change "
+     "the model, so it is refused; the nearest known name is given."},
+    {"S003", kSceneInvalid, "missing key",
+     "A required key is absent: clevis has no silent default for a physical "
+     "quantity."},
+    {"S004", kSceneInvalid, "missing or wrong unit",
+     "Every dimensional value is a string with its unit, e.g. \"140 mm\"; the "
+     "unit must have the dimension that the key needs."},
+    {"S005", kSceneInvalid, "wrong type",
+     "The value has another type than the key needs."},
+    {"S006", kSceneInvalid, "value out of range",
+     "The number is not finite or outside the range that makes sense for "
+     "this key."},
+    {"S007", kSceneInvalid, "unknown name",
+     "A body, joint, part, material or drive is referred to that the scene "
+     "does not define; the nearest defined name is given."},
+    {"S008", kSceneInvalid, "duplicate name",
+     "Two entities of the same kind have the same name."},
+    {"S009", kSceneInvalid, "unknown choice",
+     "The value is none of the choices of this key."},
+    {"S010", kSceneInvalid, "keys contradict each other",
+     "Two keys of the same table cannot be given together."},
+    {"S011", kSceneInvalid, "implausible value",
+     "The value has the right dimension but a size that no real part has, "
+     "e.g. a Young's modulus outside 0.01-1200 GPa: the unit is likely "
+     "wrong."},
+    {"U001", kUsage, "wrong command line",
+     "See clevis --help."},
+    {"U002", kUsage, "unknown diagnostic code",
+     "The catalogue has no such code; `clevis explain` lists all."},
+    {"X001", kInternal, "internal error",
+     "clevis itself is at fault. Please report it with the scene."},
+});
+
+}  // namespace
+
+std::span<const Diagnostic> diagnostics() { return kCatalogue; }
+
+const Diagnostic& find_diagnostic(std::string_view code) {
+  const auto found =
+      std::ranges::find(kCatalogue, code, &Diagnostic::code);
+  return found != kCatalogue.end() ? *found : kCatalogue.back();
+}
+
+}  // namespace clevis

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace clevis {
+
+/// Dimensions that a scene value can have. SI inside, without exception.
+enum class Dimension {
+  kLength,               // m
+  kAngle,                // rad
+  kTime,                 // s
+  kMass,                 // kg
+  kMassMoment,           // kg m^2
+  kForce,                // N
+  kTorque,               // N m
+  kStress,               // Pa
+  kDensity,              // kg/m^3
+  kVelocity,             // m/s
+  kAcceleration,         // m/s^2
+  kAngularVelocity,      // rad/s (also rpm)
+  kAngularAcceleration,  // rad/s^2
+  kRatio,                // 1 (also %)
+};
+
+/// The SI value of a text such as "140 mm", "1500 rpm" or "1 %".
+///
+/// Parsed by udunits2, so any unit it knows is accepted.
+/// @throws Error S004 (place = `place`) if the unit is missing, unknown or of
+///   another dimension, S006 if the number is not finite. The message lists
+///   units that fit.
+double parse_quantity(std::string_view text, Dimension dimension,
+                      const std::string& place);
+
+/// "mm, m, in" and the like: units that fit the dimension, for messages.
+std::string_view accepted_units(Dimension dimension);
+
+}  // namespace clevis

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "loads/load_history.h"
+#include "loads/part_loads.h"
+#include "mesh/part_mesh.h"
+#include "part/mass_properties.h"
+#include "part/material.h"
+
+namespace clevis::beam {
+
+/// One formula evaluated at one place, the worst over the load history.
+struct BeamStress {
+  std::string formula;  ///< "axial + bending", "lug net section", …
+  std::string where;    ///< "C-B at 30 mm", "bore_C"
+  double stress{};      ///< equivalent stress [Pa], >= 0
+  double instant{};     ///< [s]
+};
+
+/// What beam and lug theory say of a part (docs/theory.md, "Beams and lugs").
+struct BeamEstimate {
+  std::vector<BeamStress> stresses;  ///< sorted, the governing one first
+  double deflection{};       ///< relative to the first two pins [m]
+  double euler_load{};       ///< [N]; 0 if the part has no compressed pin pair
+  double buckling_safety{};  ///< Euler load / largest compression; 0 as above
+};
+
+/// Beam theory from the same load history that the FE takes: axial + bending
+/// + shear along the line between each pair of neighbouring pins with the
+/// true section (mesh::cut), lug checks at every bore, Euler buckling.
+BeamEstimate estimate(const mesh::PartMesh<3>& mesh,
+                      const part::Material& material,
+                      const part::MassProperties& mass,
+                      const std::vector<loads::GroupGeometry>& groups,
+                      const loads::LoadHistory& history);
+
+}  // namespace clevis::beam

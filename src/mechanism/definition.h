@@ -1,0 +1,107 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "part/mass_properties.h"
+
+namespace clevis::mechanism {
+
+/// Index of a body; ground is kGround.
+using BodyIndex = int;
+inline constexpr BodyIndex kGround = -1;
+
+/// Position and orientation of frame L in frame W.
+struct Pose {
+  Eigen::Vector3d p_WL = Eigen::Vector3d::Zero();      ///< [m]
+  Eigen::Matrix3d R_WL = Eigen::Matrix3d::Identity();  ///< columns: axes of L
+};
+
+/// A rigid body. Its frame L is the frame of its part, if it has one.
+struct BodyDefinition {
+  std::string name;
+  std::string part;  ///< name of its part, or empty
+  part::MassProperties mass_properties;
+  /// Approximate pose in the reference configuration; assembly closes loops.
+  Pose placement;
+  std::string place;  ///< file:line:column
+};
+
+enum class JointType { kRevolute, kPrismatic, kWeld };
+
+/// Frame J of a joint on one of its bodies: z is the joint axis (rotation or
+/// slide), x the direction that prismatic and weld joints keep aligned and
+/// from which a revolute measures its angle.
+struct JointFrame {
+  Eigen::Vector3d p_LJ = Eigen::Vector3d::Zero();      ///< [m]
+  Eigen::Matrix3d R_LJ = Eigen::Matrix3d::Identity();
+};
+
+/// A joint between bodies a and b. Its coordinate q is, for a revolute, the
+/// angle from x of a to x of b about z [rad]; for a prismatic, the distance
+/// from the origin of a's frame to b's along z of a [m].
+struct JointDefinition {
+  std::string name;
+  JointType type{};
+  BodyIndex body_a = kGround;
+  BodyIndex body_b = kGround;
+  JointFrame frame_a, frame_b;
+  std::string place;
+};
+
+enum class DriveLaw { kConstant, kRamp, kQuintic, kSine };
+
+/// Prescribed joint coordinate. Before `start` it rests at `from`, after
+/// start + duration at `to`.
+/// Sine: from + amplitude sin(2π frequency (t − start)).
+struct DriveDefinition {
+  int joint{};  ///< index into MechanismDefinition::joints
+  DriveLaw law{};
+  double from{}, to{};                ///< [m] or [rad]
+  double start{}, duration{};         ///< [s]
+  double amplitude{}, frequency{};    ///< [m] or [rad], [Hz]
+  std::string place;
+};
+
+/// A constant force and moment on a body, directions fixed in W.
+struct ForceDefinition {
+  std::string name;
+  BodyIndex body{};
+  Eigen::Vector3d p_LP = Eigen::Vector3d::Zero();  ///< point of attack in L [m]
+  Eigen::Vector3d f_W = Eigen::Vector3d::Zero();   ///< [N]
+  Eigen::Vector3d t_W = Eigen::Vector3d::Zero();   ///< [N m]
+  std::string place;
+};
+
+/// A point of a body whose path is an output.
+struct MarkerDefinition {
+  std::string name;
+  BodyIndex body{};
+  Eigen::Vector3d p_LP = Eigen::Vector3d::Zero();  ///< [m]
+};
+
+enum class SpaceDimension { kAuto, kPlanar, kSpatial };
+
+/// A mechanism as the user wrote it, indices resolved. Immutable after
+/// reading.
+struct MechanismDefinition {
+  std::vector<BodyDefinition> bodies;
+  std::vector<JointDefinition> joints;
+  std::vector<DriveDefinition> drives;
+  std::vector<ForceDefinition> forces;
+  std::vector<MarkerDefinition> markers;
+  Eigen::Vector3d gravity_W = Eigen::Vector3d::Zero();  ///< [m/s²]
+  SpaceDimension dimension = SpaceDimension::kAuto;
+};
+
+/// When the motion is sampled.
+struct SimulationSettings {
+  double duration{};        ///< [s]
+  int instants = 201;       ///< uniform from 0 to duration, both included
+  double tolerance = 1e-8;  ///< closure, relative to the mechanism's size
+};
+
+}  // namespace clevis::mechanism

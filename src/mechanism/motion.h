@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mechanism/definition.h"
+
+namespace clevis::mechanism {
+
+/// Motion of a body at an instant; L is its frame, Lo the origin.
+struct BodyState {
+  Pose pose;
+  Eigen::Vector3d v_WLo = Eigen::Vector3d::Zero();      ///< [m/s]
+  Eigen::Vector3d w_WL = Eigen::Vector3d::Zero();       ///< [rad/s], in W
+  Eigen::Vector3d a_WLo = Eigen::Vector3d::Zero();      ///< [m/s²]
+  Eigen::Vector3d alpha_WL = Eigen::Vector3d::Zero();   ///< [rad/s²], in W
+};
+
+/// What a joint does to body b at the origin of its frame J on b, without the
+/// effort of a drive; body a feels the opposite at the same point. In W.
+struct JointReaction {
+  Eigen::Vector3d p_WJ = Eigen::Vector3d::Zero();  ///< origin of J on b [m]
+  Eigen::Vector3d f_W = Eigen::Vector3d::Zero();   ///< [N]
+  Eigen::Vector3d t_W = Eigen::Vector3d::Zero();   ///< about p_WJ [N m]
+  bool unique = true;  ///< false where redundancy leaves it undetermined
+};
+
+/// Prescribed coordinate and what it takes.
+struct DriveState {
+  double position{}, rate{}, acceleration{};  ///< [m] or [rad] …
+  double effort{};  ///< [N] or [N m]; power = effort * rate; > 0 pushes apart
+  Eigen::Vector3d axis_W = Eigen::Vector3d::Zero();  ///< direction on body b
+};
+
+struct Instant {
+  double t{};  ///< [s]
+  std::vector<BodyState> bodies;
+  std::vector<JointReaction> joints;
+  std::vector<DriveState> drives;
+  double closure_error{};       ///< largest joint gap [m]
+  double power_balance_error{};  ///< |drives + loads − d(kinetic)/dt| over the
+                                 ///< largest of them over the motion [1]
+};
+
+/// The whole history, what `loads` and `report` take.
+struct Motion {
+  std::vector<Instant> instants;
+};
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "mechanism/definition.h"
+#include "mechanism/motion.h"
+
+namespace clevis::mechanism {
+
+/// Motion of a mechanism whose drives fix it: positions with branch
+/// continuity, velocities, accelerations, and all reactions by equilibrium.
+///
+/// No time integration: instants follow from the drives alone, nothing
+/// drifts.
+/// @throws Error K001–K006.
+Motion simulate(const MechanismDefinition& definition,
+                const SimulationSettings& settings);
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "part/material.h"
+
+namespace clevis::part {
+
+/// What the user allows the part.
+struct Limits {
+  std::optional<double> safety_factor;  ///< yield strength / peak, >= this [1]
+  std::optional<double> deflection;     ///< [m], <= this
+};
+
+/// Where a joint of the mechanism acts on the part's surface.
+struct Seat {
+  std::string joint;  ///< joint of the scene
+  std::string group;  ///< physical group of the mesh
+};
+
+/// Where the effort of a drive acts on the part.
+struct DriveSeat {
+  std::string drive;  ///< joint that is driven
+  std::string group;  ///< face that takes the effort as a pressure
+  /// Groups that feel the same pressure when the drive pushes (a cylinder
+  /// wall); none for a screw or a rod.
+  std::vector<std::string> pressurized;
+};
+
+/// A value that the user wants at a point.
+struct Probe {
+  std::string name;
+  Eigen::Vector3d at;    ///< in L [m]
+  std::string quantity;  ///< von_mises, stress_xx … stress_yz, displacement_x …
+};
+
+/// A part checked alone, without a mechanism.
+struct LoadCaseDefinition {
+  std::string name;
+  std::map<std::string, Eigen::Vector3d> pins;      ///< force on bore group [N]
+  std::map<std::string, double> pressure;           ///< pushes on the face [Pa]
+  std::map<std::string, Eigen::Vector3d> traction;  ///< [Pa]
+  std::map<std::string, std::array<bool, 3>> fixed; ///< components held at zero
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< [m/s²] of the
+      ///< part minus gravity: the body force is -density * acceleration
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();      ///< [rad/s]
+  Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();  ///< [rad/s²]
+  std::vector<Probe> probes;
+};
+
+/// A part of the scene as the user wrote it. Frame L is the mesh's own.
+struct PartDefinition {
+  std::string name;
+  std::filesystem::path geometry;  ///< .geo or empty
+  std::filesystem::path mesh;      ///< .msh; derived from geometry if not given
+  double length_unit{};            ///< metres per unit of the mesh file
+  Material material;
+  std::vector<Seat> seats;
+  std::vector<DriveSeat> drive_seats;
+  Limits limits;
+  std::vector<LoadCaseDefinition> cases;
+  std::string place;  ///< file:line:column of the part's table
+};
+
+}  // namespace clevis::part

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mechanism/definition.h"
+#include "part/part_definition.h"
+
+namespace clevis::scene {
+
+/// The landing gear's own closed form (2.1)–(2.14), as published and
+/// corrected (SEEDS S1, switch LG-29), evaluated beside the simulation.
+struct SlideLeverClosedForm {
+  double FD{}, ED{}, DC{}, EC{}, AD{}, DD1{};  ///< [m]
+  int drive{};                                 ///< the drive that gives l_x
+  std::string marker;                          ///< the simulated point C
+};
+
+/// Everything that a scene file says, names resolved, SI.
+struct Scene {
+  std::filesystem::path file;
+  std::string name;
+  bool has_mechanism = false;  ///< false: only [[part.case]]
+  mechanism::MechanismDefinition mechanism;
+  mechanism::SimulationSettings simulation;
+  std::vector<part::PartDefinition> parts;
+  double peak_stress_tolerance = 0.01;  ///< [1], relative
+  std::optional<SlideLeverClosedForm> slide_lever;
+};
+
+/// Reads and checks a scene file.
+/// @throws Error S001–S011 with file:line:column, I001.
+Scene read_scene(const std::filesystem::path& file);
+
+}  // namespace clevis::scene
