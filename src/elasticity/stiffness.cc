@@ -1,0 +1,168 @@
+#include "elasticity/stiffness.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace clevis::elasticity {
+namespace {
+
+template <int dim>
+void build_pattern(const Discretization<dim>& discretization,
+                   StiffnessMatrix<dim>& matrix) {
+  const auto nodes = static_cast<std::size_t>(discretization.nodes);
+  std::vector<std::vector<int>> cells_of(nodes);
+  for (int c = 0; c < discretization.cells(); ++c) {
+    for (int i : discretization.cell_nodes[static_cast<std::size_t>(c)]) {
+      cells_of[static_cast<std::size_t>(i)].push_back(c);
+    }
+  }
+  std::vector<int> last_row(nodes, -1);
+  matrix.row_start.assign(1, 0);
+  for (std::size_t row = 0; row < nodes; ++row) {
+    const auto begin = static_cast<std::ptrdiff_t>(matrix.column.size());
+    for (int c : cells_of[row]) {
+      for (int j : discretization.cell_nodes[static_cast<std::size_t>(c)]) {
+        auto& seen = last_row[static_cast<std::size_t>(j)];
+        if (j < static_cast<int>(row) || seen == static_cast<int>(row)) continue;
+        seen = static_cast<int>(row);
+        matrix.column.push_back(j);
+      }
+    }
+    std::sort(matrix.column.begin() + begin, matrix.column.end());
+    matrix.row_start.push_back(static_cast<int>(matrix.column.size()));
+  }
+  matrix.block.assign(matrix.column.size(), StiffnessMatrix<dim>::Block::Zero());
+}
+
+/// Products of gradients ∫ ∂_a N_i ∂_b N_j dV for a <= b, each functions ×
+/// functions: all that an isotropic element matrix is made of.
+template <int dim>
+using GradientProducts = std::array<std::array<Eigen::MatrixXd, dim>, dim>;
+
+template <int dim>
+GradientProducts<dim> gradient_products(
+    const std::vector<Eigen::MatrixXd>& gradients,
+    const Eigen::VectorXd& weights) {
+  GradientProducts<dim> products;
+  for (std::size_t b = 0; b < dim; ++b) {
+    const Eigen::MatrixXd weighted = weights.asDiagonal() * gradients[b];
+    for (std::size_t a = 0; a <= b; ++a) {
+      products[a][b].noalias() = gradients[a].transpose() * weighted;
+    }
+  }
+  return products;
+}
+
+/// K_ij(a, b) = λ G_ab(i,j) + μ G_ba(i,j) + δ_ab μ Σ_c G_cc(i,j), where
+/// G_ba(i,j) = G_ab(j,i).
+template <int dim>
+typename StiffnessMatrix<dim>::Block element_block(
+    const GradientProducts<dim>& products, const LameConstants<dim>& lame,
+    Eigen::Index i, Eigen::Index j) {
+  const auto product = [&](std::size_t a, std::size_t b) {
+    return a <= b ? products[a][b](i, j) : products[b][a](j, i);
+  };
+  typename StiffnessMatrix<dim>::Block block;
+  double trace = 0.0;
+  for (std::size_t c = 0; c < dim; ++c) trace += product(c, c);
+  for (std::size_t a = 0; a < dim; ++a) {
+    for (std::size_t b = 0; b < dim; ++b) {
+      block(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) =
+          lame.lambda * product(a, b) + lame.mu * product(b, a) +
+          (a == b ? lame.mu * trace : 0.0);
+    }
+  }
+  return block;
+}
+
+template <int dim>
+void scatter(const std::vector<int>& ids, const GradientProducts<dim>& products,
+             const LameConstants<dim>& lame, StiffnessMatrix<dim>& matrix) {
+  std::vector<Eigen::Index> sorted(ids.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::ranges::sort(sorted, {}, [&](Eigen::Index i) {
+    return ids[static_cast<std::size_t>(i)];
+  });
+  for (std::size_t r = 0; r < sorted.size(); ++r) {
+    const int row = ids[static_cast<std::size_t>(sorted[r])];
+    auto at = static_cast<std::size_t>(
+        matrix.row_start[static_cast<std::size_t>(row)]);
+    for (std::size_t s = r; s < sorted.size(); ++s) {
+      const int column = ids[static_cast<std::size_t>(sorted[s])];
+      while (matrix.column[at] != column) ++at;
+      matrix.block[at] += element_block<dim>(products, lame, sorted[r],
+                                             sorted[s]);
+    }
+  }
+}
+
+}  // namespace
+
+template <int dim>
+LameConstants<dim> lame_constants(const part::Material& material) {
+  const double E = material.youngs_modulus;
+  const double nu = material.poissons_ratio;
+  const double mu = E / (2.0 * (1.0 + nu));
+  if constexpr (dim == 2) return {E * nu / (1.0 - nu * nu), mu};
+  return {E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), mu};
+}
+
+template <int dim>
+Eigen::MatrixXd StiffnessMatrix<dim>::multiply(const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd y = Eigen::MatrixXd::Zero(x.rows(), x.cols());
+  for (int i = 0; i < nodes(); ++i) {
+    const auto begin = static_cast<std::size_t>(row_start[i]);
+    const auto end = static_cast<std::size_t>(row_start[i + 1]);
+    for (std::size_t k = begin; k < end; ++k) {
+      const int j = column[k];
+      y.middleRows<dim>(dim * i) += block[k] * x.middleRows<dim>(dim * j);
+      if (j != i) {
+        y.middleRows<dim>(dim * j) +=
+            block[k].transpose() * x.middleRows<dim>(dim * i);
+      }
+    }
+  }
+  return y;
+}
+
+template <int dim>
+StiffnessMatrix<dim> assemble_stiffness(
+    const Discretization<dim>& discretization,
+    const part::Material& material) {
+  StiffnessMatrix<dim> matrix;
+  build_pattern(discretization, matrix);
+  const auto lame = lame_constants<dim>(material);
+  const bool curved = discretization.geometry_degree > 1;
+  const int points =
+      discretization.shape == mesh::CellShape::kTensor
+          ? discretization.degree + (curved ? 2 : 1)
+          : discretization.degree + 1;
+  const auto rule = gauss<dim>(discretization.shape, points);
+  const auto displacement = tabulate_displacement<dim>(
+      discretization.shape, discretization.degree, rule.points);
+  const auto geometry = tabulate_geometry<dim>(
+      discretization.shape, discretization.geometry_degree, rule.points);
+  for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
+    const auto cell =
+        cell_geometry<dim>(discretization.cell_points[c], geometry);
+    const auto gradients = physical_gradients(cell, displacement);
+    const Eigen::VectorXd weights =
+        rule.weights.cwiseProduct(cell.determinant) * discretization.thickness;
+    scatter<dim>(discretization.cell_nodes[c],
+                 gradient_products<dim>(gradients, weights), lame, matrix);
+  }
+  return matrix;
+}
+
+template LameConstants<2> lame_constants<2>(const part::Material&);
+template LameConstants<3> lame_constants<3>(const part::Material&);
+template struct StiffnessMatrix<2>;
+template struct StiffnessMatrix<3>;
+template StiffnessMatrix<2> assemble_stiffness<2>(const Discretization<2>&,
+                                                  const part::Material&);
+template StiffnessMatrix<3> assemble_stiffness<3>(const Discretization<3>&,
+                                                  const part::Material&);
+
+}  // namespace clevis::elasticity

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "elasticity/discretization.h"
+#include "part/material.h"
+
+namespace clevis::elasticity {
+
+/// λ and μ of the model: in 3-D Lamé's, for dim = 2 those of plane stress,
+/// λ* = 2λμ/(λ + 2μ) [Pa].
+template <int dim>
+struct LameConstants {
+  double lambda{}, mu{};
+};
+template <int dim>
+LameConstants<dim> lame_constants(const part::Material& material);
+
+/// Symmetric stiffness matrix in blocks of dim × dim per pair of nodes; only
+/// pairs with column node >= row node are kept.
+template <int dim>
+struct StiffnessMatrix {
+  using Block = Eigen::Matrix<double, dim, dim>;
+  std::vector<int> row_start;  ///< nodes + 1
+  std::vector<int> column;     ///< sorted within a row
+  std::vector<Block> block;    ///< [N/m]
+
+  int nodes() const { return static_cast<int>(row_start.size()) - 1; }
+  /// K x for a block of vectors, all degrees of freedom.
+  Eigen::MatrixXd multiply(const Eigen::MatrixXd& x) const;
+};
+
+/// K = ∫ Bᵀ D B dV (times the thickness for dim = 2) by Gauss quadrature with
+/// degree + 1 points a direction, more where the geometry is curved.
+template <int dim>
+StiffnessMatrix<dim> assemble_stiffness(
+    const Discretization<dim>& discretization, const part::Material& material);
+
+}  // namespace clevis::elasticity

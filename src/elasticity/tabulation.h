@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mesh/part_mesh.h"
+
+namespace clevis::elasticity {
+
+/// Points of a reference cell ([0, 1]^dim or the unit simplex), one a column.
+template <int dim>
+using ReferencePoints = Eigen::Matrix<double, dim, Eigen::Dynamic>;
+
+/// Scalar shape functions and their reference gradients at given points.
+struct Tabulation {
+  Eigen::MatrixXd values;                  ///< points × functions
+  std::vector<Eigen::MatrixXd> gradients;  ///< per direction, like values
+};
+
+/// Displacement basis: deal.II's FE_Q or FE_SimplexP, in its own numbering.
+template <int dim>
+Tabulation tabulate_displacement(mesh::CellShape shape, int degree,
+                                 const ReferencePoints<dim>& points);
+
+/// Geometry basis of PartMesh::cell_points: Lagrange on Gauss–Lobatto points,
+/// lexicographic; simplices of degree 1.
+template <int dim>
+Tabulation tabulate_geometry(mesh::CellShape shape, int degree,
+                             const ReferencePoints<dim>& points);
+
+/// Quadrature on the reference cell.
+template <int dim>
+struct Quadrature {
+  ReferencePoints<dim> points;
+  Eigen::VectorXd weights;
+};
+
+/// Gauss rule exact for degree 2n − 1 in each direction; for simplices
+/// deal.II's rule of n points per direction (n ≤ 4).
+template <int dim>
+Quadrature<dim> gauss(mesh::CellShape shape, int n);
+
+/// Gauss rule on a face of the reference cell, points in cell coordinates and
+/// weights of the reference face; `outward` its outward normal scaled so that
+/// the physical area vector is weight * det(J) J^-T outward.
+template <int dim>
+struct FaceQuadrature {
+  ReferencePoints<dim> points;
+  Eigen::VectorXd weights;
+  Eigen::Matrix<double, dim, 1> outward;
+};
+template <int dim>
+FaceQuadrature<dim> face_gauss(mesh::CellShape shape, int face, int n);
+
+/// Equidistant lattice with `subdivisions` + 1 points a direction,
+/// lexicographic (tensor cells), or the lattice of the simplex.
+template <int dim>
+ReferencePoints<dim> lattice(mesh::CellShape shape, int subdivisions);
+
+}  // namespace clevis::elasticity
