@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct BeamStress {
 /// What beam and lug theory say of a part (docs/theory.md, "Beams and lugs").
 struct BeamEstimate {
   std::vector<BeamStress> stresses;  ///< sorted, the governing one first
-  double deflection{};       ///< relative to the first two pins [m]
+  double deflection{};               ///< relative to the first two pins [m]
   double euler_load{};       ///< [N]; 0 if the part has no compressed pin pair
   double buckling_safety{};  ///< Euler load / largest compression; 0 as above
 };
@@ -34,6 +35,7 @@ BeamEstimate estimate(const mesh::PartMesh<3>& mesh,
                       const part::Material& material,
                       const part::MassProperties& mass,
                       const std::vector<loads::GroupGeometry>& groups,
-                      const loads::LoadHistory& history);
+                      const loads::LoadHistory& history,
+                      std::optional<double> buckling_length = std::nullopt);
 
 }  // namespace clevis::beam

@@ -11,10 +11,9 @@ namespace clevis::loads {
 
 /// How a seat takes its wrench.
 enum class SeatKind {
-  kBearing,   ///< cylinder pressed by a pin (bore) or by its guide (piston)
-  kTraction,  ///< traction that varies linearly over the group
-  kPressure,  ///< face under a drive's effort; the effort also pressurizes
-              ///< the `pressurized` groups when it pushes
+  kBearing,   ///< BearingTraction: cylinder pressed by a pin (bore) or by its
+              ///< guide (piston)
+  kTraction,  ///< LinearTraction: face under a drive's effort, welded face
 };
 
 /// A group of the part's surface where the mechanism acts.
@@ -22,14 +21,22 @@ struct Seat {
   std::string name;   ///< joint, drive or case entry
   std::string group;  ///< physical group
   SeatKind kind{};
-  Eigen::Vector3d p_LS = Eigen::Vector3d::Zero();  ///< reference point [m]
-  std::vector<std::string> pressurized;
+  /// Reference point: middle of the cylinder's axis, or the area's centroid.
+  Eigen::Vector3d p_LS = Eigen::Vector3d::Zero();  ///< [m]
 };
 
 /// Force and moment on the part, in L; the moment about the seat's p_LS.
 struct Wrench {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< [N m]
+};
+
+/// Load per area on a whole group, whatever its shape: −pressure n + traction.
+struct SurfaceLoad {
+  std::string group;
+  double pressure{};  ///< > 0 pushes on the face [Pa]
+  Eigen::Vector3d traction = Eigen::Vector3d::Zero();  ///< uniform, in L [Pa]
+  Wrench resultant;  ///< of both over the exact face; moment about Lo
 };
 
 /// Rigid motion of the part that its material feels, in L. The body force at
@@ -43,9 +50,11 @@ struct RigidAcceleration {
 
 /// All loads of a part at an instant (or in a case); in balance unless fixed.
 struct InstantLoad {
-  std::string label;  ///< "t = 0.31 s" or the case's name
-  double time{};      ///< [s]; 0 for a case
+  std::string label;             ///< "t = 0.31 s" or the case's name
+  double time{};                 ///< [s]; 0 for a case
   std::vector<Wrench> wrenches;  ///< one per seat
+  /// The same groups in the same order at every instant of a history.
+  std::vector<SurfaceLoad> surface_loads;
   RigidAcceleration rigid;
 };
 
