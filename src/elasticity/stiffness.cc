@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "elasticity/dense_product.h"
+
 namespace clevis::elasticity {
 namespace {
 
@@ -49,7 +51,7 @@ GradientProducts<dim> gradient_products(
   for (std::size_t b = 0; b < dim; ++b) {
     const Eigen::MatrixXd weighted = weights.asDiagonal() * gradients[b];
     for (std::size_t a = 0; a <= b; ++a) {
-      products[a][b].noalias() = gradients[a].transpose() * weighted;
+      products[a][b] = transposed_product(gradients[a], weighted);
     }
   }
   return products;

@@ -74,6 +74,21 @@ Tabulation tabulate_geometry(CellShape shape, int degree,
 }
 
 template <int dim>
+ReferencePoints<dim> displacement_support_points(CellShape shape, int degree) {
+  const auto p = static_cast<unsigned>(degree);
+  const auto points = shape == CellShape::kTensor
+                          ? dealii::FE_Q<dim>(p).get_unit_support_points()
+                          : dealii::FE_SimplexP<dim>(p).get_unit_support_points();
+  ReferencePoints<dim> result(dim, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (unsigned d = 0; d < dim; ++d) {
+      result(d, static_cast<Eigen::Index>(i)) = points[i][d];
+    }
+  }
+  return result;
+}
+
+template <int dim>
 Quadrature<dim> gauss(CellShape shape, int n) {
   std::unique_ptr<dealii::Quadrature<dim>> rule;
   if (shape == CellShape::kTensor) {
@@ -176,6 +191,8 @@ ReferencePoints<dim> lattice(CellShape shape, int subdivisions) {
                                                  const ReferencePoints<dim>&); \
   template Tabulation tabulate_geometry<dim>(CellShape, int,                 \
                                              const ReferencePoints<dim>&);   \
+  template ReferencePoints<dim> displacement_support_points<dim>(CellShape,  \
+                                                                 int);       \
   template Quadrature<dim> gauss<dim>(CellShape, int);                       \
   template FaceQuadrature<dim> face_gauss<dim>(CellShape, int, int);         \
   template ReferencePoints<dim> lattice<dim>(CellShape, int);

@@ -29,6 +29,11 @@ template <int dim>
 Tabulation tabulate_geometry(mesh::CellShape shape, int degree,
                              const ReferencePoints<dim>& points);
 
+/// Points at which the displacement basis is nodal, in its numbering.
+template <int dim>
+ReferencePoints<dim> displacement_support_points(mesh::CellShape shape,
+                                                 int degree);
+
 /// Quadrature on the reference cell.
 template <int dim>
 struct Quadrature {

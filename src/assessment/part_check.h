@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "assessment/part_result.h"
+#include "loads/load_history.h"
+#include "loads/part_loads.h"
+#include "mesh/part_mesh.h"
+#include "part/mass_properties.h"
+#include "part/part_definition.h"
+#include "stress/stress_history.h"
+
+namespace clevis::assessment {
+
+/// Loads that share their supports, solved with one factorisation.
+struct LoadSet {
+  loads::LoadHistory history;
+  std::map<std::string, std::array<bool, 3>> fixed;  ///< empty: free part
+};
+
+enum class ModelChoice { kAuto, kPlaneStress, kSolid };
+
+/// All that the check of one part needs.
+struct PartJob {
+  part::PartDefinition part;
+  mesh::PartMesh<3> mesh;
+  part::MassProperties mass;
+  std::vector<loads::GroupGeometry> groups;
+  std::vector<LoadSet> load_sets;
+  double tolerance = 0.01;  ///< of the peak stress [1]
+  std::optional<double> buckling_length;  ///< of a sliding pair [m]
+  ModelChoice model = ModelChoice::kAuto;
+};
+
+/// Fields of the highest degree, for output.
+struct PartFields {
+  int dim = 3;
+  mesh::CellShape shape{};
+  stress::StressHistory worst;  ///< of the governing load set
+  std::vector<double> times;    ///< of its instants [s]
+  int peak_instant{};
+  /// Displacement and stress at an instant on a lattice.
+  std::function<stress::InstantField(int instant, int subdivisions)> at;
+};
+
+struct PartAssessment {
+  PartResult result;
+  PartFields fields;
+};
+
+/// Runs the ladder on a part: plane stress where the part is a plate loaded
+/// in its plane, else 3-D; degrees rise until the band of the peak is within
+/// the tolerance or degree 4 is done. Beam theory beside it; verdict.
+/// @throws Error of the modules below.
+PartAssessment check_part(const PartJob& job);
+
+}  // namespace clevis::assessment

@@ -1,0 +1,108 @@
+#include "assessment/verdict.h"
+
+#include <fmt/format.h>
+
+namespace clevis::assessment {
+namespace {
+
+constexpr double kMega = 1e6;
+constexpr double kMilli = 1e-3;
+
+void set(PartResult& result, PartVerdict verdict, std::string why) {
+  result.verdict = verdict;
+  result.why = std::move(why);
+}
+
+bool judge_stress(const part::PartDefinition& part, PartResult& result) {
+  const PeakStress& peak = result.peak;
+  if (peak.verdict != PeakVerdict::kConverged) {
+    set(result, PartVerdict::kNotJudged,
+        fmt::format("peak {} at {}: [{:.4g}, {:.4g}] MPa",
+                    peak.verdict == PeakVerdict::kSingular
+                        ? "singular (grows without bound under refinement)"
+                        : "not converged",
+                    peak.group, peak.band_low / kMega,
+                    peak.band_high / kMega));
+    return false;
+  }
+  const double wanted = part.limits.safety_factor.value_or(1.0);
+  const double allowed = part.material.yield_strength / wanted;
+  const std::string limit =
+      part.limits.safety_factor
+          ? fmt::format("{:.4g} MPa (safety factor {:.4g})", allowed / kMega,
+                        wanted)
+          : fmt::format("yield strength {:.4g} MPa", allowed / kMega);
+  if (peak.band_low > allowed) {
+    set(result, PartVerdict::kFail,
+        fmt::format("peak {:.4g} MPa exceeds {}", peak.value / kMega, limit));
+    return false;
+  }
+  if (peak.band_high > allowed) {
+    set(result, PartVerdict::kNotJudged,
+        fmt::format("{} lies inside the band of the peak, [{:.4g}, {:.4g}] "
+                    "MPa: tighten --tolerance",
+                    limit, peak.band_low / kMega, peak.band_high / kMega));
+    return false;
+  }
+  return true;
+}
+
+bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
+  const double safety = result.beam.buckling_safety;
+  const double wanted = part.limits.safety_factor.value_or(1.0);
+  if (safety == 0.0 || safety >= wanted) return true;
+  set(result, PartVerdict::kFail,
+      fmt::format("buckling: Euler's load is {:.3g} times the compression, "
+                  "{:.4g} is wanted",
+                  safety, wanted));
+  return false;
+}
+
+bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
+  if (!part.limits.deflection ||
+      result.deflection <= *part.limits.deflection) {
+    return true;
+  }
+  set(result, PartVerdict::kFail,
+      fmt::format("deflection {:.4g} mm exceeds {:.4g} mm",
+                  result.deflection / kMilli,
+                  *part.limits.deflection / kMilli));
+  return false;
+}
+
+}  // namespace
+
+void judge(const part::PartDefinition& part, PartResult& result) {
+  if (!judge_stress(part, result) || !judge_buckling(part, result) ||
+      !judge_deflection(part, result)) {
+    return;
+  }
+  set(result, PartVerdict::kPass, "");
+}
+
+std::string explain_ratio(const PartResult& result) {
+  const double ratio = result.beam.ratio_fe_to_beam;
+  if (result.beam.peak_stress == 0.0) return "no beam formula applies";
+  if (ratio >= 0.8 && ratio <= 1.25) return "";
+  const std::string& group = result.peak.group;
+  if (ratio > 1.25) {
+    if (group.starts_with("bore_")) {
+      return fmt::format(
+          "the hole concentrates the stress at {} by {:.2f} over the nominal "
+          "\"{}\"",
+          group, ratio, result.beam.governing);
+    }
+    if (group.starts_with("round_")) {
+      return fmt::format(
+          "the change of section at {} concentrates the stress by {:.2f}",
+          group, ratio);
+    }
+    return fmt::format("the load path near {} is not a slender beam's", group);
+  }
+  return fmt::format(
+      "\"{}\" is a nominal value for slender parts; here the part is stocky "
+      "and the load spreads",
+      result.beam.governing);
+}
+
+}  // namespace clevis::assessment

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "assessment/part_result.h"
+#include "part/part_definition.h"
+
+namespace clevis::assessment {
+
+/// Sets verdict and reason of a part from its limits.
+///
+/// Fail: the peak's band lies beyond the yield strength or beyond what the
+/// safety factor allows, or the deflection or Euler's load breaks its limit.
+/// Pass: the whole band is within. Not judged: the peak is singular or not
+/// converged, or a limit lies inside the band.
+void judge(const part::PartDefinition& part, PartResult& result);
+
+/// Why the FE peak leaves 0.8–1.25 of the beam's; empty if it does not.
+std::string explain_ratio(const PartResult& result);
+
+}  // namespace clevis::assessment

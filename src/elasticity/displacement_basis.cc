@@ -1,0 +1,217 @@
+#include "elasticity/displacement_basis.h"
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "elasticity/dense_product.h"
+#include "elasticity/load_basis.h"
+#include "elasticity/load_vectors.h"
+#include "elasticity/sparse_cholesky.h"
+#include "elasticity/stiffness.h"
+#include "elasticity/supports.h"
+
+namespace clevis::elasticity {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double kCompressionTolerance = 3e-7;
+
+// Bounds of the self-checks: far above round-off, far below any use.
+constexpr double kBalance = 1e-9;
+constexpr double kEquilibrium = 1e-6;
+constexpr double kResidual = 1e-8;
+constexpr double kEnergy = 1e-8;
+constexpr double kCompression = 1e-6;
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ =
+      std::chrono::steady_clock::now();
+};
+
+/// Equation number of every degree of freedom; -1 if it is held.
+std::vector<int> number_equations(int dofs, const std::vector<int>& held) {
+  std::vector<int> equation(static_cast<std::size_t>(dofs), 0);
+  for (int dof : held) equation[static_cast<std::size_t>(dof)] = -1;
+  int next = 0;
+  for (int& e : equation) {
+    if (e == 0) e = next++;
+  }
+  return equation;
+}
+
+template <int dim>
+UpperTriangle free_equations(const StiffnessMatrix<dim>& stiffness,
+                             const std::vector<int>& equation) {
+  UpperTriangle upper;
+  upper.row_start.push_back(0);
+  upper.column.reserve(stiffness.column.size() * dim * dim);
+  upper.value.reserve(stiffness.column.size() * dim * dim);
+  for (int node = 0; node < stiffness.nodes(); ++node) {
+    const auto n = static_cast<std::size_t>(node);
+    for (int a = 0; a < dim; ++a) {
+      const int row = equation[dim * n + static_cast<std::size_t>(a)];
+      if (row < 0) continue;
+      for (int k = stiffness.row_start[n]; k < stiffness.row_start[n + 1];
+           ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        const auto other = static_cast<std::size_t>(stiffness.column[at]);
+        for (int b = 0; b < dim; ++b) {
+          const int column = equation[dim * other + static_cast<std::size_t>(b)];
+          if (column < row) continue;  // held, or below the diagonal
+          upper.column.push_back(column);
+          upper.value.push_back(stiffness.block[at](a, b));
+        }
+      }
+      upper.row_start.push_back(static_cast<int>(upper.column.size()));
+    }
+  }
+  return upper;
+}
+
+MatrixXd restrict_rows(const MatrixXd& full, const std::vector<int>& equation,
+                       int rows) {
+  MatrixXd result(rows, full.cols());
+  for (std::size_t dof = 0; dof < equation.size(); ++dof) {
+    if (equation[dof] >= 0) {
+      result.row(equation[dof]) = full.row(static_cast<Index>(dof));
+    }
+  }
+  return result;
+}
+
+MatrixXd extend_rows(const MatrixXd& reduced,
+                     const std::vector<int>& equation) {
+  MatrixXd result = MatrixXd::Zero(static_cast<Index>(equation.size()),
+                                   reduced.cols());
+  for (std::size_t dof = 0; dof < equation.size(); ++dof) {
+    if (equation[dof] >= 0) {
+      result.row(static_cast<Index>(dof)) = reduced.row(equation[dof]);
+    }
+  }
+  return result;
+}
+
+/// Work of the loads on rigid modes of unit size over the loads' own size:
+/// zero for a free part in balance.
+template <int dim>
+double imbalance(const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions,
+                 const MatrixXd& history) {
+  const double length =
+      (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).norm();
+  const MatrixXd modes =
+      rigid_modes<dim>(positions, positions.rowwise().mean(), length);
+  const MatrixXd work = transposed_product(modes, history);
+  const double scale = history.cwiseAbs().colwise().sum().maxCoeff();
+  return scale > 0.0 ? work.cwiseAbs().maxCoeff() / scale : 0.0;
+}
+
+template <int dim>
+void check_solution(const StiffnessMatrix<dim>& stiffness,
+                    const std::vector<int>& equation, const LoadBasis& basis,
+                    bool is_free, DisplacementBasis<dim>& result) {
+  SolveChecks& checks = result.checks;
+  const MatrixXd forces = stiffness.multiply(result.columns);
+  const MatrixXd rest = forces - basis.columns;
+  for (Index k = 0; k < basis.columns.cols(); ++k) {
+    const double load = basis.columns.col(k).norm();
+    double free = 0.0;
+    double held = 0.0;
+    for (std::size_t dof = 0; dof < equation.size(); ++dof) {
+      const double r = rest(static_cast<Index>(dof), k);
+      (equation[dof] >= 0 ? free : held) += r * r;
+    }
+    checks.residual = std::max(checks.residual, std::sqrt(free) / load);
+    if (is_free) {
+      checks.equilibrium = std::max(checks.equilibrium, std::sqrt(held) / load);
+    }
+  }
+  // Energies per instant, once with K and once with the loads.
+  const MatrixXd by_stiffness = transposed_product(result.columns, forces);
+  const MatrixXd by_loads = transposed_product(result.columns, basis.columns);
+  const MatrixXd& c = result.coefficients;
+  result.strain_energy.resize(c.cols());
+  for (Index i = 0; i < c.cols(); ++i) {
+    const double work = c.col(i).dot(by_loads * c.col(i));
+    const double energy = c.col(i).dot(by_stiffness * c.col(i));
+    result.strain_energy[i] = 0.5 * energy;
+    if (work != 0.0) {
+      checks.energy =
+          std::max(checks.energy, std::abs(energy - work) / std::abs(work));
+    }
+  }
+}
+
+void require(double value, double bound, const char* what,
+             const std::string& name) {
+  if (value <= bound) return;  // NaN falls through
+  throw Error("F003", "part " + name,
+              fmt::format("self-check {}: {:.2e}, allowed {:.0e}", what, value,
+                          bound),
+              "check mesh quality and loads; if they are sound, report this "
+              "scene");
+}
+
+void require_all(const SolveChecks& checks, const std::string& name) {
+  require(checks.balance, kBalance, "balance of loads", name);
+  require(checks.compression, kCompression, "load compression", name);
+  require(checks.residual, kResidual, "residual", name);
+  require(checks.equilibrium, kEquilibrium, "support reactions", name);
+  require(checks.energy, kEnergy, "energy", name);
+}
+
+}  // namespace
+
+template <int dim>
+DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
+  Stopwatch watch;
+  DisplacementBasis<dim> result;
+  result.discretization = discretize(problem.mesh, degree);
+  const auto& discretization = result.discretization;
+  const auto positions = node_positions(discretization);
+  const auto stiffness = assemble_stiffness(discretization, problem.material);
+  const bool is_free = problem.fixed.empty();
+  const std::vector<int> held =
+      is_free ? determinate_supports(discretization, positions)
+              : fixed_supports(discretization, positions, problem.fixed,
+                               "part " + problem.name);
+  const MatrixXd history = assemble_loads(
+      discretization, problem.history, problem.material.density, problem.name);
+  if (is_free) result.checks.balance = imbalance<dim>(positions, history);
+  const LoadBasis basis = compress(history, kCompressionTolerance);
+  result.checks.compression = basis.compression_error;
+  result.coefficients = basis.coefficients;
+  const auto equation = number_equations(discretization.dofs(), held);
+  const UpperTriangle upper = free_equations(stiffness, equation);
+  result.seconds.assemble = watch.lap();
+
+  const SparseCholesky cholesky(upper, "part " + problem.name);
+  result.seconds.factor = watch.lap();
+
+  result.columns = extend_rows(
+      cholesky.solve(restrict_rows(basis.columns, equation, upper.rows())),
+      equation);
+  check_solution(stiffness, equation, basis, is_free, result);
+  result.seconds.solve = watch.lap();
+  require_all(result.checks, problem.name);
+  return result;
+}
+
+template DisplacementBasis<2> solve<2>(const ElasticProblem<2>&, int);
+template DisplacementBasis<3> solve<3>(const ElasticProblem<3>&, int);
+
+}  // namespace clevis::elasticity

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "elasticity/discretization.h"
+#include "loads/load_history.h"
+#include "mesh/part_mesh.h"
+#include "part/material.h"
+
+namespace clevis::elasticity {
+
+/// Wall-clock seconds of the stages.
+struct SolveSeconds {
+  double assemble{}, factor{}, solve{};
+};
+
+/// What is checked on every solve; largest over instants or columns.
+struct SolveChecks {
+  double balance{};      ///< rigid modes' work over the load: free parts [1]
+  double equilibrium{};  ///< support reactions over the load: free parts [1]
+  double residual{};     ///< ‖K u − f‖ / ‖f‖ [1]
+  double energy{};       ///< |uᵀK u − fᵀu| / |fᵀu| [1]
+  double compression{};  ///< load basis against loads [1]
+};
+
+/// Displacements of a part for its whole load history: u(t_i) = U c_i.
+template <int dim>
+struct DisplacementBasis {
+  Discretization<dim> discretization;
+  Eigen::MatrixXd columns;       ///< U, dofs × rank [m]
+  Eigen::MatrixXd coefficients;  ///< rank × instants
+  Eigen::VectorXd strain_energy;  ///< per instant [J]
+  SolveChecks checks;
+  SolveSeconds seconds;
+};
+
+/// One linear elastic problem: mesh, material, loads, supports, degree.
+template <int dim>
+struct ElasticProblem {
+  const mesh::PartMesh<dim>& mesh;
+  const part::Material& material;
+  const loads::LoadHistory& history;
+  /// Components held at zero; empty: a free part in balance, held at
+  /// determinate components.
+  std::map<std::string, std::array<bool, 3>> fixed;
+  std::string name;  ///< of the part, for messages
+};
+
+/// One factorisation, the load history compressed to its basis, one block
+/// solve.
+/// @param degree  of the displacement, 1…4 (simplices 1…2).
+/// @throws Error F001, F002, F003 if a self-check is breached, M003, L002.
+template <int dim>
+DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree);
+
+}  // namespace clevis::elasticity

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace clevis::elasticity {
+
+/// A load history F (dofs × instants) as a few columns: F ≈ Q C.
+struct LoadBasis {
+  Eigen::MatrixXd columns;       ///< Q, near orthonormal, dofs × rank
+  Eigen::MatrixXd coefficients;  ///< C, rank × instants
+  double compression_error{};    ///< max_i ‖f_i − Q c_i‖ / max_i ‖f_i‖ [1]
+};
+
+/// Truncated singular value decomposition of the history, by the Gram matrix
+/// of the instants (few against the degrees of freedom). Every column is a
+/// combination of instants: if these are in balance, so is it.
+/// @param tolerance  of compression_error; >= 1e-7, as the Gram matrix squares
+///   the condition.
+LoadBasis compress(const Eigen::MatrixXd& history, double tolerance);
+
+}  // namespace clevis::elasticity

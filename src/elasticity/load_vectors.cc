@@ -1,0 +1,316 @@
+#include "elasticity/load_vectors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "base/errors.h"
+#include "elasticity/dense_product.h"
+#include "loads/discrete_balance.h"
+#include "loads/seat_traction.h"
+
+namespace clevis::elasticity {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+/// Quadrature of a group's faces with the trace of the basis, in 3-D.
+struct GroupTrace {
+  loads::GroupQuadrature quadrature;
+  Matrix3Xd outward;           ///< unit normals
+  std::vector<int> cell;       ///< per face: its cell
+  std::vector<MatrixXd> values;  ///< per face: points × functions
+};
+
+template <int dim>
+Vector3d in_space(const Eigen::Matrix<double, dim, 1>& x, double z) {
+  if constexpr (dim == 2) {
+    return {x[0], x[1], z};
+  } else {
+    return x;
+  }
+}
+
+template <int dim>
+int find_group(const Discretization<dim>& discretization,
+               const std::string& group, const std::string& part_name) {
+  std::vector<std::string> names;
+  for (std::size_t g = 0; g < discretization.groups.size(); ++g) {
+    if (discretization.groups[g].name == group &&
+        !discretization.group_faces[g].empty()) {
+      return static_cast<int>(g);
+    }
+    names.push_back(discretization.groups[g].name);
+  }
+  throw Error("M003", "part " + part_name,
+              fmt::format("the mesh has no surface group \"{}\"", group),
+              fmt::format("groups of the mesh: {}", fmt::join(names, ", ")));
+}
+
+template <int dim>
+GroupTrace group_trace(const Discretization<dim>& discretization, int group) {
+  // The kink of a bearing pressure wants many points; curved faces too.
+  const int per_direction =
+      discretization.shape == mesh::CellShape::kTensor
+          ? std::max(discretization.degree + 2 * discretization.geometry_degree,
+                     10)
+          : 4;
+  const auto& faces =
+      discretization.group_faces[static_cast<std::size_t>(group)];
+  GroupTrace trace;
+  std::vector<Vector3d> points;
+  std::vector<Vector3d> normals;
+  std::vector<double> weights;
+  for (const auto& [cell, face] : faces) {
+    const auto rule =
+        face_gauss<dim>(discretization.shape, face, per_direction);
+    const auto displacement = tabulate_displacement<dim>(
+        discretization.shape, discretization.degree, rule.points);
+    const auto geometry = tabulate_geometry<dim>(
+        discretization.shape, discretization.geometry_degree, rule.points);
+    const auto at = cell_geometry<dim>(
+        discretization.cell_points[static_cast<std::size_t>(cell)], geometry);
+    for (Index q = 0; q < rule.points.cols(); ++q) {
+      const Eigen::Matrix<double, dim, 1> area =
+          at.determinant[q] *
+          at.inverse_jacobian[static_cast<std::size_t>(q)].transpose() *
+          rule.outward;
+      points.push_back(
+          in_space<dim>(at.points.col(q), discretization.mid_plane_z));
+      normals.push_back(in_space<dim>(area.normalized(), 0.0));
+      weights.push_back(rule.weights[q] * area.norm() *
+                        discretization.thickness);
+    }
+    trace.cell.push_back(cell);
+    trace.values.push_back(displacement.values);
+  }
+  const auto n = static_cast<Index>(points.size());
+  trace.quadrature.points.resize(3, n);
+  trace.quadrature.weights.resize(n);
+  trace.outward.resize(3, n);
+  for (Index q = 0; q < n; ++q) {
+    const auto k = static_cast<std::size_t>(q);
+    trace.quadrature.points.col(q) = points[k];
+    trace.quadrature.weights[q] = weights[k];
+    trace.outward.col(q) = normals[k];
+  }
+  return trace;
+}
+
+/// Adds ∫ N t dA of one instant; tractions [Pa], one column per point.
+template <int dim>
+void integrate(const Discretization<dim>& discretization,
+               const GroupTrace& trace, const Matrix3Xd& tractions,
+               Eigen::Ref<Eigen::VectorXd> load) {
+  Index begin = 0;
+  for (std::size_t f = 0; f < trace.cell.size(); ++f) {
+    const MatrixXd& values = trace.values[f];
+    const Index n = values.rows();
+    const MatrixXd weighted =
+        tractions.middleCols(begin, n).topRows<dim>() *
+        trace.quadrature.weights.segment(begin, n).asDiagonal() * values;
+    const auto& nodes =
+        discretization.cell_nodes[static_cast<std::size_t>(trace.cell[f])];
+    for (Index i = 0; i < values.cols(); ++i) {
+      load.segment<dim>(dim * nodes[static_cast<std::size_t>(i)]) +=
+          weighted.col(i);
+    }
+    begin += n;
+  }
+}
+
+/// Adds what is missing to the wanted resultant.
+void correct(const loads::GroupQuadrature& quadrature,
+             const loads::Wrench& wanted, const Vector3d& about,
+             Matrix3Xd& tractions) {
+  const auto missing =
+      loads::correction(quadrature, tractions, wanted, about);
+  for (Index q = 0; q < tractions.cols(); ++q) {
+    tractions.col(q) += missing.traction(quadrature.points.col(q));
+  }
+}
+
+template <int dim>
+void add_seat(const Discretization<dim>& discretization,
+              const loads::LoadHistory& history, std::size_t seat_index,
+              const std::string& part_name, MatrixXd& result) {
+  const loads::Seat& seat = history.seats[seat_index];
+  const int group = find_group(discretization, seat.group, part_name);
+  const auto& cylinder =
+      discretization.groups[static_cast<std::size_t>(group)].cylinder;
+  if (seat.kind == loads::SeatKind::kBearing && !cylinder) {
+    throw Error("L002", "part " + part_name + ", group " + seat.group,
+                "a pin bears on this group, but it is no circular cylinder",
+                "name the group bore_* or round_* if it is round");
+  }
+  const GroupTrace trace = group_trace(discretization, group);
+  const auto n = trace.quadrature.weights.size();
+  for (std::size_t i = 0; i < history.instants.size(); ++i) {
+    const loads::Wrench& wrench = history.instants[i].wrenches[seat_index];
+    Matrix3Xd tractions = Matrix3Xd::Zero(3, n);
+    if (seat.kind == loads::SeatKind::kBearing) {
+      const loads::BearingTraction bearing(*cylinder, wrench);
+      for (Index q = 0; q < n; ++q) {
+        tractions.col(q) = bearing.traction(trace.quadrature.points.col(q),
+                                            trace.outward.col(q));
+      }
+    }
+    correct(trace.quadrature, wrench, seat.p_LS, tractions);
+    integrate(discretization, trace, tractions,
+              result.col(static_cast<Index>(i)));
+  }
+}
+
+template <int dim>
+void add_surface_loads(const Discretization<dim>& discretization,
+                       const loads::LoadHistory& history, std::size_t index,
+                       const std::string& part_name, MatrixXd& result) {
+  const auto& name = history.instants.front().surface_loads[index].group;
+  const GroupTrace trace =
+      group_trace(discretization, find_group(discretization, name, part_name));
+  for (std::size_t i = 0; i < history.instants.size(); ++i) {
+    const loads::SurfaceLoad& load = history.instants[i].surface_loads[index];
+    Matrix3Xd tractions = -load.pressure * trace.outward;
+    tractions.colwise() += load.traction;
+    correct(trace.quadrature, load.resultant, Vector3d::Zero(), tractions);
+    integrate(discretization, trace, tractions,
+              result.col(static_cast<Index>(i)));
+  }
+}
+
+/// ∫ N dV and ∫ N p dV per node: nodes × 4 (1, x, y, z), z the mid-plane's.
+template <int dim>
+MatrixXd node_moments(const Discretization<dim>& discretization) {
+  // Exact for the mapped geometry, so that the discrete mass is the body's.
+  const bool tensor = discretization.shape == mesh::CellShape::kTensor;
+  const int points =
+      tensor ? (dim * discretization.geometry_degree +
+                discretization.geometry_degree + discretization.degree) / 2 + 1
+             : 4;
+  const auto rule = gauss<dim>(discretization.shape, points);
+  const auto displacement = tabulate_displacement<dim>(
+      discretization.shape, discretization.degree, rule.points);
+  const auto geometry = tabulate_geometry<dim>(
+      discretization.shape, discretization.geometry_degree, rule.points);
+  MatrixXd moments = MatrixXd::Zero(discretization.nodes, 4);
+  MatrixXd factor(rule.weights.size(), 4);
+  factor.col(3).setConstant(discretization.mid_plane_z);
+  for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
+    const auto at =
+        cell_geometry<dim>(discretization.cell_points[c], geometry);
+    const Eigen::VectorXd weights =
+        rule.weights.cwiseProduct(at.determinant) * discretization.thickness;
+    factor.col(0).setOnes();
+    factor.middleCols<dim>(1) = at.points.transpose();
+    const MatrixXd cell = transposed_product(displacement.values,
+                                             weights.asDiagonal() * factor);
+    const auto& nodes = discretization.cell_nodes[c];
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      moments.row(nodes[i]) += cell.row(static_cast<Index>(i));
+    }
+  }
+  return moments;
+}
+
+template <int dim>
+void add_body_loads(const Discretization<dim>& discretization,
+                    const loads::LoadHistory& history, double density,
+                    MatrixXd& result) {
+  const MatrixXd moments = node_moments(discretization);
+  for (std::size_t i = 0; i < history.instants.size(); ++i) {
+    const loads::RigidAcceleration& rigid = history.instants[i].rigid;
+    Eigen::Matrix<double, 4, 3> field;  // acceleration = (1, x, y, z) field
+    field.row(0) = rigid.acceleration;
+    for (int k = 0; k < 3; ++k) {
+      const Vector3d e = Vector3d::Unit(k);
+      field.row(1 + k) =
+          rigid.alpha.cross(e) + rigid.omega.cross(rigid.omega.cross(e));
+    }
+    const MatrixXd load = -density * moments * field.leftCols<dim>();
+    auto column = result.col(static_cast<Index>(i));
+    for (Index node = 0; node < load.rows(); ++node) {
+      column.segment<dim>(dim * node) += load.row(node).transpose();
+    }
+  }
+}
+
+/// Largest components of vectors in the plane and out of it.
+struct Largest {
+  double along = 0.0;
+  double across = 0.0;
+  void add(const Vector3d& v) {
+    along = std::max(along, v.head<2>().norm());
+    across = std::max(across, std::abs(v.z()));
+  }
+  /// For axial vectors: one along z belongs to the plane.
+  void add_normal(const Vector3d& v) {
+    along = std::max(along, std::abs(v.z()));
+    across = std::max(across, v.head<2>().norm());
+  }
+};
+
+}  // namespace
+
+template <int dim>
+MatrixXd assemble_loads(const Discretization<dim>& discretization,
+                        const loads::LoadHistory& history, double density,
+                        const std::string& part_name) {
+  MatrixXd result =
+      MatrixXd::Zero(discretization.dofs(),
+                     static_cast<Index>(history.instants.size()));
+  for (std::size_t s = 0; s < history.seats.size(); ++s) {
+    add_seat(discretization, history, s, part_name, result);
+  }
+  for (std::size_t s = 0; s < history.instants.front().surface_loads.size();
+       ++s) {
+    add_surface_loads(discretization, history, s, part_name, result);
+  }
+  add_body_loads(discretization, history, density, result);
+  return result;
+}
+
+bool loads_in_plane(const loads::LoadHistory& history, double mid_plane_z) {
+  constexpr double kInPlane = 1e-9;
+  Largest force, moment, acceleration, rotation;
+  double size = 0.0;
+  for (const auto& instant : history.instants) {
+    for (std::size_t s = 0; s < history.seats.size(); ++s) {
+      const auto& wrench = instant.wrenches[s];
+      const Vector3d lever(0.0, 0.0, history.seats[s].p_LS.z() - mid_plane_z);
+      force.add(wrench.force);
+      moment.add_normal(wrench.moment + lever.cross(wrench.force));
+      size = std::max(size, history.seats[s].p_LS.head<2>().norm());
+    }
+    for (const auto& load : instant.surface_loads) {
+      const Vector3d lever(0.0, 0.0, mid_plane_z);
+      force.add(load.resultant.force);
+      force.add(Vector3d(0.0, 0.0, load.traction.z()));
+      moment.add_normal(load.resultant.moment -
+                        lever.cross(load.resultant.force));
+    }
+    acceleration.add(instant.rigid.acceleration);
+    rotation.add_normal(instant.rigid.alpha);
+    rotation.add_normal(instant.rigid.omega);
+  }
+  return force.across <= kInPlane * force.along &&
+         moment.across <= kInPlane * (moment.along + size * force.along) &&
+         acceleration.across <= kInPlane * (1.0 + acceleration.along) &&
+         rotation.across <= kInPlane * (1.0 + rotation.along);
+}
+
+template MatrixXd assemble_loads<2>(const Discretization<2>&,
+                                    const loads::LoadHistory&, double,
+                                    const std::string&);
+template MatrixXd assemble_loads<3>(const Discretization<3>&,
+                                    const loads::LoadHistory&, double,
+                                    const std::string&);
+
+}  // namespace clevis::elasticity

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "elasticity/discretization.h"
+#include "loads/load_history.h"
+
+namespace clevis::elasticity {
+
+/// Consistent nodal loads of every instant, dofs × instants [N].
+///
+/// Seats: bearing or linear traction at the quadrature points of the group,
+/// plus the correction that makes the discrete resultant the wrench to
+/// round-off. Surface loads likewise. Body: −ρ (a + α×p + ω×(ω×p)). For
+/// dim = 2 all is integrated through the thickness.
+/// @param density [kg/m³].
+/// @throws Error M003 if the mesh lacks a group, L002 if a bearing seat's
+///   group is no cylinder.
+template <int dim>
+Eigen::MatrixXd assemble_loads(const Discretization<dim>& discretization,
+                               const loads::LoadHistory& history,
+                               double density, const std::string& part_name);
+
+/// True if no load leaves the plane z = const (to 1e-9 of the largest): what
+/// a plane model can take.
+bool loads_in_plane(const loads::LoadHistory& history, double mid_plane_z);
+
+}  // namespace clevis::elasticity

@@ -1,0 +1,126 @@
+#include "stress/deflection.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "elasticity/dense_product.h"
+#include "elasticity/supports.h"
+
+namespace clevis::stress {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// Mean displacement and mean rotation of a surface group per basis column.
+template <int dim>
+struct SurfaceMotion {
+  Eigen::Matrix<double, dim, 1> centre;  ///< [m]
+  MatrixXd translation;                  ///< dim × rank [m]
+  MatrixXd rotation;                     ///< 1 or 3 × rank [rad]
+};
+
+template <int dim>
+SurfaceMotion<dim> surface_motion(
+    const elasticity::DisplacementBasis<dim>& basis, const std::string& name,
+    const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions) {
+  const auto& groups = basis.discretization.groups;
+  const auto found =
+      std::ranges::find(groups, name, &mesh::SurfaceGroup::name);
+  const auto nodes = elasticity::group_nodes(
+      basis.discretization, static_cast<int>(found - groups.begin()));
+  const auto n = static_cast<Index>(nodes.size());
+  Eigen::Matrix<double, dim, Eigen::Dynamic> at(dim, n);
+  MatrixXd u(dim * n, basis.columns.cols());
+  for (Index k = 0; k < n; ++k) {
+    const int node = nodes[static_cast<std::size_t>(k)];
+    at.col(k) = positions.col(node);
+    u.middleRows<dim>(dim * k) = basis.columns.template middleRows<dim>(dim * node);
+  }
+  // Rigid motion nearest to the nodes' displacements, about their centre.
+  SurfaceMotion<dim> motion;
+  motion.centre = at.rowwise().mean();
+  const MatrixXd modes = elasticity::rigid_modes<dim>(at, motion.centre, 1.0);
+  const MatrixXd fit =
+      (modes.transpose() * modes).fullPivLu().solve(modes.transpose() * u);
+  motion.translation = fit.topRows<dim>();
+  motion.rotation = fit.bottomRows(elasticity::kRigidModes<dim> - dim);
+  return motion;
+}
+
+/// Rotation that keeps the second centre on the line; about the line itself
+/// the first surface's own.
+template <int dim>
+MatrixXd line_rotation(const SurfaceMotion<dim>& first,
+                       const SurfaceMotion<dim>& second) {
+  const Eigen::Matrix<double, dim, 1> line = second.centre - first.centre;
+  const MatrixXd relative = second.translation - first.translation;
+  if constexpr (dim == 2) {
+    const Eigen::RowVector2d normal(-line[1], line[0]);
+    return normal * relative / line.squaredNorm();
+  } else {
+    const Eigen::Vector3d d = line.normalized();
+    MatrixXd rotation = d * (d.transpose() * first.rotation);
+    for (Index k = 0; k < relative.cols(); ++k) {
+      const Eigen::Vector3d slip = relative.col(k);
+      rotation.col(k) += line.cross(slip) / line.squaredNorm();
+    }
+    return rotation;
+  }
+}
+
+}  // namespace
+
+template <int dim>
+void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
+                         const std::vector<std::string>& seat_groups) {
+  if (seat_groups.empty()) return;
+  const auto positions = elasticity::node_positions(basis.discretization);
+  const auto first =
+      surface_motion<dim>(basis, seat_groups.front(), positions);
+  MatrixXd rotation = first.rotation;
+  if (seat_groups.size() > 1) {
+    const auto second = surface_motion<dim>(basis, seat_groups[1], positions);
+    if ((second.centre - first.centre).norm() > 0.0) {
+      rotation = line_rotation<dim>(first, second);
+    }
+  }
+  MatrixXd rigid(elasticity::kRigidModes<dim>, rotation.cols());
+  rigid << first.translation, rotation;
+  basis.columns -= elasticity::product(
+      elasticity::rigid_modes<dim>(positions, first.centre, 1.0), rigid);
+}
+
+template <int dim>
+Deflection largest_deflection(
+    const elasticity::DisplacementBasis<dim>& basis) {
+  const auto positions = elasticity::node_positions(basis.discretization);
+  const MatrixXd u = elasticity::product(basis.columns, basis.coefficients);
+  Deflection result;
+  double largest = -1.0;
+  for (Index i = 0; i < u.cols(); ++i) {
+    for (Index node = 0; node < positions.cols(); ++node) {
+      const double squared = u.col(i).segment<dim>(dim * node).squaredNorm();
+      if (squared <= largest) continue;
+      largest = squared;
+      result.at.setConstant(basis.discretization.mid_plane_z);
+      result.at.template head<dim>() = positions.col(node);
+      result.instant = static_cast<int>(i);
+    }
+  }
+  result.value = std::sqrt(std::max(0.0, largest));
+  return result;
+}
+
+template void remove_rigid_motion<2>(elasticity::DisplacementBasis<2>&,
+                                     const std::vector<std::string>&);
+template void remove_rigid_motion<3>(elasticity::DisplacementBasis<3>&,
+                                     const std::vector<std::string>&);
+template Deflection largest_deflection<2>(
+    const elasticity::DisplacementBasis<2>&);
+template Deflection largest_deflection<3>(
+    const elasticity::DisplacementBasis<3>&);
+
+}  // namespace clevis::stress

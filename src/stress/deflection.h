@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "elasticity/displacement_basis.h"
+
+namespace clevis::stress {
+
+/// Largest displacement of the part relative to its pins.
+struct Deflection {
+  double value{};  ///< [m]
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]
+  int instant{};
+};
+
+/// Removes from every column of the basis the rigid motion of the part's
+/// pins: the mean displacement of the first seat's surface, the rotation that
+/// keeps the mean of the second seat's surface on the line between both, and
+/// (dim = 3) the first surface's mean rotation about that line. With one seat
+/// all of its mean rotation. Parts that are `fixed` keep their displacement.
+/// @param seat_groups  surface groups of the first two seats; empty if fixed.
+template <int dim>
+void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
+                         const std::vector<std::string>& seat_groups);
+
+/// The largest nodal displacement over all instants.
+template <int dim>
+Deflection largest_deflection(
+    const elasticity::DisplacementBasis<dim>& basis);
+
+}  // namespace clevis::stress

@@ -1,0 +1,33 @@
+#include "stress/peak_band.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace clevis::stress {
+
+Band peak_band(std::span<const SequenceValue> sequence, double tolerance) {
+  assert(!sequence.empty());
+  constexpr double kFastest = 0.35;
+  constexpr double kSlowest = 0.8;
+  constexpr double kSingularRatio = 0.75;
+  const auto n = sequence.size();
+  const double value = sequence[n - 1].value;
+  if (value == 0.0) return {0.0, 0.0, 0.0, Convergence::kConverged};
+  if (n < 3) return {value, 0.0, 2.0 * value, Convergence::kNotConverged};
+  const double before = sequence[n - 2].value - sequence[n - 3].value;
+  const double last = value - sequence[n - 2].value;
+  const double ratio = before != 0.0 ? std::abs(last / before) : kSlowest;
+  const double q = std::clamp(ratio, kFastest, kSlowest);
+  const double half_width = std::abs(last) * std::max(0.5, q / (1.0 - q));
+  Band band{value, value - half_width, value + half_width,
+            Convergence::kConverged};
+  if (half_width <= tolerance * std::abs(value)) return band;
+  const bool same_way = last * before > 0.0;
+  band.verdict = same_way && ratio > kSingularRatio
+                     ? Convergence::kSingular
+                     : Convergence::kNotConverged;
+  return band;
+}
+
+}  // namespace clevis::stress

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "elasticity/displacement_basis.h"
+#include "part/material.h"
+
+namespace clevis::stress {
+
+/// A lattice point of a cell.
+struct FieldPoint {
+  int cell{};
+  int point{};  ///< in elasticity::lattice order
+};
+
+/// Von Mises stress of the whole history on the lattice points of all cells,
+/// corners, edges and faces included; not averaged between cells.
+struct StressHistory {
+  int subdivisions{};
+  Eigen::MatrixXd worst;           ///< over the instants, points × cells [Pa]
+  Eigen::MatrixXi worst_instant;   ///< index, points × cells
+  Eigen::VectorXd peak;            ///< over the points, per instant [Pa]
+  FieldPoint peak_at;              ///< of the largest peak
+  int peak_instant{};
+
+  double largest() const { return peak[peak_instant]; }
+};
+
+/// @param subdivisions  of each cell's lattice; more see the peak closer.
+template <int dim>
+StressHistory stress_history(const elasticity::DisplacementBasis<dim>& basis,
+                             const part::Material& material, int subdivisions);
+
+/// Displacement and stress at the lattice points of all cells at one instant.
+struct InstantField {
+  int subdivisions{};
+  /// Per cell, points × 3: positions in L [m], displacement [m].
+  std::vector<Eigen::MatrixXd> points, displacement;
+  /// Per cell, points × 6: xx, yy, zz, xy, yz, xz [Pa].
+  std::vector<Eigen::MatrixXd> stress;
+};
+template <int dim>
+InstantField instant_field(const elasticity::DisplacementBasis<dim>& basis,
+                           const part::Material& material, int subdivisions,
+                           int instant);
+
+/// Von Mises stress of rows xx, yy, zz, xy, yz, xz.
+Eigen::VectorXd von_mises(const Eigen::MatrixXd& stress);
+
+/// Position of a lattice point in L [m]; the mid-plane's z for dim = 2.
+template <int dim>
+Eigen::Vector3d position(
+    const elasticity::Discretization<dim>& discretization, FieldPoint at,
+    int subdivisions);
+
+/// Name of the group whose face the point lies on, else "body".
+template <int dim>
+std::string surface_group(
+    const elasticity::Discretization<dim>& discretization, FieldPoint at,
+    int subdivisions);
+
+}  // namespace clevis::stress
