@@ -62,6 +62,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"L003", kModelInvalid, "bore and joint do not coincide",
      "A pin's bore in the part's mesh lies elsewhere than the joint in the "
      "mechanism: the lengths in the scene and in the geometry disagree."},
+    {"L004", kModelInvalid, "load without a seat on the part",
+     "A joint, drive or force acts on the body of a part, but no group of its "
+     "mesh takes it, or a seat names a joint that is not on the body. The "
+     "part would be checked with other loads than the mechanism has."},
     {"M001", kMeshInvalid, "not a gmsh mesh",
      "The file does not start with $MeshFormat, so it is not read. gmsh would "
      "run unknown text as a script; clevis never does. Give a .msh of version "

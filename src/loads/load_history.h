@@ -37,6 +37,7 @@ struct SurfaceLoad {
   double pressure{};  ///< > 0 pushes on the face [Pa]
   Eigen::Vector3d traction = Eigen::Vector3d::Zero();  ///< uniform, in L [Pa]
   Wrench resultant;  ///< of both over the exact face; moment about Lo
+  double total{};    ///< (|pressure| + |traction|) times the area [N]
 };
 
 /// Rigid motion of the part that its material feels, in L. The body force at

@@ -1,0 +1,171 @@
+#include "loads/balance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "base/errors.h"
+
+namespace clevis::loads {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kBalanceTolerance = 1e-9;
+constexpr double kSmallestLoadRatio = 1e-3;
+// A mesh with exact geometry has the area of the cylinder to 1e-6; a bore
+// that is open on one side misses far more.
+constexpr double kFullCylinderTolerance = 0.02;
+
+struct LoadScale {
+  double force{};   // [N]
+  double moment{};  // [N m]
+};
+
+// Magnitudes are added, not vectors: a free body that only tumbles has a load
+// though its resultant is zero.
+LoadScale load_scale(const InstantLoad& instant,
+                     const part::MassProperties& mass, double size) {
+  const RigidAcceleration& rigid = instant.rigid;
+  LoadScale scale;
+  scale.force =
+      mass.mass * (rigid.acceleration.norm() +
+                   size * (rigid.alpha.norm() + rigid.omega.squaredNorm()));
+  for (const Wrench& wrench : instant.wrenches) {
+    scale.force += wrench.force.norm();
+    scale.moment += wrench.moment.norm();
+  }
+  for (const SurfaceLoad& load : instant.surface_loads) {
+    scale.force += load.total;
+  }
+  scale.moment += size * scale.force;
+  return scale;
+}
+
+}  // namespace
+
+Wrench inertia_load(const RigidAcceleration& rigid,
+                    const part::MassProperties& mass) {
+  const Vector3d& c = mass.p_LCm;
+  const Vector3d& omega = rigid.omega;
+  const Matrix3d inertia_Lo =
+      mass.inertia_LCm +
+      mass.mass * (c.squaredNorm() * Matrix3d::Identity() - c * c.transpose());
+  const Vector3d a_Cm =
+      rigid.acceleration + rigid.alpha.cross(c) + omega.cross(omega.cross(c));
+  const Vector3d spin = inertia_Lo * omega;
+  return {.force = -mass.mass * a_Cm,
+          .moment = -(mass.mass * c.cross(rigid.acceleration) +
+                      inertia_Lo * rigid.alpha + omega.cross(spin))};
+}
+
+double part_size(const std::vector<GroupGeometry>& groups,
+                 const part::MassProperties& mass) {
+  Eigen::AlignedBox3d box(mass.p_LCm);
+  for (const GroupGeometry& group : groups) {
+    box.extend(group.centroid);
+    if (group.is_cylinder) {
+      const Vector3d reach =
+          group.cylinder.radius * Vector3d::Ones() +
+          0.5 * group.cylinder.length * group.cylinder.axis_L.cwiseAbs();
+      box.extend(Vector3d(group.cylinder.p_LC - reach));
+      box.extend(Vector3d(group.cylinder.p_LC + reach));
+    }
+  }
+  return box.diagonal().norm();
+}
+
+const GroupGeometry& find_group(const std::vector<GroupGeometry>& groups,
+                                const std::string& name,
+                                const std::string& place) {
+  const auto found = std::ranges::find(groups, name, &GroupGeometry::name);
+  if (found != groups.end()) return *found;
+  std::string known;
+  for (const GroupGeometry& group : groups) {
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", group.name);
+  }
+  throw Error("M003", place,
+              fmt::format("the mesh has no physical group \"{}\"; it has {}",
+                          name, known.empty() ? "none" : known),
+              "use one of these names, or name the surface in the geometry");
+}
+
+void require_full_cylinder(const GroupGeometry& group,
+                           const std::string& place) {
+  if (!group.is_cylinder) {
+    throw Error("L002", place,
+                fmt::format("a pin cannot press on \"{}\": it is not a "
+                            "circular cylinder",
+                            group.name),
+                "give a bore_* or round_* group, or load the surface by "
+                "`traction`");
+  }
+  const part::Bore& c = group.cylinder;
+  const double full = 2.0 * std::numbers::pi * c.radius * c.length;
+  if (std::abs(group.area - full) > kFullCylinderTolerance * full) {
+    throw Error(
+        "L002", place,
+        fmt::format("\"{}\" has {:.6g} mm^2, but a full cylinder of radius "
+                    "{:.6g} mm and length {:.6g} mm has {:.6g} mm^2",
+                    group.name, group.area * 1e6, c.radius * 1e3,
+                    c.length * 1e3, full * 1e6),
+        "put one whole cylinder into the group: a bearing load needs the wall "
+        "all round");
+  }
+}
+
+Wrench residual(const LoadHistory& history, const InstantLoad& instant,
+                const part::MassProperties& mass) {
+  Wrench sum = inertia_load(instant.rigid, mass);
+  for (std::size_t i = 0; i < history.seats.size(); ++i) {
+    const Wrench& wrench = instant.wrenches[i];
+    sum.force += wrench.force;
+    sum.moment += wrench.moment + history.seats[i].p_LS.cross(wrench.force);
+  }
+  for (const SurfaceLoad& load : instant.surface_loads) {
+    sum.force += load.resultant.force;
+    sum.moment += load.resultant.moment;
+  }
+  return sum;
+}
+
+void require_balance(const LoadHistory& history,
+                     const part::MassProperties& mass, double size,
+                     const std::string& place) {
+  std::vector<LoadScale> scales;
+  LoadScale floor;
+  for (const InstantLoad& instant : history.instants) {
+    scales.push_back(load_scale(instant, mass, size));
+    floor.force =
+        std::max(floor.force, kSmallestLoadRatio * scales.back().force);
+    floor.moment =
+        std::max(floor.moment, kSmallestLoadRatio * scales.back().moment);
+  }
+  for (std::size_t i = 0; i < history.instants.size(); ++i) {
+    const InstantLoad& instant = history.instants[i];
+    const Wrench left = residual(history, instant, mass);
+    const double force_scale = std::max(scales[i].force, floor.force);
+    const double moment_scale = std::max(scales[i].moment, floor.moment);
+    // Written so that a NaN is refused, too.
+    if (left.force.norm() <= kBalanceTolerance * force_scale &&
+        left.moment.norm() <= kBalanceTolerance * moment_scale) {
+      continue;
+    }
+    throw Error(
+        "L001", place,
+        fmt::format("{}: the loads leave a force of ({:.6g}, {:.6g}, {:.6g}) N "
+                    "and a moment about the part's origin of ({:.6g}, {:.6g}, "
+                    "{:.6g}) N m",
+                    instant.label, left.force.x(), left.force.y(),
+                    left.force.z(), left.moment.x(), left.moment.y(),
+                    left.moment.z()),
+        "give the missing load or acceleration, or hold the part with `fixed`");
+  }
+}
+
+}  // namespace clevis::loads

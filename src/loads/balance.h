@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "loads/load_history.h"
+#include "loads/part_loads.h"
+#include "part/mass_properties.h"
+
+namespace clevis::loads {
+
+/// Force and moment about Lo that the inertia of a rigid part adds to its
+/// loads (d'Alembert): −m a_Cm and −(c × m a + I_Lo α + ω × I_Lo ω).
+Wrench inertia_load(const RigidAcceleration& rigid,
+                    const part::MassProperties& mass);
+
+/// Diameter of the smallest box about all groups and the centre of mass [m]:
+/// the length that makes moments and gaps of a part comparable.
+double part_size(const std::vector<GroupGeometry>& groups,
+                 const part::MassProperties& mass);
+
+/// The group of that name.
+/// @throws Error M003 with the names there are.
+const GroupGeometry& find_group(const std::vector<GroupGeometry>& groups,
+                                const std::string& name,
+                                const std::string& place);
+
+/// A group that a pin presses on.
+/// @throws Error L002 if it is not a full circular cylinder.
+void require_full_cylinder(const GroupGeometry& group,
+                           const std::string& place);
+
+/// Refuses a history in which an instant is out of balance.
+///
+/// The load of an instant is the sum of the magnitudes of its forces and
+/// inertia (of its moments plus these forces times the part's size). An
+/// instant that carries less than 1e-3 of the largest one is measured against
+/// that, because round-off of the motion is relative to its largest load.
+/// @throws Error L001 with the residual force and moment.
+void require_balance(const LoadHistory& history,
+                     const part::MassProperties& mass, double size,
+                     const std::string& place);
+
+}  // namespace clevis::loads

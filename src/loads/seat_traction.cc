@@ -1,0 +1,83 @@
+#include "loads/seat_traction.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+namespace clevis::loads {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+BearingTraction::BearingTraction(const part::Bore& bore, const Wrench& wrench)
+    : bore_(bore) {
+  assert(bore.radius > 0.0 && bore.length > 0.0);
+  const Vector3d& axis = bore.axis_L;
+  const double l = bore.length;
+  const double axial_force = wrench.force.dot(axis);
+  const double axial_moment = wrench.moment.dot(axis);
+  line_load_ = (wrench.force - axial_force * axis) / l;
+  // ∫ s axis × (slope s) ds = axis × slope l³/12 is the moment normal to the
+  // axis.
+  line_load_slope_ = 12.0 / (l * l * l) * wrench.moment.cross(axis);
+  const double wall = 2.0 * std::numbers::pi * bore.radius * l;
+  axial_shear_ = axial_force / wall;
+  torsional_shear_ = axial_moment / (wall * bore.radius);
+}
+
+Vector3d BearingTraction::traction(const Vector3d& p_LQ,
+                                   const Vector3d& outward_LQ) const {
+  const Vector3d& axis = bore_.axis_L;
+  const Vector3d p_CQ = p_LQ - bore_.p_LC;
+  const double s = p_CQ.dot(axis);
+  const Vector3d radial = p_CQ - s * axis;
+  assert(std::abs(radial.norm() - bore_.radius) < 0.1 * bore_.radius &&
+         "point is not on the wall of this cylinder");
+  const Vector3d e_r = radial.normalized();
+  const Vector3d normal = outward_LQ.dot(e_r) < 0.0 ? Vector3d(-e_r) : e_r;
+  const Vector3d line_load = line_load_ + s * line_load_slope_;
+  const double pressure = 2.0 / (std::numbers::pi * bore_.radius) *
+                          std::max(0.0, -normal.dot(line_load));
+  return -pressure * normal + axial_shear_ * axis +
+         torsional_shear_ * axis.cross(e_r);
+}
+
+namespace {
+
+// Points on one line have no second moment about it; what round-off leaves
+// there must not be divided by.
+constexpr double kRankTolerance = 1e-12;
+
+Vector3d solve_with_rank(const Matrix3d& second_moment, const Vector3d& rhs) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(second_moment);
+  Vector3d solution = Vector3d::Zero();
+  for (int i = 0; i < 3; ++i) {
+    if (eigen.eigenvalues()[i] > kRankTolerance * eigen.eigenvalues()[2]) {
+      const Vector3d direction = eigen.eigenvectors().col(i);
+      solution += direction.dot(rhs) / eigen.eigenvalues()[i] * direction;
+    }
+  }
+  return solution;
+}
+
+}  // namespace
+
+LinearTraction::LinearTraction(const Vector3d& centroid, double area,
+                               const Matrix3d& second_moment,
+                               const Wrench& wrench, const Vector3d& about)
+    : centroid_(centroid), mean_(wrench.force / area) {
+  assert(area > 0.0);
+  const Vector3d moment_about_centroid =
+      wrench.moment + (about - centroid).cross(wrench.force);
+  slope_ = solve_with_rank(second_moment, moment_about_centroid);
+}
+
+Vector3d LinearTraction::traction(const Vector3d& p_LQ) const {
+  return mean_ + slope_.cross(p_LQ - centroid_);
+}
+
+}  // namespace clevis::loads
