@@ -36,7 +36,7 @@ enum class JointType { kRevolute, kPrismatic, kWeld };
 /// slide), x the direction that prismatic and weld joints keep aligned and
 /// from which a revolute measures its angle.
 struct JointFrame {
-  Eigen::Vector3d p_LJ = Eigen::Vector3d::Zero();      ///< [m]
+  Eigen::Vector3d p_LJ = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Matrix3d R_LJ = Eigen::Matrix3d::Identity();
 };
 
@@ -60,9 +60,9 @@ enum class DriveLaw { kConstant, kRamp, kQuintic, kSine };
 struct DriveDefinition {
   int joint{};  ///< index into MechanismDefinition::joints
   DriveLaw law{};
-  double from{}, to{};                ///< [m] or [rad]
-  double start{}, duration{};         ///< [s]
-  double amplitude{}, frequency{};    ///< [m] or [rad], [Hz]
+  double from{}, to{};              ///< [m] or [rad]
+  double start{}, duration{};       ///< [s]
+  double amplitude{}, frequency{};  ///< [m] or [rad], [Hz]
   std::string place;
 };
 

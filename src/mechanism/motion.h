@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,10 @@ namespace clevis::mechanism {
 /// Motion of a body at an instant; L is its frame, Lo the origin.
 struct BodyState {
   Pose pose;
-  Eigen::Vector3d v_WLo = Eigen::Vector3d::Zero();      ///< [m/s]
-  Eigen::Vector3d w_WL = Eigen::Vector3d::Zero();       ///< [rad/s], in W
-  Eigen::Vector3d a_WLo = Eigen::Vector3d::Zero();      ///< [m/s²]
-  Eigen::Vector3d alpha_WL = Eigen::Vector3d::Zero();   ///< [rad/s²], in W
+  Eigen::Vector3d v_WLo = Eigen::Vector3d::Zero();     ///< [m/s]
+  Eigen::Vector3d w_WL = Eigen::Vector3d::Zero();      ///< [rad/s], in W
+  Eigen::Vector3d a_WLo = Eigen::Vector3d::Zero();     ///< [m/s²]
+  Eigen::Vector3d alpha_WL = Eigen::Vector3d::Zero();  ///< [rad/s²], in W
 };
 
 /// What a joint does to body b at the origin of its frame J on b, without the
@@ -25,6 +26,11 @@ struct JointReaction {
   Eigen::Vector3d f_W = Eigen::Vector3d::Zero();   ///< [N]
   Eigen::Vector3d t_W = Eigen::Vector3d::Zero();   ///< about p_WJ [N m]
   bool unique = true;  ///< false where redundancy leaves it undetermined
+  /// The same by component: force, then moment, along x, y, z of frame J.
+  /// What is not unique is the choice of least norm, moments over the
+  /// mechanism's length. A planar mechanism without loads across its plane
+  /// has none across it either: those count as unique.
+  std::array<bool, 6> unique_components{true, true, true, true, true, true};
 };
 
 /// Prescribed coordinate and what it takes.
@@ -39,14 +45,22 @@ struct Instant {
   std::vector<BodyState> bodies;
   std::vector<JointReaction> joints;
   std::vector<DriveState> drives;
-  double closure_error{};       ///< largest joint gap [m]
+  double closure_error{};        ///< largest joint gap [m]
   double power_balance_error{};  ///< |drives + loads − d(kinetic)/dt| over the
                                  ///< largest of them over the motion [1]
+};
+
+/// A change point that the motion passed between two instants. It stayed on
+/// its branch, but rigid reactions grow without bound towards the point, so
+/// their largest value is a matter of sampling.
+struct ChangePoint {
+  double t_before{}, t_after{};  ///< [s]
 };
 
 /// The whole history, what `loads` and `report` take.
 struct Motion {
   std::vector<Instant> instants;
+  std::vector<ChangePoint> change_points;
 };
 
 }  // namespace clevis::mechanism

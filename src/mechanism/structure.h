@@ -12,9 +12,9 @@ struct Structure {
   bool planar{};
   int moving_links{};  ///< bodies, welded ones counted once
   int pairs{};         ///< joints, welds left out
-  int chebyshev{};     ///< W = 3n − 2p5 − p4 (planar) or 6n − Σ constraints
-  int mobility{};      ///< columns − rank of the constraint Jacobian
-  int redundant{};     ///< rows − rank
+  int chebyshev{};  ///< W = 3n − 2p5 − p4 (planar) or 6n − Σ constraints
+  int mobility{};   ///< columns − rank of the constraint Jacobian
+  int redundant{};  ///< rows − rank
   std::vector<std::string> redundant_in;  ///< joints with redundant rows
   /// The same mechanism taken as spatial.
   int spatial_chebyshev{}, spatial_mobility{}, spatial_redundant{};

@@ -1,0 +1,111 @@
+#include "mechanism/continuation.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace clevis::mechanism {
+namespace {
+
+using Eigen::VectorXd;
+
+// A prediction of second order that misses by more than this part of the
+// step may lead to a neighbouring branch.
+constexpr double kSmallMiss = 0.05;
+constexpr double kShortestStep = 1.0 / 16384.0;
+
+}  // namespace
+
+ClosedConfiguration Continuation::close(Configuration x,
+                                        const VectorXd& targets) const {
+  ClosedConfiguration closed;
+  closed.x = std::move(x);
+  closed.targets = targets;
+  closed.placed = system_.place(closed.x);
+  closed.factor.compute(system_.jacobian(closed.placed));
+  closed.gap = largest_gap(system_.residual(closed.placed, targets));
+  return closed;
+}
+
+Configuration Continuation::predict(const ClosedConfiguration& from,
+                                    const VectorXd& change) const {
+  VectorXd b = VectorXd::Zero(system_.rows());
+  b.tail(change.size()) = change;
+  for (int i = system_.joint_rows(); i < system_.rows(); ++i) {
+    b[i] *= system_.scale(system_.row_list()[static_cast<std::size_t>(i)].row);
+  }
+  VectorXd displacement = from.factor.solve(b);
+  const VectorXd bias = system_.bias(from.placed, system_.twists(displacement));
+  displacement -= 0.5 * from.factor.solve(bias);
+  Configuration x = from.x;
+  system_.move(x, displacement);
+  return x;
+}
+
+bool Continuation::correct(Configuration& x, const VectorXd& targets,
+                           const JacobianFactor& nearby) const {
+  const double length = system_.scale({JointRow::Kind::kRotation});
+  const double round_off = 3e-14 * length;
+  JacobianFactor own;
+  const JacobianFactor* factor = &nearby;
+  double last = 0.0;
+  for (int i = 0; i < 12; ++i) {
+    const auto placed = system_.place(x);
+    const VectorXd c = system_.residual(placed, targets);
+    const double gap = largest_gap(c);
+    if (gap <= round_off) return true;
+    if (!(gap < length)) return false;
+    if (i > 0 && gap > 0.1 * last) {
+      if (gap < tolerance_ && factor == &own) return true;  // all it can do
+      own.compute(system_.jacobian(placed));
+      factor = &own;
+    }
+    last = gap;
+    system_.move(x, -factor->solve(c));
+  }
+  return largest_gap(system_.residual(system_.place(x), targets)) <= tolerance_;
+}
+
+bool Continuation::step(const ClosedConfiguration& from,
+                        const VectorXd& targets,
+                        ClosedConfiguration& to) const {
+  const VectorXd change = targets - from.targets;
+  const Configuration predicted = predict(from, change);
+  Configuration x = predicted;
+  if (!correct(x, targets, from.factor)) return false;
+  to = close(std::move(x), targets);
+  if (!(to.gap <= tolerance_)) return false;
+  const double length = system_.scale({JointRow::Kind::kRotation});
+  const double allowed =
+      std::max(kSmallMiss * system_.distance(from.x, to.x), 1e-10 * length);
+  if (system_.distance(predicted, to.x) > allowed) return false;
+  // where rank is lost, the derivatives say nothing: the caller reports it
+  return !to.factor.full_column_rank() ||
+         system_.distance(predict(to, -change), from.x) <= allowed;
+}
+
+Continuation::Reached Continuation::follow(const ClosedConfiguration& from,
+                                           const VectorXd& targets) const {
+  Reached reached{from, 0.0};
+  const VectorXd start = from.targets;
+  double length = 1.0;
+  ClosedConfiguration next;
+  while (reached.part < 1.0) {
+    const double end = std::min(1.0, reached.part + length);
+    const bool last = end == 1.0;
+    const VectorXd way =
+        last ? targets : VectorXd(start + end * (targets - start));
+    const bool accepted = step(reached.at, way, next);
+    // an inner point without full rank cannot be left: go round it
+    if (accepted && (last || next.factor.full_column_rank())) {
+      std::swap(reached.at, next);
+      reached.part = end;
+      length *= 2.0;
+      continue;
+    }
+    length *= accepted ? 0.7 : 0.5;
+    if (length < kShortestStep) return reached;
+  }
+  return reached;
+}
+
+}  // namespace clevis::mechanism

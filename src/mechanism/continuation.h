@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mechanism/constraint_system.h"
+#include "mechanism/jacobian_factor.h"
+
+namespace clevis::mechanism {
+
+/// A configuration that closes all joints and drives, with its Jacobian.
+struct ClosedConfiguration {
+  Configuration x;
+  Eigen::VectorXd targets;  ///< coordinates of the drives
+  std::vector<PlacedJoint> placed;
+  JacobianFactor factor;
+  double gap{};  ///< largest residual [m]
+};
+
+/// Follows the branch of positions while the drives move.
+///
+/// A step predicts with the first two derivatives along the drives' path and
+/// corrects by Newton. It counts only if the correction is small and if the
+/// derivatives at its end lead back to its start; else it is halved. So a
+/// step never lands on another branch, also across a change point.
+class Continuation {
+ public:
+  /// @param tolerance  of closure [m].
+  Continuation(const ConstraintSystem& system, double tolerance)
+      : system_(system), tolerance_(tolerance) {}
+
+  /// Jacobian and gap at a configuration that is closed.
+  ClosedConfiguration close(Configuration x,
+                            const Eigen::VectorXd& targets) const;
+
+  struct Reached {
+    ClosedConfiguration at;
+    double part{};  ///< how far along the way: 1 if it arrived
+  };
+  /// Configuration at new coordinates of the drives.
+  Reached follow(const ClosedConfiguration& from,
+                 const Eigen::VectorXd& targets) const;
+
+ private:
+  Configuration predict(const ClosedConfiguration& from,
+                        const Eigen::VectorXd& change) const;
+  bool correct(Configuration& x, const Eigen::VectorXd& targets,
+               const JacobianFactor& nearby) const;
+  bool step(const ClosedConfiguration& from, const Eigen::VectorXd& targets,
+            ClosedConfiguration& to) const;
+
+  const ConstraintSystem& system_;
+  double tolerance_;
+};
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,181 @@
+#include "mechanism/equilibrium.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clevis::mechanism {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Largest force, and moment over length, in the given components.
+double largest(const std::vector<Twist>& wrenches, Motions motions,
+               double length) {
+  double result = 0.0;
+  for (const Twist& wrench : wrenches) {
+    for (const int k : twist_components(motions)) {
+      result = std::max(result, k < 3 ? std::abs(wrench.v[k])
+                                      : std::abs(wrench.w[k - 3]) / length);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Equilibrium::Equilibrium(const MechanismDefinition& definition,
+                         const SolvingFrame& frame,
+                         const ConstraintSystem& system)
+    : frame_(frame),
+      system_(system),
+      out_of_plane_(frame, {}, Motions::kOutOfPlane,
+                    ConstraintSystem::Drives::kNone),
+      inertia_(definition.bodies.size() + 1),
+      gravity_(frame.R_WP.transpose() * definition.gravity_W) {
+  for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
+    const part::MassProperties& given = definition.bodies[i].mass_properties;
+    inertia_[i + 1] = {given.mass, given.p_LCm - frame.p_LM[i],
+                       given.inertia_LCm};
+  }
+  for (const ForceDefinition& force : definition.forces) {
+    loads_.push_back({force.body + 1,
+                      force.p_LP - frame.p_LM[index(force.body)],
+                      frame.R_WP.transpose() * force.f_W,
+                      frame.R_WP.transpose() * force.t_W});
+  }
+}
+
+std::vector<Twist> Equilibrium::required_wrenches(
+    const Configuration& x, const std::vector<Twist>& twists,
+    const std::vector<Twist>& accelerations) const {
+  std::vector<Twist> required(x.size());
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    const Inertia& body = inertia_[i];
+    const Vector3d c = x[i].R * body.p_MCm;
+    const Vector3d& w = twists[i].w;
+    const Vector3d& alpha = accelerations[i].w;
+    const Vector3d a_cm =
+        accelerations[i].v + alpha.cross(c) + w.cross(w.cross(c));
+    const Matrix3d inertia = x[i].R * body.about_cm * x[i].R.transpose();
+    required[i].v = body.mass * (a_cm - gravity_);
+    required[i].w = c.cross(required[i].v) + inertia * alpha +
+                    w.cross(Vector3d(inertia * w));
+  }
+  for (const Load& load : loads_) {
+    Twist& wrench = required[index(load.slot)];
+    wrench.v -= load.f;
+    wrench.w -= load.t + (x[index(load.slot)].R * load.p_MP).cross(load.f);
+  }
+  return required;
+}
+
+void Equilibrium::add(Solution& solution,
+                      const std::vector<PlacedJoint>& placed,
+                      const ConstraintSystem& rows,
+                      const VectorXd& lambda) const {
+  for (int i = 0; i < rows.joint_rows(); ++i) {
+    const auto& row = rows.row_list()[index(i)];
+    JointReaction& reaction = solution.joints[index(row.joint)];
+    const Vector3d value = rows.multiplier(row, lambda[i]) *
+                           placed[index(row.joint)].axes_a.col(row.row.axis);
+    if (row.row.kind == JointRow::Kind::kTranslation) {
+      reaction.f_W += value;
+    } else {
+      reaction.t_W += value;
+    }
+  }
+}
+
+void Equilibrium::mark(Solution& solution, const ConstraintSystem& rows,
+                       const std::vector<bool>& dependent) const {
+  for (int i = 0; i < rows.joint_rows(); ++i) {
+    if (!dependent[index(i)]) continue;
+    const auto& row = rows.row_list()[index(i)];
+    JointReaction& reaction = solution.joints[index(row.joint)];
+    const int moment = row.row.kind == JointRow::Kind::kRotation ? 3 : 0;
+    reaction.unique_components[index(moment + row.row.axis)] = false;
+    reaction.unique = false;
+  }
+}
+
+bool Equilibrium::acts_across_plane(const std::vector<PlacedJoint>& placed,
+                                    const std::vector<Twist>& required) const {
+  constexpr double kRoundOff = 1e-12;
+  for (const PlacedJoint& joint : placed) {
+    const double beside =
+        std::max(std::abs(joint.r_a.z()), std::abs(joint.r_b.z()));
+    if (beside > kRoundOff * frame_.length) return true;
+  }
+  return largest(required, Motions::kOutOfPlane, frame_.length) >
+         kRoundOff * largest(required, Motions::kInPlane, frame_.length);
+}
+
+void Equilibrium::solve_out_of_plane(Solution& solution,
+                                     const std::vector<PlacedJoint>& placed,
+                                     std::vector<Twist> required) const {
+  // what the reactions and drives in the plane already do across it
+  std::vector<Vector3d> forces(placed.size());
+  for (std::size_t j = 0; j < placed.size(); ++j) {
+    forces[j] = solution.joints[j].f_W;
+  }
+  for (std::size_t i = 0; i < solution.efforts.size(); ++i) {
+    const auto& row = system_.row_list()[index(system_.joint_rows()) + i];
+    if (row.row.kind == JointRow::Kind::kRotation) continue;  // in the plane
+    forces[index(row.joint)] +=
+        solution.efforts[i] * placed[index(row.joint)].axes_a.col(2);
+  }
+  for (std::size_t j = 0; j < placed.size(); ++j) {
+    const Vector3d& f = forces[j];
+    const Vector3d& t = solution.joints[j].t_W;
+    Twist& on_a = required[index(frame_.joints[j].a)];
+    Twist& on_b = required[index(frame_.joints[j].b)];
+    on_b.v -= f;
+    on_b.w -= t + placed[j].r_b.cross(f);
+    on_a.v += f;
+    on_a.w += t + (placed[j].r_a + placed[j].d).cross(f);
+  }
+  required[0] = Twist{};
+  const MatrixXd J = out_of_plane_.jacobian(placed);
+  JacobianFactor factor;
+  factor.compute(J);
+  add(solution, placed, out_of_plane_,
+      factor.solve_transposed(out_of_plane_.wrench_vector(required)));
+  mark(solution, out_of_plane_, row_dependence(J).dependent);
+}
+
+Equilibrium::Solution Equilibrium::solve(
+    const Configuration& x, const std::vector<PlacedJoint>& placed,
+    const JacobianFactor& factor, const std::vector<Twist>& twists,
+    const std::vector<Twist>& accelerations) const {
+  const std::vector<Twist> required =
+      required_wrenches(x, twists, accelerations);
+  const VectorXd lambda =
+      factor.solve_transposed(system_.wrench_vector(required));
+  Solution solution;
+  solution.joints.resize(placed.size());
+  for (std::size_t j = 0; j < placed.size(); ++j) {
+    solution.joints[j].p_WJ = placed[j].p_b;
+  }
+  add(solution, placed, system_, lambda);
+  for (int i = system_.joint_rows(); i < system_.rows(); ++i) {
+    const auto& row = system_.row_list()[index(i)];
+    const double effort = system_.multiplier(row, lambda[i]);
+    solution.efforts.push_back(effort);
+  }
+  if (system_.rows() > factor.rank()) {
+    mark(solution, system_, row_dependence(system_.jacobian(placed)).dependent);
+  }
+  if (frame_.planar && acts_across_plane(placed, required)) {
+    solve_out_of_plane(solution, placed, required);
+  }
+  return solution;
+}
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mechanism/constraint_system.h"
+#include "mechanism/jacobian_factor.h"
+#include "mechanism/motion.h"
+
+namespace clevis::mechanism {
+
+/// Mass, inertia and loads of the bodies of a mechanism, for the equilibrium
+///   Jᵀ λ = M a + gyroscopic terms − Q
+/// of every instant. λ of the joints' rows are the reactions, λ of the
+/// drives' rows their efforts.
+class Equilibrium {
+ public:
+  Equilibrium(const MechanismDefinition& definition, const SolvingFrame& frame,
+              const ConstraintSystem& system);
+
+  struct Solution {
+    std::vector<JointReaction> joints;  ///< expressed in P
+    std::vector<double> efforts;        ///< by drive
+  };
+  /// @param twists, accelerations  by slot, of M, in P.
+  Solution solve(const Configuration& x, const std::vector<PlacedJoint>& placed,
+                 const JacobianFactor& factor, const std::vector<Twist>& twists,
+                 const std::vector<Twist>& accelerations) const;
+
+ private:
+  std::vector<Twist> required_wrenches(
+      const Configuration& x, const std::vector<Twist>& twists,
+      const std::vector<Twist>& accelerations) const;
+  void add(Solution& solution, const std::vector<PlacedJoint>& placed,
+           const ConstraintSystem& rows, const Eigen::VectorXd& lambda) const;
+  /// Whether anything loads the parts across the plane of motion: loads with
+  /// such components, or joints beside one another along its normal.
+  bool acts_across_plane(const std::vector<PlacedJoint>& placed,
+                         const std::vector<Twist>& required) const;
+  void solve_out_of_plane(Solution& solution,
+                          const std::vector<PlacedJoint>& placed,
+                          std::vector<Twist> required) const;
+  void mark(Solution& solution, const ConstraintSystem& rows,
+            const std::vector<bool>& dependent) const;
+
+  struct Inertia {
+    double mass{};
+    Eigen::Vector3d p_MCm;
+    Eigen::Matrix3d about_cm;
+  };
+  struct Load {
+    int slot{};
+    Eigen::Vector3d p_MP, f, t;  ///< f, t in P
+  };
+  const SolvingFrame& frame_;
+  const ConstraintSystem& system_;
+  ConstraintSystem out_of_plane_;
+  std::vector<Inertia> inertia_;  ///< by slot
+  std::vector<Load> loads_;
+  Eigen::Vector3d gravity_;
+};
+
+}  // namespace clevis::mechanism

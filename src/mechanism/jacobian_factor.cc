@@ -1,0 +1,78 @@
+#include "mechanism/jacobian_factor.h"
+
+#include <Eigen/SVD>
+
+namespace clevis::mechanism {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+// LU serves down to this reciprocal condition number (in the 1-norm, at most
+// `columns` times below that of the 2-norm); the rank is judged below it.
+constexpr double kSafeCondition = 1e-3;
+
+int positive_rank(const VectorXd& singular_values) {
+  if (singular_values.size() == 0) return 0;
+  const double bound = kRankThreshold * singular_values[0];
+  return static_cast<int>((singular_values.array() > bound).count());
+}
+
+}  // namespace
+
+void JacobianFactor::compute(const MatrixXd& J) {
+  columns_ = static_cast<int>(J.cols());
+  determinant_sign_ = 0;
+  regular_ = false;
+  if (J.rows() == J.cols() && J.cols() > 0) {
+    lu_.compute(J);
+    regular_ = lu_.rcond() > kSafeCondition;
+    int sign = static_cast<int>(lu_.permutationP().determinant());
+    for (int i = 0; i < columns_; ++i) {
+      const double pivot = lu_.matrixLU()(i, i);
+      sign = pivot > 0.0 ? sign : (pivot < 0.0 ? -sign : 0);
+    }
+    determinant_sign_ = sign;
+    rank_ = columns_;
+    if (regular_) return;
+  }
+  orthogonal_.setThreshold(kRankThreshold);
+  orthogonal_.compute(J);
+  rank_ = static_cast<int>(orthogonal_.rank());
+  if (rank_ < columns_) determinant_sign_ = 0;
+}
+
+VectorXd JacobianFactor::solve(const VectorXd& b) const {
+  if (regular_) return lu_.solve(b);
+  return orthogonal_.solve(b);
+}
+
+VectorXd JacobianFactor::solve_transposed(const VectorXd& f) const {
+  if (regular_) return lu_.transpose().solve(f);
+  return orthogonal_.transpose().solve(f);
+}
+
+RowDependence row_dependence(const MatrixXd& J) {
+  RowDependence result;
+  const auto rows = static_cast<std::size_t>(J.rows());
+  result.dependent.assign(rows, false);
+  if (J.size() == 0) return result;
+  const Eigen::JacobiSVD<MatrixXd> svd(J, Eigen::ComputeFullU);
+  result.rank = positive_rank(svd.singularValues());
+  const auto left_null = svd.matrixU().rightCols(J.rows() - result.rank);
+  for (std::size_t i = 0; i < rows; ++i) {
+    // entries of a vector of a row that is not involved are round-off
+    result.dependent[i] =
+        left_null.row(static_cast<Eigen::Index>(i)).norm() > 1e-7;
+  }
+  return result;
+}
+
+int numerical_rank(const MatrixXd& J) {
+  if (J.size() == 0) return 0;
+  const Eigen::JacobiSVD<MatrixXd> svd(J);
+  return positive_rank(svd.singularValues());
+}
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+namespace clevis::mechanism {
+
+/// Singular values below this part of the largest count as zero. Not machine
+/// epsilon: closer to a change point than that, rows that ought to be
+/// dependent act as constraints with arbitrary multipliers.
+inline constexpr double kRankThreshold = 3e-5;
+
+/// Rank-revealing factorisation of a scaled constraint Jacobian J: fast LU
+/// where J is square and clearly regular, else a complete orthogonal
+/// decomposition truncated at kRankThreshold.
+class JacobianFactor {
+ public:
+  void compute(const Eigen::MatrixXd& J);
+
+  int rank() const { return rank_; }
+  bool full_column_rank() const { return rank_ == columns_; }
+  /// Sign of det J; 0 if J is not square or not regular. It changes where the
+  /// motion passes a change point.
+  int determinant_sign() const { return determinant_sign_; }
+
+  /// Least-squares, minimal-norm solution of J x = b.
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  /// Minimal-norm, least-squares solution of Jᵀ λ = f.
+  Eigen::VectorXd solve_transposed(const Eigen::VectorXd& f) const;
+
+ private:
+  bool regular_ = false;
+  int rank_{}, columns_{}, determinant_sign_{};
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> orthogonal_;
+};
+
+/// What the rows of a Jacobian leave open, by singular values.
+struct RowDependence {
+  int rank{};
+  /// Rows that depend on others: their multipliers are not unique.
+  std::vector<bool> dependent;
+};
+RowDependence row_dependence(const Eigen::MatrixXd& J);
+
+/// Rank by singular values.
+int numerical_rank(const Eigen::MatrixXd& J);
+
+}  // namespace clevis::mechanism

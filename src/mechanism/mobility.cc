@@ -1,0 +1,129 @@
+#include "mechanism/mobility.h"
+
+#include <cmath>
+
+#include <Eigen/SVD>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/errors.h"
+#include "mechanism/assembly.h"
+#include "mechanism/jacobian_factor.h"
+
+namespace clevis::mechanism {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd null_space(const MatrixXd& J) {
+  if (J.rows() == 0) return MatrixXd::Identity(J.cols(), J.cols());
+  const Eigen::JacobiSVD<MatrixXd> svd(J, Eigen::ComputeFullV);
+  return svd.matrixV().rightCols(J.cols() - numerical_rank(J));
+}
+
+/// A closed configuration a little away along what the joints leave free.
+Configuration neighbour(const SolvingFrame& frame,
+                        const Configuration& closed) {
+  const Motions motions = frame.planar ? Motions::kInPlane : Motions::kSpatial;
+  const ConstraintSystem joints(frame, {}, motions,
+                                ConstraintSystem::Drives::kNone);
+  const MatrixXd freedom = null_space(joints.jacobian(joints.place(closed)));
+  if (freedom.cols() == 0) return closed;
+  VectorXd mix(freedom.cols());
+  for (Eigen::Index i = 0; i < mix.size(); ++i) {
+    mix[i] = std::cos(1.0 + 2.0 * static_cast<double>(i));  // any fixed mix
+  }
+  Configuration moved = closed;
+  joints.move(moved, 0.02 * frame.length / mix.norm() * (freedom * mix));
+  const Assembled back =
+      assemble(joints, std::move(moved), VectorXd(), 1e-10 * frame.length);
+  return back.closed ? back.x : closed;
+}
+
+Mobility mobility_at(const SolvingFrame& frame, const ConstraintSystem& system,
+                     const Configuration& x) {
+  const MatrixXd all = system.jacobian(system.place(x));
+  const MatrixXd joints = all.topRows(system.joint_rows());
+  const int n = system.columns();
+  const RowDependence closure = row_dependence(joints);
+  const RowDependence driven = row_dependence(all);
+  Mobility result;
+  result.joints = n - closure.rank;
+  result.with_drives = n - driven.rank;
+  result.redundant = system.joint_rows() - closure.rank;
+  result.dependent_rows = closure.dependent;
+  for (int i = system.joint_rows(); i < system.rows(); ++i) {
+    if (driven.dependent[static_cast<std::size_t>(i)]) {
+      result.dependent_drives.push_back(i - system.joint_rows());
+    }
+  }
+  if (result.with_drives == 0) return result;
+  const MatrixXd freedom = null_space(all);
+  const auto placed = system.place(x);
+  for (std::size_t j = 0; j < frame.joints.size(); ++j) {
+    if (frame.joints[j].type == JointType::kWeld) continue;
+    DriveDefinition probe;
+    probe.joint = static_cast<int>(j);
+    const ConstraintSystem with_probe(
+        frame, {probe}, frame.planar ? Motions::kInPlane : Motions::kSpatial,
+        ConstraintSystem::Drives::kAll);
+    const MatrixXd row = with_probe.jacobian(placed).bottomRows(1);
+    if ((row * freedom).norm() > 1e-6) {
+      result.free_joints.push_back(static_cast<int>(j));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Mobility mobility(const SolvingFrame& frame, const ConstraintSystem& system,
+                  const Configuration& closed) {
+  const Mobility here = mobility_at(frame, system, closed);
+  const Mobility near = mobility_at(frame, system, neighbour(frame, closed));
+  // the higher rank is the general one
+  const bool here_is_general =
+      here.joints <= near.joints && here.with_drives <= near.with_drives;
+  return here_is_general ? here : near;
+}
+
+void require_driven(const MechanismDefinition& definition,
+                    const Mobility& mobility) {
+  const int drives = static_cast<int>(definition.drives.size());
+  if (!mobility.dependent_drives.empty()) {
+    std::vector<std::string> names;
+    for (const int i : mobility.dependent_drives) {
+      const DriveDefinition& drive =
+          definition.drives[static_cast<std::size_t>(i)];
+      names.push_back(
+          definition.joints[static_cast<std::size_t>(drive.joint)].name);
+    }
+    const DriveDefinition& last =
+        definition
+            .drives[static_cast<std::size_t>(mobility.dependent_drives.back())];
+    throw Error("K003", last.place,
+                fmt::format("{} drives for {} degree(s) of freedom: {} "
+                            "prescribe the same motion",
+                            drives, mobility.joints, fmt::join(names, ", ")),
+                fmt::format("remove {} of these drives",
+                            drives - mobility.joints + mobility.with_drives));
+  }
+  if (mobility.with_drives > 0) {
+    std::vector<std::string> names;
+    for (const int j : mobility.free_joints) {
+      names.push_back(definition.joints[static_cast<std::size_t>(j)].name);
+    }
+    throw Error(
+        "K002", "mechanism",
+        fmt::format("{} degree(s) of freedom, {} drive(s): {} motion(s) are "
+                    "left unprescribed",
+                    mobility.joints, drives, mobility.with_drives),
+        names.empty()
+            ? std::string("join or weld the loose bodies to the mechanism")
+            : fmt::format("add a [[drive]] on one of the joints {}",
+                          fmt::join(names, ", ")));
+  }
+}
+
+}  // namespace clevis::mechanism

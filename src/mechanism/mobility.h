@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mechanism/constraint_system.h"
+
+namespace clevis::mechanism {
+
+/// Degrees of freedom by the rank of the constraint Jacobian, at a general
+/// configuration: where the given one is singular, a neighbour on the same
+/// branch is taken.
+struct Mobility {
+  int joints{};       ///< columns − rank of the joints' rows
+  int with_drives{};  ///< columns − rank of all rows: what no drive fixes
+  int redundant{};    ///< joints' rows − rank
+  std::vector<bool> dependent_rows;   ///< joints' rows among dependent ones
+  std::vector<int> free_joints;       ///< joints that the drives leave loose
+  std::vector<int> dependent_drives;  ///< drives that repeat other rows
+};
+
+/// @param system  with its drives.
+Mobility mobility(const SolvingFrame& frame, const ConstraintSystem& system,
+                  const Configuration& closed);
+
+/// @throws Error K002, K003 if the drives do not fix the motion, naming
+///   joints to drive or drives to remove.
+void require_driven(const MechanismDefinition& definition,
+                    const Mobility& mobility);
+
+}  // namespace clevis::mechanism
