@@ -18,14 +18,17 @@ enum class Dimension {
   kDensity,              // kg/m^3
   kVelocity,             // m/s
   kAcceleration,         // m/s^2
-  kAngularVelocity,      // rad/s (also rpm)
+  kFrequency,            // 1/s (also Hz); not rad/s
+  kAngularVelocity,      // rad/s (also rpm); not Hz
   kAngularAcceleration,  // rad/s^2
   kRatio,                // 1 (also %)
 };
 
 /// The SI value of a text such as "140 mm", "1500 rpm" or "1 %".
 ///
-/// Parsed by udunits2, so any unit it knows is accepted.
+/// Parsed by udunits2, so any unit it knows is accepted; its database is read
+/// at the first call (4 ms). The radian counts as a dimension of its own: 25 Hz
+/// is no angular velocity, because it could mean 25 rad/s or 2π·25 rad/s.
 /// @throws Error S004 (place = `place`) if the unit is missing, unknown or of
 ///   another dimension, S006 if the number is not finite. The message lists
 ///   units that fit.
