@@ -98,6 +98,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"M011", kMeshInvalid, "mesh is out of date",
      "The mesh was made from another version of the geometry. Run "
      "`clevis mesh SCENE`."},
+    {"M012", kMeshInvalid, "surface in two groups",
+     "A face belongs to two named physical groups, so that a load on one "
+     "would be a load on the other too. Let every surface be in one named "
+     "group at most."},
     {"R001", kRegression, "regression against the baseline",
      "At least one quantity moved by more than its tolerance."},
     {"R002", kUsage, "result and baseline do not match",

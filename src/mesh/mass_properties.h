@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <Eigen/Core>
 
 #include "mesh/part_mesh.h"
 #include "part/mass_properties.h"
@@ -11,13 +11,18 @@ namespace clevis::mesh {
 /// geometry. @param density [kg/m³].
 part::MassProperties mass_properties(const PartMesh<3>& mesh, double density);
 
-/// Area [m²], centroid [m] and second moment ∫ (|r|² I − r rᵀ) dA [m⁴] of a
-/// group's faces.
+/// The same of the plate with its thickness; z from mid_plane_z.
+part::MassProperties mass_properties(const PartMesh<2>& mesh, double density);
+
+/// Area [m²], centroid [m] and second moment ∫ (|r|² I − r rᵀ) dA [m⁴] about
+/// the centroid, of a group's faces.
 struct FaceProperties {
   double area{};
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();
 };
+
+/// @param group  index into mesh.groups; -1: all faces without a name.
 FaceProperties face_properties(const PartMesh<3>& mesh, int group);
 
 }  // namespace clevis::mesh

@@ -8,7 +8,7 @@ namespace clevis::mesh {
 
 /// A plane cut through a part, for beam theory with the true section.
 struct Section {
-  double area{};  ///< [m²]
+  double area{};                                       ///< [m²]
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< in L [m]
   /// ∫ (r rᵀ) dA about the centroid, in L (rank 2) [m⁴].
   Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();

@@ -1,0 +1,161 @@
+#include "mesh/gate.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "mesh/tensor_basis.h"
+#include "mesh/topology.h"
+
+namespace clevis::mesh {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+
+void take(const Eigen::Matrix3d& J, CellQuality& quality) {
+  const double det = J.determinant();
+  const double lengths = J.colwise().norm().prod();
+  quality.min_jacobian = std::min(quality.min_jacobian, det);
+  quality.max_jacobian = std::max(quality.max_jacobian, det);
+  quality.scaled_jacobian =
+      std::min(quality.scaled_jacobian, lengths > 0.0 ? det / lengths : 0.0);
+}
+
+Eigen::Matrix3d simplex_jacobian(const Eigen::Matrix3Xd& corners) {
+  return corners.middleCols<3>(1).colwise() - corners.col(0);
+}
+
+double straight_volume(const PartMesh<3>& mesh, std::size_t cell) {
+  const auto& points = mesh.cell_points[cell];
+  if (mesh.shape == CellShape::kSimplex) {
+    return simplex_jacobian(points).determinant() / 6.0;
+  }
+  // Trilinear through the corners: two Gauss points are exact.
+  Eigen::Matrix3Xd corners(3, 8);
+  for (std::size_t v = 0; v < 8; ++v) {
+    corners.col(Index(v)) = mesh.vertices[mesh.cells[cell][v]];
+  }
+  const LagrangeBasis basis = lagrange(gauss_lobatto(1), gauss(2).points);
+  const auto grid = map_grid<3>(corners, {&basis, &basis, &basis});
+  double volume = 0.0;
+  for (Index q = 0; q < 8; ++q) volume += grid.jacobian(q).determinant() / 8.0;
+  return volume;
+}
+
+Vector3d middle(const PartMesh<3>& mesh, std::size_t cell) {
+  return mesh.cell_points[cell].rowwise().mean();
+}
+
+std::string in_mm(const Vector3d& p) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * p.x(), 1e3 * p.y(),
+                     1e3 * p.z());
+}
+
+}  // namespace
+
+std::vector<CellQuality> cell_qualities(const PartMesh<3>& mesh) {
+  constexpr double kHuge = std::numeric_limits<double>::infinity();
+  std::vector<CellQuality> qualities(mesh.cells.size(), {kHuge, -kHuge, kHuge});
+  const Eigen::VectorXd inner = gauss(mesh.degree + 2).points;
+  Eigen::VectorXd points(inner.size() + 2);
+  points << 0.0, inner, 1.0;
+  const LagrangeBasis basis = lagrange(gauss_lobatto(mesh.degree), points);
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    if (mesh.shape == CellShape::kSimplex) {
+      take(simplex_jacobian(mesh.cell_points[c]), qualities[c]);
+      continue;
+    }
+    const auto grid =
+        map_grid<3>(mesh.cell_points[c], {&basis, &basis, &basis});
+    for (Index q = 0; q < grid.points.cols(); ++q) {
+      take(grid.jacobian(q), qualities[c]);
+    }
+  }
+  return qualities;
+}
+
+void check_size(const PartMesh<3>& mesh, const std::string& file) {
+  const double size = size_of(mesh);
+  if (size >= 1e-6 && size <= 1e4) return;
+  throw Error("M007", file, fmt::format("the part is {:.3g} m large", size),
+              "check length_unit of the part");
+}
+
+void check_connected(const PartMesh<3>& mesh, const std::string& file) {
+  std::vector<int> piece(mesh.cells.size(), -1);
+  const auto other = neighbours(mesh);
+  int pieces = 0;
+  for (std::size_t seed = 0; seed < piece.size(); ++seed) {
+    if (piece[seed] >= 0) continue;
+    std::vector<std::size_t> front = {seed};
+    piece[seed] = pieces;
+    while (!front.empty()) {
+      const std::size_t cell = front.back();
+      front.pop_back();
+      for (const auto& [next, face] : other[cell]) {
+        if (next < 0 || piece[std::size_t(next)] >= 0) continue;
+        piece[std::size_t(next)] = pieces;
+        front.push_back(std::size_t(next));
+      }
+    }
+    ++pieces;
+  }
+  if (pieces <= 1) return;
+
+  struct Piece {
+    double volume{};
+    int cells{};
+    Vector3d at = Vector3d::Zero();
+  };
+  std::vector<Piece> list{std::size_t(pieces)};
+  for (std::size_t c = 0; c < piece.size(); ++c) {
+    Piece& p = list[std::size_t(piece[c])];
+    if (p.cells++ == 0) p.at = middle(mesh, c);
+    p.volume += straight_volume(mesh, c);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(list.size(), 5); ++i) {
+    text += fmt::format("{} {:.4g} mm³ in {} cells near {}", i ? ";" : ":",
+                        1e9 * list[i].volume, list[i].cells, in_mm(list[i].at));
+  }
+  throw Error("M006", file,
+              fmt::format("the cells form {} pieces that share no face{}{}",
+                          pieces, text, list.size() > 5 ? "; …" : ""),
+              "delete the loose piece, or merge coincident nodes (gmsh: "
+              "Coherence Mesh)");
+}
+
+void check_jacobians(const PartMesh<3>& mesh, const std::string& file) {
+  const auto qualities = cell_qualities(mesh);
+  std::vector<std::size_t> bad;
+  bool all_inside_out = true;
+  for (std::size_t c = 0; c < qualities.size(); ++c) {
+    all_inside_out = all_inside_out && qualities[c].max_jacobian < 0.0;
+    // A cell whose scaled Jacobian is rounding has no inside either.
+    if (!(qualities[c].scaled_jacobian > 1e-12)) bad.push_back(c);
+  }
+  if (bad.empty()) return;
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(bad.size(), 5); ++i) {
+    text += fmt::format("{} cell {} near {}", i ? "," : ":", bad[i],
+                        in_mm(middle(mesh, bad[i])));
+  }
+  throw Error(
+      "M005", file,
+      fmt::format("{} of {} cells are inverted or folded{}{}", bad.size(),
+                  qualities.size(), text, bad.size() > 5 ? ", …" : ""),
+      all_inside_out
+          ? "the whole mesh is numbered left-handed: mirror the geometry, not "
+            "the mesh, or reverse the elements"
+          : "mesh the place finer, or check that curved surfaces do not cut "
+            "through their cells");
+}
+
+}  // namespace clevis::mesh

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/part_mesh.h"
+
+namespace clevis::mesh {
+
+/// Jacobian of a cell's mapping over its quadrature points and its surface.
+struct CellQuality {
+  double min_jacobian{}, max_jacobian{};  ///< det ∂x/∂ξ [m³]
+  /// Smallest det over the product of the column lengths [1]; 1 for a box.
+  double scaled_jacobian{};
+};
+
+/// Quality of each cell, at Gauss points (degree + 2 per direction) and at
+/// the faces, edges and corners.
+std::vector<CellQuality> cell_qualities(const PartMesh<3>& mesh);
+
+/// Refuses a mesh that is smaller than 1 µm or larger than 10 km.
+/// @throws Error M007.
+void check_size(const PartMesh<3>& mesh, const std::string& file);
+
+/// @throws Error M006 with the pieces and their volumes.
+void check_connected(const PartMesh<3>& mesh, const std::string& file);
+
+/// @throws Error M005 with the number of bad cells and where the first are.
+void check_jacobians(const PartMesh<3>& mesh, const std::string& file);
+
+}  // namespace clevis::mesh

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+
+#include <Eigen/Core>
+
+namespace clevis::mesh {
+
+/// Points and weights on [0, 1].
+struct Quadrature {
+  Eigen::VectorXd points, weights;
+};
+
+/// Gauss–Legendre rule of n points, exact to degree 2n − 1.
+Quadrature gauss(int n);
+
+/// The degree + 1 Gauss–Lobatto points on [0, 1], ascending.
+Eigen::VectorXd gauss_lobatto(int degree);
+
+/// Lagrange polynomials through `nodes` at `points`: (points × nodes).
+struct LagrangeBasis {
+  Eigen::MatrixXd value, slope;
+};
+LagrangeBasis lagrange(const Eigen::VectorXd& nodes,
+                       const Eigen::VectorXd& points);
+
+/// Σ_ij… A0(p0,i) A1(p1,j)… X(:, i,j,…): a tensor-product polynomial with the
+/// nodal values X (first index fastest) at a tensor grid of points, by one
+/// small matrix product per direction.
+template <int dim>
+Eigen::Matrix<double, dim, Eigen::Dynamic> interpolate(
+    const Eigen::Matrix<double, dim, Eigen::Dynamic>& nodal,
+    const std::array<const Eigen::MatrixXd*, dim>& along);
+
+/// A mapping x(ξ) and its Jacobian columns ∂x/∂ξ_d at a tensor grid.
+template <int dim>
+struct MappedGrid {
+  Eigen::Matrix<double, dim, Eigen::Dynamic> points;
+  std::array<Eigen::Matrix<double, dim, Eigen::Dynamic>, dim> tangents;
+
+  Eigen::Matrix<double, dim, dim> jacobian(Eigen::Index q) const {
+    Eigen::Matrix<double, dim, dim> J;
+    for (int d = 0; d < dim; ++d) J.col(d) = tangents[unsigned(d)].col(q);
+    return J;
+  }
+};
+
+/// Evaluates a cell's mapping; one 1-D basis per direction.
+template <int dim>
+MappedGrid<dim> map_grid(
+    const Eigen::Matrix<double, dim, Eigen::Dynamic>& cell_points,
+    const std::array<const LagrangeBasis*, dim>& along);
+
+}  // namespace clevis::mesh
