@@ -1,0 +1,85 @@
+#include "scene/keys.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace clevis::scene {
+namespace {
+
+using Key = std::string_view;
+
+constexpr Key kScene[] = {"schema",    "name",       "world",      "material",
+                          "mechanism", "body",       "joint",      "drive",
+                          "force",     "marker",     "simulation", "part",
+                          "accuracy",  "closed_form"};
+constexpr Key kWorld[] = {"gravity"};
+constexpr Key kMaterial[] = {"youngs_modulus", "poissons_ratio", "density",
+                             "yield_strength"};
+constexpr Key kMechanism[] = {"dimension"};
+constexpr Key kBody[] = {"name",           "part",    "mass",
+                         "center_of_mass", "inertia", "placement"};
+constexpr Key kPlacement[] = {"origin", "angle", "x_axis", "y_axis"};
+constexpr Key kJoint[] = {"name",  "type", "between", "at",
+                          "point", "axis", "normal"};
+constexpr Key kDrive[] = {"joint", "law",      "from",      "to",
+                          "start", "duration", "amplitude", "frequency"};
+constexpr Key kForce[] = {"name", "type", "body", "point", "force", "moment"};
+constexpr Key kMarker[] = {"name", "body", "point"};
+constexpr Key kSimulation[] = {"duration", "instants", "tolerance"};
+constexpr Key kPart[] = {"name",        "geometry", "mesh",
+                         "length_unit", "material", "pins",
+                         "drives",      "limits",   "case"};
+constexpr Key kPartDrives[] = {"face", "pressurized"};
+constexpr Key kLimits[] = {"safety_factor", "deflection"};
+constexpr Key kCase[] = {"name",
+                         "pins",
+                         "pressure",
+                         "traction",
+                         "fixed",
+                         "acceleration",
+                         "gravity",
+                         "angular_velocity",
+                         "angular_acceleration",
+                         "probes"};
+constexpr Key kProbes[] = {"name", "at", "quantity"};
+constexpr Key kAccuracy[] = {"peak_stress"};
+constexpr Key kClosedForm[] = {"slide_lever"};
+constexpr Key kSlideLever[] = {"FD", "ED",  "DC",    "EC",
+                               "AD", "DD1", "drive", "marker"};
+
+constexpr auto kTables = std::to_array<TableKeys>({
+    {"", kScene},
+    {"world", kWorld},
+    {"material", kMaterial},
+    {"mechanism", kMechanism},
+    {"body", kBody},
+    {"body.placement", kPlacement},
+    {"joint", kJoint},
+    {"drive", kDrive},
+    {"force", kForce},
+    {"marker", kMarker},
+    {"simulation", kSimulation},
+    {"part", kPart},
+    {"part.drives", kPartDrives},
+    {"part.limits", kLimits},
+    {"part.case", kCase},
+    {"part.case.probes", kProbes},
+    {"accuracy", kAccuracy},
+    {"closed_form", kClosedForm},
+    {"closed_form.slide_lever", kSlideLever},
+});
+
+}  // namespace
+
+std::span<const TableKeys> scene_tables() {
+  return kTables;
+}
+
+std::span<const std::string_view> keys_of(std::string_view path) {
+  const auto found = std::ranges::find(kTables, path, &TableKeys::path);
+  assert(found != kTables.end() && "path is no table of the scene format");
+  return found->keys;
+}
+
+}  // namespace clevis::scene

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace clevis::scene {
+
+/// The keys of one table of the scene format.
+struct TableKeys {
+  std::string_view path;  ///< "part.case"; "" is the file itself
+  std::span<const std::string_view> keys;
+};
+
+/// Every table of the format whose keys are fixed. Tables that are indexed by
+/// the user's own names (material, pins, pressure …) have no row; their
+/// elements have, if they are tables. docs/scene.schema.json holds the same
+/// keys, which a test proves.
+std::span<const TableKeys> scene_tables();
+
+/// @pre path is a row of scene_tables().
+std::span<const std::string_view> keys_of(std::string_view path);
+
+}  // namespace clevis::scene

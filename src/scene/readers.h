@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "mechanism/definition.h"
+#include "part/part_definition.h"
+#include "scene/name_index.h"
+#include "scene/strict_table.h"
+
+namespace clevis::scene {
+
+/// Names of the entities that other tables refer to, as far as they are read.
+struct Names {
+  NameIndex materials{"material"};
+  NameIndex parts{"part"};
+  NameIndex bodies{"body"};
+  NameIndex joints{"joint"};
+  NameIndex drives{"driven joint"};  ///< by the joint's name
+  NameIndex forces{"force"};
+  NameIndex markers{"marker"};
+};
+
+// Each reads its array of tables from the root of the scene, in this order:
+// a body may name a part, a joint its bodies, a drive its joint. All throw
+// Error S002–S011; K006 for a body without mass.
+std::vector<mechanism::BodyDefinition> read_bodies(StrictTable& root,
+                                                   Names& names);
+std::vector<mechanism::JointDefinition> read_joints(
+    StrictTable& root, const std::vector<mechanism::BodyDefinition>& bodies,
+    Names& names);
+std::vector<mechanism::DriveDefinition> read_drives(
+    StrictTable& root, const std::vector<mechanism::JointDefinition>& joints,
+    Names& names);
+std::vector<mechanism::ForceDefinition> read_forces(StrictTable& root,
+                                                    Names& names);
+std::vector<mechanism::MarkerDefinition> read_markers(StrictTable& root,
+                                                      Names& names);
+mechanism::SimulationSettings read_simulation(StrictTable table);
+
+std::vector<part::Material> read_materials(StrictTable& root, Names& names);
+
+/// A part without its seats, which need the mechanism.
+/// @param file  the scene's, which the part's paths are relative to.
+part::PartDefinition read_part(StrictTable& table, const Names& names,
+                               const std::vector<part::Material>& materials,
+                               const std::filesystem::path& file);
+
+/// The part's `pins` and `drives`, checked against the body that it moves
+/// with: each of the body's joints and drives needs its seat.
+void read_seats(StrictTable& table,
+                const mechanism::MechanismDefinition& mechanism,
+                const Names& names, part::PartDefinition& part);
+
+part::LoadCaseDefinition read_case(StrictTable table);
+
+/// Index of a body, kGround for "ground". @throws Error S005, S007.
+mechanism::BodyIndex find_body_or_ground(const Value& name, const Names& names);
+
+}  // namespace clevis::scene
