@@ -125,6 +125,7 @@ ConstraintSystem::ConstraintSystem(const SolvingFrame& frame,
                                    const std::vector<DriveDefinition>& drives,
                                    Motions motions, Drives with_drives)
     : frame_(&frame),
+      motions_(motions),
       components_(twist_components(motions)),
       length_(frame.length) {
   columns_ =

@@ -43,6 +43,7 @@ class ConstraintSystem {
   int rows() const { return static_cast<int>(rows_.size()); }
   int columns() const { return columns_; }
   int joint_rows() const { return joint_rows_; }
+  Motions motions() const { return motions_; }
 
   /// A row: which joint, and which motion of it. Drives come last.
   struct Row {
@@ -78,6 +79,7 @@ class ConstraintSystem {
 
  private:
   const SolvingFrame* frame_;
+  Motions motions_;
   std::span<const int> components_;
   double length_;
   int columns_{}, joint_rows_{};

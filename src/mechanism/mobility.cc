@@ -65,9 +65,8 @@ Mobility mobility_at(const SolvingFrame& frame, const ConstraintSystem& system,
     if (frame.joints[j].type == JointType::kWeld) continue;
     DriveDefinition probe;
     probe.joint = static_cast<int>(j);
-    const ConstraintSystem with_probe(
-        frame, {probe}, frame.planar ? Motions::kInPlane : Motions::kSpatial,
-        ConstraintSystem::Drives::kAll);
+    const ConstraintSystem with_probe(frame, {probe}, system.motions(),
+                                      ConstraintSystem::Drives::kAll);
     const MatrixXd row = with_probe.jacobian(placed).bottomRows(1);
     if ((row * freedom).norm() > 1e-6) {
       result.free_joints.push_back(static_cast<int>(j));

@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "mechanism/assembly.h"
+#include "mechanism/closed_joints.h"
 #include "mechanism/continuation.h"
 #include "mechanism/drive_law.h"
 #include "mechanism/equilibrium.h"
@@ -57,7 +58,6 @@ class Simulation {
 
  private:
   ClosedConfiguration start() const;
-  Configuration closed_joints() const;
   void require_regular(const ClosedConfiguration& at, double t) const;
   [[noreturn]] void stop(const Continuation::Reached& reached, double t) const;
   std::string drives_at(const VectorXd& targets) const;
@@ -73,41 +73,10 @@ class Simulation {
   Equilibrium equilibrium_;
 };
 
-[[noreturn]] void refuse_open(const std::string& open, const char* closing) {
-  throw Error("K001", "mechanism",
-              fmt::format("no position near the given placement closes {}; "
-                          "open: {}",
-                          closing, open),
-              "correct the lengths in `at`, the start of the drive or the "
-              "placement of the bodies");
-}
-
-Configuration Simulation::closed_joints() const {
-  const ConstraintSystem joints(
-      frame_, {}, frame_.planar ? Motions::kInPlane : Motions::kSpatial,
-      ConstraintSystem::Drives::kNone);
-  const Assembled assembled =
-      assemble(joints, frame_.placement, VectorXd(), tolerance_);
-  if (!assembled.closed) {
-    refuse_open(
-        open_joints(definition_, joints, assembled.residual, tolerance_),
-        "all joints");
-  }
-  if (frame_.planar) {  // across the plane only the loops can stay open
-    const ConstraintSystem across(frame_, {}, Motions::kOutOfPlane,
-                                  ConstraintSystem::Drives::kNone);
-    const VectorXd gaps =
-        across.residual(across.place(assembled.x), VectorXd());
-    if (largest_gap(gaps) > tolerance_) {
-      refuse_open(open_joints(definition_, across, gaps, tolerance_),
-                  "all joints along the normal of the plane of motion");
-    }
-  }
-  return assembled.x;
-}
-
 ClosedConfiguration Simulation::start() const {
-  require_driven(definition_, mobility(frame_, system_, closed_joints()));
+  require_driven(definition_,
+                 mobility(frame_, system_,
+                          closed_joints(definition_, frame_, tolerance_)));
   const VectorXd targets = positions(definition_, 0.0);
   const Assembled assembled =
       assemble(system_, frame_.placement, targets, tolerance_);

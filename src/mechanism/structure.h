@@ -15,14 +15,20 @@ struct Structure {
   int chebyshev{};  ///< W = 3n − 2p5 − p4 (planar) or 6n − Σ constraints
   int mobility{};   ///< columns − rank of the constraint Jacobian
   int redundant{};  ///< rows − rank
-  std::vector<std::string> redundant_in;  ///< joints with redundant rows
+  /// Joints with constraints that depend on others.
+  std::vector<std::string> redundant_in;
   /// The same mechanism taken as spatial.
   int spatial_chebyshev{}, spatial_mobility{}, spatial_redundant{};
-  std::string assur_corrected;  ///< "I(cylinder) -> II(FE1,FE2,DCE) -> …"
+  std::vector<std::string> spatial_redundant_in;
+  // Assur groups; empty and 0 if the mechanism is not planar.
+  std::string assur_corrected;  ///< "I(cylinder) -> II(DCE,FE1+FE2) -> …"
   std::string assur_published;  ///< the remainder taken as one group
   int assur_class_corrected{}, assur_class_published{};
 };
 
+/// Mobility by Chebyshev and by the rank of the constraint Jacobian, redundant
+/// constraints, Assur groups of planar mechanisms.
+/// @throws Error K001 if the joints do not close.
 Structure analyse_structure(const MechanismDefinition& definition);
 
 }  // namespace clevis::mechanism

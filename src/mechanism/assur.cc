@@ -1,0 +1,240 @@
+#include "mechanism/assur.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace clevis::mechanism {
+namespace {
+
+bool contains(const std::vector<int>& links, int link) {
+  return std::ranges::find(links, link) != links.end();
+}
+
+/// Pairs with at least one end in `links`, none outside of links and known.
+int pairs_within(const LinkGraph& graph, const std::vector<int>& links,
+                 const std::vector<int>& known) {
+  int count = 0;
+  for (const LinkGraph::Pair& pair : graph.pairs) {
+    const bool a_in = contains(links, pair.a), b_in = contains(links, pair.b);
+    count += (a_in || b_in) && (a_in || contains(known, pair.a)) &&
+             (b_in || contains(known, pair.b));
+  }
+  return count;
+}
+
+/// Longest loop of links inside the group, 0 without one.
+int longest_loop(const LinkGraph& graph, const std::vector<int>& links,
+                 int start, int here, std::vector<int>& path) {
+  int longest = 0;
+  for (const LinkGraph::Pair& pair : graph.pairs) {
+    if (pair.a != here && pair.b != here) continue;
+    const int next = pair.a == here ? pair.b : pair.a;
+    if (!contains(links, next)) continue;
+    if (next == start && path.size() >= 3) {
+      longest = std::max(longest, static_cast<int>(path.size()));
+    }
+    if (contains(path, next)) continue;
+    path.push_back(next);
+    longest = std::max(longest, longest_loop(graph, links, start, next, path));
+    path.pop_back();
+  }
+  return longest;
+}
+
+/// The next choice of `size` out of n in lexicographic order.
+bool next_choice(std::vector<int>& choice, int n) {
+  const int size = static_cast<int>(choice.size());
+  for (int i = size - 1; i >= 0; --i) {
+    auto& value = choice[static_cast<std::size_t>(i)];
+    if (value == n - size + i) continue;
+    ++value;
+    std::iota(choice.begin() + i + 1, choice.end(), value + 1);
+    return true;
+  }
+  return false;
+}
+
+/// Smallest set of free links with mobility 0 on the known ones.
+std::vector<int> smallest_group(const LinkGraph& graph,
+                                const std::vector<int>& free,
+                                const std::vector<int>& known) {
+  const int n = static_cast<int>(free.size());
+  for (int size = 2; size <= n; size += 2) {  // 3 size = 2 pairs
+    std::vector<int> choice(static_cast<std::size_t>(size));
+    std::iota(choice.begin(), choice.end(), 0);
+    do {
+      std::vector<int> links;
+      for (const int i : choice) {
+        links.push_back(free[static_cast<std::size_t>(i)]);
+      }
+      if (3 * size == 2 * pairs_within(graph, links, known)) return links;
+    } while (next_choice(choice, n));
+  }
+  return {};
+}
+
+std::string group_text(const LinkGraph& graph, int group_class,
+                       const std::vector<int>& links) {
+  static const char* const kRoman[] = {"0",  "I",   "II",   "III", "IV", "V",
+                                       "VI", "VII", "VIII", "IX",  "X"};
+  std::vector<std::string> names;
+  for (const int link : links) {
+    names.push_back(graph.links[static_cast<std::size_t>(link)]);
+  }
+  return fmt::format(
+      "{}({})",
+      group_class <= 10 ? kRoman[group_class] : fmt::format("{}", group_class),
+      fmt::join(names, ","));
+}
+
+std::vector<int> all_links(const LinkGraph& graph) {
+  std::vector<int> links(graph.links.size());
+  std::iota(links.begin(), links.end(), 0);
+  return links;
+}
+
+}  // namespace
+
+LinkGraph link_graph(const MechanismDefinition& definition,
+                     const std::vector<int>& locked) {
+  const int n = static_cast<int>(definition.bodies.size());
+  std::vector<int> leader(static_cast<std::size_t>(n) + 1);  // n: ground
+  std::iota(leader.begin(), leader.end(), 0);
+  const auto slot = [n](BodyIndex body) {
+    return static_cast<std::size_t>(body == kGround ? n : body);
+  };
+  const auto merged = [&](int j) {
+    return definition.joints[static_cast<std::size_t>(j)].type ==
+               JointType::kWeld ||
+           contains(locked, j);
+  };
+  const int joints = static_cast<int>(definition.joints.size());
+  for (int j = 0; j < joints; ++j) {
+    if (!merged(j)) continue;
+    const auto& joint = definition.joints[static_cast<std::size_t>(j)];
+    const int from = leader[slot(joint.body_a)];
+    const int to = leader[slot(joint.body_b)];
+    const bool from_ground = from == leader[slot(kGround)];
+    const int kept = from_ground ? from : to, dropped = from_ground ? to : from;
+    std::ranges::replace(leader, dropped, kept);
+  }
+  LinkGraph graph;
+  std::vector<int> link_of(leader.size(), kGround);
+  for (int body = 0; body < n; ++body) {
+    const int l = leader[slot(body)];
+    if (l == leader[slot(kGround)]) continue;
+    const auto& name = definition.bodies[static_cast<std::size_t>(body)].name;
+    auto& link = link_of[static_cast<std::size_t>(l)];
+    if (link == kGround) {
+      link = static_cast<int>(graph.links.size());
+      graph.links.push_back(name);
+    } else {
+      graph.links[static_cast<std::size_t>(link)] += "+" + name;
+    }
+  }
+  for (int j = 0; j < joints; ++j) {
+    if (merged(j)) continue;
+    const auto& joint = definition.joints[static_cast<std::size_t>(j)];
+    const auto link = [&](BodyIndex body) {
+      return link_of[static_cast<std::size_t>(leader[slot(body)])];
+    };
+    graph.pairs.push_back({link(joint.body_a), link(joint.body_b), j});
+  }
+  return graph;
+}
+
+int contour_class(const LinkGraph& graph, const std::vector<int>& links) {
+  int result = 2;
+  for (const int link : links) {
+    const auto on_link =
+        std::ranges::count_if(graph.pairs, [link](const LinkGraph::Pair& pair) {
+          return pair.a == link || pair.b == link;
+        });
+    result = std::max(result, static_cast<int>(on_link));
+    std::vector<int> path{link};
+    const int loop = longest_loop(graph, links, link, link, path);
+    if (loop >= 4) result = std::max(result, loop);
+  }
+  return result;
+}
+
+std::vector<AssurGroup> peel_groups(const LinkGraph& graph) {
+  std::vector<AssurGroup> groups;
+  std::vector<int> known{kGround};
+  std::vector<int> free = all_links(graph);
+  while (!free.empty()) {
+    const std::vector<int> links = smallest_group(graph, free, known);
+    if (links.empty()) return {};
+    LinkGraph visible = graph;  // pairs to links that come later do not count
+    std::erase_if(visible.pairs, [&](const LinkGraph::Pair& pair) {
+      const auto seen = [&](int link) {
+        return contains(links, link) || contains(known, link);
+      };
+      return !seen(pair.a) || !seen(pair.b);
+    });
+    const auto order =
+        std::ranges::count_if(visible.pairs, [&](const LinkGraph::Pair& pair) {
+          return contains(links, pair.a) != contains(links, pair.b);
+        });
+    groups.push_back({.links = links,
+                      .group_class = contour_class(visible, links),
+                      .order = static_cast<int>(order)});
+    known.insert(known.end(), links.begin(), links.end());
+    std::erase_if(free, [&](int link) {
+      return contains(links, link);
+    });
+  }
+  return groups;
+}
+
+AssurFormula corrected_formula(const MechanismDefinition& definition) {
+  std::vector<int> locked;
+  std::vector<std::string> inputs;
+  for (const DriveDefinition& drive : definition.drives) {
+    locked.push_back(drive.joint);
+    inputs.push_back(
+        definition.joints[static_cast<std::size_t>(drive.joint)].name);
+  }
+  const LinkGraph graph = link_graph(definition, locked);
+  AssurFormula formula{fmt::format("I({})", fmt::join(inputs, ",")), 1};
+  const std::vector<AssurGroup> groups = peel_groups(graph);
+  if (groups.empty() && !graph.links.empty()) return {};
+  for (const AssurGroup& group : groups) {
+    formula.text += " -> " + group_text(graph, group.group_class, group.links);
+    formula.highest_class = std::max(formula.highest_class, group.group_class);
+  }
+  return formula;
+}
+
+AssurFormula published_formula(const MechanismDefinition& definition) {
+  LinkGraph graph = link_graph(definition, {});
+  if (definition.drives.size() != 1) return {};
+  const auto driven = std::ranges::find(graph.pairs, definition.drives[0].joint,
+                                        &LinkGraph::Pair::joint);
+  if (driven == graph.pairs.end()) return {};
+  const auto at_ground = [&graph](int link) {
+    return std::ranges::any_of(graph.pairs, [link](const auto& pair) {
+      return (pair.a == kGround && pair.b == link) ||
+             (pair.b == kGround && pair.a == link);
+    });
+  };
+  const int input = driven->a != kGround && at_ground(driven->a) ? driven->a
+                    : driven->b != kGround                       ? driven->b
+                                                                 : driven->a;
+  std::vector<int> rest = all_links(graph);
+  std::erase(rest, input);
+  // the input's own pair at ground is not one of the group's
+  std::erase_if(graph.pairs, [&](const LinkGraph::Pair& pair) {
+    return !contains(rest, pair.a) && !contains(rest, pair.b);
+  });
+  AssurFormula formula{group_text(graph, 1, {input}), 1};
+  if (rest.empty()) return formula;
+  formula.highest_class = contour_class(graph, rest);
+  formula.text += " -> " + group_text(graph, formula.highest_class, rest);
+  return formula;
+}
+
+}  // namespace clevis::mechanism

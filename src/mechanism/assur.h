@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mechanism/definition.h"
+
+namespace clevis::mechanism {
+
+/// Links (welded bodies merged) and lower pairs of a planar mechanism.
+struct LinkGraph {
+  std::vector<std::string> links;  ///< names, "BC+wheel"; ground is kGround
+  struct Pair {
+    int a{}, b{};  ///< links
+    int joint{};   ///< index into the definition
+  };
+  std::vector<Pair> pairs;
+};
+
+/// @param locked  joints that count as welds too.
+LinkGraph link_graph(const MechanismDefinition& definition,
+                     const std::vector<int>& locked);
+
+/// A kinematic group of zero mobility.
+struct AssurGroup {
+  std::vector<int> links;
+  int group_class{};
+  int order{};  ///< pairs that join it to what is already known
+};
+
+/// Class by the most complex closed contour of the group: the pairs on one of
+/// its links (3 and more) or the links of an inner loop (4 and more), else
+/// II.
+int contour_class(const LinkGraph& graph, const std::vector<int>& links);
+
+/// Splits the links into groups, the smallest first, each of zero mobility on
+/// the links already known (ground, then earlier groups).
+/// @return  empty if a remainder does not split.
+std::vector<AssurGroup> peel_groups(const LinkGraph& graph);
+
+/// The structural formula with the classes of its groups.
+struct AssurFormula {
+  std::string text;
+  int highest_class{};
+};
+
+/// Driven joints are the input and locked; exhaustive search for groups.
+AssurFormula corrected_formula(const MechanismDefinition& definition);
+
+/// As the source does: one link with a pair at ground is the input, all
+/// others are taken as one group.
+AssurFormula published_formula(const MechanismDefinition& definition);
+
+}  // namespace clevis::mechanism
