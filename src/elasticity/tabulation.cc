@@ -7,6 +7,8 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
 
+#include <Eigen/Geometry>
+
 namespace clevis::elasticity {
 namespace {
 

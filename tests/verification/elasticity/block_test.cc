@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "elasticity/displacement_basis.h"
 #include "stress/stress_history.h"
 #include "support/structured_mesh.h"
@@ -88,7 +90,7 @@ TEST(Block, PatchTestOnDistortedHexes) {
 TEST(Block, PureBendingIsExactWithDegreeTwo) {
   const Vector3d size(0.06, 0.01, 0.02);
   const auto mesh = support::structured_mesh<3>(
-      {4, 2, 2}, 1, [&](const Vector3d& x) -> Vector3d {
+      {2, 1, 1}, 1, [&](const Vector3d& x) -> Vector3d {
         return size.cwiseProduct(x);
       });
   // A seat of linear traction on the end faces carries a pure moment.
