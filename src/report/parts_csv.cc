@@ -1,0 +1,80 @@
+#include "report/parts_csv.h"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "report/units.h"
+
+namespace clevis::report {
+namespace {
+
+/// One column: its title with the unit, and its text for a part.
+struct Field {
+  std::string title, text;
+};
+
+std::string number(double value) {
+  return fmt::format("{}", value);
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + "\"";
+}
+
+std::vector<Field> fields(const assessment::PartResult& part) {
+  const assessment::PeakStress& peak = part.peak;
+  const Eigen::Vector3d at = peak.at / kMillimetre;
+  return {
+      {"part", part.name},
+      {"verdict", std::string(text(part.verdict))},
+      {"why", part.why},
+      {"model", part.model},
+      {"dofs", std::to_string(part.dofs)},
+      {"cells", std::to_string(part.cells)},
+      {"mass[kg]", number(part.mass)},
+      {"peak_von_mises[MPa]", number(peak.value / kMegapascal)},
+      {"band_low[MPa]", number(peak.band_low / kMegapascal)},
+      {"band_high[MPa]", number(peak.band_high / kMegapascal)},
+      {"peak_verdict", std::string(text(peak.verdict))},
+      {"peak_group", peak.group},
+      {"peak_x[mm]", number(at.x())},
+      {"peak_y[mm]", number(at.y())},
+      {"peak_z[mm]", number(at.z())},
+      {"peak_instant[s]", number(peak.instant)},
+      {"peak_case", peak.label},
+      {"safety_factor[1]", number(part.safety_factor)},
+      {"deflection[mm]", number(part.deflection / kMillimetre)},
+      {"strain_energy[mJ]", number(part.strain_energy / kMillijoule)},
+      {"beam_stress[MPa]", number(part.beam.peak_stress / kMegapascal)},
+      {"beam_governing", part.beam.governing},
+      {"beam_deflection[mm]", number(part.beam.deflection / kMillimetre)},
+      {"ratio_fe_to_beam[1]", number(part.beam.ratio_fe_to_beam)},
+      {"ratio_reason", part.beam.reason},
+      {"seconds[s]", number(part.seconds.total)},
+  };
+}
+
+std::string row(const std::vector<Field>& columns, std::string Field::*cell) {
+  std::string line;
+  for (const Field& column : columns) {
+    if (&column != &columns.front()) line += ",";
+    line += quoted(column.*cell);
+  }
+  return line + "\r\n";
+}
+
+}  // namespace
+
+std::string parts_csv(const CheckReport& report) {
+  std::string csv = row(fields({}), &Field::title);
+  for (const assessment::PartResult& part : report.parts) {
+    csv += row(fields(part), &Field::text);
+  }
+  return csv;
+}
+
+}  // namespace clevis::report
