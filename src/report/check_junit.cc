@@ -15,6 +15,12 @@ using assessment::PartResult;
 using assessment::PartVerdict;
 using assessment::PeakVerdict;
 
+/// The part's own words, where the case needs an explanation.
+std::string reason(JunitStatus status, const PartResult& part) {
+  const bool silent = status == JunitStatus::kPassed || part.why.empty();
+  return silent ? "" : "; " + part.why;
+}
+
 /// A limit that is kept says nothing as long as the part is not judged.
 JunitStatus status_of_limit(bool exceeded, const PartResult& part) {
   if (exceeded && part.verdict == PartVerdict::kFail) {
@@ -33,8 +39,8 @@ JunitCase convergence_case(const PartResult& part) {
                         : JunitStatus::kError,
           .message = fmt::format(
               "peak von Mises {:.6g} MPa, band [{:.6g}, {:.6g}] MPa at {}: {}",
-              peak.value / kMegapascal, peak.band_low / kMegapascal,
-              peak.band_high / kMegapascal, peak.group, text(peak.verdict)),
+              megapascals(peak.value), megapascals(peak.band_low),
+              megapascals(peak.band_high), peak.group, text(peak.verdict)),
           .seconds = part.seconds.total};
 }
 
@@ -48,15 +54,15 @@ JunitCase safety_case(const PartResult& part, const part::Limits& limits) {
   if (limits.safety_factor) {
     test.status =
         status_of_limit(part.safety_factor < *limits.safety_factor, part);
-    test.message =
-        fmt::format("safety factor {:.6g}, at least {:.6g} wanted; {}",
-                    part.safety_factor, *limits.safety_factor, part.why);
+    test.message = fmt::format("safety factor {:.6g}, at least {:.6g} wanted{}",
+                               part.safety_factor, *limits.safety_factor,
+                               reason(test.status, part));
   }
   return test;
 }
 
 JunitCase deflection_case(const PartResult& part, const part::Limits& limits) {
-  const double deflection = part.deflection / kMillimetre;
+  const double deflection = millimetres(part.deflection);
   JunitCase test{
       .classname = {},
       .name = "deflection",
@@ -65,9 +71,9 @@ JunitCase deflection_case(const PartResult& part, const part::Limits& limits) {
       .seconds = 0.0};
   if (limits.deflection) {
     test.status = status_of_limit(part.deflection > *limits.deflection, part);
-    test.message =
-        fmt::format("deflection {:.6g} mm, at most {:.6g} mm allowed; {}",
-                    deflection, *limits.deflection / kMillimetre, part.why);
+    test.message = fmt::format(
+        "deflection {:.6g} mm, at most {:.6g} mm allowed{}", deflection,
+        millimetres(*limits.deflection), reason(test.status, part));
   }
   return test;
 }

@@ -35,22 +35,22 @@ std::vector<TextTable::Cell> part_row(const PartResult& part) {
   const assessment::PeakStress& peak = part.peak;
   // Zero without its sign: the middle plane is not at -0.0 mm.
   const auto coordinate = [](double metres) {
-    const double tenths = std::round(metres / kMillimetre * 10.0);
+    const double tenths = std::round(millimetres(metres) * 10.0);
     return tenths == 0.0 ? 0.0 : tenths / 10.0;
   };
   return {
       {part.name},
-      {fmt::format("{:.2f}", peak.value / kMegapascal)},
-      {fmt::format("[{:.2f}, {:.2f}]", peak.band_low / kMegapascal,
-                   peak.band_high / kMegapascal)},
+      {fmt::format("{:.2f}", megapascals(peak.value))},
+      {fmt::format("[{:.2f}, {:.2f}]", megapascals(peak.band_low),
+                   megapascals(peak.band_high))},
       {fmt::format("{} ({:.1f}, {:.1f}, {:.1f})", peak.group,
                    coordinate(peak.at.x()), coordinate(peak.at.y()),
                    coordinate(peak.at.z()))},
       {peak.label},
       {part.model},
       {fmt::format("{:.3f}", part.safety_factor)},
-      {fmt::format("{:.4f}", part.deflection / kMillimetre)},
-      {or_dash(part.beam.peak_stress / kMegapascal, "{:.2f}")},
+      {fmt::format("{:.4f}", millimetres(part.deflection))},
+      {or_dash(megapascals(part.beam.peak_stress), "{:.2f}")},
       {or_dash(part.beam.ratio_fe_to_beam, "{:.3f}")},
       {std::string(text(part.verdict)), tone_of(part.verdict)},
       {fmt::format("{:.2f}", part.seconds.total)},
@@ -74,7 +74,7 @@ std::string mechanism_line(const MechanismSummary& mechanism) {
       "mechanism: mobility {}, {} redundant constraints, {} instants, closure "
       "{:.1e} mm, power balance {:.1e}\n",
       mechanism.mobility, mechanism.redundant_constraints, mechanism.instants,
-      mechanism.max_closure_error / kMillimetre,
+      millimetres(mechanism.max_closure_error),
       mechanism.max_power_balance_error);
 }
 

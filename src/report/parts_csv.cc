@@ -27,7 +27,7 @@ std::string quoted(const std::string& text) {
 
 std::vector<Field> fields(const assessment::PartResult& part) {
   const assessment::PeakStress& peak = part.peak;
-  const Eigen::Vector3d at = peak.at / kMillimetre;
+  const Eigen::Vector3d at = millimetres(peak.at);
   return {
       {"part", part.name},
       {"verdict", std::string(text(part.verdict))},
@@ -36,9 +36,9 @@ std::vector<Field> fields(const assessment::PartResult& part) {
       {"dofs", std::to_string(part.dofs)},
       {"cells", std::to_string(part.cells)},
       {"mass[kg]", number(part.mass)},
-      {"peak_von_mises[MPa]", number(peak.value / kMegapascal)},
-      {"band_low[MPa]", number(peak.band_low / kMegapascal)},
-      {"band_high[MPa]", number(peak.band_high / kMegapascal)},
+      {"peak_von_mises[MPa]", number(megapascals(peak.value))},
+      {"band_low[MPa]", number(megapascals(peak.band_low))},
+      {"band_high[MPa]", number(megapascals(peak.band_high))},
       {"peak_verdict", std::string(text(peak.verdict))},
       {"peak_group", peak.group},
       {"peak_x[mm]", number(at.x())},
@@ -47,11 +47,11 @@ std::vector<Field> fields(const assessment::PartResult& part) {
       {"peak_instant[s]", number(peak.instant)},
       {"peak_case", peak.label},
       {"safety_factor[1]", number(part.safety_factor)},
-      {"deflection[mm]", number(part.deflection / kMillimetre)},
-      {"strain_energy[mJ]", number(part.strain_energy / kMillijoule)},
-      {"beam_stress[MPa]", number(part.beam.peak_stress / kMegapascal)},
+      {"deflection[mm]", number(millimetres(part.deflection))},
+      {"strain_energy[mJ]", number(millijoules(part.strain_energy))},
+      {"beam_stress[MPa]", number(megapascals(part.beam.peak_stress))},
       {"beam_governing", part.beam.governing},
-      {"beam_deflection[mm]", number(part.beam.deflection / kMillimetre)},
+      {"beam_deflection[mm]", number(millimetres(part.beam.deflection))},
       {"ratio_fe_to_beam[1]", number(part.beam.ratio_fe_to_beam)},
       {"ratio_reason", part.beam.reason},
       {"seconds[s]", number(part.seconds.total)},

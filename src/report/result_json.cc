@@ -12,7 +12,7 @@ using assessment::PartResult;
 using nlohmann::ordered_json;
 
 ordered_json vector_mm(const Eigen::Vector3d& position) {
-  const Eigen::Vector3d mm = position / kMillimetre;
+  const Eigen::Vector3d mm = millimetres(position);
   return {mm.x(), mm.y(), mm.z()};
 }
 
@@ -36,7 +36,7 @@ ordered_json mechanism_json(const MechanismSummary& mechanism) {
   return {{"mobility", mechanism.mobility},
           {"redundant_constraints", mechanism.redundant_constraints},
           {"instants", mechanism.instants},
-          {"max_closure_error_mm", mechanism.max_closure_error / kMillimetre},
+          {"max_closure_error_mm", millimetres(mechanism.max_closure_error)},
           {"max_power_balance_error", mechanism.max_power_balance_error},
           {"joints", joints},
           {"drives", drives}};
@@ -48,12 +48,12 @@ ordered_json peak_json(const assessment::PeakStress& peak) {
     sequence.push_back(
         {{"degree", member.degree},
          {"dofs", member.dofs},
-         {"peak_MPa", member.peak / kMegapascal},
-         {"strain_energy_mJ", member.strain_energy / kMillijoule}});
+         {"peak_MPa", megapascals(member.peak)},
+         {"strain_energy_mJ", millijoules(member.strain_energy)}});
   }
   return {
-      {"value_MPa", peak.value / kMegapascal},
-      {"band_MPa", {peak.band_low / kMegapascal, peak.band_high / kMegapascal}},
+      {"value_MPa", megapascals(peak.value)},
+      {"band_MPa", {megapascals(peak.band_low), megapascals(peak.band_high)}},
       {"verdict", text(peak.verdict)},
       {"at_mm", vector_mm(peak.at)},
       {"group", peak.group},
@@ -65,9 +65,9 @@ ordered_json peak_json(const assessment::PeakStress& peak) {
 ordered_json beam_json(const assessment::BeamComparison& beam) {
   ordered_json buckling;  // null: the part is not in pressure
   if (beam.buckling_safety > 0.0) buckling = beam.buckling_safety;
-  return {{"peak_stress_MPa", beam.peak_stress / kMegapascal},
+  return {{"peak_stress_MPa", megapascals(beam.peak_stress)},
           {"governing", beam.governing},
-          {"deflection_mm", beam.deflection / kMillimetre},
+          {"deflection_mm", millimetres(beam.deflection)},
           {"buckling_safety", buckling},
           // No part of a scene is struck as long as scenes know no impact.
           {"impact_factor", nullptr},
@@ -80,12 +80,14 @@ ordered_json probes_json(const std::vector<assessment::ProbeResult>& probes) {
   ordered_json list = ordered_json::array();
   for (const assessment::ProbeResult& probe : probes) {
     const bool length = is_displacement(probe);
-    const double unit = length ? kMillimetre : kMegapascal;
+    const auto in_unit = [length](double value) {
+      return length ? millimetres(value) : megapascals(value);
+    };
     list.push_back({{"name", probe.name},
                     {"quantity", probe.quantity},
-                    {length ? "value_mm" : "value_MPa", probe.value / unit},
+                    {length ? "value_mm" : "value_MPa", in_unit(probe.value)},
                     {length ? "band_mm" : "band_MPa",
-                     {probe.band_low / unit, probe.band_high / unit}}});
+                     {in_unit(probe.band_low), in_unit(probe.band_high)}}});
   }
   return list;
 }
@@ -99,7 +101,7 @@ ordered_json limits_json(const CheckReport& report, const std::string& part) {
     limits["safety_factor"] = *found->second.safety_factor;
   }
   if (found->second.deflection) {
-    limits["deflection_mm"] = *found->second.deflection / kMillimetre;
+    limits["deflection_mm"] = millimetres(*found->second.deflection);
   }
   return limits;
 }
@@ -117,10 +119,10 @@ ordered_json part_json(const CheckReport& report, const PartResult& part) {
           {"mass_kg", part.mass},
           {"peak_von_mises", peak_json(part.peak)},
           {"safety_factor", part.safety_factor},
-          {"deflection_mm", part.deflection / kMillimetre},
+          {"deflection_mm", millimetres(part.deflection)},
           {"deflection_at_mm", vector_mm(part.deflection_at)},
           {"deflection_instant_s", part.deflection_instant},
-          {"strain_energy_mJ", part.strain_energy / kMillijoule},
+          {"strain_energy_mJ", millijoules(part.strain_energy)},
           {"limits", limits_json(report, part.name)},
           {"beam", beam_json(part.beam)},
           {"self_checks",

@@ -2,9 +2,22 @@
 
 namespace clevis::report {
 
-// What people read; value in the unit = SI value / constant.
-inline constexpr double kMillimetre = 1e-3;  ///< [m]
-inline constexpr double kMegapascal = 1e6;   ///< [Pa]
-inline constexpr double kMillijoule = 1e-3;  ///< [J]
+// What people read. Powers of ten >= 1 are exact, so 0.14 m becomes 140 mm.
+
+/// From [m], number or vector.
+template <typename Length>
+Length millimetres(const Length& metres) {
+  return metres * 1e3;
+}
+
+/// From [Pa].
+inline double megapascals(double pascals) {
+  return pascals / 1e6;
+}
+
+/// From [J].
+inline double millijoules(double joules) {
+  return joules * 1e3;
+}
 
 }  // namespace clevis::report

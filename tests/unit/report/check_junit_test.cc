@@ -45,12 +45,15 @@ TEST(CheckJunit, PassingPartHasThreeCasesWithNumbers) {
 TEST(CheckJunit, ExceededLimitIsAFailureAndTheKeptOneIsNot) {
   CheckReport report = report_of(PartVerdict::kFail);
   report.parts[0].safety_factor = 1.25;
+  report.parts[0].why = "too weak";
   const std::string xml = check_junit(report);
   EXPECT_TRUE(holds(xml, "tests=\"3\" failures=\"1\" errors=\"0\""));
   const std::string failed = line_of(xml, "DCE", "safety factor");
   EXPECT_TRUE(holds(failed, "<failure"));
-  EXPECT_TRUE(holds(failed, "1.25, at least 1.5 wanted"));
-  EXPECT_FALSE(holds(line_of(xml, "DCE", "deflection"), "<failure"));
+  EXPECT_TRUE(holds(failed, "1.25, at least 1.5 wanted; too weak"));
+  const std::string kept = line_of(xml, "DCE", "deflection");
+  EXPECT_FALSE(holds(kept, "<failure"));
+  EXPECT_FALSE(holds(kept, "too weak"));
 }
 
 TEST(CheckJunit, DeflectionAboveItsLimitIsAFailure) {

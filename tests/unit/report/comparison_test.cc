@@ -301,7 +301,7 @@ TEST(ComparisonOutput, JsonHoldsWhatMoved) {
   EXPECT_EQ(json["moved"][0]["of"], "part BC");
   EXPECT_EQ(json["moved"][0]["quantity"], "peak_position");
   EXPECT_EQ(json["moved"][0]["regression"], false);
-  EXPECT_EQ(json["moved"][0]["result"][0], 13.5);
+  EXPECT_DOUBLE_EQ(json["moved"][0]["result"][0], 13.5);
   EXPECT_EQ(json["moved"][1]["of"], "part AB");
   EXPECT_EQ(json["moved"][1]["outcome"], "new");
 }
