@@ -108,10 +108,11 @@ void Equilibrium::mark(Solution& solution, const ConstraintSystem& rows,
 bool Equilibrium::acts_across_plane(const std::vector<PlacedJoint>& placed,
                                     const std::vector<Twist>& required) const {
   constexpr double kRoundOff = 1e-12;
-  for (const PlacedJoint& joint : placed) {
-    const double beside =
-        std::max(std::abs(joint.r_a.z()), std::abs(joint.r_b.z()));
-    if (beside > kRoundOff * frame_.length) return true;
+  const double beside = kRoundOff * frame_.length;
+  for (std::size_t j = 0; j < placed.size(); ++j) {
+    const JointModel& joint = frame_.joints[j];
+    if (joint.a > 0 && std::abs(placed[j].r_a.z()) > beside) return true;
+    if (joint.b > 0 && std::abs(placed[j].r_b.z()) > beside) return true;
   }
   return largest(required, Motions::kOutOfPlane, frame_.length) >
          kRoundOff * largest(required, Motions::kInPlane, frame_.length);

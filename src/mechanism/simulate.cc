@@ -1,5 +1,6 @@
 #include "mechanism/simulate.h"
 
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -96,10 +97,10 @@ std::string Simulation::drives_at(const VectorXd& targets) const {
             .joints[static_cast<std::size_t>(definition_.drives[i].joint)];
     const double q = targets[static_cast<Eigen::Index>(i)];
     text += text.empty() ? "" : ", ";
-    text +=
-        joint.type == JointType::kPrismatic
-            ? fmt::format("{} at {:.6g} mm", joint.name, 1e3 * q)
-            : fmt::format("{} at {:.6g} deg", joint.name, q * 180.0 / EIGEN_PI);
+    text += joint.type == JointType::kPrismatic
+                ? fmt::format("{} at {:.6g} mm", joint.name, 1e3 * q)
+                : fmt::format("{} at {:.6g} deg", joint.name,
+                              q * 180.0 / std::numbers::pi);
   }
   return text;
 }

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 inline constexpr double kFD = 0.21024, kED = 0.060, kDC = 0.140, kEC = 0.145;
 inline constexpr double kAD = 0.060, kAB = 0.140, kBC = 0.060;
 
-enum LandingGearBody { kBodyAB, kBodyBC, kWheel, kDCE, kFE1, kFE2 };
+enum LandingGearBody { kBodyAB, kBodyBC, kWheel, kBodyDCE, kFE1, kFE2 };
 enum LandingGearJoint { kA, kB, kC, kD, kE, kF, kCylinder, kAxle };
 
 inline Matrix3d turned(double angle) {
@@ -115,9 +115,9 @@ inline MechanismDefinition landing_gear(double DD1 = 0.210, double lx = 0.160) {
   };
   pin("A", kGround, kBodyAB, at(0.0, 0.0), at(0.0, 0.0));
   pin("B", kBodyAB, kBodyBC, at(kAB, 0.0), at(kBC, 0.0));
-  pin("C", kDCE, kBodyBC, at(kDC, 0.0), at(0.0, 0.0));
-  pin("D", kGround, kDCE, at(D.x(), D.y()), at(0.0, 0.0));
-  pin("E", kDCE, kFE2, at(Ex, Ey), at(0.0, 0.0));
+  pin("C", kBodyDCE, kBodyBC, at(kDC, 0.0), at(0.0, 0.0));
+  pin("D", kGround, kBodyDCE, at(D.x(), D.y()), at(0.0, 0.0));
+  pin("E", kBodyDCE, kFE2, at(Ex, Ey), at(0.0, 0.0));
   pin("F", kGround, kFE1, at(F.x(), F.y()), at(0.0, 0.0));
   joint("cylinder", JointType::kPrismatic, kFE1, kFE2, slide(1.0), slide(-1.0));
   joint("axle", JointType::kWeld, kBodyBC, kWheel, at(0.1, 0.0), at(0.0, 0.0));
@@ -130,7 +130,7 @@ inline MechanismDefinition landing_gear(double DD1 = 0.210, double lx = 0.160) {
   drive.place = "drive cylinder";
   m.drives.push_back(drive);
   m.gravity_W = {0.0, -9.81, 0.0};
-  m.markers = {{"C", kDCE, {kDC, 0.0, 0.0}}, {"T", kBodyBC, {0.14, 0.0, 0.0}}};
+  m.markers = {{"C", kBodyDCE, {kDC, 0.0, 0.0}}, {"T", kBodyBC, {0.14, 0.0, 0.0}}};
   return m;
 }
 
