@@ -32,6 +32,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"I002", kIo, "cannot write file",
      "The output could not be written: check that the folder exists, that it "
      "may be written and that the disk is not full."},
+    {"I003", kIo, "result file is damaged",
+     "The file is not JSON, or a key that docs/result.schema.json requires is "
+     "absent or has another type. Run `clevis check` again, or restore the "
+     "baseline from version control."},
     {"K001", kModelInvalid, "mechanism does not assemble",
      "No position of the bodies satisfies all joints and drives at the start: "
      "lengths break a loop, or the approximate placement is too far off. The "

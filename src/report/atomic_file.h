@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace clevis::report {
+
+/// Whether `name` may become the name of an output file: 1–64 characters of
+/// A–Z a–z 0–9 . _ - and not a step in the folder tree (".", "..").
+///
+/// Part and group names come from the user's files, so they pass here before
+/// they name a file.
+bool is_file_name(std::string_view name);
+
+/// Writes `content` so that `file` is at every moment either the old content
+/// or the whole new one, also after a crash or Ctrl-C: temporary name in the
+/// same folder, fsync, rename. Missing folders are created. A symbolic link
+/// at `file` is replaced, not followed.
+///
+/// @throws Error I002 with the system's reason if the name is not allowed or
+///   the folder or file cannot be written; no temporary file stays behind.
+void write_file(const std::filesystem::path& file, std::string_view content);
+
+}  // namespace clevis::report

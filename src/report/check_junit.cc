@@ -1,0 +1,124 @@
+#include "report/check_junit.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "report/junit.h"
+#include "report/units.h"
+
+namespace clevis::report {
+namespace {
+
+using assessment::PartResult;
+using assessment::PartVerdict;
+using assessment::PeakVerdict;
+
+/// The part's own words, where the case needs an explanation.
+std::string reason(JunitStatus status, const PartResult& part) {
+  const bool silent = status == JunitStatus::kPassed || part.why.empty();
+  return silent ? "" : "; " + part.why;
+}
+
+/// A limit that is kept says nothing as long as the part is not judged.
+JunitStatus status_of_limit(bool exceeded, const PartResult& part) {
+  if (exceeded && part.verdict == PartVerdict::kFail) {
+    return JunitStatus::kFailure;
+  }
+  return part.verdict == PartVerdict::kNotJudged ? JunitStatus::kError
+                                                 : JunitStatus::kPassed;
+}
+
+JunitCase convergence_case(const PartResult& part) {
+  const assessment::PeakStress& peak = part.peak;
+  return {.classname = {},
+          .name = "convergence",
+          .status = peak.verdict == PeakVerdict::kConverged
+                        ? JunitStatus::kPassed
+                        : JunitStatus::kError,
+          .message = fmt::format(
+              "peak von Mises {:.6g} MPa, band [{:.6g}, {:.6g}] MPa at {}: {}",
+              megapascals(peak.value), megapascals(peak.band_low),
+              megapascals(peak.band_high), peak.group, text(peak.verdict)),
+          .seconds = part.seconds.total};
+}
+
+JunitCase safety_case(const PartResult& part, const part::Limits& limits) {
+  JunitCase test{.classname = {},
+                 .name = "safety factor",
+                 .status = JunitStatus::kSkipped,
+                 .message = fmt::format("safety factor {:.6g}, no limit set",
+                                        part.safety_factor),
+                 .seconds = 0.0};
+  if (limits.safety_factor) {
+    test.status =
+        status_of_limit(part.safety_factor < *limits.safety_factor, part);
+    test.message = fmt::format("safety factor {:.6g}, at least {:.6g} wanted{}",
+                               part.safety_factor, *limits.safety_factor,
+                               reason(test.status, part));
+  }
+  return test;
+}
+
+JunitCase deflection_case(const PartResult& part, const part::Limits& limits) {
+  const double deflection = millimetres(part.deflection);
+  JunitCase test{
+      .classname = {},
+      .name = "deflection",
+      .status = JunitStatus::kSkipped,
+      .message = fmt::format("deflection {:.6g} mm, no limit set", deflection),
+      .seconds = 0.0};
+  if (limits.deflection) {
+    test.status = status_of_limit(part.deflection > *limits.deflection, part);
+    test.message = fmt::format(
+        "deflection {:.6g} mm, at most {:.6g} mm allowed{}", deflection,
+        millimetres(*limits.deflection), reason(test.status, part));
+  }
+  return test;
+}
+
+std::vector<JunitCase> part_cases(const PartResult& part,
+                                  const part::Limits& limits) {
+  std::vector<JunitCase> cases = {convergence_case(part),
+                                  safety_case(part, limits),
+                                  deflection_case(part, limits)};
+  const auto shows = [&](JunitStatus status) {
+    return std::ranges::find(cases, status, &JunitCase::status) != cases.end();
+  };
+  const bool fails = part.verdict == PartVerdict::kFail;
+  const bool unjudged = part.verdict == PartVerdict::kNotJudged;
+  if (fails && !shows(JunitStatus::kFailure)) {
+    cases.push_back({{}, "verdict", JunitStatus::kFailure, part.why, 0.0});
+  }
+  if (unjudged && !shows(JunitStatus::kError)) {
+    cases.push_back({{}, "verdict", JunitStatus::kError, part.why, 0.0});
+  }
+  for (JunitCase& test : cases) test.classname = "clevis." + part.name;
+  return cases;
+}
+
+}  // namespace
+
+std::string check_junit(const CheckReport& report) {
+  std::vector<JunitCase> cases;
+  for (const PartResult& part : report.parts) {
+    const auto found = report.limits.find(part.name);
+    const auto limits =
+        found != report.limits.end() ? found->second : part::Limits{};
+    std::ranges::move(part_cases(part, limits), std::back_inserter(cases));
+  }
+  for (const PartFailure& failure : report.failures) {
+    cases.push_back(
+        {"clevis." + failure.name, "computation", JunitStatus::kError,
+         fmt::format("{} {}", failure.error.what(), failure.error.remedy()),
+         0.0});
+  }
+  if (!report.complete) {
+    cases.push_back({"clevis", "completeness", JunitStatus::kError,
+                     "the check was interrupted: parts are missing", 0.0});
+  }
+  return junit_xml(report.scene, cases);
+}
+
+}  // namespace clevis::report

@@ -1,0 +1,123 @@
+#include "report/check_table.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "report/text_table.h"
+#include "report/units.h"
+
+namespace clevis::report {
+namespace {
+
+using assessment::PartResult;
+using assessment::PartVerdict;
+using assessment::PeakVerdict;
+
+Tone tone_of(PartVerdict verdict) {
+  switch (verdict) {
+    case PartVerdict::kPass:
+      return Tone::kGood;
+    case PartVerdict::kFail:
+      return Tone::kBad;
+    case PartVerdict::kNotJudged:
+      break;
+  }
+  return Tone::kDoubtful;
+}
+
+/// 0 stands for "beam theory says nothing here".
+std::string or_dash(double value, const char* format) {
+  return value != 0.0 ? fmt::format(fmt::runtime(format), value) : "-";
+}
+
+std::vector<TextTable::Cell> part_row(const PartResult& part) {
+  const assessment::PeakStress& peak = part.peak;
+  // Zero without its sign: the middle plane is not at -0.0 mm.
+  const auto coordinate = [](double metres) {
+    const double tenths = std::round(millimetres(metres) * 10.0);
+    return tenths == 0.0 ? 0.0 : tenths / 10.0;
+  };
+  return {
+      {part.name},
+      {fmt::format("{:.2f}", megapascals(peak.value))},
+      {fmt::format("[{:.2f}, {:.2f}]", megapascals(peak.band_low),
+                   megapascals(peak.band_high))},
+      {fmt::format("{} ({:.1f}, {:.1f}, {:.1f})", peak.group,
+                   coordinate(peak.at.x()), coordinate(peak.at.y()),
+                   coordinate(peak.at.z()))},
+      {peak.label},
+      {part.model},
+      {fmt::format("{:.3f}", part.safety_factor)},
+      {fmt::format("{:.4f}", millimetres(part.deflection))},
+      {or_dash(megapascals(part.beam.peak_stress), "{:.2f}")},
+      {or_dash(part.beam.ratio_fe_to_beam, "{:.3f}")},
+      {std::string(text(part.verdict)), tone_of(part.verdict)},
+      {fmt::format("{:.2f}", part.seconds.total)},
+  };
+}
+
+void add_reasons(TextTable& table, const PartResult& part) {
+  if (part.peak.verdict != PeakVerdict::kConverged) {
+    table.add_note(fmt::format("peak: {}", text(part.peak.verdict)));
+  }
+  if (part.verdict != PartVerdict::kPass && !part.why.empty()) {
+    table.add_note(fmt::format("{}: {}", text(part.verdict), part.why));
+  }
+  if (!part.beam.reason.empty()) {
+    table.add_note("FE/beam: " + part.beam.reason);
+  }
+}
+
+std::string mechanism_line(const MechanismSummary& mechanism) {
+  return fmt::format(
+      "mechanism: mobility {}, {} redundant constraints, {} instants, closure "
+      "{:.1e} mm, power balance {:.1e}\n",
+      mechanism.mobility, mechanism.redundant_constraints, mechanism.instants,
+      millimetres(mechanism.max_closure_error),
+      mechanism.max_power_balance_error);
+}
+
+std::string last_line(const CheckReport& report, Colour colour) {
+  const PartVerdict verdict = overall_verdict(report);
+  std::string line =
+      "verdict: " + paint(text(verdict), tone_of(verdict), colour);
+  if (!report.complete) line += " (interrupted: parts are missing)";
+  const auto total = std::ranges::find(report.seconds, "total",
+                                       &std::pair<std::string, double>::first);
+  if (total != report.seconds.end()) {
+    line += fmt::format("   {:.2f} s", total->second);
+  }
+  return line + "\n";
+}
+
+}  // namespace
+
+std::string check_table(const CheckReport& report, Colour colour) {
+  TextTable table({{"part"},
+                   {"peak MPa", Align::kRight},
+                   {"band MPa"},
+                   {"where (x, y, z mm)"},
+                   {"when"},
+                   {"model"},
+                   {"safety", Align::kRight},
+                   {"defl. mm", Align::kRight},
+                   {"beam MPa", Align::kRight},
+                   {"FE/beam", Align::kRight},
+                   {"verdict"},
+                   {"s", Align::kRight}});
+  for (const PartResult& part : report.parts) {
+    table.add_row(part_row(part));
+    add_reasons(table, part);
+  }
+  for (const PartFailure& failure : report.failures) {
+    table.add_note(fmt::format("{}: not computed: {} {}", failure.name,
+                               failure.error.what(), failure.error.remedy()));
+  }
+  std::string all = fmt::format("{} ({})\n", printable(report.scene),
+                                printable(report.file.string()));
+  if (report.mechanism) all += mechanism_line(*report.mechanism);
+  return all + "\n" + table.text(colour) + "\n" + last_line(report, colour);
+}
+
+}  // namespace clevis::report

@@ -1,0 +1,60 @@
+#include "report/mechanism_summary.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clevis::report {
+namespace {
+
+template <typename Value>
+Peak peak_over(const mechanism::Motion& motion, Value value) {
+  Peak peak;
+  for (const mechanism::Instant& instant : motion.instants) {
+    const double here = value(instant);
+    if (here > peak.value) peak = {here, instant.t};
+  }
+  return peak;
+}
+
+}  // namespace
+
+MechanismSummary summarise(const mechanism::MechanismDefinition& definition,
+                           const mechanism::Structure& structure,
+                           const mechanism::Motion& motion) {
+  using mechanism::Instant;
+  MechanismSummary summary;
+  summary.mobility = structure.mobility;
+  summary.redundant_constraints = structure.redundant;
+  summary.instants = static_cast<int>(motion.instants.size());
+  for (const Instant& instant : motion.instants) {
+    summary.max_closure_error =
+        std::max(summary.max_closure_error, instant.closure_error);
+    summary.max_power_balance_error =
+        std::max(summary.max_power_balance_error, instant.power_balance_error);
+  }
+  for (std::size_t j = 0; j < definition.joints.size(); ++j) {
+    const auto force = [j](const Instant& instant) {
+      return instant.joints[j].f_W.norm();
+    };
+    const auto moment = [j](const Instant& instant) {
+      return instant.joints[j].t_W.norm();
+    };
+    summary.joints.push_back({definition.joints[j].name,
+                              peak_over(motion, force),
+                              peak_over(motion, moment)});
+  }
+  for (std::size_t d = 0; d < definition.drives.size(); ++d) {
+    const auto& joint =
+        definition.joints[static_cast<std::size_t>(definition.drives[d].joint)];
+    const bool slides = joint.type == mechanism::JointType::kPrismatic;
+    const auto effort = [d](const Instant& instant) {
+      return std::abs(instant.drives[d].effort);
+    };
+    summary.drives.push_back({joint.name,
+                              slides ? EffortKind::kForce : EffortKind::kTorque,
+                              peak_over(motion, effort)});
+  }
+  return summary;
+}
+
+}  // namespace clevis::report

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mechanism/definition.h"
+#include "mechanism/motion.h"
+#include "mechanism/structure.h"
+
+namespace clevis::report {
+
+/// The largest value over the motion and when it occurs first.
+struct Peak {
+  double value{};
+  double at{};  ///< [s]
+};
+
+struct JointPeaks {
+  std::string name;
+  Peak force;   ///< [N]
+  Peak moment;  ///< about the origin of the joint's frame on body b [N m]
+};
+
+enum class EffortKind { kForce, kTorque };
+
+struct DrivePeak {
+  std::string name;  ///< of the driven joint
+  EffortKind kind{};
+  Peak effort;  ///< magnitude [N] or [N m]
+};
+
+/// What a check tells of the motion that loads the parts.
+struct MechanismSummary {
+  int mobility{};
+  int redundant_constraints{};
+  int instants{};
+  double max_closure_error{};        ///< [m]
+  double max_power_balance_error{};  ///< [1]
+  std::vector<JointPeaks> joints;
+  std::vector<DrivePeak> drives;
+};
+
+/// @pre `structure` and `motion` belong to `definition`.
+MechanismSummary summarise(const mechanism::MechanismDefinition& definition,
+                           const mechanism::Structure& structure,
+                           const mechanism::Motion& motion);
+
+}  // namespace clevis::report

@@ -1,0 +1,71 @@
+#include "report/part_result_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "report/json_text.h"
+
+namespace nlohmann {
+
+template <>
+struct adl_serializer<Eigen::Vector3d> {
+  template <typename Json>
+  static void to_json(Json& json, const Eigen::Vector3d& vector) {
+    json = {vector.x(), vector.y(), vector.z()};
+  }
+  template <typename Json>
+  static void from_json(const Json& json, Eigen::Vector3d& vector) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      vector[static_cast<Eigen::Index>(i)] = json.at(i).template get<double>();
+    }
+  }
+};
+
+}  // namespace nlohmann
+
+// nlohmann finds these by argument, so they stand in the namespace of the
+// types; nothing outside this file sees them. Reading throws if a member is
+// absent.
+namespace clevis::assessment {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SequenceMember, degree, dofs, peak,
+                                   strain_energy)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeakStress, value, band_low, band_high,
+                                   verdict, at, group, instant, label, sequence)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BeamComparison, peak_stress, governing,
+                                   deflection, buckling_safety,
+                                   ratio_fe_to_beam, reason)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SelfChecks, equilibrium, residual, energy,
+                                   compression, reported_peak_is_field_maximum)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProbeResult, name, quantity, value, band_low,
+                                   band_high)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartSeconds, mesh, assemble, factor, solve,
+                                   recover, write, total)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartResult, name, verdict, why, model, dofs,
+                                   cells, load_columns, peak, safety_factor,
+                                   deflection, deflection_at,
+                                   deflection_instant, strain_energy, beam,
+                                   self_checks, probes, seconds, mass)
+
+}  // namespace clevis::assessment
+
+namespace clevis::report {
+
+std::string encode(const assessment::PartResult& result) {
+  const nlohmann::json members = result;
+  const nlohmann::ordered_json document = members;
+  refuse_non_finite(document, "part " + result.name);
+  return json_text(document);
+}
+
+assessment::PartResult decode_part_result(std::string_view text) {
+  try {
+    return nlohmann::json::parse(text).get<assessment::PartResult>();
+  } catch (const nlohmann::json::exception& error) {
+    throw Error("X001", "part result from a worker",
+                std::string("cannot be read: ") + error.what(),
+                "Run the check again with --jobs 1 and report the scene.");
+  }
+}
+
+}  // namespace clevis::report

@@ -1,0 +1,80 @@
+#include "report/parts_csv.h"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "report/units.h"
+
+namespace clevis::report {
+namespace {
+
+/// One column: its title with the unit, and its text for a part.
+struct Field {
+  std::string title, text;
+};
+
+std::string number(double value) {
+  return fmt::format("{}", value);
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + "\"";
+}
+
+std::vector<Field> fields(const assessment::PartResult& part) {
+  const assessment::PeakStress& peak = part.peak;
+  const Eigen::Vector3d at = millimetres(peak.at);
+  return {
+      {"part", part.name},
+      {"verdict", std::string(text(part.verdict))},
+      {"why", part.why},
+      {"model", part.model},
+      {"dofs", std::to_string(part.dofs)},
+      {"cells", std::to_string(part.cells)},
+      {"mass[kg]", number(part.mass)},
+      {"peak_von_mises[MPa]", number(megapascals(peak.value))},
+      {"band_low[MPa]", number(megapascals(peak.band_low))},
+      {"band_high[MPa]", number(megapascals(peak.band_high))},
+      {"peak_verdict", std::string(text(peak.verdict))},
+      {"peak_group", peak.group},
+      {"peak_x[mm]", number(at.x())},
+      {"peak_y[mm]", number(at.y())},
+      {"peak_z[mm]", number(at.z())},
+      {"peak_instant[s]", number(peak.instant)},
+      {"peak_case", peak.label},
+      {"safety_factor[1]", number(part.safety_factor)},
+      {"deflection[mm]", number(millimetres(part.deflection))},
+      {"strain_energy[mJ]", number(millijoules(part.strain_energy))},
+      {"beam_stress[MPa]", number(megapascals(part.beam.peak_stress))},
+      {"beam_governing", part.beam.governing},
+      {"beam_deflection[mm]", number(millimetres(part.beam.deflection))},
+      {"ratio_fe_to_beam[1]", number(part.beam.ratio_fe_to_beam)},
+      {"ratio_reason", part.beam.reason},
+      {"seconds[s]", number(part.seconds.total)},
+  };
+}
+
+std::string row(const std::vector<Field>& columns, std::string Field::*cell) {
+  std::string line;
+  for (const Field& column : columns) {
+    if (&column != &columns.front()) line += ",";
+    line += quoted(column.*cell);
+  }
+  return line + "\r\n";
+}
+
+}  // namespace
+
+std::string parts_csv(const CheckReport& report) {
+  std::string csv = row(fields({}), &Field::title);
+  for (const assessment::PartResult& part : report.parts) {
+    csv += row(fields(part), &Field::text);
+  }
+  return csv;
+}
+
+}  // namespace clevis::report

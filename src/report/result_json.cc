@@ -1,0 +1,185 @@
+#include "report/result_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "report/json_text.h"
+#include "report/units.h"
+
+namespace clevis::report {
+namespace {
+
+using assessment::PartResult;
+using nlohmann::ordered_json;
+
+ordered_json vector_mm(const Eigen::Vector3d& position) {
+  const Eigen::Vector3d mm = millimetres(position);
+  return {mm.x(), mm.y(), mm.z()};
+}
+
+ordered_json mechanism_json(const MechanismSummary& mechanism) {
+  ordered_json joints = ordered_json::array();
+  for (const JointPeaks& joint : mechanism.joints) {
+    joints.push_back({{"name", joint.name},
+                      {"peak_force_N", joint.force.value},
+                      {"at_s", joint.force.at},
+                      {"peak_moment_Nm", joint.moment.value},
+                      {"moment_at_s", joint.moment.at}});
+  }
+  ordered_json drives = ordered_json::array();
+  for (const DrivePeak& drive : mechanism.drives) {
+    const char* key =
+        drive.kind == EffortKind::kForce ? "peak_effort_N" : "peak_effort_Nm";
+    drives.push_back({{"name", drive.name},
+                      {key, drive.effort.value},
+                      {"at_s", drive.effort.at}});
+  }
+  return {{"mobility", mechanism.mobility},
+          {"redundant_constraints", mechanism.redundant_constraints},
+          {"instants", mechanism.instants},
+          {"max_closure_error_mm", millimetres(mechanism.max_closure_error)},
+          {"max_power_balance_error", mechanism.max_power_balance_error},
+          {"joints", joints},
+          {"drives", drives}};
+}
+
+ordered_json peak_json(const assessment::PeakStress& peak) {
+  ordered_json sequence = ordered_json::array();
+  for (const assessment::SequenceMember& member : peak.sequence) {
+    sequence.push_back(
+        {{"degree", member.degree},
+         {"dofs", member.dofs},
+         {"peak_MPa", megapascals(member.peak)},
+         {"strain_energy_mJ", millijoules(member.strain_energy)}});
+  }
+  return {
+      {"value_MPa", megapascals(peak.value)},
+      {"band_MPa", {megapascals(peak.band_low), megapascals(peak.band_high)}},
+      {"verdict", text(peak.verdict)},
+      {"at_mm", vector_mm(peak.at)},
+      {"group", peak.group},
+      {"instant_s", peak.instant},
+      {"case", peak.label},
+      {"sequence", sequence}};
+}
+
+ordered_json beam_json(const assessment::BeamComparison& beam) {
+  ordered_json buckling;  // null: the part is not in pressure
+  if (beam.buckling_safety > 0.0) buckling = beam.buckling_safety;
+  return {{"peak_stress_MPa", megapascals(beam.peak_stress)},
+          {"governing", beam.governing},
+          {"deflection_mm", millimetres(beam.deflection)},
+          {"buckling_safety", buckling},
+          // No part of a scene is struck as long as scenes know no impact.
+          {"impact_factor", nullptr},
+          {"impact_stress_MPa", nullptr},
+          {"ratio_fe_to_beam", beam.ratio_fe_to_beam},
+          {"reason", beam.reason}};
+}
+
+ordered_json probes_json(const std::vector<assessment::ProbeResult>& probes) {
+  ordered_json list = ordered_json::array();
+  for (const assessment::ProbeResult& probe : probes) {
+    const bool length = is_displacement(probe);
+    const auto in_unit = [length](double value) {
+      return length ? millimetres(value) : megapascals(value);
+    };
+    list.push_back({{"name", probe.name},
+                    {"quantity", probe.quantity},
+                    {length ? "value_mm" : "value_MPa", in_unit(probe.value)},
+                    {length ? "band_mm" : "band_MPa",
+                     {in_unit(probe.band_low), in_unit(probe.band_high)}}});
+  }
+  return list;
+}
+
+ordered_json limits_json(const CheckReport& report, const std::string& part) {
+  ordered_json limits = {{"safety_factor", nullptr},
+                         {"deflection_mm", nullptr}};
+  const auto found = report.limits.find(part);
+  if (found == report.limits.end()) return limits;
+  if (found->second.safety_factor) {
+    limits["safety_factor"] = *found->second.safety_factor;
+  }
+  if (found->second.deflection) {
+    limits["deflection_mm"] = millimetres(*found->second.deflection);
+  }
+  return limits;
+}
+
+ordered_json part_json(const CheckReport& report, const PartResult& part) {
+  const assessment::SelfChecks& checks = part.self_checks;
+  const assessment::PartSeconds& seconds = part.seconds;
+  return {{"name", part.name},
+          {"verdict", text(part.verdict)},
+          {"why", part.why},
+          {"model", part.model},
+          {"dofs", part.dofs},
+          {"cells", part.cells},
+          {"load_columns", part.load_columns},
+          {"mass_kg", part.mass},
+          {"peak_von_mises", peak_json(part.peak)},
+          {"safety_factor", part.safety_factor},
+          {"deflection_mm", millimetres(part.deflection)},
+          {"deflection_at_mm", vector_mm(part.deflection_at)},
+          {"deflection_instant_s", part.deflection_instant},
+          {"strain_energy_mJ", millijoules(part.strain_energy)},
+          {"limits", limits_json(report, part.name)},
+          {"beam", beam_json(part.beam)},
+          {"self_checks",
+           {{"equilibrium", checks.equilibrium},
+            {"residual", checks.residual},
+            {"energy", checks.energy},
+            {"compression", checks.compression},
+            {"reported_peak_is_field_maximum",
+             checks.reported_peak_is_field_maximum}}},
+          {"probes", probes_json(part.probes)},
+          {"seconds",
+           {{"mesh", seconds.mesh},
+            {"assemble", seconds.assemble},
+            {"factor", seconds.factor},
+            {"solve", seconds.solve},
+            {"recover", seconds.recover},
+            {"write", seconds.write},
+            {"total", seconds.total}}}};
+}
+
+ordered_json failure_json(const PartFailure& failure) {
+  return {{"part", failure.name},
+          {"code", failure.error.code()},
+          {"place", failure.error.place()},
+          {"problem", failure.error.problem()},
+          {"remedy", failure.error.remedy()},
+          {"exit_code", static_cast<int>(failure.error.exit_code())}};
+}
+
+}  // namespace
+
+std::string result_json(const CheckReport& report) {
+  ordered_json seconds = ordered_json::object();
+  for (const auto& [phase, value] : report.seconds) seconds[phase] = value;
+  ordered_json parts = ordered_json::array();
+  for (const PartResult& part : report.parts) {
+    parts.push_back(part_json(report, part));
+    refuse_non_finite(parts.back(), "part " + part.name);
+  }
+  ordered_json failures = ordered_json::array();
+  for (const PartFailure& failure : report.failures) {
+    failures.push_back(failure_json(failure));
+  }
+  ordered_json document = {{"schema", kResultSchema},
+                           {"version", report.version},
+                           {"scene", report.scene},
+                           {"file", report.file.string()},
+                           {"verdict", text(overall_verdict(report))},
+                           {"complete", report.complete},
+                           {"seconds", seconds}};
+  if (report.mechanism) {
+    document["mechanism"] = mechanism_json(*report.mechanism);
+    refuse_non_finite(document["mechanism"], "mechanism");
+  }
+  document["parts"] = parts;
+  document["failures"] = failures;
+  return json_text(document);
+}
+
+}  // namespace clevis::report
