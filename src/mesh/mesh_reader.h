@@ -17,9 +17,10 @@ namespace clevis::mesh {
 PartMesh<3> read_part_mesh(const std::filesystem::path& file,
                            double length_unit);
 
-/// The mid-plane of a mesh that is a plate extruded along z with uniform
-/// thickness: same quads in every layer, straight normal edges; groups are
-/// those of the side faces. Nothing if the part is not such a plate.
+/// The mid-plane of a mesh that is (to 1e-8 of its size) a plate extruded along
+/// z with uniform thickness: same quads in every layer, straight normal edges.
+/// Its groups are those that lie on the sides only, in the same order; a group
+/// on top or bottom is left out. Nothing if the part is not such a plate.
 std::optional<PartMesh<2>> plate_mid_plane(const PartMesh<3>& mesh);
 
 }  // namespace clevis::mesh

@@ -98,7 +98,8 @@ class Plate {
   }
 
   bool find_axes() {
-    const double tolerance = 1e-10 * size_of(mesh_);
+    // gmsh places the curved nodes of a layer to about 1e-10 of the size.
+    const double tolerance = 1e-8 * size_of(mesh_);
     const Eigen::VectorXd nodes = gauss_lobatto(mesh_.degree);
     for (const auto& points : mesh_.cell_points) {
       upright_.push_back(find_upright(points, mesh_.degree, nodes, tolerance));

@@ -57,7 +57,7 @@ int NameIndex::add(const std::string& name, const Value& where) {
       indices_.try_emplace(name, static_cast<int>(indices_.size()));
   if (!is_new) {
     throw Error("S008", where.place(),
-                fmt::format("there are two {}s named \"{}\"", kind_, name),
+                fmt::format("the {} \"{}\" is defined twice", kind_, name),
                 "Give each its own name.");
   }
   return entry->second;

@@ -139,7 +139,7 @@ Matrix3d joint_rotation(const Vector3d& axis, const Vector3d& normal,
   constexpr double kParallel = 1e-3;  // radians
   const Vector3d across = normal - normal.dot(axis) * axis;
   if (across.norm() < kParallel) {
-    throw where.refusal("S006", "is parallel to the normal of the joint",
+    throw where.refusal("S006", "gives an axis parallel to the normal",
                         "Give normal a direction across the axis.");
   }
   Matrix3d rotation;
@@ -174,7 +174,7 @@ JointDefinition read_joint(StrictTable& table,
   const auto normal = table.find("normal");
   const PerBody normals = normal ? read_directions(*normal, between)
                                  : default_normals(joint.type, axes, between);
-  const Value where = axis ? *axis : normal ? *normal : name;
+  const Value where = normal ? *normal : axis ? *axis : name;
   joint.frame_a = {origins[0], joint_rotation(axes[0], normals[0], where)};
   joint.frame_b = {origins[1], joint_rotation(axes[1], normals[1], where)};
   return joint;

@@ -125,7 +125,7 @@ std::vector<MarkerDefinition> read_markers(StrictTable& root, Names& names) {
 }
 
 mechanism::SimulationSettings read_simulation(StrictTable table) {
-  constexpr int kMostInstants = 1'000'000;
+  constexpr int kMostInstants = 100'000;
   mechanism::SimulationSettings settings;
   settings.duration = table["duration"].positive(Dimension::kTime);
   if (const auto instants = table.find("instants")) {

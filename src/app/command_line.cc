@@ -1,0 +1,207 @@
+#include "app/command_line.h"
+
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <map>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.h"
+#include "base/quantity.h"
+#include "scene/name_index.h"
+
+namespace clevis::app {
+namespace {
+
+constexpr const char* kAbout =
+    R"(clevis checks whether the link parts of a mechanism hold.
+
+Examples:
+  clevis check geometry/landing_gear/scene.toml
+  clevis simulate geometry/landing_gear/scene.toml --out results/gear
+  clevis compare results/gear results/baselines/gear
+)";
+
+constexpr const char* kExitCodes =
+    R"(Exit codes: 0 pass, 1 a limit is exceeded, 2 usage, 3 regression, 4 not judged,
+  10 scene invalid, 11 mesh invalid, 12 model invalid, 20 solver failed,
+  21 resource limit, 22 files, 70 internal error. `clevis explain CODE` explains
+  a diagnostic, `clevis explain` lists them all.)";
+
+/// What the parser fills in; lives as long as the parser.
+struct Parsed {
+  Options options;
+  CompareOptions compare;
+  std::string tolerance;
+  std::string code;
+  std::function<ExitCode()> run;
+};
+
+/// Relative tolerance of the peak stress from e.g. "1%".
+double peak_tolerance(const std::string& text) {
+  constexpr double kLeast = 1e-5, kMost = 0.5;
+  double value{};
+  try {
+    value = parse_quantity(text, Dimension::kRatio, "--tolerance");
+  } catch (const Error& refused) {
+    throw Error("U001", refused.place(), refused.problem(), refused.remedy());
+  }
+  if (!(kLeast <= value && value <= kMost)) {
+    throw Error("U001", "--tolerance", "\"" + text + "\" is out of range",
+                "Give 0.001% to 50%.");
+  }
+  return value;
+}
+
+void add_scene(CLI::App& command, Parsed& parsed) {
+  command.add_option("SCENE", parsed.options.scene, "the scene's .toml file")
+      ->required();
+}
+
+void add_parts(CLI::App& command, Parsed& parsed) {
+  command
+      .add_option("--part", parsed.options.parts,
+                  "only this part; may be repeated")
+      ->type_name("NAME")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_output(CLI::App& command, Parsed& parsed) {
+  command
+      .add_option("--out", parsed.options.out,
+                  "folder of the results [results/<scene>]")
+      ->type_name("DIR");
+  command.add_flag("--json", parsed.options.json,
+                   "print one JSON document instead of tables");
+}
+
+void add_simulate(CLI::App& app, Parsed& parsed) {
+  CLI::App* command = app.add_subcommand(
+      "simulate", "the mechanism alone: structure, motion, reactions");
+  add_scene(*command, parsed);
+  add_output(*command, parsed);
+  command->callback([&parsed] {
+    parsed.run = [&parsed] {
+      return simulate_command(parsed.options);
+    };
+  });
+}
+
+void add_check(CLI::App& app, Parsed& parsed) {
+  CLI::App* command = app.add_subcommand(
+      "check", "does every part hold over the motion and its cases?");
+  add_scene(*command, parsed);
+  add_parts(*command, parsed);
+  command
+      ->add_option("--tolerance", parsed.tolerance,
+                   "of the peak stress, e.g. 1%; replaces the scene's")
+      ->type_name("RATIO");
+  add_output(*command, parsed);
+  constexpr int kMostJobs = 1024;
+  command
+      ->add_option("--jobs", parsed.options.jobs,
+                   "parts in parallel [one per core]")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostJobs));
+  command->callback([&parsed, command] {
+    parsed.run = [&parsed, command] {
+      if (command->count("--tolerance") > 0) {
+        parsed.options.tolerance = peak_tolerance(parsed.tolerance);
+      }
+      return check_command(parsed.options);
+    };
+  });
+}
+
+void add_mesh(CLI::App& app, Parsed& parsed) {
+  CLI::App* command =
+      app.add_subcommand("mesh", "(re)build the meshes from geometry/");
+  add_scene(*command, parsed);
+  add_parts(*command, parsed);
+  command->callback([&parsed] {
+    parsed.run = [&parsed] {
+      return mesh_command(parsed.options);
+    };
+  });
+}
+
+void add_compare(CLI::App& app, Parsed& parsed) {
+  CLI::App* command =
+      app.add_subcommand("compare", "regression check against a baseline");
+  CompareOptions& options = parsed.compare;
+  command->add_option("RESULT", options.result, "result.json or its folder")
+      ->required();
+  command->add_option("BASELINE", options.baseline, "what it should be")
+      ->required();
+  command
+      ->add_option("--tolerance", options.tolerances,
+                   "QUANTITY=VALUE, e.g. peak_von_mises=0.2%; may be repeated")
+      ->type_name("QUANTITY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("--junit", options.junit, "write JUnit XML here")
+      ->type_name("FILE");
+  command->add_flag("--json", options.json,
+                    "print one JSON document instead of a table");
+  command->callback([&parsed] {
+    parsed.run = [&parsed] {
+      return compare_command(parsed.compare);
+    };
+  });
+}
+
+void add_explain(CLI::App& app, Parsed& parsed) {
+  CLI::App* command =
+      app.add_subcommand("explain", "what a diagnostic means and what to do");
+  command->add_option("CODE", parsed.code, "e.g. S004; none lists all");
+  command->callback([&parsed] {
+    parsed.run = [&parsed] {
+      return explain_command(parsed.code);
+    };
+  });
+}
+
+/// What to do about a command line that the parser refuses.
+std::string usage_remedy(const CLI::App& app, int argc,
+                         const char* const* argv) {
+  const auto chosen = app.get_subcommands();
+  if (!chosen.empty()) {
+    return "See clevis " + chosen.front()->get_name() + " --help.";
+  }
+  std::vector<std::string_view> names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    names.push_back(command->get_name());
+  }
+  return (argc > 1 ? scene::suggestion(argv[1], names) + " " : "") +
+         "See clevis --help.";
+}
+
+}  // namespace
+
+ExitCode run_command_line(int argc, const char* const* argv) {
+  CLI::App app(kAbout, "clevis");
+  app.footer(kExitCodes);
+  app.set_version_flag("--version", "clevis " CLEVIS_VERSION);
+  app.require_subcommand(1);
+  Parsed parsed;
+  add_check(app, parsed);
+  add_simulate(app, parsed);
+  add_mesh(app, parsed);
+  add_compare(app, parsed);
+  add_explain(app, parsed);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& outcome) {
+    if (outcome.get_exit_code() == 0) {  // --help, --version
+      app.exit(outcome);
+      return ExitCode::kPass;
+    }
+    throw Error("U001", "command line", outcome.what(),
+                usage_remedy(app, argc, argv));
+  }
+  return parsed.run();
+}
+
+}  // namespace clevis::app

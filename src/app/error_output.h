@@ -1,0 +1,13 @@
+#pragma once
+
+#include "base/errors.h"
+
+namespace clevis::app {
+
+enum class ErrorFormat { kText, kJson };
+
+/// Two lines on stderr, the first "error[S002]: file:3:1: problem", the second
+/// the remedy; with kJson also one document on stdout.
+void print_error(const Error& error, ErrorFormat format);
+
+}  // namespace clevis::app

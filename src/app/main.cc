@@ -1,0 +1,49 @@
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <span>
+#include <string_view>
+
+#include "app/command_line.h"
+#include "app/error_output.h"
+
+namespace {
+
+using clevis::Error;
+
+/// Runs the command and makes sure that its output has arrived.
+clevis::ExitCode run(int argc, const char* const* argv) {
+  const clevis::ExitCode code = clevis::app::run_command_line(argc, argv);
+  if (!std::cout.flush()) {
+    throw Error("I002", "stdout", "the output could not be written",
+                "Check that the disk is not full.");
+  }
+  return code;
+}
+
+int fail(const Error& error, std::span<const char* const> arguments) {
+  const bool wants_json =
+      std::ranges::any_of(arguments, [](std::string_view text) {
+        return text == "--json";
+      });
+  clevis::app::print_error(error, wants_json ? clevis::app::ErrorFormat::kJson
+                                             : clevis::app::ErrorFormat::kText);
+  return static_cast<int>(error.exit_code());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::ios::sync_with_stdio(false);
+  const std::span<const char* const> arguments(argv,
+                                               static_cast<std::size_t>(argc));
+  try {
+    return static_cast<int>(run(argc, argv));
+  } catch (const Error& error) {
+    return fail(error, arguments);
+  } catch (const std::exception& failure) {
+    return fail(Error("X001", "clevis", failure.what(),
+                      "Please report this with the scene and the command."),
+                arguments);
+  }
+}
