@@ -86,9 +86,8 @@ Station::Station(const mesh::Section& section, const Vector3d& normal,
   }
   const std::vector<Vector2d> hull = convex_hull(std::move(rim));
   for (const Vector2d& p : hull) fibres_.push_back(basis * p);
-  // Saint-Venant's torsion constant A⁴/(4π² I_p), exact for the ellipse, and
-  // the width: exact for thin rectangles, up to twice too high for compact
-  // sections.
+  // Torsion constant A⁴/(4π² I_p), exact for the ellipse, over the smallest
+  // width: 10 % too high a stress for strips, twice for circles.
   const double torsion_constant =
       std::pow(area_, 4) /
       (4.0 * std::numbers::pi * std::numbers::pi * J.trace());

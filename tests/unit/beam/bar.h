@@ -86,7 +86,7 @@ inline loads::GroupGeometry pin_group(const std::string& name, double x,
                         .radius = radius,
                         .length = length};
   loads::GroupGeometry group;
-  group.name = "bore_" + name;
+  group.name = std::string("bore_").append(name);
   group.is_cylinder = true;
   group.cylinder = bore;
   group.centroid = bore.p_LC;

@@ -88,15 +88,16 @@ TEST(Station, ShearOfARectangleIsParabolic) {
               std::sqrt(3.0) * 1.5 * 500.0 / 100e-6, 1.0);
 }
 
-// Thin strip: τ = 3T/(h w²) less 0.63 w/h; a circle's 2T/(π r³) is doubled,
-// as documented.
-TEST(Station, TorsionIsRightForStripsAndSafeForCircles) {
-  const Station strip = rectangle(100e-3, 2e-3);
-  const double thin = 3.0 * 1.0 / (100e-3 * 4e-6);
+// Thin strip: exactly 3T/(h w²), met from above by π²/9. Circle: 2T/(π r³),
+// doubled because the width stands for the radius.
+TEST(Station, TorsionIsSafeForStripsAndCircles) {
+  const double pi = std::numbers::pi;
+  const Station strip = rectangle(2000e-3, 2e-3);
+  const double thin = 3.0 * 1.0 / (2000e-3 * 4e-6);
   EXPECT_NEAR(strip.fibre_stress({.moment = {1.0, 0.0, 0.0}}),
-              std::sqrt(3.0) * thin, 0.1 * thin);
+              std::sqrt(3.0) * pi * pi / 9.0 * thin, 1e-5 * thin);
   const Station shaft = circle(5e-3);
-  const double exact = 2.0 / (std::numbers::pi * std::pow(5e-3, 3));
+  const double exact = 2.0 / (pi * std::pow(5e-3, 3));
   EXPECT_NEAR(shaft.fibre_stress({.moment = {1.0, 0.0, 0.0}}),
               std::sqrt(3.0) * 2.0 * exact, 1e-3 * exact);
 }
