@@ -31,6 +31,9 @@ constexpr double kPlate = 1e-9;
 // as a cubic is right to 1e-5 of its radius, a cell of the dome to 1e-3.
 constexpr double kRod = 4e-5, kCylinder = 1e-4;
 
+// The rim is eight arcs of 45° as polynomials of the reader's mapping.
+constexpr double kGasArea = 1e-9;
+
 /// ∫ over the volume, in mm.
 struct VolumeMoments {
   double volume{}, x{}, y{}, xx{}, yy{}, zz{}, xy{};
@@ -323,6 +326,29 @@ TEST(LandingGearMass, CylinderBody) {
     return difference(disc(9.5), disc(7.5));
   });
   expect_mass("cylinder_body.msh", sum, kCylinder);
+}
+
+// The gas pushes on the cap with the full area of its bore, whatever the
+// shape of the dome, and on the piston with the same.
+TEST(LandingGearArea, GasSeesTheFullBore) {
+  const double full = pi * 7.5 * 7.5 * kMm * kMm;
+  const auto area_along_x = [](const std::string& file,
+                               const std::string& name) {
+    const mesh::PartMesh<3> part = mesh::read_part_mesh(
+        std::filesystem::path(CLEVIS_SOURCE_DIR) / "meshes/landing_gear" / file,
+        kMm);
+    for (std::size_t g = 0; g < part.groups.size(); ++g) {
+      if (part.groups[g].name == name) {
+        return mesh::face_properties(part, int(g)).area_vector.x();
+      }
+    }
+    return 0.0;
+  };
+  const double cap = area_along_x("cylinder_body.msh", "cap") / full;
+  const double piston = area_along_x("rod.msh", "piston_face") / full;
+  std::cout << "cap " << cap - 1.0 << ", piston " << piston - 1.0 << "\n";
+  EXPECT_NEAR(cap, 1.0, kGasArea);  // outward: towards the gas, along +x
+  EXPECT_NEAR(piston, 1.0, kGasArea);
 }
 
 }  // namespace
