@@ -3,7 +3,7 @@
 #include <unistd.h>
 
 #include "app/commands.h"
-#include "app/load_mechanism.h"
+#include "app/load_scene.h"
 #include "app/slide_lever_comparison.h"
 #include "mechanism/simulate.h"
 #include "mechanism/structure.h"
@@ -14,9 +14,9 @@
 namespace clevis::app {
 
 ExitCode simulate_command(const Options& options) {
-  const scene::Scene scene = load_mechanism(options.scene).scene;
+  const scene::Scene scene = load_scene(options.scene).scene;
   if (!scene.has_mechanism) {
-    throw Error("S003", options.scene.string(),
+    throw Error("S003", options.scene.string() + ":1:1",
                 "the scene has no [[body]], so there is nothing to move",
                 "Add a mechanism, or run clevis check.");
   }

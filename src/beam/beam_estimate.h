@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "beam/part_model.h"
 #include "loads/load_history.h"
 #include "loads/part_loads.h"
 #include "mesh/part_mesh.h"
@@ -30,9 +31,24 @@ struct BeamEstimate {
 
 /// Beam theory from the same load history that the FE takes: axial + bending
 /// + shear along the line between each pair of neighbouring pins with the
-/// true section (mesh::cut), lug checks at every bore, Euler buckling.
+/// true section (mesh::cut), lug checks at every bore, Lamé's stress at
+/// pressurized bores, Euler buckling.
+///
+/// All stresses are nominal: no stress concentration. A part whose loads are
+/// not in balance by themselves (held by `fixed`) gets no section forces.
+/// @param buckling_length  between the hinges of the column that the part
+///   belongs to [m], e.g. the largest distance between the outer pins of a
+///   cylinder and its rod; not given: the distance of the part's own pins.
+/// Source: docs/theory.md, "Beams and lugs".
 BeamEstimate estimate(const mesh::PartMesh<3>& mesh,
                       const part::Material& material,
+                      const part::MassProperties& mass,
+                      const std::vector<loads::GroupGeometry>& groups,
+                      const loads::LoadHistory& history,
+                      std::optional<double> buckling_length = std::nullopt);
+
+/// The same for a part whose shape is given by other means than a mesh.
+BeamEstimate estimate(const PartModel& model, const part::Material& material,
                       const part::MassProperties& mass,
                       const std::vector<loads::GroupGeometry>& groups,
                       const loads::LoadHistory& history,

@@ -77,21 +77,12 @@ void refine(const Matrix3Xd& points, Axis axis, part::Bore& bore) {
   }
 }
 
-double worst_distance(const Matrix3Xd& points, const part::Bore& bore) {
-  double worst = 0.0;
-  for (Index i = 0; i < points.cols(); ++i) {
-    worst = std::max(
-        worst, std::abs(radial(bore, points.col(i)).norm() - bore.radius));
-  }
-  return worst;
-}
-
-/// Middle and length of the part of the axis beside the points.
-void set_extent(const Matrix3Xd& points, part::Bore& bore) {
-  const VectorXd heights =
-      (points.colwise() - bore.p_LC).transpose() * bore.axis_L;
-  bore.length = heights.maxCoeff() - heights.minCoeff();
-  bore.p_LC += 0.5 * (heights.maxCoeff() + heights.minCoeff()) * bore.axis_L;
+/// Directions of the normals and how much of them lies along each, sorted.
+Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes_of(
+    const Matrix3Xd& normals) {
+  const Eigen::Matrix3d spread = normals * normals.transpose();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
+      spread / std::max(spread.trace(), 1e-300));
 }
 
 [[noreturn]] void refuse(const std::string& place, const char* problem) {
@@ -102,15 +93,33 @@ void set_extent(const Matrix3Xd& points, part::Bore& bore) {
 
 }  // namespace
 
+double worst_distance(const Matrix3Xd& points, const part::Bore& bore) {
+  double worst = 0.0;
+  for (Index i = 0; i < points.cols(); ++i) {
+    worst = std::max(
+        worst, std::abs(radial(bore, points.col(i)).norm() - bore.radius));
+  }
+  return worst;
+}
+
+void set_extent(const Matrix3Xd& points, part::Bore& bore) {
+  const VectorXd heights =
+      (points.colwise() - bore.p_LC).transpose() * bore.axis_L;
+  bore.length = heights.maxCoeff() - heights.minCoeff();
+  bore.p_LC += 0.5 * (heights.maxCoeff() + heights.minCoeff()) * bore.axis_L;
+}
+
+bool determine_axis(const Matrix3Xd& normals) {
+  return modes_of(normals).eigenvalues()[1] > 1e-6;
+}
+
 CylinderFit fit_cylinder(const Matrix3Xd& points, const Matrix3Xd& normals,
                          const std::string& place) {
-  const Eigen::Matrix3d spread = normals * normals.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(
-      spread / std::max(spread.trace(), 1e-300));
-  if (!(modes.eigenvalues()[1] > 1e-6)) {
+  if (!determine_axis(normals)) {
     refuse(place, "its faces are flat and determine no cylinder");
   }
-  part::Bore bore{Vector3d::Zero(), modes.eigenvectors().col(0), 0.0, 0.0};
+  part::Bore bore{Vector3d::Zero(), modes_of(normals).eigenvectors().col(0),
+                  0.0, 0.0};
   start_circle(points, bore);
   refine(points, Axis::kFree, bore);
   Index main_axis = 0;

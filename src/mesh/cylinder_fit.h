@@ -25,6 +25,16 @@ CylinderFit fit_cylinder(const Eigen::Matrix3Xd& points,
                          const Eigen::Matrix3Xd& normals,
                          const std::string& place);
 
+/// Whether facets with these normals can determine an axis: they are not all
+/// parallel.
+bool determine_axis(const Eigen::Matrix3Xd& normals);
+
+/// Sets middle and length of the part of the axis beside the points.
+void set_extent(const Eigen::Matrix3Xd& points, part::Bore& bore);
+
+/// Largest |distance from the axis − radius| of the points [m].
+double worst_distance(const Eigen::Matrix3Xd& points, const part::Bore& bore);
+
 /// Nearest point on the cylinder.
 Eigen::Vector3d project(const part::Bore& cylinder, const Eigen::Vector3d& p);
 

@@ -11,6 +11,7 @@
 
 #include "base/errors.h"
 #include "mesh/cylinder_fit.h"
+#include "mesh/tangent_round.h"
 #include "mesh/tensor_basis.h"
 #include "mesh/topology.h"
 
@@ -24,26 +25,6 @@ using Eigen::Vector3d;
 
 bool is_round(const std::string& name) {
   return name.starts_with("bore_") || name.starts_with("round_");
-}
-
-/// Corners in cyclic order; three or four.
-std::vector<unsigned> face_cycle(const PartMesh<3>& mesh,
-                                 const BoundaryFace& face) {
-  const FaceVertices v = face_vertices(mesh, face.cell, face.face);
-  if (v[3] == kNoVertex) return {v[0], v[1], v[2]};
-  return {v[0], v[1], v[3], v[2]};
-}
-
-/// Area vector of the facet (half the cross product of its diagonals).
-Vector3d area_vector(const PartMesh<3>& mesh,
-                     const std::vector<unsigned>& cycle) {
-  const Vector3d& origin = mesh.vertices[cycle[0]];
-  Vector3d sum = Vector3d::Zero();
-  for (std::size_t i = 2; i < cycle.size(); ++i) {
-    sum += 0.5 * (mesh.vertices[cycle[i - 1]] - origin)
-                     .cross(mesh.vertices[cycle[i]] - origin);
-  }
-  return sum;
 }
 
 [[noreturn]] void refuse(const std::string& place, const std::string& problem) {
@@ -76,34 +57,62 @@ void check_facet(const PartMesh<3>& mesh, const part::Bore& bore,
   }
 }
 
-part::Bore fit_group(const PartMesh<3>& mesh, int group,
-                     const std::string& place) {
+/// The facets of a group and their corners.
+struct Facets {
+  std::vector<std::vector<unsigned>> cycles;
+  Matrix3Xd points, normals;
+};
+
+Facets facets_of(const PartMesh<3>& mesh, int group) {
+  Facets facets;
   std::set<unsigned> corners;
-  std::vector<std::vector<unsigned>> facets;
   for (const BoundaryFace& face : mesh.boundary) {
     if (face.group != group) continue;
-    facets.push_back(face_cycle(mesh, face));
-    corners.insert(facets.back().begin(), facets.back().end());
+    facets.cycles.push_back(face_cycle(mesh, face));
+    corners.insert(facets.cycles.back().begin(), facets.cycles.back().end());
   }
-  Matrix3Xd normals(3, Index(facets.size()));
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    normals.col(Index(f)) = area_vector(mesh, facets[f]);
-  }
-  Matrix3Xd points(3, Index(corners.size()));
+  facets.points.resize(3, Index(corners.size()));
   Index i = 0;
-  for (const unsigned v : corners) points.col(i++) = mesh.vertices[v];
+  for (const unsigned v : corners) facets.points.col(i++) = mesh.vertices[v];
+  facets.normals.resize(3, Index(facets.cycles.size()));
+  for (std::size_t f = 0; f < facets.cycles.size(); ++f) {
+    facets.normals.col(Index(f)) = area_vector(mesh, facets.cycles[f]);
+  }
+  return facets;
+}
 
-  const CylinderFit fit = fit_cylinder(points, normals, place);
-  if (!(fit.worst <= 1e-5 * fit.bore.radius)) {
+void check_group(const PartMesh<3>& mesh, const Facets& facets,
+                 const part::Bore& bore, const std::string& place) {
+  const double worst = worst_distance(facets.points, bore);
+  if (!(worst <= 1e-5 * bore.radius)) {
     refuse(place,
            fmt::format("a node is {:.4g} mm off the nearest cylinder, which "
                        "has a radius of {:.6g} mm",
-                       1e3 * fit.worst, 1e3 * fit.bore.radius));
+                       1e3 * worst, 1e3 * bore.radius));
   }
-  for (const auto& cycle : facets) {
-    check_facet(mesh, fit.bore, cycle, place);
+  for (const auto& cycle : facets.cycles) {
+    check_facet(mesh, bore, cycle, place);
   }
-  return fit.bore;
+}
+
+/// Fits the groups that determine their cylinder alone, then those that need
+/// their neighbours.
+void fit_groups(PartMesh<3>& mesh, const std::string& file) {
+  for (const bool alone : {true, false}) {
+    for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
+      SurfaceGroup& group = mesh.groups[g];
+      if (!is_round(group.name) || group.cylinder) continue;
+      const Facets facets = facets_of(mesh, int(g));
+      if (determine_axis(facets.normals) != alone) continue;
+      const std::string place = fmt::format("{}, {}", file, group.name);
+      part::Bore bore =
+          alone ? fit_cylinder(facets.points, facets.normals, place).bore
+                : fit_tangent_round(mesh, int(g), place);
+      set_extent(facets.points, bore);
+      check_group(mesh, facets, bore, place);
+      group.cylinder = bore;
+    }
+  }
 }
 
 /// Nearest point that lies on all the given cylinders.
@@ -202,23 +211,29 @@ class HexBlend {
     Triple i = {(edge.from & 1) * last_, (edge.from >> 1 & 1) * last_,
                 (edge.from >> 2 & 1) * last_};
     const auto axis = std::size_t(edge.axis);
+    std::vector<Vector3d> screw, own;
+    double apart = 0.0;
     for (i[axis] = 1; i[axis] < last_; ++i[axis]) {
       const Index q = at(i);
       D_.col(q) = between_ends(i, axis);
       if (round == round_.edges.end()) continue;
       const auto& groups = round->second;
-      Vector3d p = X_.col(q) + D_.col(q);
-      // A straight edge of the file says nothing of the curve between its
-      // ends: equal angles. A curved one keeps its own spacing.
-      if (file_order_ == 1) {
-        p = screw_line(*mesh_.groups[std::size_t(*groups.begin())].cylinder,
-                       mesh_.vertices[from], mesh_.vertices[to],
-                       nodes_[i[axis]]);
-      }
-      if (file_order_ > 1 || groups.size() > 1) {
-        p = project_on_all(mesh_, groups, p);
-      }
-      D_.col(q) = p - X_.col(q);
+      own.push_back(project_on_all(mesh_, groups, X_.col(q) + D_.col(q)));
+      const Vector3d even =
+          screw_line(*mesh_.groups[std::size_t(*groups.begin())].cylinder,
+                     mesh_.vertices[from], mesh_.vertices[to], nodes_[i[axis]]);
+      screw.push_back(groups.size() > 1 ? project_on_all(mesh_, groups, even)
+                                        : even);
+      apart = std::max(apart, (own.back() - screw.back()).norm());
+    }
+    if (round == round_.edges.end()) return;
+    // Equal angles converge fastest; a curved edge of the file that is clearly
+    // another curve (an oblique cut, say) keeps its own.
+    const double length = (mesh_.vertices[from] - mesh_.vertices[to]).norm();
+    const bool even = file_order_ == 1 || apart < 1e-2 * length;
+    for (i[axis] = 1; i[axis] < last_; ++i[axis]) {
+      const auto n = std::size_t(i[axis] - 1);
+      D_.col(at(i)) = (even ? screw[n] : own[n]) - X_.col(at(i));
     }
   }
 
@@ -292,12 +307,7 @@ bool touches(const RoundEntities& round, const std::vector<unsigned>& cell) {
 }  // namespace
 
 void put_on_cylinders(PartMesh<3>& mesh, const std::string& file) {
-  for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
-    SurfaceGroup& group = mesh.groups[g];
-    if (!is_round(group.name)) continue;
-    group.cylinder =
-        fit_group(mesh, int(g), fmt::format("{}, {}", file, group.name));
-  }
+  fit_groups(mesh, file);
   const RoundEntities round = find_round_entities(mesh);
   if (round.faces.empty()) return;
   for (const auto& [v, groups] : round.vertices) {

@@ -88,6 +88,13 @@ void add_triangle(const Matrix3d& corners, Moments& moments) {
   }
 }
 
+/// Area vector of a tetrahedron's face, outward.
+Vector3d outward_area(const Matrix3d& corners, const Vector3d& inside) {
+  const Vector3d area = 0.5 * (corners.col(1) - corners.col(0))
+                                  .cross(corners.col(2) - corners.col(0));
+  return area.dot(corners.col(0) - inside) < 0.0 ? Vector3d(-area) : area;
+}
+
 part::MassProperties with_density(const Moments& moments, double density) {
   return {density * moments.zeroth, moments.centroid(),
           density * moments.inertia()};
@@ -143,6 +150,7 @@ part::MassProperties mass_properties(const PartMesh<2>& mesh, double density) {
 }
 
 FaceProperties face_properties(const PartMesh<3>& mesh, int group) {
+  FaceProperties properties;
   Moments moments(mean_vertex(mesh));
   // The area element is no polynomial on a curved face; a smooth function,
   // for which this many points reach rounding.
@@ -160,6 +168,11 @@ FaceProperties face_properties(const PartMesh<3>& mesh, int group) {
       Matrix3d corners;
       corners << mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]];
       add_triangle(corners, moments);
+      const Vector3d area = outward_area(
+          corners,
+          mesh.cell_points[std::size_t(face.cell)].rowwise().mean());
+      properties.area_vector += area;
+      properties.area_moment += corners.rowwise().mean().cross(area);
       continue;
     }
     const auto normal = unsigned(face.face / 2);
@@ -169,14 +182,20 @@ FaceProperties face_properties(const PartMesh<3>& mesh, int group) {
         map_grid<3>(mesh.cell_points[std::size_t(face.cell)], along);
     const auto& a = grid.tangents[(normal + 1) % 3];
     const auto& b = grid.tangents[(normal + 2) % 3];
+    const double sense = face.face % 2 == 0 ? -1.0 : 1.0;
     for (Index q = 0; q < n * n; ++q) {
-      const Vector3d t1 = a.col(q), t2 = b.col(q);
-      moments.add(
-          grid.points.col(q),
-          rule.weights[q % n] * rule.weights[q / n] * t1.cross(t2).norm());
+      const Vector3d t1 = a.col(q), t2 = b.col(q), p = grid.points.col(q);
+      const Vector3d area =
+          sense * rule.weights[q % n] * rule.weights[q / n] * t1.cross(t2);
+      moments.add(p, area.norm());
+      properties.area_vector += area;
+      properties.area_moment += p.cross(area);
     }
   }
-  return {moments.zeroth, moments.centroid(), moments.inertia()};
+  properties.area = moments.zeroth;
+  properties.centroid = moments.centroid();
+  properties.second_moment = moments.inertia();
+  return properties;
 }
 
 }  // namespace clevis::mesh

@@ -20,6 +20,9 @@ struct FaceProperties {
   double area{};
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();
+  /// ∫ n dA [m²] and ∫ p × n dA [m³], n the outward unit normal.
+  Eigen::Vector3d area_vector = Eigen::Vector3d::Zero();
+  Eigen::Vector3d area_moment = Eigen::Vector3d::Zero();
 };
 
 /// @param group  index into mesh.groups; -1: all faces without a name.

@@ -96,7 +96,7 @@ LoadCaseDefinition read_case(StrictTable table) {
     return v.quantity(Dimension::kStress);
   };
   LoadCaseDefinition load_case;
-  load_case.name = table["name"].name();
+  load_case.name = table["name"].title();
   require_load(table);
   load_case.pins = read_groups<Eigen::Vector3d>(table, "pins", force);
   load_case.pressure = read_groups<double>(table, "pressure", pressure);

@@ -17,7 +17,7 @@ std::string name_or_number(StrictTable& table, std::string_view kind,
                            std::size_t count, NameIndex& index) {
   const auto name = table.find("name");
   const std::string text =
-      name ? name->name() : fmt::format("{}_{}", kind, count + 1);
+      name ? name->title() : fmt::format("{}_{}", kind, count + 1);
   index.add(text, name ? *name : table["type"]);
   return text;
 }

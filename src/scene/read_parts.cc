@@ -69,7 +69,7 @@ part::PartDefinition read_part(StrictTable& table, const Names& names,
   NameIndex cases("case");
   for (StrictTable& entry : table.tables("case")) {
     const Value name = entry["name"];
-    cases.add(name.name(), name);
+    cases.add(name.title(), name);
     part.cases.push_back(read_case(entry));
   }
   return part;

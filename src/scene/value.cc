@@ -76,6 +76,15 @@ std::string Value::text() const {
   return content;
 }
 
+std::string Value::title() const {
+  constexpr std::size_t kLongest = 64;
+  const std::string title = text();
+  if (title.size() > kLongest) {
+    throw refusal("S006", "is longer than 64 bytes", "Give a shorter name.");
+  }
+  return title;
+}
+
 bool is_name(std::string_view text) {
   constexpr std::string_view kAllowed =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";

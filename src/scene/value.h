@@ -39,6 +39,10 @@ class Value {
   /// A text of 1 to 4096 printable characters. @throws Error S005, S006.
   std::string text() const;
 
+  /// A short text of 1 to 64 bytes, for messages and tables only.
+  /// @throws Error S005, S006.
+  std::string title() const;
+
   /// A name that may become a file name: 1 to 64 of A–Z a–z 0–9 . _ -, the
   /// first neither . nor -. @throws Error S005, S006.
   std::string name() const;

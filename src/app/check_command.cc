@@ -1,0 +1,44 @@
+#include <cstdlib>
+#include <filesystem>
+
+#include <dlfcn.h>
+
+#include "app/check_plugin.h"
+#include "app/commands.h"
+
+namespace clevis::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Beside the executable in the build tree, in lib/clevis when installed.
+fs::path plugin_path() {
+  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path beside = folder / kCheckPlugin;
+  return fs::exists(beside) ? beside
+                            : folder.parent_path() / "lib/clevis" / kCheckPlugin;
+}
+
+}  // namespace
+
+ExitCode check_command(const Options& options) {
+  // Parts run in processes of their own; BLAS threads on top would only get
+  // in their way and change the order of sums.
+  setenv("OPENBLAS_NUM_THREADS", "1", 0);
+  setenv("OMP_NUM_THREADS", "1", 0);
+  const fs::path path = plugin_path();
+  void* plugin = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (plugin == nullptr) {
+    throw Error("I001", path.string(), dlerror(),
+                "Reinstall clevis: this library belongs to it.");
+  }
+  const auto run =
+      reinterpret_cast<CheckEntry*>(dlsym(plugin, kCheckEntryName));
+  if (run == nullptr) {
+    throw Error("X001", path.string(), dlerror(),
+                "The executable and its library are of different versions.");
+  }
+  return run(options);
+}
+
+}  // namespace clevis::app

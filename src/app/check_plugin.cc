@@ -1,0 +1,229 @@
+#include "app/check_plugin.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <numeric>
+#include <thread>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "app/load_scene.h"
+#include "app/part_files.h"
+#include "app/part_jobs.h"
+#include "app/worker_pool.h"
+#include "mechanism/simulate.h"
+#include "mechanism/structure.h"
+#include "report/check_table.h"
+#include "report/part_result_json.h"
+#include "report/progress.h"
+#include "report/result_files.h"
+#include "report/result_json.h"
+#include "report/terminal.h"
+
+namespace clevis::app {
+namespace {
+
+namespace fs = std::filesystem;
+using assessment::PartJob;
+
+constexpr int kInterruptedExit = 130;  // 128 + SIGINT, as shells expect
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ =
+      std::chrono::steady_clock::now();
+};
+
+/// results/<scene> unless --out says otherwise; a scene in its mechanism's
+/// folder is named after both: results/landing_gear_loaded.
+fs::path output_folder(const Options& options) {
+  if (!options.out.empty()) return options.out;
+  const fs::path file = fs::absolute(options.scene);
+  const std::string folder = file.parent_path().filename().string();
+  const std::string scene = file.stem().string();
+  return fs::path("results") /
+         (scene == "scene" ? folder : folder + "_" + scene);
+}
+
+/// A worker's answer: the result, or the refusal that ended it.
+std::string encode_error(const Error& error) {
+  return nlohmann::json{{"code", error.code()},
+                        {"place", error.place()},
+                        {"problem", error.problem()},
+                        {"remedy", error.remedy()}}
+      .dump();
+}
+
+Error decode_error(std::string_view text) {
+  const auto json = nlohmann::json::parse(text);
+  return {json.at("code").get<std::string>(),
+          json.at("place").get<std::string>(),
+          json.at("problem").get<std::string>(),
+          json.at("remedy").get<std::string>()};
+}
+
+constexpr char kResult = 'R';
+constexpr char kRefusal = 'E';
+
+/// Runs in a worker process: checks the part and writes its fields.
+std::string check_one(const PartJob& job,
+                      const std::optional<MovingPart>& moving,
+                      const fs::path& folder) {
+  try {
+    assessment::PartAssessment assessment = assessment::check_part(job);
+    Stopwatch watch;
+    write_part_files(assessment, moving, job.part.material.yield_strength,
+                     folder);
+    assessment.result.seconds.write = watch.lap();
+    assessment.result.seconds.total += assessment.result.seconds.write;
+    return kResult + report::encode(assessment.result);
+  } catch (const Error& error) {
+    return kRefusal + encode_error(error);
+  } catch (const std::exception& failure) {
+    return kRefusal + encode_error(Error("X001", "part " + job.part.name,
+                                         failure.what(),
+                                         "Please report this scene."));
+  }
+}
+
+/// Solid parts first: they take longest, and the last one to start decides
+/// when all are done.
+void longest_first(std::vector<PartJob>& jobs) {
+  std::ranges::stable_sort(jobs, std::ranges::greater{}, [](const PartJob& j) {
+    return j.mesh.cells.size() * j.mesh.degree;
+  });
+}
+
+void take_outcome(const WorkerOutcome& outcome, const std::string& part,
+                  report::CheckReport& report) {
+  using enum WorkerOutcome::Kind;
+  if (outcome.kind == kInterrupted) {
+    report.complete = false;
+  } else if (outcome.kind == kDied || outcome.text.empty()) {
+    report.failures.push_back(
+        {part, Error("X001", "part " + part,
+                     "the check crashed: " + outcome.text,
+                     "Please report this with the scene and its mesh.")});
+  } else if (outcome.text.front() == kResult) {
+    report.parts.push_back(report::decode_part_result(
+        std::string_view(outcome.text).substr(1)));
+  } else {
+    report.failures.push_back(
+        {part, decode_error(std::string_view(outcome.text).substr(1))});
+  }
+}
+
+/// Checks all parts, `--jobs` at a time; results in the scene's order.
+void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
+                 std::vector<PartJob> jobs, const Options& options,
+                 const fs::path& folder, report::CheckReport& report) {
+  std::vector<std::string> order;
+  for (const auto& job : jobs) order.push_back(job.part.name);
+  longest_first(jobs);
+  const auto cores = std::max(1U, std::thread::hardware_concurrency());
+  const int processes =
+      options.jobs > 0 ? options.jobs : static_cast<int>(cores);
+  report::Progress progress(std::cerr,
+                            isatty(STDERR_FILENO) != 0
+                                ? report::Progress::Stream::kTerminal
+                                : report::Progress::Stream::kLog);
+  const auto outcomes = run_workers(
+      jobs.size(), processes,
+      [&](std::size_t index) {
+        const auto body = loaded.body_of(jobs[index].part.name);
+        std::optional<MovingPart> moving;
+        if (body != mechanism::kGround) moving = MovingPart{&motion, body};
+        return check_one(jobs[index], moving, folder);
+      },
+      [&](std::size_t done, const std::vector<std::size_t>& running) {
+        std::string names;
+        for (const std::size_t index : running) {
+          names += (names.empty() ? "" : ", ") + jobs[index].part.name;
+        }
+        progress.update(static_cast<int>(done), static_cast<int>(jobs.size()),
+                        "checking " + names);
+      });
+  progress.clear();
+  for (const auto& name : order) {
+    const auto job = std::ranges::find(
+        jobs, name, [](const PartJob& j) { return j.part.name; });
+    take_outcome(outcomes[static_cast<std::size_t>(job - jobs.begin())], name,
+                 report);
+  }
+}
+
+std::vector<std::string> moving_parts(const LoadedScene& loaded,
+                                      const report::CheckReport& report) {
+  std::vector<std::string> names;
+  for (const auto& part : report.parts) {
+    if (loaded.body_of(part.name) != mechanism::kGround) {
+      names.push_back(part.name);
+    }
+  }
+  return names;
+}
+
+ExitCode run_check(const Options& options) {
+  Stopwatch total;
+  Stopwatch watch;
+  report::CheckReport report;
+  report.version = CLEVIS_VERSION;
+  const LoadedScene loaded = load_scene(options.scene);
+  report.scene = loaded.scene.name;
+  report.file = options.scene;
+  report.seconds.emplace_back("scene_and_meshes", watch.lap());
+
+  mechanism::Motion motion;
+  if (loaded.scene.has_mechanism) {
+    motion =
+        mechanism::simulate(loaded.scene.mechanism, loaded.scene.simulation);
+    report.mechanism = report::summarise(
+        loaded.scene.mechanism,
+        mechanism::analyse_structure(loaded.scene.mechanism), motion);
+  }
+  report.seconds.emplace_back("mechanism", watch.lap());
+
+  std::vector<PartJob> jobs = part_jobs(
+      loaded, motion, options.parts,
+      options.tolerance.value_or(loaded.scene.peak_stress_tolerance));
+  for (const auto& job : jobs) {
+    report.limits.emplace(job.part.name, job.part.limits);
+  }
+  report.seconds.emplace_back("loads", watch.lap());
+
+  const fs::path folder = output_folder(options);
+  check_parts(loaded, motion, std::move(jobs), options, folder, report);
+  report.seconds.emplace_back("parts", watch.lap());
+
+  const auto moving = moving_parts(loaded, report);
+  if (!moving.empty()) write_mechanism_series(moving, motion, folder);
+  report.seconds.emplace_back("total", total.lap());
+  report::write_result_files(report, folder);
+  if (options.json) {
+    std::cout << report::result_json(report);
+  } else {
+    std::cout << report::check_table(report,
+                                     report::colour_of(STDOUT_FILENO));
+  }
+  if (!report.complete) return static_cast<ExitCode>(kInterruptedExit);
+  return report::exit_code(report);
+}
+
+}  // namespace
+}  // namespace clevis::app
+
+extern "C" __attribute__((visibility("default"))) clevis::ExitCode
+clevis_check(const clevis::app::Options& options) {
+  return clevis::app::run_check(options);
+}

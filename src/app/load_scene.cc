@@ -1,0 +1,67 @@
+#include "app/load_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "mesh/mass_properties.h"
+#include "mesh/mesh_reader.h"
+
+namespace clevis::app {
+namespace {
+
+std::vector<loads::GroupGeometry> group_geometry(
+    const mesh::PartMesh<3>& mesh) {
+  std::vector<loads::GroupGeometry> groups;
+  for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
+    const auto faces = mesh::face_properties(mesh, static_cast<int>(g));
+    loads::GroupGeometry geometry;
+    geometry.name = mesh.groups[g].name;
+    geometry.is_cylinder = mesh.groups[g].cylinder.has_value();
+    if (geometry.is_cylinder) geometry.cylinder = *mesh.groups[g].cylinder;
+    geometry.centroid = faces.centroid;
+    geometry.area = faces.area;
+    geometry.area_vector = faces.area_vector;
+    geometry.area_moment = faces.area_moment;
+    groups.push_back(std::move(geometry));
+  }
+  return groups;
+}
+
+LoadedPart load_part(const part::PartDefinition& definition) {
+  LoadedPart part;
+  part.definition = definition;
+  part.mesh = mesh::read_part_mesh(definition.mesh, definition.length_unit);
+  part.mass = mesh::mass_properties(part.mesh, definition.material.density);
+  part.groups = group_geometry(part.mesh);
+  return part;
+}
+
+}  // namespace
+
+mechanism::BodyIndex LoadedScene::body_of(const std::string& part) const {
+  const auto& bodies = scene.mechanism.bodies;
+  const auto found =
+      std::ranges::find(bodies, part, &mechanism::BodyDefinition::part);
+  return found == bodies.end()
+             ? mechanism::kGround
+             : static_cast<mechanism::BodyIndex>(found - bodies.begin());
+}
+
+LoadedScene load_scene(const std::filesystem::path& file) {
+  LoadedScene loaded;
+  loaded.scene = scene::read_scene(file);
+  for (const auto& definition : loaded.scene.parts) {
+    loaded.parts.push_back(load_part(definition));
+  }
+  for (auto& body : loaded.scene.mechanism.bodies) {
+    const auto part = std::ranges::find(
+        loaded.parts, body.part,
+        [](const LoadedPart& p) { return p.definition.name; });
+    if (!body.part.empty() && part != loaded.parts.end()) {
+      body.mass_properties = part->mass;
+    }
+  }
+  return loaded;
+}
+
+}  // namespace clevis::app

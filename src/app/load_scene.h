@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "loads/part_loads.h"
+#include "mesh/part_mesh.h"
+#include "part/mass_properties.h"
+#include "scene/scene.h"
+
+namespace clevis::app {
+
+/// A part with what its mesh says of it.
+struct LoadedPart {
+  part::PartDefinition definition;
+  mesh::PartMesh<3> mesh;
+  part::MassProperties mass;
+  std::vector<loads::GroupGeometry> groups;
+};
+
+/// A scene whose bodies have the masses of their parts' meshes.
+struct LoadedScene {
+  scene::Scene scene;
+  std::vector<LoadedPart> parts;  ///< like scene.parts
+
+  /// The body that carries the part; mechanism::kGround if none does.
+  mechanism::BodyIndex body_of(const std::string& part) const;
+};
+
+/// Reads a scene and the meshes of its parts.
+/// @throws Error S…, M…, I001.
+LoadedScene load_scene(const std::filesystem::path& file);
+
+}  // namespace clevis::app

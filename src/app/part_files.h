@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/part_check.h"
+#include "mechanism/motion.h"
+
+namespace clevis::app {
+
+/// Motion of a part's body, to place its fields in the world.
+struct MovingPart {
+  const mechanism::Motion* motion{};
+  mechanism::BodyIndex body{};
+};
+
+/// Writes NAME.vtu (Lagrange cells) and NAME_linear.vtu at the worst instant
+/// in frame L; for a moving part also frames/NAME_####.vtu in the world and
+/// NAME.pvd over them.
+/// @throws Error I002.
+void write_part_files(const assessment::PartAssessment& assessment,
+                      const std::optional<MovingPart>& moving,
+                      double yield_strength,
+                      const std::filesystem::path& folder);
+
+/// Writes mechanism.pvd: the frames of all moving parts together.
+void write_mechanism_series(const std::vector<std::string>& parts,
+                            const mechanism::Motion& motion,
+                            const std::filesystem::path& folder);
+
+}  // namespace clevis::app

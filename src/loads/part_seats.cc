@@ -1,0 +1,204 @@
+#include "loads/part_seats.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "loads/balance.h"
+
+namespace clevis::loads {
+
+using Eigen::Vector3d;
+using mechanism::JointType;
+
+namespace {
+
+// Gap between a joint and its cylinder, relative to the part's size, and
+// angle between their axes [rad]. Scenes and meshes print coordinates to at
+// least seven digits.
+constexpr double kGapTolerance = 1e-6;
+constexpr double kAngleTolerance = 1e-6;
+
+BodyJoint body_joint(const SeatContext& context, const std::string& name,
+                     const std::string& place) {
+  const auto& joints = context.definition.joints;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const mechanism::JointDefinition& joint = joints[i];
+    if (joint.name != name) continue;
+    if (joint.body_b == context.body) return {i, &joint, &joint.frame_b, 1.0};
+    if (joint.body_a == context.body) return {i, &joint, &joint.frame_a, -1.0};
+  }
+  throw Error("L004", place,
+              fmt::format("joint \"{}\" is not on the body of the part", name),
+              "name a joint that connects this body, or delete the entry");
+}
+
+void require_coaxial(const SeatContext& context, const part::Bore& cylinder,
+                     const mechanism::JointFrame& frame,
+                     const std::string& group, const std::string& place) {
+  const Vector3d p_CJ = frame.p_LJ - cylinder.p_LC;
+  const Vector3d across = p_CJ - p_CJ.dot(cylinder.axis_L) * cylinder.axis_L;
+  const std::string remedy =
+      "make the joint's position in the scene and the cylinder in the mesh "
+      "agree (same lengths, mesh in the body's frame, right length_unit)";
+  if (!(across.norm() <= kGapTolerance * context.size)) {
+    throw Error("L003", place,
+                fmt::format("the joint lies {:.6g} mm off the axis of "
+                            "\"{}\": joint at ({:.6g}, {:.6g}, {:.6g}) mm, "
+                            "cylinder at ({:.6g}, {:.6g}, {:.6g}) mm",
+                            across.norm() * 1e3, group, frame.p_LJ.x() * 1e3,
+                            frame.p_LJ.y() * 1e3, frame.p_LJ.z() * 1e3,
+                            cylinder.p_LC.x() * 1e3, cylinder.p_LC.y() * 1e3,
+                            cylinder.p_LC.z() * 1e3),
+                remedy);
+  }
+  const double angle =
+      std::asin(std::min(1.0, frame.R_LJ.col(2).cross(cylinder.axis_L).norm()));
+  if (!(angle <= kAngleTolerance)) {
+    throw Error("L003", place,
+                fmt::format("the joint's axis and the cylinder \"{}\" make an "
+                            "angle of {:.6g} deg",
+                            group, angle * 180.0 / std::numbers::pi),
+                remedy);
+  }
+}
+
+// A revolute joint needs a bore; a slide or a weld may also sit on a face.
+Seat joint_seat(const SeatContext& context, const part::Seat& wanted,
+                const BodyJoint& joint) {
+  const std::string place = context.place("joint " + wanted.joint);
+  const GroupGeometry& group = find_group(context.groups, wanted.group, place);
+  const JointType type = joint.definition->type;
+  Seat seat{.name = wanted.joint, .group = wanted.group};
+  if (!group.is_cylinder && type != JointType::kRevolute) {
+    seat.kind = SeatKind::kTraction;
+    seat.p_LS = group.centroid;
+    return seat;
+  }
+  require_full_cylinder(group, place);
+  // A weld has no axis of its own: only its position is compared.
+  mechanism::JointFrame frame = *joint.frame;
+  if (type == JointType::kWeld) {
+    frame.R_LJ.col(2) = group.cylinder.axis_L;
+  }
+  require_coaxial(context, group.cylinder, frame, wanted.group, place);
+  seat.kind = SeatKind::kBearing;
+  seat.p_LS = group.cylinder.p_LC;
+  return seat;
+}
+
+// A pressure that is only the effort over the face's area acts on nothing
+// else, so what it does to the other groups must cancel.
+GroupGeometry pressurized_group(const SeatContext& context,
+                                const std::string& name,
+                                const std::string& place) {
+  const GroupGeometry& group = find_group(context.groups, name, place);
+  if (group.area_vector.norm() > kGapTolerance * group.area) {
+    throw Error(
+        "L002", place,
+        fmt::format("pressure on \"{}\" would leave a force: its area "
+                    "vector is ({:.6g}, {:.6g}, {:.6g}) mm^2",
+                    name, group.area_vector.x() * 1e6,
+                    group.area_vector.y() * 1e6, group.area_vector.z() * 1e6),
+        "pressurize a wall that is closed all round; the drive's own "
+        "force belongs to its `face`");
+  }
+  return group;
+}
+
+}  // namespace
+
+std::string SeatContext::place(const std::string& seat) const {
+  return fmt::format("{}: part {}, {}", part.place, part.name, seat);
+}
+
+std::vector<JointSeat> joint_seats(const SeatContext& context) {
+  std::vector<JointSeat> seats;
+  for (const part::Seat& wanted : context.part.seats) {
+    const BodyJoint joint = body_joint(context, wanted.joint,
+                                       context.place("joint " + wanted.joint));
+    seats.push_back({joint, joint_seat(context, wanted, joint)});
+  }
+  return seats;
+}
+
+std::vector<DrivenSeat> driven_seats(const SeatContext& context) {
+  std::vector<DrivenSeat> seats;
+  const auto& drives = context.definition.drives;
+  for (const part::DriveSeat& wanted : context.part.drive_seats) {
+    const std::string place = context.place("drive " + wanted.drive);
+    DrivenSeat driven;
+    driven.joint = body_joint(context, wanted.drive, place);
+    const auto drive =
+        std::ranges::find(drives, static_cast<int>(driven.joint.index),
+                          &mechanism::DriveDefinition::joint);
+    if (drive == drives.end()) {
+      throw Error("L004", place,
+                  fmt::format("joint \"{}\" has no drive", wanted.drive),
+                  "name a driven joint, or delete the entry under `drives`");
+    }
+    driven.drive = static_cast<std::size_t>(drive - drives.begin());
+    const GroupGeometry& face = find_group(context.groups, wanted.group, place);
+    driven.area = face.area;
+    driven.seat = {.name = "drive " + wanted.drive,
+                   .group = wanted.group,
+                   .kind = SeatKind::kTraction,
+                   .p_LS = face.centroid};
+    for (const std::string& name : wanted.pressurized) {
+      driven.pressurized.push_back(pressurized_group(context, name, place));
+    }
+    seats.push_back(std::move(driven));
+  }
+  return seats;
+}
+
+// Everything that acts on the body must have a place on the part's surface.
+void require_seats(const SeatContext& context) {
+  const auto& definition = context.definition;
+  const auto on_body = [&](const mechanism::JointDefinition& joint) {
+    return joint.body_a == context.body || joint.body_b == context.body;
+  };
+  std::string missing;
+  for (const auto& joint : definition.joints) {
+    if (on_body(joint) &&
+        std::ranges::find(context.part.seats, joint.name, &part::Seat::joint) ==
+            context.part.seats.end()) {
+      missing += fmt::format("{}joint \"{}\"", missing.empty() ? "" : ", ",
+                             joint.name);
+    }
+  }
+  for (const auto& drive : definition.drives) {
+    const auto& joint =
+        definition.joints[static_cast<std::size_t>(drive.joint)];
+    if (on_body(joint) &&
+        std::ranges::find(context.part.drive_seats, joint.name,
+                          &part::DriveSeat::drive) ==
+            context.part.drive_seats.end()) {
+      missing += fmt::format("{}drive of \"{}\"", missing.empty() ? "" : ", ",
+                             joint.name);
+    }
+  }
+  if (!missing.empty()) {
+    throw Error("L004", context.place("seats"),
+                "no group of the mesh takes the load of " + missing,
+                "add them: pins = { JOINT = \"group\" }, drives = { JOINT = { "
+                "face = \"group\" } }");
+  }
+  for (const auto& force : definition.forces) {
+    if (force.body == context.body) {
+      throw Error("L004", force.place,
+                  fmt::format("force \"{}\" acts on the body of part {}, but "
+                              "on no surface of it",
+                              force.name, context.part.name),
+                  "apply it to a body of its own that is welded to this one "
+                  "at a bore");
+    }
+  }
+}
+
+}  // namespace clevis::loads

@@ -1,0 +1,149 @@
+#include "mesh/exact_geometry.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "base/errors.h"
+#include "mesh/cells.h"
+#include "mesh/cylinder_fit.h"
+#include "mesh/mass_properties.h"
+#include "mesh/tensor_basis.h"
+#include "mesh/topology.h"
+#include "unit/mesh/mesh_data.h"
+
+namespace clevis::mesh {
+namespace {
+
+using Eigen::Vector3d;
+constexpr double kPi = std::numbers::pi;
+
+/// Largest distance of a group's mapped faces from its cylinder over the
+/// radius, sampled between the nodes.
+double off_cylinder(const PartMesh<3>& mesh, const std::string& name) {
+  const int group = group_index(mesh, name);
+  const part::Bore& bore = *mesh.groups.at(std::size_t(group)).cylinder;
+  const auto nodes = gauss_lobatto(mesh.degree);
+  const LagrangeBasis fine =
+      lagrange(nodes, Eigen::VectorXd::LinSpaced(23, 0.0, 1.0));
+  double worst = 0.0;
+  for (const BoundaryFace& face : mesh.boundary) {
+    if (face.group != group) continue;
+    const LagrangeBasis end =
+        lagrange(nodes, Eigen::VectorXd::Constant(1, face.face % 2));
+    std::array<const LagrangeBasis*, 3> along = {&fine, &fine, &fine};
+    along[std::size_t(face.face / 2)] = &end;
+    const auto grid =
+        map_grid<3>(mesh.cell_points[std::size_t(face.cell)], along);
+    for (const auto p : grid.points.colwise()) {
+      worst = std::max(worst, (project(bore, p) - p).norm() / bore.radius);
+    }
+  }
+  return worst;
+}
+
+TEST(ExactGeometry, CylindersOfAllOrdersAreWithin1e8OfTheRadius) {
+  // Facets of 22.5°.
+  for (const char* name : {"ring.msh", "ring_order_2.msh", "ring_order_3.msh",
+                           "plate_with_bore_41.msh"}) {
+    const double worst = off_cylinder(read(name), "bore_A");
+    EXPECT_LT(worst, 1e-8) << name;
+    EXPECT_GT(worst, 1e-12) << name;  // it is a polynomial after all
+  }
+  EXPECT_LT(off_cylinder(read("ring.msh"), "round_rim"), 1e-8);
+}
+
+TEST(ExactGeometry, FindsTheCylindersOfTheDrawing) {
+  for (const char* name :
+       {"ring.msh", "ring_order_2.msh", "ring_order_3.msh"}) {
+    const PartMesh<3> mesh = read(name);
+    const auto& bore =
+        *mesh.groups[std::size_t(group_index(mesh, "bore_A"))].cylinder;
+    EXPECT_NEAR(bore.radius, 10e-3, 1e-12 * 10e-3) << name;
+    EXPECT_NEAR(bore.length, 6e-3, 1e-12 * 6e-3);
+    EXPECT_EQ(bore.axis_L, Vector3d::UnitZ());
+    EXPECT_LT((bore.p_LC - Vector3d(3e-3, 4e-3, 5e-3)).norm(), 1e-14);
+    EXPECT_FALSE(mesh.groups[std::size_t(group_index(mesh, "ends"))].cylinder);
+  }
+}
+
+TEST(ExactGeometry, NodesOfACylinderLieOnIt) {
+  const PartMesh<3> mesh = read("ring_order_2.msh");
+  const int group = group_index(mesh, "bore_A");
+  const auto& bore = *mesh.groups[std::size_t(group)].cylinder;
+  const int n = mesh.degree + 1;
+  for (const BoundaryFace& face : mesh.boundary) {
+    if (face.group != group) continue;
+    for (int q = 0; q < n * n * n; ++q) {
+      const std::array<int, 3> i = {q % n, q / n % n, q / (n * n)};
+      if (i[std::size_t(face.face / 2)] != (face.face % 2) * (n - 1)) continue;
+      const Vector3d p = mesh.cell_points[std::size_t(face.cell)].col(q);
+      EXPECT_LT((project(bore, p) - p).norm(), 1e-15 * 10);
+    }
+  }
+}
+
+TEST(ExactGeometry, FlatFacesBesideACylinderStayFlat) {
+  const PartMesh<3> mesh = read("ring.msh");
+  const int n = mesh.degree + 1, ends = group_index(mesh, "ends");
+  for (const BoundaryFace& face : mesh.boundary) {
+    if (face.group != ends) continue;
+    for (int q = 0; q < n * n * n; ++q) {
+      const std::array<int, 3> i = {q % n, q / n % n, q / (n * n)};
+      if (i[std::size_t(face.face / 2)] != (face.face % 2) * (n - 1)) continue;
+      const double z = mesh.cell_points[std::size_t(face.cell)](2, q);
+      EXPECT_LT(std::min(std::abs(z - 2e-3), std::abs(z - 8e-3)), 1e-17);
+    }
+  }
+}
+
+TEST(ExactGeometry, VolumeOfARingConvergesWithTheDegreeOfTheMapping) {
+  const GmshFile file = read_gmsh_file(data("ring.msh"));
+  const double exact = kPi * (400e-6 - 100e-6) * 6e-3;
+  // Faceted, the ring loses 1 - sin(2a)/(2a) of its volume, 2a = 22.5°.
+  const PartMesh<3> faceted = build_cells(file, 1e-3);
+  const double facet = kPi / 8.0;
+  EXPECT_NEAR(mass_properties(faceted, 1.0).mass,
+              exact * std::sin(facet) / facet, 1e-13 * exact);
+  PartMesh<3> round = faceted;
+  put_on_cylinders(round, "ring");
+  EXPECT_EQ(round.degree, kCylinderDegree);
+  EXPECT_NEAR(mass_properties(round, 1.0).mass, exact, 1e-10 * exact);
+}
+
+TEST(ExactGeometry, TurnedAndMovedPartGivesTheSame) {
+  GmshFile file = read_gmsh_file(data("plate_with_bore_41.msh"));
+  const auto want = mass_properties(read("plate_with_bore_41.msh"), 1000.0);
+  const Eigen::Matrix3d R =
+      (Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized())).matrix();
+  const Vector3d shift(100.0, -50.0, 30.0);
+  for (auto& p : file.points) p = R * p + shift;
+  PartMesh<3> mesh = build_cells(file, 1e-3);
+  put_on_cylinders(mesh, "turned");
+  const auto got = mass_properties(mesh, 1000.0);
+  EXPECT_NEAR(got.mass, want.mass, 1e-12 * want.mass);
+  EXPECT_LT((got.p_LCm - (R * want.p_LCm + 1e-3 * shift)).norm(), 1e-14);
+  EXPECT_LT((got.inertia_LCm - R * want.inertia_LCm * R.transpose()).norm(),
+            1e-11 * want.inertia_LCm.norm());
+  const auto& bore =
+      *mesh.groups[std::size_t(group_index(mesh, "bore_A"))].cylinder;
+  EXPECT_NEAR(std::abs(bore.axis_L.dot(R.col(2))), 1.0, 1e-14);
+  EXPECT_NEAR(bore.radius, 5e-3, 1e-12 * 5e-3);
+}
+
+TEST(ExactGeometry, TetrahedraKeepStraightEdgesWithCornersOnTheCylinder) {
+  const PartMesh<3> mesh = read("ring_tetrahedra.msh");
+  EXPECT_EQ(mesh.shape, CellShape::kSimplex);
+  EXPECT_EQ(mesh.degree, 1);
+  const auto& bore =
+      *mesh.groups[std::size_t(group_index(mesh, "bore_A"))].cylinder;
+  EXPECT_NEAR(bore.radius, 10e-3, 1e-14);
+  const double facet = kPi / 8.0;
+  EXPECT_NEAR(mass_properties(mesh, 1.0).mass,
+              kPi * 300e-6 * 6e-3 * std::sin(facet) / facet, 1e-18);
+}
+
+}  // namespace
+}  // namespace clevis::mesh

@@ -1,0 +1,270 @@
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <string>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "base/errors.h"
+#include "scene/scene.h"
+
+namespace clevis::scene {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using mechanism::kGround;
+
+const std::filesystem::path kScenes = CLEVIS_SOURCE_DIR "/tests/data/scenes";
+
+// Round-off of unit conversion and rotation of values of the order of 1.
+constexpr double kRoundOff = 1e-15;
+
+void expect_near(const Vector3d& got, const Vector3d& wanted) {
+  EXPECT_LT((got - wanted).norm(), kRoundOff) << got.transpose();
+}
+
+void expect_rotation(const Matrix3d& rotation) {
+  EXPECT_LT((rotation.transpose() * rotation - Matrix3d::Identity()).norm(),
+            4 * kRoundOff);
+  EXPECT_NEAR(rotation.determinant(), 1.0, 4 * kRoundOff);
+}
+
+Scene lever() {
+  return read_scene(kScenes / "geometry/lever/scene.toml");
+}
+
+TEST(SceneReader, ReadsSettings) {
+  const Scene scene = lever();
+  EXPECT_EQ(scene.name, "lever with a cylinder");
+  EXPECT_TRUE(scene.has_mechanism);
+  EXPECT_EQ(scene.mechanism.dimension, mechanism::SpaceDimension::kPlanar);
+  expect_near(scene.mechanism.gravity_W, {0, -9.81, 0});
+  EXPECT_DOUBLE_EQ(scene.simulation.duration, 3.0);
+  EXPECT_EQ(scene.simulation.instants, 61);
+  EXPECT_EQ(scene.simulation.tolerance, 1e-9);
+  EXPECT_DOUBLE_EQ(scene.peak_stress_tolerance, 0.02);
+}
+
+TEST(SceneReader, DefaultsAreThoseOfTheFormat) {
+  const Scene driven = read_scene(kScenes / "driven_parts.toml");
+  EXPECT_EQ(driven.simulation.instants, 201);
+  EXPECT_EQ(driven.simulation.tolerance, 1e-8);
+  EXPECT_EQ(driven.peak_stress_tolerance, 0.01);
+  EXPECT_EQ(driven.mechanism.dimension, mechanism::SpaceDimension::kAuto);
+  EXPECT_EQ(driven.mechanism.forces.at(0).name, "force_1");
+  EXPECT_FALSE(driven.slide_lever);
+}
+
+TEST(SceneReader, ReadsBodiesWithPlacementAndMass) {
+  const auto bodies = lever().mechanism.bodies;
+  ASSERT_EQ(bodies.size(), 3u);
+  EXPECT_EQ(bodies[0].name, "lever");
+  EXPECT_EQ(bodies[0].part, "lever");
+  EXPECT_EQ(bodies[0].mass_properties.mass, 0.0);  // the part brings it
+  expect_near(bodies[0].placement.p_WL, {0, 0.06, 0});
+  expect_near(bodies[0].placement.R_WL * Vector3d::UnitX(), Vector3d::UnitY());
+  // x_axis = (4, 3, 0)/5
+  expect_near(bodies[1].placement.R_WL * Vector3d(5, 0, 0), {4, 3, 0});
+  expect_rotation(bodies[1].placement.R_WL);
+  EXPECT_DOUBLE_EQ(bodies[1].mass_properties.mass, 0.4);
+  expect_near(bodies[1].mass_properties.p_LCm, {0.05, 0, 0});
+  expect_near(bodies[1].mass_properties.inertia_LCm.diagonal(),
+              {80e-6, 400e-6, 400e-6});
+  EXPECT_NEAR(bodies[2].mass_properties.inertia_LCm(0, 1), 1e-6, kRoundOff);
+  EXPECT_NEAR(bodies[2].mass_properties.inertia_LCm(1, 0), 1e-6, kRoundOff);
+}
+
+TEST(SceneReader, ResolvesJointFrames) {
+  const auto joints = lever().mechanism.joints;
+  ASSERT_EQ(joints.size(), 4u);
+  // One point in the world: D lies at the origin of the lever.
+  EXPECT_EQ(joints[0].body_a, kGround);
+  EXPECT_EQ(joints[0].body_b, 0);
+  expect_near(joints[0].frame_a.p_LJ, {0, 0.06, 0});
+  expect_near(joints[0].frame_b.p_LJ, {0, 0, 0});
+  // A point for each body.
+  expect_near(joints[2].frame_a.p_LJ, {0.01, 0, 0});
+  expect_near(joints[2].frame_b.p_LJ, {-0.005, 0, 0});
+  EXPECT_EQ(joints[2].type, mechanism::JointType::kPrismatic);
+  // Slide axis z = (1,0,0) in both bodies, normal x = world z.
+  expect_near(joints[2].frame_a.R_LJ.col(2), Vector3d::UnitX());
+  expect_near(joints[2].frame_a.R_LJ.col(0), Vector3d::UnitZ());
+  for (const auto& joint : joints) {
+    expect_rotation(joint.frame_a.R_LJ);
+    expect_rotation(joint.frame_b.R_LJ);
+  }
+}
+
+// What is said once, in the world, must be one and the same direction there
+// from both bodies.
+TEST(SceneReader, WorldDirectionsAgreeOnBothBodies) {
+  const auto mechanism = lever().mechanism;
+  for (const std::size_t j : {0u, 1u, 3u}) {
+    const auto& joint = mechanism.joints[j];
+    const auto in_world = [&](mechanism::BodyIndex body,
+                              const mechanism::JointFrame& frame) -> Matrix3d {
+      if (body == kGround) return frame.R_LJ;
+      return mechanism.bodies[static_cast<std::size_t>(body)].placement.R_WL *
+             frame.R_LJ;
+    };
+    const Matrix3d a = in_world(joint.body_a, joint.frame_a);
+    const Matrix3d b = in_world(joint.body_b, joint.frame_b);
+    EXPECT_LT((a - b).norm(), 4 * kRoundOff) << joint.name;
+    expect_near(a.col(2), Vector3d::UnitZ());
+  }
+  // normal = (1, 1, 5), of which only (1, 1, 0) is across the axis.
+  expect_near(mechanism.joints[1].frame_a.R_LJ.col(0),
+              Vector3d(1, 1, 0) / std::numbers::sqrt2);
+}
+
+TEST(SceneReader, ReadsDrives) {
+  const auto quintic = lever().mechanism.drives.at(0);
+  EXPECT_EQ(quintic.joint, 2);
+  EXPECT_EQ(quintic.law, mechanism::DriveLaw::kQuintic);
+  EXPECT_DOUBLE_EQ(quintic.from, 0.16);
+  EXPECT_DOUBLE_EQ(quintic.to, 0.26);
+  EXPECT_DOUBLE_EQ(quintic.start, 0.5);
+  EXPECT_DOUBLE_EQ(quintic.duration, 2.0);
+  const auto drives =
+      read_scene(kScenes / "driven_parts.toml").mechanism.drives;
+  EXPECT_DOUBLE_EQ(drives.at(0).amplitude, 0.005);
+  EXPECT_DOUBLE_EQ(drives.at(0).frequency, 25.0);
+  EXPECT_DOUBLE_EQ(drives.at(0).start, 0.01);
+  EXPECT_DOUBLE_EQ(drives.at(1).from, std::numbers::pi / 6);  // a revolute
+  EXPECT_DOUBLE_EQ(drives.at(1).to, drives.at(1).from);
+}
+
+TEST(SceneReader, ReadsForcesMarkersAndClosedForm) {
+  const Scene scene = lever();
+  const auto& force = scene.mechanism.forces.at(0);
+  EXPECT_EQ(force.name, "wheel");
+  EXPECT_EQ(force.body, 0);
+  expect_near(force.p_LP, {0.14, 0, 0});
+  expect_near(force.f_W, {500, 1000, 0});
+  expect_near(force.t_W, {0, 0, 3});
+  EXPECT_EQ(scene.mechanism.markers.at(0).name, "C");
+  expect_near(scene.mechanism.markers.at(0).p_LP, {0.14, 0, 0});
+  ASSERT_TRUE(scene.slide_lever);
+  EXPECT_DOUBLE_EQ(scene.slide_lever->FD, 0.21024);
+  EXPECT_DOUBLE_EQ(scene.slide_lever->DD1, 0.21);
+  EXPECT_EQ(scene.slide_lever->drive, 0);
+  EXPECT_EQ(scene.slide_lever->marker, "C");
+}
+
+TEST(SceneReader, ReadsPartsWithSeats) {
+  const auto part = lever().parts.at(0);
+  EXPECT_EQ(part.name, "lever");
+  EXPECT_DOUBLE_EQ(part.length_unit, 1e-3);
+  EXPECT_EQ(part.material.name, "steel_45");
+  EXPECT_DOUBLE_EQ(part.material.youngs_modulus, 210e9);
+  EXPECT_DOUBLE_EQ(part.material.poissons_ratio, 0.3);
+  EXPECT_DOUBLE_EQ(part.material.density, 7850.0);
+  EXPECT_DOUBLE_EQ(part.material.yield_strength, 355e6);
+  EXPECT_DOUBLE_EQ(part.limits.safety_factor.value(), 1.5);
+  EXPECT_DOUBLE_EQ(part.limits.deflection.value(), 5e-4);
+  ASSERT_EQ(part.seats.size(), 2u);
+  EXPECT_EQ(part.seats[1].joint, "E");
+  EXPECT_EQ(part.seats[1].group, "bore_E");
+  EXPECT_TRUE(part.place.ends_with("scene.toml:94:1")) << part.place;
+  const auto barrel = read_scene(kScenes / "driven_parts.toml").parts.at(0);
+  ASSERT_EQ(barrel.drive_seats.size(), 1u);
+  EXPECT_EQ(barrel.drive_seats[0].drive, "slide");
+  EXPECT_EQ(barrel.drive_seats[0].group, "bottom");
+  EXPECT_EQ(barrel.drive_seats[0].pressurized,
+            (std::vector<std::string>{"wall", "lid"}));
+}
+
+TEST(SceneReader, ReadsCases) {
+  const Scene scene = read_scene(kScenes / "part_alone.toml");
+  EXPECT_FALSE(scene.has_mechanism);
+  const auto part = scene.parts.at(0);
+  EXPECT_DOUBLE_EQ(part.length_unit, 0.0254);
+  ASSERT_EQ(part.cases.size(), 2u);
+  expect_near(part.cases[0].pins.at("bore_A"), {-1000, 0, 0});
+  const auto& held = part.cases[1];
+  EXPECT_DOUBLE_EQ(held.pressure.at("top"), 1e6);
+  expect_near(held.traction.at("tip"), {0, 6.25e6, 0});
+  EXPECT_EQ(held.fixed.at("root"), (std::array{true, false, true}));
+  EXPECT_EQ(held.fixed.at("foot"), (std::array{false, true, false}));
+  // acceleration minus gravity: a part at rest on the ground is pressed down
+  expect_near(held.acceleration, {1, 9.81, 0});
+  EXPECT_NEAR(held.angular_velocity.z(), 50 * std::numbers::pi, 1e-12);
+  expect_near(held.angular_acceleration, {0, 0, 7});
+  ASSERT_EQ(held.probes.size(), 1u);
+  EXPECT_EQ(held.probes[0].name, "D");
+  EXPECT_EQ(held.probes[0].quantity, "stress_yy");
+  expect_near(held.probes[0].at, {2, 0, 0.3});
+}
+
+/// The mesh of the lever as its scene sees it from another working folder.
+std::filesystem::path absolute_mesh(const std::filesystem::path& scene,
+                                    std::size_t part) {
+  return std::filesystem::absolute(read_scene(scene).parts.at(part).mesh)
+      .lexically_normal();
+}
+
+TEST(SceneReader, FindsMeshesBesideTheGeometryTree) {
+  EXPECT_EQ(absolute_mesh(kScenes / "geometry/lever/scene.toml", 0),
+            kScenes / "meshes/lever/lever.msh");
+  EXPECT_EQ(lever().parts.at(0).geometry, kScenes / "geometry/lever/lever.geo");
+  // Outside of a geometry tree: beside the .geo; `mesh` wins.
+  EXPECT_EQ(absolute_mesh(kScenes / "driven_parts.toml", 1),
+            kScenes / "rod.msh");
+  EXPECT_EQ(absolute_mesh(kScenes / "driven_parts.toml", 0),
+            kScenes / "barrel.msh");
+}
+
+/// Code of the refusal of a file with this text.
+std::string refusal_of_text(const std::string& text) {
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("scene_reader_test_" + std::to_string(getpid()));
+  std::ofstream(file, std::ios::binary) << text;
+  std::string code = "accepted";
+  try {
+    read_scene(file);
+  } catch (const Error& error) {
+    code = error.code();
+  }
+  std::filesystem::remove(file);
+  return code;
+}
+
+TEST(SceneReader, RefusesWhatIsNoSceneFile) {
+  EXPECT_EQ(refusal_of_text(""), "S003");
+  EXPECT_EQ(refusal_of_text("\xEF\xBB\xBF"), "S003");
+  EXPECT_EQ(refusal_of_text(std::string(100, '\0')), "S001");
+  EXPECT_EQ(refusal_of_text("\xFF\xFEs\0c\0"), "S001");
+  EXPECT_EQ(refusal_of_text(std::string(10 << 20, '#')), "S003");
+  EXPECT_EQ(refusal_of_text(std::string(17 << 20, '#')), "I001");
+  for (const auto& path : {kScenes, kScenes / "none.toml"}) {
+    try {
+      read_scene(path);
+      FAIL() << path;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), "I001");
+      EXPECT_EQ(error.place(), path.string());
+    }
+  }
+}
+
+// toml++ 3.3 alone overflows the stack here.
+TEST(SceneReader, SurvivesKeysOfManyLevels) {
+  std::string levels;
+  for (int i = 0; i < 100'000; ++i) levels += "a.";
+  EXPECT_EQ(refusal_of_text(levels + "a = 1\n"), "S001");
+  EXPECT_EQ(refusal_of_text("[" + levels + "a]\n"), "S001");
+  EXPECT_EQ(refusal_of_text("a = " + std::string(100'000, '[')), "S001");
+}
+
+TEST(SceneReader, BomBeforeAValidSceneIsIgnored) {
+  std::ifstream file(kScenes / "part_alone.toml");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(refusal_of_text("\xEF\xBB\xBF" + text), "accepted");
+}
+
+}  // namespace
+}  // namespace clevis::scene
