@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -82,24 +83,37 @@ std::string quality_text(const MotionReport& report,
 
 std::string reactions_text(const MotionReport& report,
                            const MechanismSummary& summary, Colour colour) {
-  TextTable table({{"joint"},
-                   {"peak force N", Align::kRight},
-                   {"at s", Align::kRight},
-                   {"peak moment N m", Align::kRight},
-                   {"at s", Align::kRight},
-                   {"unique"}});
+  std::vector<TextTable::Column> columns{{"joint"}};
+  const std::vector<std::size_t> shown = shown_instants(report.motion);
+  for (const std::size_t i : shown) {
+    columns.push_back(
+        {fmt::format("N at {:.6g} s", report.motion.instants[i].t),
+         Align::kRight});
+  }
+  for (const char* title : {"peak N", "at s", "peak N m", "at s"}) {
+    columns.push_back({title, Align::kRight});
+  }
+  columns.push_back({"unique"});
+  TextTable table(columns);
   for (std::size_t j = 0; j < summary.joints.size(); ++j) {
     const JointPeaks& peaks = summary.joints[j];
     const bool unique =
         std::ranges::all_of(report.motion.instants, [j](const auto& instant) {
           return instant.joints[j].unique;
         });
-    table.add_row({{peaks.name},
-                   {newtons(peaks.force.value)},
-                   {fmt::format("{:.6g}", peaks.force.at)},
-                   {newtons(peaks.moment.value)},
-                   {fmt::format("{:.6g}", peaks.moment.at)},
-                   {unique ? "yes" : "no, least norm"}});
+    std::vector<TextTable::Cell> cells{{peaks.name}};
+    for (const std::size_t i : shown) {
+      cells.push_back(
+          {newtons(report.motion.instants[i].joints[j].f_W.norm())});
+    }
+    for (const Peak& peak : {peaks.force, peaks.moment}) {
+      const std::string value = newtons(peak.value);
+      cells.push_back({value});
+      cells.push_back(
+          {value == "0.000" ? "-" : fmt::format("{:.6g}", peak.at)});
+    }
+    cells.push_back({unique ? "yes" : "no, least norm"});
+    table.add_row(cells);
   }
   return table.text(colour);
 }
@@ -185,18 +199,23 @@ std::string slide_lever_text(const SlideLeverComparison& lever, Colour colour) {
 std::string motion_table(const MotionReport& report, Colour colour) {
   const MechanismSummary summary =
       summarise(report.definition, report.structure, report.motion);
-  std::string text = printable(report.scene) + "\n" +
-                     structure_text(report.structure) +
-                     quality_text(report, summary);
-  text += "\n" + reactions_text(report, summary, colour);
+  std::string text = printable(report.scene);
+  text += '\n';
+  text += structure_text(report.structure);
+  text += quality_text(report, summary);
+  text += '\n';
+  text += reactions_text(report, summary, colour);
   if (!report.definition.drives.empty()) {
-    text += "\n" + drives_text(report, summary, colour);
+    text += '\n';
+    text += drives_text(report, summary, colour);
   }
   if (!report.definition.markers.empty()) {
-    text += "\n" + markers_text(report, colour);
+    text += '\n';
+    text += markers_text(report, colour);
   }
   if (report.slide_lever) {
-    text += "\n" + slide_lever_text(*report.slide_lever, colour);
+    text += '\n';
+    text += slide_lever_text(*report.slide_lever, colour);
   }
   return text;
 }
