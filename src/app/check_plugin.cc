@@ -203,6 +203,9 @@ ExitCode run_check(const Options& options) {
   report.seconds.emplace_back("loads", watch.lap());
 
   const fs::path folder = output_folder(options);
+  // Until the new one is written, no result.json vouches for the files.
+  std::error_code ignored;
+  fs::remove(folder / "result.json", ignored);
   check_parts(loaded, motion, std::move(jobs), options, folder, report);
   report.seconds.emplace_back("parts", watch.lap());
 

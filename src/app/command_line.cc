@@ -118,6 +118,11 @@ void add_check(CLI::App& app, Parsed& parsed) {
 void add_mesh(CLI::App& app, Parsed& parsed) {
   CLI::App* command =
       app.add_subcommand("mesh", "(re)build the meshes from geometry/");
+  command->footer(
+      "Runs gmsh on the .geo files that the scene names. A .geo can run shell\n"
+      "commands: mesh only scenes that you trust. `check` and `simulate` "
+      "never\n"
+      "run gmsh; they read the .msh.");
   add_scene(*command, parsed);
   add_parts(*command, parsed);
   command->callback([&parsed] {

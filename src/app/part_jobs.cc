@@ -46,16 +46,15 @@ void merge(loads::LoadHistory& history, const loads::LoadHistory& more) {
         }));
   }
   std::vector<loads::SurfaceLoad> surfaces;
-  for (const auto* source : {&history, &more}) {
-    for (const auto& instant : source->instants) {
-      for (const auto& load : instant.surface_loads) {
-        find_or_append(surfaces, unloaded(load.group),
-                       [](const auto& a, const auto& b) {
-                         return a.group == b.group;
-                       });
-      }
+  const auto collect = [&](const loads::LoadHistory& source) {
+    for (const auto& load : source.instants.front().surface_loads) {
+      find_or_append(
+          surfaces, unloaded(load.group),
+          [](const auto& a, const auto& b) { return a.group == b.group; });
     }
-  }
+  };
+  collect(history);
+  collect(more);
   const std::size_t old_instants = history.instants.size();
   for (const auto& instant : more.instants) {
     loads::InstantLoad moved = instant;

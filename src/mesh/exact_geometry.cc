@@ -1,16 +1,13 @@
 #include "mesh/exact_geometry.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include <Eigen/Dense>
-#include <fmt/format.h>
 
-#include "base/errors.h"
 #include "mesh/cylinder_fit.h"
+#include "mesh/cylinder_groups.h"
 #include "mesh/tangent_round.h"
 #include "mesh/tensor_basis.h"
 #include "mesh/topology.h"
@@ -22,98 +19,6 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
-
-bool is_round(const std::string& name) {
-  return name.starts_with("bore_") || name.starts_with("round_");
-}
-
-[[noreturn]] void refuse(const std::string& place, const std::string& problem) {
-  throw Error("M009", place, problem,
-              "name the group without bore_ or round_ if it is not one "
-              "circular cylinder, give each bore its own group, or mesh it "
-              "with at least 5 facets around");
-}
-
-void check_facet(const PartMesh<3>& mesh, const part::Bore& bore,
-                 const std::vector<unsigned>& cycle, const std::string& place) {
-  constexpr double kWidest = 89.9 * std::numbers::pi / 180.0;
-  Vector3d middle = Vector3d::Zero();
-  for (const unsigned a : cycle) {
-    middle += mesh.vertices[a] / double(cycle.size());
-    for (const unsigned b : cycle) {
-      const double angle =
-          std::abs(angle_between(bore, mesh.vertices[a], mesh.vertices[b]));
-      if (angle > kWidest) {
-        refuse(place, fmt::format("one of its facets spans {:.0f}°",
-                                  angle * 180.0 / std::numbers::pi));
-      }
-    }
-  }
-  const Vector3d outward = (project(bore, middle) - middle).normalized();
-  const Vector3d normal = area_vector(mesh, cycle).normalized();
-  // A lid whose corners happen to lie on the cylinder is no part of its wall.
-  if (std::abs(normal.dot(bore.axis_L)) > 0.7 || !outward.allFinite()) {
-    refuse(place, "one of its faces is across the axis");
-  }
-}
-
-/// The facets of a group and their corners.
-struct Facets {
-  std::vector<std::vector<unsigned>> cycles;
-  Matrix3Xd points, normals;
-};
-
-Facets facets_of(const PartMesh<3>& mesh, int group) {
-  Facets facets;
-  std::set<unsigned> corners;
-  for (const BoundaryFace& face : mesh.boundary) {
-    if (face.group != group) continue;
-    facets.cycles.push_back(face_cycle(mesh, face));
-    corners.insert(facets.cycles.back().begin(), facets.cycles.back().end());
-  }
-  facets.points.resize(3, Index(corners.size()));
-  Index i = 0;
-  for (const unsigned v : corners) facets.points.col(i++) = mesh.vertices[v];
-  facets.normals.resize(3, Index(facets.cycles.size()));
-  for (std::size_t f = 0; f < facets.cycles.size(); ++f) {
-    facets.normals.col(Index(f)) = area_vector(mesh, facets.cycles[f]);
-  }
-  return facets;
-}
-
-void check_group(const PartMesh<3>& mesh, const Facets& facets,
-                 const part::Bore& bore, const std::string& place) {
-  const double worst = worst_distance(facets.points, bore);
-  if (!(worst <= 1e-5 * bore.radius)) {
-    refuse(place,
-           fmt::format("a node is {:.4g} mm off the nearest cylinder, which "
-                       "has a radius of {:.6g} mm",
-                       1e3 * worst, 1e3 * bore.radius));
-  }
-  for (const auto& cycle : facets.cycles) {
-    check_facet(mesh, bore, cycle, place);
-  }
-}
-
-/// Fits the groups that determine their cylinder alone, then those that need
-/// their neighbours.
-void fit_groups(PartMesh<3>& mesh, const std::string& file) {
-  for (const bool alone : {true, false}) {
-    for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
-      SurfaceGroup& group = mesh.groups[g];
-      if (!is_round(group.name) || group.cylinder) continue;
-      const Facets facets = facets_of(mesh, int(g));
-      if (determine_axis(facets.normals) != alone) continue;
-      const std::string place = fmt::format("{}, {}", file, group.name);
-      part::Bore bore =
-          alone ? fit_cylinder(facets.points, facets.normals, place).bore
-                : fit_tangent_round(mesh, int(g), place);
-      set_extent(facets.points, bore);
-      check_group(mesh, facets, bore, place);
-      group.cylinder = bore;
-    }
-  }
-}
 
 /// Nearest point that lies on all the given cylinders.
 Vector3d project_on_all(const PartMesh<3>& mesh, const std::set<int>& groups,
@@ -307,7 +212,7 @@ bool touches(const RoundEntities& round, const std::vector<unsigned>& cell) {
 }  // namespace
 
 void put_on_cylinders(PartMesh<3>& mesh, const std::string& file) {
-  fit_groups(mesh, file);
+  fit_cylinder_groups(mesh, file);
   const RoundEntities round = find_round_entities(mesh);
   if (round.faces.empty()) return;
   for (const auto& [v, groups] : round.vertices) {

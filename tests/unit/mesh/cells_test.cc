@@ -39,6 +39,13 @@ Matrix3Xd straight_points(const PartMesh<3>& mesh, std::size_t cell) {
   return interpolate<3>(corners, {&up, &up, &up});
 }
 
+/// The box without the 1e-12 by which gmsh misses its lattice.
+GmshFile box(const std::string& name) {
+  GmshFile file = read_gmsh_file(data(name));
+  for (auto& p : file.points) p = (12.0 * p).array().round().matrix() / 12.0;
+  return file;
+}
+
 void expect_bent(const GmshFile& straight, int order, int map_order) {
   const PartMesh<3> flat = build_cells(straight, 1.0);
   GmshFile bent = straight;
@@ -56,14 +63,13 @@ void expect_bent(const GmshFile& straight, int order, int map_order) {
 
 TEST(Cells, GmshNodeOrderReproducesAPolynomialMap) {
   for (int order = 1; order <= 4; ++order) {
-    expect_bent(
-        read_gmsh_file(data("box_order_" + std::to_string(order) + ".msh")),
-        order, order);
+    expect_bent(box("box_order_" + std::to_string(order) + ".msh"), order,
+                order);
   }
 }
 
 TEST(Cells, SerendipityIsExactForTheQuadraticsThatItHolds) {
-  const GmshFile file = read_gmsh_file(data("box_serendipity.msh"));
+  const GmshFile file = box("box_serendipity.msh");
   EXPECT_EQ(file.elements.back().type->nodes, 20);
   // x² y z and the like are in the space: superlinear degree two.
   expect_bent(file, 2, 1);
@@ -224,7 +230,8 @@ TEST(Cells, SharedEdgesPointTheSameWay) {
 }
 
 TEST(Cells, QualityOfABoxIsOne) {
-  for (const CellQuality& q : cell_qualities(read("box_order_3.msh"))) {
+  for (const CellQuality& q :
+       cell_qualities(build_cells(box("box_order_3.msh"), 1e-3))) {
     EXPECT_NEAR(q.scaled_jacobian, 1.0, 1e-13);
     EXPECT_NEAR(q.min_jacobian, 1e-9, 1e-21);  // cells of 1 mm
     EXPECT_NEAR(q.max_jacobian, 1e-9, 1e-21);

@@ -133,6 +133,33 @@ TEST(ExactGeometry, TurnedAndMovedPartGivesTheSame) {
   EXPECT_NEAR(bore.radius, 5e-3, 1e-12 * 5e-3);
 }
 
+/// Fillet radii of a landing-gear part, whose fillets are one facet wide.
+std::vector<double> fillet_radii(const std::string& name) {
+  const auto file = std::filesystem::path(CLEVIS_SOURCE_DIR) /
+                    "meshes/landing_gear" / (name + ".msh");
+  std::vector<double> radii;
+  for (const SurfaceGroup& group : read_part_mesh(file, 1e-3).groups) {
+    if (group.name.starts_with("round_fillet")) {
+      radii.push_back(group.cylinder.value().radius);
+    }
+  }
+  return radii;
+}
+
+TEST(ExactGeometry, ARoundOneFacetWideIsTangentToItsNeighbours) {
+  // Order 1: two points, between a boss and a flat side; 10 mm by drawing.
+  const auto radii = fillet_radii("link_ab");
+  EXPECT_EQ(radii.size(), 4u);
+  for (const double r : radii) EXPECT_NEAR(r, 10e-3, 1e-12 * 10e-3);
+}
+
+TEST(ExactGeometry, ARoundOneFacetWideTakesTheCurvedNodesOfItsFile) {
+  // Order 3, beside a loft that is neither flat nor a cylinder; 8 mm.
+  const auto radii = fillet_radii("rod");
+  EXPECT_EQ(radii.size(), 2u);
+  for (const double r : radii) EXPECT_NEAR(r, 8e-3, 1e-11 * 8e-3);
+}
+
 TEST(ExactGeometry, TetrahedraKeepStraightEdgesWithCornersOnTheCylinder) {
   const PartMesh<3> mesh = read("ring_tetrahedra.msh");
   EXPECT_EQ(mesh.shape, CellShape::kSimplex);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+namespace clevis::app {
+
+/// Meshes a .geo with gmsh and returns the text of the .msh (4.1).
+///
+/// gmsh runs in a child process with fixed options, an empty folder as its
+/// HOME and working folder and only PATH in its environment, so that neither
+/// a user's options nor earlier runs matter: the same .geo gives the same
+/// mesh. The folder is removed afterwards.
+///
+/// A .geo is a program: it can run shell commands. Call this only for a file
+/// that the user asked to be meshed.
+///
+/// @param timeout  gmsh and what it started are killed after this time.
+/// @param program  name or path of gmsh.
+/// @throws Error M010 with gmsh's first error line if gmsh is not there,
+///   fails, takes too long or writes no mesh; I001 if the .geo cannot be read.
+std::string run_gmsh(
+    const std::filesystem::path& geometry,
+    std::chrono::milliseconds timeout = std::chrono::seconds(120),
+    const std::string& program = "gmsh");
+
+}  // namespace clevis::app

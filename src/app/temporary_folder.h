@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+
+namespace clevis::app {
+
+/// A new private folder that is removed with all its content.
+class TemporaryFolder {
+ public:
+  /// @throws Error I002 if the system's folder for temporary files is not
+  ///   writable.
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace clevis::app

@@ -1,0 +1,100 @@
+#include "app/gmsh_runner.h"
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "app/temporary_folder.h"
+#include "base/errors.h"
+
+namespace clevis::app {
+namespace {
+
+using std::filesystem::path;
+
+constexpr std::chrono::seconds kLong(120);
+
+constexpr const char* kCube = R"(
+Point(1) = {0, 0, 0};
+line[] = Extrude {1, 0, 0} { Point{1}; Layers{1}; };
+face[] = Extrude {0, 1, 0} { Curve{line[1]}; Layers{1}; Recombine; };
+cube[] = Extrude {0, 0, 1} { Surface{face[1]}; Layers{1}; Recombine; };
+Physical Volume("body") = {cube[1]};
+)";
+
+class GmshRunner : public testing::Test {
+ protected:
+  path geometry(const std::string& text) const {
+    std::ofstream(folder_.path() / "part.geo") << text;
+    return folder_.path() / "part.geo";
+  }
+
+  /// The refusal of this geometry.
+  static Error refusal(const path& file, std::chrono::milliseconds timeout,
+                       const std::string& program = "gmsh") {
+    try {
+      run_gmsh(file, timeout, program);
+    } catch (const Error& error) {
+      return error;
+    }
+    return Error("X001", "test", "no refusal", "");
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(GmshRunner, ReturnsTheMeshTwiceTheSame) {
+  const path file = geometry(kCube);
+  const std::string mesh = run_gmsh(file);
+  EXPECT_TRUE(mesh.starts_with("$MeshFormat\n4.1 0 8\n"));
+  EXPECT_NE(mesh.find("\"body\""), std::string::npos);
+  EXPECT_EQ(run_gmsh(file), mesh);
+}
+
+TEST_F(GmshRunner, QuotesTheFirstErrorOfGmsh) {
+  const Error error = refusal(geometry("Line(1) = {1, 2};\n"), kLong);
+  EXPECT_EQ(error.code(), "M010");
+  EXPECT_NE(error.problem().find("Unknown control point 1"), std::string::npos)
+      << error.problem();
+}
+
+// A misspelt name is an error of gmsh, though it goes on and writes a mesh.
+TEST_F(GmshRunner, RefusesWhatGmshOnlyGrumblesAbout) {
+  const Error error =
+      refusal(geometry(std::string(kCube) + "a = misspelt;\n"), kLong);
+  EXPECT_EQ(error.code(), "M010") << error.problem();
+  EXPECT_NE(error.problem().find("misspelt"), std::string::npos);
+}
+
+TEST_F(GmshRunner, RefusesAGeometryThatWritesNoMesh) {
+  const Error error = refusal(geometry("Exit;\n"), kLong);
+  EXPECT_EQ(error.code(), "M010") << error.problem();
+}
+
+// The process that the .geo starts holds on for a minute; the whole group is
+// ended.
+TEST_F(GmshRunner, EndsWhatTakesTooLong) {
+  const auto start = std::chrono::steady_clock::now();
+  const Error error = refusal(geometry("SystemCall \"sleep 60\";\n"),
+                              std::chrono::milliseconds(500));
+  EXPECT_EQ(error.code(), "M010");
+  EXPECT_NE(error.problem().find("0.5 s"), std::string::npos)
+      << error.problem();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+}
+
+TEST_F(GmshRunner, SaysThatGmshIsNotInstalled) {
+  const Error error = refusal(geometry(kCube), kLong, "no-such-mesher");
+  EXPECT_EQ(error.code(), "M010");
+  EXPECT_NE(error.remedy().find("Install"), std::string::npos);
+}
+
+TEST_F(GmshRunner, RefusesAMissingFile) {
+  EXPECT_EQ(refusal(folder_.path() / "none.geo", kLong).code(), "I001");
+}
+
+}  // namespace
+}  // namespace clevis::app
