@@ -101,10 +101,13 @@ void require_driven(const MechanismDefinition& definition,
     const DriveDefinition& last =
         definition
             .drives[static_cast<std::size_t>(mobility.dependent_drives.back())];
+    const std::string why =
+        mobility.joints == 0 ? std::string("the joints alone fix the position")
+                             : fmt::format("{} prescribe the same motion",
+                                           fmt::join(names, ", "));
     throw Error("K003", last.place,
-                fmt::format("{} drives for {} degree(s) of freedom: {} "
-                            "prescribe the same motion",
-                            drives, mobility.joints, fmt::join(names, ", ")),
+                fmt::format("{} drive(s) for {} degree(s) of freedom: {}",
+                            drives, mobility.joints, why),
                 fmt::format("remove {} of these drives",
                             drives - mobility.joints + mobility.with_drives));
   }

@@ -1,0 +1,39 @@
+#include <iostream>
+
+#include <unistd.h>
+
+#include "app/commands.h"
+#include "app/load_scene.h"
+#include "app/slide_lever_comparison.h"
+#include "mechanism/simulate.h"
+#include "mechanism/structure.h"
+#include "report/motion_report.h"
+#include "report/motion_table.h"
+#include "report/terminal.h"
+
+namespace clevis::app {
+
+ExitCode simulate_command(const Options& options) {
+  const scene::Scene scene = load_scene(options.scene).scene;
+  if (!scene.has_mechanism) {
+    throw Error("S003", options.scene.string() + ":1:1",
+                "the scene has no [[body]], so there is nothing to move",
+                "Add a mechanism, or run clevis check.");
+  }
+  report::MotionReport report;
+  report.version = CLEVIS_VERSION;
+  report.scene = scene.name;
+  report.definition = scene.mechanism;
+  report.structure = mechanism::analyse_structure(scene.mechanism);
+  report.motion = mechanism::simulate(scene.mechanism, scene.simulation);
+  if (scene.slide_lever) {
+    report.slide_lever = compare_slide_lever(scene, report.motion);
+  }
+  if (!options.out.empty()) report::write_motion_files(report, options.out);
+  std::cout << (options.json ? report::motion_json(report)
+                             : report::motion_table(
+                                   report, report::colour_of(STDOUT_FILENO)));
+  return ExitCode::kPass;
+}
+
+}  // namespace clevis::app

@@ -1,0 +1,196 @@
+#include "report/motion_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <nlohmann/json.hpp>
+
+#include "report/atomic_file.h"
+#include "report/json_text.h"
+#include "report/mechanism_summary.h"
+#include "report/units.h"
+
+namespace clevis::report {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using nlohmann::ordered_json;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+ordered_json vector_json(const Vector3d& v) {
+  return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};  // + 0.0: no −0
+}
+
+ordered_json plane_json(const Vector2d& v) {
+  return {v.x(), v.y()};
+}
+
+ordered_json structure_json(const mechanism::Structure& s) {
+  ordered_json json = {{"planar", s.planar},
+                       {"moving_links", s.moving_links},
+                       {"pairs", s.pairs},
+                       {"mobility_chebyshev", s.chebyshev},
+                       {"mobility_rank", s.mobility},
+                       {"redundant_constraints", s.redundant},
+                       {"redundant_in", s.redundant_in},
+                       {"as_spatial",
+                        {{"mobility_chebyshev", s.spatial_chebyshev},
+                         {"mobility_rank", s.spatial_mobility},
+                         {"redundant_constraints", s.spatial_redundant},
+                         {"redundant_in", s.spatial_redundant_in}}}};
+  if (!s.assur_corrected.empty()) {
+    json["assur_corrected"] = {{"formula", s.assur_corrected},
+                               {"class", s.assur_class_corrected}};
+  }
+  if (!s.assur_published.empty()) {
+    json["assur_published"] = {{"formula", s.assur_published},
+                               {"class", s.assur_class_published}};
+  }
+  return json;
+}
+
+bool unique_throughout(const mechanism::Motion& motion, std::size_t joint) {
+  return std::ranges::all_of(motion.instants, [joint](const auto& instant) {
+    return instant.joints[joint].unique;
+  });
+}
+
+ordered_json joints_json(const MotionReport& report,
+                         const MechanismSummary& summary) {
+  ordered_json joints = ordered_json::array();
+  for (std::size_t j = 0; j < summary.joints.size(); ++j) {
+    const JointPeaks& peaks = summary.joints[j];
+    joints.push_back({{"name", peaks.name},
+                      {"peak_force_N", peaks.force.value},
+                      {"peak_force_at_s", peaks.force.at},
+                      {"peak_moment_N_m", peaks.moment.value},
+                      {"peak_moment_at_s", peaks.moment.at},
+                      {"unique", unique_throughout(report.motion, j)}});
+  }
+  return joints;
+}
+
+ordered_json drives_json(const MotionReport& report,
+                         const MechanismSummary& summary) {
+  ordered_json drives = ordered_json::array();
+  for (std::size_t d = 0; d < summary.drives.size(); ++d) {
+    const DrivePeak& peak = summary.drives[d];
+    const bool force = peak.kind == EffortKind::kForce;
+    ordered_json shown = ordered_json::array();
+    for (const std::size_t i : shown_instants(report.motion)) {
+      const auto& drive = report.motion.instants[i].drives[d];
+      shown.push_back(
+          {{"t_s", report.motion.instants[i].t},
+           {force ? "position_mm" : "position_deg",
+            force ? millimetres(drive.position) : drive.position / kDegree},
+           {force ? "effort_N" : "effort_N_m", drive.effort}});
+    }
+    drives.push_back(
+        {{"joint", peak.name},
+         {force ? "peak_effort_N" : "peak_effort_N_m", peak.effort.value},
+         {"peak_effort_at_s", peak.effort.at},
+         {"instants", shown}});
+  }
+  return drives;
+}
+
+ordered_json markers_json(const MotionReport& report) {
+  ordered_json markers = ordered_json::array();
+  for (const auto& marker : report.definition.markers) {
+    ordered_json path = ordered_json::array();
+    for (const std::size_t i : shown_instants(report.motion)) {
+      const auto& instant = report.motion.instants[i];
+      path.push_back({{"t_s", instant.t},
+                      {"at_mm", vector_json(millimetres(
+                                    marker_position(marker, instant)))}});
+    }
+    markers.push_back({{"name", marker.name}, {"path", path}});
+  }
+  return markers;
+}
+
+ordered_json slide_lever_json(const SlideLeverComparison& lever) {
+  ordered_json rows = ordered_json::array();
+  for (const SlideLeverRow& row : lever.rows) {
+    rows.push_back(
+        {{"t_s", row.t},
+         {"cylinder_mm", millimetres(row.cylinder_length)},
+         {"C_simulated_mm", plane_json(millimetres(row.simulated))},
+         {"C_corrected_mm", plane_json(millimetres(row.corrected.C))},
+         {"C_published_mm", plane_json(millimetres(row.published.C))},
+         {"DC_simulated_mm", millimetres(row.simulated_DC)},
+         {"DC_corrected_mm", millimetres(row.corrected.DC)},
+         {"DC_published_mm", millimetres(row.published.DC)},
+         {"q3_deg", row.corrected.q3 / kDegree},
+         {"speed_ratio_simulated", row.simulated_ratio},
+         {"speed_ratio_corrected", row.corrected.C_rate.norm()},
+         {"speed_ratio_published", row.published.C_rate.norm()}});
+  }
+  return {{"marker", lever.marker},
+          {"body", lever.body},
+          {"rotation_deg", lever.rotation / kDegree},
+          {"link_DC_mm", millimetres(lever.link_DC)},
+          {"largest_DC_error_rel", lever.largest_DC_error},
+          {"largest_C_distance_mm", millimetres(lever.largest_C_distance)},
+          {"instants", rows}};
+}
+
+}  // namespace
+
+Vector3d marker_position(const mechanism::MarkerDefinition& marker,
+                         const mechanism::Instant& instant) {
+  if (marker.body == mechanism::kGround) return marker.p_LP;
+  const mechanism::Pose& pose =
+      instant.bodies[static_cast<std::size_t>(marker.body)].pose;
+  return pose.p_WL + pose.R_WL * marker.p_LP;
+}
+
+std::vector<std::size_t> shown_instants(const mechanism::Motion& motion) {
+  const std::size_t n = motion.instants.size();
+  if (n == 0) return {};
+  std::vector<std::size_t> shown{0, (n - 1) / 2, n - 1};
+  shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
+  return shown;
+}
+
+std::string motion_json(const MotionReport& report) {
+  const MechanismSummary summary =
+      summarise(report.definition, report.structure, report.motion);
+  ordered_json change_points = ordered_json::array();
+  for (const auto& point : report.motion.change_points) {
+    change_points.push_back(
+        {{"after_s", point.t_before}, {"before_s", point.t_after}});
+  }
+  ordered_json json = {
+      {"schema", 1},
+      {"version", report.version},
+      {"scene", report.scene},
+      {"structure", structure_json(report.structure)},
+      {"motion",
+       {{"instants", summary.instants},
+        {"duration_s", report.motion.instants.back().t},
+        {"max_closure_error_mm", millimetres(summary.max_closure_error)},
+        {"max_power_balance_error", summary.max_power_balance_error},
+        {"change_points", change_points}}},
+      {"joints", joints_json(report, summary)},
+      {"drives", drives_json(report, summary)},
+      {"markers", markers_json(report)}};
+  if (report.slide_lever) {
+    json["slide_lever"] = slide_lever_json(*report.slide_lever);
+  }
+  refuse_non_finite(json, "simulate");
+  return json_text(json);
+}
+
+void write_motion_files(const MotionReport& report,
+                        const std::filesystem::path& folder) {
+  const std::string json = motion_json(report);  // refuses first
+  write_file(folder / "reactions.csv", reactions_csv(report));
+  write_file(folder / "motion.csv", motion_csv(report));
+  write_file(folder / "simulate.json", json);
+}
+
+}  // namespace clevis::report
