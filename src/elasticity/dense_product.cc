@@ -2,15 +2,20 @@
 
 #include <cassert>
 
-#include <cblas.h>
+// The Fortran entry point: the C one, cblas_dgemm, is also defined by GSL's
+// plain reference library, which deal.II brings along and which wins.
+extern "C" void dgemm_(const char* transpose_a, const char* transpose_b,
+                       const int* rows, const int* columns, const int* inner,
+                       const double* alpha, const double* a, const int* lda,
+                       const double* b, const int* ldb, const double* beta,
+                       double* c, const int* ldc);
 
 namespace clevis::elasticity {
 namespace {
 
-Eigen::MatrixXd multiply(CBLAS_TRANSPOSE transpose, const Eigen::MatrixXd& a,
+Eigen::MatrixXd multiply(char transpose, const Eigen::MatrixXd& a,
                          const Eigen::MatrixXd& b) {
-  const auto rows = static_cast<int>(transpose == CblasTrans ? a.cols()
-                                                             : a.rows());
+  const auto rows = static_cast<int>(transpose == 'T' ? a.cols() : a.rows());
   const auto inner = static_cast<int>(b.rows());
   const auto columns = static_cast<int>(b.cols());
   Eigen::MatrixXd result(rows, columns);
@@ -18,9 +23,12 @@ Eigen::MatrixXd multiply(CBLAS_TRANSPOSE transpose, const Eigen::MatrixXd& a,
     result.setZero();
     return result;
   }
-  cblas_dgemm(CblasColMajor, transpose, CblasNoTrans, rows, columns, inner, 1.0,
-              a.data(), static_cast<int>(a.rows()), b.data(), inner, 0.0,
-              result.data(), rows);
+  const auto lda = static_cast<int>(a.rows());
+  const double one = 1.0;
+  const double zero = 0.0;
+  const char plain = 'N';
+  dgemm_(&transpose, &plain, &rows, &columns, &inner, &one, a.data(), &lda,
+         b.data(), &inner, &zero, result.data(), &rows);
   return result;
 }
 
@@ -28,13 +36,13 @@ Eigen::MatrixXd multiply(CBLAS_TRANSPOSE transpose, const Eigen::MatrixXd& a,
 
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   assert(a.cols() == b.rows());
-  return multiply(CblasNoTrans, a, b);
+  return multiply('N', a, b);
 }
 
 Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a,
                                    const Eigen::MatrixXd& b) {
   assert(a.rows() == b.rows());
-  return multiply(CblasTrans, a, b);
+  return multiply('T', a, b);
 }
 
 }  // namespace clevis::elasticity

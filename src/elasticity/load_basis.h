@@ -11,11 +11,11 @@ struct LoadBasis {
   double compression_error{};    ///< max_i ‖f_i − Q c_i‖ / max_i ‖f_i‖ [1]
 };
 
-/// Truncated singular value decomposition of the history, by the Gram matrix
-/// of the instants (few against the degrees of freedom). Every column is a
-/// combination of instants: if these are in balance, so is it.
-/// @param tolerance  of compression_error; >= 1e-7, as the Gram matrix squares
-///   the condition.
+/// Truncated singular value decomposition of the history by Gram matrices of
+/// the instants (few against the degrees of freedom), deflated in passes
+/// because a Gram matrix squares the condition. Every column is a combination
+/// of instants: if these are in balance, so is it.
+/// @param tolerance  of compression_error.
 LoadBasis compress(const Eigen::MatrixXd& history, double tolerance);
 
 }  // namespace clevis::elasticity

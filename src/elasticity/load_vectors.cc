@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,12 +24,25 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
+/// Basis functions that live on a face of the reference cell, and the
+/// geometry, at the face's quadrature points.
+template <int dim>
+struct FaceTable {
+  FaceQuadrature<dim> rule;
+  Tabulation geometry;
+  std::vector<std::size_t> functions;
+  MatrixXd values;  ///< points × functions
+};
+
 /// Quadrature of a group's faces with the trace of the basis, in 3-D.
 struct GroupTrace {
   loads::GroupQuadrature quadrature;
-  Matrix3Xd outward;           ///< unit normals
-  std::vector<int> cell;       ///< per face: its cell
-  std::vector<MatrixXd> values;  ///< per face: points × functions
+  Matrix3Xd outward;  ///< unit normals
+  struct Face {
+    std::vector<int> nodes;
+    const MatrixXd* values;  ///< points × nodes
+  };
+  std::vector<Face> faces;
 };
 
 template <int dim>
@@ -56,41 +71,70 @@ int find_group(const Discretization<dim>& discretization,
 }
 
 template <int dim>
-GroupTrace group_trace(const Discretization<dim>& discretization, int group) {
-  // The kink of a bearing pressure wants many points; curved faces too.
-  const int per_direction =
-      discretization.shape == mesh::CellShape::kTensor
-          ? std::max(discretization.degree + 2 * discretization.geometry_degree,
-                     10)
-          : 4;
-  const auto& faces =
-      discretization.group_faces[static_cast<std::size_t>(group)];
+FaceTable<dim> face_table(const Discretization<dim>& discretization, int face) {
+  // More points than the degree needs, for the kink of a bearing pressure;
+  // the rest of its error is taken out by the discrete balance.
+  const int points = discretization.shape == mesh::CellShape::kTensor
+                         ? discretization.degree + (dim == 2 ? 8 : 4)
+                         : 4;
+  FaceTable<dim> table;
+  table.rule = face_gauss<dim>(discretization.shape, face, points);
+  table.geometry = tabulate_geometry<dim>(discretization.shape,
+                                          discretization.geometry_degree,
+                                          table.rule.points);
+  const MatrixXd values =
+      tabulate_displacement<dim>(discretization.shape, discretization.degree,
+                                 table.rule.points)
+          .values;
+  for (Index i = 0; i < values.cols(); ++i) {
+    if (values.col(i).cwiseAbs().maxCoeff() < 1e-10) continue;
+    table.functions.push_back(static_cast<std::size_t>(i));
+  }
+  table.values.resize(values.rows(),
+                      static_cast<Index>(table.functions.size()));
+  for (std::size_t k = 0; k < table.functions.size(); ++k) {
+    table.values.col(static_cast<Index>(k)) =
+        values.col(static_cast<Index>(table.functions[k]));
+  }
+  return table;
+}
+
+/// One table per local face, made on demand; outlives the traces.
+template <int dim>
+using FaceTables = std::map<int, FaceTable<dim>>;
+
+template <int dim>
+GroupTrace group_trace(const Discretization<dim>& discretization, int group,
+                       FaceTables<dim>& tables) {
   GroupTrace trace;
   std::vector<Vector3d> points;
   std::vector<Vector3d> normals;
   std::vector<double> weights;
-  for (const auto& [cell, face] : faces) {
-    const auto rule =
-        face_gauss<dim>(discretization.shape, face, per_direction);
-    const auto displacement = tabulate_displacement<dim>(
-        discretization.shape, discretization.degree, rule.points);
-    const auto geometry = tabulate_geometry<dim>(
-        discretization.shape, discretization.geometry_degree, rule.points);
-    const auto at = cell_geometry<dim>(
-        discretization.cell_points[static_cast<std::size_t>(cell)], geometry);
-    for (Index q = 0; q < rule.points.cols(); ++q) {
+  for (const auto& [cell, face] :
+       discretization.group_faces[static_cast<std::size_t>(group)]) {
+    if (!tables.contains(face)) {
+      tables.emplace(face, face_table(discretization, face));
+    }
+    const FaceTable<dim>& table = tables.at(face);
+    const auto c = static_cast<std::size_t>(cell);
+    const auto at =
+        cell_geometry<dim>(discretization.cell_points[c], table.geometry);
+    for (Index q = 0; q < at.points.cols(); ++q) {
       const Eigen::Matrix<double, dim, 1> area =
           at.determinant[q] *
           at.inverse_jacobian[static_cast<std::size_t>(q)].transpose() *
-          rule.outward;
+          table.rule.outward;
       points.push_back(
           in_space<dim>(at.points.col(q), discretization.mid_plane_z));
       normals.push_back(in_space<dim>(area.normalized(), 0.0));
-      weights.push_back(rule.weights[q] * area.norm() *
+      weights.push_back(table.rule.weights[q] * area.norm() *
                         discretization.thickness);
     }
-    trace.cell.push_back(cell);
-    trace.values.push_back(displacement.values);
+    GroupTrace::Face entry{{}, &table.values};
+    for (const std::size_t i : table.functions) {
+      entry.nodes.push_back(discretization.cell_nodes[c][i]);
+    }
+    trace.faces.push_back(std::move(entry));
   }
   const auto n = static_cast<Index>(points.size());
   trace.quadrature.points.resize(3, n);
@@ -105,27 +149,43 @@ GroupTrace group_trace(const Discretization<dim>& discretization, int group) {
   return trace;
 }
 
-/// Adds ∫ N t dA of one instant; tractions [Pa], one column per point.
+/// Tractions of all instants at the points of a group [Pa]: points × (dim ×
+/// instants), instant after instant.
 template <int dim>
-void integrate(const Discretization<dim>& discretization,
-               const GroupTrace& trace, const Matrix3Xd& tractions,
-               Eigen::Ref<Eigen::VectorXd> load) {
-  Index begin = 0;
-  for (std::size_t f = 0; f < trace.cell.size(); ++f) {
-    const MatrixXd& values = trace.values[f];
-    const Index n = values.rows();
-    const MatrixXd weighted =
-        tractions.middleCols(begin, n).topRows<dim>() *
-        trace.quadrature.weights.segment(begin, n).asDiagonal() * values;
-    const auto& nodes =
-        discretization.cell_nodes[static_cast<std::size_t>(trace.cell[f])];
-    for (Index i = 0; i < values.cols(); ++i) {
-      load.segment<dim>(dim * nodes[static_cast<std::size_t>(i)]) +=
-          weighted.col(i);
-    }
-    begin += n;
+class TractionHistory {
+ public:
+  TractionHistory(Index points, std::size_t instants)
+      : values_(points, dim * static_cast<Index>(instants)) {}
+
+  void set(std::size_t instant, const Matrix3Xd& tractions) {
+    values_.middleCols<dim>(dim * static_cast<Index>(instant)) =
+        tractions.topRows<dim>().transpose();
   }
-}
+
+  /// Adds ∫ N t dA to dofs × instants.
+  void integrate(const GroupTrace& trace, MatrixXd& loads) const {
+    Index begin = 0;
+    for (const auto& face : trace.faces) {
+      const Index n = face.values->rows();
+      const MatrixXd weighted =
+          trace.quadrature.weights.segment(begin, n).asDiagonal() *
+          values_.middleRows(begin, n);
+      const MatrixXd nodal = transposed_product(*face.values, weighted);
+      for (std::size_t k = 0; k < face.nodes.size(); ++k) {
+        for (Index i = 0; i < loads.cols(); ++i) {
+          loads.col(i).segment<dim>(dim * face.nodes[k]) +=
+              nodal.row(static_cast<Index>(k))
+                  .template segment<dim>(dim * i)
+                  .transpose();
+        }
+      }
+      begin += n;
+    }
+  }
+
+ private:
+  MatrixXd values_;
+};
 
 /// Adds what is missing to the wanted resultant.
 void correct(const loads::GroupQuadrature& quadrature,
@@ -141,7 +201,8 @@ void correct(const loads::GroupQuadrature& quadrature,
 template <int dim>
 void add_seat(const Discretization<dim>& discretization,
               const loads::LoadHistory& history, std::size_t seat_index,
-              const std::string& part_name, MatrixXd& result) {
+              const std::string& part_name, FaceTables<dim>& tables,
+              MatrixXd& result) {
   const loads::Seat& seat = history.seats[seat_index];
   const int group = find_group(discretization, seat.group, part_name);
   const auto& cylinder =
@@ -151,8 +212,9 @@ void add_seat(const Discretization<dim>& discretization,
                 "a pin bears on this group, but it is no circular cylinder",
                 "name the group bore_* or round_* if it is round");
   }
-  const GroupTrace trace = group_trace(discretization, group);
+  const GroupTrace trace = group_trace(discretization, group, tables);
   const auto n = trace.quadrature.weights.size();
+  TractionHistory<dim> history_here(n, history.instants.size());
   for (std::size_t i = 0; i < history.instants.size(); ++i) {
     const loads::Wrench& wrench = history.instants[i].wrenches[seat_index];
     Matrix3Xd tractions = Matrix3Xd::Zero(3, n);
@@ -164,37 +226,38 @@ void add_seat(const Discretization<dim>& discretization,
       }
     }
     correct(trace.quadrature, wrench, seat.p_LS, tractions);
-    integrate(discretization, trace, tractions,
-              result.col(static_cast<Index>(i)));
+    history_here.set(i, tractions);
   }
+  history_here.integrate(trace, result);
 }
 
 template <int dim>
 void add_surface_loads(const Discretization<dim>& discretization,
                        const loads::LoadHistory& history, std::size_t index,
-                       const std::string& part_name, MatrixXd& result) {
+                       const std::string& part_name, FaceTables<dim>& tables,
+                       MatrixXd& result) {
   const auto& name = history.instants.front().surface_loads[index].group;
   const GroupTrace trace =
-      group_trace(discretization, find_group(discretization, name, part_name));
+      group_trace(discretization, find_group(discretization, name, part_name),
+                  tables);
+  TractionHistory<dim> history_here(trace.quadrature.weights.size(),
+                                    history.instants.size());
   for (std::size_t i = 0; i < history.instants.size(); ++i) {
     const loads::SurfaceLoad& load = history.instants[i].surface_loads[index];
     Matrix3Xd tractions = -load.pressure * trace.outward;
     tractions.colwise() += load.traction;
     correct(trace.quadrature, load.resultant, Vector3d::Zero(), tractions);
-    integrate(discretization, trace, tractions,
-              result.col(static_cast<Index>(i)));
+    history_here.set(i, tractions);
   }
+  history_here.integrate(trace, result);
 }
 
 /// ∫ N dV and ∫ N p dV per node: nodes × 4 (1, x, y, z), z the mid-plane's.
 template <int dim>
 MatrixXd node_moments(const Discretization<dim>& discretization) {
-  // Exact for the mapped geometry, so that the discrete mass is the body's.
-  const bool tensor = discretization.shape == mesh::CellShape::kTensor;
-  const int points =
-      tensor ? (dim * discretization.geometry_degree +
-                discretization.geometry_degree + discretization.degree) / 2 + 1
-             : 4;
+  const int points = discretization.shape == mesh::CellShape::kTensor
+                         ? discretization.degree + 2
+                         : 4;
   const auto rule = gauss<dim>(discretization.shape, points);
   const auto displacement = tabulate_displacement<dim>(
       discretization.shape, discretization.degree, rule.points);
@@ -287,12 +350,13 @@ MatrixXd assemble_loads(const Discretization<dim>& discretization,
   MatrixXd result =
       MatrixXd::Zero(discretization.dofs(),
                      static_cast<Index>(history.instants.size()));
+  FaceTables<dim> tables;
   for (std::size_t s = 0; s < history.seats.size(); ++s) {
-    add_seat(discretization, history, s, part_name, result);
+    add_seat(discretization, history, s, part_name, tables, result);
   }
   for (std::size_t s = 0; s < history.instants.front().surface_loads.size();
        ++s) {
-    add_surface_loads(discretization, history, s, part_name, result);
+    add_surface_loads(discretization, history, s, part_name, tables, result);
   }
   add_body_loads(discretization, history, density, result);
   return result;

@@ -113,16 +113,22 @@ LameConstants<dim> lame_constants(const part::Material& material) {
 
 template <int dim>
 Eigen::MatrixXd StiffnessMatrix<dim>::multiply(const Eigen::MatrixXd& x) const {
-  Eigen::MatrixXd y = Eigen::MatrixXd::Zero(x.rows(), x.cols());
+  // Rows of all columns side by side: one pass through the matrix.
+  using RowMajor =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const RowMajor rows = x;
+  RowMajor y = RowMajor::Zero(x.rows(), x.cols());
   for (int i = 0; i < nodes(); ++i) {
-    const auto begin = static_cast<std::size_t>(row_start[i]);
-    const auto end = static_cast<std::size_t>(row_start[i + 1]);
-    for (std::size_t k = begin; k < end; ++k) {
+    const auto n = static_cast<std::size_t>(i);
+    const auto end = static_cast<std::size_t>(row_start[n + 1]);
+    for (auto k = static_cast<std::size_t>(row_start[n]); k < end; ++k) {
       const int j = column[k];
-      y.middleRows<dim>(dim * i) += block[k] * x.middleRows<dim>(dim * j);
-      if (j != i) {
-        y.middleRows<dim>(dim * j) +=
-            block[k].transpose() * x.middleRows<dim>(dim * i);
+      for (int a = 0; a < dim; ++a) {
+        for (int b = 0; b < dim; ++b) {
+          const double value = block[k](a, b);
+          y.row(dim * i + a) += value * rows.row(dim * j + b);
+          if (j != i) y.row(dim * j + b) += value * rows.row(dim * i + a);
+        }
       }
     }
   }

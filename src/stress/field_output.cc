@@ -84,6 +84,8 @@ dealii::DataOutBase::VtkFlags flags(const std::vector<ScalarField>& scalars,
                                     CellOrder order) {
   dealii::DataOutBase::VtkFlags result;
   result.print_date_and_time = false;
+  result.compression_level =
+      dealii::DataOutBase::VtkFlags::ZlibCompressionLevel::best_speed;
   result.write_higher_order_cells = order == CellOrder::kLagrange;
   result.physical_units.emplace("displacement", "m");
   for (unsigned k = kDisplacement; k < kFixedArrays; ++k) {
