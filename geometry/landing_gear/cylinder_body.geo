@@ -25,8 +25,8 @@ dome_depth = 4;         // of the half ellipsoid that closes the bore
 
 // ---- mesh density ---------------------------------------------------------
 n_wall = 3;    // cells from the eye's bore outwards
-n_fillet = 1;  // cells along a fillet
-n_boss = 6;    // cells along half of the free boss
+n_fillet = 2;  // cells along a fillet; fewer do not determine its cylinder
+n_boss = 5;    // cells along half of the free boss
 n_tube = 7;    // cells along the tube
 tube_progression = 1.5;
 

@@ -25,8 +25,8 @@ piston_face_x = 140;
 
 // ---- mesh density ---------------------------------------------------------
 n_wall = 3;    // cells from the bore outwards
-n_fillet = 1;  // cells along a fillet
-n_boss = 6;    // cells along half of the free boss
+n_fillet = 2;  // cells along a fillet; fewer do not determine its cylinder
+n_boss = 5;    // cells along half of the free boss
 n_loft = 3;
 n_rod = 4;
 n_flare = 3;

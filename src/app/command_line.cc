@@ -1,9 +1,8 @@
 #include "app/command_line.h"
 
-#include <algorithm>
 #include <functional>
-#include <iostream>
-#include <map>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/geometry_stamp.h"
 #include "mesh/mass_properties.h"
 #include "mesh/mesh_reader.h"
 
@@ -28,6 +29,7 @@ std::vector<loads::GroupGeometry> group_geometry(
 }
 
 LoadedPart load_part(const part::PartDefinition& definition) {
+  require_current_mesh(definition);
   LoadedPart part;
   part.definition = definition;
   part.mesh = mesh::read_part_mesh(definition.mesh, definition.length_unit);

@@ -111,7 +111,9 @@ ut_system* unit_system() {
                   "the file.");
     }
     // udunits2 knows "degree" and "°" but not what engineers write.
-    ut_map_name_to_unit("deg", UT_ASCII, ut_get_unit_by_name(system, "degree"));
+    ut_unit* degree = ut_get_unit_by_name(system, "degree");
+    ut_map_name_to_unit("deg", UT_ASCII, degree);
+    ut_free(degree);
     return system;
   }();
   return kSystem;

@@ -104,6 +104,7 @@ int permute_face(int mesh_face, const Orientation<dim>& to_mesh) {
 template <int dim>
 void take_cell(const typename dealii::DoFHandler<dim>::active_cell_iterator& at,
                const PartMesh<dim>& mesh,
+               const Eigen::MatrixXd& to_degree,
                std::vector<Orientation<dim>>& orientations,
                Discretization<dim>& result) {
   const unsigned c = at->active_cell_index();
@@ -118,7 +119,8 @@ void take_cell(const typename dealii::DoFHandler<dim>::active_cell_iterator& at,
     }
     orientations[c] = orientation<dim>(mesh.cells[c], vertices);
     result.cell_points[c] =
-        permute_points<dim>(mesh.cell_points[c], mesh.degree, orientations[c]);
+        permute_points<dim>(mesh.cell_points[c], mesh.degree, orientations[c]) *
+        to_degree;
   } else {
     result.cell_points[c] = mesh.cell_points[c];
   }
@@ -145,7 +147,7 @@ Discretization<dim> discretize(const PartMesh<dim>& mesh, int degree) {
   Discretization<dim> result;
   result.shape = mesh.shape;
   result.degree = degree;
-  result.geometry_degree = mesh.degree;
+  result.geometry_degree = std::min(mesh.degree, degree);
   result.nodes = static_cast<int>(handler.n_dofs());
   result.cell_nodes.resize(mesh.cells.size());
   result.cell_points.resize(mesh.cells.size());
@@ -158,8 +160,13 @@ Discretization<dim> discretize(const PartMesh<dim>& mesh, int degree) {
     result.mid_plane_z = mesh.mid_plane_z;
   }
   std::vector<Orientation<dim>> orientations(mesh.cells.size());
+  const Eigen::MatrixXd to_degree =
+      tabulate_geometry<dim>(mesh.shape, mesh.degree,
+                             geometry_support_points<dim>(
+                                 mesh.shape, result.geometry_degree))
+          .values.transpose();
   for (const auto& cell : handler.active_cell_iterators()) {
-    take_cell<dim>(cell, mesh, orientations, result);
+    take_cell<dim>(cell, mesh, to_degree, orientations, result);
   }
   for (const auto& face : mesh.boundary) {
     if (face.group < 0) continue;

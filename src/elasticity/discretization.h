@@ -20,7 +20,9 @@ struct GroupFace {
 ///
 /// Degrees of freedom are scalar "nodes"; component d of the displacement at
 /// node i is number dim*i + d. Cells are oriented as deal.II numbers them, so
-/// `cell_points` may be permuted against PartMesh.
+/// `cell_points` may be permuted against PartMesh. The geometry is the mesh's,
+/// interpolated with the displacement's degree where that is lower: only then
+/// are rigid rotations and uniform strains exactly in the space.
 template <int dim>
 struct Discretization {
   mesh::CellShape shape{};

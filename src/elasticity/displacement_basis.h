@@ -22,7 +22,8 @@ struct SolveSeconds {
 
 /// What is checked on every solve; largest over instants or columns.
 struct SolveChecks {
-  double balance{};      ///< rigid modes' work over the load: free parts [1]
+  double relief{};   ///< discrete residual that inertia relief takes up [1]
+  double balance{};  ///< what is left of it over the load: free parts [1]
   double equilibrium{};  ///< support reactions over the load: free parts [1]
   double residual{};     ///< ‖K u − f‖ / ‖f‖ [1]
   double energy{};       ///< |uᵀK u − fᵀu| / |fᵀu| [1]

@@ -242,6 +242,27 @@ void add_body_loads(const Discretization<dim>& discretization,
   }
 }
 
+/// Consistent mass times rigid motions (translations, rotations about Lo):
+/// dofs × modes [kg], [kg m].
+template <int dim>
+MatrixXd rigid_inertia(const Discretization<dim>& discretization,
+                       double density) {
+  const MatrixXd moments = density * node_moments(discretization);
+  MatrixXd inertia =
+      MatrixXd::Zero(discretization.dofs(), dim == 2 ? 3 : 6);
+  for (Index node = 0; node < moments.rows(); ++node) {
+    auto at = inertia.middleRows<dim>(dim * node);
+    at.template leftCols<dim>().diagonal().setConstant(moments(node, 0));
+    const Vector3d arm = moments.row(node).tail<3>();
+    if constexpr (dim == 2) {
+      at.col(2) << -arm.y(), arm.x();
+    } else {
+      for (int k = 0; k < 3; ++k) at.col(3 + k) = Vector3d::Unit(k).cross(arm);
+    }
+  }
+  return inertia;
+}
+
 /// Largest components of vectors in the plane and out of it.
 struct Largest {
   double along = 0.0;
@@ -277,6 +298,20 @@ MatrixXd assemble_loads(const Discretization<dim>& discretization,
   return result;
 }
 
+template <int dim>
+double balance_loads(const Discretization<dim>& discretization, double density,
+                     const MatrixXd& modes, MatrixXd& history) {
+  const double scale = history.cwiseAbs().colwise().sum().maxCoeff();
+  if (!(scale > 0.0)) return 0.0;
+  const MatrixXd residual = transposed_product(modes, history);
+  const MatrixXd inertia = rigid_inertia(discretization, density);
+  const MatrixXd acceleration = transposed_product(modes, inertia)
+                                    .fullPivLu()
+                                    .solve(residual);
+  history -= product(inertia, acceleration);
+  return residual.cwiseAbs().maxCoeff() / scale;
+}
+
 bool loads_in_plane(const loads::LoadHistory& history, double mid_plane_z) {
   constexpr double kInPlane = 1e-9;
   Largest force, moment, acceleration, rotation;
@@ -306,6 +341,10 @@ bool loads_in_plane(const loads::LoadHistory& history, double mid_plane_z) {
          rotation.across <= kInPlane * (1.0 + rotation.along);
 }
 
+template double balance_loads<2>(const Discretization<2>&, double,
+                                 const MatrixXd&, MatrixXd&);
+template double balance_loads<3>(const Discretization<3>&, double,
+                                 const MatrixXd&, MatrixXd&);
 template MatrixXd assemble_loads<2>(const Discretization<2>&,
                                     const loads::LoadHistory&, double,
                                     const std::string&);

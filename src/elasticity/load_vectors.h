@@ -24,6 +24,15 @@ Eigen::MatrixXd assemble_loads(const Discretization<dim>& discretization,
                                const loads::LoadHistory& history,
                                double density, const std::string& part_name);
 
+/// Balances the discrete loads of a free part: the interpolated geometry has
+/// not quite the exact mass, which leaves a residual that a rigid acceleration
+/// of the discrete mass takes up (inertia relief).
+/// @param modes  rigid modes at the nodes, dofs × modes.
+/// @return the largest residual before, over the loads' size [1].
+template <int dim>
+double balance_loads(const Discretization<dim>& discretization, double density,
+                     const Eigen::MatrixXd& modes, Eigen::MatrixXd& history);
+
 /// True if no load leaves the plane z = const (to 1e-9 of the largest): what
 /// a plane model can take.
 bool loads_in_plane(const loads::LoadHistory& history, double mid_plane_z);

@@ -91,6 +91,19 @@ ReferencePoints<dim> displacement_support_points(CellShape shape, int degree) {
 }
 
 template <int dim>
+ReferencePoints<dim> geometry_support_points(CellShape shape, int degree) {
+  const auto points = displacement_support_points<dim>(shape, degree);
+  if (shape == CellShape::kSimplex) return points;
+  const auto order = dealii::FE_Q<dim>(static_cast<unsigned>(degree))
+                         .get_poly_space_numbering_inverse();
+  ReferencePoints<dim> result(dim, points.cols());
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    result.col(i) = points.col(order[static_cast<std::size_t>(i)]);
+  }
+  return result;
+}
+
+template <int dim>
 Quadrature<dim> gauss(CellShape shape, int n) {
   std::unique_ptr<dealii::Quadrature<dim>> rule;
   if (shape == CellShape::kTensor) {
@@ -195,6 +208,7 @@ ReferencePoints<dim> lattice(CellShape shape, int subdivisions) {
                                              const ReferencePoints<dim>&);   \
   template ReferencePoints<dim> displacement_support_points<dim>(CellShape,  \
                                                                  int);       \
+  template ReferencePoints<dim> geometry_support_points<dim>(CellShape, int); \
   template Quadrature<dim> gauss<dim>(CellShape, int);                       \
   template FaceQuadrature<dim> face_gauss<dim>(CellShape, int, int);         \
   template ReferencePoints<dim> lattice<dim>(CellShape, int);

@@ -34,6 +34,11 @@ template <int dim>
 ReferencePoints<dim> displacement_support_points(mesh::CellShape shape,
                                                  int degree);
 
+/// Points of tabulate_geometry's basis, in its order.
+template <int dim>
+ReferencePoints<dim> geometry_support_points(mesh::CellShape shape,
+                                             int degree);
+
 /// Quadrature on the reference cell.
 template <int dim>
 struct Quadrature {

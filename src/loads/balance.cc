@@ -119,6 +119,15 @@ void require_full_cylinder(const GroupGeometry& group,
   }
 }
 
+std::string vector_text(const Vector3d& v, double scale) {
+  const double small = 1e-12 * scale;
+  const Vector3d shown = v.unaryExpr([&](double x) {
+    return std::abs(x) <= small ? 0.0 : x;
+  });
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", shown.x(), shown.y(),
+                     shown.z());
+}
+
 Wrench residual(const LoadHistory& history, const InstantLoad& instant,
                 const part::MassProperties& mass) {
   Wrench sum = inertia_load(instant.rigid, mass);
@@ -156,15 +165,13 @@ void require_balance(const LoadHistory& history,
         left.moment.norm() <= kBalanceTolerance * moment_scale) {
       continue;
     }
-    throw Error(
-        "L001", place,
-        fmt::format("{}: the loads leave a force of ({:.6g}, {:.6g}, {:.6g}) N "
-                    "and a moment about the part's origin of ({:.6g}, {:.6g}, "
-                    "{:.6g}) N m",
-                    instant.label, left.force.x(), left.force.y(),
-                    left.force.z(), left.moment.x(), left.moment.y(),
-                    left.moment.z()),
-        "give the missing load or acceleration, or hold the part with `fixed`");
+    throw Error("L001", place,
+                fmt::format("{}: the loads leave a force of {} N and a moment "
+                            "about the part's origin of {} N m",
+                            instant.label, vector_text(left.force, force_scale),
+                            vector_text(left.moment, moment_scale)),
+                "give the missing load or acceleration, or hold the part with "
+                "`fixed`");
   }
 }
 

@@ -30,6 +30,10 @@ const GroupGeometry& find_group(const std::vector<GroupGeometry>& groups,
 void require_full_cylinder(const GroupGeometry& group,
                            const std::string& place);
 
+/// "(1, 0, -2.5)" for messages; components that are round-off of `scale` are
+/// shown as 0.
+std::string vector_text(const Eigen::Vector3d& v, double scale);
+
 /// Refuses a history in which an instant is out of balance.
 ///
 /// The load of an instant is the sum of the magnitudes of its forces and

@@ -68,7 +68,8 @@ LoadHistory case_loads(const part::PartDefinition& part,
   }
   history.instants.push_back(std::move(instant));
   if (load_case.fixed.empty()) {
-    require_balance(history, mass, part_size(groups, mass), place);
+    require_balance(history, mass, part_size(groups, mass),
+                    fmt::format("{}: part {}", part.place, part.name));
   }
   return history;
 }

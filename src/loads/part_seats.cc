@@ -46,15 +46,14 @@ void require_coaxial(const SeatContext& context, const part::Bore& cylinder,
   const std::string remedy =
       "make the joint's position in the scene and the cylinder in the mesh "
       "agree (same lengths, mesh in the body's frame, right length_unit)";
+  const double size_mm = context.size * 1e3;
   if (!(across.norm() <= kGapTolerance * context.size)) {
     throw Error("L003", place,
                 fmt::format("the joint lies {:.6g} mm off the axis of "
-                            "\"{}\": joint at ({:.6g}, {:.6g}, {:.6g}) mm, "
-                            "cylinder at ({:.6g}, {:.6g}, {:.6g}) mm",
-                            across.norm() * 1e3, group, frame.p_LJ.x() * 1e3,
-                            frame.p_LJ.y() * 1e3, frame.p_LJ.z() * 1e3,
-                            cylinder.p_LC.x() * 1e3, cylinder.p_LC.y() * 1e3,
-                            cylinder.p_LC.z() * 1e3),
+                            "\"{}\": joint at {} mm, cylinder at {} mm",
+                            across.norm() * 1e3, group,
+                            vector_text(frame.p_LJ * 1e3, size_mm),
+                            vector_text(cylinder.p_LC * 1e3, size_mm)),
                 remedy);
   }
   const double angle =
@@ -102,9 +101,9 @@ GroupGeometry pressurized_group(const SeatContext& context,
     throw Error(
         "L002", place,
         fmt::format("pressure on \"{}\" would leave a force: its area "
-                    "vector is ({:.6g}, {:.6g}, {:.6g}) mm^2",
-                    name, group.area_vector.x() * 1e6,
-                    group.area_vector.y() * 1e6, group.area_vector.z() * 1e6),
+                    "vector is {} mm^2",
+                    name,
+                    vector_text(group.area_vector * 1e6, group.area * 1e6)),
         "pressurize a wall that is closed all round; the drive's own "
         "force belongs to its `face`");
   }

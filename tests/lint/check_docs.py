@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+"""Fail if the documents promise what is not there.
+
+    check_docs.py CLEVIS
+
+Every relative link of a *.md leads to a file (and heading), every `./...`
+command exists, every `clevis COMMAND --option` is one that `clevis --help`
+knows, the exit codes in README.md are those of base/errors.h, and no tracked
+text names a folder of one developer's machine or leaves work open.
+"""
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+TEXTS = {".md", ".cc", ".h", ".py", ".txt", ".toml", ".geo", ".json", ".cmake",
+         ""}
+# Split, so that this file does not match itself.
+UNWANTED = re.compile(r"(?<![\w.$}])/(?:home|root|work|Users)" + r"/\w"
+                      r"|\b(?:TO" r"DO|FIX" r"ME|XX" r"X)\b")
+
+
+def documents():
+    return sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md"),
+                   *ROOT.glob("results/**/*.md")])
+
+
+def slug(heading):
+    """The anchor that a heading gets on a code host."""
+    kept = re.sub(r"[^\w\- ]", "", heading.strip().lower())
+    return kept.replace(" ", "-")
+
+
+def anchors(document):
+    headings = re.findall(r"^#+ (.*)$", document.read_text(), re.M)
+    return {slug(heading) for heading in headings}
+
+
+def link_faults(document):
+    for target in re.findall(r"\]\(([^)\s]+)\)", document.read_text()):
+        if re.match(r"\w+:", target):
+            continue
+        path, _, anchor = target.partition("#")
+        file = (document.parent / path).resolve() if path else document
+        if not file.exists():
+            yield f"link to {target}: no such file"
+        elif anchor and file.suffix == ".md" and anchor not in anchors(file):
+            yield f"link to {target}: no such heading"
+
+
+def code_of(document):
+    """Fenced blocks line by line, and inline code."""
+    text = document.read_text()
+    for block in re.findall(r"^```\w*\n(.*?)^```", text, re.M | re.S):
+        yield from block.splitlines()
+    yield from re.findall(r"`([^`\n]+)`", text)
+
+
+def command_faults(document, clevis):
+    for line in code_of(document):
+        for script in re.findall(r"^\s*(\.?/?\.ci/\w+|tests/\S+\.py)", line):
+            if not (ROOT / script).is_file():
+                yield f"command {script}: no such file"
+        call = re.match(r"\s*clevis ([a-z]+)\b(.*)", line)
+        if call is None:
+            continue
+        run = subprocess.run([clevis, call[1], "--help"], text=True,
+                             capture_output=True)
+        if run.returncode:
+            yield f"command clevis {call[1]}: {run.stderr.strip()}"
+            continue
+        for option in re.findall(r"--[a-z]+", call[2].split("#")[0]):
+            if not re.search(rf"{option}\b", run.stdout):
+                yield f"clevis {call[1]} has no option {option}"
+
+
+def exit_code_faults():
+    enum = re.search(r"enum class ExitCode {(.*?)}",
+                     (ROOT / "src/base/errors.h").read_text(), re.S)
+    used = {int(code) for code in re.findall(r"= (\d+)", enum[1])} | {130}
+    table = re.search(r"^## Exit codes\n(.*?)(?=^## |\Z)",
+                      (ROOT / "README.md").read_text(), re.M | re.S)
+    told = {int(code) for code in
+            re.findall(r"^\| (\d+) \|", table[1] if table else "", re.M)}
+    for code in sorted(used ^ told):
+        yield f"exit code {code} is " + (
+            "not explained" if code in used else "never returned")
+
+
+def text_faults():
+    tracked = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, text=True,
+                             capture_output=True)
+    names = (tracked.stdout.split("\0")[:-1] if tracked.returncode == 0 else
+             [str(p.relative_to(ROOT)) for d in ("src", "tests", "docs")
+              for p in (ROOT / d).rglob("*") if p.is_file()])
+    for name in names:
+        path = ROOT / name
+        if path.suffix not in TEXTS or not path.is_file():
+            continue
+        lines = path.read_text(errors="replace").splitlines()
+        for number, line in enumerate(lines, 1):
+            if found := UNWANTED.search(line):
+                yield f"{name}:{number}: {found[0]!r} does not belong here"
+
+
+def main():
+    clevis = str(Path(sys.argv[1]).resolve())
+    faults = [f"{document.relative_to(ROOT)}: {fault}"
+              for document in documents()
+              for fault in (*link_faults(document),
+                            *command_faults(document, clevis))]
+    faults += [f"README.md: {fault}" for fault in exit_code_faults()]
+    faults += text_faults()
+    print("\n".join(faults) or f"{len(documents())} documents hold")
+    return len(faults) > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
