@@ -1,6 +1,7 @@
 #include "app/load_scene.h"
 
 #include <algorithm>
+#include <future>
 #include <utility>
 
 #include "app/geometry_stamp.h"
@@ -64,6 +65,25 @@ LoadedScene load_scene(const std::filesystem::path& file) {
     }
   }
   return loaded;
+}
+
+scene::Scene load_moving_scene(const std::filesystem::path& file) {
+  scene::Scene scene = scene::read_scene(file);
+  std::vector<std::future<part::MassProperties>> masses;
+  for (const auto& part : scene.parts) {
+    masses.push_back(std::async(std::launch::async, [&part] {
+      return mesh::mass_properties(
+          mesh::read_part_mesh(part.mesh, part.length_unit),
+          part.material.density);
+    }));
+  }
+  for (std::size_t p = 0; p < scene.parts.size(); ++p) {
+    const part::MassProperties mass = masses[p].get();
+    for (auto& body : scene.mechanism.bodies) {
+      if (body.part == scene.parts[p].name) body.mass_properties = mass;
+    }
+  }
+  return scene;
 }
 
 }  // namespace clevis::app

@@ -14,7 +14,7 @@
 namespace clevis::app {
 
 ExitCode simulate_command(const Options& options) {
-  const scene::Scene scene = load_scene(options.scene).scene;
+  const scene::Scene scene = load_moving_scene(options.scene);
   if (!scene.has_mechanism) {
     throw Error("S003", options.scene.string() + ":1:1",
                 "the scene has no [[body]], so there is nothing to move",

@@ -7,7 +7,7 @@
 
 namespace clevis::mesh {
 
-/// Mass, centre and inertia by quadrature that is exact for the mapped
+/// Mass, centre and inertia by quadrature; the mass is exact for the mapped
 /// geometry. @param density [kg/m³].
 part::MassProperties mass_properties(const PartMesh<3>& mesh, double density);
 
