@@ -86,6 +86,7 @@ Eigen::MatrixXd SparseCholesky::solve(
     const Eigen::MatrixXd& right_hand_sides) const {
   const auto rows = static_cast<PetscInt>(right_hand_sides.rows());
   const auto columns = static_cast<PetscInt>(right_hand_sides.cols());
+  if (columns == 0) return right_hand_sides;  // CHOLMOD refuses an empty block
   Eigen::MatrixXd b = right_hand_sides;
   Eigen::MatrixXd x(rows, columns);
   Mat dense_b = nullptr;

@@ -3,9 +3,8 @@
 
 #include <cmath>
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
+#include <gtest/gtest.h>
 
 #include "elasticity/displacement_basis.h"
 #include "stress/stress_history.h"
@@ -23,8 +22,8 @@ const part::Material kSteel{"steel", 210e9, 0.3, 7850.0, 355e6};
 mesh::PartMesh<3> distorted_box(const Vector3d& size, double distortion) {
   return support::structured_mesh<3>(
       {3, 2, 2}, 1, [=](const Vector3d& x) -> Vector3d {
-        const double bubble = 64.0 * x[0] * (1 - x[0]) * x[1] * (1 - x[1]) *
-                              x[2] * (1 - x[2]);
+        const double bubble =
+            64.0 * x[0] * (1 - x[0]) * x[1] * (1 - x[1]) * x[2] * (1 - x[2]);
         const Vector3d push(std::sin(7 * x[1]), std::cos(5 * x[2]),
                             std::sin(3 * x[0]));
         return size.cwiseProduct(x + distortion * bubble * push);
@@ -103,7 +102,8 @@ TEST(Block, PureBendingIsExactWithDegreeTwo) {
     seat.kind = loads::SeatKind::kTraction;
     seat.p_LS = Vector3d(side < 0 ? 0.0 : size[0], size[1] / 2, size[2] / 2);
     history.seats.push_back(seat);
-    instant.wrenches.push_back({Vector3d::Zero(), side * Vector3d(0, 0, moment)});
+    instant.wrenches.push_back(
+        {Vector3d::Zero(), side * Vector3d(0, 0, moment)});
   }
   history.instants.push_back(instant);
   const double inertia = size[2] * std::pow(size[1], 3) / 12.0;

@@ -1,0 +1,124 @@
+#include "stress/deflection.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "elasticity/supports.h"
+#include "stress/stress_history.h"
+#include "support/eye_problem.h"
+
+namespace clevis::stress {
+namespace {
+
+using Eigen::Vector3d;
+
+const part::Material kCork{"cork", 70e9, 0.0, 2700.0, 200e6};
+const Vector3d kSize(0.2, 0.01, 0.02);
+
+mesh::PartMesh<3> bar_mesh() {
+  return support::structured_mesh<3>(
+      {4, 1, 1}, 1, [](const Vector3d& x) -> Vector3d {
+        return kSize.cwiseProduct(x);
+      });
+}
+
+TEST(Deflection, RigidMotionIsRemovedExactly) {
+  const auto eye = support::eye_problem(2);
+  auto basis = elasticity::solve<3>(eye.problem(), 2);
+  auto moved = basis;
+  const auto positions = elasticity::node_positions(basis.discretization);
+  const Eigen::MatrixXd modes =
+      elasticity::rigid_modes<3>(positions, Vector3d(0.1, 0.0, -0.2), 1.0);
+  Eigen::MatrixXd amounts(6, basis.columns.cols());
+  for (Eigen::Index k = 0; k < amounts.size(); ++k) {
+    amounts(k % 6, k / 6) = basis.columns.cwiseAbs().maxCoeff() *
+                            std::sin(3.0 * static_cast<double>(k) + 1.0);
+  }
+  moved.columns += modes * amounts;
+  for (const auto& seats :
+       {std::vector<std::string>{"x0"}, std::vector<std::string>{"x0", "z1"}}) {
+    auto first = basis;
+    auto second = moved;
+    remove_rigid_motion<3>(first, seats);
+    remove_rigid_motion<3>(second, seats);
+    EXPECT_LT((first.columns - second.columns).cwiseAbs().maxCoeff(),
+              1e-12 * first.columns.cwiseAbs().maxCoeff());
+  }
+}
+
+TEST(Deflection, BarInTensionElongates) {
+  const double pull = 30e6;
+  const auto mesh = bar_mesh();
+  loads::LoadHistory history;
+  history.instants.push_back({});
+  for (const char* side : {"x0", "x1"}) {
+    loads::SurfaceLoad load;
+    load.group = side;
+    const bool far = load.group == "x1";
+    load.traction.x() = far ? pull : -pull;
+    load.resultant.force = kSize.y() * kSize.z() * load.traction;
+    load.resultant.moment =
+        Vector3d(far ? kSize.x() : 0.0, kSize.y() / 2, kSize.z() / 2)
+            .cross(load.resultant.force);
+    history.instants[0].surface_loads.push_back(load);
+  }
+  auto basis = elasticity::solve<3>({mesh, kCork, history, {}, "bar"}, 2);
+  remove_rigid_motion<3>(basis, {"x0", "x1"});
+  const auto deflection = largest_deflection<3>(basis);
+  EXPECT_NEAR(deflection.value / (pull * kSize.x() / kCork.youngs_modulus), 1.0,
+              1e-9);
+  EXPECT_NEAR(deflection.at.x(), kSize.x(), 1e-12);
+  EXPECT_EQ(deflection.instant, 0);
+}
+
+// Tip shear on a fixed bar: F L³/(3 E I) and the shear of Timoshenko's beam,
+// 6/5 F L/(G A).
+TEST(Deflection, Cantilever) {
+  const double shear = 1e6;
+  const auto mesh = bar_mesh();
+  loads::LoadHistory history;
+  history.instants.resize(2);
+  for (int i = 0; i < 2; ++i) {
+    loads::SurfaceLoad load;
+    load.group = "x1";
+    load.traction.y() = shear * (i + 1);
+    load.resultant.force = kSize.y() * kSize.z() * load.traction;
+    load.resultant.moment = Vector3d(kSize.x(), kSize.y() / 2, kSize.z() / 2)
+                                .cross(load.resultant.force);
+    history.instants[static_cast<std::size_t>(i)].surface_loads.push_back(load);
+  }
+  auto basis = elasticity::solve<3>(
+      {mesh, kCork, history, {{"x0", {true, true, true}}}, "bar"}, 3);
+  const auto before = basis.columns;
+  remove_rigid_motion<3>(basis, {});
+  EXPECT_EQ(basis.columns, before);
+  const double area = kSize.y() * kSize.z();
+  const double force = 2 * shear * area;
+  const double inertia = area * kSize.y() * kSize.y() / 12;
+  const double expected =
+      force * std::pow(kSize.x(), 3) / (3 * kCork.youngs_modulus * inertia) +
+      1.2 * force * kSize.x() / (0.5 * kCork.youngs_modulus * area);
+  const auto deflection = largest_deflection<3>(basis);
+  EXPECT_NEAR(deflection.value / expected, 1.0, 3e-3);
+  EXPECT_NEAR(deflection.at.x(), kSize.x(), 1e-12);
+  EXPECT_EQ(deflection.instant, 1);
+}
+
+TEST(VonMises, ClosedForms) {
+  Eigen::MatrixXd stress(5, 6);
+  stress << 80, 0, 0, 0, 0, 0,  // uniaxial
+      0, 0, 0, 0, 50, 0,        // pure shear
+      -30, -30, -30, 0, 0, 0,   // hydrostatic
+      60, 60, 0, 0, 0, 0,       // equibiaxial
+      10, 20, 30, 4, 5, 6;
+  const Eigen::VectorXd equivalent = von_mises(stress);
+  EXPECT_DOUBLE_EQ(equivalent[0], 80.0);
+  EXPECT_DOUBLE_EQ(equivalent[1], 50.0 * std::sqrt(3.0));
+  EXPECT_DOUBLE_EQ(equivalent[2], 0.0);
+  EXPECT_DOUBLE_EQ(equivalent[3], 60.0);
+  EXPECT_DOUBLE_EQ(equivalent[4], std::sqrt(300.0 + 3 * (16 + 25 + 36)));
+}
+
+}  // namespace
+}  // namespace clevis::stress

@@ -1,0 +1,99 @@
+#include "stress/field_output.h"
+
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "support/eye_problem.h"
+
+namespace clevis::stress {
+namespace {
+
+constexpr int kSubdivisions = 2;
+
+struct Sample {
+  InstantField field;
+  int cells{};
+};
+
+Sample sample() {
+  const auto eye = support::eye_problem(1);
+  const auto basis = elasticity::solve<3>(eye.problem(), 2);
+  return {instant_field<3>(basis, eye.material, kSubdivisions, 0),
+          basis.discretization.cells()};
+}
+
+std::string vtu(const InstantField& field, CellOrder order,
+                const Placement& placement = {}) {
+  ScalarField worst{"worst_von_mises", "Pa", {}};
+  worst.values = Eigen::MatrixXd::Ones(
+      field.points[0].rows(), static_cast<Eigen::Index>(field.points.size()));
+  std::ostringstream out;
+  write_vtu<3>(out, mesh::CellShape::kTensor, field, {worst}, order, placement);
+  return out.str();
+}
+
+int number(const std::string& text, const std::string& attribute) {
+  std::smatch match;
+  if (!std::regex_search(text, match, std::regex(attribute + "=\"(\\d+)\""))) {
+    return -1;
+  }
+  return std::stoi(match[1]);
+}
+
+/// Every opened tag is closed in order.
+bool is_well_formed(const std::string& text) {
+  std::vector<std::string> open;
+  const std::regex tag("<(/?)([A-Za-z]+)[^>]*?(/?)>");
+  for (std::sregex_iterator it(text.begin(), text.end(), tag), end; it != end;
+       ++it) {
+    if ((*it)[1].length() > 0) {
+      if (open.empty() || open.back() != (*it)[2]) return false;
+      open.pop_back();
+    } else if ((*it)[3].length() == 0) {
+      open.push_back((*it)[2]);
+    }
+  }
+  return open.empty();
+}
+
+TEST(FieldOutput, CellsAndPointsOfBothOrders) {
+  const Sample s = sample();
+  const int points = s.cells * 27;
+  const std::string lagrange = vtu(s.field, CellOrder::kLagrange);
+  const std::string linear = vtu(s.field, CellOrder::kLinear);
+  EXPECT_TRUE(is_well_formed(lagrange));
+  EXPECT_TRUE(is_well_formed(linear));
+  EXPECT_EQ(number(lagrange, "NumberOfCells"), s.cells);
+  EXPECT_EQ(number(lagrange, "NumberOfPoints"), points);
+  EXPECT_EQ(number(linear, "NumberOfCells"), s.cells * 8);
+  EXPECT_EQ(number(linear, "NumberOfPoints"), points);
+}
+
+TEST(FieldOutput, ArraysCarryNamesAndUnits) {
+  const std::string text = vtu(sample().field, CellOrder::kLinear);
+  for (const char* name :
+       {"displacement", "stress_xx", "stress_yy", "stress_zz", "stress_xy",
+        "stress_yz", "stress_xz", "von_mises", "worst_von_mises"}) {
+    const std::regex array(std::string("<DataArray[^>]*Name=\"") + name +
+                           "\"[^>]*units=\"(m|Pa)\"");
+    std::smatch match;
+    ASSERT_TRUE(std::regex_search(text, match, array)) << name;
+    EXPECT_EQ(match[1], std::string(name) == "displacement" ? "m" : "Pa");
+  }
+}
+
+TEST(FieldOutput, SameBytesTwice) {
+  const Sample s = sample();
+  EXPECT_EQ(vtu(s.field, CellOrder::kLagrange),
+            vtu(s.field, CellOrder::kLagrange));
+  Placement placement;
+  placement.origin.x() = 1.0;
+  EXPECT_NE(vtu(s.field, CellOrder::kLagrange, placement),
+            vtu(s.field, CellOrder::kLagrange));
+}
+
+}  // namespace
+}  // namespace clevis::stress

@@ -1,0 +1,89 @@
+#include "stress/peak_band.h"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace clevis::stress {
+namespace {
+
+std::vector<SequenceValue> from_degree_two(const std::vector<double>& values) {
+  std::vector<SequenceValue> sequence;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    sequence.push_back({static_cast<int>(k) + 2, values[k]});
+  }
+  return sequence;
+}
+
+TEST(PeakBand, ContainsTheLimitOfGeometricConvergence) {
+  for (const double q : {0.05, 0.2, 0.35, 0.5, 0.7}) {
+    for (const double first : {-30.0, 20.0}) {
+      const auto sequence = from_degree_two(
+          {100 + first, 100 + first * q, 100 + first * q * q});
+      const Band band = peak_band(sequence, 0.01);
+      EXPECT_LE(band.low, 100.0 + 1e-9) << q << " " << first;
+      EXPECT_GE(band.high, 100.0 - 1e-9) << q << " " << first;
+      EXPECT_EQ(band.value, sequence.back().value);
+    }
+  }
+}
+
+TEST(PeakBand, ContainsTheLimitOfAnAlternatingSequence) {
+  for (const double q : {0.1, 0.4, 0.7}) {
+    const auto band = peak_band(
+        from_degree_two({100 + 8.0, 100 - 8.0 * q, 100 + 8.0 * q * q}), 0.01);
+    EXPECT_LE(band.low, 100.0);
+    EXPECT_GE(band.high, 100.0);
+    EXPECT_NE(band.verdict, Convergence::kSingular);
+  }
+}
+
+// Peaks at a corner grow like p^(2 − 2λ): 270° notch, clamped edge (ν = 0.3).
+TEST(PeakBand, CornersAreSingular) {
+  for (const double lambda : {0.5444837, 0.711173}) {
+    std::vector<double> peaks;
+    for (int p = 2; p <= 4; ++p) {
+      peaks.push_back(50e6 * std::pow(p, 2 - 2 * lambda));
+    }
+    EXPECT_EQ(peak_band(from_degree_two(peaks), 0.01).verdict,
+              Convergence::kSingular)
+        << lambda;
+  }
+}
+
+TEST(PeakBand, VerdictFollowsTheTolerance) {
+  const auto sequence = from_degree_two({90.0, 97.0, 100.0});
+  EXPECT_EQ(peak_band(sequence, 0.05).verdict, Convergence::kConverged);
+  EXPECT_EQ(peak_band(sequence, 0.01).verdict, Convergence::kNotConverged);
+}
+
+TEST(PeakBand, NoiseOfRoundOffIsConverged) {
+  const auto band =
+      peak_band(from_degree_two({100.0, 100.0 + 1e-9, 100.0 - 1e-9}), 0.01);
+  EXPECT_EQ(band.verdict, Convergence::kConverged);
+  EXPECT_EQ(peak_band(from_degree_two({7.0, 7.0, 7.0}), 1e-6).verdict,
+            Convergence::kConverged);
+}
+
+TEST(PeakBand, ErraticValuesAreNotConverged) {
+  EXPECT_EQ(peak_band(from_degree_two({100.0, 60.0, 110.0}), 0.01).verdict,
+            Convergence::kNotConverged);
+}
+
+TEST(PeakBand, ZeroStressIsExact) {
+  const Band band = peak_band(from_degree_two({0.0, 0.0, 0.0}), 0.01);
+  EXPECT_EQ(band.verdict, Convergence::kConverged);
+  EXPECT_EQ(band.low, 0.0);
+  EXPECT_EQ(band.high, 0.0);
+}
+
+TEST(PeakBand, FewerThanThreeValuesSayNothing) {
+  EXPECT_EQ(peak_band(from_degree_two({100.0}), 0.01).verdict,
+            Convergence::kNotConverged);
+  EXPECT_EQ(peak_band(from_degree_two({100.0, 100.0}), 0.01).verdict,
+            Convergence::kNotConverged);
+}
+
+}  // namespace
+}  // namespace clevis::stress
