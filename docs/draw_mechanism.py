@@ -4,7 +4,7 @@
     draw_mechanism.py FOLDER PICTURE.png [TITLE]
 
 FOLDER is the output of a `clevis check`; the first, the middle and the last
-frame of its series are drawn over each other. Needs python3-vtk9 and
+frame of its series are drawn over each other, in this order. Needs python3-vtk9 and
 gnuplot-nox.
 """
 import json
@@ -25,11 +25,11 @@ set view map
 set size ratio -1
 set xlabel "x [mm]"
 set ylabel "y [mm]"
-set cblabel "von Mises stress [MPa]"
+set cblabel "von Mises stress [MPa]" offset 1
 set palette defined (0 "#30387f", 0.15 "#2c7fb8", 0.35 "#41b6a4", \\
                      0.55 "#a6d96a", 0.75 "#fee08b", 0.9 "#f46d43", 1 "#a50026")
 set cbrange [0:{highest:.6g}]
-set pm3d corners2color mean interpolate 2,2
+set pm3d corners2color mean interpolate 2,2 border retrace
 unset key
 set grid front
 splot "-" using 1:2:3:4 with pm3d
@@ -69,12 +69,14 @@ def gnuplot_block(points):
 def main():
     folder, picture = Path(sys.argv[1]), sys.argv[2]
     result = json.loads((folder / "result.json").read_text())
-    faces = []
+    layers = [], [], []
     for part in result["parts"]:
         frames = sorted((folder / "frames").glob(f"{part['name']}_*.vtu"))
-        for frame in {0, len(frames) // 2, len(frames) - 1}:
-            faces += front_faces(frames[frame])
-    faces.sort(key=lambda points: sum(p[2] for p in points) / len(points))
+        for layer, faces in enumerate(layers):
+            faces += front_faces(frames[layer * (len(frames) - 1) // 2])
+    for faces in layers:
+        faces.sort(key=lambda points: sum(p[2] for p in points) / len(points))
+    faces = sum(layers, [])
     highest = max(point[3] for points in faces for point in points) / MEGA
     title = sys.argv[3] if len(sys.argv) > 3 else result["scene"]
     script = PLOT.format(picture=picture, title=title, highest=highest)

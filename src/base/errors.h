@@ -6,7 +6,7 @@
 
 namespace clevis {
 
-/// What a process of clevis returns (DESIGN contract, documented in README).
+/// What a process of clevis returns (README, "Exit codes").
 enum class ExitCode {
   kPass = 0,
   kLimitExceeded = 1,

@@ -7,7 +7,7 @@
 
 namespace clevis::mechanism {
 
-/// Structural analysis of a mechanism (SEEDS S2).
+/// Structural analysis of a mechanism.
 struct Structure {
   bool planar{};
   int moving_links{};  ///< bodies, welded ones counted once

@@ -11,7 +11,7 @@
 namespace clevis::scene {
 
 /// The landing gear's own closed form (2.1)–(2.14), as published and
-/// corrected (SEEDS S1, switch LG-29), evaluated beside the simulation.
+/// corrected, evaluated beside the simulation.
 struct SlideLeverClosedForm {
   double FD{}, ED{}, DC{}, EC{}, AD{}, DD1{};  ///< [m]
   int drive{};                                 ///< the drive that gives l_x

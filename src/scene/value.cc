@@ -76,7 +76,7 @@ std::string Value::text() const {
 
 std::string Value::title() const {
   constexpr std::size_t kLongest = 64;
-  const std::string title = text();
+  std::string title = text();
   if (title.size() > kLongest) {
     throw refusal("S006", "is longer than 64 bytes", "Give a shorter name.");
   }

@@ -51,9 +51,9 @@ Patch<dim, 3> make_patch(const InstantField& field, std::size_t cell,
   patch.patch_index = static_cast<unsigned>(cell);
   patch.n_subdivisions = static_cast<unsigned>(field.subdivisions);
   patch.points_are_available = true;
-  if (shape == mesh::CellShape::kSimplex) {
-    patch.reference_cell = dealii::ReferenceCells::get_simplex<dim>();
-  }
+  patch.reference_cell = shape == mesh::CellShape::kSimplex
+                             ? dealii::ReferenceCells::get_simplex<dim>()
+                             : dealii::ReferenceCells::get_hypercube<dim>();
   for (unsigned v = 0; v < corner.size(); ++v) {
     for (unsigned d = 0; d < 3; ++d) {
       patch.vertices[v][d] = points(corner[v], d);

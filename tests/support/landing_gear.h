@@ -9,7 +9,7 @@
 
 #include "mechanism/definition.h"
 
-/// The landing gear of SEEDS S1 with defaults of S1.7, built without a scene
+/// The landing gear of geometry/landing_gear, built without a scene
 /// file; masses are round numbers of the parts' order.
 namespace clevis::mechanism::testing {
 

@@ -122,7 +122,7 @@ TEST(CaseLoads, NotANumberIsRefused) {
 }
 
 // Pressure on opposite faces cancels; p = σ_0 on one face alone is a bar that
-// is accelerated by σ_0/(ρ L) (anchors: "bar pulled by σ0 on one end").
+// is accelerated by σ_0/(ρ L).
 TEST(CaseLoads, PressurePushesAgainstTheNormal) {
   part::LoadCaseDefinition c;
   c.name = "squeezed";

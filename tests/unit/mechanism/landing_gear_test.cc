@@ -36,7 +36,7 @@ struct Position {
   double q1, theta, cylinder;  // [deg]
 };
 
-// SEEDS S1.8
+// The worked example of the landing gear, printed to three digits
 const std::vector<Position> kPositions{{160,
                                         {43.688, 133.009, 0},
                                         {43.688, 193.009, 0},
@@ -147,7 +147,7 @@ MechanismDefinition loaded_at(double below_C) {
   return m;
 }
 
-// SEEDS S1.8, printed to a newton
+// The same example, printed to a newton
 TEST(LandingGear, ReactionsUnderTheWheelLoad) {
   for (const Reactions& expected : {Reactions{160, 3739, 2638, 2970, 609},
                                     Reactions{210, 1231, 902, 1632, 1857},

@@ -70,7 +70,7 @@ TEST(ResultJson, SchemaCatchesMissingUndeclaredAndWrongKeys) {
   EXPECT_NE(all_errors(bad), "");
 }
 
-// The contract of DESIGN's §4, key by key, with the units of the names.
+// What docs/results.md promises, key by key, with the units of the names.
 TEST(ResultJson, KeysOfTheContractHoldTheirUnits) {
   const json result = written(sample_report());
   EXPECT_EQ(result["schema"], 1);

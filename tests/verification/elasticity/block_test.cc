@@ -85,7 +85,7 @@ TEST(Block, PatchTestOnDistortedHexes) {
 }
 
 // Prism in pure bending: u is a polynomial of degree 2, exact in 3-D with
-// anticlastic curvature (anchors B6). Ends take sigma_xx = k (y − b/2).
+// anticlastic curvature. Ends take sigma_xx = k (y − b/2).
 TEST(Block, PureBendingIsExactWithDegreeTwo) {
   const Vector3d size(0.06, 0.01, 0.02);
   const auto mesh = support::structured_mesh<3>(
