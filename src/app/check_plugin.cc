@@ -16,7 +16,9 @@
 #include "app/worker_pool.h"
 #include "mechanism/simulate.h"
 #include "mechanism/structure.h"
+#include "report/atomic_file.h"
 #include "report/check_table.h"
+#include "report/motion_report.h"
 #include "report/part_result_json.h"
 #include "report/progress.h"
 #include "report/result_files.h"
@@ -174,6 +176,15 @@ std::vector<std::string> moving_parts(const LoadedScene& loaded,
   return names;
 }
 
+void write_reactions(const LoadedScene& loaded,
+                     const mechanism::Motion& motion, const fs::path& folder) {
+  report::MotionReport motion_report;
+  motion_report.definition = loaded.scene.mechanism;
+  motion_report.motion = motion;
+  report::write_file(folder / "reactions.csv",
+                     report::reactions_csv(motion_report));
+}
+
 ExitCode run_check(const Options& options) {
   Stopwatch total;
   Stopwatch watch;
@@ -211,6 +222,9 @@ ExitCode run_check(const Options& options) {
 
   const auto moving = moving_parts(loaded, report);
   if (!moving.empty()) write_mechanism_series(moving, motion, folder);
+  if (loaded.scene.has_mechanism) {
+    write_reactions(loaded, motion, folder);
+  }
   report.seconds.emplace_back("total", total.lap());
   report::write_result_files(report, folder);
   if (options.json) {

@@ -1,0 +1,72 @@
+#include "assessment/part_check.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "mesh/mass_properties.h"
+#include "support/structured_mesh.h"
+
+namespace clevis::assessment {
+namespace {
+
+using Eigen::Vector3d;
+
+/// A bar 60 × 10 × 4 mm pulled by 10 MPa at both ends.
+PartJob pulled_bar() {
+  PartJob job;
+  job.part.name = "bar";
+  job.part.material = {"steel", 210e9, 0.3, 7850.0, 300e6};
+  job.mesh = support::structured_mesh<3>(
+      {6, 2, 1}, 1,
+      [](const Vector3d& x) -> Vector3d {
+        return x.cwiseProduct(Vector3d(0.06, 0.01, 0.004));
+      });
+  job.mass = mesh::mass_properties(job.mesh, 7850.0);
+  LoadSet set;
+  loads::InstantLoad instant;
+  instant.label = "pull";
+  for (const auto& [name, side] : {std::pair{"x0", -1.0}, {"x1", 1.0}}) {
+    loads::SurfaceLoad load;
+    load.group = name;
+    load.traction = Vector3d(side * 10e6, 0, 0);
+    load.resultant.force = 0.01 * 0.004 * load.traction;
+    load.resultant.moment =
+        Vector3d(side < 0 ? 0.0 : 0.06, 0.005, 0.002).cross(load.resultant.force);
+    instant.surface_loads.push_back(load);
+  }
+  set.history.instants.push_back(instant);
+  job.load_sets.push_back(set);
+  return job;
+}
+
+TEST(PartCheck, PlateInItsPlaneIsSolvedAsPlaneStress) {
+  const PartResult result = check_part(pulled_bar()).result;
+  EXPECT_EQ(result.model, "plane stress, p = 4");
+  EXPECT_NEAR(result.peak.value, 10e6, 1e-3);
+  EXPECT_NEAR(result.safety_factor, 30.0, 1e-6);
+  // Energy of a uniform stress: σ²/(2E) V.
+  EXPECT_NEAR(result.strain_energy,
+              10e6 * 10e6 / (2 * 210e9) * 0.06 * 0.01 * 0.004, 1e-12);
+}
+
+TEST(PartCheck, SolidAndPlaneModelAgreeWhereBothAreExact) {
+  PartJob job = pulled_bar();
+  job.model = ModelChoice::kSolid;
+  const PartResult result = check_part(job).result;
+  EXPECT_EQ(result.model.substr(0, 3), "3-D");
+  EXPECT_NEAR(result.peak.value, 10e6, 1.0);
+}
+
+TEST(PartCheck, LoadAcrossThePlaneCallsForTheSolid) {
+  PartJob job = pulled_bar();
+  for (auto& load : job.load_sets[0].history.instants[0].surface_loads) {
+    load.traction += Vector3d(0, 0, 1e6);
+    load.resultant.force = 0.01 * 0.004 * load.traction;
+  }
+  job.load_sets[0].fixed["x0"] = {true, true, true};
+  EXPECT_EQ(check_part(job).result.model.substr(0, 3), "3-D");
+}
+
+}  // namespace
+}  // namespace clevis::assessment

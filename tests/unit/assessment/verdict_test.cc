@@ -1,0 +1,87 @@
+#include "assessment/verdict.h"
+
+#include <gtest/gtest.h>
+
+namespace clevis::assessment {
+namespace {
+
+part::PartDefinition steel_part() {
+  part::PartDefinition part;
+  part.material = {"steel", 210e9, 0.3, 7850.0, 300e6};
+  part.limits.safety_factor = 1.5;  // allows 200 MPa
+  part.limits.deflection = 0.5e-3;
+  return part;
+}
+
+PartResult converged(double low, double value, double high) {
+  PartResult result;
+  result.peak.value = value;
+  result.peak.band_low = low;
+  result.peak.band_high = high;
+  result.peak.verdict = PeakVerdict::kConverged;
+  result.deflection = 0.1e-3;
+  return result;
+}
+
+PartResult judged(const part::PartDefinition& part, PartResult result) {
+  judge(part, result);
+  return result;
+}
+
+TEST(Verdict, PassesOnlyIfTheWholeBandIsWithin) {
+  EXPECT_EQ(judged(steel_part(), converged(190e6, 195e6, 199e6)).verdict,
+            PartVerdict::kPass);
+  const PartResult doubtful =
+      judged(steel_part(), converged(198e6, 199e6, 201e6));
+  EXPECT_EQ(doubtful.verdict, PartVerdict::kNotJudged);
+  EXPECT_NE(doubtful.why.find("inside the band"), std::string::npos);
+  EXPECT_EQ(judged(steel_part(), converged(201e6, 202e6, 203e6)).verdict,
+            PartVerdict::kFail);
+}
+
+TEST(Verdict, PeakThatDoesNotSettleIsNotJudgedHoweverSmall) {
+  for (const auto verdict :
+       {PeakVerdict::kSingular, PeakVerdict::kNotConverged}) {
+    PartResult result = converged(1e6, 1e6, 1e6);
+    result.peak.verdict = verdict;
+    EXPECT_EQ(judged(steel_part(), result).verdict, PartVerdict::kNotJudged);
+  }
+}
+
+TEST(Verdict, WithoutALimitTheYieldStrengthIsOne) {
+  part::PartDefinition part = steel_part();
+  part.limits = {};
+  EXPECT_EQ(judged(part, converged(290e6, 295e6, 299e6)).verdict,
+            PartVerdict::kPass);
+  EXPECT_EQ(judged(part, converged(301e6, 302e6, 303e6)).verdict,
+            PartVerdict::kFail);
+}
+
+TEST(Verdict, DeflectionAndBucklingCanFailAPartOfLowStress) {
+  PartResult bent = converged(9e6, 10e6, 11e6);
+  bent.deflection = 0.51e-3;
+  EXPECT_EQ(judged(steel_part(), bent).verdict, PartVerdict::kFail);
+  PartResult slender = converged(9e6, 10e6, 11e6);
+  slender.beam.buckling_safety = 1.4;
+  EXPECT_EQ(judged(steel_part(), slender).verdict, PartVerdict::kFail);
+  slender.beam.buckling_safety = 1.6;
+  EXPECT_EQ(judged(steel_part(), slender).verdict, PartVerdict::kPass);
+}
+
+TEST(Verdict, RatioIsExplainedOnlyOutsideItsRange) {
+  PartResult result = converged(9e6, 10e6, 11e6);
+  result.peak.group = "bore_C";
+  result.beam.peak_stress = 10e6;
+  result.beam.governing = "lug net section, bore_C";
+  for (const double ratio : {0.8, 1.0, 1.25}) {
+    result.beam.ratio_fe_to_beam = ratio;
+    EXPECT_EQ(explain_ratio(result), "") << ratio;
+  }
+  for (const double ratio : {0.79, 1.26}) {
+    result.beam.ratio_fe_to_beam = ratio;
+    EXPECT_NE(explain_ratio(result), "") << ratio;
+  }
+}
+
+}  // namespace
+}  // namespace clevis::assessment
