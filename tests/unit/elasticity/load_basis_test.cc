@@ -2,9 +2,8 @@
 
 #include <cmath>
 
-#include <gtest/gtest.h>
-
 #include <Eigen/QR>
+#include <gtest/gtest.h>
 
 #include "elasticity/load_vectors.h"
 
@@ -44,8 +43,8 @@ TEST(LoadBasis, ErrorKeepsTheTolerance) {
   for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
     const auto basis = compress(history, tolerance);
     const MatrixXd rest = history - basis.columns * basis.coefficients;
-    const double error = rest.colwise().norm().maxCoeff() /
-                         history.colwise().norm().maxCoeff();
+    const double error =
+        rest.colwise().norm().maxCoeff() / history.colwise().norm().maxCoeff();
     EXPECT_NEAR(basis.compression_error, error, 1e-12);
     EXPECT_LE(error, 1.5 * tolerance);
     EXPECT_GT(basis.columns.cols(), last_rank);
@@ -73,8 +72,8 @@ TEST(LoadBasis, SingleColumnIsItself) {
 
 TEST(LoadsInPlane, TellsPlaneFromSpatialLoads) {
   loads::LoadHistory history;
-  history.seats.push_back({"A", "bore_A", loads::SeatKind::kBearing,
-                           Vector3d(0.1, 0.0, 0.004)});
+  history.seats.push_back(
+      {"A", "bore_A", loads::SeatKind::kBearing, Vector3d(0.1, 0.0, 0.004)});
   loads::InstantLoad instant;
   instant.wrenches.push_back({Vector3d(100, 50, 0), Vector3d(0, 0, 2)});
   instant.rigid.acceleration = {1, -9.81, 0};

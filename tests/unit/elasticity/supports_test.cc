@@ -2,9 +2,8 @@
 
 #include <cmath>
 
-#include <gtest/gtest.h>
-
 #include <Eigen/SVD>
+#include <gtest/gtest.h>
 
 #include "base/errors.h"
 #include "support/structured_mesh.h"
@@ -15,17 +14,15 @@ namespace {
 using Eigen::Vector3d;
 
 Discretization<3> block() {
-  return discretize<3>(
-      support::structured_mesh<3>({2, 1, 1}, 1,
-                                  [](const Vector3d& x) -> Vector3d {
-                                    return {0.2 * x[0], 0.1 * x[1],
-                                            0.05 * x[2]};
-                                  }),
-      2);
+  return discretize<3>(support::structured_mesh<3>(
+                           {2, 1, 1}, 1,
+                           [](const Vector3d& x) -> Vector3d {
+                             return {0.2 * x[0], 0.1 * x[1], 0.05 * x[2]};
+                           }),
+                       2);
 }
 
-std::string complaint(
-    const std::map<std::string, std::array<bool, 3>>& fixed) {
+std::string complaint(const std::map<std::string, std::array<bool, 3>>& fixed) {
   const auto discretization = block();
   try {
     fixed_supports<3>(discretization, node_positions(discretization), fixed,
@@ -61,8 +58,8 @@ TEST(Supports, ClampedFaceHolds) {
 }
 
 TEST(Supports, FreeTranslationIsNamed) {
-  const auto text = complaint(
-      {{"x0", {false, true, true}}, {"y0", {false, true, true}}});
+  const auto text =
+      complaint({{"x0", {false, true, true}}, {"y0", {false, true, true}}});
   EXPECT_NE(text.find("translation along"), std::string::npos) << text;
   EXPECT_EQ(text.find("rotation"), std::string::npos) << text;
   EXPECT_TRUE(text.find("(1, ") != std::string::npos ||

@@ -17,10 +17,10 @@ const part::Material kCork{"cork", 70e9, 0.0, 2700.0, 200e6};
 const Vector3d kSize(0.2, 0.01, 0.02);
 
 mesh::PartMesh<3> bar_mesh() {
-  return support::structured_mesh<3>(
-      {4, 1, 1}, 1, [](const Vector3d& x) -> Vector3d {
-        return kSize.cwiseProduct(x);
-      });
+  return support::structured_mesh<3>({4, 1, 1}, 1,
+                                     [](const Vector3d& x) -> Vector3d {
+                                       return kSize.cwiseProduct(x);
+                                     });
 }
 
 TEST(Deflection, RigidMotionIsRemovedExactly) {

@@ -19,8 +19,8 @@ std::vector<SequenceValue> from_degree_two(const std::vector<double>& values) {
 TEST(PeakBand, ContainsTheLimitOfGeometricConvergence) {
   for (const double q : {0.05, 0.2, 0.35, 0.5, 0.7}) {
     for (const double first : {-30.0, 20.0}) {
-      const auto sequence = from_degree_two(
-          {100 + first, 100 + first * q, 100 + first * q * q});
+      const auto sequence =
+          from_degree_two({100 + first, 100 + first * q, 100 + first * q * q});
       const Band band = peak_band(sequence, 0.01);
       EXPECT_LE(band.low, 100.0 + 1e-9) << q << " " << first;
       EXPECT_GE(band.high, 100.0 - 1e-9) << q << " " << first;
