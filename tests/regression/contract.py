@@ -30,7 +30,7 @@ JSON = [
     (["simulate", "missing.toml", "--json"], 22),
     (["simulate", "README.md", "--json"], 10),
     (["check", "missing.toml", "--json"], 22),
-    (["check", SCENE, "--part", "nobody", "--json"], 10),
+    (["check", SCENE, "--part", "nobody", "--json"], 2),
     (["check", "--json"], 2), (["check", SCENE, "--jobs", "0", "--json"], 2),
     (["compare", "missing.json", "missing.json", "--json"], 22),
     (["nonsense", "--json"], 2),
