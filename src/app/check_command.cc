@@ -15,8 +15,9 @@ namespace fs = std::filesystem;
 fs::path plugin_path() {
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
   const fs::path beside = folder / kCheckPlugin;
-  return fs::exists(beside) ? beside
-                            : folder.parent_path() / "lib/clevis" / kCheckPlugin;
+  return fs::exists(beside)
+             ? beside
+             : folder.parent_path() / "lib/clevis" / kCheckPlugin;
 }
 
 }  // namespace

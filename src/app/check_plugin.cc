@@ -93,9 +93,9 @@ std::string check_one(const PartJob& job,
   } catch (const Error& error) {
     return kRefusal + encode_error(error);
   } catch (const std::exception& failure) {
-    return kRefusal + encode_error(Error("X001", "part " + job.part.name,
-                                         failure.what(),
-                                         "Please report this scene."));
+    return kRefusal +
+           encode_error(Error("X001", "part " + job.part.name, failure.what(),
+                              "Please report this scene."));
   }
 }
 
@@ -114,12 +114,12 @@ void take_outcome(const WorkerOutcome& outcome, const std::string& part,
     report.complete = false;
   } else if (outcome.kind == kDied || outcome.text.empty()) {
     report.failures.push_back(
-        {part, Error("X001", "part " + part,
-                     "the check crashed: " + outcome.text,
-                     "Please report this with the scene and its mesh.")});
+        {part,
+         Error("X001", "part " + part, "the check crashed: " + outcome.text,
+               "Please report this with the scene and its mesh.")});
   } else if (outcome.text.front() == kResult) {
-    report.parts.push_back(report::decode_part_result(
-        std::string_view(outcome.text).substr(1)));
+    report.parts.push_back(
+        report::decode_part_result(std::string_view(outcome.text).substr(1)));
   } else {
     report.failures.push_back(
         {part, decode_error(std::string_view(outcome.text).substr(1))});
@@ -136,10 +136,9 @@ void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
   const auto cores = std::max(1U, std::thread::hardware_concurrency());
   const int processes =
       options.jobs > 0 ? options.jobs : static_cast<int>(cores);
-  report::Progress progress(std::cerr,
-                            isatty(STDERR_FILENO) != 0
-                                ? report::Progress::Stream::kTerminal
-                                : report::Progress::Stream::kLog);
+  report::Progress progress(std::cerr, isatty(STDERR_FILENO) != 0
+                                           ? report::Progress::Stream::kTerminal
+                                           : report::Progress::Stream::kLog);
   const auto outcomes = run_workers(
       jobs.size(), processes,
       [&](std::size_t index) {
@@ -158,8 +157,9 @@ void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
       });
   progress.clear();
   for (const auto& name : order) {
-    const auto job = std::ranges::find(
-        jobs, name, [](const PartJob& j) { return j.part.name; });
+    const auto job = std::ranges::find(jobs, name, [](const PartJob& j) {
+      return j.part.name;
+    });
     take_outcome(outcomes[static_cast<std::size_t>(job - jobs.begin())], name,
                  report);
   }
@@ -176,8 +176,8 @@ std::vector<std::string> moving_parts(const LoadedScene& loaded,
   return names;
 }
 
-void write_reactions(const LoadedScene& loaded,
-                     const mechanism::Motion& motion, const fs::path& folder) {
+void write_reactions(const LoadedScene& loaded, const mechanism::Motion& motion,
+                     const fs::path& folder) {
   report::MotionReport motion_report;
   motion_report.definition = loaded.scene.mechanism;
   motion_report.motion = motion;
@@ -205,9 +205,9 @@ ExitCode run_check(const Options& options) {
   }
   report.seconds.emplace_back("mechanism", watch.lap());
 
-  std::vector<PartJob> jobs = part_jobs(
-      loaded, motion, options.parts,
-      options.tolerance.value_or(loaded.scene.peak_stress_tolerance));
+  std::vector<PartJob> jobs =
+      part_jobs(loaded, motion, options.parts,
+                options.tolerance.value_or(loaded.scene.peak_stress_tolerance));
   for (const auto& job : jobs) {
     report.limits.emplace(job.part.name, job.part.limits);
   }
@@ -230,8 +230,7 @@ ExitCode run_check(const Options& options) {
   if (options.json) {
     std::cout << report::result_json(report);
   } else {
-    std::cout << report::check_table(report,
-                                     report::colour_of(STDOUT_FILENO));
+    std::cout << report::check_table(report, report::colour_of(STDOUT_FILENO));
   }
   if (!report.complete) return static_cast<ExitCode>(kInterruptedExit);
   return report::exit_code(report);
@@ -240,7 +239,7 @@ ExitCode run_check(const Options& options) {
 }  // namespace
 }  // namespace clevis::app
 
-extern "C" __attribute__((visibility("default"))) clevis::ExitCode
-clevis_check(const clevis::app::Options& options) {
+extern "C" __attribute__((visibility("default"))) clevis::ExitCode clevis_check(
+    const clevis::app::Options& options) {
   return clevis::app::run_check(options);
 }

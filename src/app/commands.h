@@ -12,11 +12,11 @@ namespace clevis::app {
 /// Options that the commands share; each uses those that its help lists.
 struct Options {
   std::filesystem::path scene;
-  std::vector<std::string> parts;    ///< empty: all
-  std::optional<double> tolerance;   ///< of the peak stress, relative [1]
-  std::filesystem::path out;         ///< empty: results/<scene>
-  bool json = false;                 ///< stdout is one JSON document
-  int jobs = 0;                      ///< parts in parallel; 0: one per core
+  std::vector<std::string> parts;   ///< empty: all
+  std::optional<double> tolerance;  ///< of the peak stress, relative [1]
+  std::filesystem::path out;        ///< empty: results/<scene>
+  bool json = false;                ///< stdout is one JSON document
+  int jobs = 0;                     ///< parts in parallel; 0: one per core
 };
 
 // Each command writes its result to stdout, its progress to stderr, and
@@ -28,7 +28,7 @@ ExitCode explain_command(const std::string& code);  // empty: list all
 
 struct CompareOptions {
   std::filesystem::path result, baseline;
-  std::filesystem::path junit;  ///< empty: none
+  std::filesystem::path junit;          ///< empty: none
   std::vector<std::string> tolerances;  ///< "peak_von_mises=0.2%"
   bool json = false;
 };

@@ -57,9 +57,10 @@ LoadedScene load_scene(const std::filesystem::path& file) {
     loaded.parts.push_back(load_part(definition));
   }
   for (auto& body : loaded.scene.mechanism.bodies) {
-    const auto part = std::ranges::find(
-        loaded.parts, body.part,
-        [](const LoadedPart& p) { return p.definition.name; });
+    const auto part =
+        std::ranges::find(loaded.parts, body.part, [](const LoadedPart& p) {
+          return p.definition.name;
+        });
     if (!body.part.empty() && part != loaded.parts.end()) {
       body.mass_properties = part->mass;
     }

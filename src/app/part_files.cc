@@ -11,8 +11,8 @@
 namespace clevis::app {
 namespace {
 
-constexpr int kFrames = 20;             // steps of the series
-constexpr int kFrameSubdivisions = 2;   // coarse: the series is to look at
+constexpr int kFrames = 20;            // steps of the series
+constexpr int kFrameSubdivisions = 2;  // coarse: the series is to look at
 
 /// Instants that make the series: the ends and kFrames − 1 between.
 std::vector<int> frame_instants(std::size_t instants) {
@@ -95,15 +95,16 @@ void write_frames(const assessment::PartAssessment& assessment,
                   const std::filesystem::path& folder) {
   const auto& instants = moving.motion->instants;
   const auto frames = frame_instants(instants.size());
+  const int subdivisions =
+      std::min(kFrameSubdivisions, assessment.fields.worst.subdivisions);
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const auto& pose = instants[static_cast<std::size_t>(frames[f])]
                            .bodies[static_cast<std::size_t>(moving.body)]
                            .pose;
     report::write_file(
         folder / frame_name(assessment.result.name, f),
-        vtu(assessment.fields,
-            assessment.fields.at(frames[f], kFrameSubdivisions), {},
-            stress::CellOrder::kLinear, {pose.p_WL, pose.R_WL}));
+        vtu(assessment.fields, assessment.fields.at(frames[f], subdivisions),
+            {}, stress::CellOrder::kLinear, {pose.p_WL, pose.R_WL}));
   }
   report::write_file(folder / (assessment.result.name + ".pvd"),
                      pvd(series_of({assessment.result.name}, *moving.motion)));
@@ -117,8 +118,7 @@ void write_part_files(const assessment::PartAssessment& assessment,
                       const std::filesystem::path& folder) {
   const assessment::PartFields& fields = assessment.fields;
   const auto scalars = worst_scalars(fields, yield_strength);
-  const auto field =
-      fields.at(fields.peak_instant, fields.worst.subdivisions);
+  const auto field = fields.at(fields.peak_instant, fields.worst.subdivisions);
   const std::string& name = assessment.result.name;
   report::write_file(
       folder / (name + ".vtu"),

@@ -21,8 +21,9 @@ using mechanism::JointDefinition;
 template <class Entry, class Same>
 std::size_t find_or_append(std::vector<Entry>& entries, const Entry& entry,
                            Same same) {
-  const auto found = std::ranges::find_if(
-      entries, [&](const Entry& other) { return same(other, entry); });
+  const auto found = std::ranges::find_if(entries, [&](const Entry& other) {
+    return same(other, entry);
+  });
   if (found != entries.end()) {
     return static_cast<std::size_t>(found - entries.begin());
   }
@@ -40,17 +41,18 @@ loads::SurfaceLoad unloaded(const std::string& group) {
 void merge(loads::LoadHistory& history, const loads::LoadHistory& more) {
   std::vector<std::size_t> seat_of;
   for (const auto& seat : more.seats) {
-    seat_of.push_back(find_or_append(
-        history.seats, seat, [](const auto& a, const auto& b) {
+    seat_of.push_back(
+        find_or_append(history.seats, seat, [](const auto& a, const auto& b) {
           return a.group == b.group && a.kind == b.kind && a.p_LS == b.p_LS;
         }));
   }
   std::vector<loads::SurfaceLoad> surfaces;
   const auto collect = [&](const loads::LoadHistory& source) {
     for (const auto& load : source.instants.front().surface_loads) {
-      find_or_append(
-          surfaces, unloaded(load.group),
-          [](const auto& a, const auto& b) { return a.group == b.group; });
+      find_or_append(surfaces, unloaded(load.group),
+                     [](const auto& a, const auto& b) {
+                       return a.group == b.group;
+                     });
     }
   };
   collect(history);
@@ -77,8 +79,8 @@ void merge(loads::LoadHistory& history, const loads::LoadHistory& more) {
 
 void add_cases(const LoadedPart& part, std::vector<LoadSet>& sets) {
   for (const auto& load_case : part.definition.cases) {
-    auto history = loads::case_loads(part.definition, load_case, part.groups,
-                                     part.mass);
+    auto history =
+        loads::case_loads(part.definition, load_case, part.groups, part.mass);
     const auto same = std::ranges::find(sets, load_case.fixed, &LoadSet::fixed);
     if (same != sets.end()) {
       merge(same->history, history);
@@ -88,8 +90,9 @@ void add_cases(const LoadedPart& part, std::vector<LoadSet>& sets) {
   }
 }
 
-const JointDefinition* joint_of(const mechanism::MechanismDefinition& definition,
-                                BodyIndex body, mechanism::JointType type) {
+const JointDefinition* joint_of(
+    const mechanism::MechanismDefinition& definition, BodyIndex body,
+    mechanism::JointType type) {
   const auto found =
       std::ranges::find_if(definition.joints, [&](const JointDefinition& j) {
         return j.type == type && (j.body_a == body || j.body_b == body);
@@ -107,9 +110,9 @@ std::optional<double> buckling_length(
   if (slide == nullptr) return std::nullopt;
   const BodyIndex other = slide->body_a == body ? slide->body_b : slide->body_a;
   const JointDefinition* pin = joint_of(definition, body, kRevolute);
-  const JointDefinition* far_pin =
-      other == mechanism::kGround ? nullptr
-                                  : joint_of(definition, other, kRevolute);
+  const JointDefinition* far_pin = other == mechanism::kGround
+                                       ? nullptr
+                                       : joint_of(definition, other, kRevolute);
   if (pin == nullptr || far_pin == nullptr) return std::nullopt;
   double longest = 0.0;
   for (const auto& instant : motion.instants) {

@@ -14,9 +14,8 @@ namespace clevis::app {
 /// @param names  of the parts; empty: all.
 /// @throws Error U001 for an unknown part, S003 for a part that nothing
 ///   loads, L…, M003.
-std::vector<assessment::PartJob> part_jobs(const LoadedScene& loaded,
-                                           const mechanism::Motion& motion,
-                                           const std::vector<std::string>& names,
-                                           double tolerance);
+std::vector<assessment::PartJob> part_jobs(
+    const LoadedScene& loaded, const mechanism::Motion& motion,
+    const std::vector<std::string>& names, double tolerance);
 
 }  // namespace clevis::app

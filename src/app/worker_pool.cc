@@ -18,7 +18,9 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-void note_interrupt(int) { interrupted = 1; }
+void note_interrupt(int) {
+  interrupted = 1;
+}
 
 /// Catches SIGINT and SIGTERM while it lives.
 class InterruptGuard {
@@ -37,7 +39,8 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
  private:
-  struct sigaction old_interrupt_ {}, old_terminate_ {};
+  struct sigaction old_interrupt_ {
+  }, old_terminate_{};
 };
 
 struct Worker {
@@ -60,11 +63,13 @@ Worker start(std::size_t index,
              const std::function<std::string(std::size_t)>& task) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) {
-    throw Error("I002", "worker", std::strerror(errno), "Free system resources.");
+    throw Error("I002", "worker", std::strerror(errno),
+                "Free system resources.");
   }
   const pid_t process = fork();
   if (process < 0) {
-    throw Error("I002", "worker", std::strerror(errno), "Free system resources.");
+    throw Error("I002", "worker", std::strerror(errno),
+                "Free system resources.");
   }
   if (process == 0) {
     // The parent decides about the terminal's Ctrl-C.

@@ -33,7 +33,7 @@ struct PartJob {
   part::MassProperties mass;
   std::vector<loads::GroupGeometry> groups;
   std::vector<LoadSet> load_sets;
-  double tolerance = 0.01;  ///< of the peak stress [1]
+  double tolerance = 0.01;                ///< of the peak stress [1]
   std::optional<double> buckling_length;  ///< of a sliding pair [m]
   ModelChoice model = ModelChoice::kAuto;
 };

@@ -20,21 +20,22 @@ struct SequenceMember {
 
 /// Peak von Mises over the surface and all instants.
 struct PeakStress {
-  double value{};              ///< [Pa]
+  double value{};                  ///< [Pa]
   double band_low{}, band_high{};  ///< [Pa]
   PeakVerdict verdict{};
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]
-  std::string group;    ///< physical group nearest to it ("bore_C"), or "body"
-  double instant{};     ///< [s]
-  std::string label;    ///< "t = 1.25 s" or the case
+  std::string group;  ///< physical group nearest to it ("bore_C"), or "body"
+  double instant{};   ///< [s]
+  std::string label;  ///< "t = 1.25 s" or the case
   std::vector<SequenceMember> sequence;
 };
 
 /// What beam theory says of the same load history.
 struct BeamComparison {
-  double peak_stress{};   ///< governing of all beam and lug formulas [Pa]
-  std::string governing;  ///< "axial + bending, C-B at 30 mm", "lug E net section"
-  double deflection{};    ///< [m]
+  double peak_stress{};  ///< governing of all beam and lug formulas [Pa]
+  std::string
+      governing;  ///< "axial + bending, C-B at 30 mm", "lug E net section"
+  double deflection{};         ///< [m]
   double buckling_safety = 0;  ///< Euler load / axial force; 0: not in pressure
   double ratio_fe_to_beam{};   ///< peak stresses [1]
   std::string reason;          ///< why the ratio leaves 0.8–1.25, or empty
@@ -66,8 +67,8 @@ struct PartResult {
   std::string model;  ///< "plane stress, p = 4"
   int dofs{}, cells{}, load_columns{};
   PeakStress peak;
-  double safety_factor{};      ///< yield / peak
-  double deflection{};         ///< relative to its pins [m]
+  double safety_factor{};  ///< yield / peak
+  double deflection{};     ///< relative to its pins [m]
   Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();
   double deflection_instant{};  ///< [s]
   double strain_energy{};       ///< largest over the instants [J]

@@ -21,8 +21,7 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
                     peak.verdict == PeakVerdict::kSingular
                         ? "singular (grows without bound under refinement)"
                         : "not converged",
-                    peak.group, peak.band_low / kMega,
-                    peak.band_high / kMega));
+                    peak.group, peak.band_low / kMega, peak.band_high / kMega));
     return false;
   }
   const double wanted = part.limits.safety_factor.value_or(1.0);
@@ -59,8 +58,7 @@ bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
 }
 
 bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
-  if (!part.limits.deflection ||
-      result.deflection <= *part.limits.deflection) {
+  if (!part.limits.deflection || result.deflection <= *part.limits.deflection) {
     return true;
   }
   set(result, PartVerdict::kFail,

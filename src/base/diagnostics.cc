@@ -140,8 +140,7 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "The value has the right dimension but a size that no real part has, "
      "e.g. a Young's modulus outside 0.01-1200 GPa: the unit is likely "
      "wrong."},
-    {"U001", kUsage, "wrong command line",
-     "See clevis --help."},
+    {"U001", kUsage, "wrong command line", "See clevis --help."},
     {"U002", kUsage, "unknown diagnostic code",
      "The catalogue has no such code; `clevis explain` lists all."},
     {"X001", kInternal, "internal error",
@@ -150,11 +149,12 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
 
 }  // namespace
 
-std::span<const Diagnostic> diagnostics() { return kCatalogue; }
+std::span<const Diagnostic> diagnostics() {
+  return kCatalogue;
+}
 
 const Diagnostic& find_diagnostic(std::string_view code) {
-  const auto found =
-      std::ranges::find(kCatalogue, code, &Diagnostic::code);
+  const auto found = std::ranges::find(kCatalogue, code, &Diagnostic::code);
   return found != kCatalogue.end() ? *found : kCatalogue.back();
 }
 

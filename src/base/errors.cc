@@ -15,6 +15,8 @@ Error::Error(std::string_view code, std::string place, std::string problem,
       problem_(std::move(problem)),
       remedy_(std::move(remedy)) {}
 
-ExitCode Error::exit_code() const { return find_diagnostic(code_).exit_code; }
+ExitCode Error::exit_code() const {
+  return find_diagnostic(code_).exit_code;
+}
 
 }  // namespace clevis

@@ -5,13 +5,12 @@
 #include <cassert>
 #include <cmath>
 
+#include <Eigen/LU>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
-
-#include <Eigen/LU>
 
 #include "base/errors.h"
 
@@ -54,8 +53,8 @@ template <int dim>
 Orientation<dim> orientation(const std::vector<unsigned>& mesh_vertices,
                              const std::array<unsigned, 1U << dim>& vertices) {
   const auto corner = [&](unsigned vertex) {
-    return static_cast<unsigned>(
-        std::ranges::find(mesh_vertices, vertex) - mesh_vertices.begin());
+    return static_cast<unsigned>(std::ranges::find(mesh_vertices, vertex) -
+                                 mesh_vertices.begin());
   };
   Orientation<dim> result;
   const unsigned origin = corner(vertices[0]);
@@ -103,8 +102,7 @@ int permute_face(int mesh_face, const Orientation<dim>& to_mesh) {
 
 template <int dim>
 void take_cell(const typename dealii::DoFHandler<dim>::active_cell_iterator& at,
-               const PartMesh<dim>& mesh,
-               const Eigen::MatrixXd& to_degree,
+               const PartMesh<dim>& mesh, const Eigen::MatrixXd& to_degree,
                std::vector<Orientation<dim>>& orientations,
                Discretization<dim>& result) {
   const unsigned c = at->active_cell_index();
@@ -161,9 +159,9 @@ Discretization<dim> discretize(const PartMesh<dim>& mesh, int degree) {
   }
   std::vector<Orientation<dim>> orientations(mesh.cells.size());
   const Eigen::MatrixXd to_degree =
-      tabulate_geometry<dim>(mesh.shape, mesh.degree,
-                             geometry_support_points<dim>(
-                                 mesh.shape, result.geometry_degree))
+      tabulate_geometry<dim>(
+          mesh.shape, mesh.degree,
+          geometry_support_points<dim>(mesh.shape, result.geometry_degree))
           .values.transpose();
   for (const auto& cell : handler.active_cell_iterators()) {
     take_cell<dim>(cell, mesh, to_degree, orientations, result);
@@ -200,8 +198,7 @@ std::vector<int> group_nodes(const Discretization<dim>& discretization,
         }
       }
     }
-    const auto& ids =
-        discretization.cell_nodes[static_cast<std::size_t>(cell)];
+    const auto& ids = discretization.cell_nodes[static_cast<std::size_t>(cell)];
     for (int i : functions) nodes.push_back(ids[static_cast<std::size_t>(i)]);
   }
   std::ranges::sort(nodes);
@@ -253,14 +250,12 @@ std::vector<Eigen::MatrixXd> physical_gradients(
   return result;
 }
 
-#define CLEVIS_INSTANTIATE(dim)                                            \
-  template Discretization<dim> discretize<dim>(const PartMesh<dim>&, int); \
-  template std::vector<int> group_nodes<dim>(const Discretization<dim>&,   \
-                                             int);                         \
-  template CellGeometry<dim> cell_geometry<dim>(                           \
-      const Eigen::Matrix<double, dim, Eigen::Dynamic>&,                   \
-      const Tabulation&);                                                  \
-  template std::vector<Eigen::MatrixXd> physical_gradients<dim>(           \
+#define CLEVIS_INSTANTIATE(dim)                                                \
+  template Discretization<dim> discretize<dim>(const PartMesh<dim>&, int);     \
+  template std::vector<int> group_nodes<dim>(const Discretization<dim>&, int); \
+  template CellGeometry<dim> cell_geometry<dim>(                               \
+      const Eigen::Matrix<double, dim, Eigen::Dynamic>&, const Tabulation&);   \
+  template std::vector<Eigen::MatrixXd> physical_gradients<dim>(               \
       const CellGeometry<dim>&, const Tabulation&);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)

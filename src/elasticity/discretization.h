@@ -35,8 +35,8 @@ struct Discretization {
   std::vector<mesh::SurfaceGroup> groups;
   std::vector<int> vertex_nodes;  ///< node at each vertex of the mesh
   std::vector<Eigen::Matrix<double, dim, 1>> vertices;
-  double thickness = 1.0;         ///< dim = 2: of the plate [m]
-  double mid_plane_z = 0.0;       ///< dim = 2 [m]
+  double thickness = 1.0;    ///< dim = 2: of the plate [m]
+  double mid_plane_z = 0.0;  ///< dim = 2 [m]
 
   int dofs() const { return dim * nodes; }
   int cells() const { return static_cast<int>(cell_nodes.size()); }

@@ -73,7 +73,8 @@ UpperTriangle free_equations(const StiffnessMatrix<dim>& stiffness,
         const auto at = static_cast<std::size_t>(k);
         const auto other = static_cast<std::size_t>(stiffness.column[at]);
         for (int b = 0; b < dim; ++b) {
-          const int column = equation[dim * other + static_cast<std::size_t>(b)];
+          const int column =
+              equation[dim * other + static_cast<std::size_t>(b)];
           if (column < row) continue;  // held, or below the diagonal
           upper.column.push_back(column);
           upper.value.push_back(stiffness.block[at](a, b));
@@ -98,8 +99,8 @@ MatrixXd restrict_rows(const MatrixXd& full, const std::vector<int>& equation,
 
 MatrixXd extend_rows(const MatrixXd& reduced,
                      const std::vector<int>& equation) {
-  MatrixXd result = MatrixXd::Zero(static_cast<Index>(equation.size()),
-                                   reduced.cols());
+  MatrixXd result =
+      MatrixXd::Zero(static_cast<Index>(equation.size()), reduced.cols());
   for (std::size_t dof = 0; dof < equation.size(); ++dof) {
     if (equation[dof] >= 0) {
       result.row(static_cast<Index>(dof)) = reduced.row(equation[dof]);
@@ -141,9 +142,9 @@ void check_solution(const StiffnessMatrix<dim>& stiffness,
     reactions.bottomRows<1>() = rest.row(row);
     rest.row(row).setZero();
   }
-  checks.residual = (rest.colwise().norm().array() /
-                     basis.columns.colwise().norm().array())
-                        .maxCoeff();
+  checks.residual =
+      (rest.colwise().norm().array() / basis.columns.colwise().norm().array())
+          .maxCoeff();
   if (is_free) {
     // Per instant: a column of small weight may carry round-off of large ones.
     const double load =
@@ -169,16 +170,17 @@ void check_solution(const StiffnessMatrix<dim>& stiffness,
 void require(double value, double bound, const char* what,
              const std::string& name) {
   if (value <= bound) return;  // NaN falls through
-  throw Error("F003", "part " + name,
-              fmt::format("self-check {}: {:.2e}, allowed {:.0e}", what, value,
-                          bound),
-              "check mesh quality and loads; if they are sound, report this "
-              "scene");
+  throw Error(
+      "F003", "part " + name,
+      fmt::format("self-check {}: {:.2e}, allowed {:.0e}", what, value, bound),
+      "check mesh quality and loads; if they are sound, report this "
+      "scene");
 }
 
 void require_all(const SolveChecks& checks, int geometry_degree,
                  const std::string& name) {
-  require(checks.relief, geometry_degree == 1 ? kReliefFaceted : kRelief, "inertia relief", name);
+  require(checks.relief, geometry_degree == 1 ? kReliefFaceted : kRelief,
+          "inertia relief", name);
   require(checks.balance, kBalance, "balance of loads", name);
   require(checks.compression, kCompression, "load compression", name);
   require(checks.residual, kResidual, "residual", name);
@@ -201,8 +203,8 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
       is_free ? determinate_supports(discretization, positions)
               : fixed_supports(discretization, positions, problem.fixed,
                                "part " + problem.name);
-  MatrixXd history = assemble_loads(
-      discretization, problem.history, problem.material.density, problem.name);
+  MatrixXd history = assemble_loads(discretization, problem.history,
+                                    problem.material.density, problem.name);
   if (is_free) {
     balance<dim>(discretization, positions, problem.material.density, history,
                  result.checks);

@@ -22,8 +22,8 @@ struct SolveSeconds {
 
 /// What is checked on every solve; largest over instants or columns.
 struct SolveChecks {
-  double relief{};   ///< discrete residual that inertia relief takes up [1]
-  double balance{};  ///< what is left of it over the load: free parts [1]
+  double relief{};       ///< discrete residual that inertia relief takes up [1]
+  double balance{};      ///< what is left of it over the load: free parts [1]
   double equilibrium{};  ///< support reactions over the load: free parts [1]
   double residual{};     ///< ‖K u − f‖ / ‖f‖ [1]
   double energy{};       ///< |uᵀK u − fᵀu| / |fᵀu| [1]
@@ -34,8 +34,8 @@ struct SolveChecks {
 template <int dim>
 struct DisplacementBasis {
   Discretization<dim> discretization;
-  Eigen::MatrixXd columns;       ///< U, dofs × rank [m]
-  Eigen::MatrixXd coefficients;  ///< rank × instants
+  Eigen::MatrixXd columns;        ///< U, dofs × rank [m]
+  Eigen::MatrixXd coefficients;   ///< rank × instants
   Eigen::VectorXd strain_energy;  ///< per instant [J]
   SolveChecks checks;
   SolveSeconds seconds;

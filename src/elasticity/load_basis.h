@@ -8,7 +8,7 @@ namespace clevis::elasticity {
 struct LoadBasis {
   Eigen::MatrixXd columns;       ///< Q, near orthonormal, dofs × rank
   Eigen::MatrixXd coefficients;  ///< C, rank × instants
-  double compression_error{};    ///< max_i ‖f_i − Q c_i‖ / max_i ‖f_i‖ [1]
+  double compression_error{};  ///< max_i ‖f_i − Q c_i‖ / max_i ‖f_i‖ [1]
 };
 
 /// Truncated singular value decomposition of the history by Gram matrices of

@@ -5,11 +5,10 @@
 #include <map>
 #include <utility>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/errors.h"
 #include "elasticity/dense_product.h"
@@ -79,9 +78,8 @@ FaceTable<dim> face_table(const Discretization<dim>& discretization, int face) {
                          : 4;
   FaceTable<dim> table;
   table.rule = face_gauss<dim>(discretization.shape, face, points);
-  table.geometry = tabulate_geometry<dim>(discretization.shape,
-                                          discretization.geometry_degree,
-                                          table.rule.points);
+  table.geometry = tabulate_geometry<dim>(
+      discretization.shape, discretization.geometry_degree, table.rule.points);
   const MatrixXd values =
       tabulate_displacement<dim>(discretization.shape, discretization.degree,
                                  table.rule.points)
@@ -191,8 +189,7 @@ class TractionHistory {
 void correct(const loads::GroupQuadrature& quadrature,
              const loads::Wrench& wanted, const Vector3d& about,
              Matrix3Xd& tractions) {
-  const auto missing =
-      loads::correction(quadrature, tractions, wanted, about);
+  const auto missing = loads::correction(quadrature, tractions, wanted, about);
   for (Index q = 0; q < tractions.cols(); ++q) {
     tractions.col(q) += missing.traction(quadrature.points.col(q));
   }
@@ -237,9 +234,8 @@ void add_surface_loads(const Discretization<dim>& discretization,
                        const std::string& part_name, FaceTables<dim>& tables,
                        MatrixXd& result) {
   const auto& name = history.instants.front().surface_loads[index].group;
-  const GroupTrace trace =
-      group_trace(discretization, find_group(discretization, name, part_name),
-                  tables);
+  const GroupTrace trace = group_trace(
+      discretization, find_group(discretization, name, part_name), tables);
   TractionHistory<dim> history_here(trace.quadrature.weights.size(),
                                     history.instants.size());
   for (std::size_t i = 0; i < history.instants.size(); ++i) {
@@ -267,14 +263,13 @@ MatrixXd node_moments(const Discretization<dim>& discretization) {
   MatrixXd factor(rule.weights.size(), 4);
   factor.col(3).setConstant(discretization.mid_plane_z);
   for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
-    const auto at =
-        cell_geometry<dim>(discretization.cell_points[c], geometry);
+    const auto at = cell_geometry<dim>(discretization.cell_points[c], geometry);
     const Eigen::VectorXd weights =
         rule.weights.cwiseProduct(at.determinant) * discretization.thickness;
     factor.col(0).setOnes();
     factor.middleCols<dim>(1) = at.points.transpose();
-    const MatrixXd cell = transposed_product(displacement.values,
-                                             weights.asDiagonal() * factor);
+    const MatrixXd cell =
+        transposed_product(displacement.values, weights.asDiagonal() * factor);
     const auto& nodes = discretization.cell_nodes[c];
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       moments.row(nodes[i]) += cell.row(static_cast<Index>(i));
@@ -311,8 +306,7 @@ template <int dim>
 MatrixXd rigid_inertia(const Discretization<dim>& discretization,
                        double density) {
   const MatrixXd moments = density * node_moments(discretization);
-  MatrixXd inertia =
-      MatrixXd::Zero(discretization.dofs(), dim == 2 ? 3 : 6);
+  MatrixXd inertia = MatrixXd::Zero(discretization.dofs(), dim == 2 ? 3 : 6);
   for (Index node = 0; node < moments.rows(); ++node) {
     auto at = inertia.middleRows<dim>(dim * node);
     at.template leftCols<dim>().diagonal().setConstant(moments(node, 0));
@@ -347,9 +341,8 @@ template <int dim>
 MatrixXd assemble_loads(const Discretization<dim>& discretization,
                         const loads::LoadHistory& history, double density,
                         const std::string& part_name) {
-  MatrixXd result =
-      MatrixXd::Zero(discretization.dofs(),
-                     static_cast<Index>(history.instants.size()));
+  MatrixXd result = MatrixXd::Zero(discretization.dofs(),
+                                   static_cast<Index>(history.instants.size()));
   FaceTables<dim> tables;
   for (std::size_t s = 0; s < history.seats.size(); ++s) {
     add_seat(discretization, history, s, part_name, tables, result);
@@ -369,9 +362,8 @@ double balance_loads(const Discretization<dim>& discretization, double density,
   if (!(scale > 0.0)) return 0.0;
   const MatrixXd residual = transposed_product(modes, history);
   const MatrixXd inertia = rigid_inertia(discretization, density);
-  const MatrixXd acceleration = transposed_product(modes, inertia)
-                                    .fullPivLu()
-                                    .solve(residual);
+  const MatrixXd acceleration =
+      transposed_product(modes, inertia).fullPivLu().solve(residual);
   history -= product(inertia, acceleration);
   return residual.cwiseAbs().maxCoeff() / scale;
 }

@@ -25,8 +25,8 @@ Eigen::MatrixXd assemble_loads(const Discretization<dim>& discretization,
                                double density, const std::string& part_name);
 
 /// Balances the discrete loads of a free part: the interpolated geometry and
-/// its quadrature have not quite the exact mass, which leaves a residual that a rigid acceleration
-/// of the discrete mass takes up (inertia relief).
+/// its quadrature have not quite the exact mass, which leaves a residual that a
+/// rigid acceleration of the discrete mass takes up (inertia relief).
 /// @param modes  rigid modes at the nodes, dofs × modes.
 /// @return the largest residual before, over the loads' size [1].
 template <int dim>

@@ -2,9 +2,8 @@
 
 #include <cstdlib>
 
-#include <petscmat.h>
-
 #include <fmt/format.h>
+#include <petscmat.h>
 
 #include "base/errors.h"
 

@@ -27,7 +27,8 @@ void build_pattern(const Discretization<dim>& discretization,
     for (int c : cells_of[row]) {
       for (int j : discretization.cell_nodes[static_cast<std::size_t>(c)]) {
         auto& seen = last_row[static_cast<std::size_t>(j)];
-        if (j < static_cast<int>(row) || seen == static_cast<int>(row)) continue;
+        if (j < static_cast<int>(row) || seen == static_cast<int>(row))
+          continue;
         seen = static_cast<int>(row);
         matrix.column.push_back(j);
       }
@@ -35,7 +36,8 @@ void build_pattern(const Discretization<dim>& discretization,
     std::sort(matrix.column.begin() + begin, matrix.column.end());
     matrix.row_start.push_back(static_cast<int>(matrix.column.size()));
   }
-  matrix.block.assign(matrix.column.size(), StiffnessMatrix<dim>::Block::Zero());
+  matrix.block.assign(matrix.column.size(),
+                      StiffnessMatrix<dim>::Block::Zero());
 }
 
 /// Products of gradients ∫ ∂_a N_i ∂_b N_j dV for a <= b, each functions ×
@@ -94,8 +96,8 @@ void scatter(const std::vector<int>& ids, const GradientProducts<dim>& products,
     for (std::size_t s = r; s < sorted.size(); ++s) {
       const int column = ids[static_cast<std::size_t>(sorted[s])];
       while (matrix.column[at] != column) ++at;
-      matrix.block[at] += element_block<dim>(products, lame, sorted[r],
-                                             sorted[s]);
+      matrix.block[at] +=
+          element_block<dim>(products, lame, sorted[r], sorted[s]);
     }
   }
 }
@@ -137,16 +139,14 @@ Eigen::MatrixXd StiffnessMatrix<dim>::multiply(const Eigen::MatrixXd& x) const {
 
 template <int dim>
 StiffnessMatrix<dim> assemble_stiffness(
-    const Discretization<dim>& discretization,
-    const part::Material& material) {
+    const Discretization<dim>& discretization, const part::Material& material) {
   StiffnessMatrix<dim> matrix;
   build_pattern(discretization, matrix);
   const auto lame = lame_constants<dim>(material);
   const bool curved = discretization.geometry_degree > 1;
-  const int points =
-      discretization.shape == mesh::CellShape::kTensor
-          ? discretization.degree + (curved ? 2 : 1)
-          : discretization.degree + 1;
+  const int points = discretization.shape == mesh::CellShape::kTensor
+                         ? discretization.degree + (curved ? 2 : 1)
+                         : discretization.degree + 1;
   const auto rule = gauss<dim>(discretization.shape, points);
   const auto displacement = tabulate_displacement<dim>(
       discretization.shape, discretization.degree, rule.points);

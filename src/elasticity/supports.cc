@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <Eigen/SVD>
+#include <fmt/format.h>
 
 #include "base/errors.h"
 
@@ -82,8 +81,8 @@ void require_held(const MatrixXd& modes, const std::vector<int>& held,
 
 template <int dim>
 Positions<dim> node_positions(const Discretization<dim>& discretization) {
-  const auto support = displacement_support_points<dim>(
-      discretization.shape, discretization.degree);
+  const auto support = displacement_support_points<dim>(discretization.shape,
+                                                        discretization.degree);
   const auto geometry = tabulate_geometry<dim>(
       discretization.shape, discretization.geometry_degree, support);
   Positions<dim> positions(dim, discretization.nodes);
@@ -129,8 +128,8 @@ std::vector<int> determinate_supports(const Discretization<dim>& discretization,
       candidates.push_back(dim * node + d);
     }
   }
-  const MatrixXd modes = rigid_modes<dim>(
-      positions, positions.rowwise().mean(), extent<dim>(positions));
+  const MatrixXd modes = rigid_modes<dim>(positions, positions.rowwise().mean(),
+                                          extent<dim>(positions));
   const MatrixXd rows = rows_of<dim>(modes, candidates);
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(rows.transpose());
   std::vector<int> held;
@@ -161,21 +160,20 @@ std::vector<int> fixed_supports(
   }
   std::ranges::sort(held);
   held.erase(std::unique(held.begin(), held.end()), held.end());
-  const MatrixXd modes = rigid_modes<dim>(
-      positions, positions.rowwise().mean(), extent<dim>(positions));
+  const MatrixXd modes = rigid_modes<dim>(positions, positions.rowwise().mean(),
+                                          extent<dim>(positions));
   require_held<dim>(modes, held, place);
   return held;
 }
 
-#define CLEVIS_INSTANTIATE(dim)                                              \
-  template Positions<dim> node_positions<dim>(const Discretization<dim>&);   \
-  template MatrixXd rigid_modes<dim>(const Positions<dim>&,                  \
-                                     const Eigen::Matrix<double, dim, 1>&,   \
-                                     double);                                \
-  template std::vector<int> determinate_supports<dim>(                       \
-      const Discretization<dim>&, const Positions<dim>&);                    \
-  template std::vector<int> fixed_supports<dim>(                             \
-      const Discretization<dim>&, const Positions<dim>&,                     \
+#define CLEVIS_INSTANTIATE(dim)                                             \
+  template Positions<dim> node_positions<dim>(const Discretization<dim>&);  \
+  template MatrixXd rigid_modes<dim>(                                       \
+      const Positions<dim>&, const Eigen::Matrix<double, dim, 1>&, double); \
+  template std::vector<int> determinate_supports<dim>(                      \
+      const Discretization<dim>&, const Positions<dim>&);                   \
+  template std::vector<int> fixed_supports<dim>(                            \
+      const Discretization<dim>&, const Positions<dim>&,                    \
       const std::map<std::string, std::array<bool, 3>>&, const std::string&);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)

@@ -3,11 +3,10 @@
 #include <cassert>
 #include <memory>
 
+#include <Eigen/Geometry>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
-
-#include <Eigen/Geometry>
 
 namespace clevis::elasticity {
 namespace {
@@ -67,8 +66,7 @@ Tabulation tabulate_geometry(CellShape shape, int degree,
                              const ReferencePoints<dim>& points) {
   if (shape == CellShape::kTensor) {
     const dealii::FE_Q<dim> fe(static_cast<unsigned>(degree));
-    return tabulate<dim>(fe, points,
-                         fe.get_poly_space_numbering_inverse());
+    return tabulate<dim>(fe, points, fe.get_poly_space_numbering_inverse());
   }
   assert(degree == 1 && "simplices carry their vertices only");
   const dealii::FE_SimplexP<dim> fe(1);
@@ -78,9 +76,10 @@ Tabulation tabulate_geometry(CellShape shape, int degree,
 template <int dim>
 ReferencePoints<dim> displacement_support_points(CellShape shape, int degree) {
   const auto p = static_cast<unsigned>(degree);
-  const auto points = shape == CellShape::kTensor
-                          ? dealii::FE_Q<dim>(p).get_unit_support_points()
-                          : dealii::FE_SimplexP<dim>(p).get_unit_support_points();
+  const auto points =
+      shape == CellShape::kTensor
+          ? dealii::FE_Q<dim>(p).get_unit_support_points()
+          : dealii::FE_SimplexP<dim>(p).get_unit_support_points();
   ReferencePoints<dim> result(dim, static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (unsigned d = 0; d < dim; ++d) {
@@ -201,16 +200,16 @@ ReferencePoints<dim> lattice(CellShape shape, int subdivisions) {
   return result;
 }
 
-#define CLEVIS_INSTANTIATE(dim)                                              \
-  template Tabulation tabulate_displacement<dim>(CellShape, int,             \
+#define CLEVIS_INSTANTIATE(dim)                                                \
+  template Tabulation tabulate_displacement<dim>(CellShape, int,               \
                                                  const ReferencePoints<dim>&); \
-  template Tabulation tabulate_geometry<dim>(CellShape, int,                 \
-                                             const ReferencePoints<dim>&);   \
-  template ReferencePoints<dim> displacement_support_points<dim>(CellShape,  \
-                                                                 int);       \
-  template ReferencePoints<dim> geometry_support_points<dim>(CellShape, int); \
-  template Quadrature<dim> gauss<dim>(CellShape, int);                       \
-  template FaceQuadrature<dim> face_gauss<dim>(CellShape, int, int);         \
+  template Tabulation tabulate_geometry<dim>(CellShape, int,                   \
+                                             const ReferencePoints<dim>&);     \
+  template ReferencePoints<dim> displacement_support_points<dim>(CellShape,    \
+                                                                 int);         \
+  template ReferencePoints<dim> geometry_support_points<dim>(CellShape, int);  \
+  template Quadrature<dim> gauss<dim>(CellShape, int);                         \
+  template FaceQuadrature<dim> face_gauss<dim>(CellShape, int, int);           \
   template ReferencePoints<dim> lattice<dim>(CellShape, int);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)

@@ -36,8 +36,7 @@ ReferencePoints<dim> displacement_support_points(mesh::CellShape shape,
 
 /// Points of tabulate_geometry's basis, in its order.
 template <int dim>
-ReferencePoints<dim> geometry_support_points(mesh::CellShape shape,
-                                             int degree);
+ReferencePoints<dim> geometry_support_points(mesh::CellShape shape, int degree);
 
 /// Quadrature on the reference cell.
 template <int dim>

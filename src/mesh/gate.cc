@@ -63,7 +63,7 @@ std::string in_mm(const Vector3d& p) {
 std::vector<CellQuality> cell_qualities(const PartMesh<3>& mesh) {
   constexpr double kHuge = std::numeric_limits<double>::infinity();
   std::vector<CellQuality> qualities(mesh.cells.size(), {kHuge, -kHuge, kHuge});
-  const Eigen::VectorXd inner = gauss(mesh.degree + 2).points;
+  const Eigen::VectorXd inner = gauss(mesh.degree + 1).points;
   Eigen::VectorXd points(inner.size() + 2);
   points << 0.0, inner, 1.0;
   const LagrangeBasis basis = lagrange(gauss_lobatto(mesh.degree), points);

@@ -92,8 +92,9 @@ void add_triangle(const Matrix3d& corners, Moments& moments) {
 
 /// Area vector of a tetrahedron's face, outward.
 Vector3d outward_area(const Matrix3d& corners, const Vector3d& inside) {
-  const Vector3d area = 0.5 * (corners.col(1) - corners.col(0))
-                                  .cross(corners.col(2) - corners.col(0));
+  const Vector3d area =
+      0.5 *
+      (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
   return area.dot(corners.col(0) - inside) < 0.0 ? Vector3d(-area) : area;
 }
 
@@ -174,8 +175,7 @@ FaceProperties face_properties(const PartMesh<3>& mesh, int group) {
       corners << mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]];
       add_triangle(corners, moments);
       const Vector3d area = outward_area(
-          corners,
-          mesh.cell_points[std::size_t(face.cell)].rowwise().mean());
+          corners, mesh.cell_points[std::size_t(face.cell)].rowwise().mean());
       properties.area_vector += area;
       properties.area_moment += corners.rowwise().mean().cross(area);
       continue;

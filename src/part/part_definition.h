@@ -37,7 +37,7 @@ struct DriveSeat {
 /// A value that the user wants at a point.
 struct Probe {
   std::string name;
-  Eigen::Vector3d at;    ///< in L [m]
+  Eigen::Vector3d at;  ///< in L [m]
   std::string quantity;  ///< von_mises, stress_xx … stress_yz, displacement_x …
 };
 
@@ -47,9 +47,12 @@ struct LoadCaseDefinition {
   std::map<std::string, Eigen::Vector3d> pins;      ///< force on bore group [N]
   std::map<std::string, double> pressure;           ///< pushes on the face [Pa]
   std::map<std::string, Eigen::Vector3d> traction;  ///< [Pa]
-  std::map<std::string, std::array<bool, 3>> fixed; ///< components held at zero
-  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< [m/s²] of the
-      ///< part minus gravity: the body force is -density * acceleration
+  std::map<std::string, std::array<bool, 3>>
+      fixed;  ///< components held at zero
+  Eigen::Vector3d acceleration =
+      Eigen::Vector3d::Zero();  ///< [m/s²] of the
+                                ///< part minus gravity: the body force is
+                                ///< -density * acceleration
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();      ///< [rad/s]
   Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();  ///< [rad/s²]
   std::vector<Probe> probes;

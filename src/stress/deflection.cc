@@ -28,8 +28,7 @@ SurfaceMotion<dim> surface_motion(
     const elasticity::DisplacementBasis<dim>& basis, const std::string& name,
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions) {
   const auto& groups = basis.discretization.groups;
-  const auto found =
-      std::ranges::find(groups, name, &mesh::SurfaceGroup::name);
+  const auto found = std::ranges::find(groups, name, &mesh::SurfaceGroup::name);
   const auto nodes = elasticity::group_nodes(
       basis.discretization, static_cast<int>(found - groups.begin()));
   const auto n = static_cast<Index>(nodes.size());
@@ -38,7 +37,8 @@ SurfaceMotion<dim> surface_motion(
   for (Index k = 0; k < n; ++k) {
     const int node = nodes[static_cast<std::size_t>(k)];
     at.col(k) = positions.col(node);
-    u.middleRows<dim>(dim * k) = basis.columns.template middleRows<dim>(dim * node);
+    u.middleRows<dim>(dim * k) =
+        basis.columns.template middleRows<dim>(dim * node);
   }
   // Rigid motion nearest to the nodes' displacements, about their centre.
   SurfaceMotion<dim> motion;
@@ -79,8 +79,7 @@ void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
                          const std::vector<std::string>& seat_groups) {
   if (seat_groups.empty()) return;
   const auto positions = elasticity::node_positions(basis.discretization);
-  const auto first =
-      surface_motion<dim>(basis, seat_groups.front(), positions);
+  const auto first = surface_motion<dim>(basis, seat_groups.front(), positions);
   MatrixXd rotation = first.rotation;
   if (seat_groups.size() > 1) {
     const auto second = surface_motion<dim>(basis, seat_groups[1], positions);
@@ -95,8 +94,7 @@ void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
 }
 
 template <int dim>
-Deflection largest_deflection(
-    const elasticity::DisplacementBasis<dim>& basis) {
+Deflection largest_deflection(const elasticity::DisplacementBasis<dim>& basis) {
   const auto positions = elasticity::node_positions(basis.discretization);
   const MatrixXd u = elasticity::product(basis.columns, basis.coefficients);
   Deflection result;

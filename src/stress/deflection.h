@@ -11,7 +11,7 @@ namespace clevis::stress {
 
 /// Largest displacement of the part relative to its pins.
 struct Deflection {
-  double value{};  ///< [m]
+  double value{};                                ///< [m]
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]
   int instant{};
 };
@@ -28,7 +28,6 @@ void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
 
 /// The largest nodal displacement over all instants.
 template <int dim>
-Deflection largest_deflection(
-    const elasticity::DisplacementBasis<dim>& basis);
+Deflection largest_deflection(const elasticity::DisplacementBasis<dim>& basis);
 
 }  // namespace clevis::stress

@@ -8,8 +8,8 @@
 namespace clevis::stress {
 namespace {
 
-using Eigen::Index;
 using dealii::DataOutBase::Patch;
+using Eigen::Index;
 
 constexpr unsigned kDisplacement = 3;
 constexpr unsigned kFixedArrays = 10;  // displacement, six stresses, von Mises
@@ -70,8 +70,7 @@ Patch<dim, 3> make_patch(const InstantField& field, std::size_t cell,
     }
     set(kFixedArrays - 1, q, equivalent[q]);
     for (unsigned s = 0; s < n_scalars; ++s) {
-      set(kFixedArrays + s, q,
-          scalars[s].values(q, static_cast<Index>(cell)));
+      set(kFixedArrays + s, q, scalars[s].values(q, static_cast<Index>(cell)));
     }
     for (unsigned d = 0; d < 3; ++d) {
       set(kFixedArrays + n_scalars + d, q, points(q, d));
@@ -117,8 +116,8 @@ void write_vtu(std::ostream& out, mesh::CellShape shape,
   const std::vector<std::tuple<
       unsigned, unsigned, std::string,
       dealii::DataComponentInterpretation::DataComponentInterpretation>>
-      vectors = {{0U, kDisplacement - 1, "displacement",
-                  component_is_part_of_vector}};
+      vectors = {
+          {0U, kDisplacement - 1, "displacement", component_is_part_of_vector}};
   dealii::DataOutBase::write_vtu(patches, names, vectors, flags(scalars, order),
                                  out);
 }

@@ -24,7 +24,7 @@ enum class CellOrder {
 
 /// Rigid placement of the part in the file's frame.
 struct Placement {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();            ///< [m]
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
 };
 

@@ -98,7 +98,9 @@ class CellStress {
 /// Squares of von Mises, points × instants, of stress blocks as above.
 template <int dim>
 ArrayXXd von_mises_squared(const MatrixXd& stress, Index n) {
-  const auto s = [&](int k) { return stress.middleRows(k * n, n).array(); };
+  const auto s = [&](int k) {
+    return stress.middleRows(k * n, n).array();
+  };
   if constexpr (dim == 2) {
     return s(0).square() - s(0) * s(1) + s(1).square() + 3.0 * s(2).square();
   } else {
@@ -112,8 +114,7 @@ ArrayXXd von_mises_squared(const MatrixXd& stress, Index n) {
 
 template <int dim>
 StressHistory stress_history(const elasticity::DisplacementBasis<dim>& basis,
-                             const part::Material& material,
-                             int subdivisions) {
+                             const part::Material& material, int subdivisions) {
   const auto& discretization = basis.discretization;
   const auto points =
       elasticity::lattice<dim>(discretization.shape, subdivisions);
@@ -153,11 +154,13 @@ StressHistory stress_history(const elasticity::DisplacementBasis<dim>& basis,
         result.peak_instant = static_cast<int>(instant);
       }
     }
-    result.peak = result.peak.cwiseMax(
-        squared.colwise().maxCoeff().matrix().transpose());
+    result.peak =
+        result.peak.cwiseMax(squared.colwise().maxCoeff().matrix().transpose());
   }
-  result.sampling_error =
-      (std::sqrt(largest) - std::sqrt(largest_of_half)) / 3.0;
+  if (subdivisions > 1) {
+    result.sampling_error =
+        (std::sqrt(largest) - std::sqrt(largest_of_half)) / 3.0;
+  }
   result.worst = result.worst.cwiseSqrt();
   result.peak = result.peak.cwiseSqrt();
   return result;
@@ -194,7 +197,9 @@ InstantField instant_field(const elasticity::DisplacementBasis<dim>& basis,
 }
 
 Eigen::VectorXd von_mises(const MatrixXd& stress) {
-  const auto s = [&](int k) { return stress.col(k).array(); };
+  const auto s = [&](int k) {
+    return stress.col(k).array();
+  };
   return (0.5 * ((s(0) - s(1)).square() + (s(1) - s(2)).square() +
                  (s(2) - s(0)).square()) +
           3.0 * (s(3).square() + s(4).square() + s(5).square()))
@@ -218,9 +223,8 @@ Eigen::Vector3d position(const elasticity::Discretization<dim>& discretization,
 }
 
 template <int dim>
-std::string surface_group(
-    const elasticity::Discretization<dim>& discretization, FieldPoint at,
-    int subdivisions) {
+std::string surface_group(const elasticity::Discretization<dim>& discretization,
+                          FieldPoint at, int subdivisions) {
   const Eigen::Matrix<double, dim, 1> point =
       elasticity::lattice<dim>(discretization.shape, subdivisions)
           .col(at.point);
@@ -249,16 +253,15 @@ std::string surface_group(
   return "body";
 }
 
-#define CLEVIS_INSTANTIATE(dim)                                            \
-  template StressHistory stress_history<dim>(                              \
-      const elasticity::DisplacementBasis<dim>&, const part::Material&,    \
-      int);                                                                \
-  template InstantField instant_field<dim>(                                \
-      const elasticity::DisplacementBasis<dim>&, const part::Material&,    \
-      int, int);                                                           \
-  template Eigen::Vector3d position<dim>(                                  \
-      const elasticity::Discretization<dim>&, FieldPoint, int);            \
-  template std::string surface_group<dim>(                                 \
+#define CLEVIS_INSTANTIATE(dim)                                               \
+  template StressHistory stress_history<dim>(                                 \
+      const elasticity::DisplacementBasis<dim>&, const part::Material&, int); \
+  template InstantField instant_field<dim>(                                   \
+      const elasticity::DisplacementBasis<dim>&, const part::Material&, int,  \
+      int);                                                                   \
+  template Eigen::Vector3d position<dim>(                                     \
+      const elasticity::Discretization<dim>&, FieldPoint, int);               \
+  template std::string surface_group<dim>(                                    \
       const elasticity::Discretization<dim>&, FieldPoint, int);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)

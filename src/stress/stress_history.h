@@ -19,12 +19,13 @@ struct FieldPoint {
 /// corners, edges and faces included; not averaged between cells.
 struct StressHistory {
   int subdivisions{};
-  Eigen::MatrixXd worst;           ///< over the instants, points × cells [Pa]
-  Eigen::MatrixXi worst_instant;   ///< index, points × cells
-  Eigen::VectorXd peak;            ///< over the points, per instant [Pa]
-  FieldPoint peak_at;              ///< of the largest peak
+  Eigen::MatrixXd worst;          ///< over the instants, points × cells [Pa]
+  Eigen::MatrixXi worst_instant;  ///< index, points × cells
+  Eigen::VectorXd peak;           ///< over the points, per instant [Pa]
+  FieldPoint peak_at;             ///< of the largest peak
   /// How much a peak between the lattice points may be higher: a third of
-  /// what the peak gains from every second point to all [Pa].
+  /// what the peak gains from every second point to all [Pa]; 0 for a
+  /// lattice of corners only.
   double sampling_error{};
   int peak_instant{};
 
@@ -54,14 +55,12 @@ Eigen::VectorXd von_mises(const Eigen::MatrixXd& stress);
 
 /// Position of a lattice point in L [m]; the mid-plane's z for dim = 2.
 template <int dim>
-Eigen::Vector3d position(
-    const elasticity::Discretization<dim>& discretization, FieldPoint at,
-    int subdivisions);
+Eigen::Vector3d position(const elasticity::Discretization<dim>& discretization,
+                         FieldPoint at, int subdivisions);
 
 /// Name of the group whose face the point lies on, else "body".
 template <int dim>
-std::string surface_group(
-    const elasticity::Discretization<dim>& discretization, FieldPoint at,
-    int subdivisions);
+std::string surface_group(const elasticity::Discretization<dim>& discretization,
+                          FieldPoint at, int subdivisions);
 
 }  // namespace clevis::stress

@@ -130,7 +130,8 @@ inline MechanismDefinition landing_gear(double DD1 = 0.210, double lx = 0.160) {
   drive.place = "drive cylinder";
   m.drives.push_back(drive);
   m.gravity_W = {0.0, -9.81, 0.0};
-  m.markers = {{"C", kBodyDCE, {kDC, 0.0, 0.0}}, {"T", kBodyBC, {0.14, 0.0, 0.0}}};
+  m.markers = {{"C", kBodyDCE, {kDC, 0.0, 0.0}},
+               {"T", kBodyBC, {0.14, 0.0, 0.0}}};
   return m;
 }
 

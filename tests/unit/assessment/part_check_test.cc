@@ -1,8 +1,7 @@
 #include "assessment/part_check.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
+#include <gtest/gtest.h>
 
 #include "mesh/mass_properties.h"
 #include "support/structured_mesh.h"
@@ -18,8 +17,7 @@ PartJob pulled_bar() {
   job.part.name = "bar";
   job.part.material = {"steel", 210e9, 0.3, 7850.0, 300e6};
   job.mesh = support::structured_mesh<3>(
-      {6, 2, 1}, 1,
-      [](const Vector3d& x) -> Vector3d {
+      {6, 2, 1}, 1, [](const Vector3d& x) -> Vector3d {
         return x.cwiseProduct(Vector3d(0.06, 0.01, 0.004));
       });
   job.mass = mesh::mass_properties(job.mesh, 7850.0);
@@ -31,8 +29,8 @@ PartJob pulled_bar() {
     load.group = name;
     load.traction = Vector3d(side * 10e6, 0, 0);
     load.resultant.force = 0.01 * 0.004 * load.traction;
-    load.resultant.moment =
-        Vector3d(side < 0 ? 0.0 : 0.06, 0.005, 0.002).cross(load.resultant.force);
+    load.resultant.moment = Vector3d(side < 0 ? 0.0 : 0.06, 0.005, 0.002)
+                                .cross(load.resultant.force);
     instant.surface_loads.push_back(load);
   }
   set.history.instants.push_back(instant);
