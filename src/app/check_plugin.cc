@@ -176,6 +176,12 @@ std::vector<std::string> moving_parts(const LoadedScene& loaded,
   return names;
 }
 
+assessment::ModelChoice model_choice(const std::string& name) {
+  if (name == "plane-stress") return assessment::ModelChoice::kPlaneStress;
+  if (name == "3d") return assessment::ModelChoice::kSolid;
+  return assessment::ModelChoice::kAuto;
+}
+
 void write_reactions(const LoadedScene& loaded, const mechanism::Motion& motion,
                      const fs::path& folder) {
   report::MotionReport motion_report;
@@ -208,7 +214,8 @@ ExitCode run_check(const Options& options) {
   std::vector<PartJob> jobs =
       part_jobs(loaded, motion, options.parts,
                 options.tolerance.value_or(loaded.scene.peak_stress_tolerance));
-  for (const auto& job : jobs) {
+  for (auto& job : jobs) {
+    job.model = model_choice(options.model);
     report.limits.emplace(job.part.name, job.part.limits);
   }
   report.seconds.emplace_back("loads", watch.lap());

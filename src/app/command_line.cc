@@ -104,6 +104,11 @@ void add_check(CLI::App& app, Parsed& parsed) {
                    "parts in parallel [one per core]")
       ->type_name("N")
       ->check(CLI::Range(1, kMostJobs));
+  command
+      ->add_option("--model", parsed.options.model,
+                   "force a model: auto, plane-stress or 3d [auto]")
+      ->type_name("MODEL")
+      ->check(CLI::IsMember({"auto", "plane-stress", "3d"}));
   command->callback([&parsed, command] {
     parsed.run = [&parsed, command] {
       if (command->count("--tolerance") > 0) {

@@ -16,6 +16,7 @@ struct Options {
   std::optional<double> tolerance;  ///< of the peak stress, relative [1]
   std::filesystem::path out;        ///< empty: results/<scene>
   bool json = false;                ///< stdout is one JSON document
+  std::string model = "auto";       ///< auto, plane-stress, 3d
   int jobs = 0;                     ///< parts in parallel; 0: one per core
 };
 

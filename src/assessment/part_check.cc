@@ -311,6 +311,11 @@ PartAssessment check_part(const PartJob& job) {
     plate = mesh::plate_mid_plane(job.mesh);
     if (plate && !has_groups(*plate, job)) plate.reset();
   }
+  if (!plate && job.model == ModelChoice::kPlaneStress) {
+    throw Error("F005", "part " + job.part.name,
+                "the part is no plate along z that is loaded in its plane",
+                "leave --model out");
+  }
   if (plate) {
     assessment = run_ladder<2>(job, *plate, "plane stress");
   } else {

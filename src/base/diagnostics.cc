@@ -25,6 +25,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"F004", kResourceLimit, "memory forecast above the limit",
      "The factorisation would need more memory than allowed. Coarsen the mesh "
      "or raise --memory."},
+    {"F005", kModelInvalid, "model does not fit the part",
+     "--model plane-stress was asked for, but the part is no plate extruded "
+     "along z, or a load leaves its plane. Leave --model out: clevis takes the "
+     "cheapest model that fits."},
     {"I001", kIo, "cannot read file",
      "The file does not exist or may not be read. Paths in a scene are "
      "relative to the scene file; meshes of a scene in geometry/NAME are "

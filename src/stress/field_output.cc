@@ -1,6 +1,7 @@
 #include "stress/field_output.h"
 
 #include <array>
+#include <cassert>
 #include <tuple>
 
 #include <deal.II/base/data_out_base.h>
@@ -20,7 +21,11 @@ constexpr std::array<const char*, kFixedArrays> kNames = {
 /// Lattice indices of a cell's corners, in deal.II's vertex order.
 template <int dim>
 std::vector<Index> corners(mesh::CellShape shape, int subdivisions) {
-  if (shape == mesh::CellShape::kSimplex) return {0, 1, 2, 3};
+  if (shape == mesh::CellShape::kSimplex) {
+    assert(subdivisions == 1 && "a simplex is written with its corners");
+    return dim == 2 ? std::vector<Index>{0, 1, 2}
+                    : std::vector<Index>{0, 1, 2, 3};
+  }
   const Index n = subdivisions + 1;
   std::vector<Index> result;
   for (unsigned v = 0; v < (1U << dim); ++v) {

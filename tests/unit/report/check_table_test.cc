@@ -64,7 +64,7 @@ TEST(CheckTable, PartTakesOneLineWithAllItsFigures) {
             "closure 2.0e-13 mm, power balance 3.0e-13");
   EXPECT_EQ(lines[4],
             "DCE     125.00  [124.50, 125.75]  bore_C (12.5, -3.0, 4.0)  "
-            "t = 1.25 s  plane stress, p = 4   2.840    0.1250    100.00    "
+            "t = 1.25 s  plane stress, p = 4   2.840    0.1250     100.0    "
             "1.250  pass     0.21");
   EXPECT_EQ(lines[6], "verdict: pass   3.10 s");
 }
