@@ -28,6 +28,38 @@ void take(const Eigen::Matrix3d& J, CellQuality& quality) {
       std::min(quality.scaled_jacobian, lengths > 0.0 ? det / lengths : 0.0);
 }
 
+constexpr double kHuge = std::numeric_limits<double>::infinity();
+constexpr CellQuality kUnknown = {kHuge, -kHuge, kHuge};
+
+CellQuality quality_at_nodes(const Eigen::Matrix3Xd& cell_points,
+                             const LagrangeBasis& basis) {
+  const auto tangents = tangents_at_nodes(cell_points, basis.slope);
+  CellQuality quality = kUnknown;
+  Eigen::Matrix3d J;
+  for (Index q = 0; q < cell_points.cols(); ++q) {
+    for (unsigned d = 0; d < 3; ++d) J.col(d) = tangents[d].col(q);
+    take(J, quality);
+  }
+  return quality;
+}
+
+CellQuality quality_at(const Eigen::Matrix3Xd& cell_points,
+                       const LagrangeBasis& basis) {
+  const auto grid = map_grid<3>(cell_points, {&basis, &basis, &basis});
+  CellQuality quality = kUnknown;
+  for (Index q = 0; q < grid.points.cols(); ++q) {
+    take(grid.jacobian(q), quality);
+  }
+  return quality;
+}
+
+/// Far from folding at the nodes. The maps are smooth blends, so such a cell
+/// is not looked at in between; one in doubt is, at the finer points too.
+bool is_sound(const CellQuality& quality) {
+  return quality.min_jacobian > 0.25 * quality.max_jacobian &&
+         quality.scaled_jacobian > 0.25;
+}
+
 Eigen::Matrix3d simplex_jacobian(const Eigen::Matrix3Xd& corners) {
   return corners.middleCols<3>(1).colwise() - corners.col(0);
 }
@@ -61,21 +93,21 @@ std::string in_mm(const Vector3d& p) {
 }  // namespace
 
 std::vector<CellQuality> cell_qualities(const PartMesh<3>& mesh) {
-  constexpr double kHuge = std::numeric_limits<double>::infinity();
-  std::vector<CellQuality> qualities(mesh.cells.size(), {kHuge, -kHuge, kHuge});
-  const Eigen::VectorXd inner = gauss(mesh.degree + 1).points;
+  const Eigen::VectorXd nodes = gauss_lobatto(mesh.degree);
+  const LagrangeBasis at_nodes = lagrange(nodes, nodes);
+  const Eigen::VectorXd inner = gauss(mesh.degree + 2).points;
   Eigen::VectorXd points(inner.size() + 2);
   points << 0.0, inner, 1.0;
-  const LagrangeBasis basis = lagrange(gauss_lobatto(mesh.degree), points);
+  const LagrangeBasis at_points = lagrange(nodes, points);
+  std::vector<CellQuality> qualities(mesh.cells.size(), kUnknown);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     if (mesh.shape == CellShape::kSimplex) {
       take(simplex_jacobian(mesh.cell_points[c]), qualities[c]);
       continue;
     }
-    const auto grid =
-        map_grid<3>(mesh.cell_points[c], {&basis, &basis, &basis});
-    for (Index q = 0; q < grid.points.cols(); ++q) {
-      take(grid.jacobian(q), qualities[c]);
+    qualities[c] = quality_at_nodes(mesh.cell_points[c], at_nodes);
+    if (!is_sound(qualities[c])) {
+      qualities[c] = quality_at(mesh.cell_points[c], at_points);
     }
   }
   return qualities;

@@ -126,6 +126,22 @@ Eigen::Matrix<double, dim, Eigen::Dynamic> interpolate(
       now.data(), dim, now.size() / dim);
 }
 
+std::array<Eigen::Matrix3Xd, 3> tangents_at_nodes(
+    const Eigen::Matrix3Xd& cell_points, const MatrixXd& slope) {
+  std::array<Eigen::Matrix3Xd, 3> tangents;
+  const Index n = slope.rows();
+  Index left = 3;
+  for (auto& tangent : tangents) {
+    tangent.resize(3, cell_points.cols());
+    for (Index at = 0; at < cell_points.size(); at += left * n) {
+      contract(cell_points.data() + at, slope.data(), tangent.data() + at, left,
+               n, n);
+    }
+    left *= n;
+  }
+  return tangents;
+}
+
 template <int dim>
 MappedGrid<dim> map_grid(
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& cell_points,

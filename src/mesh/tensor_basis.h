@@ -45,6 +45,11 @@ struct MappedGrid {
   }
 };
 
+/// ∂x/∂ξ_d at the nodes of a hexahedron's mapping, for each d.
+/// @param slope  of the 1-D basis at its own nodes.
+std::array<Eigen::Matrix3Xd, 3> tangents_at_nodes(
+    const Eigen::Matrix3Xd& cell_points, const Eigen::MatrixXd& slope);
+
 /// Evaluates a cell's mapping; one 1-D basis per direction.
 template <int dim>
 MappedGrid<dim> map_grid(
