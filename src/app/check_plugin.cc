@@ -1,7 +1,6 @@
 #include "app/check_plugin.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <numeric>
 #include <thread>
@@ -14,6 +13,7 @@
 #include "app/part_files.h"
 #include "app/part_jobs.h"
 #include "app/worker_pool.h"
+#include "base/stopwatch.h"
 #include "mechanism/simulate.h"
 #include "mechanism/structure.h"
 #include "report/atomic_file.h"
@@ -32,20 +32,6 @@ namespace fs = std::filesystem;
 using assessment::PartJob;
 
 constexpr int kInterruptedExit = 130;  // 128 + SIGINT, as shells expect
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ =
-      std::chrono::steady_clock::now();
-};
 
 /// results/<scene> unless --out says otherwise; a scene in its mechanism's
 /// folder is named after both: results/landing_gear_loaded.

@@ -78,17 +78,17 @@ void judge(const part::PartDefinition& part, PartResult& result) {
   set(result, PartVerdict::kPass, "");
 }
 
-std::string explain_ratio(const PartResult& result) {
-  const double ratio = result.beam.ratio_fe_to_beam;
-  if (result.beam.peak_stress == 0.0) return "no beam formula applies";
+std::string explain_ratio(const PeakStress& peak, const BeamComparison& beam) {
+  const double ratio = beam.ratio_fe_to_beam;
+  if (beam.peak_stress == 0.0) return "no beam formula applies";
   if (ratio >= 0.8 && ratio <= 1.25) return "";
-  const std::string& group = result.peak.group;
+  const std::string& group = peak.group;
   if (ratio > 1.25) {
     if (group.starts_with("bore_")) {
       return fmt::format(
           "the hole concentrates the stress at {} by {:.2f} over the nominal "
           "\"{}\"",
-          group, ratio, result.beam.governing);
+          group, ratio, beam.governing);
     }
     if (group.starts_with("round_")) {
       return fmt::format(
@@ -100,7 +100,7 @@ std::string explain_ratio(const PartResult& result) {
   return fmt::format(
       "\"{}\" is a nominal value for slender parts; here the part is stocky "
       "and the load spreads",
-      result.beam.governing);
+      beam.governing);
 }
 
 }  // namespace clevis::assessment

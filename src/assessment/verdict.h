@@ -14,6 +14,6 @@ namespace clevis::assessment {
 void judge(const part::PartDefinition& part, PartResult& result);
 
 /// Why the FE peak leaves 0.8–1.25 of the beam's; empty if it does not.
-std::string explain_ratio(const PartResult& result);
+std::string explain_ratio(const PeakStress& peak, const BeamComparison& beam);
 
 }  // namespace clevis::assessment

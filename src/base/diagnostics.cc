@@ -22,9 +22,9 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "A check that runs on every solve (residual, equilibrium, energy, finite "
      "values, reported peak = field maximum) was breached, so no verdict is "
      "given. Please report the scene: this should not happen."},
-    {"F004", kResourceLimit, "memory forecast above the limit",
-     "The factorisation would need more memory than allowed. Coarsen the mesh "
-     "or raise --memory."},
+    {"F004", kResourceLimit, "memory forecast above the machine's",
+     "The factorisation would need more memory than the machine has. Mesh the "
+     "part coarser."},
     {"F005", kModelInvalid, "model does not fit the part",
      "--model plane-stress was asked for, but the part is no plate extruded "
      "along z, or a load leaves its plane. Leave --model out: clevis takes the "
@@ -74,6 +74,9 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "A joint, drive or force acts on the body of a part, but no group of its "
      "mesh takes it, or a seat names a joint that is not on the body. The "
      "part would be checked with other loads than the mechanism has."},
+    {"L005", kModelInvalid, "probe outside the part",
+     "A probe's point lies in no cell of the part's mesh. Points are given in "
+     "the part's frame, the mesh's own."},
     {"M001", kMeshInvalid, "not a gmsh mesh",
      "The file does not start with $MeshFormat, so it is not read. gmsh would "
      "run unknown text as a script; clevis never does. Give a .msh of version "

@@ -1,15 +1,16 @@
 #include "elasticity/displacement_basis.h"
 
-#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "base/stopwatch.h"
 #include "elasticity/dense_product.h"
 #include "elasticity/load_basis.h"
 #include "elasticity/load_vectors.h"
+#include "elasticity/memory_forecast.h"
 #include "elasticity/sparse_cholesky.h"
 #include "elasticity/stiffness.h"
 #include "elasticity/supports.h"
@@ -30,20 +31,6 @@ constexpr double kEquilibrium = 1e-9;
 constexpr double kResidual = 1e-8;
 constexpr double kEnergy = 1e-8;
 constexpr double kCompression = 1e-6;
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ =
-      std::chrono::steady_clock::now();
-};
 
 /// Equation number of every degree of freedom; -1 if it is held.
 std::vector<int> number_equations(int dofs, const std::vector<int>& held) {
@@ -196,6 +183,8 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
   DisplacementBasis<dim> result;
   result.discretization = discretize(problem.mesh, degree);
   const auto& discretization = result.discretization;
+  require_memory(dim, discretization.dofs(), physical_memory(),
+                 "part " + problem.name);
   const auto positions = node_positions(discretization);
   const auto stiffness = assemble_stiffness(discretization, problem.material);
   const bool is_free = problem.fixed.empty();

@@ -56,7 +56,8 @@ struct ElasticProblem {
 /// One factorisation, the load history compressed to its basis, one block
 /// solve.
 /// @param degree  of the displacement, 1…4 (simplices 1…2).
-/// @throws Error F001, F002, F003 if a self-check is breached, M003, L002.
+/// @throws Error F001, F002, F003 if a self-check is breached, F004, M003,
+///   L002.
 template <int dim>
 DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -12,6 +11,7 @@
 
 #include "base/errors.h"
 #include "elasticity/dense_product.h"
+#include "elasticity/group_trace.h"
 #include "loads/discrete_balance.h"
 #include "loads/seat_traction.h"
 
@@ -22,36 +22,6 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
-
-/// Basis functions that live on a face of the reference cell, and the
-/// geometry, at the face's quadrature points.
-template <int dim>
-struct FaceTable {
-  FaceQuadrature<dim> rule;
-  Tabulation geometry;
-  std::vector<std::size_t> functions;
-  MatrixXd values;  ///< points × functions
-};
-
-/// Quadrature of a group's faces with the trace of the basis, in 3-D.
-struct GroupTrace {
-  loads::GroupQuadrature quadrature;
-  Matrix3Xd outward;  ///< unit normals
-  struct Face {
-    std::vector<int> nodes;
-    const MatrixXd* values;  ///< points × nodes
-  };
-  std::vector<Face> faces;
-};
-
-template <int dim>
-Vector3d in_space(const Eigen::Matrix<double, dim, 1>& x, double z) {
-  if constexpr (dim == 2) {
-    return {x[0], x[1], z};
-  } else {
-    return x;
-  }
-}
 
 template <int dim>
 int find_group(const Discretization<dim>& discretization,
@@ -67,84 +37,6 @@ int find_group(const Discretization<dim>& discretization,
   throw Error("M003", "part " + part_name,
               fmt::format("the mesh has no surface group \"{}\"", group),
               fmt::format("groups of the mesh: {}", fmt::join(names, ", ")));
-}
-
-template <int dim>
-FaceTable<dim> face_table(const Discretization<dim>& discretization, int face) {
-  // More points than the degree needs, for the kink of a bearing pressure;
-  // the rest of its error is taken out by the discrete balance.
-  const int points = discretization.shape == mesh::CellShape::kTensor
-                         ? discretization.degree + (dim == 2 ? 8 : 4)
-                         : 4;
-  FaceTable<dim> table;
-  table.rule = face_gauss<dim>(discretization.shape, face, points);
-  table.geometry = tabulate_geometry<dim>(
-      discretization.shape, discretization.geometry_degree, table.rule.points);
-  const MatrixXd values =
-      tabulate_displacement<dim>(discretization.shape, discretization.degree,
-                                 table.rule.points)
-          .values;
-  for (Index i = 0; i < values.cols(); ++i) {
-    if (values.col(i).cwiseAbs().maxCoeff() < 1e-10) continue;
-    table.functions.push_back(static_cast<std::size_t>(i));
-  }
-  table.values.resize(values.rows(),
-                      static_cast<Index>(table.functions.size()));
-  for (std::size_t k = 0; k < table.functions.size(); ++k) {
-    table.values.col(static_cast<Index>(k)) =
-        values.col(static_cast<Index>(table.functions[k]));
-  }
-  return table;
-}
-
-/// One table per local face, made on demand; outlives the traces.
-template <int dim>
-using FaceTables = std::map<int, FaceTable<dim>>;
-
-template <int dim>
-GroupTrace group_trace(const Discretization<dim>& discretization, int group,
-                       FaceTables<dim>& tables) {
-  GroupTrace trace;
-  std::vector<Vector3d> points;
-  std::vector<Vector3d> normals;
-  std::vector<double> weights;
-  for (const auto& [cell, face] :
-       discretization.group_faces[static_cast<std::size_t>(group)]) {
-    if (!tables.contains(face)) {
-      tables.emplace(face, face_table(discretization, face));
-    }
-    const FaceTable<dim>& table = tables.at(face);
-    const auto c = static_cast<std::size_t>(cell);
-    const auto at =
-        cell_geometry<dim>(discretization.cell_points[c], table.geometry);
-    for (Index q = 0; q < at.points.cols(); ++q) {
-      const Eigen::Matrix<double, dim, 1> area =
-          at.determinant[q] *
-          at.inverse_jacobian[static_cast<std::size_t>(q)].transpose() *
-          table.rule.outward;
-      points.push_back(
-          in_space<dim>(at.points.col(q), discretization.mid_plane_z));
-      normals.push_back(in_space<dim>(area.normalized(), 0.0));
-      weights.push_back(table.rule.weights[q] * area.norm() *
-                        discretization.thickness);
-    }
-    GroupTrace::Face entry{{}, &table.values};
-    for (const std::size_t i : table.functions) {
-      entry.nodes.push_back(discretization.cell_nodes[c][i]);
-    }
-    trace.faces.push_back(std::move(entry));
-  }
-  const auto n = static_cast<Index>(points.size());
-  trace.quadrature.points.resize(3, n);
-  trace.quadrature.weights.resize(n);
-  trace.outward.resize(3, n);
-  for (Index q = 0; q < n; ++q) {
-    const auto k = static_cast<std::size_t>(q);
-    trace.quadrature.points.col(q) = points[k];
-    trace.quadrature.weights[q] = weights[k];
-    trace.outward.col(q) = normals[k];
-  }
-  return trace;
 }
 
 /// Tractions of all instants at the points of a group [Pa]: points × (dim ×
@@ -320,21 +212,6 @@ MatrixXd rigid_inertia(const Discretization<dim>& discretization,
   return inertia;
 }
 
-/// Largest components of vectors in the plane and out of it.
-struct Largest {
-  double along = 0.0;
-  double across = 0.0;
-  void add(const Vector3d& v) {
-    along = std::max(along, v.head<2>().norm());
-    across = std::max(across, std::abs(v.z()));
-  }
-  /// For axial vectors: one along z belongs to the plane.
-  void add_normal(const Vector3d& v) {
-    along = std::max(along, std::abs(v.z()));
-    across = std::max(across, v.head<2>().norm());
-  }
-};
-
 }  // namespace
 
 template <int dim>
@@ -366,35 +243,6 @@ double balance_loads(const Discretization<dim>& discretization, double density,
       transposed_product(modes, inertia).fullPivLu().solve(residual);
   history -= product(inertia, acceleration);
   return residual.cwiseAbs().maxCoeff() / scale;
-}
-
-bool loads_in_plane(const loads::LoadHistory& history, double mid_plane_z) {
-  constexpr double kInPlane = 1e-9;
-  Largest force, moment, acceleration, rotation;
-  double size = 0.0;
-  for (const auto& instant : history.instants) {
-    for (std::size_t s = 0; s < history.seats.size(); ++s) {
-      const auto& wrench = instant.wrenches[s];
-      const Vector3d lever(0.0, 0.0, history.seats[s].p_LS.z() - mid_plane_z);
-      force.add(wrench.force);
-      moment.add_normal(wrench.moment + lever.cross(wrench.force));
-      size = std::max(size, history.seats[s].p_LS.head<2>().norm());
-    }
-    for (const auto& load : instant.surface_loads) {
-      const Vector3d lever(0.0, 0.0, mid_plane_z);
-      force.add(load.resultant.force);
-      force.add(Vector3d(0.0, 0.0, load.traction.z()));
-      moment.add_normal(load.resultant.moment -
-                        lever.cross(load.resultant.force));
-    }
-    acceleration.add(instant.rigid.acceleration);
-    rotation.add_normal(instant.rigid.alpha);
-    rotation.add_normal(instant.rigid.omega);
-  }
-  return force.across <= kInPlane * force.along &&
-         moment.across <= kInPlane * (moment.along + size * force.along) &&
-         acceleration.across <= kInPlane * (1.0 + acceleration.along) &&
-         rotation.across <= kInPlane * (1.0 + rotation.along);
 }
 
 template double balance_loads<2>(const Discretization<2>&, double,

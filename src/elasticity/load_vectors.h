@@ -33,8 +33,4 @@ template <int dim>
 double balance_loads(const Discretization<dim>& discretization, double density,
                      const Eigen::MatrixXd& modes, Eigen::MatrixXd& history);
 
-/// True if no load leaves the plane z = const (to 1e-9 of the largest): what
-/// a plane model can take.
-bool loads_in_plane(const loads::LoadHistory& history, double mid_plane_z);
-
 }  // namespace clevis::elasticity

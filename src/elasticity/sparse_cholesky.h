@@ -22,8 +22,7 @@ struct UpperTriangle {
 class SparseCholesky {
  public:
   /// @param name  entity for messages ("part DCE").
-  /// @throws Error F002 if the matrix is not positive definite, F004 if the
-  ///   factor would not fit into `memory_limit` [bytes].
+  /// @throws Error F002 if the matrix is not positive definite.
   SparseCholesky(const UpperTriangle& matrix, const std::string& name);
   ~SparseCholesky();
   SparseCholesky(const SparseCholesky&) = delete;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "elasticity/dense_product.h"
-#include "elasticity/stiffness.h"
+#include "stress/cell_field.h"
 
 namespace clevis::stress {
 namespace {
@@ -12,88 +12,6 @@ namespace {
 using Eigen::ArrayXXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
-
-template <int dim>
-inline constexpr int kStressComponents = dim == 2 ? 3 : 6;
-
-/// Stress at tabulated points of one cell, for all columns of the basis.
-template <int dim>
-class CellStress {
- public:
-  CellStress(const elasticity::Discretization<dim>& discretization,
-             const part::Material& material,
-             const elasticity::ReferencePoints<dim>& points)
-      : discretization_(discretization),
-        lame_(elasticity::lame_constants<dim>(material)),
-        displacement_(elasticity::tabulate_displacement<dim>(
-            discretization.shape, discretization.degree, points)),
-        geometry_(elasticity::tabulate_geometry<dim>(
-            discretization.shape, discretization.geometry_degree, points)) {}
-
-  /// Blocks of `points` rows: xx, yy, xy, or xx, yy, zz, xy, yz, xz.
-  MatrixXd evaluate(std::size_t cell, const MatrixXd& columns) const {
-    const auto n = displacement_.values.rows();
-    const auto rank = columns.cols();
-    const MatrixXd slopes = gradients(cell, columns);
-    // slopes: row block d, column block a holds ∂u_a/∂x_d.
-    const auto slope = [&](int a, int d) {
-      return slopes.block(d * n, a * rank, n, rank);
-    };
-    MatrixXd trace = slope(0, 0);
-    for (int d = 1; d < dim; ++d) trace += slope(d, d);
-    MatrixXd stress(kStressComponents<dim> * n, rank);
-    for (int d = 0; d < dim; ++d) {
-      stress.middleRows(d * n, n) =
-          lame_.lambda * trace + 2.0 * lame_.mu * slope(d, d);
-    }
-    for (int k = dim; k < kStressComponents<dim>; ++k) {
-      const int a = k == 5 ? 0 : k - dim;  // xy, yz, xz
-      const int b = k == 5 ? 2 : a + 1;
-      stress.middleRows(k * n, n) = lame_.mu * (slope(a, b) + slope(b, a));
-    }
-    return stress;
-  }
-
-  MatrixXd positions(std::size_t cell) const {
-    return geometry_.values * discretization_.cell_points[cell].transpose();
-  }
-
-  /// Displacement components, blocks of columns.
-  MatrixXd displacements(std::size_t cell, const MatrixXd& columns) const {
-    return elasticity::product(displacement_.values,
-                               nodal_values(cell, columns));
-  }
-
- private:
-  MatrixXd nodal_values(std::size_t cell, const MatrixXd& columns) const {
-    const auto& nodes = discretization_.cell_nodes[cell];
-    MatrixXd values(static_cast<Index>(nodes.size()), dim * columns.cols());
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      for (int a = 0; a < dim; ++a) {
-        values.row(static_cast<Index>(i))
-            .segment(a * columns.cols(), columns.cols()) =
-            columns.row(dim * nodes[i] + a);
-      }
-    }
-    return values;
-  }
-
-  MatrixXd gradients(std::size_t cell, const MatrixXd& columns) const {
-    const auto at = elasticity::cell_geometry<dim>(
-        discretization_.cell_points[cell], geometry_);
-    const auto physical = elasticity::physical_gradients(at, displacement_);
-    const auto n = displacement_.values.rows();
-    MatrixXd stacked(dim * n, displacement_.values.cols());
-    for (int d = 0; d < dim; ++d) {
-      stacked.middleRows(d * n, n) = physical[static_cast<std::size_t>(d)];
-    }
-    return elasticity::product(stacked, nodal_values(cell, columns));
-  }
-
-  const elasticity::Discretization<dim>& discretization_;
-  elasticity::LameConstants<dim> lame_;
-  elasticity::Tabulation displacement_, geometry_;
-};
 
 /// Squares of von Mises, points × instants, of stress blocks as above.
 template <int dim>
@@ -118,7 +36,7 @@ StressHistory stress_history(const elasticity::DisplacementBasis<dim>& basis,
   const auto& discretization = basis.discretization;
   const auto points =
       elasticity::lattice<dim>(discretization.shape, subdivisions);
-  const CellStress<dim> cell_stress(discretization, material, points);
+  const CellField<dim> cell_field(discretization, material, points);
   const Index n = points.cols();
   const Index instants = basis.coefficients.cols();
   StressHistory result;
@@ -138,7 +56,7 @@ StressHistory stress_history(const elasticity::DisplacementBasis<dim>& basis,
   for (int c = 0; c < discretization.cells(); ++c) {
     const ArrayXXd squared = von_mises_squared<dim>(
         elasticity::product(
-            cell_stress.evaluate(static_cast<std::size_t>(c), basis.columns),
+            cell_field.stress(static_cast<std::size_t>(c), basis.columns),
             basis.coefficients),
         n);
     for (Index q = 0; q < n; ++q) {
@@ -173,7 +91,7 @@ InstantField instant_field(const elasticity::DisplacementBasis<dim>& basis,
   const auto& discretization = basis.discretization;
   const auto points =
       elasticity::lattice<dim>(discretization.shape, subdivisions);
-  const CellStress<dim> cell_stress(discretization, material, points);
+  const CellField<dim> cell_field(discretization, material, points);
   const Index n = points.cols();
   const MatrixXd u =
       elasticity::product(basis.columns, basis.coefficients.col(instant));
@@ -181,10 +99,10 @@ InstantField instant_field(const elasticity::DisplacementBasis<dim>& basis,
   field.subdivisions = subdivisions;
   for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
     MatrixXd at = MatrixXd::Constant(n, 3, discretization.mid_plane_z);
-    at.leftCols<dim>() = cell_stress.positions(c);
+    at.leftCols<dim>() = cell_field.positions(c);
     MatrixXd displacement = MatrixXd::Zero(n, 3);
-    displacement.leftCols<dim>() = cell_stress.displacements(c, u);
-    const MatrixXd values = cell_stress.evaluate(c, u);
+    displacement.leftCols<dim>() = cell_field.displacement(c, u);
+    const MatrixXd values = cell_field.stress(c, u);
     MatrixXd stress = MatrixXd::Zero(n, 6);
     for (int k = 0; k < kStressComponents<dim>; ++k) {
       stress.col(dim == 2 && k == 2 ? 3 : k) = values.middleRows(k * n, n);

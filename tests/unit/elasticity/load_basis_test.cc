@@ -5,7 +5,7 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include "elasticity/load_vectors.h"
+#include "elasticity/plane_loads.h"
 
 namespace clevis::elasticity {
 namespace {

@@ -1,0 +1,37 @@
+#include "assessment/beam_comparison.h"
+
+#include <algorithm>
+
+#include "assessment/verdict.h"
+#include "beam/beam_estimate.h"
+
+namespace clevis::assessment {
+
+BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
+  BeamComparison comparison;
+  for (const LoadSet& set : job.load_sets) {
+    const auto estimate =
+        beam::estimate(job.mesh, job.part.material, job.mass, job.groups,
+                       set.history, job.buckling_length);
+    if (!estimate.stresses.empty() &&
+        estimate.stresses.front().stress > comparison.peak_stress) {
+      comparison.peak_stress = estimate.stresses.front().stress;
+      comparison.governing = estimate.stresses.front().formula + ", " +
+                             estimate.stresses.front().where;
+    }
+    comparison.deflection =
+        std::max(comparison.deflection, estimate.deflection);
+    if (estimate.buckling_safety > 0.0 &&
+        (comparison.buckling_safety == 0.0 ||
+         estimate.buckling_safety < comparison.buckling_safety)) {
+      comparison.buckling_safety = estimate.buckling_safety;
+    }
+  }
+  if (comparison.peak_stress > 0.0) {
+    comparison.ratio_fe_to_beam = result.peak.value / comparison.peak_stress;
+  }
+  comparison.reason = explain_ratio(result.peak, comparison);
+  return comparison;
+}
+
+}  // namespace clevis::assessment

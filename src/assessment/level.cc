@@ -1,0 +1,123 @@
+#include "assessment/level.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "stress/deflection.h"
+
+namespace clevis::assessment {
+namespace {
+
+/// Lattice on which the peak is sought: the same for every degree, so that
+/// the sequence compares like with like. In a straight tetrahedron of degree
+/// 2 the stress is linear, so its von Mises peaks at a corner.
+template <int dim>
+int lattice_subdivisions(mesh::CellShape shape) {
+  if (shape == mesh::CellShape::kSimplex) return 1;
+  return dim == 2 ? 8 : 4;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+      .count();
+}
+
+/// Surfaces of the first two seats that the deflection refers to.
+std::vector<std::string> reference_groups(const LoadSet& set) {
+  std::vector<std::string> groups;
+  if (!set.fixed.empty()) return groups;
+  for (const auto& seat : set.history.seats) {
+    if (seat.kind == loads::SeatKind::kBearing && groups.size() < 2) {
+      groups.push_back(seat.group);
+    }
+  }
+  return groups;
+}
+
+/// Value of one probe of a case.
+template <int dim>
+double probe_value(const PartJob& job, const Level<dim>& level,
+                   const part::LoadCaseDefinition& load_case,
+                   const part::Probe& probe) {
+  for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
+    const auto& instants = job.load_sets[s].history.instants;
+    const auto instant =
+        std::ranges::find(instants, load_case.name, &loads::InstantLoad::label);
+    if (instant == instants.end()) continue;
+    const auto location =
+        stress::locate<dim>(level.bases[s]->discretization, probe.at);
+    if (location.empty()) {
+      throw Error("L005", "part " + job.part.name + ", probe " + probe.name,
+                  fmt::format("({:.6g}, {:.6g}, {:.6g}) mm is outside the part",
+                              probe.at.x() * 1e3, probe.at.y() * 1e3,
+                              probe.at.z() * 1e3),
+                  "give `at` in the part's frame, inside it or on its surface");
+    }
+    return stress::probe<dim>(*level.bases[s], job.part.material, location,
+                              probe.quantity,
+                              static_cast<int>(instant - instants.begin()));
+  }
+  throw Error("X001", "part " + job.part.name,
+              "no load set holds case " + load_case.name,
+              "please report this scene");
+}
+
+template <int dim>
+std::vector<double> probe_values(const PartJob& job, const Level<dim>& level) {
+  std::vector<double> values;
+  for (const auto& load_case : job.part.cases) {
+    for (const auto& probe : load_case.probes) {
+      values.push_back(probe_value<dim>(job, level, load_case, probe));
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+template <int dim>
+Level<dim> solve_level(const PartJob& job, const mesh::PartMesh<dim>& mesh,
+                       int degree, PartSeconds& seconds) {
+  Level<dim> level;
+  for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
+    const LoadSet& set = job.load_sets[s];
+    auto basis = std::make_shared<elasticity::DisplacementBasis<dim>>(
+        elasticity::solve<dim>(
+            {mesh, job.part.material, set.history, set.fixed, job.part.name},
+            degree));
+    seconds.assemble += basis->seconds.assemble;
+    seconds.factor += basis->seconds.factor;
+    seconds.solve += basis->seconds.solve;
+    stress::remove_rigid_motion<dim>(*basis, reference_groups(set));
+    const auto start = std::chrono::steady_clock::now();
+    auto history = stress::stress_history<dim>(
+        *basis, job.part.material, lattice_subdivisions<dim>(mesh.shape));
+    seconds.recover += seconds_since(start);
+    level.bases.push_back(basis);
+    if (level.governing && history.largest() <= level.history.largest()) {
+      continue;
+    }
+    level.governing = basis;
+    level.history = std::move(history);
+    level.set = s;
+  }
+  level.probes = probe_values<dim>(job, level);
+  level.member.degree = degree;
+  level.member.dofs = level.governing->discretization.dofs();
+  level.member.peak = level.history.largest();
+  level.member.strain_energy =
+      level.governing->strain_energy[level.history.peak_instant];
+  return level;
+}
+
+template Level<2> solve_level<2>(const PartJob&, const mesh::PartMesh<2>&, int,
+                                 PartSeconds&);
+template Level<3> solve_level<3>(const PartJob&, const mesh::PartMesh<3>&, int,
+                                 PartSeconds&);
+
+}  // namespace clevis::assessment

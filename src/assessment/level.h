@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "assessment/part_check.h"
+#include "elasticity/displacement_basis.h"
+#include "stress/probe.h"
+
+namespace clevis::assessment {
+
+/// One degree: all load sets solved, the governing one kept.
+template <int dim>
+struct Level {
+  std::shared_ptr<elasticity::DisplacementBasis<dim>> governing;
+  std::vector<std::shared_ptr<elasticity::DisplacementBasis<dim>>>
+      bases;  ///< per set
+  stress::StressHistory history;
+  std::size_t set{};
+  SequenceMember member;
+  std::vector<double> probes;  ///< values, case after case
+};
+
+/// Solves all load sets of a part with one degree; displacements relative to
+/// its pins.
+/// @param seconds  the stages' times are added here.
+/// @throws Error L005 if a probe lies outside the part; see elasticity.
+template <int dim>
+Level<dim> solve_level(const PartJob& job, const mesh::PartMesh<dim>& mesh,
+                       int degree, PartSeconds& seconds);
+
+}  // namespace clevis::assessment

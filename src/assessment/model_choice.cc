@@ -1,0 +1,54 @@
+#include "assessment/model_choice.h"
+
+#include <algorithm>
+
+#include "base/errors.h"
+#include "elasticity/plane_loads.h"
+#include "mesh/mesh_reader.h"
+
+namespace clevis::assessment {
+namespace {
+
+bool fits(const mesh::PartMesh<2>& plate, const PartJob& job) {
+  const auto known = [&](const std::string& name) {
+    const auto found =
+        std::ranges::find(plate.groups, name, &mesh::SurfaceGroup::name);
+    if (found == plate.groups.end()) return false;
+    const auto index = static_cast<int>(found - plate.groups.begin());
+    return std::ranges::any_of(plate.boundary, [&](const auto& face) {
+      return face.group == index;
+    });
+  };
+  return std::ranges::all_of(job.load_sets, [&](const LoadSet& set) {
+    const bool in_plane =
+        elasticity::loads_in_plane(set.history, plate.mid_plane_z);
+    return in_plane &&
+           std::ranges::all_of(set.history.seats,
+                               [&](const auto& s) {
+                                 return known(s.group);
+                               }) &&
+           std::ranges::all_of(set.history.instants.front().surface_loads,
+                               [&](const auto& s) {
+                                 return known(s.group);
+                               }) &&
+           std::ranges::all_of(set.fixed, [&](const auto& f) {
+             return known(f.first);
+           });
+  });
+}
+
+}  // namespace
+
+std::optional<mesh::PartMesh<2>> plane_model(const PartJob& job) {
+  if (job.model == ModelChoice::kSolid) return std::nullopt;
+  auto plate = mesh::plate_mid_plane(job.mesh);
+  if (plate && !fits(*plate, job)) plate.reset();
+  if (!plate && job.model == ModelChoice::kPlaneStress) {
+    throw Error("F005", "part " + job.part.name,
+                "the part is no plate along z that is loaded in its plane",
+                "leave --model out");
+  }
+  return plate;
+}
+
+}  // namespace clevis::assessment

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "loads/load_history.h"
+
+namespace clevis::elasticity {
+
+/// True if no load leaves the plane z = const (to 1e-9 of the largest): what
+/// a plane model can take.
+bool loads_in_plane(const loads::LoadHistory& history, double mid_plane_z);
+
+}  // namespace clevis::elasticity

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "elasticity/displacement_basis.h"
+#include "elasticity/stiffness.h"
+#include "part/material.h"
+
+namespace clevis::stress {
+
+/// 2-D: xx, yy, xy of plane stress; 3-D: xx, yy, zz, xy, yz, xz.
+template <int dim>
+inline constexpr int kStressComponents = dim == 2 ? 3 : 6;
+
+/// Stress and displacement at the same reference points of any cell, for many
+/// displacement vectors at once.
+template <int dim>
+class CellField {
+ public:
+  /// @param discretization  outlives the object.
+  CellField(const elasticity::Discretization<dim>& discretization,
+            const part::Material& material,
+            const elasticity::ReferencePoints<dim>& points);
+
+  /// Stress [Pa] of displacement vectors (dofs × columns): blocks of `points`
+  /// rows, one per component.
+  Eigen::MatrixXd stress(std::size_t cell,
+                         const Eigen::MatrixXd& columns) const;
+
+  /// Displacement [m]: points × (dim × columns), component after component.
+  Eigen::MatrixXd displacement(std::size_t cell,
+                               const Eigen::MatrixXd& columns) const;
+
+  /// Positions [m]: points × dim.
+  Eigen::MatrixXd positions(std::size_t cell) const;
+
+ private:
+  Eigen::MatrixXd nodal_values(std::size_t cell,
+                               const Eigen::MatrixXd& columns) const;
+  Eigen::MatrixXd gradients(std::size_t cell,
+                            const Eigen::MatrixXd& columns) const;
+
+  const elasticity::Discretization<dim>& discretization_;
+  elasticity::LameConstants<dim> lame_;
+  elasticity::Tabulation displacement_, geometry_;
+};
+
+}  // namespace clevis::stress

@@ -1,0 +1,142 @@
+#include "stress/probe.h"
+
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "stress/cell_field.h"
+#include "stress/stress_history.h"
+
+namespace clevis::stress {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double kOutside = 1e-6;  // of a cell
+
+template <int dim>
+using Point = Eigen::Matrix<double, dim, 1>;
+
+template <int dim>
+bool in_bounds(const Eigen::Matrix<double, dim, Eigen::Dynamic>& points,
+               const Point<dim>& x) {
+  const Point<dim> low = points.rowwise().minCoeff();
+  const Point<dim> high = points.rowwise().maxCoeff();
+  // A curved face may bulge beyond its geometry points a little.
+  const double margin = 0.1 * (high - low).norm();
+  return ((x - low).array() > -margin).all() &&
+         ((high - x).array() > -margin).all();
+}
+
+template <int dim>
+bool in_reference_cell(mesh::CellShape shape, const Point<dim>& xi) {
+  const bool low = (xi.array() >= -kOutside).all();
+  if (shape == mesh::CellShape::kSimplex) {
+    return low && xi.sum() <= 1.0 + kOutside;
+  }
+  return low && (xi.array() <= 1.0 + kOutside).all();
+}
+
+/// Reference coordinates of x in a cell; false if Newton does not find any.
+template <int dim>
+bool invert(const elasticity::Discretization<dim>& discretization,
+            std::size_t cell, const Point<dim>& x, Point<dim>& xi) {
+  constexpr int kIterations = 20;
+  const auto& points = discretization.cell_points[cell];
+  const double size =
+      (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+  xi.setConstant(discretization.shape == mesh::CellShape::kSimplex ? 0.25
+                                                                   : 0.5);
+  for (int k = 0; k < kIterations; ++k) {
+    const elasticity::ReferencePoints<dim> here = xi;
+    const auto at = elasticity::cell_geometry<dim>(
+        points,
+        elasticity::tabulate_geometry<dim>(
+            discretization.shape, discretization.geometry_degree, here));
+    const Point<dim> gap = x - at.points.col(0);
+    if (gap.norm() <= 1e-12 * size) return true;
+    xi += at.inverse_jacobian[0] * gap;
+    if (!(xi.norm() < 10.0)) return false;
+  }
+  return false;
+}
+
+/// Index of a quantity "stress_xy" among xx, yy, zz, xy, yz, xz.
+Index stress_component(const std::string& quantity) {
+  constexpr std::array<const char*, 6> kNames = {"stress_xx", "stress_yy",
+                                                 "stress_zz", "stress_xy",
+                                                 "stress_yz", "stress_xz"};
+  for (std::size_t k = 0; k < kNames.size(); ++k) {
+    if (quantity == kNames[k]) return static_cast<Index>(k);
+  }
+  assert(false && "the scene reader admits known quantities only");
+  return 0;
+}
+
+double take(const std::string& quantity, const MatrixXd& stress,
+            const Eigen::Vector3d& displacement) {
+  if (quantity == "von_mises") return von_mises(stress)[0];
+  if (quantity.starts_with("displacement_")) {
+    return displacement[quantity.back() - 'x'];
+  }
+  return stress(0, stress_component(quantity));
+}
+
+}  // namespace
+
+template <int dim>
+Location<dim> locate(const elasticity::Discretization<dim>& discretization,
+                     const Eigen::Vector3d& at) {
+  Location<dim> location;
+  if (dim == 2 && std::abs(at.z() - discretization.mid_plane_z) >
+                      (0.5 + kOutside) * discretization.thickness) {
+    return location;
+  }
+  const Point<dim> x = at.head<dim>();
+  for (std::size_t c = 0; c < discretization.cell_points.size(); ++c) {
+    Point<dim> xi;
+    if (!in_bounds<dim>(discretization.cell_points[c], x) ||
+        !invert<dim>(discretization, c, x, xi) ||
+        !in_reference_cell<dim>(discretization.shape, xi)) {
+      continue;
+    }
+    location.emplace_back(static_cast<int>(c), xi);
+  }
+  return location;
+}
+
+template <int dim>
+double probe(const elasticity::DisplacementBasis<dim>& basis,
+             const part::Material& material, const Location<dim>& location,
+             const std::string& quantity, int instant) {
+  assert(!location.empty());
+  const MatrixXd u = basis.columns * basis.coefficients.col(instant);
+  double sum = 0.0;
+  for (const auto& [cell, xi] : location) {
+    const elasticity::ReferencePoints<dim> point = xi;
+    const CellField<dim> field(basis.discretization, material, point);
+    const auto c = static_cast<std::size_t>(cell);
+    const MatrixXd values = field.stress(c, u);
+    MatrixXd stress = MatrixXd::Zero(1, 6);
+    for (int k = 0; k < kStressComponents<dim>; ++k) {
+      stress(0, dim == 2 && k == 2 ? 3 : k) = values(k, 0);
+    }
+    Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
+    displacement.head<dim>() = field.displacement(c, u).row(0);
+    sum += take(quantity, stress, displacement);
+  }
+  return sum / static_cast<double>(location.size());
+}
+
+#define CLEVIS_INSTANTIATE(dim)                                              \
+  template Location<dim> locate<dim>(const elasticity::Discretization<dim>&, \
+                                     const Eigen::Vector3d&);                \
+  template double probe<dim>(const elasticity::DisplacementBasis<dim>&,      \
+                             const part::Material&, const Location<dim>&,    \
+                             const std::string&, int);
+CLEVIS_INSTANTIATE(2)
+CLEVIS_INSTANTIATE(3)
+#undef CLEVIS_INSTANTIATE
+
+}  // namespace clevis::stress

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "elasticity/displacement_basis.h"
+#include "part/material.h"
+
+namespace clevis::stress {
+
+/// Where a point lies: every cell that holds it (several on an edge or at a
+/// corner) with its reference coordinates there.
+template <int dim>
+using Location = std::vector<std::pair<int, Eigen::Matrix<double, dim, 1>>>;
+
+/// Finds a point of L by Newton's method on the cells whose bounds hold it; to
+/// 1e-6 of a cell. Empty if the point is outside the part. For dim = 2 the
+/// point may lie anywhere in the thickness.
+template <int dim>
+Location<dim> locate(const elasticity::Discretization<dim>& discretization,
+                     const Eigen::Vector3d& at);
+
+/// Value of a quantity at a point at one instant, the mean over the cells
+/// that hold it; SI.
+/// @param quantity  von_mises, stress_xx … stress_xz, displacement_x … z.
+/// @pre `location` is not empty, the quantity is one of these.
+template <int dim>
+double probe(const elasticity::DisplacementBasis<dim>& basis,
+             const part::Material& material, const Location<dim>& location,
+             const std::string& quantity, int instant);
+
+}  // namespace clevis::stress
