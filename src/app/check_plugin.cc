@@ -142,6 +142,7 @@ void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
                         "checking " + names);
       });
   progress.clear();
+  report::remove_unfinished(folder);  // of workers that were stopped or died
   for (const auto& name : order) {
     const auto job = std::ranges::find(jobs, name, [](const PartJob& j) {
       return j.part.name;

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -110,6 +111,19 @@ void write_file(const std::filesystem::path& file, std::string_view content) {
   temporary.write(content);
   temporary.publish();
   sync_folder(target.parent_path());
+}
+
+void remove_unfinished(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;  // no folder: nothing is left
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with('.') && name.ends_with(".tmp")) {
+      left.push_back(entry.path());
+    }
+  }
+  for (const fs::path& file : left) fs::remove(file, ignored);
 }
 
 }  // namespace clevis::report

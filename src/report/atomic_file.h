@@ -21,4 +21,8 @@ bool is_file_name(std::string_view name);
 ///   the folder or file cannot be written; no temporary file stays behind.
 void write_file(const std::filesystem::path& file, std::string_view content);
 
+/// Removes from `folder` and below what processes that were killed inside
+/// write_file() left. Nobody else may be writing there.
+void remove_unfinished(const std::filesystem::path& folder);
+
 }  // namespace clevis::report

@@ -83,5 +83,17 @@ TEST(AtomicFile, LinkIsReplacedNotFollowed) {
   EXPECT_EQ(content_of(folder / "other"), "untouched");
 }
 
+TEST(AtomicFile, RemainsOfKilledProcessesAreRemovedAndNothingElse) {
+  const TestFolder folder;
+  write_file(folder / "result.json", "content");
+  write_file(folder / "frames/AB_0000.vtu", "content");
+  std::ofstream(folder / "frames/.AB_0001.vtu.42.tmp") << "half";
+  std::ofstream(folder / ".result.json.42.tmp") << "half";
+  remove_unfinished(folder.path());
+  EXPECT_EQ(entries(folder.path()), 2);  // result.json and frames
+  EXPECT_EQ(entries(folder / "frames"), 1);
+  EXPECT_NO_THROW(remove_unfinished(folder / "not there"));
+}
+
 }  // namespace
 }  // namespace clevis::report
