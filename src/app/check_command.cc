@@ -25,8 +25,8 @@ fs::path plugin_path() {
 ExitCode check_command(const Options& options) {
   // Parts run in processes of their own; BLAS threads on top would only get
   // in their way and change the order of sums.
-  setenv("OPENBLAS_NUM_THREADS", "1", 0);
-  setenv("OMP_NUM_THREADS", "1", 0);
+  setenv("OPENBLAS_NUM_THREADS", "1", 1);
+  setenv("OMP_NUM_THREADS", "1", 1);
   const fs::path path = plugin_path();
   void* plugin = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (plugin == nullptr) {

@@ -13,6 +13,7 @@
 #include "assessment/model_choice.h"
 #include "assessment/verdict.h"
 #include "base/errors.h"
+#include "elasticity/stiffness.h"
 #include "stress/deflection.h"
 #include "stress/peak_band.h"
 
@@ -175,7 +176,12 @@ PartAssessment run_ladder(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   Level<dim> level;
   stress::Band band;
   // In 3-D three degrees up to 3 are cheaper than 4 alone.
-  for (int degree = dim == 2 ? 2 : 1; degree <= highest; ++degree) {
+  int degree = dim == 2 ? 2 : 1;
+  while (degree < highest &&
+         elasticity::folds<dim>(elasticity::discretize<dim>(mesh, degree))) {
+    ++degree;
+  }
+  for (; degree <= highest; ++degree) {
     level = solve_level<dim>(job, mesh, degree, result.seconds);
     sequence.push_back(level.member);
     probes.push_back(level.probes);

@@ -2,14 +2,15 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/diagnostics.h"
 
 namespace clevis {
 
 Error::Error(std::string_view code, std::string place, std::string problem,
              std::string remedy)
-    : std::runtime_error(place + ": " + problem + " (" + std::string(code) +
-                         ")"),
+    : std::runtime_error(fmt::format("{}: {} ({})", place, problem, code)),
       code_(code),
       place_(std::move(place)),
       problem_(std::move(problem)),

@@ -186,7 +186,8 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
   require_memory(dim, discretization.dofs(), physical_memory(),
                  "part " + problem.name);
   const auto positions = node_positions(discretization);
-  const auto stiffness = assemble_stiffness(discretization, problem.material);
+  const auto stiffness = assemble_stiffness(discretization, problem.material,
+                                            "part " + problem.name);
   const bool is_free = problem.fixed.empty();
   const std::vector<int> held =
       is_free ? determinate_supports(discretization, positions)

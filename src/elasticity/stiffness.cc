@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numeric>
 
+#include <fmt/format.h>
+
+#include "base/errors.h"
 #include "elasticity/dense_product.h"
 
 namespace clevis::elasticity {
@@ -102,6 +105,24 @@ void scatter(const std::vector<int>& ids, const GradientProducts<dim>& products,
   }
 }
 
+template <int dim>
+Quadrature<dim> stiffness_quadrature(
+    const Discretization<dim>& discretization) {
+  const bool curved = discretization.geometry_degree > 1;
+  return gauss<dim>(discretization.shape,
+                    discretization.degree + (curved ? 2 : 1));
+}
+
+void require_positive(const Eigen::VectorXd& determinant, std::size_t cell,
+                      int degree, const std::string& place) {
+  if (determinant.minCoeff() > 0.0) return;  // NaN falls through
+  throw Error("M005", place,
+              fmt::format("cell {} folds when its geometry is interpolated "
+                          "with degree {}",
+                          cell, degree),
+              "mesh the place finer");
+}
+
 }  // namespace
 
 template <int dim>
@@ -138,8 +159,21 @@ Eigen::MatrixXd StiffnessMatrix<dim>::multiply(const Eigen::MatrixXd& x) const {
 }
 
 template <int dim>
+bool folds(const Discretization<dim>& discretization) {
+  const auto rule = stiffness_quadrature(discretization);
+  const auto geometry = tabulate_geometry<dim>(
+      discretization.shape, discretization.geometry_degree, rule.points);
+  return std::ranges::any_of(
+      discretization.cell_points, [&](const auto& points) {
+        return !(cell_geometry<dim>(points, geometry).determinant.minCoeff() >
+                 0.0);
+      });
+}
+
+template <int dim>
 StiffnessMatrix<dim> assemble_stiffness(
-    const Discretization<dim>& discretization, const part::Material& material) {
+    const Discretization<dim>& discretization, const part::Material& material,
+    const std::string& place) {
   StiffnessMatrix<dim> matrix;
   build_pattern(discretization, matrix);
   const auto lame = lame_constants<dim>(material);
@@ -155,6 +189,8 @@ StiffnessMatrix<dim> assemble_stiffness(
   for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
     const auto cell =
         cell_geometry<dim>(discretization.cell_points[c], geometry);
+    require_positive(cell.determinant, c, discretization.geometry_degree,
+                     place);
     const auto gradients = physical_gradients(cell, displacement);
     const Eigen::VectorXd weights =
         rule.weights.cwiseProduct(cell.determinant) * discretization.thickness;
@@ -168,9 +204,13 @@ template LameConstants<2> lame_constants<2>(const part::Material&);
 template LameConstants<3> lame_constants<3>(const part::Material&);
 template struct StiffnessMatrix<2>;
 template struct StiffnessMatrix<3>;
+template bool folds<2>(const Discretization<2>&);
+template bool folds<3>(const Discretization<3>&);
 template StiffnessMatrix<2> assemble_stiffness<2>(const Discretization<2>&,
-                                                  const part::Material&);
+                                                  const part::Material&,
+                                                  const std::string&);
 template StiffnessMatrix<3> assemble_stiffness<3>(const Discretization<3>&,
-                                                  const part::Material&);
+                                                  const part::Material&,
+                                                  const std::string&);
 
 }  // namespace clevis::elasticity

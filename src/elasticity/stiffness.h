@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -32,10 +33,19 @@ struct StiffnessMatrix {
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& x) const;
 };
 
+/// Whether a cell's mapping is not positive at a quadrature point of the
+/// stiffness: interpolated with a low degree, a thin and strongly curved cell
+/// may fold that the mesh's own geometry does not.
+template <int dim>
+bool folds(const Discretization<dim>& discretization);
+
 /// K = ∫ Bᵀ D B dV (times the thickness for dim = 2) by Gauss quadrature with
 /// degree + 1 points a direction, more where the geometry is curved.
+/// @param place  of an error, e.g. "part DCE".
+/// @throws Error M005 if the mapping of a cell is not positive at a point.
 template <int dim>
 StiffnessMatrix<dim> assemble_stiffness(
-    const Discretization<dim>& discretization, const part::Material& material);
+    const Discretization<dim>& discretization, const part::Material& material,
+    const std::string& place);
 
 }  // namespace clevis::elasticity
