@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "app/load_scene.h"
+#include "app/output_folder.h"
 #include "app/part_files.h"
 #include "app/part_jobs.h"
 #include "app/worker_pool.h"
@@ -32,17 +33,6 @@ namespace fs = std::filesystem;
 using assessment::PartJob;
 
 constexpr int kInterruptedExit = 130;  // 128 + SIGINT, as shells expect
-
-/// results/<scene> unless --out says otherwise; a scene in its mechanism's
-/// folder is named after both: results/landing_gear_loaded.
-fs::path output_folder(const Options& options) {
-  if (!options.out.empty()) return options.out;
-  const fs::path file = fs::absolute(options.scene);
-  const std::string folder = file.parent_path().filename().string();
-  const std::string scene = file.stem().string();
-  return fs::path("results") /
-         (scene == "scene" ? folder : folder + "_" + scene);
-}
 
 /// A worker's answer: the result, or the refusal that ended it.
 std::string encode_error(const Error& error) {
@@ -181,6 +171,9 @@ void write_reactions(const LoadedScene& loaded, const mechanism::Motion& motion,
 ExitCode run_check(const Options& options) {
   Stopwatch total;
   Stopwatch watch;
+  const InterruptGuard guard;
+  const fs::path folder = output_folder(options);
+  remove_previous_run(folder);
   report::CheckReport report;
   report.version = CLEVIS_VERSION;
   const LoadedScene loaded = load_scene(options.scene);
@@ -207,10 +200,6 @@ ExitCode run_check(const Options& options) {
   }
   report.seconds.emplace_back("loads", watch.lap());
 
-  const fs::path folder = output_folder(options);
-  // Until the new one is written, no result.json vouches for the files.
-  std::error_code ignored;
-  fs::remove(folder / "result.json", ignored);
   check_parts(loaded, motion, std::move(jobs), options, folder, report);
   report.seconds.emplace_back("parts", watch.lap());
 

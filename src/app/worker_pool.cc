@@ -22,27 +22,6 @@ void note_interrupt(int) {
   interrupted = 1;
 }
 
-/// Catches SIGINT and SIGTERM while it lives.
-class InterruptGuard {
- public:
-  InterruptGuard() {
-    struct sigaction action {};
-    action.sa_handler = note_interrupt;
-    sigaction(SIGINT, &action, &old_interrupt_);
-    sigaction(SIGTERM, &action, &old_terminate_);
-  }
-  ~InterruptGuard() {
-    sigaction(SIGINT, &old_interrupt_, nullptr);
-    sigaction(SIGTERM, &old_terminate_, nullptr);
-  }
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-
- private:
-  struct sigaction old_interrupt_ {
-  }, old_terminate_{};
-};
-
 struct Worker {
   std::size_t task{};
   pid_t process{};
@@ -119,13 +98,24 @@ void stop(std::vector<Worker>& workers) {
 
 }  // namespace
 
+InterruptGuard::InterruptGuard() {
+  struct sigaction action {};
+  action.sa_handler = note_interrupt;
+  sigaction(SIGINT, &action, &old_interrupt_);
+  sigaction(SIGTERM, &action, &old_terminate_);
+}
+
+InterruptGuard::~InterruptGuard() {
+  sigaction(SIGINT, &old_interrupt_, nullptr);
+  sigaction(SIGTERM, &old_terminate_, nullptr);
+}
+
 std::vector<WorkerOutcome> run_workers(
     std::size_t tasks, int jobs,
     const std::function<std::string(std::size_t)>& task,
     const std::function<void(std::size_t, const std::vector<std::size_t>&)>&
         progress) {
   constexpr int kPollMilliseconds = 200;
-  const InterruptGuard guard;
   std::vector<WorkerOutcome> outcomes(tasks);
   std::vector<Worker> workers;
   std::size_t next = 0;

@@ -1,10 +1,25 @@
 #pragma once
 
+#include <csignal>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace clevis::app {
+
+/// Notes SIGINT and SIGTERM while it lives, instead of dying: run_workers()
+/// then stops, so that the command can still tell what it has.
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+ private:
+  struct sigaction old_interrupt_ {
+  }, old_terminate_{};
+};
 
 /// What became of a task.
 struct WorkerOutcome {
@@ -16,8 +31,8 @@ struct WorkerOutcome {
 /// Runs tasks in processes of their own, `jobs` at a time, in the given
 /// order. A crash takes down one task only; nothing is shared.
 ///
-/// SIGINT and SIGTERM stop all workers; tasks that had not returned are
-/// kInterrupted.
+/// An interrupt (InterruptGuard) stops all workers; tasks that had not
+/// returned are kInterrupted.
 /// @param task      runs in the child; its text comes back.
 /// @param progress  called in the parent whenever something changed: number
 ///   of tasks done, indices of those running.

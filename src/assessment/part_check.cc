@@ -40,7 +40,22 @@ PeakVerdict to_peak_verdict(stress::Convergence convergence) {
   return PeakVerdict::kNotConverged;
 }
 
-/// Band of the peak; what the lattice may miss widens it upwards.
+/// What the peak may miss between the points of the lattice and between the
+/// instants of the motion [Pa]. Cases stand behind the motion, at time 0.
+template <int dim>
+double sampling_error(const PartJob& job, const Level<dim>& level) {
+  const auto& instants = job.load_sets[level.set].history.instants;
+  std::size_t motion = 1;
+  while (motion < instants.size() &&
+         instants[motion].time > instants[motion - 1].time) {
+    ++motion;
+  }
+  return level.history.sampling_error +
+         stress::time_sampling_error(
+             level.history.peak.head(static_cast<Eigen::Index>(motion)));
+}
+
+/// Band of the peak; what the samples may miss widens it upwards.
 stress::Band band_of(const std::vector<SequenceMember>& sequence,
                      double sampling_error, double tolerance) {
   std::vector<stress::SequenceValue> values;
@@ -185,7 +200,7 @@ PartAssessment run_ladder(const PartJob& job, const mesh::PartMesh<dim>& mesh,
     level = solve_level<dim>(job, mesh, degree, result.seconds);
     sequence.push_back(level.member);
     probes.push_back(level.probes);
-    band = band_of(sequence, level.history.sampling_error, job.tolerance);
+    band = band_of(sequence, sampling_error(job, level), job.tolerance);
     if (sequence.size() > 2 &&
         band.verdict == stress::Convergence::kConverged) {
       break;

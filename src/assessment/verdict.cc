@@ -7,21 +7,33 @@ namespace {
 
 constexpr double kMega = 1e6;
 constexpr double kMilli = 1e-3;
+constexpr double kLargestConcentration = 5.0;  // of holes and fillets
 
 void set(PartResult& result, PartVerdict verdict, std::string why) {
   result.verdict = verdict;
   result.why = std::move(why);
 }
 
+std::string unsettled_remedy(const PartResult& result) {
+  if (result.peak.verdict == PeakVerdict::kSingular) {
+    return "round the corner, or support the part without a sharp edge";
+  }
+  if (result.peak.sequence.size() < 3) {
+    return "tetrahedra give two degrees only and no band: mesh with hexahedra";
+  }
+  return "mesh finer there, give more instants, or loosen --tolerance";
+}
+
 bool judge_stress(const part::PartDefinition& part, PartResult& result) {
   const PeakStress& peak = result.peak;
   if (peak.verdict != PeakVerdict::kConverged) {
     set(result, PartVerdict::kNotJudged,
-        fmt::format("peak {} at {}: [{:.4g}, {:.4g}] MPa",
+        fmt::format("peak {} at {}: [{:.4g}, {:.4g}] MPa; {}",
                     peak.verdict == PeakVerdict::kSingular
                         ? "singular (grows without bound under refinement)"
                         : "not converged",
-                    peak.group, peak.band_low / kMega, peak.band_high / kMega));
+                    peak.group, peak.band_low / kMega, peak.band_high / kMega,
+                    unsettled_remedy(result)));
     return false;
   }
   const double wanted = part.limits.safety_factor.value_or(1.0);
@@ -84,6 +96,10 @@ std::string explain_ratio(const PeakStress& peak, const BeamComparison& beam) {
   if (ratio >= 0.8 && ratio <= 1.25) return "";
   const std::string& group = peak.group;
   if (ratio > 1.25) {
+    if (ratio > kLargestConcentration) {
+      return fmt::format("\"{}\" does not describe what loads {}",
+                         beam.governing, group);
+    }
     if (group.starts_with("bore_")) {
       return fmt::format(
           "the hole concentrates the stress at {} by {:.2f} over the nominal "

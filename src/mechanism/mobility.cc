@@ -103,13 +103,17 @@ void require_driven(const MechanismDefinition& definition,
             .drives[static_cast<std::size_t>(mobility.dependent_drives.back())];
     const std::string why =
         mobility.joints == 0 ? std::string("the joints alone fix the position")
-                             : fmt::format("{} prescribe the same motion",
-                                           fmt::join(names, ", "));
+        : names.size() == 1
+            ? fmt::format("{} has no motion of its own to prescribe", names[0])
+            : fmt::format("{} prescribe the same motion",
+                          fmt::join(names, ", "));
     throw Error("K003", last.place,
                 fmt::format("{} drive(s) for {} degree(s) of freedom: {}",
                             drives, mobility.joints, why),
-                fmt::format("remove {} of these drives",
-                            drives - mobility.joints + mobility.with_drives));
+                names.size() == 1
+                    ? std::string("drive another joint, and look for joints "
+                                  "that coincide")
+                    : fmt::format("remove {} of these drives", names.size()));
   }
   if (mobility.with_drives > 0) {
     std::vector<std::string> names;

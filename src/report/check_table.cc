@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "report/text_table.h"
 #include "report/units.h"
@@ -57,6 +58,19 @@ std::vector<TextTable::Cell> part_row(const PartResult& part) {
   };
 }
 
+void add_probes(TextTable& table, const PartResult& part) {
+  for (const auto& probe : part.probes) {
+    const bool length = is_displacement(probe);
+    const auto in_unit = [&](double value) {
+      return length ? millimetres(value) : megapascals(value);
+    };
+    table.add_note(fmt::format(
+        "probe {}: {} = {:#.5g} [{:#.5g}, {:#.5g}] {}", probe.name,
+        probe.quantity, in_unit(probe.value), in_unit(probe.band_low),
+        in_unit(probe.band_high), length ? "mm" : "MPa"));
+  }
+}
+
 void add_reasons(TextTable& table, const PartResult& part) {
   if (part.peak.verdict != PeakVerdict::kConverged) {
     table.add_note(fmt::format("peak: {}", text(part.peak.verdict)));
@@ -69,13 +83,22 @@ void add_reasons(TextTable& table, const PartResult& part) {
   }
 }
 
+std::string not_unique_line(const MechanismSummary& mechanism) {
+  if (mechanism.not_unique.empty()) return "";
+  return fmt::format(
+      "  reactions not unique, least norm taken: {}\n",
+      printable(fmt::format("{}", fmt::join(mechanism.not_unique, ", "))));
+}
+
 std::string mechanism_line(const MechanismSummary& mechanism) {
   return fmt::format(
-      "mechanism: mobility {}, {} redundant constraints, {} instants, closure "
-      "{:.1e} mm, power balance {:.1e}\n",
-      mechanism.mobility, mechanism.redundant_constraints, mechanism.instants,
-      millimetres(mechanism.max_closure_error),
-      mechanism.max_power_balance_error);
+             "mechanism: mobility {}, {} redundant constraints, {} instants, "
+             "closure "
+             "{:.1e} mm, power balance {:.1e}\n",
+             mechanism.mobility, mechanism.redundant_constraints,
+             mechanism.instants, millimetres(mechanism.max_closure_error),
+             mechanism.max_power_balance_error) +
+         not_unique_line(mechanism);
 }
 
 std::string last_line(const CheckReport& report, Colour colour) {
@@ -108,6 +131,7 @@ std::string check_table(const CheckReport& report, Colour colour) {
                    {"s", Align::kRight}});
   for (const PartResult& part : report.parts) {
     table.add_row(part_row(part));
+    add_probes(table, part);
     add_reasons(table, part);
   }
   for (const PartFailure& failure : report.failures) {

@@ -39,6 +39,11 @@ MechanismSummary summarise(const mechanism::MechanismDefinition& definition,
     const auto moment = [j](const Instant& instant) {
       return instant.joints[j].t_W.norm();
     };
+    if (std::ranges::any_of(motion.instants, [j](const Instant& instant) {
+          return !instant.joints[j].unique;
+        })) {
+      summary.not_unique.push_back(definition.joints[j].name);
+    }
     summary.joints.push_back({definition.joints[j].name,
                               peak_over(motion, force),
                               peak_over(motion, moment)});

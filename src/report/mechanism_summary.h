@@ -36,6 +36,9 @@ struct MechanismSummary {
   int instants{};
   double max_closure_error{};        ///< [m]
   double max_power_balance_error{};  ///< [1]
+  /// Joints whose reaction equilibrium leaves undetermined at some instant;
+  /// the least-norm one is taken.
+  std::vector<std::string> not_unique;
   std::vector<JointPeaks> joints;
   std::vector<DrivePeak> drives;
 };

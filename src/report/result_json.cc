@@ -35,6 +35,7 @@ ordered_json mechanism_json(const MechanismSummary& mechanism) {
   }
   return {{"mobility", mechanism.mobility},
           {"redundant_constraints", mechanism.redundant_constraints},
+          {"reactions_not_unique", mechanism.not_unique},
           {"instants", mechanism.instants},
           {"max_closure_error_mm", millimetres(mechanism.max_closure_error)},
           {"max_power_balance_error", mechanism.max_power_balance_error},

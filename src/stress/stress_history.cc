@@ -1,5 +1,6 @@
 #include "stress/stress_history.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -112,6 +113,18 @@ InstantField instant_field(const elasticity::DisplacementBasis<dim>& basis,
     field.stress.push_back(std::move(stress));
   }
   return field;
+}
+
+double time_sampling_error(const Eigen::VectorXd& peak) {
+  const Index n = peak.size();
+  if (n < 2) return 0.0;
+  if (n < 5) return peak.maxCoeff() - peak.minCoeff();
+  const double ends = std::max(peak[0], peak[n - 1]);
+  double largest[2] = {ends, ends};
+  for (Index i = 0; i < n; ++i) {
+    largest[i % 2] = std::max(largest[i % 2], peak[i]);
+  }
+  return std::abs(largest[0] - largest[1]) / 3.0;
 }
 
 Eigen::VectorXd von_mises(const MatrixXd& stress) {

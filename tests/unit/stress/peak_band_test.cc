@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "stress/stress_history.h"
+
 namespace clevis::stress {
 namespace {
 
@@ -83,6 +85,27 @@ TEST(PeakBand, FewerThanThreeValuesSayNothing) {
             Convergence::kNotConverged);
   EXPECT_EQ(peak_band(from_degree_two({100.0, 100.0}), 0.01).verdict,
             Convergence::kNotConverged);
+}
+
+// A peak between two instants of a sine is missed by at most its curvature.
+TEST(TimeSampling, CoversWhatACoarseMotionMisses) {
+  for (const int n : {9, 11, 24, 41}) {
+    Eigen::VectorXd peak(n);
+    for (int i = 0; i < n; ++i) {
+      peak[i] = 10.0 + std::sin(3.0 * i / (n - 1.0) + 0.4);
+    }
+    const double missed = 11.0 - peak.maxCoeff();
+    EXPECT_GE(time_sampling_error(peak) * 3.0, missed) << n;
+  }
+}
+
+TEST(TimeSampling, PeakAtAnEndMissesNothing) {
+  EXPECT_EQ(time_sampling_error(Eigen::VectorXd::LinSpaced(21, 1.0, 2.0)), 0.0);
+  EXPECT_EQ(time_sampling_error(Eigen::VectorXd::Constant(1, 3.0)), 0.0);
+}
+
+TEST(TimeSampling, FewInstantsTellNothing) {
+  EXPECT_EQ(time_sampling_error(Eigen::Vector3d(1.0, 4.0, 2.0)), 3.0);
 }
 
 }  // namespace
