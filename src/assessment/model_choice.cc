@@ -40,8 +40,9 @@ bool fits(const mesh::PartMesh<2>& plate, const PartJob& job) {
                                [&](const auto& s) {
                                  return known(s.group);
                                }) &&
+           // held across its plane the material cannot thin freely there
            std::ranges::all_of(set.fixed, [&](const auto& f) {
-             return known(f.first);
+             return known(f.first) && !f.second[2];
            });
   });
 }

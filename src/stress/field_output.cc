@@ -84,13 +84,16 @@ Patch<dim, 3> make_patch(const InstantField& field, std::size_t cell,
   return patch;
 }
 
-dealii::DataOutBase::VtkFlags flags(const std::vector<ScalarField>& scalars,
+dealii::DataOutBase::VtkFlags flags(mesh::CellShape shape,
+                                    const std::vector<ScalarField>& scalars,
                                     CellOrder order) {
   dealii::DataOutBase::VtkFlags result;
   result.print_date_and_time = false;
   result.compression_level =
       dealii::DataOutBase::VtkFlags::ZlibCompressionLevel::best_speed;
-  result.write_higher_order_cells = order == CellOrder::kLagrange;
+  // deal.II 9.4 leaves offsets and types of higher-order simplices empty.
+  result.write_higher_order_cells =
+      order == CellOrder::kLagrange && shape == mesh::CellShape::kTensor;
   result.physical_units.emplace("displacement", "m");
   for (unsigned k = kDisplacement; k < kFixedArrays; ++k) {
     result.physical_units.emplace(kNames[k], "Pa");
@@ -123,8 +126,8 @@ void write_vtu(std::ostream& out, mesh::CellShape shape,
       dealii::DataComponentInterpretation::DataComponentInterpretation>>
       vectors = {
           {0U, kDisplacement - 1, "displacement", component_is_part_of_vector}};
-  dealii::DataOutBase::write_vtu(patches, names, vectors, flags(scalars, order),
-                                 out);
+  dealii::DataOutBase::write_vtu(patches, names, vectors,
+                                 flags(shape, scalars, order), out);
 }
 
 template void write_vtu<2>(std::ostream&, mesh::CellShape, const InstantField&,

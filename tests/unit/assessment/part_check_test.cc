@@ -113,5 +113,13 @@ TEST(PartCheck, LoadAcrossThePlaneCallsForTheSolid) {
   EXPECT_EQ(check_part(job).result.model.substr(0, 3), "3-D");
 }
 
+TEST(PartCheck, SupportAcrossThePlaneCallsForTheSolid) {
+  PartJob job = pulled_bar();
+  job.load_sets[0].fixed["x0"] = {true, true, false};
+  EXPECT_EQ(check_part(job).result.model, "plane stress, p = 4");
+  job.load_sets[0].fixed["x0"] = {true, true, true};
+  EXPECT_EQ(check_part(job).result.model.substr(0, 3), "3-D");
+}
+
 }  // namespace
 }  // namespace clevis::assessment

@@ -26,12 +26,13 @@ Sample sample() {
 }
 
 std::string vtu(const InstantField& field, CellOrder order,
-                const Placement& placement = {}) {
+                const Placement& placement = {},
+                mesh::CellShape shape = mesh::CellShape::kTensor) {
   ScalarField worst{"worst_von_mises", "Pa", {}};
   worst.values = Eigen::MatrixXd::Ones(
       field.points[0].rows(), static_cast<Eigen::Index>(field.points.size()));
   std::ostringstream out;
-  write_vtu<3>(out, mesh::CellShape::kTensor, field, {worst}, order, placement);
+  write_vtu<3>(out, shape, field, {worst}, order, placement);
   return out.str();
 }
 
@@ -82,6 +83,22 @@ TEST(FieldOutput, ArraysCarryNamesAndUnits) {
     std::smatch match;
     ASSERT_TRUE(std::regex_search(text, match, array)) << name;
     EXPECT_EQ(match[1], std::string(name) == "displacement" ? "m" : "Pa");
+  }
+}
+
+TEST(FieldOutput, TetrahedraHaveOffsetsAndTypesInBothOrders) {
+  InstantField field;
+  field.subdivisions = 1;
+  field.points = {Eigen::MatrixXd{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  field.displacement = {Eigen::MatrixXd::Zero(4, 3)};
+  field.stress = {Eigen::MatrixXd::Ones(4, 6)};
+  for (const CellOrder order : {CellOrder::kLagrange, CellOrder::kLinear}) {
+    const std::string text = vtu(field, order, {}, mesh::CellShape::kSimplex);
+    for (const char* name : {"connectivity", "offsets", "types"}) {
+      const std::regex filled(std::string("Name=\"") + name +
+                              "\"[^>]*>\\s*[A-Za-z0-9+/]");
+      EXPECT_TRUE(std::regex_search(text, filled)) << name;
+    }
   }
 }
 
