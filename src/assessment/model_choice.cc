@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <Eigen/Geometry>
+
 #include "base/errors.h"
 #include "elasticity/plane_loads.h"
 #include "mesh/mesh_reader.h"
@@ -9,7 +11,14 @@
 namespace clevis::assessment {
 namespace {
 
+double size_of(const mesh::PartMesh<2>& plate) {
+  Eigen::AlignedBox2d box;
+  for (const auto& vertex : plate.vertices) box.extend(vertex);
+  return box.diagonal().norm();
+}
+
 bool fits(const mesh::PartMesh<2>& plate, const PartJob& job) {
+  const double size = size_of(plate);
   const auto known = [&](const std::string& name) {
     const auto found =
         std::ranges::find(plate.groups, name, &mesh::SurfaceGroup::name);
@@ -21,7 +30,7 @@ bool fits(const mesh::PartMesh<2>& plate, const PartJob& job) {
   };
   return std::ranges::all_of(job.load_sets, [&](const LoadSet& set) {
     const bool in_plane =
-        elasticity::loads_in_plane(set.history, plate.mid_plane_z);
+        elasticity::loads_in_plane(set.history, plate.mid_plane_z, size);
     return in_plane &&
            std::ranges::all_of(set.history.seats,
                                [&](const auto& s) {

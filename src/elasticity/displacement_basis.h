@@ -26,6 +26,8 @@ struct SolveChecks {
   double balance{};      ///< what is left of it over the load: free parts [1]
   double equilibrium{};  ///< support reactions over the load: free parts [1]
   double residual{};     ///< ‖K u − f‖ / ‖f‖ [1]
+  /// Round-off of K u over the load; only if `residual` is suspicious [1].
+  double residual_round_off{};
   double energy{};       ///< |uᵀK u − fᵀu| / |fᵀu| [1]
   double compression{};  ///< load basis against loads [1]
 };

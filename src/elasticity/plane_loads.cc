@@ -27,10 +27,10 @@ struct Largest {
 
 }  // namespace
 
-bool loads_in_plane(const loads::LoadHistory& history, double mid_plane_z) {
+bool loads_in_plane(const loads::LoadHistory& history, double mid_plane_z,
+                    double size) {
   constexpr double kInPlane = 1e-9;
   Largest force, moment, acceleration, rotation;
-  double size = 0.0;
   for (const auto& instant : history.instants) {
     for (std::size_t s = 0; s < history.seats.size(); ++s) {
       const auto& wrench = instant.wrenches[s];
@@ -41,6 +41,8 @@ bool loads_in_plane(const loads::LoadHistory& history, double mid_plane_z) {
     }
     for (const auto& load : instant.surface_loads) {
       const Vector3d lever(0.0, 0.0, mid_plane_z);
+      // The resultant of a closed pressure is round-off of its total.
+      force.along = std::max(force.along, load.total);
       force.add(load.resultant.force);
       force.add(Vector3d(0.0, 0.0, load.traction.z()));
       moment.add_normal(load.resultant.moment -

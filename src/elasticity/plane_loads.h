@@ -6,6 +6,8 @@ namespace clevis::elasticity {
 
 /// True if no load leaves the plane z = const (to 1e-9 of the largest): what
 /// a plane model can take.
-bool loads_in_plane(const loads::LoadHistory& history, double mid_plane_z);
+/// @param size  of the part [m]: lever of forces, whose moments are compared.
+bool loads_in_plane(const loads::LoadHistory& history, double mid_plane_z,
+                    double size);
 
 }  // namespace clevis::elasticity

@@ -135,6 +135,13 @@ LameConstants<dim> lame_constants(const part::Material& material) {
 }
 
 template <int dim>
+StiffnessMatrix<dim> StiffnessMatrix<dim>::absolute() const {
+  StiffnessMatrix result = *this;
+  for (Block& entries : result.block) entries = entries.cwiseAbs().eval();
+  return result;
+}
+
+template <int dim>
 Eigen::MatrixXd StiffnessMatrix<dim>::multiply(const Eigen::MatrixXd& x) const {
   // Rows of all columns side by side: one pass through the matrix.
   using RowMajor =

@@ -31,6 +31,8 @@ struct StiffnessMatrix {
   int nodes() const { return static_cast<int>(row_start.size()) - 1; }
   /// K x for a block of vectors, all degrees of freedom.
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& x) const;
+  /// |K|, entry by entry.
+  StiffnessMatrix absolute() const;
 };
 
 /// Whether a cell's mapping is not positive at a quadrature point of the

@@ -1,5 +1,8 @@
 #include "assessment/part_check.h"
 
+#include <cmath>
+#include <string>
+
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
@@ -54,6 +57,50 @@ TEST(PartCheck, SolidAndPlaneModelAgreeWhereBothAreExact) {
   const PartResult result = check_part(job).result;
   EXPECT_EQ(result.model.substr(0, 3), "3-D");
   EXPECT_NEAR(result.peak.value, 10e6, 1.0);
+}
+
+TEST(PartCheck, EvenPressureIsNoStress) {
+  PartJob job = pulled_bar();
+  auto& loads = job.load_sets[0].history.instants[0].surface_loads;
+  loads.clear();
+  const Vector3d size(0.06, 0.01, 0.004);
+  for (int d = 0; d < 3; ++d) {
+    for (const int side : {0, 1}) {
+      const Vector3d normal = (2.0 * side - 1.0) * Vector3d::Unit(d);
+      Vector3d centre = size / 2;
+      centre[d] = side * size[d];
+      loads::SurfaceLoad load;
+      load.group = std::string(1, "xyz"[d]) + (side == 0 ? "0" : "1");
+      load.pressure = 10e6;
+      load.total = 10e6 * size.prod() / size[d];
+      load.resultant.force = -load.total * normal;
+      load.resultant.moment = centre.cross(load.resultant.force);
+      loads.push_back(load);
+    }
+  }
+  EXPECT_LT(check_part(job).result.peak.value, 1.0);
+}
+
+// K u of a bent slender plate is a small difference of large terms.
+TEST(PartCheck, BendingOfASlenderPlateIsSolved) {
+  PartJob job = pulled_bar();
+  job.mesh = support::structured_mesh<3>(
+      {40, 4, 1}, 1, [](const Vector3d& x) -> Vector3d {
+        return x.cwiseProduct(Vector3d(0.1, 0.01, 0.002));
+      });
+  job.load_sets[0].fixed["x0"] = {true, true, true};
+  auto& loads = job.load_sets[0].history.instants[0].surface_loads;
+  loads.erase(loads.begin());
+  loads[0].traction = Vector3d(0, 0, 1e4);
+  loads[0].total = 1e4 * 0.01 * 0.002;
+  loads[0].resultant.force = Vector3d(0, 0, loads[0].total);
+  loads[0].resultant.moment =
+      Vector3d(0.1, 0.005, 0.001).cross(loads[0].resultant.force);
+  job.tolerance = 1e-3;  // up to degree 4
+  const double inertia = 0.01 * std::pow(0.002, 3) / 12;
+  const double expected =
+      loads[0].total * std::pow(0.1, 3) / (3 * 210e9 * inertia);
+  EXPECT_NEAR(check_part(job).result.deflection, expected, 0.02 * expected);
 }
 
 TEST(PartCheck, LoadAcrossThePlaneCallsForTheSolid) {

@@ -79,18 +79,32 @@ TEST(LoadsInPlane, TellsPlaneFromSpatialLoads) {
   instant.rigid.acceleration = {1, -9.81, 0};
   instant.rigid.omega = {0, 0, 3};
   history.instants.push_back(instant);
-  EXPECT_TRUE(loads_in_plane(history, 0.004));
+  EXPECT_TRUE(loads_in_plane(history, 0.004, 0.1));
   // Off the plane the force bends the plate.
-  EXPECT_FALSE(loads_in_plane(history, 0.005));
+  EXPECT_FALSE(loads_in_plane(history, 0.005, 0.1));
   auto& load = history.instants[0];
   load.wrenches[0].force.z() = 1e-3;
-  EXPECT_FALSE(loads_in_plane(history, 0.004));
+  EXPECT_FALSE(loads_in_plane(history, 0.004, 0.1));
   load.wrenches[0].force.z() = 0.0;
   load.wrenches[0].moment.x() = 1e-3;
-  EXPECT_FALSE(loads_in_plane(history, 0.004));
+  EXPECT_FALSE(loads_in_plane(history, 0.004, 0.1));
   load.wrenches[0].moment.x() = 0.0;
   load.rigid.alpha.y() = 1e-3;
-  EXPECT_FALSE(loads_in_plane(history, 0.004));
+  EXPECT_FALSE(loads_in_plane(history, 0.004, 0.1));
+}
+
+TEST(LoadsInPlane, RoundOffOfAClosedPressureStaysInThePlane) {
+  loads::SurfaceLoad pressure;
+  pressure.group = "bore_A";
+  pressure.pressure = 1e7;
+  pressure.total = 3000.0;
+  pressure.resultant = {.force = Vector3d(1e-13, -2e-13, 3e-13),
+                        .moment = Vector3d(4e-15, 5e-15, 0)};
+  loads::InstantLoad instant;
+  instant.surface_loads.push_back(pressure);
+  loads::LoadHistory history;
+  history.instants.push_back(instant);
+  EXPECT_TRUE(loads_in_plane(history, 0.0, 0.04));
 }
 
 }  // namespace
