@@ -29,7 +29,7 @@ n_fillet = 2;  // cells along a fillet; fewer do not determine its cylinder
 n_boss = 5;    // cells along half of the free boss
 n_loft = 3;
 n_rod = 4;
-n_flare = 3;
+n_flare = 5;
 n_piston = 2;
 
 // ---- derived --------------------------------------------------------------

@@ -30,7 +30,6 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 /// Surfaces of the first two seats that the deflection refers to.
 std::vector<std::string> reference_groups(const LoadSet& set) {
   std::vector<std::string> groups;
-  if (!set.fixed.empty()) return groups;
   for (const auto& seat : set.history.seats) {
     if (seat.kind == loads::SeatKind::kBearing && groups.size() < 2) {
       groups.push_back(seat.group);
@@ -93,7 +92,9 @@ Level<dim> solve_level(const PartJob& job, const mesh::PartMesh<dim>& mesh,
     seconds.assemble += basis->seconds.assemble;
     seconds.factor += basis->seconds.factor;
     seconds.solve += basis->seconds.solve;
-    stress::remove_rigid_motion<dim>(*basis, reference_groups(set));
+    if (set.fixed.empty()) {
+      stress::remove_rigid_motion<dim>(*basis, reference_groups(set));
+    }
     const auto start = std::chrono::steady_clock::now();
     auto history = stress::stress_history<dim>(
         *basis, job.part.material, lattice_subdivisions<dim>(mesh.shape));

@@ -26,7 +26,17 @@ std::string unsettled_remedy(const PartResult& result) {
 
 bool judge_stress(const part::PartDefinition& part, PartResult& result) {
   const PeakStress& peak = result.peak;
-  if (peak.verdict != PeakVerdict::kConverged) {
+  const double wanted = part.limits.safety_factor.value_or(1.0);
+  const double allowed = part.material.yield_strength / wanted;
+  const bool fails_anyway =
+      peak.verdict == PeakVerdict::kNotConverged && peak.band_low > allowed;
+  if (peak.value == 0.0) {
+    set(result, PartVerdict::kNotJudged,
+        "nothing stresses the part: its loads cancel, or act on held surfaces "
+        "only");
+    return false;
+  }
+  if (peak.verdict != PeakVerdict::kConverged && !fails_anyway) {
     set(result, PartVerdict::kNotJudged,
         fmt::format("peak {} at {}: [{:.4g}, {:.4g}] MPa; {}",
                     peak.verdict == PeakVerdict::kSingular
@@ -36,8 +46,6 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
                     unsettled_remedy(result)));
     return false;
   }
-  const double wanted = part.limits.safety_factor.value_or(1.0);
-  const double allowed = part.material.yield_strength / wanted;
   const std::string limit =
       part.limits.safety_factor
           ? fmt::format("{:.4g} MPa (safety factor {:.4g})", allowed / kMega,

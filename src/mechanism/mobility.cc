@@ -1,5 +1,6 @@
 #include "mechanism/mobility.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/SVD>
@@ -113,7 +114,9 @@ void require_driven(const MechanismDefinition& definition,
                 names.size() == 1
                     ? std::string("drive another joint, and look for joints "
                                   "that coincide")
-                    : fmt::format("remove {} of these drives", names.size()));
+                    : fmt::format("remove {} of these drives",
+                                  std::max(1, drives - mobility.joints +
+                                                  mobility.with_drives)));
   }
   if (mobility.with_drives > 0) {
     std::vector<std::string> names;

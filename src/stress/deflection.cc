@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "elasticity/dense_product.h"
+#include "elasticity/group_trace.h"
 #include "elasticity/supports.h"
 
 namespace clevis::stress {
@@ -23,29 +25,63 @@ struct SurfaceMotion {
   MatrixXd rotation;                     ///< 1 or 3 × rank [rad]
 };
 
+using NodeWeights = std::map<int, double>;
+
+/// Area ∫ N dA that belongs to each node of a group [m²].
 template <int dim>
-SurfaceMotion<dim> surface_motion(
-    const elasticity::DisplacementBasis<dim>& basis, const std::string& name,
-    const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions) {
-  const auto& groups = basis.discretization.groups;
+NodeWeights surface_weights(
+    const elasticity::Discretization<dim>& discretization,
+    const std::string& name) {
+  const auto& groups = discretization.groups;
   const auto found = std::ranges::find(groups, name, &mesh::SurfaceGroup::name);
-  const auto nodes = elasticity::group_nodes(
-      basis.discretization, static_cast<int>(found - groups.begin()));
-  const auto n = static_cast<Index>(nodes.size());
+  elasticity::FaceTables<dim> tables;
+  const auto trace = elasticity::group_trace(
+      discretization, static_cast<int>(found - groups.begin()), tables);
+  NodeWeights weights;
+  Index begin = 0;
+  for (const auto& face : trace.faces) {
+    const Index n = face.values->rows();
+    const Eigen::VectorXd areas =
+        face.values->transpose() * trace.quadrature.weights.segment(begin, n);
+    for (std::size_t k = 0; k < face.nodes.size(); ++k) {
+      weights[face.nodes[k]] += areas[static_cast<Index>(k)];
+    }
+    begin += n;
+  }
+  return weights;
+}
+
+/// Rigid motion nearest to the displacements of nodes, about their centre.
+template <int dim>
+SurfaceMotion<dim> mean_motion(
+    const elasticity::DisplacementBasis<dim>& basis,
+    const NodeWeights& node_weights,
+    const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions) {
+  const auto n = static_cast<Index>(node_weights.size());
   Eigen::Matrix<double, dim, Eigen::Dynamic> at(dim, n);
   MatrixXd u(dim * n, basis.columns.cols());
-  for (Index k = 0; k < n; ++k) {
-    const int node = nodes[static_cast<std::size_t>(k)];
+  Eigen::VectorXd weights(dim * n);
+  Index k = 0;
+  for (const auto& [node, weight] : node_weights) {
     at.col(k) = positions.col(node);
     u.middleRows<dim>(dim * k) =
         basis.columns.template middleRows<dim>(dim * node);
+    weights.segment<dim>(dim * k).setConstant(weight);
+    ++k;
   }
-  // Rigid motion nearest to the nodes' displacements, about their centre.
   SurfaceMotion<dim> motion;
-  motion.centre = at.rowwise().mean();
+  motion.centre = Eigen::Matrix<double, dim, 1>::Zero();
+  double total = 0.0;
+  for (Index i = 0; i < n; ++i) {
+    motion.centre += weights[dim * i] * at.col(i);
+    total += weights[dim * i];
+  }
+  motion.centre /= total;
   const MatrixXd modes = elasticity::rigid_modes<dim>(at, motion.centre, 1.0);
-  const MatrixXd fit =
-      (modes.transpose() * modes).fullPivLu().solve(modes.transpose() * u);
+  const MatrixXd weighted = weights.asDiagonal() * modes;
+  const MatrixXd fit = (weighted.transpose() * modes)
+                           .fullPivLu()
+                           .solve(weighted.transpose() * u);
   motion.translation = fit.topRows<dim>();
   motion.rotation = fit.bottomRows(elasticity::kRigidModes<dim> - dim);
   return motion;
@@ -77,12 +113,19 @@ MatrixXd line_rotation(const SurfaceMotion<dim>& first,
 template <int dim>
 void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
                          const std::vector<std::string>& seat_groups) {
-  if (seat_groups.empty()) return;
   const auto positions = elasticity::node_positions(basis.discretization);
-  const auto first = surface_motion<dim>(basis, seat_groups.front(), positions);
+  const auto motion_of = [&](const std::string& group) {
+    return mean_motion<dim>(
+        basis, surface_weights<dim>(basis.discretization, group), positions);
+  };
+  NodeWeights all;
+  for (int node = 0; node < basis.discretization.nodes; ++node) all[node] = 1.0;
+  const auto first = seat_groups.empty()
+                         ? mean_motion<dim>(basis, all, positions)
+                         : motion_of(seat_groups.front());
   MatrixXd rotation = first.rotation;
   if (seat_groups.size() > 1) {
-    const auto second = surface_motion<dim>(basis, seat_groups[1], positions);
+    const auto second = motion_of(seat_groups[1]);
     if ((second.centre - first.centre).norm() > 0.0) {
       rotation = line_rotation<dim>(first, second);
     }

@@ -20,8 +20,9 @@ struct Deflection {
 /// pins: the mean displacement of the first seat's surface, the rotation that
 /// keeps the mean of the second seat's surface on the line between both, and
 /// (dim = 3) the first surface's mean rotation about that line. With one seat
-/// all of its mean rotation. Parts that are `fixed` keep their displacement.
-/// @param seat_groups  surface groups of the first two seats; empty if fixed.
+/// all of its mean rotation; with none that of all nodes. Means are over the
+/// surface's area.
+/// @param seat_groups  surface groups of the first two seats.
 template <int dim>
 void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
                          const std::vector<std::string>& seat_groups);

@@ -103,6 +103,18 @@ TEST(PartCheck, BendingOfASlenderPlateIsSolved) {
   EXPECT_NEAR(check_part(job).result.deflection, expected, 0.02 * expected);
 }
 
+TEST(PartCheck, PlateThickAgainstItsBoreCallsForTheSolid) {
+  PartJob job = pulled_bar();  // 4 mm thick
+  // The choice asks the group only; that its faces are flat does not matter.
+  part::Bore bore{.p_LC = Vector3d::Zero(), .axis_L = Vector3d::UnitZ()};
+  bore.radius = 3.4e-3;
+  job.mesh.groups[2] = {"bore_A", bore};
+  EXPECT_EQ(check_part(job).result.model, "plane stress, p = 4");
+  bore.radius = 3.3e-3;
+  job.mesh.groups[2] = {"bore_A", bore};
+  EXPECT_EQ(check_part(job).result.model.substr(0, 3), "3-D");
+}
+
 TEST(PartCheck, LoadAcrossThePlaneCallsForTheSolid) {
   PartJob job = pulled_bar();
   for (auto& load : job.load_sets[0].history.instants[0].surface_loads) {

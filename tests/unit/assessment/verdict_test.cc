@@ -48,6 +48,20 @@ TEST(Verdict, PeakThatDoesNotSettleIsNotJudgedHoweverSmall) {
   }
 }
 
+TEST(Verdict, BandBeyondTheLimitFailsEvenIfNotConverged) {
+  PartResult result = converged(300e6, 320e6, 340e6);
+  result.peak.verdict = PeakVerdict::kNotConverged;
+  EXPECT_EQ(judged(steel_part(), result).verdict, PartVerdict::kFail);
+  result.peak.verdict = PeakVerdict::kSingular;
+  EXPECT_EQ(judged(steel_part(), result).verdict, PartVerdict::kNotJudged);
+}
+
+TEST(Verdict, PartWithoutAnyStressIsNotJudged) {
+  const PartResult result = judged(steel_part(), converged(0.0, 0.0, 0.0));
+  EXPECT_EQ(result.verdict, PartVerdict::kNotJudged);
+  EXPECT_NE(result.why.find("nothing stresses"), std::string::npos);
+}
+
 TEST(Verdict, WithoutALimitTheYieldStrengthIsOne) {
   part::PartDefinition part = steel_part();
   part.limits = {};

@@ -56,6 +56,7 @@ TEST(CheckTable, PartTakesOneLineWithAllItsFigures) {
   CheckReport report = sample_report();
   report.parts.resize(1);
   report.parts[0].beam.reason.clear();
+  report.parts[0].probes.clear();
   const auto lines = lines_of(check_table(report, Colour::kNone));
   ASSERT_EQ(lines.size(), 7u);
   EXPECT_EQ(lines[0], "landing gear (geometry/landing_gear/scene.toml)");
@@ -76,10 +77,13 @@ TEST(CheckTable, ReasonsStandBelowTheirPart) {
   report.parts[0].peak.verdict = PeakVerdict::kSingular;
   const auto lines = lines_of(check_table(report, Colour::kNone));
   EXPECT_EQ(lines[4].substr(0, 3), "DCE");
-  EXPECT_EQ(lines[5], "    peak: singular");
-  EXPECT_EQ(lines[6], "    not judged: the peak grows without bound");
-  EXPECT_EQ(lines[7], "    FE/beam: curved eye");
-  EXPECT_EQ(lines[8].substr(0, 2), "BC");
+  EXPECT_EQ(lines[5], "    probe D: stress_yy = 5.5000 [5.4000, 5.6000] MPa");
+  EXPECT_EQ(lines[6],
+            "    probe T: displacement_x = 0.015000 [0.014000, 0.016000] mm");
+  EXPECT_EQ(lines[7], "    peak: singular");
+  EXPECT_EQ(lines[8], "    not judged: the peak grows without bound");
+  EXPECT_EQ(lines[9], "    FE/beam: curved eye");
+  EXPECT_EQ(lines[10].substr(0, 2), "BC");
 }
 
 TEST(CheckTable, FailuresAndInterruptionAreTold) {

@@ -57,6 +57,7 @@ CheckReport sample_report() {
       .instants = 201,
       .max_closure_error = 2e-16,
       .max_power_balance_error = 3e-13,
+      .not_unique = {},
       .joints = {{"D", {2970.5, 0.5}, {0.0, 0.0}}, {"E", {609.25, 2.0}, {}}},
       .drives = {{"cylinder", EffortKind::kForce, {5029.0, 2.0}},
                  {"screw", EffortKind::kTorque, {12.5, 1.0}}}};

@@ -88,11 +88,8 @@ TEST(Deflection, Cantilever) {
                                 .cross(load.resultant.force);
     history.instants[static_cast<std::size_t>(i)].surface_loads.push_back(load);
   }
-  auto basis = elasticity::solve<3>(
+  const auto basis = elasticity::solve<3>(
       {mesh, kCork, history, {{"x0", {true, true, true}}}, "bar"}, 3);
-  const auto before = basis.columns;
-  remove_rigid_motion<3>(basis, {});
-  EXPECT_EQ(basis.columns, before);
   const double area = kSize.y() * kSize.z();
   const double force = 2 * shear * area;
   const double inertia = area * kSize.y() * kSize.y() / 12;
