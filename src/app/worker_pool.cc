@@ -103,6 +103,11 @@ InterruptGuard::InterruptGuard() {
   action.sa_handler = note_interrupt;
   sigaction(SIGINT, &action, &old_interrupt_);
   sigaction(SIGTERM, &action, &old_terminate_);
+  sigset_t interrupts;
+  sigemptyset(&interrupts);
+  sigaddset(&interrupts, SIGINT);
+  sigaddset(&interrupts, SIGTERM);
+  sigprocmask(SIG_UNBLOCK, &interrupts, nullptr);
 }
 
 InterruptGuard::~InterruptGuard() {

@@ -7,8 +7,9 @@
 
 namespace clevis::app {
 
-/// Notes SIGINT and SIGTERM while it lives, instead of dying: run_workers()
-/// then stops, so that the command can still tell what it has.
+/// Notes SIGINT and SIGTERM while it lives, also those that were blocked
+/// until now, instead of dying: run_workers() then stops, so that the command
+/// can still tell what it has.
 class InterruptGuard {
  public:
   InterruptGuard();
