@@ -1,13 +1,13 @@
 #include "assessment/level.h"
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "base/stopwatch.h"
 #include "stress/deflection.h"
 
 namespace clevis::assessment {
@@ -20,11 +20,6 @@ template <int dim>
 int lattice_subdivisions(mesh::CellShape shape) {
   if (shape == mesh::CellShape::kSimplex) return 1;
   return dim == 2 ? 8 : 4;
-}
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-      .count();
 }
 
 /// Surfaces of the first two seats that the deflection refers to.
@@ -95,10 +90,10 @@ Level<dim> solve_level(const PartJob& job, const mesh::PartMesh<dim>& mesh,
     if (set.fixed.empty()) {
       stress::remove_rigid_motion<dim>(*basis, reference_groups(set));
     }
-    const auto start = std::chrono::steady_clock::now();
+    Stopwatch watch;
     auto history = stress::stress_history<dim>(
         *basis, job.part.material, lattice_subdivisions<dim>(mesh.shape));
-    seconds.recover += seconds_since(start);
+    seconds.recover += watch.lap();
     level.bases.push_back(basis);
     if (level.governing && history.largest() <= level.history.largest()) {
       continue;

@@ -1,7 +1,6 @@
 #include "assessment/part_check.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "assessment/model_choice.h"
 #include "assessment/verdict.h"
 #include "base/errors.h"
+#include "base/stopwatch.h"
 #include "elasticity/stiffness.h"
 #include "stress/deflection.h"
 #include "stress/peak_band.h"
@@ -22,11 +22,6 @@ namespace {
 
 constexpr int kHighestDegree = 4;
 constexpr int kHighestSimplexDegree = 2;
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-      .count();
-}
 
 PeakVerdict to_peak_verdict(stress::Convergence convergence) {
   switch (convergence) {
@@ -229,7 +224,7 @@ PartAssessment run_ladder(const PartJob& job, const mesh::PartMesh<dim>& mesh,
 }  // namespace
 
 PartAssessment check_part(const PartJob& job) {
-  const auto start = std::chrono::steady_clock::now();
+  Stopwatch watch;
   PartAssessment assessment;
   const auto plate = plane_model(job);
   if (plate) {
@@ -248,7 +243,7 @@ PartAssessment check_part(const PartJob& job) {
           : 0.0;
   result.beam = compare_with_beam(job, result);
   judge(job.part, result);
-  result.seconds.total = seconds_since(start);
+  result.seconds.total = watch.lap();
   return assessment;
 }
 

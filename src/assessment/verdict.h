@@ -9,8 +9,9 @@ namespace clevis::assessment {
 ///
 /// Fail: the peak's band lies beyond the yield strength or beyond what the
 /// safety factor allows, or the deflection or Euler's load breaks its limit.
-/// Pass: the whole band is within. Not judged: the peak is singular or not
-/// converged, or a limit lies inside the band.
+/// Pass: the whole band is within. Not judged: the peak is singular, or not
+/// converged with a band that does not lie beyond the limit as a whole; a
+/// limit lies inside the band; or nothing stresses the part.
 void judge(const part::PartDefinition& part, PartResult& result);
 
 /// Why the FE peak leaves 0.8–1.25 of the beam's; empty if it does not.
