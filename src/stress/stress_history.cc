@@ -115,6 +115,21 @@ InstantField instant_field(const elasticity::DisplacementBasis<dim>& basis,
   return field;
 }
 
+namespace {
+
+/// By how much the parabola through the largest value and its neighbours
+/// rises above it; 0 if it stands at an end.
+double vertex_excess(const Eigen::VectorXd& peak) {
+  Index at = 0;
+  peak.maxCoeff(&at);
+  if (at == 0 || at == peak.size() - 1) return 0.0;
+  const double slope = 0.5 * (peak[at + 1] - peak[at - 1]);
+  const double curvature = peak[at + 1] - 2.0 * peak[at] + peak[at - 1];
+  return curvature < 0.0 ? -0.5 * slope * slope / curvature : 0.0;
+}
+
+}  // namespace
+
 double time_sampling_error(const Eigen::VectorXd& peak) {
   const Index n = peak.size();
   if (n < 2) return 0.0;
@@ -124,7 +139,7 @@ double time_sampling_error(const Eigen::VectorXd& peak) {
   for (Index i = 0; i < n; ++i) {
     largest[i % 2] = std::max(largest[i % 2], peak[i]);
   }
-  return std::abs(largest[0] - largest[1]) / 3.0;
+  return std::max(vertex_excess(peak), std::abs(largest[0] - largest[1]) / 3.0);
 }
 
 Eigen::VectorXd von_mises(const MatrixXd& stress) {

@@ -32,7 +32,8 @@ struct StressHistory {
   double largest() const { return peak[peak_instant]; }
 };
 
-/// How much a peak between the instants may be higher [Pa]: a third of what
+/// How much a peak between the instants may be higher [Pa]: the rise of the
+/// parabola through the largest and its neighbours, at least a third of what
 /// the largest gains from every second instant to all (ends always counted);
 /// with fewer than five instants their whole spread.
 /// @param peak  over the points, per instant of one motion [Pa].
