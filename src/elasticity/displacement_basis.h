@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/discretization.h"
+#include "elasticity/self_checks.h"
 #include "loads/load_history.h"
 #include "mesh/part_mesh.h"
 #include "part/material.h"
@@ -18,18 +19,6 @@ namespace clevis::elasticity {
 /// Wall-clock seconds of the stages.
 struct SolveSeconds {
   double assemble{}, factor{}, solve{};
-};
-
-/// What is checked on every solve; largest over instants or columns.
-struct SolveChecks {
-  double relief{};       ///< discrete residual that inertia relief takes up [1]
-  double balance{};      ///< what is left of it over the load: free parts [1]
-  double equilibrium{};  ///< support reactions over the load: free parts [1]
-  double residual{};     ///< ‖K u − f‖ / ‖f‖ [1]
-  /// Round-off of K u over the load; only if `residual` is suspicious [1].
-  double residual_round_off{};
-  double energy{};       ///< |uᵀK u − fᵀu| / |fᵀu| [1]
-  double compression{};  ///< load basis against loads [1]
 };
 
 /// Displacements of a part for its whole load history: u(t_i) = U c_i.

@@ -1,0 +1,138 @@
+#include "elasticity/self_checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "elasticity/dense_product.h"
+#include "elasticity/load_vectors.h"
+#include "elasticity/supports.h"
+
+namespace clevis::elasticity {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Bounds of the self-checks: far above round-off, far below any use.
+constexpr double kReliefFaceted = 5e-2;  // geometry of degree 1
+constexpr double kRelief = 1e-3;         // of higher degree, on coarse cells
+constexpr double kBalance = 1e-12;
+constexpr double kEquilibrium = 1e-9;
+constexpr double kResidual = 1e-8;
+constexpr double kResidualRoundOff = 1e-12;  // of ‖|K| |u|‖
+constexpr double kEnergy = 1e-8;
+constexpr double kCompression = 1e-6;
+
+ArrayXd column_norms(const MatrixXd& columns) {
+  return columns.colwise().norm().transpose().array();
+}
+
+void require(double value, double bound, const char* what,
+             const std::string& name) {
+  if (value <= bound) return;  // NaN falls through
+  throw Error(
+      "F003", "part " + name,
+      fmt::format("self-check {}: {:.2e}, allowed {:.0e}", what, value, bound),
+      "check mesh quality and loads; if they are sound, report this "
+      "scene");
+}
+
+}  // namespace
+
+template <int dim>
+StiffnessAction action_of(const StiffnessMatrix<dim>& stiffness) {
+  return {[&stiffness](const MatrixXd& x) {
+            return stiffness.multiply(x);
+          },
+          [&stiffness](const MatrixXd& x) {
+            return stiffness.absolute().multiply(x);
+          }};
+}
+
+template <int dim>
+void balance_free_part(
+    const Discretization<dim>& discretization,
+    const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions, double density,
+    MatrixXd& history, SolveChecks& checks) {
+  const double length =
+      (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).norm();
+  const MatrixXd modes =
+      rigid_modes<dim>(positions, positions.rowwise().mean(), length);
+  checks.relief = balance_loads(discretization, density, modes, history);
+  const double scale = history.cwiseAbs().colwise().sum().maxCoeff();
+  if (!(scale > 0.0)) return;
+  checks.balance =
+      transposed_product(modes, history).cwiseAbs().maxCoeff() / scale;
+}
+
+VectorXd check_solution(const StiffnessAction& stiffness,
+                        const MatrixXd& columns, const LoadBasis& loads,
+                        const std::vector<int>& held, bool is_free,
+                        SolveChecks& checks) {
+  VectorXd strain_energy = VectorXd::Zero(loads.coefficients.cols());
+  if (loads.columns.cols() == 0) return strain_energy;  // nothing loads it
+  const MatrixXd forces = stiffness.multiply(columns);
+  MatrixXd rest = forces - loads.columns;
+  MatrixXd reactions(static_cast<Index>(held.size()), rest.cols());
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    reactions.row(static_cast<Index>(k)) = rest.row(held[k]);
+    rest.row(held[k]).setZero();
+  }
+  const ArrayXd load_norm = column_norms(loads.columns);
+  checks.residual = (column_norms(rest) / load_norm).maxCoeff();
+  if (checks.residual > kResidual) {
+    // K u of a slender part is a small difference of large terms.
+    const ArrayXd terms =
+        column_norms(stiffness.multiply_absolute(columns.cwiseAbs()));
+    checks.residual_round_off =
+        kResidualRoundOff * (terms / load_norm).maxCoeff();
+  }
+  const MatrixXd& c = loads.coefficients;
+  if (is_free) {
+    // Per instant: a column of small weight may carry round-off of large ones.
+    const double load = product(loads.columns, c).colwise().norm().maxCoeff();
+    checks.equilibrium = (reactions * c).colwise().norm().maxCoeff() / load;
+  }
+  // Energies per instant, once with K and once with the loads.
+  const MatrixXd by_stiffness = transposed_product(columns, forces);
+  const MatrixXd by_loads = transposed_product(columns, loads.columns);
+  for (Index i = 0; i < c.cols(); ++i) {
+    const double work = c.col(i).dot(by_loads * c.col(i));
+    const double energy = c.col(i).dot(by_stiffness * c.col(i));
+    strain_energy[i] = 0.5 * energy;
+    if (work != 0.0) {
+      checks.energy =
+          std::max(checks.energy, std::abs(energy - work) / std::abs(work));
+    }
+  }
+  return strain_energy;
+}
+
+void require_checks(const SolveChecks& checks, int geometry_degree,
+                    const std::string& part_name) {
+  require(checks.relief, geometry_degree == 1 ? kReliefFaceted : kRelief,
+          "inertia relief", part_name);
+  require(checks.balance, kBalance, "balance of loads", part_name);
+  require(checks.compression, kCompression, "load compression", part_name);
+  require(checks.residual, std::max(kResidual, checks.residual_round_off),
+          "residual", part_name);
+  require(checks.equilibrium, kEquilibrium, "support reactions", part_name);
+  require(checks.energy, kEnergy, "energy", part_name);
+}
+
+#define CLEVIS_INSTANTIATE(dim)                                             \
+  template StiffnessAction action_of<dim>(const StiffnessMatrix<dim>&);     \
+  template void balance_free_part<dim>(                                     \
+      const Discretization<dim>&,                                           \
+      const Eigen::Matrix<double, dim, Eigen::Dynamic>&, double, MatrixXd&, \
+      SolveChecks&);
+CLEVIS_INSTANTIATE(2)
+CLEVIS_INSTANTIATE(3)
+#undef CLEVIS_INSTANTIATE
+
+}  // namespace clevis::elasticity

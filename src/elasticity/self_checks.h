@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "elasticity/discretization.h"
+#include "elasticity/load_basis.h"
+#include "elasticity/stiffness.h"
+
+namespace clevis::elasticity {
+
+/// What is checked on every solve; largest over instants or columns.
+struct SolveChecks {
+  double relief{};       ///< discrete residual that inertia relief takes up [1]
+  double balance{};      ///< what is left of it over the load: free parts [1]
+  double equilibrium{};  ///< support reactions over the load: free parts [1]
+  double residual{};     ///< ‖K u − f‖ / ‖f‖ [1]
+  /// Round-off of K u over the load; only if `residual` is suspicious [1].
+  double residual_round_off{};
+  double energy{};       ///< |uᵀK u − fᵀu| / |fᵀu| [1]
+  double compression{};  ///< load basis against loads [1]
+};
+
+/// A stiffness matrix, assembled or not, as what the checks need of it.
+struct StiffnessAction {
+  using Product = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
+  Product multiply;           ///< U -> K U
+  Product multiply_absolute;  ///< U -> |K| U
+};
+
+/// @param stiffness  outlives the action.
+template <int dim>
+StiffnessAction action_of(const StiffnessMatrix<dim>& stiffness);
+
+/// Puts the discrete loads (dofs × instants) of a free part in balance; fills
+/// `relief` and `balance`.
+/// @param positions  of the nodes [m].
+/// @param density [kg/m³].
+template <int dim>
+void balance_free_part(
+    const Discretization<dim>& discretization,
+    const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions, double density,
+    Eigen::MatrixXd& history, SolveChecks& checks);
+
+/// Checks that U solves K U = F but in the rows held at zero; fills
+/// `residual`, `residual_round_off`, `energy` and, for a free part,
+/// `equilibrium`.
+/// @param loads  F and the coefficients of the instants.
+/// @return strain energy per instant [J].
+Eigen::VectorXd check_solution(const StiffnessAction& stiffness,
+                               const Eigen::MatrixXd& columns,
+                               const LoadBasis& loads,
+                               const std::vector<int>& held, bool is_free,
+                               SolveChecks& checks);
+
+/// @throws Error F003 naming the first check that is breached.
+void require_checks(const SolveChecks& checks, int geometry_degree,
+                    const std::string& part_name);
+
+}  // namespace clevis::elasticity
