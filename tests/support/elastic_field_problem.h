@@ -63,6 +63,39 @@ void add_traction(const elasticity::Discretization<dim>& discretization,
   }
 }
 
+/// Force per volume [N/m³] as a function of place.
+template <int dim>
+using BodyField = std::function<Eigen::Matrix<double, dim, 1>(
+    const Eigen::Matrix<double, dim, 1>&)>;
+
+/// Adds ∫ N f dV of a body force to a nodal load.
+template <int dim>
+void add_body_force(const elasticity::Discretization<dim>& discretization,
+                    const BodyField<dim>& field, Eigen::MatrixXd& load) {
+  const int points = discretization.shape == mesh::CellShape::kTensor
+                         ? discretization.degree + 4
+                         : 4;
+  const auto rule = elasticity::gauss<dim>(discretization.shape, points);
+  const auto displacement = elasticity::tabulate_displacement<dim>(
+      discretization.shape, discretization.degree, rule.points);
+  const auto geometry = elasticity::tabulate_geometry<dim>(
+      discretization.shape, discretization.geometry_degree, rule.points);
+  for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
+    const auto at =
+        elasticity::cell_geometry<dim>(discretization.cell_points[c], geometry);
+    const auto& nodes = discretization.cell_nodes[c];
+    for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
+      const Eigen::Matrix<double, dim, 1> force =
+          rule.weights[q] * at.determinant[q] * discretization.thickness *
+          field(at.points.col(q));
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        load.col(0).template segment<dim>(dim * nodes[i]) +=
+            displacement.values(q, static_cast<Eigen::Index>(i)) * force;
+      }
+    }
+  }
+}
+
 /// K u = f with some components held at zero, by the library's own parts.
 template <int dim>
 Eigen::MatrixXd solve_held(const elasticity::StiffnessMatrix<dim>& stiffness,
@@ -108,14 +141,15 @@ Eigen::MatrixXd solve_held(const elasticity::StiffnessMatrix<dim>& stiffness,
   return u;
 }
 
-/// One load case with tractions that the library's loads cannot express, in
-/// addition to the first instant of the problem's history (may be empty).
+/// One load case with tractions and a body force that the library's loads
+/// cannot express, in addition to the first instant of the problem's history
+/// (may be empty).
 /// @param held  components held at zero instead of the problem's supports.
 template <int dim>
 elasticity::DisplacementBasis<dim> solve_field(
     const elasticity::ElasticProblem<dim>& problem,
     const std::vector<TractionField<dim>>& tractions, int degree,
-    std::vector<int> held = {}) {
+    std::vector<int> held = {}, const BodyField<dim>& body = {}) {
   elasticity::DisplacementBasis<dim> basis;
   basis.discretization = elasticity::discretize(problem.mesh, degree);
   const auto& discretization = basis.discretization;
@@ -125,6 +159,7 @@ elasticity::DisplacementBasis<dim> solve_field(
                                       problem.material.density, problem.name);
   }
   for (const auto& field : tractions) add_traction(discretization, field, load);
+  if (body) add_body_force<dim>(discretization, body, load);
   const auto positions = elasticity::node_positions(discretization);
   if (held.empty()) {
     held = problem.fixed.empty()
