@@ -146,6 +146,8 @@ Discretization<dim> discretize(const PartMesh<dim>& mesh, int degree) {
   result.shape = mesh.shape;
   result.degree = degree;
   result.geometry_degree = std::min(mesh.degree, degree);
+  result.thickness_degree = degree;
+  result.geometry_thickness_degree = result.geometry_degree;
   result.nodes = static_cast<int>(handler.n_dofs());
   result.cell_nodes.resize(mesh.cells.size());
   result.cell_points.resize(mesh.cells.size());
@@ -191,7 +193,8 @@ std::vector<int> group_nodes(const Discretization<dim>& discretization,
     if (functions.empty()) {
       const auto rule = face_gauss<dim>(discretization.shape, face, 4);
       const auto table = tabulate_displacement<dim>(
-          discretization.shape, discretization.degree, rule.points);
+          discretization.shape, discretization.displacement_degree(),
+          rule.points);
       for (int i = 0; i < table.values.cols(); ++i) {
         if (table.values.col(i).cwiseAbs().maxCoeff() > 1e-10) {
           functions.push_back(i);

@@ -28,6 +28,11 @@ struct Discretization {
   mesh::CellShape shape{};
   int degree{};
   int geometry_degree{};
+  /// dim = 3: one layer of cells whose third reference direction is a plate's
+  /// z, with degrees of their own in it; else these equal the two above.
+  bool is_layer = false;
+  int thickness_degree{};
+  int geometry_thickness_degree{};
   int nodes{};  ///< scalar degrees of freedom
   std::vector<std::vector<int>> cell_nodes;
   std::vector<Eigen::Matrix<double, dim, Eigen::Dynamic>> cell_points;
@@ -38,6 +43,10 @@ struct Discretization {
   double thickness = 1.0;    ///< dim = 2: of the plate [m]
   double mid_plane_z = 0.0;  ///< dim = 2 [m]
 
+  Degree displacement_degree() const { return {degree, thickness_degree}; }
+  Degree mapping_degree() const {
+    return {geometry_degree, geometry_thickness_degree};
+  }
   int dofs() const { return dim * nodes; }
   int cells() const { return static_cast<int>(cell_nodes.size()); }
 };

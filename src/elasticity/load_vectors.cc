@@ -143,14 +143,15 @@ void add_surface_loads(const Discretization<dim>& discretization,
 /// ∫ N dV and ∫ N p dV per node: nodes × 4 (1, x, y, z), z the mid-plane's.
 template <int dim>
 MatrixXd node_moments(const Discretization<dim>& discretization) {
-  const int points = discretization.shape == mesh::CellShape::kTensor
-                         ? discretization.degree + 2
-                         : 4;
+  const Degree points = discretization.shape == mesh::CellShape::kTensor
+                            ? Degree(discretization.degree + 2,
+                                     discretization.thickness_degree + 2)
+                            : Degree(4);
   const auto rule = gauss<dim>(discretization.shape, points);
   const auto displacement = tabulate_displacement<dim>(
-      discretization.shape, discretization.degree, rule.points);
+      discretization.shape, discretization.displacement_degree(), rule.points);
   const auto geometry = tabulate_geometry<dim>(
-      discretization.shape, discretization.geometry_degree, rule.points);
+      discretization.shape, discretization.mapping_degree(), rule.points);
   MatrixXd moments = MatrixXd::Zero(discretization.nodes, 4);
   MatrixXd factor(rule.weights.size(), 4);
   factor.col(3).setConstant(discretization.mid_plane_z);

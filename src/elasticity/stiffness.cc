@@ -109,8 +109,10 @@ template <int dim>
 Quadrature<dim> stiffness_quadrature(
     const Discretization<dim>& discretization) {
   const bool curved = discretization.geometry_degree > 1;
+  const int more = discretization.shape == mesh::CellShape::kTensor && curved;
   return gauss<dim>(discretization.shape,
-                    discretization.degree + (curved ? 2 : 1));
+                    {discretization.degree + 1 + more,
+                     discretization.thickness_degree + 1 + more});
 }
 
 void require_positive(const Eigen::VectorXd& determinant, std::size_t cell,
@@ -169,7 +171,7 @@ template <int dim>
 bool folds(const Discretization<dim>& discretization) {
   const auto rule = stiffness_quadrature(discretization);
   const auto geometry = tabulate_geometry<dim>(
-      discretization.shape, discretization.geometry_degree, rule.points);
+      discretization.shape, discretization.mapping_degree(), rule.points);
   return std::ranges::any_of(
       discretization.cell_points, [&](const auto& points) {
         return !(cell_geometry<dim>(points, geometry).determinant.minCoeff() >
@@ -184,15 +186,11 @@ StiffnessMatrix<dim> assemble_stiffness(
   StiffnessMatrix<dim> matrix;
   build_pattern(discretization, matrix);
   const auto lame = lame_constants<dim>(material);
-  const bool curved = discretization.geometry_degree > 1;
-  const int points = discretization.shape == mesh::CellShape::kTensor
-                         ? discretization.degree + (curved ? 2 : 1)
-                         : discretization.degree + 1;
-  const auto rule = gauss<dim>(discretization.shape, points);
+  const auto rule = stiffness_quadrature(discretization);
   const auto displacement = tabulate_displacement<dim>(
-      discretization.shape, discretization.degree, rule.points);
+      discretization.shape, discretization.displacement_degree(), rule.points);
   const auto geometry = tabulate_geometry<dim>(
-      discretization.shape, discretization.geometry_degree, rule.points);
+      discretization.shape, discretization.mapping_degree(), rule.points);
   for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
     const auto cell =
         cell_geometry<dim>(discretization.cell_points[c], geometry);

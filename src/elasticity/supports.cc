@@ -81,10 +81,10 @@ void require_held(const MatrixXd& modes, const std::vector<int>& held,
 
 template <int dim>
 Positions<dim> node_positions(const Discretization<dim>& discretization) {
-  const auto support = displacement_support_points<dim>(discretization.shape,
-                                                        discretization.degree);
+  const auto support = displacement_support_points<dim>(
+      discretization.shape, discretization.displacement_degree());
   const auto geometry = tabulate_geometry<dim>(
-      discretization.shape, discretization.geometry_degree, support);
+      discretization.shape, discretization.mapping_degree(), support);
   Positions<dim> positions(dim, discretization.nodes);
   for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
     const Positions<dim> at =

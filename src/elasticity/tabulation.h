@@ -18,25 +18,38 @@ struct Tabulation {
   std::vector<Eigen::MatrixXd> gradients;  ///< per direction, like values
 };
 
-/// Displacement basis: deal.II's FE_Q or FE_SimplexP, in its own numbering.
+/// Polynomial degree of a cell's basis. Tensor cells may have their own in the
+/// last direction of dim = 3, that of a plate's thickness.
+struct Degree {
+  int plane{};
+  int thickness{};
+  Degree(int isotropic) : plane(isotropic), thickness(isotropic) {}  // NOLINT
+  Degree(int in_plane, int through_thickness)
+      : plane(in_plane), thickness(through_thickness) {}
+  int highest() const { return plane > thickness ? plane : thickness; }
+};
+
+/// Displacement basis: Lagrange on Gauss–Lobatto points in the numbering of
+/// deal.II's FE_Q, lexicographic where the degrees differ; or FE_SimplexP.
 template <int dim>
-Tabulation tabulate_displacement(mesh::CellShape shape, int degree,
+Tabulation tabulate_displacement(mesh::CellShape shape, Degree degree,
                                  const ReferencePoints<dim>& points);
 
 /// Geometry basis of PartMesh::cell_points: Lagrange on Gauss–Lobatto points,
 /// lexicographic; simplices of degree 1.
 template <int dim>
-Tabulation tabulate_geometry(mesh::CellShape shape, int degree,
+Tabulation tabulate_geometry(mesh::CellShape shape, Degree degree,
                              const ReferencePoints<dim>& points);
 
 /// Points at which the displacement basis is nodal, in its numbering.
 template <int dim>
 ReferencePoints<dim> displacement_support_points(mesh::CellShape shape,
-                                                 int degree);
+                                                 Degree degree);
 
 /// Points of tabulate_geometry's basis, in its order.
 template <int dim>
-ReferencePoints<dim> geometry_support_points(mesh::CellShape shape, int degree);
+ReferencePoints<dim> geometry_support_points(mesh::CellShape shape,
+                                             Degree degree);
 
 /// Quadrature on the reference cell.
 template <int dim>
@@ -45,10 +58,11 @@ struct Quadrature {
   Eigen::VectorXd weights;
 };
 
-/// Gauss rule exact for degree 2n − 1 in each direction; for simplices
-/// deal.II's rule of n points per direction (n ≤ 4).
+/// Gauss rule exact for degree 2n − 1 in each direction (n.thickness points
+/// in the last of dim = 3); for simplices deal.II's rule of n points per
+/// direction (n ≤ 4).
 template <int dim>
-Quadrature<dim> gauss(mesh::CellShape shape, int n);
+Quadrature<dim> gauss(mesh::CellShape shape, Degree n);
 
 /// Gauss rule on a face of the reference cell, points in cell coordinates and
 /// weights of the reference face; `outward` its outward normal scaled so that
@@ -60,7 +74,7 @@ struct FaceQuadrature {
   Eigen::Matrix<double, dim, 1> outward;
 };
 template <int dim>
-FaceQuadrature<dim> face_gauss(mesh::CellShape shape, int face, int n);
+FaceQuadrature<dim> face_gauss(mesh::CellShape shape, int face, Degree n);
 
 /// Equidistant lattice with `subdivisions` + 1 points a direction,
 /// lexicographic (tensor cells), or the lattice of the simplex.

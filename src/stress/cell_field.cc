@@ -14,9 +14,9 @@ CellField<dim>::CellField(const elasticity::Discretization<dim>& discretization,
     : discretization_(discretization),
       lame_(elasticity::lame_constants<dim>(material)),
       displacement_(elasticity::tabulate_displacement<dim>(
-          discretization.shape, discretization.degree, points)),
+          discretization.shape, discretization.displacement_degree(), points)),
       geometry_(elasticity::tabulate_geometry<dim>(
-          discretization.shape, discretization.geometry_degree, points)) {}
+          discretization.shape, discretization.mapping_degree(), points)) {}
 
 template <int dim>
 MatrixXd CellField<dim>::stress(std::size_t cell,

@@ -53,7 +53,7 @@ bool invert(const elasticity::Discretization<dim>& discretization,
     const auto at = elasticity::cell_geometry<dim>(
         points,
         elasticity::tabulate_geometry<dim>(
-            discretization.shape, discretization.geometry_degree, here));
+            discretization.shape, discretization.mapping_degree(), here));
     const Point<dim> gap = x - at.points.col(0);
     if (gap.norm() <= 1e-12 * size) return true;
     xi += at.inverse_jacobian[0] * gap;

@@ -159,7 +159,7 @@ Eigen::Vector3d position(const elasticity::Discretization<dim>& discretization,
       elasticity::lattice<dim>(discretization.shape, subdivisions)
           .col(at.point);
   const auto geometry = elasticity::tabulate_geometry<dim>(
-      discretization.shape, discretization.geometry_degree, point);
+      discretization.shape, discretization.mapping_degree(), point);
   Eigen::Vector3d result =
       Eigen::Vector3d::Constant(discretization.mid_plane_z);
   result.head<dim>() =
