@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mesh/part_mesh.h"
+
+namespace clevis::stress {
+
+/// A side of the material at a boundary corner.
+struct CornerSide {
+  Eigen::Vector3d direction;  ///< unit, along the surface away from the corner
+  int group = -1;             ///< of its face; -1: unnamed
+};
+
+/// A boundary vertex of a plane mesh or a surface edge of a solid one, seen
+/// along `axis`: the material reaches counter-clockwise from sides[0] to
+/// sides[1].
+struct BoundaryCorner {
+  std::array<unsigned, 2> vertices{};  ///< ends of the edge; twice the vertex
+  Eigen::Vector3d at;                  ///< vertex or middle of the edge, L [m]
+  Eigen::Vector3d axis;                ///< unit; z for dim = 2
+  std::array<CornerSide, 2> sides;
+  double angle{};  ///< of the material, from its cells' true tangents [rad]
+  /// Farthest vertex of the cells at the corner, across the axis [m].
+  double reach{};
+
+  Eigen::Vector3d bisector() const;  ///< unit, into the material
+};
+
+/// All of them where exactly two boundary faces meet, in the order of their
+/// vertices.
+template <int dim>
+std::vector<BoundaryCorner> boundary_corners(const mesh::PartMesh<dim>& mesh);
+
+}  // namespace clevis::stress

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mesh/part_mesh.h"
+#include "part/material.h"
+
+namespace clevis::stress {
+
+/// A re-entrant corner, a crack or the end of a support: a vertex of a plane
+/// mesh or a chain of edges of a solid one where the stress of the model has
+/// no bound.
+struct SingularZone {
+  std::string name;  ///< "edge of root at (0, 10, 2) mm", "notch at …"
+  /// Smallest Williams exponent λ: stress goes like distance^(λ − 1) [1].
+  double exponent{};
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< vertex, mid-edge, L [m]
+  double radius{};                 ///< of what is left out around it [m]
+  std::vector<unsigned> vertices;  ///< of the mesh
+  /// Its edges by their ends in L (both ends the vertex in 2-D) [m].
+  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> edges;
+};
+
+/// Components held at zero per group; empty for a free part.
+using FixedGroups = std::map<std::string, std::array<bool, 3>>;
+
+/// Zones of a part from its shape and supports.
+///
+/// At every boundary vertex (dim = 2: plane stress) or surface edge (dim = 3:
+/// plane strain and antiplane shear across the edge) the angle of the
+/// material, from the true tangents of its cells, and what is held on both
+/// sides give the exponent. Counted from kSmoothExponent down; a kink of up to
+/// kSmoothKink between sides that are held alike is taken for the approximation
+/// of a smooth surface. Edges that meet and have like sides are one zone.
+/// The radius is a tenth of the wall: the way through the material from the
+/// zone along the bisector of its angle; in 3-D, where meshes are not graded,
+/// at least the largest of its cells.
+template <int dim>
+std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
+                                         const part::Material& material,
+                                         const FixedGroups& fixed);
+
+inline constexpr double kSmoothExponent = 0.97;
+inline constexpr double kSmoothKink = 15.0;  ///< over straight [degrees]
+inline constexpr double kRadiusOfWall = 0.1;
+
+/// Distance of a point from a zone's edges [m].
+double distance(const SingularZone& zone, const Eigen::Vector3d& point);
+
+}  // namespace clevis::stress

@@ -1,0 +1,161 @@
+#include "stress/singular_zone.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "mesh/mesh_reader.h"
+#include "stress/boundary_corner.h"
+#include "support/annulus_mesh.h"
+#include "support/corner_mesh.h"
+
+namespace clevis::stress {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+const part::Material kSteel{"steel", 210e9, 0.3, 7850.0, 355e6};
+
+mesh::PartMesh<2> square(int cells) {
+  auto mesh = support::structured_mesh<2>({cells, cells}, 1,
+                                          [](const Vector2d& x) -> Vector2d {
+                                            return 0.02 * x;
+                                          });
+  mesh.thickness = 0.005;
+  return mesh;
+}
+
+mesh::PartMesh<3> block(std::array<int, 3> cells) {
+  return support::structured_mesh<3>(cells, 1,
+                                     [](const Vector3d& x) -> Vector3d {
+                                       return 0.02 * x;
+                                     });
+}
+
+TEST(SingularZone, NotchOfEveryAngleHasItsExponent) {
+  for (const double degrees : {200.0, 225.0, 270.0, 315.0, 360.0}) {
+    const auto mesh = support::wedge_mesh(degrees / 180 * pi, 8, 0.02, 0.005);
+    const auto zones = singular_zones<2>(mesh, kSteel, {});
+    ASSERT_EQ(zones.size(), 1u) << degrees;
+    EXPECT_LT(zones[0].at.norm(), 1e-12);
+    EXPECT_EQ(zones[0].vertices, std::vector<unsigned>{0});
+    if (degrees == 270.0) {
+      EXPECT_NEAR(zones[0].exponent, 0.5444837, 1e-6);
+    }
+    if (degrees == 360.0) {
+      EXPECT_NEAR(zones[0].exponent, 0.5, 1e-6);
+      EXPECT_EQ(zones[0].name, "crack at (0.0, 0.0) mm");
+    }
+  }
+}
+
+TEST(SingularZone, ConvexPlateAndSmallKinksHaveNone) {
+  EXPECT_TRUE(singular_zones<2>(square(3), kSteel, {}).empty());
+  const auto kink = support::wedge_mesh(194.0 / 180 * pi, 4, 0.02, 0.005);
+  EXPECT_TRUE(singular_zones<2>(kink, kSteel, {}).empty());
+  // Facets of 11° around a hole.
+  const auto ring = support::ring_mesh<2>(
+      {.inner = 0.005, .outer = 0.02, .radial = 3, .angular = 32, .degree = 1});
+  EXPECT_TRUE(singular_zones<2>(ring, kSteel, {}).empty());
+}
+
+TEST(SingularZone, ClampHasItsTwoEnds) {
+  const auto zones =
+      singular_zones<2>(square(3), kSteel, {{"x0", {true, true, false}}});
+  ASSERT_EQ(zones.size(), 2u);
+  EXPECT_EQ(zones[0].name, "edge of x0 at (0.0, 0.0) mm");
+  EXPECT_EQ(zones[1].name, "edge of x0 at (0.0, 20.0) mm");
+  // A tenth of the diagonal.
+  EXPECT_NEAR(zones[0].radius, 0.1 * std::sqrt(2.0) * 0.02, 1e-12);
+}
+
+TEST(SingularZone, RollersOnPlanesOfSymmetryHaveNone) {
+  EXPECT_TRUE(singular_zones<2>(
+                  square(3), kSteel,
+                  {{"x0", {true, false, false}}, {"y0", {false, true, false}}})
+                  .empty());
+  // Held along itself a side is no plane of symmetry, but smooth at 90° too.
+  EXPECT_TRUE(
+      singular_zones<2>(square(3), kSteel, {{"x0", {false, true, false}}})
+          .empty());
+}
+
+TEST(SingularZone, SupportThatEndsOnAStraightSideIsSingular) {
+  auto mesh = square(4);
+  mesh.groups.push_back({"half", {}});
+  for (auto& face : mesh.boundary) {
+    if (face.group == 2 && face.cell % 4 < 2) face.group = 4;
+  }
+  const auto clamped =
+      singular_zones<2>(mesh, kSteel, {{"half", {true, true, false}}});
+  ASSERT_EQ(clamped.size(), 2u);
+  EXPECT_NEAR(clamped[1].exponent, 0.5, 1e-6);
+  const auto rolling =
+      singular_zones<2>(mesh, kSteel, {{"half", {false, true, false}}});
+  ASSERT_EQ(rolling.size(), 1u);
+  EXPECT_NEAR(rolling[0].exponent, 0.5, 1e-6);
+  EXPECT_NEAR(rolling[0].at.x(), 0.01, 1e-12);
+}
+
+TEST(SingularZone, ClampedBlockHasOneClosedEdge) {
+  const auto zones =
+      singular_zones<3>(block({3, 3, 3}), kSteel, {{"x0", {true, true, true}}});
+  ASSERT_EQ(zones.size(), 1u);
+  EXPECT_NEAR(zones[0].exponent, 0.711173, 1e-6);
+  EXPECT_EQ(zones[0].edges.size(), 12u);
+  EXPECT_EQ(zones[0].name.substr(0, 10), "edge of x0");
+  EXPECT_NEAR(distance(zones[0], Vector3d(0.01, 0.0, 0.01)), 0.01, 1e-12);
+  EXPECT_NEAR(distance(zones[0], Vector3d(0.003, 0.004, 0.01)), 0.005, 1e-12);
+}
+
+TEST(SingularZone, ReentrantEdgeOfASolidIsANotch) {
+  const std::array<int, 3> cells = {4, 4, 2};
+  const auto mesh = support::without_cells<3>(block(cells), cells,
+                                              [](const std::array<int, 3>& c) {
+                                                return c[0] < 2 || c[1] < 2;
+                                              });
+  const auto zones = singular_zones<3>(mesh, kSteel, {});
+  ASSERT_EQ(zones.size(), 1u);
+  EXPECT_NEAR(zones[0].exponent, 0.5444837, 1e-6);
+  EXPECT_EQ(zones[0].edges.size(), 2u);
+  EXPECT_EQ(zones[0].name, "notch at (10.0, 10.0, 15.0) mm");
+}
+
+TEST(SingularZone, RollersOfABlockHaveNone) {
+  EXPECT_TRUE(singular_zones<3>(block({2, 2, 2}), kSteel,
+                                {{"x0", {true, false, false}},
+                                 {"y0", {false, true, false}},
+                                 {"z0", {false, false, true}}})
+                  .empty());
+}
+
+// Every part of the landing gear is rounded: no zone on any of them.
+TEST(SingularZone, PartsOfTheLandingGearHaveNone) {
+  for (const char* name :
+       {"link_ab", "link_bc", "link_dce", "cylinder_body", "rod"}) {
+    const auto mesh =
+        mesh::read_part_mesh(std::string(CLEVIS_SOURCE_DIR) +
+                                 "/meshes/landing_gear/" + name + ".msh",
+                             1e-3);
+    for (const auto& zone : singular_zones<3>(mesh, kSteel, {})) {
+      ADD_FAILURE() << name << ": " << zone.name << " " << zone.exponent;
+    }
+  }
+}
+
+TEST(BoundaryCorner, AngleComesFromTheCurvedTangents) {
+  // Bore against a cut: 90° however coarse.
+  const auto mesh = support::sector_mesh<2>(
+      {.inner = 0.01, .outer = 0.03, .radial = 1, .angular = 1});
+  for (const auto& corner : boundary_corners<2>(mesh)) {
+    EXPECT_NEAR(corner.angle, pi / 2, 0.01);
+  }
+}
+
+}  // namespace
+}  // namespace clevis::stress
