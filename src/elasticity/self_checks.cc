@@ -84,6 +84,7 @@ VectorXd check_solution(const StiffnessAction& stiffness,
     rest.row(held[k]).setZero();
   }
   const ArrayXd load_norm = column_norms(loads.columns);
+  checks.residual_round_off = checks.energy = 0.0;
   checks.residual = (column_norms(rest) / load_norm).maxCoeff();
   if (checks.residual > kResidual) {
     // K u of a slender part is a small difference of large terms.
@@ -111,6 +112,11 @@ VectorXd check_solution(const StiffnessAction& stiffness,
     }
   }
   return strain_energy;
+}
+
+bool wants_refinement(const SolveChecks& checks) {
+  return checks.residual > kResidual || checks.equilibrium > kEquilibrium ||
+         checks.energy > kEnergy;
 }
 
 void require_checks(const SolveChecks& checks, int geometry_degree,

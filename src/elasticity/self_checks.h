@@ -56,6 +56,10 @@ Eigen::VectorXd check_solution(const StiffnessAction& stiffness,
                                const std::vector<int>& held, bool is_free,
                                SolveChecks& checks);
 
+/// Whether a check of the solution is in the reach of round-off: refine and
+/// check again.
+bool wants_refinement(const SolveChecks& checks);
+
 /// @throws Error F003 naming the first check that is breached.
 void require_checks(const SolveChecks& checks, int geometry_degree,
                     const std::string& part_name);

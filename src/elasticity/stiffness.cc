@@ -105,16 +105,6 @@ void scatter(const std::vector<int>& ids, const GradientProducts<dim>& products,
   }
 }
 
-template <int dim>
-Quadrature<dim> stiffness_quadrature(
-    const Discretization<dim>& discretization) {
-  const bool curved = discretization.geometry_degree > 1;
-  const int more = discretization.shape == mesh::CellShape::kTensor && curved;
-  return gauss<dim>(discretization.shape,
-                    {discretization.degree + 1 + more,
-                     discretization.thickness_degree + 1 + more});
-}
-
 void require_positive(const Eigen::VectorXd& determinant, std::size_t cell,
                       int degree, const std::string& place) {
   if (determinant.minCoeff() > 0.0) return;  // NaN falls through
@@ -126,6 +116,16 @@ void require_positive(const Eigen::VectorXd& determinant, std::size_t cell,
 }
 
 }  // namespace
+
+template <int dim>
+Quadrature<dim> stiffness_quadrature(
+    const Discretization<dim>& discretization) {
+  const bool curved = discretization.geometry_degree > 1;
+  const int more = discretization.shape == mesh::CellShape::kTensor && curved;
+  return gauss<dim>(discretization.shape,
+                    {discretization.degree + 1 + more,
+                     discretization.thickness_degree + 1 + more});
+}
 
 template <int dim>
 LameConstants<dim> lame_constants(const part::Material& material) {
@@ -205,6 +205,8 @@ StiffnessMatrix<dim> assemble_stiffness(
   return matrix;
 }
 
+template Quadrature<2> stiffness_quadrature<2>(const Discretization<2>&);
+template Quadrature<3> stiffness_quadrature<3>(const Discretization<3>&);
 template LameConstants<2> lame_constants<2>(const part::Material&);
 template LameConstants<3> lame_constants<3>(const part::Material&);
 template struct StiffnessMatrix<2>;

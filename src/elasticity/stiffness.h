@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/discretization.h"
+#include "elasticity/tabulation.h"
 #include "part/material.h"
 
 namespace clevis::elasticity {
@@ -35,14 +36,18 @@ struct StiffnessMatrix {
   StiffnessMatrix absolute() const;
 };
 
+/// Gauss rule of the stiffness: degree + 1 points a direction, one more where
+/// tensor cells are curved.
+template <int dim>
+Quadrature<dim> stiffness_quadrature(const Discretization<dim>& discretization);
+
 /// Whether a cell's mapping is not positive at a quadrature point of the
 /// stiffness: interpolated with a low degree, a thin and strongly curved cell
 /// may fold that the mesh's own geometry does not.
 template <int dim>
 bool folds(const Discretization<dim>& discretization);
 
-/// K = ∫ Bᵀ D B dV (times the thickness for dim = 2) by Gauss quadrature with
-/// degree + 1 points a direction, more where the geometry is curved.
+/// K = ∫ Bᵀ D B dV (times the thickness for dim = 2), stiffness_quadrature.
 /// @param place  of an error, e.g. "part DCE".
 /// @throws Error M005 if the mapping of a cell is not positive at a point.
 template <int dim>
