@@ -22,8 +22,11 @@ struct UpperTriangle {
 class SparseCholesky {
  public:
   /// @param name  entity for messages ("part DCE").
+  /// @param order  equations in the order of their elimination; empty: CHOLMOD
+  ///   tries its own, which takes longer than a plate's factorisation.
   /// @throws Error F002 if the matrix is not positive definite.
-  SparseCholesky(const UpperTriangle& matrix, const std::string& name);
+  SparseCholesky(const UpperTriangle& matrix, const std::string& name,
+                 const std::vector<int>& order = {});
   ~SparseCholesky();
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;

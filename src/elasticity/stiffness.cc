@@ -105,6 +105,8 @@ void scatter(const std::vector<int>& ids, const GradientProducts<dim>& products,
   }
 }
 
+}  // namespace
+
 void require_positive(const Eigen::VectorXd& determinant, std::size_t cell,
                       int degree, const std::string& place) {
   if (determinant.minCoeff() > 0.0) return;  // NaN falls through
@@ -114,8 +116,6 @@ void require_positive(const Eigen::VectorXd& determinant, std::size_t cell,
                           cell, degree),
               "mesh the place finer");
 }
-
-}  // namespace
 
 template <int dim>
 Quadrature<dim> stiffness_quadrature(

@@ -47,6 +47,12 @@ Quadrature<dim> stiffness_quadrature(const Discretization<dim>& discretization);
 template <int dim>
 bool folds(const Discretization<dim>& discretization);
 
+/// @param determinant  of a cell's mapping at the points of a rule.
+/// @param degree  of the geometry, for the message.
+/// @throws Error M005 unless all are positive.
+void require_positive(const Eigen::VectorXd& determinant, std::size_t cell,
+                      int degree, const std::string& place);
+
 /// K = ∫ Bᵀ D B dV (times the thickness for dim = 2), stiffness_quadrature.
 /// @param place  of an error, e.g. "part DCE".
 /// @throws Error M005 if the mapping of a cell is not positive at a point.
