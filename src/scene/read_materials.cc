@@ -18,6 +18,11 @@ void require_plausible(double x, double low, double high, const Value& value,
       "Check the number and its unit.");
 }
 
+// Nearer to -1 and 0.5 shear and bulk stiffness differ by more than what
+// round-off leaves of the smaller one.
+constexpr double kLeastRatio = -0.99;
+constexpr double kLargestRatio = 0.4999999;
+
 Material read_material(const std::string& name, StrictTable table) {
   Material material;
   material.name = name;
@@ -31,6 +36,15 @@ Material read_material(const std::string& name, StrictTable table) {
     throw ratio.refusal("S006", "makes the stiffness infinite",
                         "Poisson's ratio lies between -1 and 0.5, both "
                         "excluded.");
+  }
+  if (material.poissons_ratio < kLeastRatio ||
+      material.poissons_ratio > kLargestRatio) {
+    throw ratio.refusal(
+        "S011",
+        fmt::format("= {} is outside {} to {}, where double precision can "
+                    "tell the stiffnesses apart",
+                    material.poissons_ratio, kLeastRatio, kLargestRatio),
+        "Rubber has 0.499 to 0.4999; foams reach -0.7.");
   }
   const Value density = table["density"];
   material.density = density.positive(Dimension::kDensity);

@@ -140,11 +140,19 @@ double Value::quantity(Dimension dimension) const {
     throw wrong_type(fmt::format("a text with number and unit ({})",
                                  accepted_units(dimension)));
   }
+  double value = 0.0;
   try {
-    return parse_quantity(text->get(), dimension, place());
+    value = parse_quantity(text->get(), dimension, place());
   } catch (const Error& refused) {  // name the key, too
     throw refusal(refused.code(), "= " + refused.problem(), refused.remedy());
   }
+  // Squares and products of such values must stay finite numbers.
+  constexpr double kLargest = 1e30;
+  if (std::abs(value) > kLargest) {
+    throw refusal("S006", fmt::format("= \"{}\" is out of range", text->get()),
+                  fmt::format("Give a value below {} in SI units.", kLargest));
+  }
+  return value;
 }
 
 double Value::positive(Dimension dimension) const {

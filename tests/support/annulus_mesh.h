@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <vector>
 
@@ -19,7 +21,20 @@ struct Annulus {
   double span = std::numbers::pi / 2;  ///< of the sector [rad]
   int radial{}, angular{}, axial = 1;  ///< cells
   int degree = 4;                      ///< of the geometry
+  /// Mesh lines where they are not even: fractions of the span, and of the way
+  /// from log inner to log outer, from 0 to 1; one more than cells.
+  std::vector<double> angle_lines{}, radius_lines{};
 };
+
+/// `x` of evenly spaced lines moved to the given ones, linear in between.
+inline double on_lines(const std::vector<double>& lines, double x) {
+  if (lines.empty()) return x;
+  const double position = x * static_cast<double>(lines.size() - 1);
+  const auto cell =
+      std::min(static_cast<std::size_t>(position + 1e-9), lines.size() - 2);
+  const double rest = position - static_cast<double>(cell);
+  return (1.0 - rest) * lines[cell] + rest * lines[cell + 1];
+}
 
 /// Sector with radii in geometric progression. Groups
 /// as in structured_mesh: x0 the bore, x1 the rim, y0 and y1 the two cuts, z0
@@ -34,8 +49,10 @@ mesh::PartMesh<dim> sector_mesh(const Annulus& annulus) {
   auto mesh = structured_mesh<dim>(
       divisions, annulus.degree, [&](const Point& x) -> Point {
         const double r =
-            annulus.inner * std::pow(annulus.outer / annulus.inner, x[0]);
-        const double angle = annulus.start + annulus.span * x[1];
+            annulus.inner * std::pow(annulus.outer / annulus.inner,
+                                     on_lines(annulus.radius_lines, x[0]));
+        const double angle =
+            annulus.start + annulus.span * on_lines(annulus.angle_lines, x[1]);
         Point p;
         p[0] = r * std::cos(angle);
         p[1] = r * std::sin(angle);
