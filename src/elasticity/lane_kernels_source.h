@@ -116,16 +116,18 @@ struct Cell {
   V values[3][kPoints];
   V along_z[3][kPoints];
 
-  /// Nodes to points, x first; the lines along z also give ∂/∂z.
+  /// Nodes to points, x first; the lines along z also give ∂/∂z. Relative to
+  /// the first node: a translation has no strain but costs digits.
   CLEVIS_INLINE void evaluate(const int* nodes) {
     for (int c = 0; c < 3; ++c) {
+      const V origin = node<V>(a.x, nodes[0])[c];
       V by_x[N * N * Q];
       V by_xy[N * Q * Q];
       for (int line = 0; line < N * N; ++line) {
         V in[N];
 #pragma GCC unroll 8
         for (int i = 0; i < N; ++i)
-          in[i] = node<V>(a.x, nodes[line * N + i])[c];
+          in[i] = node<V>(a.x, nodes[line * N + i])[c] - origin;
         multiply<Q, N, N, 1>(a.interpolation, in, by_x + line * Q);
       }
       contract<N, N, Q, Q, N, 1>(a.interpolation, by_x, by_xy);
