@@ -33,6 +33,9 @@ struct Discretization {
   bool is_layer = false;
   int thickness_degree{};
   int geometry_thickness_degree{};
+  /// dim = 3: a meridian turned round an axis; the third reference direction
+  /// runs round it. On the axis cells have an edge of no length.
+  bool is_revolved = false;
   int nodes{};  ///< scalar degrees of freedom
   std::vector<std::vector<int>> cell_nodes;
   std::vector<Eigen::Matrix<double, dim, Eigen::Dynamic>> cell_points;

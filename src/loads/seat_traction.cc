@@ -39,11 +39,18 @@ Vector3d BearingTraction::traction(const Vector3d& p_LQ,
          "point is not on the wall of this cylinder");
   const Vector3d e_r = radial.normalized();
   const Vector3d normal = outward_LQ.dot(e_r) < 0.0 ? Vector3d(-e_r) : e_r;
-  const Vector3d line_load = line_load_ + s * line_load_slope_;
   const double pressure = 2.0 / (std::numbers::pi * bore_.radius) *
-                          std::max(0.0, -normal.dot(line_load));
-  return -pressure * normal + axial_shear_ * axis +
-         torsional_shear_ * axis.cross(e_r);
+                          std::max(0.0, -normal.dot(line_load(p_LQ)));
+  return -pressure * normal + shear(p_LQ);
+}
+
+Vector3d BearingTraction::line_load(const Vector3d& p_LQ) const {
+  return line_load_ + (p_LQ - bore_.p_LC).dot(bore_.axis_L) * line_load_slope_;
+}
+
+Vector3d BearingTraction::shear(const Vector3d& p_LQ) const {
+  const Vector3d e_theta = bore_.axis_L.cross(p_LQ - bore_.p_LC).normalized();
+  return axial_shear_ * bore_.axis_L + torsional_shear_ * e_theta;
 }
 
 namespace {

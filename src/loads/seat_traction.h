@@ -30,6 +30,12 @@ class BearingTraction {
   Eigen::Vector3d traction(const Eigen::Vector3d& p_LQ,
                            const Eigen::Vector3d& outward_LQ) const;
 
+  /// Line load w at the height of a point, normal to the axis [N/m].
+  Eigen::Vector3d line_load(const Eigen::Vector3d& p_LQ) const;
+
+  /// The uniform shear's traction at a point of the wall [Pa].
+  Eigen::Vector3d shear(const Eigen::Vector3d& p_LQ) const;
+
  private:
   part::Bore bore_;
   Eigen::Vector3d line_load_, line_load_slope_;  ///< [N/m], [N/m²]

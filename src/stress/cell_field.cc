@@ -16,7 +16,17 @@ CellField<dim>::CellField(const elasticity::Discretization<dim>& discretization,
       displacement_(elasticity::tabulate_displacement<dim>(
           discretization.shape, discretization.displacement_degree(), points)),
       geometry_(elasticity::tabulate_geometry<dim>(
-          discretization.shape, discretization.mapping_degree(), points)) {}
+          discretization.shape, discretization.mapping_degree(), points)) {
+  if (!discretization.is_revolved) return;
+  constexpr double kBeside = 1e-6;
+  elasticity::ReferencePoints<dim> beside = points;
+  beside.template topRows<2>() =
+      points.template topRows<2>().cwiseMax(kBeside).cwiseMin(1.0 - kBeside);
+  displacement_beside_ = elasticity::tabulate_displacement<dim>(
+      discretization.shape, discretization.displacement_degree(), beside);
+  geometry_beside_ = elasticity::tabulate_geometry<dim>(
+      discretization.shape, discretization.mapping_degree(), beside);
+}
 
 template <int dim>
 MatrixXd CellField<dim>::stress(std::size_t cell,
@@ -72,9 +82,17 @@ MatrixXd CellField<dim>::nodal_values(std::size_t cell,
 template <int dim>
 MatrixXd CellField<dim>::gradients(std::size_t cell,
                                    const MatrixXd& columns) const {
-  const auto at = elasticity::cell_geometry<dim>(
-      discretization_.cell_points[cell], geometry_);
-  const auto physical = elasticity::physical_gradients(at, displacement_);
+  constexpr double kCollapsed = 1e-9;  // of the cell's largest determinant
+  const auto& points = discretization_.cell_points[cell];
+  auto at = elasticity::cell_geometry<dim>(points, geometry_);
+  const bool touches_axis =
+      discretization_.is_revolved &&
+      at.determinant.minCoeff() <= kCollapsed * at.determinant.maxCoeff();
+  if (touches_axis) {
+    at = elasticity::cell_geometry<dim>(points, geometry_beside_);
+  }
+  const auto physical = elasticity::physical_gradients(
+      at, touches_axis ? displacement_beside_ : displacement_);
   const auto n = displacement_.values.rows();
   MatrixXd stacked(dim * n, displacement_.values.cols());
   for (int d = 0; d < dim; ++d) {
