@@ -1,7 +1,13 @@
 #include "elasticity/displacement_basis.h"
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
 #include "base/stopwatch.h"
 #include "elasticity/equations.h"
+#include "elasticity/folding.h"
 #include "elasticity/load_basis.h"
 #include "elasticity/load_vectors.h"
 #include "elasticity/memory_forecast.h"
@@ -11,56 +17,203 @@
 #include "elasticity/supports.h"
 
 namespace clevis::elasticity {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+template <int dim>
+using Positions = Eigen::Matrix<double, dim, Eigen::Dynamic>;
+
+constexpr double kCompressionTolerance = 3e-7;
+
+/// One parity class of the problem on the folded part.
+struct ParityClass {
+  unsigned parity{};
+  LoadBasis loads;
+  std::vector<int> held;      ///< on the planes and by supports, sorted
+  std::vector<int> supports;  ///< determinate: without reaction
+  EquationNumbers numbers;
+  std::unique_ptr<SparseCholesky> factor;
+  MatrixXd columns;  ///< displacements on the folded part
+};
+
+/// Mirrors of the mesh that the supports have too.
+template <int dim>
+std::vector<Mirror> common_mirrors(const Discretization<dim>& discretization,
+                                   const Positions<dim>& positions,
+                                   const std::vector<int>& fixed) {
+  std::vector<Mirror> mirrors = find_mirrors<dim>(discretization, positions);
+  std::erase_if(mirrors, [&](const Mirror& mirror) {
+    return !maps_to_itself<dim>(mirror, fixed);
+  });
+  return mirrors;
+}
+
+/// Rigid modes of the folded part that belong to a class.
+template <int dim>
+MatrixXd free_modes(const Folding<dim>& folding, unsigned parity,
+                    const Positions<dim>& positions) {
+  const Eigen::Matrix<double, dim, 1> low = positions.rowwise().minCoeff();
+  const Eigen::Matrix<double, dim, 1> high = positions.rowwise().maxCoeff();
+  Eigen::Matrix<double, dim, 1> centre = 0.5 * (low + high);
+  for (const Mirror& mirror : folding.mirrors) {
+    centre[mirror.axis] = mirror.position;
+  }
+  const MatrixXd all = rigid_modes<dim>(positions, centre, (high - low).norm());
+  const std::vector<int> belong = rigid_modes_of(folding, parity);
+  MatrixXd modes(all.rows(), static_cast<Index>(belong.size()));
+  for (std::size_t k = 0; k < belong.size(); ++k) {
+    modes.col(static_cast<Index>(k)) = all.col(belong[k]);
+  }
+  return modes;
+}
+
+/// Components that a class holds: on the planes, by the fixed supports of the
+/// whole part, or determinate where it is free.
+template <int dim>
+void hold(const Folding<dim>& folding, const std::vector<int>& fixed,
+          const Positions<dim>& folded_positions, ParityClass& parity_class) {
+  std::vector<int>& held = parity_class.held;
+  held = held_on_planes(folding, parity_class.parity);
+  if (fixed.empty()) {
+    parity_class.supports = determinate_supports(
+        folding.part,
+        free_modes<dim>(folding, parity_class.parity, folded_positions), held);
+    held.insert(held.end(), parity_class.supports.begin(),
+                parity_class.supports.end());
+  }
+  for (int dof : fixed) {
+    held.push_back(dim * folding.node[static_cast<std::size_t>(dof / dim)] +
+                   dof % dim);
+  }
+  std::ranges::sort(held);
+  held.erase(std::unique(held.begin(), held.end()), held.end());
+}
+
+/// The classes that carry load, their loads compressed.
+/// @param error  of the compression [1].
+template <int dim>
+std::vector<ParityClass> loaded_classes(const Folding<dim>& folding,
+                                        const LoadBasis& loads, double& error) {
+  std::vector<ParityClass> classes;
+  double scale = 0.0;
+  for (unsigned parity = 0; parity < folding.classes(); ++parity) {
+    LoadBasis folded{fold_loads(folding, parity, loads.columns),
+                     loads.coefficients};
+    scale = std::max(scale, largest_instant(folded));
+    classes.emplace_back();
+    classes.back().parity = parity;
+    classes.back().loads = std::move(folded);
+  }
+  const double tolerance =
+      kCompressionTolerance / std::sqrt(static_cast<double>(classes.size()));
+  error = 0.0;
+  for (ParityClass& c : classes) {
+    c.loads = compress(c.loads, tolerance, scale);
+    error = std::hypot(error, c.loads.compression_error);
+  }
+  std::erase_if(classes, [](const ParityClass& c) {
+    return c.loads.columns.cols() == 0;
+  });
+  return classes;
+}
+
+/// The basis of the whole part from those of its classes.
+template <int dim>
+void unfold_classes(const Folding<dim>& folding,
+                    const std::vector<ParityClass>& classes,
+                    DisplacementBasis<dim>& result) {
+  Index rank = 0;
+  for (const ParityClass& c : classes) rank += c.columns.cols();
+  const Index instants = result.strain_energy.size();
+  result.columns.resize(result.discretization.dofs(), rank);
+  result.coefficients.resize(rank, instants);
+  Index at = 0;
+  for (const ParityClass& c : classes) {
+    const Index n = c.columns.cols();
+    result.columns.middleCols(at, n) = unfold(folding, c.parity, c.columns);
+    result.coefficients.middleRows(at, n) = c.loads.coefficients;
+    at += n;
+  }
+}
+
+/// @return strain energy per instant [J].
+Eigen::VectorXd check_classes(const StiffnessAction& stiffness,
+                              const std::vector<ParityClass>& classes,
+                              double images, Index instants,
+                              double largest_load, SolveChecks& checks) {
+  forget_solution(checks);
+  SolutionCheck check(instants, largest_load);
+  for (const ParityClass& c : classes) {
+    check.add(stiffness, c.columns, c.loads, c.held, c.supports, images,
+              checks);
+  }
+  return check.strain_energy(checks);
+}
+
+/// Factor's size of all classes as that of one problem: it goes with n^(4/3).
+double equivalent_dofs(double dofs, double classes) {
+  return dofs * std::pow(classes, 0.75);
+}
+
+}  // namespace
 
 template <int dim>
 DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
-  constexpr double kCompressionTolerance = 3e-7;
   Stopwatch watch;
   const std::string place = "part " + problem.name;
   const double density = problem.material.density;
+  const bool is_free = problem.fixed.empty();
   DisplacementBasis<dim> result;
   result.discretization = discretize(problem.mesh, degree);
-  const auto& discretization = result.discretization;
-  require_memory(dim, discretization.dofs(), physical_memory(), place);
-  const auto positions = node_positions(discretization);
-  const auto stiffness =
-      assemble_stiffness(discretization, problem.material, place);
-  const bool is_free = problem.fixed.empty();
-  const std::vector<int> held =
-      is_free ? determinate_supports(discretization, positions)
-              : fixed_supports(discretization, positions, problem.fixed, place);
-  Eigen::MatrixXd history =
-      assemble_loads(discretization, problem.history, density, problem.name);
+  const auto& whole = result.discretization;
+  const auto positions = node_positions(whole);
+  std::vector<int> fixed;
+  if (!is_free) fixed = fixed_supports(whole, positions, problem.fixed, place);
+  const Folding<dim> folding =
+      fold<dim>(whole, positions, common_mirrors<dim>(whole, positions, fixed));
+  const Discretization<dim>& part = folding.part;
+  require_memory(dim, equivalent_dofs(part.dofs(), folding.classes()),
+                 physical_memory(), place);
+  LoadBasis loads = load_columns(whole, problem.history, density, problem.name);
   if (is_free) {
-    balance_free_part<dim>(discretization, positions, density, history,
-                           result.checks);
+    balance_free_part<dim>(whole, positions, density, loads, result.checks);
   }
-  const LoadBasis loads = compress(history, kCompressionTolerance);
-  result.checks.compression = loads.compression_error;
-  result.coefficients = loads.coefficients;
-  const auto numbers = number_equations(discretization.dofs(), held);
-  const UpperTriangle upper = free_equations(stiffness, numbers);
-  result.seconds.assemble = watch.lap();
-
-  const SparseCholesky cholesky(upper, place);
-  result.seconds.factor = watch.lap();
-
-  result.columns = extend_rows(
-      cholesky.solve(restrict_rows(loads.columns, numbers)), numbers);
-  result.strain_energy = check_solution(action_of(stiffness), result.columns,
-                                        loads, held, is_free, result.checks);
+  const auto stiffness = assemble_stiffness(part, problem.material, place);
+  auto classes = loaded_classes(folding, loads, result.checks.compression);
+  const auto folded_positions = node_positions(part);
+  for (ParityClass& c : classes) {
+    hold<dim>(folding, fixed, folded_positions, c);
+    c.numbers = number_equations(part.dofs(), c.held);
+    const UpperTriangle upper = free_equations(stiffness, c.numbers);
+    result.seconds.assemble += watch.lap();
+    c.factor = std::make_unique<SparseCholesky>(upper, place);
+    result.seconds.factor += watch.lap();
+    c.columns = extend_rows(
+        c.factor->solve(restrict_rows(c.loads.columns, c.numbers)), c.numbers);
+    result.seconds.solve += watch.lap();
+  }
+  const auto check = [&](const StiffnessAction& action) {
+    result.strain_energy = check_classes(
+        action, classes, folding.classes(), loads.coefficients.cols(),
+        largest_instant(loads) / folding.classes(), result.checks);
+  };
+  check(action_of(stiffness));
   if (wants_refinement(result.checks)) {
-    const StiffnessAction by_strain{[&](const Eigen::MatrixXd& u) {
+    const StiffnessAction by_strain{[&](const MatrixXd& u) {
                                       return forces_by_strain(
-                                          discretization, problem.material, u);
+                                          part, problem.material, u);
                                     },
                                     action_of(stiffness).multiply_absolute};
-    refine(by_strain, cholesky, numbers, loads, result.columns);
-    result.strain_energy = check_solution(by_strain, result.columns, loads,
-                                          held, is_free, result.checks);
+    for (ParityClass& c : classes) {
+      refine(by_strain, *c.factor, c.numbers, c.loads, c.columns);
+    }
+    check(by_strain);
   }
-  result.seconds.solve = watch.lap();
-  require_checks(result.checks, discretization.geometry_degree, problem.name);
+  unfold_classes(folding, classes, result);
+  result.seconds.solve += watch.lap();
+  require_checks(result.checks, whole.geometry_degree, problem.name);
   return result;
 }
 

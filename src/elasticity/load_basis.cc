@@ -16,9 +16,10 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Left singular vectors of `rest` whose singular values are above kClear of
-/// the largest: what the Gram matrix, which squares the condition, resolves.
-MatrixXd clear_directions(const MatrixXd& rest, double tolerance) {
+/// Combinations of the columns of `rest` that are its left singular vectors
+/// with singular values above kClear of the largest: what the Gram matrix,
+/// which squares the condition, resolves.
+MatrixXd clear_combinations(const MatrixXd& rest, double tolerance) {
   constexpr double kClear = 1e-4;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(
       transposed_product(rest, rest));
@@ -36,7 +37,11 @@ MatrixXd clear_directions(const MatrixXd& rest, double tolerance) {
   for (Index k = 0; k < directions.cols(); ++k) {
     directions.col(k) /= std::sqrt(lambda[dropped + k]);
   }
-  return product(rest, directions);
+  return directions;
+}
+
+MatrixXd clear_directions(const MatrixXd& rest, double tolerance) {
+  return product(rest, clear_combinations(rest, tolerance));
 }
 
 void append_columns(MatrixXd& columns, const MatrixXd& more) {
@@ -44,17 +49,14 @@ void append_columns(MatrixXd& columns, const MatrixXd& more) {
   columns.rightCols(more.cols()) = more;
 }
 
-}  // namespace
-
-LoadBasis compress(const MatrixXd& history, double tolerance) {
+/// Basis of the history relative to a scale.
+LoadBasis compress_over(const MatrixXd& history, double tolerance,
+                        double scale) {
   constexpr int kPasses = 4;  // each resolves four more orders of magnitude
   LoadBasis basis;
   basis.columns.resize(history.rows(), 0);
-  const double scale = history.colwise().norm().maxCoeff();
-  if (!(scale > 0.0)) {
-    basis.coefficients.resize(0, history.cols());
-    return basis;
-  }
+  basis.coefficients.resize(0, history.cols());
+  if (!(scale > 0.0)) return basis;
   MatrixXd rest = history / scale;
   for (int pass = 0; pass < kPasses; ++pass) {
     if (rest.colwise().norm().maxCoeff() <= tolerance) break;
@@ -70,6 +72,84 @@ LoadBasis compress(const MatrixXd& history, double tolerance) {
           .norm()
           .maxCoeff() /
       scale;
+  return basis;
+}
+
+/// An orthonormal basis of columns of like size, as combinations of them:
+/// `combine` holds their coefficients, `coordinates` the columns in the basis.
+struct Orthonormal {
+  MatrixXd combine, coordinates;
+};
+
+/// By Cholesky's factor of the Gram matrix where the columns are clearly
+/// independent; else by passes as in compress_over, every direction that
+/// counts for 1e-10 of a column.
+Orthonormal orthonormalise(const MatrixXd& columns) {
+  constexpr double kIndependent = 1e-3;
+  constexpr double kCounts = 1e-10;
+  const Index count = columns.cols();
+  const MatrixXd gram = transposed_product(columns, columns);
+  const Eigen::LLT<MatrixXd> llt(gram);
+  if (llt.info() == Eigen::Success &&
+      llt.matrixLLT().diagonal().minCoeff() > kIndependent) {
+    const MatrixXd upper = llt.matrixU();
+    return {llt.matrixU().solve(MatrixXd::Identity(count, count)), upper};
+  }
+  // Every direction is a combination of what is left of the columns, which is
+  // one of the columns themselves.
+  Orthonormal result{MatrixXd(count, 0), {}};
+  MatrixXd basis(columns.rows(), 0);
+  MatrixXd rest = columns;
+  MatrixXd rest_of_columns = MatrixXd::Identity(count, count);
+  for (int pass = 0; pass < 4; ++pass) {
+    if (rest.colwise().norm().maxCoeff() <= kCounts) break;
+    const MatrixXd directions = clear_combinations(rest, kCounts);
+    append_columns(basis, product(rest, directions));
+    append_columns(result.combine, product(rest_of_columns, directions));
+    const MatrixXd along = transposed_product(basis, rest);
+    rest -= product(basis, along);
+    rest_of_columns -= product(result.combine, along);
+  }
+  result.coordinates = transposed_product(basis, columns);
+  return result;
+}
+
+}  // namespace
+
+LoadBasis compress(const MatrixXd& history, double tolerance) {
+  return compress_over(history, tolerance, history.colwise().norm().maxCoeff());
+}
+
+double largest_instant(const LoadBasis& loads) {
+  const MatrixXd& c = loads.coefficients;
+  if (c.rows() == 0) return 0.0;
+  // Through the Gram matrix: f_i = A c_i is not formed.
+  const MatrixXd gram = transposed_product(loads.columns, loads.columns);
+  const double squared =
+      c.cwiseProduct(product(gram, c)).colwise().sum().maxCoeff();
+  return std::sqrt(std::max(0.0, squared));
+}
+
+LoadBasis compress(const LoadBasis& loads, double tolerance, double scale) {
+  if (scale == 0.0) scale = largest_instant(loads);
+  const VectorXd size = loads.columns.colwise().norm();
+  LoadBasis scaled{loads.columns, loads.coefficients};
+  Index kept = 0;
+  for (Index k = 0; k < size.size(); ++k) {
+    const double counts =
+        size[k] * loads.coefficients.row(k).cwiseAbs().maxCoeff();
+    if (counts <= 1e-4 * tolerance * scale) continue;
+    scaled.columns.col(kept) = loads.columns.col(k) / size[k];
+    scaled.coefficients.row(kept++) = loads.coefficients.row(k) * size[k];
+  }
+  scaled.columns.conservativeResize(Eigen::NoChange, kept);
+  scaled.coefficients.conservativeResize(kept, Eigen::NoChange);
+  if (kept == 0) return scaled;
+  const Orthonormal orthonormal = orthonormalise(scaled.columns);
+  LoadBasis basis = compress_over(
+      product(orthonormal.coordinates, scaled.coefficients), tolerance, scale);
+  basis.columns =
+      product(scaled.columns, product(orthonormal.combine, basis.columns));
   return basis;
 }
 

@@ -18,4 +18,14 @@ struct LoadBasis {
 /// @param tolerance  of compression_error.
 LoadBasis compress(const Eigen::MatrixXd& history, double tolerance);
 
+/// The same of loads that are a few columns times coefficients already; the
+/// columns need not be independent.
+/// @param scale  that `tolerance` and compression_error refer to; 0: the
+///   largest instant.
+LoadBasis compress(const LoadBasis& loads, double tolerance,
+                   double scale = 0.0);
+
+/// Norm of the largest instant.
+double largest_instant(const LoadBasis& loads);
+
 }  // namespace clevis::elasticity

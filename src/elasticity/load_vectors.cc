@@ -2,143 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "base/errors.h"
 #include "elasticity/dense_product.h"
-#include "elasticity/group_trace.h"
-#include "loads/discrete_balance.h"
-#include "loads/seat_traction.h"
+#include "elasticity/surface_loads.h"
 
 namespace clevis::elasticity {
 namespace {
 
 using Eigen::Index;
-using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
-
-template <int dim>
-int find_group(const Discretization<dim>& discretization,
-               const std::string& group, const std::string& part_name) {
-  std::vector<std::string> names;
-  for (std::size_t g = 0; g < discretization.groups.size(); ++g) {
-    if (discretization.groups[g].name == group &&
-        !discretization.group_faces[g].empty()) {
-      return static_cast<int>(g);
-    }
-    names.push_back(discretization.groups[g].name);
-  }
-  throw Error("M003", "part " + part_name,
-              fmt::format("the mesh has no surface group \"{}\"", group),
-              fmt::format("groups of the mesh: {}", fmt::join(names, ", ")));
-}
-
-/// Tractions of all instants at the points of a group [Pa]: points × (dim ×
-/// instants), instant after instant.
-template <int dim>
-class TractionHistory {
- public:
-  TractionHistory(Index points, std::size_t instants)
-      : values_(points, dim * static_cast<Index>(instants)) {}
-
-  void set(std::size_t instant, const Matrix3Xd& tractions) {
-    values_.middleCols<dim>(dim * static_cast<Index>(instant)) =
-        tractions.topRows<dim>().transpose();
-  }
-
-  /// Adds ∫ N t dA to dofs × instants.
-  void integrate(const GroupTrace& trace, MatrixXd& loads) const {
-    Index begin = 0;
-    for (const auto& face : trace.faces) {
-      const Index n = face.values->rows();
-      const MatrixXd weighted =
-          trace.quadrature.weights.segment(begin, n).asDiagonal() *
-          values_.middleRows(begin, n);
-      const MatrixXd nodal = transposed_product(*face.values, weighted);
-      for (std::size_t k = 0; k < face.nodes.size(); ++k) {
-        for (Index i = 0; i < loads.cols(); ++i) {
-          loads.col(i).segment<dim>(dim * face.nodes[k]) +=
-              nodal.row(static_cast<Index>(k))
-                  .template segment<dim>(dim * i)
-                  .transpose();
-        }
-      }
-      begin += n;
-    }
-  }
-
- private:
-  MatrixXd values_;
-};
-
-/// Adds what is missing to the wanted resultant.
-void correct(const loads::GroupQuadrature& quadrature,
-             const loads::Wrench& wanted, const Vector3d& about,
-             Matrix3Xd& tractions) {
-  const auto missing = loads::correction(quadrature, tractions, wanted, about);
-  for (Index q = 0; q < tractions.cols(); ++q) {
-    tractions.col(q) += missing.traction(quadrature.points.col(q));
-  }
-}
-
-template <int dim>
-void add_seat(const Discretization<dim>& discretization,
-              const loads::LoadHistory& history, std::size_t seat_index,
-              const std::string& part_name, FaceTables<dim>& tables,
-              MatrixXd& result) {
-  const loads::Seat& seat = history.seats[seat_index];
-  const int group = find_group(discretization, seat.group, part_name);
-  const auto& cylinder =
-      discretization.groups[static_cast<std::size_t>(group)].cylinder;
-  if (seat.kind == loads::SeatKind::kBearing && !cylinder) {
-    throw Error("L002", "part " + part_name + ", group " + seat.group,
-                "a pin bears on this group, but it is no circular cylinder",
-                "name the group bore_* or round_* if it is round");
-  }
-  const GroupTrace trace = group_trace(discretization, group, tables);
-  const auto n = trace.quadrature.weights.size();
-  TractionHistory<dim> history_here(n, history.instants.size());
-  for (std::size_t i = 0; i < history.instants.size(); ++i) {
-    const loads::Wrench& wrench = history.instants[i].wrenches[seat_index];
-    Matrix3Xd tractions = Matrix3Xd::Zero(3, n);
-    if (seat.kind == loads::SeatKind::kBearing) {
-      const loads::BearingTraction bearing(*cylinder, wrench);
-      for (Index q = 0; q < n; ++q) {
-        tractions.col(q) = bearing.traction(trace.quadrature.points.col(q),
-                                            trace.outward.col(q));
-      }
-    }
-    correct(trace.quadrature, wrench, seat.p_LS, tractions);
-    history_here.set(i, tractions);
-  }
-  history_here.integrate(trace, result);
-}
-
-template <int dim>
-void add_surface_loads(const Discretization<dim>& discretization,
-                       const loads::LoadHistory& history, std::size_t index,
-                       const std::string& part_name, FaceTables<dim>& tables,
-                       MatrixXd& result) {
-  const auto& name = history.instants.front().surface_loads[index].group;
-  const GroupTrace trace = group_trace(
-      discretization, find_group(discretization, name, part_name), tables);
-  TractionHistory<dim> history_here(trace.quadrature.weights.size(),
-                                    history.instants.size());
-  for (std::size_t i = 0; i < history.instants.size(); ++i) {
-    const loads::SurfaceLoad& load = history.instants[i].surface_loads[index];
-    Matrix3Xd tractions = -load.pressure * trace.outward;
-    tractions.colwise() += load.traction;
-    correct(trace.quadrature, load.resultant, Vector3d::Zero(), tractions);
-    history_here.set(i, tractions);
-  }
-  history_here.integrate(trace, result);
-}
 
 /// ∫ N dV and ∫ N p dV per node: nodes × 4 (1, x, y, z), z the mid-plane's.
 template <int dim>
@@ -171,35 +48,107 @@ MatrixXd node_moments(const Discretization<dim>& discretization) {
   return moments;
 }
 
+/// Columns that span the columns of `values`, orthonormal, by pivoted
+/// Gram-Schmidt: the column with the largest rest is next, until no rest is
+/// above the tolerance.
+/// @param tolerance  of the rest, over the largest column [1].
+MatrixXd spanning_columns(const MatrixXd& values, double tolerance) {
+  MatrixXd rest = values;
+  Eigen::VectorXd norms = rest.colwise().squaredNorm();
+  const double enough = tolerance * tolerance * norms.maxCoeff();
+  std::vector<Eigen::VectorXd> columns;
+  Index next = 0;
+  while (norms.maxCoeff(&next) > enough) {
+    Eigen::VectorXd q = rest.col(next);
+    for (const auto& other : columns) q -= other.dot(q) * other;
+    q.normalize();
+    rest -= q * (q.transpose() * rest).eval();
+    norms = rest.colwise().squaredNorm();
+    norms[next] = 0.0;
+    columns.push_back(std::move(q));
+  }
+  MatrixXd result(values.rows(), static_cast<Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    result.col(static_cast<Index>(k)) = columns[k];
+  }
+  return result;
+}
+
+/// Collects columns and the coefficients that go with them.
+class Columns {
+ public:
+  Columns(Index dofs, Index instants) : dofs_(dofs), instants_(instants) {}
+
+  void append(const MatrixXd& columns, const MatrixXd& coefficients) {
+    columns_.push_back(columns);
+    coefficients_.push_back(coefficients);
+    count_ += columns.cols();
+  }
+
+  LoadBasis join() const {
+    LoadBasis result;
+    result.columns.resize(dofs_, count_);
+    result.coefficients.resize(count_, instants_);
+    Index at = 0;
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      const Index n = columns_[k].cols();
+      result.columns.middleCols(at, n) = columns_[k];
+      result.coefficients.middleRows(at, n) = coefficients_[k];
+      at += n;
+    }
+    return result;
+  }
+
+ private:
+  Index dofs_, instants_, count_ = 0;
+  std::vector<MatrixXd> columns_, coefficients_;
+};
+
 template <int dim>
-void add_body_loads(const Discretization<dim>& discretization,
-                    const loads::LoadHistory& history, double density,
-                    MatrixXd& result) {
-  const MatrixXd moments = node_moments(discretization);
-  for (std::size_t i = 0; i < history.instants.size(); ++i) {
-    const loads::RigidAcceleration& rigid = history.instants[i].rigid;
-    Eigen::Matrix<double, 4, 3> field;  // acceleration = (1, x, y, z) field
-    field.row(0) = rigid.acceleration;
+void append_surface(const SurfaceLoads& surface, Index dofs, Columns& columns) {
+  constexpr double kTolerance = 1e-9;  // far below that of the load basis
+  if (!(surface.values.cwiseAbs().maxCoeff() > 0.0)) return;
+  const MatrixXd basis = spanning_columns(surface.values, kTolerance);
+  MatrixXd scattered = MatrixXd::Zero(dofs, basis.cols());
+  for (std::size_t k = 0; k < surface.nodes.size(); ++k) {
+    scattered.middleRows<dim>(dim * surface.nodes[k]) =
+        basis.middleRows<dim>(dim * static_cast<Index>(k));
+  }
+  columns.append(scattered, transposed_product(basis, surface.values));
+}
+
+/// −ρ (a + α×p + ω×(ω×p)) is linear in p: a column per power of p and
+/// component that occurs.
+template <int dim>
+void append_body(const loads::LoadHistory& history, double density,
+                 const MatrixXd& moments, Columns& columns) {
+  const auto instants = static_cast<Index>(history.instants.size());
+  MatrixXd field(4 * dim, instants);  // acceleration = Σ_j field(j, a) p_j
+  for (Index i = 0; i < instants; ++i) {
+    const auto& rigid = history.instants[static_cast<std::size_t>(i)].rigid;
+    field.col(i).head<dim>() = rigid.acceleration.head<dim>();
     for (int k = 0; k < 3; ++k) {
       const Vector3d e = Vector3d::Unit(k);
-      field.row(1 + k) =
+      const Vector3d slope =
           rigid.alpha.cross(e) + rigid.omega.cross(rigid.omega.cross(e));
+      field.col(i).segment<dim>(dim * (1 + k)) = slope.head<dim>();
     }
-    const MatrixXd load = -density * moments * field.leftCols<dim>();
-    auto column = result.col(static_cast<Index>(i));
-    for (Index node = 0; node < load.rows(); ++node) {
-      column.segment<dim>(dim * node) += load.row(node).transpose();
+  }
+  for (Index row = 0; row < field.rows(); ++row) {
+    if (field.row(row).isZero(0.0)) continue;
+    MatrixXd column = MatrixXd::Zero(dim * moments.rows(), 1);
+    for (Index node = 0; node < moments.rows(); ++node) {
+      column(dim * node + row % dim) = -density * moments(node, row / dim);
     }
+    columns.append(column, field.row(row));
   }
 }
 
 /// Consistent mass times rigid motions (translations, rotations about Lo):
 /// dofs × modes [kg], [kg m].
 template <int dim>
-MatrixXd rigid_inertia(const Discretization<dim>& discretization,
-                       double density) {
-  const MatrixXd moments = density * node_moments(discretization);
-  MatrixXd inertia = MatrixXd::Zero(discretization.dofs(), dim == 2 ? 3 : 6);
+MatrixXd rigid_inertia(const MatrixXd& moments, double density) {
+  MatrixXd inertia = MatrixXd::Zero(dim * moments.rows(), dim == 2 ? 3 : 6);
   for (Index node = 0; node < moments.rows(); ++node) {
     auto at = inertia.middleRows<dim>(dim * node);
     at.template leftCols<dim>().diagonal().setConstant(moments(node, 0));
@@ -210,27 +159,97 @@ MatrixXd rigid_inertia(const Discretization<dim>& discretization,
       for (int k = 0; k < 3; ++k) at.col(3 + k) = Vector3d::Unit(k).cross(arm);
     }
   }
+  inertia *= density;
   return inertia;
+}
+
+/// Largest over the columns of A C of the sum of magnitudes, without forming
+/// A C at once.
+double largest_column_sum(const MatrixXd& a, const MatrixXd& c) {
+  constexpr Index kRows = 512;
+  Eigen::RowVectorXd sums = Eigen::RowVectorXd::Zero(c.cols());
+  for (Index begin = 0; begin < a.rows(); begin += kRows) {
+    const MatrixXd rows =
+        a.middleRows(begin, std::min(kRows, a.rows() - begin));
+    sums += product(rows, c).cwiseAbs().colwise().sum();
+  }
+  return sums.maxCoeff();
+}
+
+/// Leaves out the columns that hardly count beside the largest.
+void drop_small_columns(double scale, LoadBasis& loads) {
+  constexpr double kNothing = 1e-13;
+  Index kept = 0;
+  for (Index k = 0; k < loads.columns.cols(); ++k) {
+    const double size = loads.columns.col(k).cwiseAbs().sum() *
+                        loads.coefficients.row(k).cwiseAbs().maxCoeff();
+    if (size <= kNothing * scale) continue;
+    loads.columns.col(kept) = loads.columns.col(k);
+    loads.coefficients.row(kept) = loads.coefficients.row(k);
+    ++kept;
+  }
+  loads.columns.conservativeResize(Eigen::NoChange, kept);
+  loads.coefficients.conservativeResize(kept, Eigen::NoChange);
 }
 
 }  // namespace
 
 template <int dim>
+LoadBasis load_columns(const Discretization<dim>& discretization,
+                       const loads::LoadHistory& history, double density,
+                       const std::string& part_name) {
+  const Index dofs = discretization.dofs();
+  Columns columns(dofs, static_cast<Index>(history.instants.size()));
+  for (const SurfaceLoads& surface :
+       surface_loads(discretization, history, part_name)) {
+    append_surface<dim>(surface, dofs, columns);
+  }
+  append_body<dim>(history, density, node_moments(discretization), columns);
+  return columns.join();
+}
+
+template <int dim>
 MatrixXd assemble_loads(const Discretization<dim>& discretization,
                         const loads::LoadHistory& history, double density,
                         const std::string& part_name) {
-  MatrixXd result = MatrixXd::Zero(discretization.dofs(),
-                                   static_cast<Index>(history.instants.size()));
-  FaceTables<dim> tables;
-  for (std::size_t s = 0; s < history.seats.size(); ++s) {
-    add_seat(discretization, history, s, part_name, tables, result);
+  const auto instants = static_cast<Index>(history.instants.size());
+  Columns columns(discretization.dofs(), instants);
+  append_body<dim>(history, density, node_moments(discretization), columns);
+  const LoadBasis body = columns.join();
+  MatrixXd result = product(body.columns, body.coefficients);
+  for (const SurfaceLoads& surface :
+       surface_loads(discretization, history, part_name)) {
+    for (std::size_t k = 0; k < surface.nodes.size(); ++k) {
+      result.middleRows<dim>(dim * surface.nodes[k]) +=
+          surface.values.middleRows<dim>(dim * static_cast<Index>(k));
+    }
   }
-  for (std::size_t s = 0; s < history.instants.front().surface_loads.size();
-       ++s) {
-    add_surface_loads(discretization, history, s, part_name, tables, result);
-  }
-  add_body_loads(discretization, history, density, result);
   return result;
+}
+
+template <int dim>
+LoadBalance balance_loads(const Discretization<dim>& discretization,
+                          double density, const MatrixXd& modes,
+                          LoadBasis& loads) {
+  LoadBalance balance;
+  const double scale = largest_column_sum(loads.columns, loads.coefficients);
+  if (!(scale > 0.0)) return balance;
+  const MatrixXd residual = transposed_product(modes, loads.columns);
+  const MatrixXd inertia =
+      rigid_inertia<dim>(node_moments(discretization), density);
+  const MatrixXd acceleration =
+      transposed_product(modes, inertia).fullPivLu().solve(residual);
+  loads.columns -= product(inertia, acceleration);
+  balance.relief =
+      product(residual, loads.coefficients).cwiseAbs().maxCoeff() / scale;
+  drop_small_columns(scale, loads);
+  if (loads.columns.cols() == 0) return balance;
+  balance.rest =
+      product(transposed_product(modes, loads.columns), loads.coefficients)
+          .cwiseAbs()
+          .maxCoeff() /
+      scale;
+  return balance;
 }
 
 template <int dim>
@@ -239,22 +258,26 @@ double balance_loads(const Discretization<dim>& discretization, double density,
   const double scale = history.cwiseAbs().colwise().sum().maxCoeff();
   if (!(scale > 0.0)) return 0.0;
   const MatrixXd residual = transposed_product(modes, history);
-  const MatrixXd inertia = rigid_inertia(discretization, density);
-  const MatrixXd acceleration =
-      transposed_product(modes, inertia).fullPivLu().solve(residual);
-  history -= product(inertia, acceleration);
+  const MatrixXd inertia =
+      rigid_inertia<dim>(node_moments(discretization), density);
+  history -= product(
+      inertia, transposed_product(modes, inertia).fullPivLu().solve(residual));
   return residual.cwiseAbs().maxCoeff() / scale;
 }
 
-template double balance_loads<2>(const Discretization<2>&, double,
-                                 const MatrixXd&, MatrixXd&);
-template double balance_loads<3>(const Discretization<3>&, double,
-                                 const MatrixXd&, MatrixXd&);
-template MatrixXd assemble_loads<2>(const Discretization<2>&,
-                                    const loads::LoadHistory&, double,
-                                    const std::string&);
-template MatrixXd assemble_loads<3>(const Discretization<3>&,
-                                    const loads::LoadHistory&, double,
-                                    const std::string&);
+#define CLEVIS_INSTANTIATE(dim)                                               \
+  template LoadBasis load_columns<dim>(const Discretization<dim>&,            \
+                                       const loads::LoadHistory&, double,     \
+                                       const std::string&);                   \
+  template MatrixXd assemble_loads<dim>(const Discretization<dim>&,           \
+                                        const loads::LoadHistory&, double,    \
+                                        const std::string&);                  \
+  template LoadBalance balance_loads<dim>(const Discretization<dim>&, double, \
+                                          const MatrixXd&, LoadBasis&);       \
+  template double balance_loads<dim>(const Discretization<dim>&, double,      \
+                                     const MatrixXd&, MatrixXd&);
+CLEVIS_INSTANTIATE(2)
+CLEVIS_INSTANTIATE(3)
+#undef CLEVIS_INSTANTIATE
 
 }  // namespace clevis::elasticity

@@ -35,8 +35,8 @@ struct StiffnessAction {
 template <int dim>
 StiffnessAction action_of(const StiffnessMatrix<dim>& stiffness);
 
-/// Puts the discrete loads (dofs × instants) of a free part in balance; fills
-/// `relief` and `balance`.
+/// Puts the discrete loads (dofs × instants, or columns and coefficients) of a
+/// free part in balance; fills `relief` and `balance`.
 /// @param positions  of the nodes [m].
 /// @param density [kg/m³].
 template <int dim>
@@ -45,11 +45,45 @@ void balance_free_part(
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions, double density,
     Eigen::MatrixXd& history, SolveChecks& checks);
 
-/// Checks that U solves K U = F but in the rows held at zero; fills
-/// `residual`, `residual_round_off`, `energy` and, for a free part,
-/// `equilibrium`.
-/// @param loads  F and the coefficients of the instants.
-/// @return strain energy per instant [J].
+template <int dim>
+void balance_free_part(
+    const Discretization<dim>& discretization,
+    const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions, double density,
+    LoadBasis& loads, SolveChecks& checks);
+
+/// Sets what SolutionCheck fills back to nothing.
+void forget_solution(SolveChecks& checks);
+
+/// Checks solutions of K U = F; a part that is solved in classes gives one
+/// after the other.
+class SolutionCheck {
+ public:
+  /// @param largest_load  norm of the largest instant [N].
+  SolutionCheck(Eigen::Index instants, double largest_load)
+      : largest_load_(largest_load),
+        energy_(Eigen::VectorXd::Zero(instants)),
+        work_(Eigen::VectorXd::Zero(instants)) {}
+
+  /// Fills `residual`, `residual_round_off` and `equilibrium`.
+  /// @param loads   F and the coefficients of the instants.
+  /// @param held    rows that are held at zero, sorted.
+  /// @param without_reaction  those of them that may not take any force.
+  /// @param weight  of the energies.
+  void add(const StiffnessAction& stiffness, const Eigen::MatrixXd& columns,
+           const LoadBasis& loads, const std::vector<int>& held,
+           const std::vector<int>& without_reaction, double weight,
+           SolveChecks& checks);
+
+  /// Fills `energy`.
+  /// @return strain energy per instant [J].
+  Eigen::VectorXd strain_energy(SolveChecks& checks) const;
+
+ private:
+  double largest_load_;
+  Eigen::VectorXd energy_, work_;  ///< uᵀK u, fᵀu per instant
+};
+
+/// The same for one solution as a whole.
 Eigen::VectorXd check_solution(const StiffnessAction& stiffness,
                                const Eigen::MatrixXd& columns,
                                const LoadBasis& loads,

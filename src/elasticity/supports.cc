@@ -121,24 +121,35 @@ MatrixXd rigid_modes(const Positions<dim>& positions,
 
 template <int dim>
 std::vector<int> determinate_supports(const Discretization<dim>& discretization,
-                                      const Positions<dim>& positions) {
+                                      const MatrixXd& modes,
+                                      const std::vector<int>& held) {
   std::vector<int> candidates;
   for (int node : discretization.vertex_nodes) {
     for (int d = 0; d < dim && node >= 0; ++d) {
-      candidates.push_back(dim * node + d);
+      if (!std::ranges::binary_search(held, dim * node + d)) {
+        candidates.push_back(dim * node + d);
+      }
     }
   }
-  const MatrixXd modes = rigid_modes<dim>(positions, positions.rowwise().mean(),
-                                          extent<dim>(positions));
   const MatrixXd rows = rows_of<dim>(modes, candidates);
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(rows.transpose());
-  std::vector<int> held;
-  for (int k = 0; k < kRigidModes<dim>; ++k) {
+  std::vector<int> chosen;
+  for (Index k = 0; k < modes.cols(); ++k) {
     const Index pivot = qr.colsPermutation().indices()[k];
-    held.push_back(candidates[static_cast<std::size_t>(pivot)]);
+    chosen.push_back(candidates[static_cast<std::size_t>(pivot)]);
   }
-  std::ranges::sort(held);
-  return held;
+  std::ranges::sort(chosen);
+  return chosen;
+}
+
+template <int dim>
+std::vector<int> determinate_supports(const Discretization<dim>& discretization,
+                                      const Positions<dim>& positions) {
+  return determinate_supports<dim>(
+      discretization,
+      rigid_modes<dim>(positions, positions.rowwise().mean(),
+                       extent<dim>(positions)),
+      {});
 }
 
 template <int dim>
@@ -166,14 +177,16 @@ std::vector<int> fixed_supports(
   return held;
 }
 
-#define CLEVIS_INSTANTIATE(dim)                                             \
-  template Positions<dim> node_positions<dim>(const Discretization<dim>&);  \
-  template MatrixXd rigid_modes<dim>(                                       \
-      const Positions<dim>&, const Eigen::Matrix<double, dim, 1>&, double); \
-  template std::vector<int> determinate_supports<dim>(                      \
-      const Discretization<dim>&, const Positions<dim>&);                   \
-  template std::vector<int> fixed_supports<dim>(                            \
-      const Discretization<dim>&, const Positions<dim>&,                    \
+#define CLEVIS_INSTANTIATE(dim)                                              \
+  template Positions<dim> node_positions<dim>(const Discretization<dim>&);   \
+  template MatrixXd rigid_modes<dim>(                                        \
+      const Positions<dim>&, const Eigen::Matrix<double, dim, 1>&, double);  \
+  template std::vector<int> determinate_supports<dim>(                       \
+      const Discretization<dim>&, const Positions<dim>&);                    \
+  template std::vector<int> determinate_supports<dim>(                       \
+      const Discretization<dim>&, const MatrixXd&, const std::vector<int>&); \
+  template std::vector<int> fixed_supports<dim>(                             \
+      const Discretization<dim>&, const Positions<dim>&,                     \
       const std::map<std::string, std::array<bool, 3>>&, const std::string&);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)

@@ -35,6 +35,15 @@ std::vector<int> determinate_supports(
     const Discretization<dim>& discretization,
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions);
 
+/// The same for some of the rigid modes, with some components held already.
+/// @param modes  those that are still free, dofs × modes.
+/// @param held   sorted.
+/// @return as many components as modes, sorted.
+template <int dim>
+std::vector<int> determinate_supports(const Discretization<dim>& discretization,
+                                      const Eigen::MatrixXd& modes,
+                                      const std::vector<int>& held);
+
 /// Components held at zero on groups (a case's `fixed`).
 /// @throws Error F001 naming the free mode if they leave the part loose.
 template <int dim>

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "elasticity/discretization.h"
+#include "elasticity/mirror.h"
+
+namespace clevis::elasticity {
+
+/// A symmetric part on one side of its mirrors.
+///
+/// Displacements split into parity classes; class c is even about mirror k if
+/// bit k of c is 0: u(Rx) = R u(x), else odd: u(Rx) = −R u(x). Stiffness and
+/// classes commute, so each class is a problem of its own on the folded part:
+/// K of the folded cells, loads summed over the images, and on the planes
+/// those components zero that change their sign.
+template <int dim>
+struct Folding {
+  Discretization<dim> part;     ///< cells on the low side of all mirrors
+  std::vector<Mirror> mirrors;  ///< none: nothing is folded
+  std::vector<int> node;        ///< of the whole part → of the folded
+  /// Per node of the whole part, bit k: it stands behind mirror k.
+  std::vector<unsigned> behind;
+  /// Per node of the folded part, bit k: it stands on mirror k.
+  std::vector<unsigned> on_plane;
+
+  unsigned classes() const { return 1U << mirrors.size(); }
+};
+
+/// @param positions  of the nodes [m].
+template <int dim>
+Folding<dim> fold(const Discretization<dim>& whole,
+                  const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions,
+                  std::vector<Mirror> mirrors);
+
+/// Loads of a class on the folded part: dofs of `part` × columns.
+template <int dim>
+Eigen::MatrixXd fold_loads(const Folding<dim>& folding, unsigned parity,
+                           const Eigen::MatrixXd& whole);
+
+/// Displacements of a class on the whole part.
+template <int dim>
+Eigen::MatrixXd unfold(const Folding<dim>& folding, unsigned parity,
+                       const Eigen::MatrixXd& folded);
+
+/// Components on the planes that a class holds at zero, sorted.
+template <int dim>
+std::vector<int> held_on_planes(const Folding<dim>& folding, unsigned parity);
+
+/// Which of `rigid_modes` about a centre on all mirrors belong to a class.
+template <int dim>
+std::vector<int> rigid_modes_of(const Folding<dim>& folding, unsigned parity);
+
+}  // namespace clevis::elasticity
