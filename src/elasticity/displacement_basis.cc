@@ -5,7 +5,10 @@
 #include <memory>
 #include <utility>
 
+#include <Eigen/Cholesky>
+
 #include "base/stopwatch.h"
+#include "elasticity/dense_product.h"
 #include "elasticity/equations.h"
 #include "elasticity/folding.h"
 #include "elasticity/load_basis.h"
@@ -26,6 +29,7 @@ template <int dim>
 using Positions = Eigen::Matrix<double, dim, Eigen::Dynamic>;
 
 constexpr double kCompressionTolerance = 3e-7;
+constexpr double kLoadless = 1e-8;  // a class, against the whole
 
 /// One parity class of the problem on the folded part.
 struct ParityClass {
@@ -69,6 +73,15 @@ MatrixXd free_modes(const Folding<dim>& folding, unsigned parity,
   return modes;
 }
 
+/// Takes out of a class's loads what leaves them out of balance on the folded
+/// part: the mesh is symmetric to 1e-9 only, its nodes have moved so far.
+void balance_class(const MatrixXd& modes, MatrixXd& loads) {
+  if (modes.cols() == 0) return;
+  loads -= product(modes, (modes.transpose() * modes)
+                              .llt()
+                              .solve(transposed_product(modes, loads)));
+}
+
 /// Components that a class holds: on the planes, by the fixed supports of the
 /// whole part, or determinate where it is free.
 template <int dim>
@@ -91,62 +104,50 @@ void hold(const Folding<dim>& folding, const std::vector<int>& fixed,
   held.erase(std::unique(held.begin(), held.end()), held.end());
 }
 
-/// The classes that carry load, their loads compressed.
-/// @param error  of the compression [1].
+/// The classes that carry load. All have the columns of the whole part's
+/// loads, so that the same coefficients go with all of them.
+/// @param error  what is left out adds to that of the compression [1].
 template <int dim>
 std::vector<ParityClass> loaded_classes(const Folding<dim>& folding,
-                                        const LoadBasis& loads, double& error) {
+                                        const Positions<dim>& folded_positions,
+                                        const LoadBasis& loads, bool is_free,
+                                        double& error) {
   std::vector<ParityClass> classes;
-  double scale = 0.0;
+  if (loads.columns.cols() == 0) return classes;
+  const double scale = largest_instant(loads) /
+                       std::sqrt(static_cast<double>(folding.classes()));
   for (unsigned parity = 0; parity < folding.classes(); ++parity) {
     LoadBasis folded{fold_loads(folding, parity, loads.columns),
                      loads.coefficients};
-    scale = std::max(scale, largest_instant(folded));
+    const double size = largest_instant(folded) / scale;
+    if (size <= kLoadless) {
+      error = std::hypot(error, size);
+      continue;
+    }
+    if (is_free && folding.classes() > 1) {
+      balance_class(free_modes<dim>(folding, parity, folded_positions),
+                    folded.columns);
+    }
     classes.emplace_back();
     classes.back().parity = parity;
     classes.back().loads = std::move(folded);
   }
-  const double tolerance =
-      kCompressionTolerance / std::sqrt(static_cast<double>(classes.size()));
-  error = 0.0;
-  for (ParityClass& c : classes) {
-    c.loads = compress(c.loads, tolerance, scale);
-    error = std::hypot(error, c.loads.compression_error);
-  }
-  std::erase_if(classes, [](const ParityClass& c) {
-    return c.loads.columns.cols() == 0;
-  });
   return classes;
-}
-
-/// The basis of the whole part from those of its classes.
-template <int dim>
-void unfold_classes(const Folding<dim>& folding,
-                    const std::vector<ParityClass>& classes,
-                    DisplacementBasis<dim>& result) {
-  Index rank = 0;
-  for (const ParityClass& c : classes) rank += c.columns.cols();
-  const Index instants = result.strain_energy.size();
-  result.columns.resize(result.discretization.dofs(), rank);
-  result.coefficients.resize(rank, instants);
-  Index at = 0;
-  for (const ParityClass& c : classes) {
-    const Index n = c.columns.cols();
-    result.columns.middleCols(at, n) = unfold(folding, c.parity, c.columns);
-    result.coefficients.middleRows(at, n) = c.loads.coefficients;
-    at += n;
-  }
 }
 
 /// @return strain energy per instant [J].
 Eigen::VectorXd check_classes(const StiffnessAction& stiffness,
                               const std::vector<ParityClass>& classes,
-                              double images, Index instants,
-                              double largest_load, SolveChecks& checks) {
+                              double images, const LoadBasis& loads,
+                              SolveChecks& checks) {
   forget_solution(checks);
-  SolutionCheck check(instants, largest_load);
+  const double share = 1.0 / std::sqrt(images);
+  SolutionCheck check(loads.coefficients.cols(),
+                      share * largest_instant(loads));
+  const Eigen::ArrayXd norms =
+      share * loads.columns.colwise().norm().transpose().array();
   for (const ParityClass& c : classes) {
-    check.add(stiffness, c.columns, c.loads, c.held, c.supports, images,
+    check.add(stiffness, c.columns, c.loads, norms, c.held, c.supports, images,
               checks);
   }
   return check.strain_energy(checks);
@@ -180,9 +181,13 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
   if (is_free) {
     balance_free_part<dim>(whole, positions, density, loads, result.checks);
   }
+  loads = compress(loads, kCompressionTolerance);
+  result.checks.compression = loads.compression_error;
+  result.coefficients = loads.coefficients;
   const auto stiffness = assemble_stiffness(part, problem.material, place);
-  auto classes = loaded_classes(folding, loads, result.checks.compression);
   const auto folded_positions = node_positions(part);
+  auto classes = loaded_classes<dim>(folding, folded_positions, loads, is_free,
+                                     result.checks.compression);
   for (ParityClass& c : classes) {
     hold<dim>(folding, fixed, folded_positions, c);
     c.numbers = number_equations(part.dofs(), c.held);
@@ -195,9 +200,8 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
     result.seconds.solve += watch.lap();
   }
   const auto check = [&](const StiffnessAction& action) {
-    result.strain_energy = check_classes(
-        action, classes, folding.classes(), loads.coefficients.cols(),
-        largest_instant(loads) / folding.classes(), result.checks);
+    result.strain_energy =
+        check_classes(action, classes, folding.classes(), loads, result.checks);
   };
   check(action_of(stiffness));
   if (wants_refinement(result.checks)) {
@@ -211,7 +215,10 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
     }
     check(by_strain);
   }
-  unfold_classes(folding, classes, result);
+  result.columns = MatrixXd::Zero(whole.dofs(), loads.columns.cols());
+  for (const ParityClass& c : classes) {
+    add_unfolded(folding, c.parity, c.columns, result.columns);
+  }
   result.seconds.solve += watch.lap();
   require_checks(result.checks, whole.geometry_degree, problem.name);
   return result;

@@ -142,10 +142,9 @@ MatrixXd fold_loads(const Folding<dim>& folding, unsigned parity,
 }
 
 template <int dim>
-MatrixXd unfold(const Folding<dim>& folding, unsigned parity,
-                const MatrixXd& folded) {
+void add_unfolded(const Folding<dim>& folding, unsigned parity,
+                  const MatrixXd& folded, MatrixXd& whole) {
   const auto sign_of = signs(folding, parity);
-  MatrixXd whole(dim * static_cast<Index>(folding.node.size()), folded.cols());
   for (Index column = 0; column < whole.cols(); ++column) {
     const double* from = folded.col(column).data();
     double* to = whole.col(column).data();
@@ -153,11 +152,10 @@ MatrixXd unfold(const Folding<dim>& folding, unsigned parity,
       const auto& s = sign_of[folding.behind[i]];
       const auto n = static_cast<std::size_t>(folding.node[i]);
       for (std::size_t a = 0; a < dim; ++a) {
-        to[dim * i + a] = s[a] * from[dim * n + a];
+        to[dim * i + a] += s[a] * from[dim * n + a];
       }
     }
   }
-  return whole;
 }
 
 template <int dim>
@@ -201,8 +199,8 @@ std::vector<int> rigid_modes_of(const Folding<dim>& folding, unsigned parity) {
       const Eigen::Matrix<double, dim, Eigen::Dynamic>&, std::vector<Mirror>); \
   template MatrixXd fold_loads<dim>(const Folding<dim>&, unsigned,             \
                                     const MatrixXd&);                          \
-  template MatrixXd unfold<dim>(const Folding<dim>&, unsigned,                 \
-                                const MatrixXd&);                              \
+  template void add_unfolded<dim>(const Folding<dim>&, unsigned,               \
+                                  const MatrixXd&, MatrixXd&);                 \
   template std::vector<int> held_on_planes<dim>(const Folding<dim>&,           \
                                                 unsigned);                     \
   template std::vector<int> rigid_modes_of<dim>(const Folding<dim>&, unsigned);

@@ -40,10 +40,10 @@ template <int dim>
 Eigen::MatrixXd fold_loads(const Folding<dim>& folding, unsigned parity,
                            const Eigen::MatrixXd& whole);
 
-/// Displacements of a class on the whole part.
+/// Adds the displacements of a class to those of the whole part.
 template <int dim>
-Eigen::MatrixXd unfold(const Folding<dim>& folding, unsigned parity,
-                       const Eigen::MatrixXd& folded);
+void add_unfolded(const Folding<dim>& folding, unsigned parity,
+                  const Eigen::MatrixXd& folded, Eigen::MatrixXd& whole);
 
 /// Components on the planes that a class holds at zero, sorted.
 template <int dim>

@@ -98,7 +98,7 @@ void forget_solution(SolveChecks& checks) {
 
 void SolutionCheck::add(const StiffnessAction& stiffness,
                         const MatrixXd& columns, const LoadBasis& loads,
-                        const std::vector<int>& held,
+                        const ArrayXd& norms, const std::vector<int>& held,
                         const std::vector<int>& without_reaction, double weight,
                         SolveChecks& checks) {
   if (loads.columns.cols() == 0) return;  // nothing loads it
@@ -110,15 +110,14 @@ void SolutionCheck::add(const StiffnessAction& stiffness,
     reactions.row(static_cast<Index>(k)) = rest.row(without_reaction[k]);
   }
   for (int row : held) rest.row(row).setZero();
-  const ArrayXd load_norm = column_norms(loads.columns);
-  const double residual = (column_norms(rest) / load_norm).maxCoeff();
+  const double residual = (column_norms(rest) / norms).maxCoeff();
   raise(checks.residual, residual);
   if (!(residual <= kResidual)) {
     // K u of a slender part is a small difference of large terms.
     const ArrayXd terms =
         column_norms(stiffness.multiply_absolute(columns.cwiseAbs()));
     raise(checks.residual_round_off,
-          kResidualRoundOff * (terms / load_norm).maxCoeff());
+          kResidualRoundOff * (terms / norms).maxCoeff());
   }
   if (reactions.rows() > 0) {
     // Per instant: a column of small weight may carry round-off of large ones.
@@ -147,7 +146,7 @@ VectorXd check_solution(const StiffnessAction& stiffness,
                         SolveChecks& checks) {
   forget_solution(checks);
   SolutionCheck check(loads.coefficients.cols(), largest_instant(loads));
-  check.add(stiffness, columns, loads, held,
+  check.add(stiffness, columns, loads, column_norms(loads.columns), held,
             is_free ? held : std::vector<int>(), 1.0, checks);
   return check.strain_energy(checks);
 }

@@ -66,11 +66,13 @@ class SolutionCheck {
 
   /// Fills `residual`, `residual_round_off` and `equilibrium`.
   /// @param loads   F and the coefficients of the instants.
+  /// @param norms   of the columns, to which `residual` refers [N].
   /// @param held    rows that are held at zero, sorted.
   /// @param without_reaction  those of them that may not take any force.
   /// @param weight  of the energies.
   void add(const StiffnessAction& stiffness, const Eigen::MatrixXd& columns,
-           const LoadBasis& loads, const std::vector<int>& held,
+           const LoadBasis& loads, const Eigen::ArrayXd& norms,
+           const std::vector<int>& held,
            const std::vector<int>& without_reaction, double weight,
            SolveChecks& checks);
 
