@@ -17,6 +17,10 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+/// Seats nearer than this, over the part's size, have no line between them to
+/// speak of: their slip over the distance would be a turn of any size.
+constexpr double kNearestSeats = 1e-3;
+
 /// Mean displacement and mean rotation of a surface group per basis column.
 template <int dim>
 struct SurfaceMotion {
@@ -126,7 +130,10 @@ void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
   MatrixXd rotation = first.rotation;
   if (seat_groups.size() > 1) {
     const auto second = motion_of(seat_groups[1]);
-    if ((second.centre - first.centre).norm() > 0.0) {
+    const double size =
+        (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff())
+            .norm();
+    if ((second.centre - first.centre).norm() > kNearestSeats * size) {
       rotation = line_rotation<dim>(first, second);
     }
   }

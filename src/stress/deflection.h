@@ -19,9 +19,9 @@ struct Deflection {
 /// Removes from every column of the basis the rigid motion of the part's
 /// pins: the mean displacement of the first seat's surface, the rotation that
 /// keeps the mean of the second seat's surface on the line between both, and
-/// (dim = 3) the first surface's mean rotation about that line. With one seat
-/// all of its mean rotation; with none that of all nodes. Means are over the
-/// surface's area.
+/// (dim = 3) the first surface's mean rotation about that line. With one seat,
+/// or two about one centre, all of its mean rotation; with none that of all
+/// nodes. Means are over the surface's area.
 /// @param seat_groups  surface groups of the first two seats.
 template <int dim>
 void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
