@@ -10,6 +10,22 @@
 
 namespace clevis::elasticity {
 
+namespace {
+
+void require(double bytes, double dofs, const char* what, double available,
+             const std::string& place) {
+  constexpr double kUsable = 0.8;  // the rest of the solve needs some too
+  constexpr double kGibi = 1024.0 * 1024.0 * 1024.0;
+  if (bytes <= kUsable * available) return;
+  throw Error("F004", place,
+              fmt::format("{:.3g} degrees of freedom would need about {:.3g} "
+                          "GiB for {}, this machine has {:.3g}",
+                          dofs, bytes / kGibi, what, available / kGibi),
+              "mesh the part coarser");
+}
+
+}  // namespace
+
 double factor_bytes(int dim, double dofs) {
   const double n = std::max(dofs, 2.0);
   const double entries =
@@ -19,15 +35,30 @@ double factor_bytes(int dim, double dofs) {
 
 void require_memory(int dim, double dofs, double available,
                     const std::string& place) {
-  constexpr double kUsable = 0.8;  // the rest of the solve needs some too
-  constexpr double kGibi = 1024.0 * 1024.0 * 1024.0;
-  const double bytes = factor_bytes(dim, dofs);
-  if (bytes <= kUsable * available) return;
-  throw Error("F004", place,
-              fmt::format("{:.3g} degrees of freedom would need about {:.3g} "
-                          "GiB for the factorisation, this machine has {:.3g}",
-                          dofs, bytes / kGibi, available / kGibi),
-              "mesh the part coarser");
+  require(factor_bytes(dim, dofs), dofs, "the factorisation", available, place);
+}
+
+double multigrid_bytes(int degree, int coarse, double dofs, double columns) {
+  constexpr double kBlock = 16.0;  // columns at a time
+  const double p = degree;
+  const double vectors = kBlock * (6.0 * 8.0 + 5.0 * 4.0);
+  const double double_points = std::pow((p + 2.0) / p, 3) / 3.0;
+  const double single_points = std::pow((p + 1.0) / p, 3) / 3.0;
+  const double metric = 80.0 * double_points + 40.0 * single_points;
+  const double numbers = 4.0 * 4.0 * single_points;
+  const double inner_levels = coarse == 1 && degree > 2 ? 1.3 : 1.0;
+  const double dense = 8.0 * 5.0 * columns;  // loads, solution, their checks
+  const double coarse_dofs = dofs * std::pow(coarse / p, 3);
+  const double coarse_matrix = coarse_dofs * (coarse == 1 ? 1200.0 : 3000.0);
+  return dofs * ((vectors + metric + numbers) * inner_levels + dense) +
+         coarse_matrix + factor_bytes(3, coarse_dofs);
+}
+
+void require_multigrid_memory(int degree, int coarse, double dofs,
+                              double columns, double available,
+                              const std::string& place) {
+  require(multigrid_bytes(degree, coarse, dofs, columns), dofs,
+          "the iterative solution", available, place);
 }
 
 double physical_memory() {

@@ -15,6 +15,19 @@ double factor_bytes(int dim, double dofs);
 void require_memory(int dim, double dofs, double available,
                     const std::string& place);
 
+/// Bytes of the iterative solve of a hexahedral mesh without its matrix: the
+/// vectors, the metric and the factor of the coarse level. Calibrated with
+/// tests/benchmarks/large_parts.
+/// @param degree   of the displacement, 2…4.
+/// @param coarse   degree of the level that is factored.
+/// @param columns  of loads.
+double multigrid_bytes(int degree, int coarse, double dofs, double columns);
+
+/// @throws Error F004 if that would not fit.
+void require_multigrid_memory(int degree, int coarse, double dofs,
+                              double columns, double available,
+                              const std::string& place);
+
 /// Physical memory of this machine [bytes].
 double physical_memory();
 
