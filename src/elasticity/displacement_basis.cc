@@ -11,9 +11,11 @@
 #include "elasticity/dense_product.h"
 #include "elasticity/equations.h"
 #include "elasticity/folding.h"
+#include "elasticity/large_part.h"
 #include "elasticity/load_basis.h"
 #include "elasticity/load_vectors.h"
 #include "elasticity/memory_forecast.h"
+#include "elasticity/multigrid_solver.h"
 #include "elasticity/refinement.h"
 #include "elasticity/sparse_cholesky.h"
 #include "elasticity/stiffness.h"
@@ -158,38 +160,53 @@ double equivalent_dofs(double dofs, double classes) {
   return dofs * std::pow(classes, 0.75);
 }
 
-}  // namespace
+template <int dim>
+bool uses_multigrid(const ElasticProblem<dim>& problem,
+                    const Discretization<dim>& part, double classes) {
+  if constexpr (dim == 3) {
+    if (problem.solver == LinearSolver::kDirect) return false;
+    if (problem.solver == LinearSolver::kMultigrid) {
+      return suits_multigrid(part, problem.material);
+    }
+    return prefers_multigrid(part, problem.material,
+                             equivalent_dofs(part.dofs(), classes),
+                             physical_memory());
+  } else {
+    return false;
+  }
+}
 
 template <int dim>
-DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
-  Stopwatch watch;
-  const std::string place = "part " + problem.name;
-  const double density = problem.material.density;
-  const bool is_free = problem.fixed.empty();
-  DisplacementBasis<dim> result;
-  result.discretization = discretize(problem.mesh, degree);
-  const auto& whole = result.discretization;
-  const auto positions = node_positions(whole);
-  std::vector<int> fixed;
-  if (!is_free) fixed = fixed_supports(whole, positions, problem.fixed, place);
-  const Folding<dim> folding =
-      fold<dim>(whole, positions, common_mirrors<dim>(whole, positions, fixed));
-  const Discretization<dim>& part = folding.part;
-  require_memory(dim, equivalent_dofs(part.dofs(), folding.classes()),
-                 physical_memory(), place);
-  LoadBasis loads = load_columns(whole, problem.history, density, problem.name);
-  if (is_free) {
-    balance_free_part<dim>(whole, positions, density, loads, result.checks);
+void require_memory_for(const ElasticProblem<dim>& problem,
+                        const Discretization<dim>& part, double classes,
+                        bool iterates, const std::string& place) {
+  if constexpr (dim == 3) {
+    if (iterates) {
+      constexpr double kMostColumns = 60.0;
+      const auto instants =
+          static_cast<double>(problem.history.instants.size());
+      require_multigrid_memory(part.degree, coarse_degree(part), part.dofs(),
+                               classes * std::min(instants, kMostColumns),
+                               physical_memory(), place);
+      return;
+    }
   }
-  loads = compress(loads, kCompressionTolerance);
-  result.checks.compression = loads.compression_error;
-  result.coefficients = loads.coefficients;
+  require_memory(dim, equivalent_dofs(part.dofs(), classes), physical_memory(),
+                 place);
+}
+
+/// One factorisation per class; fills the classes' columns, the checks, the
+/// strain energy and the seconds.
+template <int dim>
+void solve_by_factors(const ElasticProblem<dim>& problem,
+                      const Folding<dim>& folding, const LoadBasis& loads,
+                      const std::string& place,
+                      std::vector<ParityClass>& classes,
+                      DisplacementBasis<dim>& result) {
+  Stopwatch watch;
+  const Discretization<dim>& part = folding.part;
   const auto stiffness = assemble_stiffness(part, problem.material, place);
-  const auto folded_positions = node_positions(part);
-  auto classes = loaded_classes<dim>(folding, folded_positions, loads, is_free,
-                                     result.checks.compression);
   for (ParityClass& c : classes) {
-    hold<dim>(folding, fixed, folded_positions, c);
     c.numbers = number_equations(part.dofs(), c.held);
     const UpperTriangle upper = free_equations(stiffness, c.numbers);
     result.seconds.assemble += watch.lap();
@@ -215,6 +232,77 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
     }
     check(by_strain);
   }
+  result.seconds.solve += watch.lap();
+}
+
+/// Likewise without factors: `seconds.factor` is the preconditioner's setup.
+template <int dim>
+void solve_by_multigrid(const ElasticProblem<dim>& problem,
+                        const Folding<dim>& folding, const LoadBasis& loads,
+                        const std::string& place,
+                        std::vector<ParityClass>& classes,
+                        DisplacementBasis<dim>& result) {
+  if constexpr (dim == 3) {
+    Stopwatch watch;
+    std::unique_ptr<MultigridSolver> solver;
+    for (ParityClass& c : classes) {
+      solver.reset();  // before the next: memory
+      solver = std::make_unique<MultigridSolver>(folding.part, problem.material,
+                                                 c.held, place);
+      result.seconds.factor += watch.lap();
+      c.columns = solver->solve(c.loads.columns);
+      result.seconds.solve += watch.lap();
+    }
+    // K with the rows of the supports is the same for all classes.
+    const StiffnessAction action{[&](const MatrixXd& u) {
+                                   return solver->multiply(u);
+                                 },
+                                 [&](const MatrixXd& u) {
+                                   return solver->multiply_absolute_diagonal(u);
+                                 }};
+    result.strain_energy =
+        check_classes(action, classes, folding.classes(), loads, result.checks);
+    result.seconds.solve += watch.lap();
+  }
+}
+
+}  // namespace
+
+template <int dim>
+DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
+  Stopwatch watch;
+  const std::string place = "part " + problem.name;
+  const double density = problem.material.density;
+  const bool is_free = problem.fixed.empty();
+  DisplacementBasis<dim> result;
+  result.discretization = discretize(problem.mesh, degree);
+  const auto& whole = result.discretization;
+  const auto positions = node_positions(whole);
+  std::vector<int> fixed;
+  if (!is_free) fixed = fixed_supports(whole, positions, problem.fixed, place);
+  const Folding<dim> folding =
+      fold<dim>(whole, positions, common_mirrors<dim>(whole, positions, fixed));
+  const Discretization<dim>& part = folding.part;
+  const bool iterates = uses_multigrid(problem, part, folding.classes());
+  require_memory_for(problem, part, folding.classes(), iterates, place);
+  LoadBasis loads = load_columns(whole, problem.history, density, problem.name);
+  if (is_free) {
+    balance_free_part<dim>(whole, positions, density, loads, result.checks);
+  }
+  loads = compress(loads, kCompressionTolerance);
+  result.checks.compression = loads.compression_error;
+  result.coefficients = loads.coefficients;
+  const auto folded_positions = node_positions(part);
+  auto classes = loaded_classes<dim>(folding, folded_positions, loads, is_free,
+                                     result.checks.compression);
+  for (ParityClass& c : classes) hold<dim>(folding, fixed, folded_positions, c);
+  result.seconds.assemble = watch.lap();
+  if (iterates) {
+    solve_by_multigrid(problem, folding, loads, place, classes, result);
+  } else {
+    solve_by_factors(problem, folding, loads, place, classes, result);
+  }
+  watch.lap();
   result.columns = MatrixXd::Zero(whole.dofs(), loads.columns.cols());
   for (const ParityClass& c : classes) {
     add_unfolded(folding, c.parity, c.columns, result.columns);

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/discretization.h"
+#include "elasticity/large_part.h"
 #include "elasticity/self_checks.h"
 #include "loads/load_history.h"
 #include "mesh/part_mesh.h"
@@ -42,10 +43,11 @@ struct ElasticProblem {
   /// determinate components.
   std::map<std::string, std::array<bool, 3>> fixed;
   std::string name;  ///< of the part, for messages
+  LinearSolver solver = LinearSolver::kAuto;
 };
 
 /// One factorisation, the load history compressed to its basis, one block
-/// solve.
+/// solve; large parts iteratively without a matrix (see large_part.h).
 /// @param degree  of the displacement, 1…4 (simplices 1…2).
 /// @throws Error F001, F002, F003 if a self-check is breached, F004, M003,
 ///   L002.

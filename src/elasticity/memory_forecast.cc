@@ -12,9 +12,10 @@ namespace clevis::elasticity {
 
 namespace {
 
+constexpr double kUsable = 0.8;  // the rest of the solve needs some too
+
 void require(double bytes, double dofs, const char* what, double available,
              const std::string& place) {
-  constexpr double kUsable = 0.8;  // the rest of the solve needs some too
   constexpr double kGibi = 1024.0 * 1024.0 * 1024.0;
   if (bytes <= kUsable * available) return;
   throw Error("F004", place,
@@ -31,6 +32,10 @@ double factor_bytes(int dim, double dofs) {
   const double entries =
       dim == 3 ? 11.0 * std::pow(n, 4.0 / 3.0) : 8.0 * n * std::log2(n);
   return 8.0 * entries;
+}
+
+bool fits_memory(int dim, double dofs, double available) {
+  return factor_bytes(dim, dofs) <= kUsable * available;
 }
 
 void require_memory(int dim, double dofs, double available,

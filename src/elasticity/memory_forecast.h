@@ -9,6 +9,9 @@ namespace clevis::elasticity {
 /// bodies; slender ones need less), 8 N log₂ N in the plane.
 double factor_bytes(int dim, double dofs);
 
+/// Whether that fits into a machine's memory [bytes], with room for the rest.
+bool fits_memory(int dim, double dofs, double available);
+
 /// @param available  memory of the machine [bytes].
 /// @throws Error F004 if the factor would not fit, before anything is
 ///   allocated.

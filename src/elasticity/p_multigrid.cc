@@ -189,7 +189,7 @@ struct PMultigrid::Coarsest {
 };
 
 int coarse_degree(const Discretization<3>& discretization) {
-  constexpr double kLargest = 1.6e5;  // degrees of freedom, to factor
+  constexpr double kLargest = 5e4;  // degrees of freedom, to factor
   const double shrink = std::pow(2.0 / discretization.degree, 3);
   return discretization.degree > 2 && shrink * discretization.dofs() < kLargest
              ? 2

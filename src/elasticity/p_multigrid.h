@@ -11,10 +11,10 @@ namespace clevis::elasticity {
 
 struct MultigridOptions {
   int threads = machine_threads();
-  int smoothing_steps = 3;   ///< before and after the coarse correction
+  int smoothing_steps = 4;   ///< before and after the coarse correction
   int coarse_degree = 0;     ///< of the direct solve: 1 or 2; 0: by size
   double tolerance = 1e-10;  ///< of ‖f − K u‖ / ‖f‖, each column
-  int max_iterations = 200;
+  int max_iterations = 500;
 };
 
 /// Degree of the coarsest level, which is factored: 2 unless that is large
