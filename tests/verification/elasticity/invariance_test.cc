@@ -1,8 +1,10 @@
 // What must not change the answer of loads, elasticity and stress together:
 // place, units, numbering, supports, and solving instants in one block.
 
+#include <array>
 #include <cmath>
 
+#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include "elasticity/displacement_basis.h"
@@ -126,6 +128,67 @@ TEST(Invariance, ChoiceOfDeterminateSupports) {
   const auto basis = support::solve_field<3>(eye.problem(), {}, 2, held);
   const auto history = stress::stress_history<3>(basis, eye.material, 3);
   EXPECT_NEAR(history.peak[0] / own.peak[0], 1.0, 1e-9);
+}
+
+/// Six components at three vertices that hold a part, the best of their nine.
+std::vector<int> supports_at(
+    const elasticity::Discretization<3>& discretization,
+    const std::array<std::size_t, 3>& vertices) {
+  const auto positions = elasticity::node_positions(discretization);
+  const Eigen::MatrixXd modes = elasticity::rigid_modes<3>(
+      positions, positions.col(discretization.vertex_nodes[vertices[0]]), 0.01);
+  std::vector<int> dofs;
+  Eigen::MatrixXd at(6, 9);
+  for (std::size_t vertex : vertices) {
+    for (int d = 0; d < 3; ++d) {
+      const int dof = 3 * discretization.vertex_nodes[vertex] + d;
+      at.col(static_cast<Eigen::Index>(dofs.size())) = modes.row(dof);
+      dofs.push_back(dof);
+    }
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(at);
+  std::vector<int> held;
+  for (Eigen::Index k = 0; k < 6; ++k) {
+    held.push_back(
+        dofs[static_cast<std::size_t>(qr.colsPermutation().indices()[k])]);
+  }
+  return held;
+}
+
+// Supports at bad places: vertices of one cell, and a triangle so flat that
+// only `sliver` of its height keeps the part from turning about its base.
+TEST(Invariance, BadlyPlacedSupports) {
+  for (const double sliver : {1.0, 0.1, 0.01}) {
+    auto eye = support::eye_problem(1);
+    // Two vertices a step, bore and rim by turns; one layer has 16. Vertex 16
+    // stands above 0; the plate gets thinner, so that 0, 1 and 16 near a line.
+    for (auto& vertex : eye.mesh.vertices) vertex.z() *= sliver;
+    for (auto& points : eye.mesh.cell_points) points.row(2) *= sliver;
+    for (auto& group : eye.mesh.groups) {
+      if (!group.cylinder) continue;
+      group.cylinder->length *= sliver;
+      group.cylinder->p_LC.z() *= sliver;
+    }
+    eye.history.seats[0].p_LS.z() *= sliver;
+    eye.history.seats[1].p_LS.z() *= sliver;
+    auto& wrenches = eye.history.instants[0].wrenches;
+    for (auto& wrench : wrenches) {
+      wrench.force.z() = wrench.moment.x() = wrench.moment.y() = 0.0;
+    }
+    eye.history.instants[0].rigid = {};
+    wrenches[1] = {-wrenches[0].force, -wrenches[0].moment};
+    const Answer own = solve(eye);
+    const auto discretization = elasticity::discretize<3>(eye.mesh, 2);
+    for (const auto& vertices :
+         {std::array<std::size_t, 3>{0, 1, 16}, {0, 1, 2}, {0, 8, 16}}) {
+      const auto basis = support::solve_field<3>(
+          eye.problem(), {}, 2, supports_at(discretization, vertices));
+      const auto history = stress::stress_history<3>(basis, eye.material, 3);
+      EXPECT_NEAR(history.peak[0] / own.peak[0], 1.0, 1e-9)
+          << "sliver " << sliver << ", vertices " << vertices[0] << ' '
+          << vertices[1] << ' ' << vertices[2];
+    }
+  }
 }
 
 // Meshes carry their cylinders with degree 4; a displacement of lower degree
