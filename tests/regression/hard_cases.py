@@ -183,6 +183,28 @@ def slender(folder):
                            tolerance="10 %"), deflection, 5e-3)
 
 
+def stiffness_ratio(folder):
+    """One material a part; but a part may be 1e4 times stiffer at one end: a
+    wedge, whose tip bends like ∫ P (L - x)² / (E I(x)) dx."""
+    length, width, force = 1000.0, 10.0, 0.1
+    thick = 1e4 ** (1 / 3)
+
+    def thickness(x):
+        return thick + (1 - thick) * x
+    steps = 10000
+    deflection = sum(
+        force * (length * (1 - x)) ** 2 * 12
+        / (210e3 * width * thickness(x) ** 3) * length / steps
+        for x in ((k + 0.5) / steps for k in range(steps)))
+    mesh = hex_mesh.block((40, 1, 1), lambda x, y, z: (
+        length * x, width * y, thickness(x) * (z - 0.5)))
+    expect_value("stiffness ratio", "wedge, bending stiffness 1e4 to 1",
+                 check(folder, CLAMPED + 'traction = { x1 = ["0 MPa", "0 MPa", '
+                       f'"{force / width} MPa"] }}', mesh,
+                       probe=((1000.0, 5.0, 0.5), "displacement_z"),
+                       tolerance="10 %"), deflection, 5e-3)
+
+
 def thin_eye(folder):
     for wall in (0.5, 0.1, 0.02):
         outer = 10.0 * (1 + 2 * wall)
@@ -300,8 +322,9 @@ def write_tables(folder):
 
 
 def main():
-    for case in (nearly_incompressible, long_cells, slivers, slender, thin_eye,
-                 units, thin_link, loads, refused_meshes):
+    for case in (nearly_incompressible, long_cells, slivers, slender,
+                 stiffness_ratio, thin_eye, units, thin_link, loads,
+                 refused_meshes):
         with tempfile.TemporaryDirectory() as folder:
             case(Path(folder))
     if len(sys.argv) > 2:
