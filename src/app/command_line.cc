@@ -106,9 +106,9 @@ void add_check(CLI::App& app, Parsed& parsed) {
       ->check(CLI::Range(1, kMostJobs));
   command
       ->add_option("--model", parsed.options.model,
-                   "force a model: auto, plane-stress or 3d [auto]")
+                   "force a model: auto, plane-stress, layered or 3d [auto]")
       ->type_name("MODEL")
-      ->check(CLI::IsMember({"auto", "plane-stress", "3d"}));
+      ->check(CLI::IsMember({"auto", "plane-stress", "layered", "3d"}));
   command->callback([&parsed, command] {
     parsed.run = [&parsed, command] {
       if (command->count("--tolerance") > 0) {

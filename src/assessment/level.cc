@@ -13,15 +13,6 @@
 namespace clevis::assessment {
 namespace {
 
-/// Lattice on which the peak is sought: the same for every degree, so that
-/// the sequence compares like with like. In a straight tetrahedron of degree
-/// 2 the stress is linear, so its von Mises peaks at a corner.
-template <int dim>
-int lattice_subdivisions(mesh::CellShape shape) {
-  if (shape == mesh::CellShape::kSimplex) return 1;
-  return dim == 2 ? 8 : 4;
-}
-
 /// Surfaces of the first two seats that the deflection refers to.
 std::vector<std::string> reference_groups(const LoadSet& set) {
   std::vector<std::string> groups;
@@ -76,12 +67,13 @@ std::vector<double> probe_values(const PartJob& job, const Level<dim>& level) {
 
 template <int dim>
 Level<dim> solve_level(const PartJob& job, const mesh::PartMesh<dim>& mesh,
-                       int degree, PartSeconds& seconds) {
+                       const Rung<dim>& rung, int degree,
+                       PartSeconds& seconds) {
   Level<dim> level;
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const LoadSet& set = job.load_sets[s];
-    auto basis = std::make_shared<elasticity::DisplacementBasis<dim>>(
-        elasticity::solve<dim>(
+    auto basis =
+        std::make_shared<elasticity::DisplacementBasis<dim>>(rung.solve(
             {mesh, job.part.material, set.history, set.fixed, job.part.name},
             degree));
     seconds.assemble += basis->seconds.assemble;
@@ -91,8 +83,8 @@ Level<dim> solve_level(const PartJob& job, const mesh::PartMesh<dim>& mesh,
       stress::remove_rigid_motion<dim>(*basis, reference_groups(set));
     }
     Stopwatch watch;
-    auto history = stress::stress_history<dim>(
-        *basis, job.part.material, lattice_subdivisions<dim>(mesh.shape));
+    auto history = stress::stress_history<dim>(*basis, job.part.material,
+                                               rung.subdivisions);
     seconds.recover += watch.lap();
     level.bases.push_back(basis);
     if (level.governing && history.largest() <= level.history.largest()) {
@@ -111,9 +103,9 @@ Level<dim> solve_level(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   return level;
 }
 
-template Level<2> solve_level<2>(const PartJob&, const mesh::PartMesh<2>&, int,
-                                 PartSeconds&);
-template Level<3> solve_level<3>(const PartJob&, const mesh::PartMesh<3>&, int,
-                                 PartSeconds&);
+template Level<2> solve_level<2>(const PartJob&, const mesh::PartMesh<2>&,
+                                 const Rung<2>&, int, PartSeconds&);
+template Level<3> solve_level<3>(const PartJob&, const mesh::PartMesh<3>&,
+                                 const Rung<3>&, int, PartSeconds&);
 
 }  // namespace clevis::assessment

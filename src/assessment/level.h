@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "assessment/part_check.h"
+#include "assessment/rung.h"
 #include "elasticity/displacement_basis.h"
 #include "stress/probe.h"
 
@@ -21,12 +22,12 @@ struct Level {
   std::vector<double> probes;  ///< values, case after case
 };
 
-/// Solves all load sets of a part with one degree; displacements relative to
-/// its pins.
+/// Solves all load sets of a part with one degree of a rung; displacements
+/// relative to its pins.
 /// @param seconds  the stages' times are added here.
 /// @throws Error L005 if a probe lies outside the part; see elasticity.
 template <int dim>
 Level<dim> solve_level(const PartJob& job, const mesh::PartMesh<dim>& mesh,
-                       int degree, PartSeconds& seconds);
+                       const Rung<dim>& rung, int degree, PartSeconds& seconds);
 
 }  // namespace clevis::assessment

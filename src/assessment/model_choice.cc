@@ -1,6 +1,7 @@
 #include "assessment/model_choice.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -17,62 +18,76 @@ double size_of(const mesh::PartMesh<2>& plate) {
   return box.diagonal().norm();
 }
 
-bool fits(const mesh::PartMesh<2>& plate, const PartJob& job) {
-  const double size = size_of(plate);
-  const auto known = [&](const std::string& name) {
-    const auto found =
-        std::ranges::find(plate.groups, name, &mesh::SurfaceGroup::name);
-    if (found == plate.groups.end()) return false;
-    const auto index = static_cast<int>(found - plate.groups.begin());
-    return std::ranges::any_of(plate.boundary, [&](const auto& face) {
-      return face.group == index;
-    });
+/// Whether a group has sides of the plate: it has no other then.
+bool has_sides(const mesh::PartMesh<2>& plate, const std::string& name) {
+  const auto found =
+      std::ranges::find(plate.groups, name, &mesh::SurfaceGroup::name);
+  if (found == plate.groups.end()) return false;
+  const auto index = static_cast<int>(found - plate.groups.begin());
+  return std::ranges::any_of(plate.boundary, [&](const auto& face) {
+    return face.group == index;
+  });
+}
+
+bool acts_on_sides(const mesh::PartMesh<2>& plate, const PartJob& job) {
+  const auto known = [&](const auto& entry) {
+    return has_sides(plate, entry.group);
   };
   return std::ranges::all_of(job.load_sets, [&](const LoadSet& set) {
-    const bool in_plane =
-        elasticity::loads_in_plane(set.history, plate.mid_plane_z, size);
-    return in_plane &&
-           std::ranges::all_of(set.history.seats,
-                               [&](const auto& s) {
-                                 return known(s.group);
-                               }) &&
+    return std::ranges::all_of(set.history.seats, known) &&
            std::ranges::all_of(set.history.instants.front().surface_loads,
-                               [&](const auto& s) {
-                                 return known(s.group);
-                               }) &&
-           // held across its plane the material cannot thin freely there
+                               known) &&
            std::ranges::all_of(set.fixed, [&](const auto& f) {
-             return known(f.first) && !f.second[2];
+             return has_sides(plate, f.first);
            });
   });
 }
 
-/// Thickness over the diameter of the smallest bore up to which the 3-D peak
-/// at a bore was measured to be within 1 % of plane stress (docs/theory.md).
-constexpr double kThickest = 0.6;
-
-bool is_thin(const mesh::PartMesh<2>& plate) {
-  return std::ranges::all_of(plate.groups, [&](const auto& group) {
-    return !group.cylinder || !group.name.starts_with("bore_") ||
-           plate.thickness <= kThickest * 2.0 * group.cylinder->radius;
+/// Held across its plane the material cannot thin freely there.
+bool is_held_across(const PartJob& job) {
+  return std::ranges::any_of(job.load_sets, [](const LoadSet& set) {
+    return std::ranges::any_of(set.fixed, [](const auto& f) {
+      return f.second[2];
+    });
   });
+}
+
+bool is_loaded_in_plane(const mesh::PartMesh<2>& plate, const PartJob& job) {
+  const double size = size_of(plate);
+  return std::ranges::all_of(job.load_sets, [&](const LoadSet& set) {
+    return elasticity::loads_in_plane(set.history, plate.mid_plane_z, size);
+  });
+}
+
+[[noreturn]] void refuse(const PartJob& job, const char* what) {
+  throw Error("F005", "part " + job.part.name, what, "leave --model out");
 }
 
 }  // namespace
 
-std::optional<mesh::PartMesh<2>> plane_model(const PartJob& job) {
+std::optional<PlateModel> plate_model(const PartJob& job) {
   if (job.model == ModelChoice::kSolid) return std::nullopt;
+  const bool layered = job.model == ModelChoice::kLayered;
+  const bool plane_stress = job.model == ModelChoice::kPlaneStress;
   auto plate = mesh::plate_mid_plane(job.mesh);
-  const bool is_asked_for = job.model == ModelChoice::kPlaneStress;
-  const bool suits = plate.has_value() && fits(*plate, job) &&
-                     (is_asked_for || is_thin(*plate));
-  if (suits) return plate;
-  if (is_asked_for) {
-    throw Error("F005", "part " + job.part.name,
-                "the part is no plate along z that is loaded in its plane",
-                "leave --model out");
+  if (!plate || !acts_on_sides(*plate, job)) {
+    if (layered || plane_stress) {
+      refuse(job, "the part is no plate along z that is loaded on its sides");
+    }
+    return std::nullopt;
   }
-  return std::nullopt;
+  const bool held_across = is_held_across(job);
+  PlateModel model;
+  model.suits_plane_stress = !held_across && is_loaded_in_plane(*plate, job);
+  model.suits_layers = plate->shape == mesh::CellShape::kTensor;
+  model.mesh = std::move(*plate);
+  if (plane_stress && !model.suits_plane_stress) {
+    refuse(job, "the part is no plate along z that is loaded in its plane");
+  }
+  if (layered) return model;
+  // A clamped side takes so many terms that hexahedra are the better choice.
+  model.suits_layers = model.suits_layers && !held_across;
+  return model;
 }
 
 }  // namespace clevis::assessment

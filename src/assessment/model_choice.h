@@ -6,11 +6,16 @@
 
 namespace clevis::assessment {
 
-/// The mid-plane of a part that plane stress describes: a plate along z, not
-/// thicker than 0.6 of its smallest bore (unless the job asks for it), all
-/// loads and supports in its plane and on its sides. Nothing if it needs 3-D
-/// or the job asks for it.
-/// @throws Error F005 if the job asks for plane stress and it does not fit.
-std::optional<mesh::PartMesh<2>> plane_model(const PartJob& job);
+/// A part that is a plate along z with all loads and supports on its sides,
+/// and the models of it that suit them.
+struct PlateModel {
+  mesh::PartMesh<2> mesh;     ///< the mid-plane
+  bool suits_plane_stress{};  ///< loads and supports lie in the plane
+  bool suits_layers{};        ///< terms through the thickness
+};
+
+/// Nothing if the part is no such plate or the job asks for 3-D.
+/// @throws Error F005 if the job asks for a model that does not fit.
+std::optional<PlateModel> plate_model(const PartJob& job);
 
 }  // namespace clevis::assessment

@@ -10,18 +10,16 @@
 #include "assessment/beam_comparison.h"
 #include "assessment/level.h"
 #include "assessment/model_choice.h"
+#include "assessment/model_error.h"
+#include "assessment/rung.h"
 #include "assessment/verdict.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
-#include "elasticity/stiffness.h"
 #include "stress/deflection.h"
 #include "stress/peak_band.h"
 
 namespace clevis::assessment {
 namespace {
-
-constexpr int kHighestDegree = 4;
-constexpr int kHighestSimplexDegree = 2;
 
 PeakVerdict to_peak_verdict(stress::Convergence convergence) {
   switch (convergence) {
@@ -191,34 +189,27 @@ void fill_probes(const PartJob& job, const std::vector<SequenceMember>& degrees,
 }
 
 template <int dim>
-PartAssessment run_ladder(const PartJob& job, const mesh::PartMesh<dim>& mesh,
-                          const char* model) {
+PartAssessment run_rung(const PartJob& job, const mesh::PartMesh<dim>& mesh,
+                        const Rung<dim>& rung) {
   PartAssessment assessment;
   PartResult& result = assessment.result;
   std::vector<SequenceMember>& sequence = result.peak.sequence;
-  const int highest = mesh.shape == mesh::CellShape::kTensor
-                          ? kHighestDegree
-                          : kHighestSimplexDegree;
   std::vector<std::vector<double>> probes;  // per degree
   Level<dim> level;
   stress::Band band;
-  // In 3-D three degrees up to 3 are cheaper than 4 alone.
-  int degree = dim == 2 ? 2 : 1;
-  while (degree < highest &&
-         elasticity::folds<dim>(elasticity::discretize<dim>(mesh, degree))) {
-    ++degree;
-  }
-  for (; degree <= highest; ++degree) {
-    level = solve_level<dim>(job, mesh, degree, result.seconds);
+  const double tolerance = job.tolerance - rung.model_error;
+  for (int degree = rung.first_degree; degree <= rung.highest_degree;
+       ++degree) {
+    level = solve_level<dim>(job, mesh, rung, degree, result.seconds);
     sequence.push_back(level.member);
     probes.push_back(level.probes);
-    band = band_of(sequence, sampling_error(job, level), job.tolerance);
+    band = band_of(sequence, sampling_error(job, level), tolerance);
     if (sequence.size() > 2 &&
         band.verdict == stress::Convergence::kConverged) {
       break;
     }
   }
-  result.model = fmt::format("{}, p = {}", model, level.member.degree);
+  result.model = fmt::format("{}, p = {}", rung.name, level.member.degree);
   result.dofs = level.member.dofs;
   result.cells = static_cast<int>(mesh.cells.size());
   for (const auto& basis : level.bases) {
@@ -234,19 +225,130 @@ PartAssessment run_ladder(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   return assessment;
 }
 
+/// Widens the band by the model's error and says what the rung has achieved.
+void add_model_error(double tolerance, double model_error, PartResult& result) {
+  PeakStress& peak = result.peak;
+  peak.discretization_error =
+      std::max(peak.band_high - peak.value, peak.value - peak.band_low);
+  peak.model_error = model_error * peak.value;
+  peak.band_low -= peak.model_error;
+  peak.band_high += peak.model_error;
+  const double half_width = peak.discretization_error + peak.model_error;
+  const bool within = half_width <= tolerance * peak.value;
+  if (peak.verdict == PeakVerdict::kConverged && !within) {
+    peak.verdict = PeakVerdict::kNotConverged;
+  }
+  const auto percent = [&](double error) {
+    return peak.value > 0.0 ? 100.0 * error / peak.value : 0.0;
+  };
+  result.stopped_because = fmt::format(
+      "{}: {:.2g} % discretisation + {:.2g} % model, {:.3g} % wanted",
+      within ? "within tolerance" : "highest degree done",
+      percent(peak.discretization_error), percent(peak.model_error),
+      100.0 * tolerance);
+}
+
+/// Whether a higher rung has nothing to add: the tolerance is met, or the
+/// peak has no limit on any.
+bool is_settled(const PartResult& result) {
+  return result.peak.verdict != PeakVerdict::kNotConverged;
+}
+
+void add_seconds(const PartSeconds& earlier, PartSeconds& seconds) {
+  seconds.assemble += earlier.assemble;
+  seconds.factor += earlier.factor;
+  seconds.solve += earlier.solve;
+  seconds.recover += earlier.recover;
+}
+
+PartAssessment run_plane_stress(const PartJob& job, const PlateModel& plate,
+                                const std::vector<LoadSet>& governing) {
+  auto assessment = run_rung<2>(job, plate.mesh, plane_stress_rung(plate.mesh));
+  const bool measured = plate.mesh.shape == mesh::CellShape::kTensor &&
+                        assessment.result.peak.value > 0.0;
+  add_model_error(
+      job.tolerance,
+      measured ? plane_stress_error(job, plate.mesh, governing) : 0.0,
+      assessment.result);
+  if (!measured) assessment.result.stopped_because += "; model not measured";
+  return assessment;
+}
+
+/// Looks closer where that is cheap or asked for.
+int lattice_for(const PartJob& job) {
+  constexpr double kFine = 0.005;
+  constexpr std::size_t kFew = 10;
+  std::size_t instants = 0;
+  for (const LoadSet& set : job.load_sets) {
+    instants += set.history.instants.size();
+  }
+  return instants <= kFew || job.tolerance < kFine ? 8 : 4;
+}
+
+/// Whether hexahedra can be solved: supports of the plane alone leave them
+/// free to leave it.
+bool is_held_in_space(const PartJob& job) {
+  return std::ranges::all_of(job.load_sets, [](const LoadSet& set) {
+    return set.fixed.empty() || std::ranges::any_of(set.fixed, [](auto& f) {
+             return f.second[2];
+           });
+  });
+}
+
+PartAssessment run_layered(const PartJob& job, const PlateModel& plate,
+                           const std::vector<LoadSet>& governing) {
+  constexpr double kShare = 0.5;  // of the tolerance, for the model
+  const auto choice =
+      choose_terms(job, plate.mesh, governing, kShare * job.tolerance);
+  auto rung = layered_rung(plate.mesh, choice.terms, lattice_for(job));
+  rung.model_error = choice.model_error;
+  auto assessment = run_rung<3>(job, job.mesh, rung);
+  assessment.result.cells = static_cast<int>(plate.mesh.cells.size());
+  add_model_error(job.tolerance, choice.model_error, assessment.result);
+  return assessment;
+}
+
+/// The lowest rung that meets the tolerance, or the highest that the part
+/// and the job admit.
+PartAssessment climb(const PartJob& job) {
+  PartSeconds seconds;
+  const auto plate = plate_model(job);
+  std::vector<LoadSet> governing;
+  if (plate && plate->mesh.shape == mesh::CellShape::kTensor) {
+    governing = governing_loads(job, plate->mesh, plate->suits_plane_stress);
+  }
+  if (plate && plate->suits_plane_stress &&
+      job.model != ModelChoice::kLayered) {
+    auto assessment = run_plane_stress(job, *plate, governing);
+    if (is_settled(assessment.result) ||
+        job.model == ModelChoice::kPlaneStress) {
+      return assessment;
+    }
+    seconds = assessment.result.seconds;
+  }
+  if (plate && plate->suits_layers) {
+    auto assessment = run_layered(job, *plate, governing);
+    add_seconds(seconds, assessment.result.seconds);
+    const PeakStress& peak = assessment.result.peak;
+    // Where the degree falls short hexahedra of the same mesh do too.
+    if (is_settled(assessment.result) || job.model == ModelChoice::kLayered ||
+        !is_held_in_space(job) ||
+        peak.model_error < 0.5 * job.tolerance * peak.value) {
+      return assessment;
+    }
+    seconds = assessment.result.seconds;
+  }
+  auto assessment = run_rung<3>(job, job.mesh, solid_rung(job.mesh));
+  add_seconds(seconds, assessment.result.seconds);
+  add_model_error(job.tolerance, 0.0, assessment.result);
+  return assessment;
+}
+
 }  // namespace
 
 PartAssessment check_part(const PartJob& job) {
   Stopwatch watch;
-  PartAssessment assessment;
-  const auto plate = plane_model(job);
-  if (plate) {
-    assessment = run_ladder<2>(job, *plate, "plane stress");
-  } else {
-    assessment = run_ladder<3>(
-        job, job.mesh,
-        job.mesh.shape == mesh::CellShape::kTensor ? "3-D" : "3-D tetrahedra");
-  }
+  PartAssessment assessment = climb(job);
   PartResult& result = assessment.result;
   result.name = job.part.name;
   result.mass = job.mass.mass;

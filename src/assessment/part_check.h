@@ -24,7 +24,7 @@ struct LoadSet {
   std::map<std::string, std::array<bool, 3>> fixed;  ///< empty: free part
 };
 
-enum class ModelChoice { kAuto, kPlaneStress, kSolid };
+enum class ModelChoice { kAuto, kPlaneStress, kLayered, kSolid };
 
 /// All that the check of one part needs.
 struct PartJob {
@@ -54,9 +54,11 @@ struct PartAssessment {
   PartFields fields;
 };
 
-/// Runs the ladder on a part: plane stress where the part is a plate loaded
-/// in its plane, else 3-D; degrees rise until the band of the peak is within
-/// the tolerance or degree 4 is done. Beam theory beside it; verdict.
+/// Climbs the ladder with a part: plane stress where it is a plate loaded in
+/// its plane, terms through the thickness where it is a plate loaded on its
+/// sides, 3-D. On each rung degrees rise until the band of the peak is within
+/// the tolerance or the highest is done; the model's error, measured against
+/// the rung above, counts in the band. Beam theory beside it; verdict.
 /// @throws Error of the modules below.
 PartAssessment check_part(const PartJob& job);
 

@@ -21,7 +21,9 @@ struct SequenceMember {
 /// Peak von Mises over the surface and all instants.
 struct PeakStress {
   double value{};                  ///< [Pa]
-  double band_low{}, band_high{};  ///< [Pa]
+  double band_low{}, band_high{};  ///< both errors below included [Pa]
+  double discretization_error{};   ///< of degree, mesh, sampling [Pa]
+  double model_error{};            ///< against 3-D elasticity, as measured [Pa]
   PeakVerdict verdict{};
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]
   std::string group;  ///< physical group nearest to it ("bore_C"), or "body"
@@ -65,6 +67,7 @@ struct PartResult {
   PartVerdict verdict{};
   std::string why;    ///< one line: limit and value, or why not judged
   std::string model;  ///< "plane stress, p = 4"
+  std::string stopped_because;  ///< why the ladder went no further
   int dofs{}, cells{}, load_columns{};
   PeakStress peak;
   double safety_factor{};  ///< yield / peak

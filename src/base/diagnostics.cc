@@ -26,9 +26,11 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "The factorisation would need more memory than the machine has. Mesh the "
      "part coarser."},
     {"F005", kModelInvalid, "model does not fit the part",
-     "--model plane-stress was asked for, but the part is no plate extruded "
-     "along z, or a load leaves its plane. Leave --model out: clevis takes the "
-     "cheapest model that fits."},
+     "--model plane-stress or layered was asked for, but the part is no plate "
+     "extruded along z with all loads on its sides, or (plane-stress) a load "
+     "leaves its plane. Leave --model out: clevis takes the cheapest model "
+     "that "
+     "fits."},
     {"I001", kIo, "cannot read file",
      "The file does not exist or may not be read. Paths in a scene are "
      "relative to the scene file; meshes of a scene in geometry/NAME are "

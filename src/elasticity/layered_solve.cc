@@ -12,6 +12,7 @@
 #include "elasticity/load_vectors.h"
 #include "elasticity/memory_forecast.h"
 #include "elasticity/plate_layer.h"
+#include "elasticity/refinement.h"
 #include "elasticity/supports.h"
 
 namespace clevis::elasticity {
@@ -22,7 +23,7 @@ using Eigen::MatrixXd;
 
 constexpr double kCompressionTolerance = 3e-7;
 /// Loads of a parity below this part of all are round-off of the other's.
-constexpr double kNoLoad = 1e-10;
+constexpr double kNoLoad = 1e-8;
 
 /// K or |K| times a block, from the upper triangle.
 template <class Entry>
@@ -123,14 +124,28 @@ std::vector<int> determinate_terms(const Discretization<2>& plane,
   return held;
 }
 
-/// All terms of the components held on the layer's groups.
-std::vector<int> held_terms(const std::vector<int>& layer_held, int terms) {
+/// All terms of the components held on groups.
+/// @throws Error F001 if a motion of this parity is left free.
+std::vector<int> held_terms(const ElasticProblem<2>& problem,
+                            const Discretization<2>& plane,
+                            const Discretization<3>& layer,
+                            const ThicknessReduction& reduction) {
+  const std::string place = "part " + problem.name;
+  if (reduction.parity() == Parity::kStretching) {
+    fixed_supports(plane, node_positions(plane), problem.fixed, place);
+  } else {
+    fixed_supports(layer, node_positions(layer), problem.fixed, place);
+  }
+  const int n = reduction.terms();
   std::vector<int> held;
-  const int heights = 2 * terms;
-  for (int dof : layer_held) {
-    const int node = dof / 3 / heights;
-    for (int a = 0; a < terms; ++a) {
-      held.push_back(3 * terms * node + terms * (dof % 3) + a);
+  for (std::size_t g = 0; g < plane.groups.size(); ++g) {
+    const auto entry = problem.fixed.find(plane.groups[g].name);
+    if (entry == problem.fixed.end()) continue;
+    for (int node : group_nodes(plane, static_cast<int>(g))) {
+      for (int c = 0; c < 3; ++c) {
+        if (!entry->second[static_cast<std::size_t>(c)]) continue;
+        for (int a = 0; a < n; ++a) held.push_back(3 * n * node + n * c + a);
+      }
     }
   }
   std::ranges::sort(held);
@@ -154,14 +169,13 @@ struct Plate {
   const ElasticProblem<2>& problem;
   const Discretization<2>& plane;
   const PlaneIntegrals& integrals;
-  const std::vector<int>& layer_held;  ///< empty: a free part
   const std::vector<int> node_order;
   std::string place;
 };
 
 /// Solves for one parity and adds its columns.
 void solve_parity(const Plate& plate, const ThicknessReduction& reduction,
-                  const MatrixXd& loads, DisplacementBasis<3>& result) {
+                  const LoadBasis& basis, DisplacementBasis<3>& result) {
   Stopwatch watch;
   const bool is_free = plate.problem.fixed.empty();
   const UpperTriangle stiffness = layered_stiffness(
@@ -169,8 +183,8 @@ void solve_parity(const Plate& plate, const ThicknessReduction& reduction,
       reduction.terms(), plate.plane.thickness);
   const std::vector<int> held =
       is_free ? determinate_terms(plate.plane, reduction)
-              : held_terms(plate.layer_held, reduction.terms());
-  const LoadBasis basis = compress(loads, kCompressionTolerance);
+              : held_terms(plate.problem, plate.plane, result.discretization,
+                           reduction);
   const auto numbers = number_equations(stiffness.rows(), held);
   const UpperTriangle upper = free_equations(stiffness, numbers);
   result.seconds.assemble += watch.lap();
@@ -179,12 +193,24 @@ void solve_parity(const Plate& plate, const ThicknessReduction& reduction,
       equation_order(plate.node_order, 3 * reduction.terms(),
                      numbers.equation));
   result.seconds.factor += watch.lap();
-  const MatrixXd terms = extend_rows(
+  MatrixXd terms = extend_rows(
       cholesky.solve(restrict_rows(basis.columns, numbers)), numbers);
   SolveChecks checks = result.checks;
   checks.compression = basis.compression_error;
-  result.strain_energy +=
+  Eigen::VectorXd energy =
       check_solution(action_of(stiffness), terms, basis, held, is_free, checks);
+  if (wants_refinement(checks)) {
+    const StiffnessAction by_strain{
+        [&](const MatrixXd& u) {
+          return reduction.reduce(forces_by_strain(result.discretization,
+                                                   plate.problem.material,
+                                                   reduction.expand(u)));
+        },
+        action_of(stiffness).multiply_absolute};
+    refine(by_strain, cholesky, numbers, basis, terms);
+    energy = check_solution(by_strain, terms, basis, held, is_free, checks);
+  }
+  result.strain_energy += energy;
   require_checks(checks, plate.plane.geometry_degree, plate.problem.name);
   checks.equilibrium = std::max(checks.equilibrium, result.checks.equilibrium);
   checks.residual = std::max(checks.residual, result.checks.residual);
@@ -209,29 +235,28 @@ DisplacementBasis<3> solve_layered(const ElasticProblem<2>& problem, int degree,
   require_memory(3, 3.0 * terms * plane.nodes, physical_memory(), place);
   const auto positions = node_positions(layer);
   const bool is_free = problem.fixed.empty();
-  MatrixXd history =
-      assemble_loads(layer, problem.history, density, problem.name);
-  std::vector<int> layer_held;
+  LoadBasis history =
+      load_columns(layer, problem.history, density, problem.name);
   if (is_free) {
     balance_free_part<3>(layer, positions, density, history, result.checks);
-  } else {
-    layer_held = fixed_supports(layer, positions, problem.fixed, place);
   }
   const auto integrals = plane_integrals(plane, place);
   result.columns.resize(layer.dofs(), 0);
-  result.coefficients.resize(0, history.cols());
-  result.strain_energy = Eigen::VectorXd::Zero(history.cols());
+  const Index instants = history.coefficients.cols();
+  result.coefficients.resize(0, instants);
+  result.strain_energy = Eigen::VectorXd::Zero(instants);
   result.seconds.assemble = watch.lap();
 
-  const Plate plate{
-      problem, plane, integrals, layer_held, dissection_order(plane), place};
-  const double all = history.colwise().norm().maxCoeff();
+  const Plate plate{problem, plane, integrals, dissection_order(plane), place};
+  const double all = largest_instant(history);
   for (const Parity parity : {Parity::kStretching, Parity::kBending}) {
     const ThicknessReduction reduction(parity, terms);
     watch.lap();
-    const MatrixXd loads = reduction.reduce(history);
+    const LoadBasis loads = compress(
+        LoadBasis{reduction.reduce(history.columns), history.coefficients},
+        kCompressionTolerance, all);
     result.seconds.assemble += watch.lap();
-    if (loads.colwise().norm().maxCoeff() <= kNoLoad * all) continue;
+    if (largest_instant(loads) <= kNoLoad * all) continue;
     solve_parity(plate, reduction, loads, result);
   }
   return result;

@@ -72,6 +72,7 @@ void add_probes(TextTable& table, const PartResult& part) {
 }
 
 void add_reasons(TextTable& table, const PartResult& part) {
+  if (!part.stopped_because.empty()) table.add_note(part.stopped_because);
   if (part.peak.verdict != PeakVerdict::kConverged) {
     table.add_note(fmt::format("peak: {}", text(part.peak.verdict)));
   }

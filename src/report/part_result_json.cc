@@ -31,7 +31,8 @@ namespace clevis::assessment {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SequenceMember, degree, dofs, peak,
                                    strain_energy)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeakStress, value, band_low, band_high,
-                                   verdict, at, group, instant, label, sequence)
+                                   discretization_error, model_error, verdict,
+                                   at, group, instant, label, sequence)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BeamComparison, peak_stress, governing,
                                    deflection, buckling_safety,
                                    ratio_fe_to_beam, reason)
@@ -41,11 +42,12 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProbeResult, name, quantity, value, band_low,
                                    band_high)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartSeconds, mesh, assemble, factor, solve,
                                    recover, write, total)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartResult, name, verdict, why, model, dofs,
-                                   cells, load_columns, peak, safety_factor,
-                                   deflection, deflection_at,
-                                   deflection_instant, strain_energy, beam,
-                                   self_checks, probes, seconds, mass)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartResult, name, verdict, why, model,
+                                   stopped_because, dofs, cells, load_columns,
+                                   peak, safety_factor, deflection,
+                                   deflection_at, deflection_instant,
+                                   strain_energy, beam, self_checks, probes,
+                                   seconds, mass)
 
 }  // namespace clevis::assessment
 

@@ -55,6 +55,8 @@ ordered_json peak_json(const assessment::PeakStress& peak) {
   return {
       {"value_MPa", megapascals(peak.value)},
       {"band_MPa", {megapascals(peak.band_low), megapascals(peak.band_high)}},
+      {"discretization_error_MPa", megapascals(peak.discretization_error)},
+      {"model_error_MPa", megapascals(peak.model_error)},
       {"verdict", text(peak.verdict)},
       {"at_mm", vector_mm(peak.at)},
       {"group", peak.group},
@@ -114,6 +116,7 @@ ordered_json part_json(const CheckReport& report, const PartResult& part) {
           {"verdict", text(part.verdict)},
           {"why", part.why},
           {"model", part.model},
+          {"stopped_because", part.stopped_because},
           {"dofs", part.dofs},
           {"cells", part.cells},
           {"load_columns", part.load_columns},

@@ -6,8 +6,10 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "base/errors.h"
+#include "elasticity/displacement_basis.h"
 #include "mesh/mass_properties.h"
-#include "support/structured_mesh.h"
+#include "support/annulus_mesh.h"
 
 namespace clevis::assessment {
 namespace {
@@ -103,16 +105,90 @@ TEST(PartCheck, BendingOfASlenderPlateIsSolved) {
   EXPECT_NEAR(check_part(job).result.deflection, expected, 0.02 * expected);
 }
 
-TEST(PartCheck, PlateThickAgainstItsBoreCallsForTheSolid) {
-  PartJob job = pulled_bar();  // 4 mm thick
-  // The choice asks the group only; that its faces are flat does not matter.
-  part::Bore bore{.p_LC = Vector3d::Zero(), .axis_L = Vector3d::UnitZ()};
-  bore.radius = 3.4e-3;
-  job.mesh.groups[2] = {"bore_A", bore};
-  EXPECT_EQ(check_part(job).result.model, "plane stress, p = 4");
-  bore.radius = 3.3e-3;
-  job.mesh.groups[2] = {"bore_A", bore};
+/// A ring pressed by a pin of 4 kN, held by its rim's traction.
+PartJob eye(double thickness, double tolerance, int layers = 1) {
+  PartJob job;
+  job.part.name = "eye";
+  job.part.material = {"steel", 210e9, 0.3, 7850.0, 300e6};
+  job.mesh = support::ring_mesh<3>({.inner = 0.01,
+                                    .outer = 0.02,
+                                    .thickness = thickness,
+                                    .radial = 2,
+                                    .angular = 12,
+                                    .axial = layers,
+                                    .degree = 4});
+  job.mass = mesh::mass_properties(job.mesh, 7850.0);
+  job.tolerance = tolerance;
+  LoadSet set;
+  const Vector3d centre(0.0, 0.0, thickness / 2);
+  set.history.seats = {{"pin", "x0", loads::SeatKind::kBearing, centre},
+                       {"rim", "x1", loads::SeatKind::kTraction, centre}};
+  loads::InstantLoad instant;
+  instant.label = "pull";
+  const Vector3d force(4000.0, 0.0, 0.0);
+  instant.wrenches = {{force, Vector3d::Zero()}, {-force, Vector3d::Zero()}};
+  set.history.instants.push_back(instant);
+  job.load_sets.push_back(set);
+  return job;
+}
+
+/// By hexahedra of degree 4, seen on a fine lattice.
+double fine_peak(const PartJob& job) {
+  const LoadSet& set = job.load_sets[0];
+  const auto basis = elasticity::solve<3>(
+      {job.mesh, job.part.material, set.history, set.fixed, "eye"}, 4);
+  return stress::stress_history<3>(basis, job.part.material, 8).largest();
+}
+
+// A thick eye: plane stress misses the tolerance and says by how much; terms
+// through the thickness meet it. Either band holds what hexahedra give.
+TEST(PartCheck, ThickEyeClimbsToTermsThroughTheThickness) {
+  PartJob job = eye(0.02, 0.01);
+  const PartResult climbed = check_part(job).result;
+  EXPECT_EQ(climbed.model.substr(0, 15), "2-D x thickness");
+  EXPECT_EQ(climbed.peak.verdict, PeakVerdict::kConverged);
+  EXPECT_GT(climbed.peak.model_error, 0.0);
+  EXPECT_EQ(climbed.stopped_because.substr(0, 16), "within tolerance");
+  job.model = ModelChoice::kPlaneStress;
+  const PartResult plane = check_part(job).result;
+  EXPECT_EQ(plane.peak.verdict, PeakVerdict::kNotConverged);
+  EXPECT_GT(plane.peak.discretization_error + plane.peak.model_error,
+            0.01 * plane.peak.value);
+  const double exact = fine_peak(eye(0.02, 0.01, 3));
+  for (const PartResult& result : {climbed, plane}) {
+    EXPECT_LE(result.peak.band_low, exact) << result.model;
+    EXPECT_GE(result.peak.band_high, exact) << result.model;
+  }
+}
+
+TEST(PartCheck, ThinEyeStaysAtPlaneStressWithItsMeasuredError) {
+  const PartResult result = check_part(eye(0.002, 0.03)).result;
+  EXPECT_EQ(result.model.substr(0, 12), "plane stress");
+  EXPECT_EQ(result.peak.verdict, PeakVerdict::kConverged);
+  EXPECT_GT(result.peak.model_error, 0.0);
+  const double half_width =
+      result.peak.discretization_error + result.peak.model_error;
+  EXPECT_NEAR(std::max(result.peak.band_high - result.peak.value,
+                       result.peak.value - result.peak.band_low),
+              half_width, 1e-9 * half_width);
+}
+
+TEST(PartCheck, LoadOnAFaceCallsForTheSolid) {
+  PartJob job = pulled_bar();
+  auto& loads = job.load_sets[0].history.instants[0].surface_loads;
+  for (const int side : {0, 1}) {
+    auto& load = loads[static_cast<std::size_t>(side)];
+    load.group = side == 0 ? "z0" : "z1";
+    load.traction.setZero();
+    load.pressure = 10e6;
+    load.total = 10e6 * 0.06 * 0.01;
+    load.resultant.force = Vector3d(0, 0, side == 0 ? 1.0 : -1.0) * load.total;
+    load.resultant.moment =
+        Vector3d(0.03, 0.005, side * 0.004).cross(load.resultant.force);
+  }
   EXPECT_EQ(check_part(job).result.model.substr(0, 3), "3-D");
+  job.model = ModelChoice::kLayered;
+  EXPECT_THROW(check_part(job), Error);
 }
 
 TEST(PartCheck, LoadAcrossThePlaneCallsForTheSolid) {

@@ -1,0 +1,146 @@
+#include "assessment/model_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "elasticity/layered_solve.h"
+#include "stress/stress_history.h"
+
+namespace clevis::assessment {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr int kFewestTerms = 2;
+constexpr int kMostTerms = 4;
+constexpr int kFirstDegree = 2;
+constexpr int kDegree = 3;       // of plane stress: 2 doubles its difference
+constexpr int kTermsDegree = 2;  // of terms among each other
+constexpr int kPlaneSubdivisions = 8;
+constexpr int kSubdivisions = 4;
+
+elasticity::ElasticProblem<2> problem(const PartJob& job,
+                                      const mesh::PartMesh<2>& plate,
+                                      const LoadSet& set) {
+  return {plate, job.part.material, set.history, set.fixed, job.part.name};
+}
+
+/// Peak of each instant of a set.
+VectorXd plane_peaks(const PartJob& job, const mesh::PartMesh<2>& plate,
+                     const LoadSet& set, int degree) {
+  return stress::stress_history<2>(
+             elasticity::solve<2>(problem(job, plate, set), degree),
+             job.part.material, kPlaneSubdivisions)
+      .peak;
+}
+
+VectorXd layered_peaks(const PartJob& job, const mesh::PartMesh<2>& plate,
+                       const LoadSet& set, int degree, int terms) {
+  return stress::stress_history<3>(
+             elasticity::solve_layered(problem(job, plate, set), degree, terms),
+             job.part.material, kSubdivisions)
+      .peak;
+}
+
+/// Peaks of all governing instants, set after set.
+template <class Peaks>
+VectorXd all_peaks(const std::vector<LoadSet>& sets, const Peaks& peaks_of) {
+  VectorXd all;
+  for (const LoadSet& set : sets) {
+    const VectorXd peaks = peaks_of(set);
+    all.conservativeResize(all.size() + peaks.size());
+    all.tail(peaks.size()) = peaks;
+  }
+  return all;
+}
+
+/// Largest difference at an instant over the largest peak.
+double difference(const VectorXd& ours, const VectorXd& theirs) {
+  const double largest = theirs.maxCoeff();
+  if (!(largest > 0.0)) return 0.0;
+  return (ours - theirs).cwiseAbs().maxCoeff() / largest;
+}
+
+/// The instant of the largest peak and the largest ones away from it.
+std::vector<std::size_t> highest_instants(VectorXd peaks, double floor) {
+  constexpr int kMost = 3;
+  std::vector<std::size_t> found;
+  const Eigen::Index apart = std::max<Eigen::Index>(1, peaks.size() / 10);
+  while (static_cast<int>(found.size()) < kMost) {
+    Eigen::Index at = 0;
+    const double largest = peaks.maxCoeff(&at);
+    if (largest < floor) break;
+    found.push_back(static_cast<std::size_t>(at));
+    const Eigen::Index begin = std::max<Eigen::Index>(0, at - apart + 1);
+    const Eigen::Index end = std::min(peaks.size(), at + apart);
+    peaks.segment(begin, end - begin).setConstant(-1.0);
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+}  // namespace
+
+std::vector<LoadSet> governing_loads(const PartJob& job,
+                                     const mesh::PartMesh<2>& plate,
+                                     bool in_plane) {
+  constexpr double kNear = 0.9;
+  std::vector<VectorXd> peaks;
+  double largest = 0.0;
+  for (const LoadSet& set : job.load_sets) {
+    peaks.push_back(
+        in_plane ? plane_peaks(job, plate, set, kFirstDegree)
+                 : layered_peaks(job, plate, set, kFirstDegree, kFewestTerms));
+    largest = std::max(largest, peaks.back().maxCoeff());
+  }
+  std::vector<LoadSet> governing;
+  for (std::size_t s = 0; s < peaks.size(); ++s) {
+    const LoadSet& set = job.load_sets[s];
+    LoadSet few{{set.history.seats, {}}, set.fixed};
+    for (const std::size_t i : highest_instants(peaks[s], kNear * largest)) {
+      few.history.instants.push_back(set.history.instants[i]);
+    }
+    if (!few.history.instants.empty()) governing.push_back(std::move(few));
+  }
+  return governing;
+}
+
+double plane_stress_error(const PartJob& job, const mesh::PartMesh<2>& plate,
+                          const std::vector<LoadSet>& governing) {
+  constexpr int kTerms = 4;  // fewer may agree with plane stress by chance
+  const VectorXd plane = all_peaks(governing, [&](const LoadSet& set) {
+    return plane_peaks(job, plate, set, kDegree);
+  });
+  const VectorXd layered = all_peaks(governing, [&](const LoadSet& set) {
+    return layered_peaks(job, plate, set, kDegree, kTerms);
+  });
+  return difference(plane, layered);
+}
+
+ThicknessChoice choose_terms(const PartJob& job, const mesh::PartMesh<2>& plate,
+                             const std::vector<LoadSet>& governing,
+                             double allowed) {
+  constexpr double kRest = 1.5;  // for what even more terms would change
+  std::vector<VectorXd> peaks;   // from kFewestTerms on
+  const auto of_terms = [&](int terms) -> const VectorXd& {
+    while (static_cast<int>(peaks.size()) <= terms - kFewestTerms) {
+      const int next = kFewestTerms + static_cast<int>(peaks.size());
+      peaks.push_back(all_peaks(governing, [&](const LoadSet& set) {
+        return layered_peaks(job, plate, set, kTermsDegree, next);
+      }));
+    }
+    return peaks[static_cast<std::size_t>(terms - kFewestTerms)];
+  };
+  ThicknessChoice choice;
+  for (int terms = kFewestTerms; terms <= kMostTerms; ++terms) {
+    of_terms(terms + 2);
+    choice = {
+        terms,
+        kRest * std::max(difference(of_terms(terms), of_terms(terms + 1)),
+                         difference(of_terms(terms), of_terms(terms + 2)))};
+    if (choice.model_error <= allowed) break;
+  }
+  return choice;
+}
+
+}  // namespace clevis::assessment

@@ -1,0 +1,74 @@
+#include "assessment/rung.h"
+
+#include <fmt/format.h>
+
+#include "elasticity/layered_solve.h"
+#include "elasticity/stiffness.h"
+
+namespace clevis::assessment {
+namespace {
+
+constexpr int kHighestDegree = 4;
+constexpr int kHighestLayeredDegree = 5;
+constexpr int kHighestSimplexDegree = 2;
+
+/// Raises a degree with which the interpolated geometry of a cell folds.
+template <int dim>
+int unfolded(const mesh::PartMesh<dim>& mesh, int degree, int highest) {
+  while (degree < highest &&
+         elasticity::folds<dim>(elasticity::discretize<dim>(mesh, degree))) {
+    ++degree;
+  }
+  return degree;
+}
+
+template <int dim>
+int highest_degree(const mesh::PartMesh<dim>& mesh) {
+  return mesh.shape == mesh::CellShape::kTensor ? kHighestDegree
+                                                : kHighestSimplexDegree;
+}
+
+}  // namespace
+
+Rung<2> plane_stress_rung(const mesh::PartMesh<2>& plate) {
+  Rung<2> rung;
+  rung.name = "plane stress";
+  rung.solve = elasticity::solve<2>;
+  rung.highest_degree = highest_degree(plate);
+  rung.first_degree = unfolded(plate, 2, rung.highest_degree);
+  rung.subdivisions = plate.shape == mesh::CellShape::kTensor ? 8 : 1;
+  return rung;
+}
+
+Rung<3> layered_rung(const mesh::PartMesh<2>& plate, int terms,
+                     int subdivisions) {
+  Rung<3> rung;
+  rung.name = fmt::format("2-D x thickness {0}+{0}", terms);
+  rung.solve = [&plate, terms](const elasticity::ElasticProblem<3>& problem,
+                               int degree) {
+    return elasticity::solve_layered(
+        {plate, problem.material, problem.history, problem.fixed, problem.name},
+        degree, terms);
+  };
+  rung.highest_degree = kHighestLayeredDegree;
+  // Three degrees up to 3 are cheaper than 4 alone, as in 3-D.
+  rung.first_degree = unfolded(plate, 1, rung.highest_degree);
+  rung.subdivisions = subdivisions;
+  return rung;
+}
+
+Rung<3> solid_rung(const mesh::PartMesh<3>& mesh) {
+  const bool is_tensor = mesh.shape == mesh::CellShape::kTensor;
+  Rung<3> rung;
+  rung.name = is_tensor ? "3-D" : "3-D tetrahedra";
+  rung.solve = elasticity::solve<3>;
+  rung.highest_degree = highest_degree(mesh);
+  // In 3-D three degrees up to 3 are cheaper than 4 alone.
+  rung.first_degree = unfolded(mesh, 1, rung.highest_degree);
+  // In a straight tetrahedron of degree 2 the stress is linear, so its von
+  // Mises peaks at a corner.
+  rung.subdivisions = is_tensor ? 4 : 1;
+  return rung;
+}
+
+}  // namespace clevis::assessment
