@@ -234,8 +234,8 @@ void add_model_error(double tolerance, double model_error, PartResult& result) {
   peak.band_low -= peak.model_error;
   peak.band_high += peak.model_error;
   const double half_width = peak.discretization_error + peak.model_error;
-  const bool within = half_width <= tolerance * peak.value;
-  if (peak.verdict == PeakVerdict::kConverged && !within) {
+  if (peak.verdict == PeakVerdict::kConverged && model_error > 0.0 &&
+      half_width > tolerance * peak.value) {
     peak.verdict = PeakVerdict::kNotConverged;
   }
   const auto percent = [&](double error) {
@@ -243,7 +243,9 @@ void add_model_error(double tolerance, double model_error, PartResult& result) {
   };
   result.stopped_because = fmt::format(
       "{}: {:.2g} % discretisation + {:.2g} % model, {:.3g} % wanted",
-      within ? "within tolerance" : "highest degree done",
+      peak.verdict == PeakVerdict::kConverged  ? "within tolerance"
+      : peak.verdict == PeakVerdict::kSingular ? "stress without bound"
+                                               : "highest degree done",
       percent(peak.discretization_error), percent(peak.model_error),
       100.0 * tolerance);
 }
