@@ -3,7 +3,9 @@
 //
 //   large_parts operator [dofs]       million DoF a second per degree
 //   large_parts iterations            against the aspect of body and cells
-//   large_parts solve DOFS [columns]  seconds and peak memory per degree
+//   large_parts solve DOFS [columns [degree [coarse degree [steps]]]]
+//                                     seconds and peak memory per degree
+//   large_parts part DOFS [degree]    an eye from mesh to stress
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -17,6 +19,8 @@
 #include "elasticity/matrix_free_operator.h"
 #include "elasticity/multigrid_solver.h"
 #include "elasticity/supports.h"
+#include "stress/stress_history.h"
+#include "support/eye_problem.h"
 #include "support/structured_mesh.h"
 
 namespace clevis::elasticity {
@@ -154,6 +158,35 @@ void time_solve(const Discretization<3>& discretization, int columns,
   std::fflush(stdout);
 }
 
+/// A ring under 40 pin directions, as `clevis check` solves a part: loads,
+/// mirrors, supports, self-checks and stresses included.
+void time_part(int degree, double dofs) {
+  auto eye = support::eye_problem(40);
+  const double h = degree * std::cbrt(3.0 * 7.54e-6 / dofs);  // its volume
+  const auto count = [&](double length) {
+    return std::max(1, static_cast<int>(length / h + 0.5));
+  };
+  eye.mesh = support::ring_mesh<3>({.inner = 0.01,
+                                    .outer = 0.02,
+                                    .thickness = 0.008,
+                                    .radial = count(0.01),
+                                    .angular = count(0.094),
+                                    .axial = count(0.008),
+                                    .degree = 2});
+  Stopwatch watch;
+  const auto basis = solve(eye.problem(), degree);
+  const double solved = watch.lap();
+  const auto stress = stress::stress_history(basis, eye.material, 4);
+  const double stressed = watch.lap();
+  fmt::print(
+      "eye p={} {} DoF, {} columns: peak {:.4g} MPa; assemble {:.2f} + "
+      "factor {:.2f} + solve {:.2f} of {:.2f} s, stresses {:.2f} s, "
+      "{:.2f} GB at most\n",
+      degree, basis.discretization.dofs(), basis.columns.cols(),
+      1e-6 * stress.largest(), basis.seconds.assemble, basis.seconds.factor,
+      basis.seconds.solve, solved, stressed, peak_gigabytes());
+}
+
 void iterations() {
   for (double tolerance : {1e-8}) {
     MultigridOptions options;
@@ -202,6 +235,7 @@ int main(int argc, char** argv) {
   const double dofs = argc > 2 ? std::atof(argv[2]) : 1e6;
   if (what == "operator") measure_operator(dofs);
   if (what == "iterations") iterations();
+  if (what == "part") time_part(argc > 3 ? std::atoi(argv[3]) : 2, dofs);
   if (what == "solve") {
     const int columns = argc > 3 ? std::atoi(argv[3]) : 40;
     for (int degree = 2; degree <= 4; ++degree) {
