@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -210,7 +211,9 @@ void solve_by_factors(const ElasticProblem<dim>& problem,
     c.numbers = number_equations(part.dofs(), c.held);
     const UpperTriangle upper = free_equations(stiffness, c.numbers);
     result.seconds.assemble += watch.lap();
-    c.factor = std::make_unique<SparseCholesky>(upper, place);
+    std::vector<int> as_they_are(static_cast<std::size_t>(upper.rows()));
+    std::iota(as_they_are.begin(), as_they_are.end(), 0);
+    c.factor = std::make_unique<SparseCholesky>(upper, place, as_they_are);
     result.seconds.factor += watch.lap();
     c.columns = extend_rows(
         c.factor->solve(restrict_rows(c.loads.columns, c.numbers)), c.numbers);
