@@ -13,6 +13,7 @@
 #include <deal.II/grid/tria.h>
 
 #include "base/errors.h"
+#include "elasticity/dense_product.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -215,17 +216,18 @@ CellGeometry<dim> cell_geometry(
     const Tabulation& geometry) {
   const auto n = geometry.values.rows();
   CellGeometry<dim> result;
-  result.points = cell_points * geometry.values.transpose();
+  const Eigen::MatrixXd nodes = cell_points.transpose();
+  result.points = product(geometry.values, nodes).transpose();
   result.inverse_jacobian.resize(static_cast<std::size_t>(n));
   result.determinant.resize(n);
-  std::array<Eigen::Matrix<double, dim, Eigen::Dynamic>, dim> columns;
+  std::array<Eigen::MatrixXd, dim> columns;  // points × dim
   for (std::size_t d = 0; d < dim; ++d) {
-    columns[d] = cell_points * geometry.gradients[d].transpose();
+    columns[d] = product(geometry.gradients[d], nodes);
   }
   for (Eigen::Index q = 0; q < n; ++q) {
     Eigen::Matrix<double, dim, dim> jacobian;
     for (std::size_t d = 0; d < dim; ++d) {
-      jacobian.col(static_cast<Eigen::Index>(d)) = columns[d].col(q);
+      jacobian.col(static_cast<Eigen::Index>(d)) = columns[d].row(q);
     }
     result.determinant[q] = jacobian.determinant();
     result.inverse_jacobian[static_cast<std::size_t>(q)] = jacobian.inverse();
@@ -237,17 +239,28 @@ template <int dim>
 std::vector<Eigen::MatrixXd> physical_gradients(
     const CellGeometry<dim>& geometry, const Tabulation& displacement) {
   const auto n = displacement.values.rows();
-  std::vector<Eigen::MatrixXd> result(
-      dim, Eigen::MatrixXd::Zero(n, displacement.values.cols()));
+  const auto functions = displacement.values.cols();
+  std::vector<Eigen::MatrixXd> result(dim, Eigen::MatrixXd(n, functions));
   // ∂N/∂x_d = Σ_k ∂N/∂ξ_k ∂ξ_k/∂x_d
   for (std::size_t d = 0; d < dim; ++d) {
-    for (std::size_t k = 0; k < dim; ++k) {
-      Eigen::VectorXd factor(n);
-      for (Eigen::Index q = 0; q < n; ++q) {
-        factor[q] = geometry.inverse_jacobian[static_cast<std::size_t>(q)](
-            static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(d));
+    Eigen::Array<double, Eigen::Dynamic, dim> factor(n, dim);
+    for (Eigen::Index q = 0; q < n; ++q) {
+      factor.row(q) = geometry.inverse_jacobian[static_cast<std::size_t>(q)]
+                          .col(static_cast<Eigen::Index>(d))
+                          .transpose()
+                          .array();
+    }
+    const auto term = [&](std::size_t k, Eigen::Index i) {
+      return factor.col(static_cast<Eigen::Index>(k)) *
+             displacement.gradients[k].col(i).array();
+    };
+    for (Eigen::Index i = 0; i < functions; ++i) {
+      auto column = result[d].col(i).array();
+      if constexpr (dim == 2) {
+        column = term(0, i) + term(1, i);
+      } else {
+        column = term(0, i) + term(1, i) + term(2, i);
       }
-      result[d] += factor.asDiagonal() * displacement.gradients[k];
     }
   }
   return result;

@@ -1,11 +1,28 @@
 #include "stress/cell_field.h"
 
+#include <vector>
+
 #include "elasticity/dense_product.h"
 
 namespace clevis::stress {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+
+namespace {
+
+/// Gradients of all directions, one below the other.
+MatrixXd stacked(const std::vector<MatrixXd>& gradients) {
+  const Index n = gradients.front().rows();
+  MatrixXd result(static_cast<Index>(gradients.size()) * n,
+                  gradients.front().cols());
+  for (std::size_t d = 0; d < gradients.size(); ++d) {
+    result.middleRows(static_cast<Index>(d) * n, n) = gradients[d];
+  }
+  return result;
+}
+
+}  // namespace
 
 template <int dim>
 CellField<dim>::CellField(const elasticity::Discretization<dim>& discretization,
@@ -16,14 +33,17 @@ CellField<dim>::CellField(const elasticity::Discretization<dim>& discretization,
       displacement_(elasticity::tabulate_displacement<dim>(
           discretization.shape, discretization.displacement_degree(), points)),
       geometry_(elasticity::tabulate_geometry<dim>(
-          discretization.shape, discretization.mapping_degree(), points)) {
+          discretization.shape, discretization.mapping_degree(), points)),
+      slopes_(stacked(displacement_.gradients)) {
   if (!discretization.is_revolved) return;
   constexpr double kBeside = 1e-6;
   elasticity::ReferencePoints<dim> beside = points;
   beside.template topRows<2>() =
       points.template topRows<2>().cwiseMax(kBeside).cwiseMin(1.0 - kBeside);
-  displacement_beside_ = elasticity::tabulate_displacement<dim>(
-      discretization.shape, discretization.displacement_degree(), beside);
+  slopes_beside_ = stacked(
+      elasticity::tabulate_displacement<dim>(
+          discretization.shape, discretization.displacement_degree(), beside)
+          .gradients);
   geometry_beside_ = elasticity::tabulate_geometry<dim>(
       discretization.shape, discretization.mapping_degree(), beside);
 }
@@ -91,14 +111,30 @@ MatrixXd CellField<dim>::gradients(std::size_t cell,
   if (touches_axis) {
     at = elasticity::cell_geometry<dim>(points, geometry_beside_);
   }
-  const auto physical = elasticity::physical_gradients(
-      at, touches_axis ? displacement_beside_ : displacement_);
   const auto n = displacement_.values.rows();
-  MatrixXd stacked(dim * n, displacement_.values.cols());
+  const MatrixXd reference = elasticity::product(
+      touches_axis ? slopes_beside_ : slopes_, nodal_values(cell, columns));
+  // ∂u/∂x_d = Σ_k ∂u/∂ξ_k ∂ξ_k/∂x_d, point by point: of the result and not of
+  // the basis functions, which are many more.
+  MatrixXd slopes(dim * n, reference.cols());
   for (int d = 0; d < dim; ++d) {
-    stacked.middleRows(d * n, n) = physical[static_cast<std::size_t>(d)];
+    Eigen::Array<double, Eigen::Dynamic, dim> factor(n, dim);
+    for (Index q = 0; q < n; ++q) {
+      factor.row(q) = at.inverse_jacobian[static_cast<std::size_t>(q)]
+                          .col(d)
+                          .transpose()
+                          .array();
+    }
+    for (Index column = 0; column < reference.cols(); ++column) {
+      auto slope = slopes.col(column).segment(d * n, n).array();
+      slope = factor.col(0) * reference.col(column).head(n).array();
+      for (int k = 1; k < dim; ++k) {
+        slope +=
+            factor.col(k) * reference.col(column).segment(k * n, n).array();
+      }
+    }
   }
-  return elasticity::product(stacked, nodal_values(cell, columns));
+  return slopes;
 }
 
 template class CellField<2>;

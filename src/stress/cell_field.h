@@ -43,9 +43,11 @@ class CellField {
   const elasticity::Discretization<dim>& discretization_;
   elasticity::LameConstants<dim> lame_;
   elasticity::Tabulation displacement_, geometry_;
+  Eigen::MatrixXd slopes_;  ///< reference gradients, direction below direction
   /// A millionth of a cell inside its edges, where slopes of revolved cells are
   /// taken that touch their axis: on it their directions coincide.
-  elasticity::Tabulation displacement_beside_, geometry_beside_;
+  elasticity::Tabulation geometry_beside_;
+  Eigen::MatrixXd slopes_beside_;
 };
 
 }  // namespace clevis::stress

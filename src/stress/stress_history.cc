@@ -60,17 +60,26 @@ StressHistory stress_history(const elasticity::DisplacementBasis<dim>& basis,
             cell_field.stress(static_cast<std::size_t>(c), basis.columns),
             basis.coefficients),
         n);
+    auto worst = result.worst.col(c);
+    auto when = result.worst_instant.col(c);
+    worst.setConstant(-1.0);
+    when.setZero();
+    for (Index i = 0; i < instants; ++i) {  // down the columns: contiguous
+      for (Index q = 0; q < n; ++q) {
+        if (squared(q, i) > worst[q]) {
+          worst[q] = squared(q, i);
+          when[q] = static_cast<int>(i);
+        }
+      }
+    }
     for (Index q = 0; q < n; ++q) {
-      Index instant = 0;
-      result.worst(q, c) = squared.row(q).maxCoeff(&instant);
-      result.worst_instant(q, c) = static_cast<int>(instant);
       if (result.worst(q, c) > largest_of_half && on_half_lattice(q)) {
         largest_of_half = result.worst(q, c);
       }
       if (result.worst(q, c) > largest) {
         largest = result.worst(q, c);
         result.peak_at = {c, static_cast<int>(q)};
-        result.peak_instant = static_cast<int>(instant);
+        result.peak_instant = when[q];
       }
     }
     result.peak =
