@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "elasticity/dissection.h"
 #include "elasticity/supports.h"
 
 namespace clevis::elasticity {
@@ -77,6 +78,18 @@ void take_cells(const Discretization<dim>& whole,
     for (int& i : nodes) i = number[static_cast<std::size_t>(i)];
     part.cell_nodes.push_back(std::move(nodes));
     part.cell_points.push_back(whole.cell_points[c]);
+  }
+  // In the order of their elimination: the factorisation permutes nothing.
+  const std::vector<int> order = dissection_order(part);
+  std::vector<int> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  }
+  for (auto& nodes : part.cell_nodes) {
+    for (int& i : nodes) i = place[static_cast<std::size_t>(i)];
+  }
+  for (int& n : number) {
+    if (n >= 0) n = place[static_cast<std::size_t>(n)];
   }
   for (int& i : part.vertex_nodes) {
     if (i >= 0) i = number[static_cast<std::size_t>(i)];

@@ -18,7 +18,9 @@ namespace clevis::elasticity {
 /// those components zero that change their sign.
 template <int dim>
 struct Folding {
-  Discretization<dim> part;     ///< cells on the low side of all mirrors
+  /// Cells on the low side of all mirrors; nodes in the order of their
+  /// elimination.
+  Discretization<dim> part;
   std::vector<Mirror> mirrors;  ///< none: nothing is folded
   std::vector<int> node;        ///< of the whole part → of the folded
   /// Per node of the whole part, bit k: it stands behind mirror k.
