@@ -156,6 +156,7 @@ std::vector<std::string> moving_parts(const LoadedScene& loaded,
 assessment::ModelChoice model_choice(const std::string& name) {
   if (name == "plane-stress") return assessment::ModelChoice::kPlaneStress;
   if (name == "layered") return assessment::ModelChoice::kLayered;
+  if (name == "revolution") return assessment::ModelChoice::kRevolution;
   if (name == "3d") return assessment::ModelChoice::kSolid;
   return assessment::ModelChoice::kAuto;
 }

@@ -105,10 +105,13 @@ void add_check(CLI::App& app, Parsed& parsed) {
       ->type_name("N")
       ->check(CLI::Range(1, kMostJobs));
   command
-      ->add_option("--model", parsed.options.model,
-                   "force a model: auto, plane-stress, layered or 3d [auto]")
+      ->add_option(
+          "--model", parsed.options.model,
+          "force a model: auto, plane-stress, layered, revolution or 3d "
+          "[auto]")
       ->type_name("MODEL")
-      ->check(CLI::IsMember({"auto", "plane-stress", "layered", "3d"}));
+      ->check(CLI::IsMember(
+          {"auto", "plane-stress", "layered", "revolution", "3d"}));
   command->callback([&parsed, command] {
     parsed.run = [&parsed, command] {
       if (command->count("--tolerance") > 0) {

@@ -96,7 +96,9 @@ Level<dim> solve_level(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   }
   level.probes = probe_values<dim>(job, level);
   level.member.degree = degree;
-  level.member.dofs = level.governing->discretization.dofs();
+  level.member.dofs = level.governing->equations > 0
+                          ? level.governing->equations
+                          : level.governing->discretization.dofs();
   level.member.peak = level.history.largest();
   level.member.strain_energy =
       level.governing->strain_energy[level.history.peak_instant];

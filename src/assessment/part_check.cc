@@ -11,6 +11,7 @@
 #include "assessment/level.h"
 #include "assessment/model_choice.h"
 #include "assessment/model_error.h"
+#include "assessment/revolution_model.h"
 #include "assessment/rung.h"
 #include "assessment/verdict.h"
 #include "base/errors.h"
@@ -310,10 +311,33 @@ PartAssessment run_layered(const PartJob& job, const PlateModel& plate,
   return assessment;
 }
 
+PartAssessment run_revolution(const PartJob& job,
+                              const mesh::Revolution& solid) {
+  const auto progress = std::make_shared<RevolutionProgress>();
+  auto assessment =
+      run_rung<3>(job, job.mesh, revolution_rung(solid, progress));
+  PartResult& result = assessment.result;
+  result.model =
+      fmt::format("axisymmetric, {} harmonic{}, p = {}", progress->harmonics,
+                  progress->harmonics == 1 ? "" : "s", progress->degree);
+  result.cells = static_cast<int>(solid.meridian.cells.size());
+  add_model_error(job.tolerance, 0.0, result);
+  if (result.peak.value > 0.0) {
+    result.stopped_because += fmt::format(
+        "; higher harmonics bring {:.2g} % at most, counted in the first",
+        100.0 * progress->truncation / result.peak.value);
+  }
+  return assessment;
+}
+
 /// The lowest rung that meets the tolerance, or the highest that the part
 /// and the job admit.
 PartAssessment climb(const PartJob& job) {
   PartSeconds seconds;
+  const auto solid = revolution_model(job);
+  if (solid && job.model == ModelChoice::kRevolution) {
+    return run_revolution(job, *solid);
+  }
   const auto plate = plate_model(job);
   std::vector<LoadSet> governing;
   if (plate && plate->mesh.shape == mesh::CellShape::kTensor) {
@@ -339,6 +363,11 @@ PartAssessment climb(const PartJob& job) {
       return assessment;
     }
     seconds = assessment.result.seconds;
+  }
+  if (solid) {
+    auto assessment = run_revolution(job, *solid);
+    add_seconds(seconds, assessment.result.seconds);
+    return assessment;
   }
   auto assessment = run_rung<3>(job, job.mesh, solid_rung(job.mesh));
   add_seconds(seconds, assessment.result.seconds);

@@ -24,7 +24,7 @@ struct LoadSet {
   std::map<std::string, std::array<bool, 3>> fixed;  ///< empty: free part
 };
 
-enum class ModelChoice { kAuto, kPlaneStress, kLayered, kSolid };
+enum class ModelChoice { kAuto, kPlaneStress, kLayered, kRevolution, kSolid };
 
 /// All that the check of one part needs.
 struct PartJob {

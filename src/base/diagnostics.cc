@@ -28,7 +28,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"F005", kModelInvalid, "model does not fit the part",
      "--model plane-stress or layered was asked for, but the part is no plate "
      "extruded along z with all loads on its sides, or (plane-stress) a load "
-     "leaves its plane. Leave --model out: clevis takes the cheapest model "
+     "leaves its plane; or --model revolution, but the part is no hollow solid "
+     "of revolution meshed in closed rings with all loads on whole rings. "
+     "Leave "
+     "--model out: clevis takes the cheapest model "
      "that "
      "fits."},
     {"I001", kIo, "cannot read file",

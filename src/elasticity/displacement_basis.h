@@ -26,7 +26,8 @@ struct SolveSeconds {
 template <int dim>
 struct DisplacementBasis {
   Discretization<dim> discretization;
-  Eigen::MatrixXd columns;        ///< U, dofs × rank [m]
+  int equations{};          ///< unknowns solved for; 0: discretization.dofs()
+  Eigen::MatrixXd columns;  ///< U, dofs × rank [m]
   Eigen::MatrixXd coefficients;   ///< rank × instants
   Eigen::VectorXd strain_energy;  ///< per instant [J]
   SolveChecks checks;

@@ -26,7 +26,6 @@ struct RevolutionProblem {
 struct RevolutionSolution {
   DisplacementBasis<3> basis;  ///< on the revolved discretisation
   int terms{};                 ///< of the Fourier series that are solved
-  int equations{};             ///< unknowns of all of them
   /// What the upper half of the orders adds to basis.columns (no rows if
   /// nothing is left out of the series): its stress at a point is about what
   /// the orders left out still bring there.

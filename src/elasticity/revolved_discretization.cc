@@ -17,10 +17,11 @@ using Eigen::Vector3d;
 
 AngularGrid::AngularGrid(int highest_order) {
   constexpr double kWaves = 2.0;  // of the highest order in a sector
-  constexpr int kFewest = 8;
+  // Peaks round the axis are sought at quarters of a sector.
+  const int fewest = highest_order == 0 ? 4 : 8;
   // A multiple of four puts planes of nodes at 0, 90, 180 and 270°.
   const int quarter = static_cast<int>(std::ceil(highest_order / kWaves / 4));
-  sectors = std::max(kFewest, 4 * quarter);
+  sectors = std::max(fewest, 4 * quarter);
   const Eigen::VectorXd along = mesh::gauss_lobatto(kDegree);
   angles.resize(sectors * kDegree);
   for (int s = 0; s < sectors; ++s) {

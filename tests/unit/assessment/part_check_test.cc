@@ -1,7 +1,9 @@
 #include "assessment/part_check.h"
 
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <tuple>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -207,6 +209,65 @@ TEST(PartCheck, SupportAcrossThePlaneCallsForTheSolid) {
   EXPECT_EQ(check_part(job).result.model, "plane stress, p = 4");
   job.load_sets[0].fixed["x0"] = {true, true, true};
   EXPECT_EQ(check_part(job).result.model.substr(0, 3), "3-D");
+}
+
+/// A thick ring under pressure in its bore and on its ends.
+PartJob squeezed_ring(double in_bore, double on_ends) {
+  const support::Annulus shape{.inner = 0.02,
+                               .outer = 0.04,
+                               .thickness = 0.02,
+                               .radial = 3,
+                               .angular = 8,
+                               .axial = 1};
+  PartJob job;
+  job.part.name = "ring";
+  job.part.material = {"steel", 210e9, 0.3, 7850.0, 300e6};
+  job.mesh = support::ring_mesh<3>(shape);
+  job.mass = mesh::mass_properties(job.mesh, 7850.0);
+  LoadSet set;
+  loads::InstantLoad instant;
+  instant.label = "squeeze";
+  const double ends = std::numbers::pi * (0.04 * 0.04 - 0.02 * 0.02);
+  for (const auto& [name, pressure, total, along] :
+       {std::tuple{"x0", in_bore, 2 * std::numbers::pi * 0.02 * 0.02, 0.0},
+        {"z0", on_ends, ends, 1.0},
+        {"z1", on_ends, ends, -1.0}}) {
+    loads::SurfaceLoad load;
+    load.group = name;
+    load.pressure = pressure;
+    load.total = pressure * total;
+    load.resultant.force = Vector3d(0, 0, along * load.total);
+    instant.surface_loads.push_back(load);
+  }
+  set.history.instants.push_back(instant);
+  job.load_sets.push_back(set);
+  return job;
+}
+
+TEST(PartCheck, RingIsSolvedOnItsMeridian) {
+  const PartResult result = check_part(squeezed_ring(60e6, 30e6)).result;
+  EXPECT_EQ(result.model.substr(0, 27), "axisymmetric, 1 harmonic, p");
+  EXPECT_EQ(result.cells, 3);
+  EXPECT_EQ(result.peak.verdict, PeakVerdict::kConverged);
+  // Lamé at the bore, with the ends' pressure: r, hoop, axial.
+  const double radial = -60e6;
+  const double hoop = 60e6 * 5.0 / 3.0;
+  const double axial = -30e6;
+  const double exact =
+      std::sqrt(0.5 * (std::pow(radial - hoop, 2) + std::pow(hoop - axial, 2) +
+                       std::pow(axial - radial, 2)));
+  EXPECT_NEAR(result.peak.value, exact, 1e-3 * exact);
+  EXPECT_LE(result.peak.band_low, exact);
+  EXPECT_GE(result.peak.band_high, exact);
+}
+
+TEST(PartCheck, RevolutionAskedForMustFit) {
+  PartJob ring = squeezed_ring(60e6, 0.0);
+  ring.model = ModelChoice::kRevolution;
+  EXPECT_EQ(check_part(ring).result.model.substr(0, 12), "axisymmetric");
+  PartJob bar = pulled_bar();
+  bar.model = ModelChoice::kRevolution;
+  EXPECT_THROW(check_part(bar), Error);
 }
 
 }  // namespace

@@ -71,8 +71,8 @@ stress::InstantField loaded_bar(const loads::Wrench& wrench, int degree) {
   const auto solution =
       elasticity::solve_revolution({solid, kSteel, history, {}, "bar"}, degree);
   std::printf("%d terms, %d equations; relief %.1e, residual %.1e\n",
-              solution.terms, solution.equations, solution.basis.checks.relief,
-              solution.basis.checks.residual);
+              solution.terms, solution.basis.equations,
+              solution.basis.checks.relief, solution.basis.checks.residual);
   return stress::instant_field<3>(solution.basis, kSteel, 4, 0);
 }
 
@@ -201,7 +201,7 @@ TEST(Revolution, TurningRingOnARigidShaft) {
     }
   }
   std::printf("turning ring: %d equations, largest error %.1e of the peak\n",
-              solution.equations, worst / largest);
+              solution.basis.equations, worst / largest);
   EXPECT_LT(worst, 1e-5 * largest);
 }
 
@@ -247,9 +247,9 @@ TEST(Revolution, PressedRingAgreesWithHexahedra) {
   std::printf(
       "pressed ring: %d terms, %d equations, peak %.6g, energy %.8g; "
       "hexahedra %d equations, peak %.6g, energy %.8g\n",
-      terms.terms, terms.equations, of_terms, terms.basis.strain_energy[0],
-      hexahedra.discretization.dofs(), of_hexahedra,
-      hexahedra.strain_energy[0]);
+      terms.terms, terms.basis.equations, of_terms,
+      terms.basis.strain_energy[0], hexahedra.discretization.dofs(),
+      of_hexahedra, hexahedra.strain_energy[0]);
   EXPECT_NEAR(of_terms / of_hexahedra, 1.0, 1e-3);
   EXPECT_NEAR(terms.basis.strain_energy[0] / hexahedra.strain_energy[0], 1.0,
               1e-4);
