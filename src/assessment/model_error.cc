@@ -17,7 +17,6 @@ constexpr int kFirstDegree = 2;
 constexpr int kDegree = 3;       // of plane stress: 2 doubles its difference
 constexpr int kTermsDegree = 2;  // of terms among each other
 constexpr int kPlaneSubdivisions = 8;
-constexpr int kSubdivisions = 4;
 
 elasticity::ElasticProblem<2> problem(const PartJob& job,
                                       const mesh::PartMesh<2>& plate,
@@ -34,11 +33,17 @@ VectorXd plane_peaks(const PartJob& job, const mesh::PartMesh<2>& plate,
       .peak;
 }
 
+/// The lattice's own error must stay below the difference that matters.
+int subdivisions(const PartJob& job) {
+  constexpr double kFine = 0.005;
+  return job.tolerance < kFine ? 8 : 4;
+}
+
 VectorXd layered_peaks(const PartJob& job, const mesh::PartMesh<2>& plate,
                        const LoadSet& set, int degree, int terms) {
   return stress::stress_history<3>(
              elasticity::solve_layered(problem(job, plate, set), degree, terms),
-             job.part.material, kSubdivisions)
+             job.part.material, subdivisions(job))
       .peak;
 }
 

@@ -251,10 +251,15 @@ void add_model_error(double tolerance, double model_error, PartResult& result) {
       100.0 * tolerance);
 }
 
-/// Whether a higher rung has nothing to add: the tolerance is met, or the
-/// peak has no limit on any.
-bool is_settled(const PartResult& result) {
-  return result.peak.verdict != PeakVerdict::kNotConverged;
+/// Whether a higher rung has nothing to add. Of a free part a slow sequence of
+/// degrees that looks singular may only want a higher one.
+bool is_settled(const PartJob& job, const PartResult& result) {
+  const bool is_held =
+      std::ranges::any_of(job.load_sets, [](const LoadSet& set) {
+        return !set.fixed.empty();
+      });
+  return result.peak.verdict == PeakVerdict::kConverged ||
+         (is_held && result.peak.verdict == PeakVerdict::kSingular);
 }
 
 void add_seconds(const PartSeconds& earlier, PartSeconds& seconds) {
@@ -346,7 +351,7 @@ PartAssessment climb(const PartJob& job) {
   if (plate && plate->suits_plane_stress &&
       job.model != ModelChoice::kLayered) {
     auto assessment = run_plane_stress(job, *plate, governing);
-    if (is_settled(assessment.result) ||
+    if (is_settled(job, assessment.result) ||
         job.model == ModelChoice::kPlaneStress) {
       return assessment;
     }
@@ -357,9 +362,10 @@ PartAssessment climb(const PartJob& job) {
     add_seconds(seconds, assessment.result.seconds);
     const PeakStress& peak = assessment.result.peak;
     // Where the degree falls short hexahedra of the same mesh do too.
-    if (is_settled(assessment.result) || job.model == ModelChoice::kLayered ||
-        !is_held_in_space(job) ||
-        peak.model_error < 0.5 * job.tolerance * peak.value) {
+    if (is_settled(job, assessment.result) ||
+        job.model == ModelChoice::kLayered || !is_held_in_space(job) ||
+        peak.verdict == PeakVerdict::kSingular ||
+        peak.model_error < job.tolerance * peak.value) {
       return assessment;
     }
     seconds = assessment.result.seconds;
