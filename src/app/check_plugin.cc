@@ -9,10 +9,12 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "app/error_text.h"
 #include "app/load_scene.h"
 #include "app/output_folder.h"
 #include "app/part_files.h"
 #include "app/part_jobs.h"
+#include "app/solver_jobs.h"
 #include "app/worker_pool.h"
 #include "base/stopwatch.h"
 #include "mechanism/simulate.h"
@@ -31,25 +33,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using assessment::PartJob;
-
-constexpr int kInterruptedExit = 130;  // 128 + SIGINT, as shells expect
-
-/// A worker's answer: the result, or the refusal that ended it.
-std::string encode_error(const Error& error) {
-  return nlohmann::json{{"code", error.code()},
-                        {"place", error.place()},
-                        {"problem", error.problem()},
-                        {"remedy", error.remedy()}}
-      .dump();
-}
-
-Error decode_error(std::string_view text) {
-  const auto json = nlohmann::json::parse(text);
-  return {json.at("code").get<std::string>(),
-          json.at("place").get<std::string>(),
-          json.at("problem").get<std::string>(),
-          json.at("remedy").get<std::string>()};
-}
 
 constexpr char kResult = 'R';
 constexpr char kRefusal = 'E';
@@ -217,7 +200,7 @@ ExitCode run_check(const Options& options) {
   } else {
     std::cout << report::check_table(report, report::colour_of(STDOUT_FILENO));
   }
-  if (!report.complete) return static_cast<ExitCode>(kInterruptedExit);
+  if (!report.complete) return kInterruptedExit;
   return report::exit_code(report);
 }
 

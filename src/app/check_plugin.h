@@ -4,10 +4,18 @@
 
 namespace clevis::app {
 
-// `clevis check` lives in a library of its own that is loaded on demand: only
-// it pays for loading deal.II (0.3–0.6 s).
+// The commands that solve live in a library of their own that is loaded on
+// demand: only they pay for loading deal.II (0.3–0.6 s).
 inline constexpr const char* kCheckPlugin = "clevis_check.so";
 inline constexpr const char* kCheckEntryName = "clevis_check";
-using CheckEntry = ExitCode(const Options& options);
+inline constexpr const char* kStudyEntryName = "clevis_study";
+inline constexpr const char* kExportEntryName = "clevis_export";
+using PluginEntry = ExitCode(const Options& options);
+
+/// Loads the library and runs one of its commands. Interrupts that come while
+/// it loads wait for the command's InterruptGuard.
+/// @throws Error I001 if the library is missing, X001 if it is another
+///   version's.
+ExitCode run_in_plugin(const char* entry_name, const Options& options);
 
 }  // namespace clevis::app

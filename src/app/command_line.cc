@@ -122,6 +122,60 @@ void add_check(CLI::App& app, Parsed& parsed) {
   });
 }
 
+void add_elements(CLI::App& command, Parsed& parsed) {
+  command
+      .add_option("--elements", parsed.options.elements,
+                  "CalculiX's hexahedra: C3D20R or C3D20 [C3D20R]; "
+                  "tetrahedra are C3D10")
+      ->type_name("TYPE")
+      ->check(CLI::IsMember({"C3D20R", "C3D20"}));
+}
+
+void add_split(CLI::App& command, Parsed& parsed, const char* help) {
+  constexpr int kMostCuts = 8;
+  command.add_option("--split", parsed.options.split, help)
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostCuts));
+}
+
+void add_study(CLI::App& app, Parsed& parsed) {
+  CLI::App* command = app.add_subcommand(
+      "study", "speed against error: every model and degree, and CalculiX");
+  command->footer(
+      "Solves each part with every model and degree, one process at a time,\n"
+      "and CalculiX's ccx beside them if it is installed. Tables (CSV), plots\n"
+      "(SVG) and study.json go to --out.");
+  add_scene(*command, parsed);
+  add_parts(*command, parsed);
+  add_output(*command, parsed);
+  add_elements(*command, parsed);
+  add_split(*command, parsed,
+            "cut CalculiX's hexahedra into up to N x N x N [6]");
+  command->add_flag("--every-instant", parsed.options.every_instant,
+                    "CalculiX solves all instants, a step for each, not only "
+                    "the governing one");
+  command->callback([&parsed] {
+    parsed.run = [&parsed] {
+      return study_command(parsed.options);
+    };
+  });
+}
+
+void add_export(CLI::App& app, Parsed& parsed) {
+  CLI::App* command = app.add_subcommand(
+      "export", "the parts as CalculiX decks, one step per instant");
+  add_scene(*command, parsed);
+  add_parts(*command, parsed);
+  add_output(*command, parsed);
+  add_elements(*command, parsed);
+  add_split(*command, parsed, "cut each hexahedron into N x N x N [1]");
+  command->callback([&parsed] {
+    parsed.run = [&parsed] {
+      return export_command(parsed.options);
+    };
+  });
+}
+
 void add_mesh(CLI::App& app, Parsed& parsed) {
   CLI::App* command =
       app.add_subcommand("mesh", "(re)build the meshes from geometry/");
@@ -201,6 +255,8 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   add_check(app, parsed);
   add_simulate(app, parsed);
   add_mesh(app, parsed);
+  add_study(app, parsed);
+  add_export(app, parsed);
   add_compare(app, parsed);
   add_explain(app, parsed);
   try {

@@ -18,12 +18,18 @@ struct Options {
   bool json = false;                ///< stdout is one JSON document
   std::string model = "auto";       ///< auto, plane-stress, 3d
   int jobs = 0;                     ///< parts in parallel; 0: one per core
+  std::string elements = "C3D20R";  ///< CalculiX's hexahedra
+  int split = 0;                    ///< pieces of each hexahedron's edges; 0:
+                                    ///< the command's own
+  bool every_instant = false;       ///< for CalculiX: a step for each
 };
 
 // Each command writes its result to stdout, its progress to stderr, and
 // returns the exit code of the process. Refusals are thrown as Error.
 ExitCode simulate_command(const Options& options);
 ExitCode check_command(const Options& options);
+ExitCode study_command(const Options& options);
+ExitCode export_command(const Options& options);
 ExitCode mesh_command(const Options& options);
 ExitCode explain_command(const std::string& code);  // empty: list all
 

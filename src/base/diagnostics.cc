@@ -45,6 +45,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "The file is not JSON, or a key that docs/result.schema.json requires is "
      "absent or has another type. Run `clevis check` again, or restore the "
      "baseline from version control."},
+    {"I004", kIo, "CalculiX's answer cannot be read",
+     "`clevis study` runs ccx on a deck that it writes; ccx failed, took too "
+     "long or its .frd file is not whole. The study goes on without it. "
+     "`clevis export` writes the deck for a run by hand."},
     {"K001", kModelInvalid, "mechanism does not assemble",
      "No position of the bodies satisfies all joints and drives at the start: "
      "lengths break a loop, or the approximate placement is too far off. The "

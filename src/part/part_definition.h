@@ -39,6 +39,7 @@ struct Probe {
   std::string name;
   Eigen::Vector3d at;  ///< in L [m]
   std::string quantity;  ///< von_mises, stress_xx … stress_yz, displacement_x …
+  std::optional<double> reference = {};  ///< known value, for studies [SI]
 };
 
 /// A part checked alone, without a mechanism.

@@ -42,7 +42,7 @@ constexpr Key kCase[] = {"name",
                          "angular_velocity",
                          "angular_acceleration",
                          "probes"};
-constexpr Key kProbes[] = {"name", "at", "quantity"};
+constexpr Key kProbes[] = {"name", "at", "quantity", "reference"};
 constexpr Key kAccuracy[] = {"peak_stress"};
 constexpr Key kClosedForm[] = {"slide_lever"};
 constexpr Key kSlideLever[] = {"FD", "ED",  "DC",    "EC",

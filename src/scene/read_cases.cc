@@ -41,8 +41,14 @@ std::vector<Probe> read_probes(StrictTable& table) {
   for (StrictTable& entry : table.tables("probes")) {
     const Value name = entry["name"];
     names.add(name.name(), name);
-    probes.push_back({name.name(), entry["at"].vector(Dimension::kLength),
-                      read_quantity_name(entry["quantity"])});
+    Probe probe{name.name(), entry["at"].vector(Dimension::kLength),
+                read_quantity_name(entry["quantity"])};
+    if (const auto reference = entry.find("reference")) {
+      probe.reference = reference->quantity(
+          probe.quantity.starts_with("displacement") ? Dimension::kLength
+                                                     : Dimension::kStress);
+    }
+    probes.push_back(std::move(probe));
   }
   return probes;
 }

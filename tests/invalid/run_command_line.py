@@ -17,7 +17,13 @@ CPU_MILLISECONDS = 60  # promised for everything that does not load deal.II
 REFUSED = [
     ([], 2, "U001", "subcommand"),
     (["chek", "x.toml"], 2, "U001", 'Did you mean "check"?'),
-    (["study", "x.toml"], 2, "U001", "Known: check, simulate"),
+    (["design", "x.toml"], 2, "U001", "Known: check, simulate"),
+    (["study"], 2, "U001", "SCENE is required"),
+    (["study", "none.toml"], 22, "I001", "none.toml"),
+    (["study", "x.toml", "--elements", "C3D8"], 2, "U001", "--elements"),
+    (["export"], 2, "U001", "SCENE is required"),
+    (["export", "none.toml"], 22, "I001", "none.toml"),
+    (["export", "x.toml", "--split", "0"], 2, "U001", "--split"),
     (["check"], 2, "U001", "SCENE is required"),
     (["check", "x.toml", "--tolerance", "zero"], 2, "U001", "--tolerance"),
     (["check", "x.toml", "--tolerance", "0%"], 2, "U001", "out of range"),
@@ -70,7 +76,7 @@ def check_help(clevis, checks):
     examples = run.stdout.split("Usage:")[0].count("\n  clevis ")
     checks.expect(run.returncode == 0 and examples == 3,
                   "three examples before the usage", run)
-    checks.expect("study" not in run.stdout, "no command that is not there")
+    checks.expect("design" not in run.stdout, "no command that is not there")
     checks.expect(call(clevis, ["--version"]).stdout.startswith("clevis "),
                   "--version")
     listed = call(clevis, ["explain"]).stdout.splitlines()

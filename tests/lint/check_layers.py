@@ -14,11 +14,14 @@ LAYERS = {  # module: (modules it may include, outside libraries it may include)
     "loads": ("base part mechanism", "Eigen fmt"),
     "beam": ("base part mesh loads", "Eigen fmt"),
     "elasticity": ("base part mesh loads", "deal.II petsc Eigen fmt"),
+    "calculix": ("base part mesh loads elasticity", "Eigen fmt"),
     "stress": ("base part mesh loads elasticity", "deal.II Eigen fmt"),
     "assessment": ("base part mesh loads beam elasticity stress", "Eigen fmt"),
     "report": ("base part mechanism assessment", "Eigen fmt nlohmann"),
-    "app": ("base part mechanism scene mesh loads beam elasticity stress"
-            " assessment report", "Eigen fmt nlohmann CLI"),
+    "study": ("base part mesh loads elasticity stress assessment report",
+              "Eigen fmt nlohmann"),
+    "app": ("base part mechanism scene mesh loads beam elasticity calculix"
+            " stress assessment study report", "Eigen fmt nlohmann CLI"),
 }
 LIBRARIES = r"(Eigen|deal\.II|gmsh|petsc|nlohmann|fmt|toml|CLI|udunits2)"
 

@@ -197,6 +197,7 @@ TEST(SceneReader, ReadsCases) {
   ASSERT_EQ(held.probes.size(), 1u);
   EXPECT_EQ(held.probes[0].name, "D");
   EXPECT_EQ(held.probes[0].quantity, "stress_yy");
+  EXPECT_EQ(held.probes[0].reference, 92.7e6);
   expect_near(held.probes[0].at, {2, 0, 0.3});
 }
 

@@ -41,7 +41,7 @@ void set_up_blas() {
 
 }  // namespace
 
-ExitCode check_command(const Options& options) {
+ExitCode run_in_plugin(const char* entry_name, const Options& options) {
   set_up_blas();
   // An interrupt while the library loads waits for its InterruptGuard.
   sigset_t interrupts;
@@ -55,13 +55,24 @@ ExitCode check_command(const Options& options) {
     throw Error("I001", path.string(), dlerror(),
                 "Reinstall clevis: this library belongs to it.");
   }
-  const auto run =
-      reinterpret_cast<CheckEntry*>(dlsym(plugin, kCheckEntryName));
+  const auto run = reinterpret_cast<PluginEntry*>(dlsym(plugin, entry_name));
   if (run == nullptr) {
     throw Error("X001", path.string(), dlerror(),
                 "The executable and its library are of different versions.");
   }
   return run(options);
+}
+
+ExitCode check_command(const Options& options) {
+  return run_in_plugin(kCheckEntryName, options);
+}
+
+ExitCode study_command(const Options& options) {
+  return run_in_plugin(kStudyEntryName, options);
+}
+
+ExitCode export_command(const Options& options) {
+  return run_in_plugin(kExportEntryName, options);
 }
 
 }  // namespace clevis::app

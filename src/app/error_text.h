@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/errors.h"
+
+namespace clevis::app {
+
+/// A refusal as a worker process hands it over, and back.
+std::string encode_error(const Error& error);
+Error decode_error(std::string_view text);
+
+}  // namespace clevis::app

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "study/run.h"
+
+namespace clevis::study {
+
+/// What the whole command says.
+struct Study {
+  std::string version, scene;
+  std::vector<PartStudy> parts;
+  std::string calculix;  ///< "CalculiX 2.20", or why it is not there
+  bool complete = true;  ///< false: interrupted
+};
+
+/// One line per run, a column per figure, units in the names.
+std::string study_csv(const PartStudy& part);
+
+/// Schema 1, docs/results.md.
+nlohmann::ordered_json study_json(const Study& study);
+
+/// Error of the peak, the energy and the probes against processor seconds
+/// (wall-clock time says what else the machine does), degrees of freedom and
+/// memory.
+std::string study_figure(const PartStudy& part);
+
+/// The one plot: error of the peak against processor seconds.
+std::string peak_against_seconds(const PartStudy& part);
+
+/// A run as a worker process hands it over, and back.
+std::string encode(const Run& run);
+Run decode_run(const std::string& text);
+
+}  // namespace clevis::study
