@@ -33,7 +33,8 @@ LoadedPart load_part(const part::PartDefinition& definition) {
   require_current_mesh(definition);
   LoadedPart part;
   part.definition = definition;
-  part.mesh = mesh::read_part_mesh(definition.mesh, definition.length_unit);
+  part.mesh = mesh::read_part_mesh(definition.mesh, definition.length_unit,
+                                   definition.thickness);
   part.mass = mesh::mass_properties(part.mesh, definition.material.density);
   part.groups = group_geometry(part.mesh);
   return part;
@@ -74,7 +75,7 @@ scene::Scene load_moving_scene(const std::filesystem::path& file) {
   for (const auto& part : scene.parts) {
     masses.push_back(std::async(std::launch::async, [&part] {
       return mesh::mass_properties(
-          mesh::read_part_mesh(part.mesh, part.length_unit),
+          mesh::read_part_mesh(part.mesh, part.length_unit, part.thickness),
           part.material.density);
     }));
   }

@@ -60,7 +60,7 @@ mesh::PartMesh<3> gated(const std::string& text, const PartDefinition& part) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / part.mesh.filename();
   std::ofstream(file, std::ios::binary) << text;
-  return mesh::read_part_mesh(file, part.length_unit);
+  return mesh::read_part_mesh(file, part.length_unit, part.thickness);
 }
 
 void mesh_part(const PartDefinition& part) {

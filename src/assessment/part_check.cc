@@ -201,7 +201,13 @@ PartAssessment run_rung(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   const double tolerance = job.tolerance - rung.model_error;
   for (int degree = rung.first_degree; degree <= rung.highest_degree;
        ++degree) {
-    level = solve_level<dim>(job, mesh, rung, degree, result.seconds);
+    try {
+      level = solve_level<dim>(job, mesh, rung, degree, result.seconds);
+    } catch (const Error& error) {
+      // What the memory does not hold ends the sequence; three have a band.
+      if (error.code() != "F004" || sequence.size() < 3) throw;
+      break;
+    }
     sequence.push_back(level.member);
     probes.push_back(level.probes);
     band = band_of(sequence, sampling_error(job, level), tolerance);
@@ -351,7 +357,8 @@ PartAssessment climb(const PartJob& job) {
   if (plate && plate->suits_plane_stress &&
       job.model != ModelChoice::kLayered) {
     auto assessment = run_plane_stress(job, *plate, governing);
-    if (is_settled(job, assessment.result) ||
+    const bool is_last = !plate->suits_layers && !is_held_in_space(job);
+    if (is_settled(job, assessment.result) || is_last ||
         job.model == ModelChoice::kPlaneStress) {
       return assessment;
     }

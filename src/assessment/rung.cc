@@ -10,7 +10,6 @@ namespace {
 
 constexpr int kHighestDegree = 4;
 constexpr int kHighestLayeredDegree = 5;
-constexpr int kHighestSimplexDegree = 2;
 
 /// Raises a degree with which the interpolated geometry of a cell folds.
 template <int dim>
@@ -22,21 +21,15 @@ int unfolded(const mesh::PartMesh<dim>& mesh, int degree, int highest) {
   return degree;
 }
 
-template <int dim>
-int highest_degree(const mesh::PartMesh<dim>& mesh) {
-  return mesh.shape == mesh::CellShape::kTensor ? kHighestDegree
-                                                : kHighestSimplexDegree;
-}
-
 }  // namespace
 
 Rung<2> plane_stress_rung(const mesh::PartMesh<2>& plate) {
   Rung<2> rung;
   rung.name = "plane stress";
   rung.solve = elasticity::solve<2>;
-  rung.highest_degree = highest_degree(plate);
+  rung.highest_degree = kHighestDegree;
   rung.first_degree = unfolded(plate, 2, rung.highest_degree);
-  rung.subdivisions = plate.shape == mesh::CellShape::kTensor ? 8 : 1;
+  rung.subdivisions = 8;
   return rung;
 }
 
@@ -62,12 +55,10 @@ Rung<3> solid_rung(const mesh::PartMesh<3>& mesh) {
   Rung<3> rung;
   rung.name = is_tensor ? "3-D" : "3-D tetrahedra";
   rung.solve = elasticity::solve<3>;
-  rung.highest_degree = highest_degree(mesh);
+  rung.highest_degree = kHighestDegree;
   // In 3-D three degrees up to 3 are cheaper than 4 alone.
   rung.first_degree = unfolded(mesh, 1, rung.highest_degree);
-  // In a straight tetrahedron of degree 2 the stress is linear, so its von
-  // Mises peaks at a corner.
-  rung.subdivisions = is_tensor ? 4 : 1;
+  rung.subdivisions = 4;
   return rung;
 }
 

@@ -18,9 +18,6 @@ std::string unsettled_remedy(const PartResult& result) {
   if (result.peak.verdict == PeakVerdict::kSingular) {
     return "round the corner, or support the part without a sharp edge";
   }
-  if (result.peak.sequence.size() < 3) {
-    return "tetrahedra give two degrees only and no band: mesh with hexahedra";
-  }
   return "mesh finer there, give more instants, or loosen --tolerance";
 }
 

@@ -107,8 +107,9 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"M007", kMeshInvalid, "implausible size",
      "The part is smaller than 1 µm or larger than 10 km: check length_unit."},
     {"M008", kMeshInvalid, "unsupported cells",
-     "clevis takes hexahedra (orders 1-4), or tetrahedra (orders 1-2) as a "
-     "fallback; no mix, no shells, pyramids or prisms."},
+     "clevis takes hexahedra (orders 1-4) or tetrahedra (orders 1-2), and for "
+     "a plate with `thickness` quadrangles (orders 1-4) or triangles (orders "
+     "1-2); no mix, no shells, pyramids or prisms."},
     {"M009", kMeshInvalid, "bore is not a cylinder",
      "Groups named bore_* and round_* are exact circular cylinders by "
      "definition, but the nodes of the group do not lie on one. Name the "
@@ -122,6 +123,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "A face belongs to two named physical groups, so that a load on one "
      "would be a load on the other too. Let every surface be in one named "
      "group at most."},
+    {"M013", kMeshInvalid, "thickness does not fit the mesh",
+     "A part with `thickness` is a plate whose mesh holds its mid-plane: "
+     "triangles or quadrangles in a plane z = const. A mesh with volume cells "
+     "has its thickness in itself."},
     {"R001", kRegression, "regression against the baseline",
      "At least one quantity moved by more than its tolerance."},
     {"R002", kUsage, "result and baseline do not match",

@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "mesh/simplex_basis.h"
+
 namespace clevis::beam {
 
 using Eigen::Index;
@@ -41,11 +43,18 @@ void add_box_lumps(const Points& points, int degree, std::vector<Lump>& lumps) {
   }
 }
 
-void add_tetrahedron_lump(const Points& points, std::vector<Lump>& lumps) {
-  Matrix3d edges;
-  for (int d = 0; d < 3; ++d) edges.col(d) = points.col(d + 1) - points.col(0);
-  lumps.push_back({std::abs(edges.determinant()) / 6.0,
-                   points.leftCols<4>().rowwise().mean()});
+void add_tetrahedron_lumps(const Points& points,
+                           const std::vector<std::array<int, 4>>& parts,
+                           std::vector<Lump>& lumps) {
+  for (const auto& part : parts) {
+    Matrix3d edges;
+    for (std::size_t d = 0; d < 3; ++d) {
+      edges.col(static_cast<Index>(d)) =
+          points.col(part[d + 1]) - points.col(part[0]);
+    }
+    lumps.push_back({std::abs(edges.determinant()) / 6.0,
+                     points(Eigen::all, part).rowwise().mean()});
+  }
 }
 
 void add_quad_triangles(const Points& points, int degree, int face,
@@ -67,19 +76,20 @@ void add_quad_triangles(const Points& points, int degree, int face,
 }
 
 std::vector<Triangle> surface(const mesh::PartMesh<3>& mesh) {
-  constexpr std::array<std::array<int, 3>, 4> kTetrahedronFaces{
-      {{0, 1, 2}, {1, 0, 3}, {0, 3, 2}, {2, 3, 1}}};
   std::vector<Triangle> triangles;
   for (const mesh::BoundaryFace& face : mesh.boundary) {
     const Points& points =
         mesh.cell_points[static_cast<std::size_t>(face.cell)];
     if (mesh.shape == mesh::CellShape::kTensor) {
       add_quad_triangles(points, mesh.degree, face.face, triangles);
-    } else {
-      const auto& local =
-          kTetrahedronFaces[static_cast<std::size_t>(face.face)];
-      triangles.push_back(
-          {points.col(local[0]), points.col(local[1]), points.col(local[2])});
+      continue;
+    }
+    const auto on_face = mesh::simplex_face_lattice<3>(mesh.degree, face.face);
+    const auto corner = [&](int i) -> Vector3d {
+      return points.col(on_face[static_cast<std::size_t>(i)]);
+    };
+    for (const auto& [a, b, c] : mesh::simplex_parts<2>(mesh.degree)) {
+      triangles.push_back({corner(a), corner(b), corner(c)});
     }
   }
   return triangles;
@@ -112,11 +122,12 @@ Outline cut_triangles(const std::vector<Triangle>& triangles,
 
 PartModel part_model(const mesh::PartMesh<3>& mesh) {
   PartModel model;
+  const auto parts = mesh::simplex_parts<3>(mesh.degree);
   for (const Points& points : mesh.cell_points) {
     if (mesh.shape == mesh::CellShape::kTensor) {
       add_box_lumps(points, mesh.degree, model.lumps);
     } else {
-      add_tetrahedron_lump(points, model.lumps);
+      add_tetrahedron_lumps(points, parts, model.lumps);
     }
   }
   model.section = [&mesh](const Vector3d& point, const Vector3d& normal) {

@@ -8,12 +8,12 @@
 #include <Eigen/LU>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 
 #include "base/errors.h"
 #include "elasticity/dense_product.h"
+#include "elasticity/simplex_numbering.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -36,9 +36,7 @@ void build_triangulation(const PartMesh<dim>& mesh,
     cell.vertices = ids;
     cells.push_back(cell);
   }
-  if (mesh.shape == CellShape::kTensor) {
-    dealii::GridTools::consistently_order_cells(cells);
-  }
+  dealii::GridTools::consistently_order_cells(cells);
   triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
 }
 
@@ -111,21 +109,60 @@ void take_cell(const typename dealii::DoFHandler<dim>::active_cell_iterator& at,
       at->get_fe().n_dofs_per_cell());
   at->get_dof_indices(indices);
   result.cell_nodes[c].assign(indices.begin(), indices.end());
-  if (mesh.shape == CellShape::kTensor) {
-    std::array<unsigned, 1U << dim> vertices{};
-    for (unsigned v = 0; v < vertices.size(); ++v) {
-      vertices[v] = at->vertex_index(v);
-    }
-    orientations[c] = orientation<dim>(mesh.cells[c], vertices);
-    result.cell_points[c] =
-        permute_points<dim>(mesh.cell_points[c], mesh.degree, orientations[c]) *
-        to_degree;
-  } else {
-    result.cell_points[c] = mesh.cell_points[c];
+  std::array<unsigned, 1U << dim> vertices{};
+  for (unsigned v = 0; v < vertices.size(); ++v) {
+    vertices[v] = at->vertex_index(v);
   }
+  orientations[c] = orientation<dim>(mesh.cells[c], vertices);
+  result.cell_points[c] =
+      permute_points<dim>(mesh.cell_points[c], mesh.degree, orientations[c]) *
+      to_degree;
   for (unsigned v = 0; v < at->n_vertices(); ++v) {
     result.vertex_nodes[at->vertex_index(v)] =
         static_cast<int>(at->vertex_dof_index(v, 0));
+  }
+}
+
+/// Numbers the nodes by deal.II and takes its orientation of the cells.
+template <int dim>
+void add_tensor_cells(const PartMesh<dim>& mesh,
+                      const Eigen::MatrixXd& to_degree,
+                      Discretization<dim>& result) {
+  dealii::Triangulation<dim> triangulation;
+  build_triangulation(mesh, triangulation);
+  dealii::DoFHandler<dim> handler(triangulation);
+  handler.distribute_dofs(
+      dealii::FE_Q<dim>(static_cast<unsigned>(result.degree)));
+  result.nodes = static_cast<int>(handler.n_dofs());
+  result.cell_nodes.resize(mesh.cells.size());
+  result.cell_points.resize(mesh.cells.size());
+  result.vertex_nodes.assign(mesh.vertices.size(), -1);
+  std::vector<Orientation<dim>> orientations(mesh.cells.size());
+  for (const auto& cell : handler.active_cell_iterators()) {
+    take_cell<dim>(cell, mesh, to_degree, orientations, result);
+  }
+  for (const auto& face : mesh.boundary) {
+    if (face.group < 0) continue;
+    const auto cell = static_cast<std::size_t>(face.cell);
+    result.group_faces[static_cast<std::size_t>(face.group)].push_back(
+        {face.cell, permute_face<dim>(face.face, orientations[cell])});
+  }
+}
+
+template <int dim>
+void add_simplices(const PartMesh<dim>& mesh, const Eigen::MatrixXd& to_degree,
+                   Discretization<dim>& result) {
+  SimplexNumbering numbering = number_simplices<dim>(mesh, result.degree);
+  result.nodes = numbering.nodes;
+  result.cell_nodes = std::move(numbering.cell_nodes);
+  result.vertex_nodes = std::move(numbering.vertex_nodes);
+  for (const auto& points : mesh.cell_points) {
+    result.cell_points.emplace_back(points * to_degree);
+  }
+  for (const auto& face : mesh.boundary) {
+    if (face.group < 0) continue;
+    result.group_faces[static_cast<std::size_t>(face.group)].push_back(
+        {face.cell, face.face});
   }
 }
 
@@ -133,26 +170,12 @@ void take_cell(const typename dealii::DoFHandler<dim>::active_cell_iterator& at,
 
 template <int dim>
 Discretization<dim> discretize(const PartMesh<dim>& mesh, int degree) {
-  dealii::Triangulation<dim> triangulation;
-  build_triangulation(mesh, triangulation);
-  dealii::DoFHandler<dim> handler(triangulation);
-  const auto p = static_cast<unsigned>(degree);
-  if (mesh.shape == CellShape::kTensor) {
-    handler.distribute_dofs(dealii::FE_Q<dim>(p));
-  } else {
-    handler.distribute_dofs(dealii::FE_SimplexP<dim>(p));
-  }
-
   Discretization<dim> result;
   result.shape = mesh.shape;
   result.degree = degree;
   result.geometry_degree = std::min(mesh.degree, degree);
   result.thickness_degree = degree;
   result.geometry_thickness_degree = result.geometry_degree;
-  result.nodes = static_cast<int>(handler.n_dofs());
-  result.cell_nodes.resize(mesh.cells.size());
-  result.cell_points.resize(mesh.cells.size());
-  result.vertex_nodes.assign(mesh.vertices.size(), -1);
   result.vertices = mesh.vertices;
   result.groups = mesh.groups;
   result.group_faces.resize(mesh.groups.size());
@@ -160,23 +183,15 @@ Discretization<dim> discretize(const PartMesh<dim>& mesh, int degree) {
     result.thickness = mesh.thickness;
     result.mid_plane_z = mesh.mid_plane_z;
   }
-  std::vector<Orientation<dim>> orientations(mesh.cells.size());
   const Eigen::MatrixXd to_degree =
       tabulate_geometry<dim>(
           mesh.shape, mesh.degree,
           geometry_support_points<dim>(mesh.shape, result.geometry_degree))
           .values.transpose();
-  for (const auto& cell : handler.active_cell_iterators()) {
-    take_cell<dim>(cell, mesh, to_degree, orientations, result);
-  }
-  for (const auto& face : mesh.boundary) {
-    if (face.group < 0) continue;
-    const auto cell = static_cast<std::size_t>(face.cell);
-    const int local = mesh.shape == CellShape::kTensor
-                          ? permute_face<dim>(face.face, orientations[cell])
-                          : face.face;
-    result.group_faces[static_cast<std::size_t>(face.group)].push_back(
-        {face.cell, local});
+  if (mesh.shape == CellShape::kTensor) {
+    add_tensor_cells<dim>(mesh, to_degree, result);
+  } else {
+    add_simplices<dim>(mesh, to_degree, result);
   }
   return result;
 }

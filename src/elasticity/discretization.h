@@ -15,7 +15,7 @@ struct GroupFace {
   int face{};
 };
 
-/// A part's mesh with the degrees of freedom of deal.II's continuous element
+/// A part's mesh with the degrees of freedom of the continuous Lagrange element
 /// of one degree, as plain data: nothing of deal.II passes this border.
 ///
 /// Degrees of freedom are scalar "nodes"; component d of the displacement at
@@ -54,7 +54,7 @@ struct Discretization {
   int cells() const { return static_cast<int>(cell_nodes.size()); }
 };
 
-/// @param degree  1…4 for tensor cells, 1…2 for simplices.
+/// @param degree  1…4.
 template <int dim>
 Discretization<dim> discretize(const mesh::PartMesh<dim>& mesh, int degree);
 

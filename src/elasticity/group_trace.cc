@@ -24,13 +24,10 @@ template <int dim>
 FaceTable<dim> face_table(const Discretization<dim>& discretization, int face) {
   // More points than the degree needs, for the kink of a bearing pressure;
   // the rest of its error is taken out by the discrete balance.
-  Degree points = 4;
-  if (discretization.shape == mesh::CellShape::kTensor) {
-    const int p = discretization.degree;
-    const int q = discretization.thickness_degree;
-    const bool plate = dim == 2 || discretization.is_layer;
-    points = {p + (plate ? 8 : 4), q + (plate ? 2 : 4)};
-  }
+  const int p = discretization.degree;
+  const int q = discretization.thickness_degree;
+  const bool plate = dim == 2 || discretization.is_layer;
+  const Degree points = {p + (plate ? 8 : 4), q + (plate ? 2 : 4)};
   FaceTable<dim> table;
   table.rule = face_gauss<dim>(discretization.shape, face, points);
   table.geometry = tabulate_geometry<dim>(

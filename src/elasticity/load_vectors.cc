@@ -20,10 +20,12 @@ using Eigen::Vector3d;
 /// ∫ N dV and ∫ N p dV per node: nodes × 4 (1, x, y, z), z the mid-plane's.
 template <int dim>
 MatrixXd node_moments(const Discretization<dim>& discretization) {
-  const Degree points = discretization.shape == mesh::CellShape::kTensor
-                            ? Degree(discretization.degree + 2,
-                                     discretization.thickness_degree + 2)
-                            : Degree(4);
+  // Of simplices the rule counts the total degree, det J's included.
+  const int more = discretization.shape == mesh::CellShape::kTensor
+                       ? 2
+                       : 1 + discretization.geometry_degree;
+  const Degree points = {discretization.degree + more,
+                         discretization.thickness_degree + more};
   const auto rule = gauss<dim>(discretization.shape, points);
   const auto displacement = tabulate_displacement<dim>(
       discretization.shape, discretization.displacement_degree(), rule.points);

@@ -30,13 +30,14 @@ struct Degree {
 };
 
 /// Displacement basis: Lagrange on Gauss–Lobatto points in the numbering of
-/// deal.II's FE_Q, lexicographic where the degrees differ; or FE_SimplexP.
+/// deal.II's FE_Q, lexicographic where the degrees differ; of simplices that
+/// of mesh::simplex_lattice.
 template <int dim>
 Tabulation tabulate_displacement(mesh::CellShape shape, Degree degree,
                                  const ReferencePoints<dim>& points);
 
 /// Geometry basis of PartMesh::cell_points: Lagrange on Gauss–Lobatto points,
-/// lexicographic; simplices of degree 1.
+/// lexicographic; of simplices through mesh::simplex_nodes.
 template <int dim>
 Tabulation tabulate_geometry(mesh::CellShape shape, Degree degree,
                              const ReferencePoints<dim>& points);
@@ -59,8 +60,7 @@ struct Quadrature {
 };
 
 /// Gauss rule exact for degree 2n − 1 in each direction (n.thickness points
-/// in the last of dim = 3); for simplices deal.II's rule of n points per
-/// direction (n ≤ 4).
+/// in the last of dim = 3); of simplices exact to total degree 2n − 1.
 template <int dim>
 Quadrature<dim> gauss(mesh::CellShape shape, Degree n);
 

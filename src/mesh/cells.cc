@@ -44,7 +44,9 @@ std::vector<const GmshElement*> volume_elements(const GmshFile& file) {
     throw Error(
         "M008", file.name,
         "the mesh has no volume elements, only surfaces or lines",
-        std::string(kRemedy) + "; check that the volume has a physical group");
+        std::string(kRemedy) +
+            "; check that the volume has a physical group; a plate's flat mesh "
+            "needs the part's `thickness`");
   }
   std::string listed;
   for (const auto& [name, count] : types) {
@@ -123,16 +125,19 @@ void add_hexahedra(const GmshFile& file,
 
 void add_tetrahedra(const GmshFile& file,
                     const std::vector<const GmshElement*>& volumes,
-                    const std::vector<unsigned>& vertex, PartMesh<3>& mesh) {
+                    const std::vector<unsigned>& vertex, double length_unit,
+                    PartMesh<3>& mesh) {
+  const ElementType& type = *volumes.front()->type;
   mesh.shape = CellShape::kSimplex;
-  mesh.degree = 1;
+  mesh.degree = type.order;
+  const auto order = tetrahedron_node_order(type.order);
   for (const GmshElement* element : volumes) {
     const auto nodes = nodes_of(file, *element);
     std::vector<unsigned> corners;
-    Eigen::Matrix3Xd points(3, 4);
-    for (std::size_t a = 0; a < 4; ++a) {
-      corners.push_back(vertex[nodes[a]]);
-      points.col(Eigen::Index(a)) = mesh.vertices[corners[a]];
+    for (std::size_t a = 0; a < 4; ++a) corners.push_back(vertex[nodes[a]]);
+    Eigen::Matrix3Xd points(3, type.nodes);
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      points.col(order[a]) = length_unit * file.points[nodes[a]];
     }
     mesh.cells.push_back(std::move(corners));
     mesh.cell_points.push_back(std::move(points));
@@ -268,7 +273,7 @@ PartMesh<3> build_cells(const GmshFile& file, double length_unit) {
     add_hexahedra(file, volumes, vertex, length_unit, mesh);
     orient_consistently(mesh);
   } else {
-    add_tetrahedra(file, volumes, vertex, mesh);
+    add_tetrahedra(file, volumes, vertex, length_unit, mesh);
   }
   add_boundary(file, vertex, mesh);
   return mesh;

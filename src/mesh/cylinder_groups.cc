@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "mesh/cylinder_fit.h"
+#include "mesh/simplex_basis.h"
 #include "mesh/tangent_round.h"
 #include "mesh/tensor_basis.h"
 #include "mesh/topology.h"
@@ -79,8 +80,9 @@ Facets facets_of(const PartMesh<3>& mesh, int group) {
   return facets;
 }
 
-/// The same with the nodes of the curved faces of a file of order 2 or more.
-Facets curved_facets_of(const PartMesh<3>& mesh, int group) {
+/// The same with the nodes of the curved faces of a file of order 2 or more,
+/// and the facets between these.
+Facets curved_quadrangles_of(const PartMesh<3>& mesh, int group) {
   const int k = mesh.degree, n = k + 1;
   const auto nodes = gauss_lobatto(k);
   const LagrangeBasis even =
@@ -112,11 +114,37 @@ Facets curved_facets_of(const PartMesh<3>& mesh, int group) {
   return facets;
 }
 
+Facets curved_triangles_of(const PartMesh<3>& mesh, int group) {
+  Facets facets = facets_of(mesh, group);
+  const auto parts = simplex_parts<2>(mesh.degree);
+  const auto faces = Index(facets.cycles.size());
+  const auto nodes = Index(simplex_lattice<2>(mesh.degree).size());
+  facets.points.resize(3, faces * nodes);
+  facets.normals.resize(3, faces * Index(parts.size()));
+  Index point = 0, normal = 0;
+  for (const BoundaryFace& face : mesh.boundary) {
+    if (face.group != group) continue;
+    const Matrix3Xd& cell = mesh.cell_points[std::size_t(face.cell)];
+    for (const int node : simplex_face_lattice<3>(mesh.degree, face.face)) {
+      facets.points.col(point++) = cell.col(node);
+    }
+    const auto here = facets.points.middleCols(point - nodes, nodes);
+    for (const auto& part : parts) {
+      const Vector3d p = here.col(part[0]), q = here.col(part[1]);
+      const Vector3d r = here.col(part[2]);
+      facets.normals.col(normal++) = 0.5 * (q - p).cross(r - p);
+    }
+  }
+  return facets;
+}
+
 /// The cylinder of a group whose corners alone do not determine it.
 part::Bore fit_one_facet_wide(const PartMesh<3>& mesh, int group,
                               const std::string& place) {
-  if (mesh.shape == CellShape::kTensor && mesh.degree > 1) {
-    const Facets curved = curved_facets_of(mesh, group);
+  if (mesh.degree > 1) {
+    const Facets curved = mesh.shape == CellShape::kTensor
+                              ? curved_quadrangles_of(mesh, group)
+                              : curved_triangles_of(mesh, group);
     if (determine_axis(curved.normals)) {
       return fit_cylinder(curved.points, curved.normals, place).bore;
     }

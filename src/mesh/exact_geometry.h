@@ -9,14 +9,15 @@ namespace clevis::mesh {
 /// Degree of the mapping that holds a cylinder to 1e-8 of its radius when its
 /// facets span 22.5° or less (degree 4: 2.3e-8).
 inline constexpr int kCylinderDegree = 5;
+/// The same for tetrahedra, whose displacements have degree 4 at most: 2.3e-8
+/// of the radius.
+inline constexpr int kSimplexCylinderDegree = 4;
 
 /// Fits a cylinder to each group bore_* and round_*, elevates the geometry to
-/// kCylinderDegree at least and moves the groups' nodes onto the cylinders:
-/// corners radially, edges with equal angles, faces radially; every other
-/// edge, face and interior follows by transfinite blending, so that
-/// neighbours still share their points.
-///
-/// Tetrahedra keep straight edges: only their corners move.
+/// kCylinderDegree (kSimplexCylinderDegree) at least and moves the groups'
+/// nodes onto the cylinders: corners radially, edges with equal angles, faces
+/// radially; every other edge, face and interior follows by transfinite
+/// blending, so that neighbours still share their points.
 /// @throws Error M009 (place: `file`, group) if a corner of such a group is
 ///   off the cylinder by more than 1e-5 of the radius, or a facet spans 90°.
 void put_on_cylinders(PartMesh<3>& mesh, const std::string& file);

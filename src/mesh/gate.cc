@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "mesh/simplex_quality.h"
 #include "mesh/tensor_basis.h"
 #include "mesh/topology.h"
 
@@ -60,14 +61,14 @@ bool is_sound(const CellQuality& quality) {
          quality.scaled_jacobian > 0.25;
 }
 
-Eigen::Matrix3d simplex_jacobian(const Eigen::Matrix3Xd& corners) {
-  return corners.middleCols<3>(1).colwise() - corners.col(0);
-}
-
 double straight_volume(const PartMesh<3>& mesh, std::size_t cell) {
-  const auto& points = mesh.cell_points[cell];
   if (mesh.shape == CellShape::kSimplex) {
-    return simplex_jacobian(points).determinant() / 6.0;
+    Eigen::Matrix3d edges;
+    for (std::size_t d = 0; d < 3; ++d) {
+      edges.col(Index(d)) = mesh.vertices[mesh.cells[cell][d + 1]] -
+                            mesh.vertices[mesh.cells[cell][0]];
+    }
+    return edges.determinant() / 6.0;
   }
   // Trilinear through the corners: two Gauss points are exact.
   Eigen::Matrix3Xd corners(3, 8);
@@ -93,6 +94,14 @@ std::string in_mm(const Vector3d& p) {
 }  // namespace
 
 std::vector<CellQuality> cell_qualities(const PartMesh<3>& mesh) {
+  if (mesh.shape == CellShape::kSimplex) {
+    const SimplexQuality quality(mesh.degree);
+    std::vector<CellQuality> qualities;
+    for (const auto& points : mesh.cell_points) {
+      qualities.push_back(quality.of(points));
+    }
+    return qualities;
+  }
   const Eigen::VectorXd nodes = gauss_lobatto(mesh.degree);
   const LagrangeBasis at_nodes = lagrange(nodes, nodes);
   const Eigen::VectorXd inner = gauss(mesh.degree + 2).points;
@@ -101,10 +110,6 @@ std::vector<CellQuality> cell_qualities(const PartMesh<3>& mesh) {
   const LagrangeBasis at_points = lagrange(nodes, points);
   std::vector<CellQuality> qualities(mesh.cells.size(), kUnknown);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    if (mesh.shape == CellShape::kSimplex) {
-      take(simplex_jacobian(mesh.cell_points[c]), qualities[c]);
-      continue;
-    }
     qualities[c] = quality_at_nodes(mesh.cell_points[c], at_nodes);
     if (!is_sound(qualities[c])) {
       qualities[c] = quality_at(mesh.cell_points[c], at_points);

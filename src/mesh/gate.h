@@ -14,8 +14,9 @@ struct CellQuality {
   double scaled_jacobian{};
 };
 
-/// Quality of each cell, at Gauss points (degree + 2 per direction) and at
-/// the faces, edges and corners.
+/// Quality of each cell: of hexahedra at Gauss points (degree + 2 per
+/// direction) and at the faces, edges and corners; of tetrahedra everywhere
+/// (SimplexQuality).
 std::vector<CellQuality> cell_qualities(const PartMesh<3>& mesh);
 
 /// Refuses a mesh that is smaller than 1 µm or larger than 10 km.

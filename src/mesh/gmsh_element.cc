@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "mesh/simplex_basis.h"
+
 namespace clevis::mesh {
 
 namespace {
@@ -167,6 +169,33 @@ std::vector<int> hexahedron_node_order(int order) {
     index.push_back(i + (order + 1) * (j + (order + 1) * k));
   }
   return index;
+}
+
+std::vector<int> quadrangle_node_order(int order) {
+  std::vector<int> index;
+  for (const auto& [i, j] : quad_nodes(order)) {
+    index.push_back(i + (order + 1) * j);
+  }
+  return index;
+}
+
+std::vector<int> tetrahedron_node_order(int order) {
+  static constexpr std::array<Index2, 6> kMiddles = {
+      {{0, 1}, {1, 2}, {2, 0}, {3, 0}, {2, 3}, {1, 3}}};
+  const auto lattice = simplex_lattice<3>(order);
+  std::vector<int> position;
+  const auto add = [&](int from, int to) {
+    SimplexIndex<3> index{};
+    index[std::size_t(from)] += order - order / 2;
+    index[std::size_t(to)] += order / 2;
+    position.push_back(int(std::find(lattice.begin(), lattice.end(), index) -
+                           lattice.begin()));
+  };
+  for (int v = 0; v < 4; ++v) add(v, v);
+  for (const auto& [from, to] : kMiddles) {
+    if (order == 2) add(from, to);
+  }
+  return position;
 }
 
 Eigen::MatrixXd serendipity_to_complete() {

@@ -38,6 +38,14 @@ int corner_count(ElementFamily family);
 /// in[a]`.
 std::vector<int> hexahedron_node_order(int order);
 
+/// The same of gmsh's complete quadrangle: i + (n+1) j.
+std::vector<int> quadrangle_node_order(int order);
+
+/// Position in simplex_lattice<3> of each node of gmsh's tetrahedron of order
+/// 1 or 2: corners, then the middles of the edges 01 12 20 30 23 13 (VTK has
+/// the last two the other way round).
+std::vector<int> tetrahedron_node_order(int order);
+
 /// (27 × 20) values of the serendipity functions of gmsh's 20-node
 /// hexahedron at the lexicographic nodes of the complete one.
 Eigen::MatrixXd serendipity_to_complete();

@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 
+#include "mesh/simplex_basis.h"
 #include "mesh/tensor_basis.h"
 #include "mesh/topology.h"
 
@@ -43,59 +44,58 @@ struct Moments {
   Matrix3d second = Matrix3d::Zero();
 };
 
-/// Points of a rule on the tetrahedron (collapsed Gauss, exact to degree 2)
-/// and on the triangle, as barycentric weights of the corners.
-struct SimplexRule {
-  Eigen::MatrixXd weights_of_corners;  ///< corners × points
-  double weight_each{};                ///< of the unit measure
-};
-
-SimplexRule tetrahedron_rule() {
-  constexpr double a = 0.13819660112501051518;  // (5 - √5) / 20
-  SimplexRule rule{Eigen::MatrixXd::Constant(4, 4, a), 0.25};
-  rule.weights_of_corners.diagonal().setConstant(1.0 - 3.0 * a);
-  return rule;
-}
-
-SimplexRule triangle_rule() {
-  SimplexRule rule{Eigen::MatrixXd::Constant(3, 3, 1.0 / 6.0), 1.0 / 3.0};
-  rule.weights_of_corners.diagonal().setConstant(2.0 / 3.0);
-  return rule;
-}
-
 Vector3d mean_vertex(const PartMesh<3>& mesh) {
   Vector3d sum = Vector3d::Zero();
   for (const auto& v : mesh.vertices) sum += v;
   return sum / double(mesh.vertices.size());
 }
 
-void add_tetrahedron(const Matrix3Xd& corners, Moments& moments) {
-  static const SimplexRule rule = tetrahedron_rule();
-  const Matrix3d J = corners.middleCols<3>(1).colwise() - corners.col(0);
-  const double volume = J.determinant() / 6.0;
-  const Matrix3Xd points = corners * rule.weights_of_corners;
-  for (Index q = 0; q < points.cols(); ++q) {
-    moments.add(points.col(q), rule.weight_each * volume);
+void add_tetrahedra(const PartMesh<3>& mesh, Moments& moments) {
+  // A rule that takes det J exactly; see mass_properties for r rᵀ det J. Two
+  // points a direction do where the cell is straight.
+  const auto rule = simplex_gauss<3>(std::max(2, (3 * mesh.degree + 1) / 2));
+  const auto table = simplex_lagrange<3>(mesh.degree, rule.points);
+  const auto short_rule = simplex_gauss<3>(2);
+  const auto nodes = simplex_nodes<3>(mesh.degree);
+  for (const auto& points : mesh.cell_points) {
+    if (const auto edges = affine_edges<3>(points, nodes)) {
+      const double det = edges->determinant();
+      for (Index q = 0; q < short_rule.weights.size(); ++q) {
+        moments.add(points.col(0) + *edges * short_rule.points.col(q),
+                    short_rule.weights[q] * det);
+      }
+      continue;
+    }
+    const auto grid = map_simplex<3>(points, table);
+    for (Index q = 0; q < grid.points.cols(); ++q) {
+      moments.add(grid.points.col(q),
+                  rule.weights[q] * grid.jacobian(q).determinant());
+    }
   }
 }
 
-void add_triangle(const Matrix3d& corners, Moments& moments) {
-  static const SimplexRule rule = triangle_rule();
-  const Vector3d a = corners.col(1) - corners.col(0);
-  const Vector3d b = corners.col(2) - corners.col(0);
-  const double area = 0.5 * a.cross(b).norm();
-  const Matrix3d points = corners * rule.weights_of_corners;
-  for (Index q = 0; q < 3; ++q) {
-    moments.add(points.col(q), rule.weight_each * area);
+/// Points of a group's faces with their area vectors times the weights.
+template <class Visitor>
+void visit_triangles(const PartMesh<3>& mesh, int group, const Visitor& visit) {
+  const auto rule = simplex_gauss<2>(2 * mesh.degree + 4);
+  const auto table = simplex_lagrange<2>(mesh.degree, rule.points);
+  for (const BoundaryFace& face : mesh.boundary) {
+    if (face.group != group) continue;
+    const auto lattice = simplex_face_lattice<3>(mesh.degree, face.face);
+    const Matrix3Xd& cell = mesh.cell_points[std::size_t(face.cell)];
+    Matrix3Xd nodes(3, Index(lattice.size()));
+    for (std::size_t i = 0; i < lattice.size(); ++i) {
+      nodes.col(Index(i)) = cell.col(lattice[i]);
+    }
+    const Matrix3Xd points = nodes * table.value.transpose();
+    const Matrix3Xd a = nodes * table.slope[0].transpose();
+    const Matrix3Xd b = nodes * table.slope[1].transpose();
+    const double sense = simplex_face_sense(face.face);
+    for (Index q = 0; q < points.cols(); ++q) {
+      const Vector3d t1 = a.col(q), t2 = b.col(q);
+      visit(points.col(q), sense * rule.weights[q] * t1.cross(t2));
+    }
   }
-}
-
-/// Area vector of a tetrahedron's face, outward.
-Vector3d outward_area(const Matrix3d& corners, const Vector3d& inside) {
-  const Vector3d area =
-      0.5 *
-      (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
-  return area.dot(corners.col(0) - inside) < 0.0 ? Vector3d(-area) : area;
 }
 
 part::MassProperties with_density(const Moments& moments, double density) {
@@ -108,9 +108,7 @@ part::MassProperties with_density(const Moments& moments, double density) {
 part::MassProperties mass_properties(const PartMesh<3>& mesh, double density) {
   Moments moments(mean_vertex(mesh));
   if (mesh.shape == CellShape::kSimplex) {
-    for (const auto& points : mesh.cell_points) {
-      add_tetrahedron(points, moments);
-    }
+    add_tetrahedra(mesh, moments);
     return with_density(moments, density);
   }
   // Per direction det J has degree 3k − 1: the mass is exact. r rᵀ det J has
@@ -138,16 +136,31 @@ part::MassProperties mass_properties(const PartMesh<2>& mesh, double density) {
     about.head<2>() += v / double(mesh.vertices.size());
   }
   Moments moments(about);
-  const Quadrature rule = gauss(2 * mesh.degree + 1);
-  const LagrangeBasis basis = lagrange(gauss_lobatto(mesh.degree), rule.points);
-  const Index n = rule.points.size();
   Vector3d p = about;
-  for (const auto& points : mesh.cell_points) {
-    const auto grid = map_grid<2>(points, {&basis, &basis});
+  const auto add = [&](const MappedGrid<2>& grid, const auto& weight) {
     for (Index q = 0; q < grid.points.cols(); ++q) {
       p.head<2>() = grid.points.col(q);
-      moments.add(p, mesh.thickness * rule.weights[q % n] *
-                         rule.weights[q / n] * grid.jacobian(q).determinant());
+      moments.add(p,
+                  mesh.thickness * weight(q) * grid.jacobian(q).determinant());
+    }
+  };
+  if (mesh.shape == CellShape::kSimplex) {
+    const auto rule = simplex_gauss<2>(2 * mesh.degree + 1);
+    const auto table = simplex_lagrange<2>(mesh.degree, rule.points);
+    for (const auto& points : mesh.cell_points) {
+      add(map_simplex<2>(points, table), [&](Index q) {
+        return rule.weights[q];
+      });
+    }
+  } else {
+    const Quadrature rule = gauss(2 * mesh.degree + 1);
+    const LagrangeBasis basis =
+        lagrange(gauss_lobatto(mesh.degree), rule.points);
+    const Index n = rule.points.size();
+    for (const auto& points : mesh.cell_points) {
+      add(map_grid<2>(points, {&basis, &basis}), [&](Index q) {
+        return rule.weights[q % n] * rule.weights[q / n];
+      });
     }
   }
   moments.second(2, 2) +=
@@ -155,9 +168,11 @@ part::MassProperties mass_properties(const PartMesh<2>& mesh, double density) {
   return with_density(moments, density);
 }
 
-FaceProperties face_properties(const PartMesh<3>& mesh, int group) {
-  FaceProperties properties;
-  Moments moments(mean_vertex(mesh));
+namespace {
+
+template <class Visitor>
+void visit_quadrangles(const PartMesh<3>& mesh, int group,
+                       const Visitor& visit) {
   // The area element is no polynomial on a curved face; a smooth function,
   // for which this many points reach rounding.
   const Quadrature rule = gauss(4 * mesh.degree + 4);
@@ -169,17 +184,6 @@ FaceProperties face_properties(const PartMesh<3>& mesh, int group) {
   const Index n = rule.points.size();
   for (const BoundaryFace& face : mesh.boundary) {
     if (face.group != group) continue;
-    if (mesh.shape == CellShape::kSimplex) {
-      const FaceVertices v = face_vertices(mesh, face.cell, face.face);
-      Matrix3d corners;
-      corners << mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]];
-      add_triangle(corners, moments);
-      const Vector3d area = outward_area(
-          corners, mesh.cell_points[std::size_t(face.cell)].rowwise().mean());
-      properties.area_vector += area;
-      properties.area_moment += corners.rowwise().mean().cross(area);
-      continue;
-    }
     const auto normal = unsigned(face.face / 2);
     std::array<const LagrangeBasis*, 3> along = {&inner, &inner, &inner};
     along[normal] = &ends[unsigned(face.face % 2)];
@@ -189,13 +193,27 @@ FaceProperties face_properties(const PartMesh<3>& mesh, int group) {
     const auto& b = grid.tangents[(normal + 2) % 3];
     const double sense = face.face % 2 == 0 ? -1.0 : 1.0;
     for (Index q = 0; q < n * n; ++q) {
-      const Vector3d t1 = a.col(q), t2 = b.col(q), p = grid.points.col(q);
-      const Vector3d area =
-          sense * rule.weights[q % n] * rule.weights[q / n] * t1.cross(t2);
-      moments.add(p, area.norm());
-      properties.area_vector += area;
-      properties.area_moment += p.cross(area);
+      const Vector3d t1 = a.col(q), t2 = b.col(q);
+      visit(grid.points.col(q),
+            sense * rule.weights[q % n] * rule.weights[q / n] * t1.cross(t2));
     }
+  }
+}
+
+}  // namespace
+
+FaceProperties face_properties(const PartMesh<3>& mesh, int group) {
+  FaceProperties properties;
+  Moments moments(mean_vertex(mesh));
+  const auto add = [&](const Vector3d& p, const Vector3d& area) {
+    moments.add(p, area.norm());
+    properties.area_vector += area;
+    properties.area_moment += p.cross(area);
+  };
+  if (mesh.shape == CellShape::kSimplex) {
+    visit_triangles(mesh, group, add);
+  } else {
+    visit_quadrangles(mesh, group, add);
   }
   properties.area = moments.zeroth;
   properties.centroid = moments.centroid();

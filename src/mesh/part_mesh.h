@@ -33,8 +33,8 @@ struct SurfaceGroup {
 ///
 /// Each cell carries its own geometry points: the Lagrange points of a
 /// mapping of degree `degree` on Gauss–Lobatto points in lexicographic order
-/// (ξ_0 fastest), dim-dimensional; tetrahedra of degree 1 carry their four
-/// vertices. Neighbouring cells hold the same points on a shared face.
+/// (ξ_0 fastest), dim-dimensional; of simplices on the points and in the order
+/// of simplex_nodes. Neighbouring cells hold the same points on a shared face.
 /// For dim = 2 the mesh is the mid-plane of a plate of constant thickness
 /// that is loaded in its plane; frame L's z is normal to it.
 template <int dim>
@@ -46,7 +46,7 @@ struct PartMesh {
   std::vector<Point> vertices;  ///< corner nodes [m]
   /// Vertex indices per cell, lexicographic (deal.II order) for tensor cells.
   std::vector<std::vector<unsigned>> cells;
-  /// Per cell, dim × (degree+1)^dim [m].
+  /// Per cell, dim × (degree+1)^dim, of simplices fewer [m].
   std::vector<Eigen::Matrix<double, dim, Eigen::Dynamic>> cell_points;
   std::vector<BoundaryFace> boundary;
   std::vector<SurfaceGroup> groups;

@@ -4,6 +4,7 @@
 
 #include "mesh/mesh_reader.h"
 #include "mesh/tensor_basis.h"
+#include "mesh/tetrahedra_plate.h"
 #include "mesh/topology.h"
 
 namespace clevis::mesh {
@@ -286,10 +287,9 @@ class Plate {
 }  // namespace
 
 std::optional<PartMesh<2>> plate_mid_plane(const PartMesh<3>& mesh) {
-  if (mesh.shape != CellShape::kTensor || mesh.cells.empty()) {
-    return std::nullopt;
-  }
-  return Plate(mesh).mid_plane();
+  if (mesh.cells.empty()) return std::nullopt;
+  return mesh.shape == CellShape::kTensor ? Plate(mesh).mid_plane()
+                                          : tetrahedra_mid_plane(mesh);
 }
 
 }  // namespace clevis::mesh

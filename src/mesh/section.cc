@@ -1,10 +1,12 @@
 #include "mesh/section.h"
 
+#include <algorithm>
 #include <array>
-#include <numeric>
+#include <utility>
 
 #include <Eigen/Dense>
 
+#include "mesh/simplex_basis.h"
 #include "mesh/tensor_basis.h"
 #include "mesh/topology.h"
 
@@ -15,6 +17,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
 /// Subdivisions of a cell per direction.
@@ -110,88 +113,108 @@ bool crosses(const Matrix3Xd& points, const Plane& plane) {
   return above && below;
 }
 
-/// Even points of a hexahedron, (kParts + 1)³ lexicographic.
-class Subdivision {
- public:
-  explicit Subdivision(int degree)
-      : basis_(lagrange(gauss_lobatto(degree),
-                        Eigen::VectorXd::LinSpaced(kParts + 1, 0.0, 1.0))
-                   .value) {}
+/// Even points of a cell, and the pieces between them.
+struct Subdivision {
+  MatrixXd to_even;  ///< one direction of a hexahedron, or all of the simplex
+  bool tensor = true;
+  std::vector<std::array<Index, 4>> tetrahedra;
+  std::vector<std::vector<Index>> faces;  ///< even points on each
+  std::vector<std::pair<std::size_t, std::size_t>> lines;  ///< of a face
 
-  Matrix3Xd points(const Matrix3Xd& cell_points) const {
-    return interpolate<3>(cell_points, {&basis_, &basis_, &basis_});
+  Matrix3Xd points_of(const Matrix3Xd& cell_points) const {
+    if (!tensor) return cell_points * to_even.transpose();
+    return interpolate<3>(cell_points, {&to_even, &to_even, &to_even});
   }
-  static Index index(int i, int j, int k) {
-    return i + (kParts + 1) * (j + Index(kParts + 1) * k);
-  }
-  /// The even points of local face `face`, (kParts + 1)².
-  static Matrix3Xd on_face(const Matrix3Xd& points, int face) {
-    Matrix3Xd on(3, (kParts + 1) * (kParts + 1));
-    std::array<int, 3> i{};
-    const auto d = std::size_t(face / 2);
-    i[d] = (face % 2) * kParts;
-    Index q = 0;
-    for (int a = 0; a <= kParts; ++a) {
-      for (int b = 0; b <= kParts; ++b) {
-        i[(d + 1) % 3] = b;
-        i[(d + 2) % 3] = a;
-        on.col(q++) = points.col(index(i[0], i[1], i[2]));
-      }
-    }
-    return on;
-  }
-
- private:
-  Eigen::MatrixXd basis_;
 };
 
-void add_hexahedron(const Matrix3Xd& points, Sum& sum) {
-  for (int k = 0; k < kParts; ++k) {
-    for (int j = 0; j < kParts; ++j) {
-      for (int i = 0; i < kParts; ++i) {
-        for (const auto& tetrahedron : kTetrahedra) {
-          std::array<Vector3d, 4> corners;
-          for (std::size_t v = 0; v < 4; ++v) {
-            const int bits = tetrahedron[v];
-            corners[v] = points.col(Subdivision::index(
-                i + (bits & 1), j + (bits >> 1 & 1), k + (bits >> 2 & 1)));
-          }
-          sum.add_tetrahedron(corners);
-        }
+Index grid_index(const std::array<int, 3>& i) {
+  return i[0] + (kParts + 1) * (i[1] + Index(kParts + 1) * i[2]);
+}
+
+Subdivision subdivide_hexahedron(int degree) {
+  constexpr int kRow = kParts + 1;
+  Subdivision result;
+  result.to_even = lagrange(gauss_lobatto(degree),
+                            Eigen::VectorXd::LinSpaced(kRow, 0.0, 1.0))
+                       .value;
+  for (int cube = 0; cube < kParts * kParts * kParts; ++cube) {
+    for (const auto& tetrahedron : kTetrahedra) {
+      auto& corners = result.tetrahedra.emplace_back();
+      for (std::size_t v = 0; v < 4; ++v) {
+        const int bits = tetrahedron[v];
+        corners[v] = grid_index({cube % kParts + (bits & 1),
+                                 cube / kParts % kParts + (bits >> 1 & 1),
+                                 cube / (kParts * kParts) + (bits >> 2 & 1)});
       }
     }
   }
+  for (std::size_t face = 0; face < 6; ++face) {
+    auto& on = result.faces.emplace_back();
+    for (int q = 0; q < kRow * kRow; ++q) {
+      std::array<int, 3> i{};
+      i[face / 2] = int(face % 2) * kParts;
+      i[(face / 2 + 1) % 3] = q % kRow;
+      i[(face / 2 + 2) % 3] = q / kRow;
+      on.push_back(grid_index(i));
+    }
+  }
+  for (std::size_t j = 0; j < kRow; ++j) {
+    for (std::size_t i = 0; i < kParts; ++i) {
+      result.lines.emplace_back(i + kRow * j, i + 1 + kRow * j);
+      result.lines.emplace_back(j + kRow * i, j + kRow * (i + 1));
+    }
+  }
+  return result;
 }
 
-/// Points where the grid lines of a boundary face meet the plane.
-void add_rim(const Matrix3Xd& on_face, const Plane& plane,
-             std::vector<Vector3d>& rim) {
-  const auto meet = [&](Index a, Index b) {
-    const double ha = plane.height(on_face.col(a));
-    const double hb = plane.height(on_face.col(b));
-    if (Cut::above(ha) == Cut::above(hb)) return;
-    rim.push_back(Cut::at(on_face.col(a), ha, on_face.col(b), hb));
-  };
-  constexpr Index kRow = kParts + 1;
-  for (Index j = 0; j < kRow; ++j) {
-    for (Index i = 0; i < kParts; ++i) {
-      meet(i + kRow * j, i + 1 + kRow * j);
-      meet(j + kRow * i, j + kRow * (i + 1));
+Subdivision subdivide_tetrahedron(int degree) {
+  const int parts = degree == 1 ? 1 : kParts;
+  Subdivision result;
+  const auto lattice = simplex_lattice<3>(parts);
+  SimplexPoints<3> even(3, Index(lattice.size()));
+  for (std::size_t i = 0; i < lattice.size(); ++i) {
+    for (std::size_t d = 0; d < 3; ++d) {
+      even(Index(d), Index(i)) = double(lattice[i][d + 1]) / parts;
     }
+  }
+  result.to_even = simplex_lagrange<3>(degree, even).value;
+  result.tensor = false;
+  for (const auto& [a, b, c, d] : simplex_parts<3>(parts)) {
+    result.tetrahedra.push_back({a, b, c, d});
+  }
+  for (int face = 0; face < 4; ++face) {
+    const auto on = simplex_face_lattice<3>(parts, face);
+    result.faces.emplace_back(on.begin(), on.end());
+  }
+  for (const auto& part : simplex_parts<2>(parts)) {
+    for (std::size_t v = 0; v < 3; ++v) {
+      const auto ends = std::minmax(part[v], part[(v + 1) % 3]);
+      const std::pair line(std::size_t(ends.first), std::size_t(ends.second));
+      if (std::find(result.lines.begin(), result.lines.end(), line) ==
+          result.lines.end()) {
+        result.lines.push_back(line);
+      }
+    }
+  }
+  return result;
+}
+
+/// Points where the lines of a boundary face meet the plane.
+void add_rim(const Matrix3Xd& points, const std::vector<Index>& face,
+             const Subdivision& subdivision, const Plane& plane,
+             std::vector<Vector3d>& rim) {
+  for (const auto& [from, to] : subdivision.lines) {
+    const Vector3d a = points.col(face[from]), b = points.col(face[to]);
+    const double ha = plane.height(a), hb = plane.height(b);
+    if (Cut::above(ha) != Cut::above(hb)) rim.push_back(Cut::at(a, ha, b, hb));
   }
 }
 
 int count_pieces(const PartMesh<3>& mesh, const std::vector<Matrix3Xd>& cut,
-                 const Plane& plane) {
+                 const Subdivision& subdivision, const Plane& plane) {
   const auto other = neighbours(mesh);
-  const auto face_is_cut = [&](std::size_t cell, int face) {
-    if (mesh.shape == CellShape::kTensor) {
-      return crosses(Subdivision::on_face(cut[cell], face), plane);
-    }
-    const FaceVertices v = face_vertices(mesh, int(cell), face);
-    Matrix3d corners;
-    corners << mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]];
-    return crosses(corners, plane);
+  const auto face_is_cut = [&](std::size_t cell, std::size_t face) {
+    return crosses(cut[cell](Eigen::all, subdivision.faces[face]), plane);
   };
   std::vector<bool> seen(cut.size(), false);
   int pieces = 0;
@@ -203,8 +226,8 @@ int count_pieces(const PartMesh<3>& mesh, const std::vector<Matrix3Xd>& cut,
     while (!front.empty()) {
       const std::size_t cell = front.back();
       front.pop_back();
-      for (int face = 0; face < faces_per_cell(mesh.shape); ++face) {
-        const int next = other[cell][std::size_t(face)].first;
+      for (std::size_t face = 0; face < subdivision.faces.size(); ++face) {
+        const int next = other[cell][face].first;
         if (next < 0 || seen[std::size_t(next)] ||
             cut[std::size_t(next)].cols() == 0 || !face_is_cut(cell, face)) {
           continue;
@@ -222,42 +245,29 @@ int count_pieces(const PartMesh<3>& mesh, const std::vector<Matrix3Xd>& cut,
 Section cut(const PartMesh<3>& mesh, const Vector3d& point,
             const Vector3d& normal) {
   const Plane plane{point, normal.normalized()};
-  const Subdivision subdivision(mesh.degree);
-  const bool tensor = mesh.shape == CellShape::kTensor;
+  const Subdivision subdivision = mesh.shape == CellShape::kTensor
+                                      ? subdivide_hexahedron(mesh.degree)
+                                      : subdivide_tetrahedron(mesh.degree);
   Section section;
   Sum sum(plane);
   std::vector<Matrix3Xd> cut_cells(mesh.cells.size());  // empty: not cut
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     // The points of a curved cell reach beyond its corners: take all.
     if (!crosses(mesh.cell_points[c], plane)) continue;
-    if (!tensor) {
-      cut_cells[c] = mesh.cell_points[c];
-      sum.add_tetrahedron(
-          {mesh.cell_points[c].col(0), mesh.cell_points[c].col(1),
-           mesh.cell_points[c].col(2), mesh.cell_points[c].col(3)});
-      continue;
+    cut_cells[c] = subdivision.points_of(mesh.cell_points[c]);
+    for (const auto& [i, j, k, l] : subdivision.tetrahedra) {
+      sum.add_tetrahedron({cut_cells[c].col(i), cut_cells[c].col(j),
+                           cut_cells[c].col(k), cut_cells[c].col(l)});
     }
-    cut_cells[c] = subdivision.points(mesh.cell_points[c]);
-    add_hexahedron(cut_cells[c], sum);
   }
   sum.finish(section);
   for (const BoundaryFace& face : mesh.boundary) {
     const Matrix3Xd& cell = cut_cells[std::size_t(face.cell)];
     if (cell.cols() == 0) continue;
-    if (tensor) {
-      add_rim(Subdivision::on_face(cell, face.face), plane, section.rim);
-      continue;
-    }
-    const FaceVertices v = face_vertices(mesh, face.cell, face.face);
-    for (int a = 0; a < 3; ++a) {
-      const Vector3d &p = mesh.vertices[v[std::size_t(a)]],
-                     &q = mesh.vertices[v[std::size_t((a + 1) % 3)]];
-      const double hp = plane.height(p), hq = plane.height(q);
-      if (Cut::above(hp) == Cut::above(hq)) continue;
-      section.rim.push_back(Cut::at(p, hp, q, hq));
-    }
+    add_rim(cell, subdivision.faces[std::size_t(face.face)], subdivision, plane,
+            section.rim);
   }
-  section.pieces = count_pieces(mesh, cut_cells, plane);
+  section.pieces = count_pieces(mesh, cut_cells, subdivision, plane);
   return section;
 }
 

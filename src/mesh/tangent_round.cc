@@ -62,20 +62,33 @@ std::optional<SmoothEdge> smooth_edge(const PartMesh<3>& mesh, int group,
   return std::nullopt;
 }
 
-/// The two edges of the first facet that others continue smoothly.
+/// Whether both edges lie on one line.
+bool collinear(const SmoothEdge& a, const SmoothEdge& b) {
+  const Vector3d along = (a.to - a.from).normalized();
+  const Vector3d between = 0.5 * (b.from + b.to - a.from - a.to);
+  return along.cross(between).norm() <= 1e-6 * (a.to - a.from).norm();
+}
+
+/// The edges that others continue smoothly, one a line; the facets, a
+/// quadrangle or triangles, lie in one plane.
 std::vector<SmoothEdge> smooth_edges(const PartMesh<3>& mesh, int group,
                                      Vector3d& facet_normal) {
-  const auto face = std::find_if(mesh.boundary.begin(), mesh.boundary.end(),
-                                 [&](const BoundaryFace& f) {
-                                   return f.group == group;
-                                 });
-  const auto cycle = face_cycle(mesh, *face);
-  facet_normal = area_vector(mesh, cycle).normalized();
   std::vector<SmoothEdge> edges;
-  for (std::size_t i = 0; i < cycle.size(); ++i) {
-    const auto edge = smooth_edge(mesh, group, facet_normal, cycle[i],
-                                  cycle[(i + 1) % cycle.size()]);
-    if (edge) edges.push_back(*edge);
+  bool first = true;
+  for (const BoundaryFace& face : mesh.boundary) {
+    if (face.group != group) continue;
+    const auto cycle = face_cycle(mesh, face);
+    if (first) facet_normal = area_vector(mesh, cycle).normalized();
+    first = false;
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+      const auto edge = smooth_edge(mesh, group, facet_normal, cycle[i],
+                                    cycle[(i + 1) % cycle.size()]);
+      const bool is_new =
+          edge && std::none_of(edges.begin(), edges.end(), [&](const auto& e) {
+            return collinear(e, *edge);
+          });
+      if (is_new) edges.push_back(*edge);
+    }
   }
   return edges;
 }
@@ -102,7 +115,7 @@ Vector3d area_vector(const PartMesh<3>& mesh,
 
 part::Bore fit_tangent_round(const PartMesh<3>& mesh, int group,
                              const std::string& place) {
-  Vector3d n;
+  Vector3d n = Vector3d::Zero();
   const auto edges = smooth_edges(mesh, group, n);
   if (edges.size() != 2) refuse(place);
   const SmoothEdge &first = edges[0], &second = edges[1];

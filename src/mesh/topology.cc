@@ -2,17 +2,16 @@
 
 #include <algorithm>
 
+#include "mesh/simplex_basis.h"
+
 namespace clevis::mesh {
 
 FaceVertices face_vertices(const PartMesh<3>& mesh, int cell, int face) {
   const auto& vertices = mesh.cells[std::size_t(cell)];
   if (mesh.shape == CellShape::kSimplex) {
-    // deal.II's ReferenceCells::Tetrahedron.
-    static constexpr std::array<std::array<unsigned, 3>, 4> kFaces = {
-        {{0, 1, 2}, {1, 0, 3}, {0, 2, 3}, {2, 1, 3}}};
-    const auto& local = kFaces[std::size_t(face)];
-    return {vertices[local[0]], vertices[local[1]], vertices[local[2]],
-            kNoVertex};
+    const auto& local = simplex_face<3>(face);
+    return {vertices[std::size_t(local[0])], vertices[std::size_t(local[1])],
+            vertices[std::size_t(local[2])], kNoVertex};
   }
   const int axis = face / 2, side = face % 2;
   FaceVertices corners{};

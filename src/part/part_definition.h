@@ -65,6 +65,7 @@ struct PartDefinition {
   std::filesystem::path geometry;  ///< .geo or empty
   std::filesystem::path mesh;      ///< .msh; derived from geometry if not given
   double length_unit{};            ///< metres per unit of the mesh file
+  std::optional<double> thickness;  ///< the mesh is a plate's mid-plane [m]
   Material material;
   std::vector<Seat> seats;
   std::vector<DriveSeat> drive_seats;

@@ -27,9 +27,9 @@ constexpr Key kDrive[] = {"joint", "law",      "from",      "to",
 constexpr Key kForce[] = {"name", "type", "body", "point", "force", "moment"};
 constexpr Key kMarker[] = {"name", "body", "point"};
 constexpr Key kSimulation[] = {"duration", "instants", "tolerance"};
-constexpr Key kPart[] = {"name",        "geometry", "mesh",
-                         "length_unit", "material", "pins",
-                         "drives",      "limits",   "case"};
+constexpr Key kPart[] = {"name",      "geometry", "mesh", "length_unit",
+                         "thickness", "material", "pins", "drives",
+                         "limits",    "case"};
 constexpr Key kPartDrives[] = {"face", "pressurized"};
 constexpr Key kLimits[] = {"safety_factor", "deflection"};
 constexpr Key kCase[] = {"name",

@@ -62,6 +62,9 @@ part::PartDefinition read_part(StrictTable& table, const Names& names,
   part.mesh = mesh ? file.parent_path() / mesh->text()
                    : mesh_of_geometry(geometry->text(), file);
   part.length_unit = read_length_unit(table["length_unit"]);
+  if (const auto thickness = table.find("thickness")) {
+    part.thickness = thickness->positive(Dimension::kLength);
+  }
   const Value material = table["material"];
   part.material = materials[static_cast<std::size_t>(
       names.materials.find(material.name(), material))];

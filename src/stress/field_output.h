@@ -18,7 +18,7 @@ struct ScalarField {
 };
 
 enum class CellOrder {
-  kLagrange,  ///< one VTK Lagrange cell of the lattice's order per cell
+  kLagrange,  ///< one VTK Lagrange cell of the lattice's order per tensor cell
   kLinear,    ///< the lattice as linear sub-cells, for readers without them
 };
 

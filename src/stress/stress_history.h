@@ -24,8 +24,7 @@ struct StressHistory {
   Eigen::VectorXd peak;           ///< over the points, per instant [Pa]
   FieldPoint peak_at;             ///< of the largest peak
   /// How much a peak between the lattice points may be higher: a third of
-  /// what the peak gains from every second point to all [Pa]; 0 for a
-  /// lattice of corners only.
+  /// what the peak gains from every second point to all [Pa].
   double sampling_error{};
   int peak_instant{};
 

@@ -35,7 +35,7 @@ void add_traction(const elasticity::Discretization<dim>& discretization,
                                        &mesh::SurfaceGroup::name);
   const auto group =
       static_cast<std::size_t>(found - discretization.groups.begin());
-  const int points = discretization.shape == mesh::CellShape::kTensor ? 12 : 4;
+  constexpr int points = 12;
   for (const auto& [cell, face] : discretization.group_faces[group]) {
     const auto rule =
         elasticity::face_gauss<dim>(discretization.shape, face, points);
@@ -72,9 +72,7 @@ using BodyField = std::function<Eigen::Matrix<double, dim, 1>(
 template <int dim>
 void add_body_force(const elasticity::Discretization<dim>& discretization,
                     const BodyField<dim>& field, Eigen::MatrixXd& load) {
-  const int points = discretization.shape == mesh::CellShape::kTensor
-                         ? discretization.degree + 4
-                         : 4;
+  const int points = discretization.degree + 4;
   const auto rule = elasticity::gauss<dim>(discretization.shape, points);
   const auto displacement = elasticity::tabulate_displacement<dim>(
       discretization.shape, discretization.degree, rule.points);

@@ -1,8 +1,11 @@
 #include "beam/part_model.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include <gtest/gtest.h>
+
+#include "mesh/mesh_reader.h"
 
 namespace clevis::beam {
 namespace {
@@ -81,6 +84,20 @@ TEST(PartModel, TetrahedronIsOneLumpWithFourFaces) {
   const Outline half = model.outline({0.0, 0.0, 0.015}, Vector3d::UnitZ());
   EXPECT_NEAR(outline_length(half), 0.005 + 0.01 + std::hypot(0.005, 0.01),
               1e-12);
+}
+
+TEST(PartModel, CurvedTetrahedraAreTheirParts) {
+  const auto file = std::filesystem::path(CLEVIS_SOURCE_DIR) /
+                    "tests/data/meshes/ring_tetrahedra_order_2.msh";
+  const mesh::PartMesh<3> ring = mesh::read_part_mesh(file, 1e-3);
+  const PartModel model = part_model(ring);
+  const double pi = std::acos(-1.0);
+  double volume = 0.0;
+  for (const Lump& lump : model.lumps) volume += lump.volume;
+  EXPECT_NEAR(volume, pi * 300e-6 * 6e-3, 3e-3 * volume);
+  const Outline middle = model.outline({0.0, 0.0, 5e-3}, Vector3d::UnitZ());
+  const double circles = 2.0 * pi * 30e-3;
+  EXPECT_NEAR(outline_length(middle), circles, 2e-3 * circles);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "mesh/cells.h"
 #include "mesh/cylinder_fit.h"
 #include "mesh/mass_properties.h"
+#include "mesh/simplex_basis.h"
 #include "mesh/tensor_basis.h"
 #include "mesh/topology.h"
 #include "unit/mesh/mesh_data.h"
@@ -160,16 +161,68 @@ TEST(ExactGeometry, ARoundOneFacetWideTakesTheCurvedNodesOfItsFile) {
   for (const double r : radii) EXPECT_NEAR(r, 8e-3, 1e-11 * 8e-3);
 }
 
-TEST(ExactGeometry, TetrahedraKeepStraightEdgesWithCornersOnTheCylinder) {
-  const PartMesh<3> mesh = read("ring_tetrahedra.msh");
-  EXPECT_EQ(mesh.shape, CellShape::kSimplex);
-  EXPECT_EQ(mesh.degree, 1);
-  const auto& bore =
-      *mesh.groups[std::size_t(group_index(mesh, "bore_A"))].cylinder;
-  EXPECT_NEAR(bore.radius, 10e-3, 1e-14);
-  const double facet = kPi / 8.0;
-  EXPECT_NEAR(mass_properties(mesh, 1.0).mass,
-              kPi * 300e-6 * 6e-3 * std::sin(facet) / facet, 1e-18);
+/// As off_cylinder, for faces of tetrahedra.
+double triangles_off_cylinder(const PartMesh<3>& mesh,
+                              const std::string& name) {
+  const int group = group_index(mesh, name);
+  const part::Bore& bore = *mesh.groups.at(std::size_t(group)).cylinder;
+  const auto fine =
+      simplex_lagrange<2>(mesh.degree, simplex_gauss<2>(12).points).value;
+  double worst = 0.0;
+  for (const BoundaryFace& face : mesh.boundary) {
+    if (face.group != group) continue;
+    const Eigen::Matrix3Xd nodes = mesh.cell_points[std::size_t(face.cell)](
+        Eigen::all, simplex_face_lattice<3>(mesh.degree, face.face));
+    const Eigen::Matrix3Xd points = nodes * fine.transpose();
+    for (const auto p : points.colwise()) {
+      worst = std::max(worst, (project(bore, p) - p).norm() / bore.radius);
+    }
+  }
+  return worst;
+}
+
+TEST(ExactGeometry, TetrahedraFollowTheCylinder) {
+  // Order 1 and 2 in the file; facets of 22.5°.
+  for (const char* name :
+       {"ring_tetrahedra.msh", "ring_tetrahedra_order_2.msh"}) {
+    SCOPED_TRACE(name);
+    const PartMesh<3> mesh = read(name);
+    EXPECT_EQ(mesh.shape, CellShape::kSimplex);
+    EXPECT_EQ(mesh.degree, kSimplexCylinderDegree);
+    const auto& bore =
+        *mesh.groups[std::size_t(group_index(mesh, "bore_A"))].cylinder;
+    EXPECT_NEAR(bore.radius, 10e-3, 1e-14);
+    EXPECT_LT(triangles_off_cylinder(mesh, "bore_A"), 1e-6);
+    EXPECT_LT(triangles_off_cylinder(mesh, "round_rim"), 1e-6);
+    const double volume = kPi * 300e-6 * 6e-3;
+    EXPECT_NEAR(mass_properties(mesh, 1.0).mass, volume, 1e-7 * volume);
+  }
+}
+
+TEST(ExactGeometry, CurvedTetrahedraShareTheirPoints) {
+  const PartMesh<3> mesh = read("ring_tetrahedra_order_2.msh");
+  const auto other = neighbours(mesh);
+  int shared = 0;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    for (int f = 0; f < 4; ++f) {
+      const auto [next, face] = other[c][std::size_t(f)];
+      if (next < int(c)) continue;
+      const auto here = simplex_face_lattice<3>(mesh.degree, f);
+      const auto there = simplex_face_lattice<3>(mesh.degree, face);
+      for (const int i : here) {
+        double nearest = 1.0;
+        for (const int j : there) {
+          nearest =
+              std::min(nearest, (mesh.cell_points[c].col(i) -
+                                 mesh.cell_points[std::size_t(next)].col(j))
+                                    .norm());
+        }
+        EXPECT_LT(nearest, 1e-16);
+        ++shared;
+      }
+    }
+  }
+  EXPECT_GT(shared, 1000);
 }
 
 }  // namespace

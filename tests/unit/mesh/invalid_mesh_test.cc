@@ -1,6 +1,8 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <random>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -35,6 +37,13 @@ double length_unit(const std::filesystem::path& scene) {
                                                                           : 1.0;
 }
 
+std::optional<double> thickness(const std::filesystem::path& scene) {
+  if (bytes_of(scene).find("thickness = \"8 mm\"") == std::string::npos) {
+    return std::nullopt;
+  }
+  return 8e-3;
+}
+
 TEST(InvalidMesh, EachIsRefusedWithItsCodeWithinASecond) {
   int cases = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
@@ -46,7 +55,7 @@ TEST(InvalidMesh, EachIsRefusedWithItsCodeWithinASecond) {
     file.replace_extension(".msh");
     const auto start = std::chrono::steady_clock::now();
     try {
-      read_part_mesh(file, length_unit(entry.path()));
+      read_part_mesh(file, length_unit(entry.path()), thickness(entry.path()));
       ADD_FAILURE() << "was accepted";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), expected.code) << error.what();
@@ -90,6 +99,60 @@ TEST(InvalidMesh, AMissingFileAndAFolderAreIoErrors) {
       EXPECT_EQ(error.code(), "I001");
     }
   }
+}
+
+/// A good mesh with some bytes changed, removed or put elsewhere.
+std::string damaged(std::string bytes, std::mt19937& random) {
+  const auto place = [&] {
+    return std::size_t(random() % bytes.size());
+  };
+  switch (random() % 5) {
+    case 0:
+      bytes.resize(place());
+      break;
+    case 1:
+      bytes[place()] = char(random() % 256);
+      break;
+    case 2:
+      bytes.erase(place(), random() % 64);
+      break;
+    case 3: {  // another digit: indices, counts, types, coordinates
+      const std::size_t at = bytes.find_first_of("0123456789", place());
+      if (at != std::string::npos) bytes[at] = char('0' + random() % 10);
+      break;
+    }
+    default: {
+      const std::string piece = bytes.substr(place(), random() % 64);
+      bytes.insert(place(), piece);
+      break;
+    }
+  }
+  return bytes;
+}
+
+TEST(InvalidMesh, DamagedMeshesAreReadOrRefusedAndNothingElse) {
+  std::mt19937 random(20);
+  const auto file = std::filesystem::path(::testing::TempDir()) /
+                    "clevis_damaged_mesh_test.msh";
+  int refused = 0;
+  for (const char* name :
+       {"box_order_2.msh", "plate_with_bore_22_binary.msh", "sphere.msh",
+        "ring_tetrahedra.msh", "ring_flat_tri6.msh", "ring_flat_quad8.msh"}) {
+    const std::string good = bytes_of(data(name));
+    const bool flat = std::string(name).starts_with("ring_flat");
+    for (int i = 0; i < 60; ++i) {
+      std::string bytes = damaged(good, random);
+      if (i % 3 == 0) bytes = damaged(bytes, random);
+      std::ofstream(file, std::ios::binary) << bytes;
+      try {
+        read_part_mesh(file, 1e-3, flat ? std::optional(8e-3) : std::nullopt);
+      } catch (const Error&) {
+        ++refused;
+      }
+    }
+  }
+  std::filesystem::remove(file);
+  EXPECT_GT(refused, 100);
 }
 
 }  // namespace

@@ -92,18 +92,29 @@ TEST(FaceProperties, EndsOfARingAndSidesOfAPlate) {
   EXPECT_NEAR(unnamed.area, 2 * 160e-6 + 1600e-6 - kPi * 25e-6, 1e-13);
 }
 
-TEST(FaceProperties, FacetsOfTetrahedra) {
+TEST(FaceProperties, WallOfABoreInTetrahedra) {
   const PartMesh<3> mesh = read("ring_tetrahedra.msh");
   const auto wall = face_properties(mesh, group_index(mesh, "bore_A"));
-  // 16 flat facets.
-  const double width = 2.0 * 10e-3 * std::sin(kPi / 16.0), l = 6e-3;
-  EXPECT_NEAR(wall.area, 16.0 * width * l, 1e-16);
-  EXPECT_LT((wall.centroid - Vector3d(3e-3, 4e-3, 5e-3)).norm(),
-            1e-13);  // gmsh: 1e-12 of its points
-  // Each facet: ∫ y² = w³ l / 12, at the distance 10 cos(11.25°).
-  const double d = 10e-3 * std::cos(kPi / 16.0);
-  EXPECT_NEAR(wall.second_moment(2, 2),
-              16.0 * width * l * (d * d + width * width / 12.0), 1e-18);
+  const double r = 10e-3, l = 6e-3, area = 2.0 * kPi * r * l;
+  EXPECT_NEAR(wall.area, area, 1e-7 * area);
+  EXPECT_LT((wall.centroid - Vector3d(3e-3, 4e-3, 5e-3)).norm(), 1e-10);
+  EXPECT_NEAR(wall.second_moment(2, 2), area * r * r, 1e-7 * area * r * r);
+  // Outward is towards the axis: a cell's own sense does not matter.
+  EXPECT_LT(wall.area_vector.norm(), 1e-9 * area);
+  const auto ends = face_properties(mesh, group_index(mesh, "ends"));
+  EXPECT_LT(ends.area_vector.norm(), 1e-9 * area);
+  EXPECT_NEAR(ends.area, 2.0 * kPi * 300e-6, 1e-7 * ends.area);
+}
+
+TEST(MassProperties, RingOfTetrahedraMatchesTheClosedForm) {
+  const auto got = mass_properties(read("ring_tetrahedra.msh"), kDensity);
+  const double ri2 = 100e-6, ro2 = 400e-6, l = 6e-3;
+  const double m = kDensity * kPi * (ro2 - ri2) * l;
+  const double polar = 0.5 * m * (ro2 + ri2);
+  const double across = m * (3.0 * (ro2 + ri2) + l * l) / 12.0;
+  EXPECT_NEAR(got.mass, m, 1e-7 * m);
+  EXPECT_NEAR(got.inertia_LCm(2, 2), polar, 1e-7 * polar);
+  EXPECT_NEAR(got.inertia_LCm(0, 0), across, 1e-7 * across);
 }
 
 }  // namespace

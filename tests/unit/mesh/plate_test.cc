@@ -125,7 +125,28 @@ TEST(Plate, OnlyAPlateAlongZOfOneThicknessHasAMidPlane) {
   EXPECT_FALSE(plate_mid_plane(moved([](auto& p) {
     if (p.norm() > 15.0) p.x() += 1e-4 * p.z();
   })));
-  EXPECT_FALSE(plate_mid_plane(read("ring_tetrahedra.msh")));
+}
+
+TEST(Plate, OfTetrahedraIsTheTrianglesAtItsBottom) {
+  const PartMesh<3> solid = read("ring_tetrahedra.msh");
+  const auto flat = plate_mid_plane(solid);
+  ASSERT_TRUE(flat);
+  EXPECT_EQ(flat->shape, CellShape::kSimplex);
+  EXPECT_NEAR(flat->thickness, 6e-3, 1e-14);
+  EXPECT_NEAR(flat->mid_plane_z, 5e-3, 1e-14);
+  ASSERT_EQ(flat->groups.size(), 2u);  // the ends are lids
+  const double mass = mass_properties(solid, 1.0).mass;
+  EXPECT_NEAR(mass_properties(*flat, 1.0).mass, mass, 1e-7 * mass);
+  // A lid on which the normal leans, and a wall that does.
+  for (const double lean : {1e-4, -1e-4}) {
+    GmshFile file = read_gmsh_file(data("ring_tetrahedra.msh"));
+    for (auto& p : file.points) {
+      if (lean > 0.0 && p.z() > 7.9) p.z() += lean * p.x();
+      if (lean < 0.0) p.x() += lean * p.z();
+    }
+    PartMesh<3> mesh = build_cells(file, 1e-3);
+    EXPECT_FALSE(plate_mid_plane(mesh)) << lean;
+  }
 }
 
 TEST(Plate, AGroupOnOneLayerOnlyStaysInThreeDimensions) {

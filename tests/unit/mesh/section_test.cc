@@ -81,8 +81,7 @@ TEST(Section, ABoreSplitsAPlateInTwo) {
 TEST(Section, TetrahedraAndMisses) {
   const PartMesh<3> ring = read("ring_tetrahedra.msh");
   const Section s = cut(ring, {3e-3, 4e-3, 4.1e-3}, Vector3d::UnitZ());
-  const double facet = kPi / 8.0;
-  EXPECT_NEAR(s.area, kPi * 300e-6 * std::sin(facet) / facet, 1e-16);
+  EXPECT_NEAR(s.area, kPi * 300e-6, 3e-3 * s.area);
   EXPECT_EQ(s.pieces, 1);
   EXPECT_EQ(cut(ring, {3e-3, 4e-3, 4.1e-3}, Vector3d::UnitX()).pieces, 2);
   const Section miss = cut(ring, {0.0, 0.0, 1.0}, Vector3d::UnitZ());

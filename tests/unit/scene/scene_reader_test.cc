@@ -183,6 +183,8 @@ TEST(SceneReader, ReadsCases) {
   EXPECT_FALSE(scene.has_mechanism);
   const auto part = scene.parts.at(0);
   EXPECT_DOUBLE_EQ(part.length_unit, 0.0254);
+  EXPECT_DOUBLE_EQ(part.thickness.value(), 0.008);
+  EXPECT_FALSE(lever().parts.at(0).thickness);
   ASSERT_EQ(part.cases.size(), 2u);
   expect_near(part.cases[0].pins.at("bore_A"), {-1000, 0, 0});
   const auto& held = part.cases[1];

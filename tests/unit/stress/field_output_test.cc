@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "elasticity/tabulation.h"
 #include "support/eye_problem.h"
 
 namespace clevis::stress {
@@ -100,6 +101,18 @@ TEST(FieldOutput, TetrahedraHaveOffsetsAndTypesInBothOrders) {
       EXPECT_TRUE(std::regex_search(text, filled)) << name;
     }
   }
+}
+
+TEST(FieldOutput, ATetrahedronIsWrittenInItsParts) {
+  const auto lattice = elasticity::lattice<3>(mesh::CellShape::kSimplex, 4);
+  InstantField field;
+  field.subdivisions = 4;
+  field.points = {lattice.transpose()};
+  field.displacement = {Eigen::MatrixXd::Zero(lattice.cols(), 3)};
+  field.stress = {Eigen::MatrixXd::Ones(lattice.cols(), 6)};
+  const std::string text =
+      vtu(field, CellOrder::kLinear, {}, mesh::CellShape::kSimplex);
+  EXPECT_NE(text.find("NumberOfCells=\"64\""), std::string::npos);
 }
 
 TEST(FieldOutput, SameBytesTwice) {
