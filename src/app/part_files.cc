@@ -59,7 +59,10 @@ std::vector<stress::ScalarField> worst_scalars(
       "safety_factor", "1",
       (yield_strength / worst.worst.array().max(yield_strength / kLargest))
           .matrix()};
-  return {peak, when, safety};
+  const stress::ScalarField zone{"singular_zone", "1",
+                                 fields.zones.value_or(Eigen::MatrixXd::Zero(
+                                     worst.worst.rows(), worst.worst.cols()))};
+  return {peak, when, safety, zone};
 }
 
 std::string pvd(const std::vector<std::string>& entries) {

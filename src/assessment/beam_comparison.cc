@@ -28,7 +28,8 @@ BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
     }
   }
   if (comparison.peak_stress > 0.0) {
-    comparison.ratio_fe_to_beam = result.peak.value / comparison.peak_stress;
+    comparison.ratio_fe_to_beam =
+        judged_peak(result).value / comparison.peak_stress;
   }
   const bool held = std::ranges::any_of(job.load_sets, [](const LoadSet& set) {
     return !set.fixed.empty();
@@ -36,7 +37,7 @@ BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
   comparison.reason =
       held ? "supports by `fixed` have reactions that beam theory does not see "
              "here: it covers lug formulas only"
-           : explain_ratio(result.peak, comparison);
+           : explain_ratio(judged_peak(result), comparison);
   return comparison;
 }
 

@@ -87,11 +87,12 @@ Level<dim> solve_level(const PartJob& job, const mesh::PartMesh<dim>& mesh,
                                                rung.subdivisions);
     seconds.recover += watch.lap();
     level.bases.push_back(basis);
-    if (level.governing && history.largest() <= level.history.largest()) {
+    level.histories.push_back(std::move(history));
+    if (level.governing &&
+        level.histories[s].largest() <= level.history().largest()) {
       continue;
     }
     level.governing = basis;
-    level.history = std::move(history);
     level.set = s;
   }
   level.probes = probe_values<dim>(job, level);
@@ -99,9 +100,9 @@ Level<dim> solve_level(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   level.member.dofs = level.governing->equations > 0
                           ? level.governing->equations
                           : level.governing->discretization.dofs();
-  level.member.peak = level.history.largest();
+  level.member.peak = level.history().largest();
   level.member.strain_energy =
-      level.governing->strain_energy[level.history.peak_instant];
+      level.governing->strain_energy[level.history().peak_instant];
   return level;
 }
 

@@ -15,11 +15,13 @@ template <int dim>
 struct Level {
   std::shared_ptr<elasticity::DisplacementBasis<dim>> governing;
   std::vector<std::shared_ptr<elasticity::DisplacementBasis<dim>>>
-      bases;  ///< per set
-  stress::StressHistory history;
-  std::size_t set{};
+      bases;                                     ///< per set
+  std::vector<stress::StressHistory> histories;  ///< per set
+  std::size_t set{};                             ///< the governing one
   SequenceMember member;
   std::vector<double> probes;  ///< values, case after case
+
+  const stress::StressHistory& history() const { return histories[set]; }
 };
 
 /// Solves all load sets of a part with one degree of a rung; displacements

@@ -14,6 +14,7 @@
 #include "assessment/revolution_model.h"
 #include "assessment/rung.h"
 #include "assessment/verdict.h"
+#include "assessment/zone_watch.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
 #include "stress/deflection.h"
@@ -26,8 +27,8 @@ PeakVerdict to_peak_verdict(stress::Convergence convergence) {
   switch (convergence) {
     case stress::Convergence::kConverged:
       return PeakVerdict::kConverged;
+    // Growth alone is no proof: shape and supports show where it is due.
     case stress::Convergence::kSingular:
-      return PeakVerdict::kSingular;
     case stress::Convergence::kNotConverged:
       break;
   }
@@ -44,9 +45,9 @@ double sampling_error(const PartJob& job, const Level<dim>& level) {
          instants[motion].time > instants[motion - 1].time) {
     ++motion;
   }
-  return level.history.sampling_error +
+  return level.history().sampling_error +
          stress::time_sampling_error(
-             level.history.peak.head(static_cast<Eigen::Index>(motion)));
+             level.history().peak.head(static_cast<Eigen::Index>(motion)));
 }
 
 /// Band of the peak; what the samples may miss widens it upwards.
@@ -65,24 +66,57 @@ stress::Band band_of(const std::vector<SequenceMember>& sequence,
   return band;
 }
 
+/// Where a peak stands on the lattice of a load set.
+struct PeakPlace {
+  std::size_t set{};
+  stress::FieldPoint at;
+  int instant{};
+};
+
 template <int dim>
 void fill_peak(const PartJob& job, const Level<dim>& level,
-               const stress::Band& band, PeakStress& peak) {
-  const auto& discretization = level.governing->discretization;
-  const auto& history = level.history;
+               const stress::Band& band, const PeakPlace& place,
+               PeakStress& peak) {
+  const auto& discretization = level.bases[place.set]->discretization;
+  const int subdivisions = level.histories[place.set].subdivisions;
   peak.value = band.value;
   peak.band_low = band.low;
   peak.band_high = band.high;
   peak.verdict = to_peak_verdict(band.verdict);
-  peak.at = stress::position<dim>(discretization, history.peak_at,
-                                  history.subdivisions);
-  peak.group = stress::surface_group<dim>(discretization, history.peak_at,
-                                          history.subdivisions);
+  peak.at = stress::position<dim>(discretization, place.at, subdivisions);
+  peak.group =
+      stress::surface_group<dim>(discretization, place.at, subdivisions);
   const auto& instant =
-      job.load_sets[level.set]
-          .history.instants[static_cast<std::size_t>(history.peak_instant)];
+      job.load_sets[place.set]
+          .history.instants[static_cast<std::size_t>(place.instant)];
   peak.instant = instant.time;
   peak.label = instant.label;
+}
+
+/// Zones, and where one governs the peak away from those that do.
+template <int dim>
+void fill_zones(const PartJob& job, const Level<dim>& level,
+                const ZoneWatch<dim>& zones, const stress::Band& outer_band,
+                PartResult& result) {
+  result.singular_zones = zones.results();
+  if (!zones.is_singular()) return;
+  result.peak.verdict = PeakVerdict::kSingular;
+  const OutsidePeak& last = zones.outside().back();
+  fill_peak<dim>(job, level, outer_band, {last.set, last.at, last.instant},
+                 result.peak_outside);
+  PeakStress& outside = result.peak_outside;
+  outside.discretization_error = std::max(outside.band_high - outside.value,
+                                          outside.value - outside.band_low);
+  for (const OutsidePeak& peak : zones.outside()) {
+    outside.sequence.push_back(peak.member);
+  }
+}
+
+template <int dim>
+stress::Band outer_band_of(const ZoneWatch<dim>& zones, double tolerance) {
+  std::vector<SequenceMember> sequence;
+  for (const auto& peak : zones.outside()) sequence.push_back(peak.member);
+  return band_of(sequence, zones.outside().back().sampling_error, tolerance);
 }
 
 template <int dim>
@@ -121,8 +155,8 @@ template <int dim>
 double check_reported_peak(const PartJob& job, const Level<dim>& level,
                            PartResult& result) {
   const auto field = stress::instant_field<dim>(
-      *level.governing, job.part.material, level.history.subdivisions,
-      level.history.peak_instant);
+      *level.governing, job.part.material, level.history().subdivisions,
+      level.history().peak_instant);
   double largest = 0.0;
   double component = 0.0;
   for (const auto& cell : field.stress) {
@@ -158,8 +192,8 @@ PartFields make_fields(const PartJob& job, const Level<dim>& level) {
   PartFields fields;
   fields.dim = dim;
   fields.shape = level.governing->discretization.shape;
-  fields.worst = level.history;
-  fields.peak_instant = level.history.peak_instant;
+  fields.worst = level.history();
+  fields.peak_instant = level.history().peak_instant;
   for (const auto& instant : job.load_sets[level.set].history.instants) {
     fields.times.push_back(instant.time);
   }
@@ -190,7 +224,7 @@ void fill_probes(const PartJob& job, const std::vector<SequenceMember>& degrees,
 }
 
 template <int dim>
-PartAssessment run_rung(const PartJob& job, const mesh::PartMesh<dim>& mesh,
+PartAssessment run_rung(const PartJob& job, const mesh::PartMesh<dim>& given,
                         const Rung<dim>& rung) {
   PartAssessment assessment;
   PartResult& result = assessment.result;
@@ -198,6 +232,9 @@ PartAssessment run_rung(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   std::vector<std::vector<double>> probes;  // per degree
   Level<dim> level;
   stress::Band band;
+  stress::Band outer_band;
+  ZoneWatch<dim> zones(job, given);
+  const mesh::PartMesh<dim>& mesh = zones.mesh();
   const double tolerance = job.tolerance - rung.model_error;
   for (int degree = rung.first_degree; degree <= rung.highest_degree;
        ++degree) {
@@ -211,8 +248,11 @@ PartAssessment run_rung(const PartJob& job, const mesh::PartMesh<dim>& mesh,
     sequence.push_back(level.member);
     probes.push_back(level.probes);
     band = band_of(sequence, sampling_error(job, level), tolerance);
-    if (sequence.size() > 2 &&
-        band.verdict == stress::Convergence::kConverged) {
+    zones.take(level);
+    const bool singular = zones.is_singular();
+    if (singular) outer_band = outer_band_of(zones, tolerance);
+    if (sequence.size() > 2 && (singular ? outer_band : band).verdict ==
+                                   stress::Convergence::kConverged) {
       break;
     }
   }
@@ -222,13 +262,18 @@ PartAssessment run_rung(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   for (const auto& basis : level.bases) {
     result.load_columns += static_cast<int>(basis->columns.cols());
   }
-  fill_peak<dim>(job, level, band, result.peak);
+  const auto& history = level.history();
+  fill_peak<dim>(job, level, band,
+                 {level.set, history.peak_at, history.peak_instant},
+                 result.peak);
+  fill_zones<dim>(job, level, zones, outer_band, result);
   fill_checks<dim>(level, result.self_checks);
   fill_probes(job, sequence, probes, result.probes);
   settle_even_pressure(check_reported_peak<dim>(job, level, result),
                        result.peak);
   fill_deflection<dim>(job, level, result);
   assessment.fields = make_fields<dim>(job, level);
+  assessment.fields.zones = zones.marks(level.set);
   return assessment;
 }
 
@@ -278,8 +323,10 @@ void add_seconds(const PartSeconds& earlier, PartSeconds& seconds) {
 PartAssessment run_plane_stress(const PartJob& job, const PlateModel& plate,
                                 const std::vector<LoadSet>& governing) {
   auto assessment = run_rung<2>(job, plate.mesh, plane_stress_rung(plate.mesh));
-  const bool measured = plate.mesh.shape == mesh::CellShape::kTensor &&
-                        assessment.result.peak.value > 0.0;
+  const bool measured =
+      plate.mesh.shape == mesh::CellShape::kTensor &&
+      assessment.result.peak.verdict != PeakVerdict::kSingular &&
+      assessment.result.peak.value > 0.0;
   add_model_error(
       job.tolerance,
       measured ? plane_stress_error(job, plate.mesh, governing) : 0.0,
@@ -396,10 +443,9 @@ PartAssessment check_part(const PartJob& job) {
   PartResult& result = assessment.result;
   result.name = job.part.name;
   result.mass = job.mass.mass;
+  const double judged = judged_peak(result).value;
   result.safety_factor =
-      result.peak.value > 0.0
-          ? job.part.material.yield_strength / result.peak.value
-          : 0.0;
+      judged > 0.0 ? job.part.material.yield_strength / judged : 0.0;
   result.beam = compare_with_beam(job, result);
   judge(job.part, result);
   result.seconds.total = watch.lap();

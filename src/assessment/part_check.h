@@ -45,6 +45,9 @@ struct PartFields {
   stress::StressHistory worst;  ///< of the governing load set
   std::vector<double> times;    ///< of its instants [s]
   int peak_instant{};
+  /// Singular zone of each lattice point, 0 outside; points × cells. Nothing
+  /// if the part has none.
+  std::optional<Eigen::MatrixXd> zones;
   /// Displacement and stress at an instant on a lattice.
   std::function<stress::InstantField(int instant, int subdivisions)> at;
 };

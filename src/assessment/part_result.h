@@ -32,6 +32,17 @@ struct PeakStress {
   std::vector<SequenceMember> sequence;
 };
 
+/// A place where the model's stress has no bound.
+struct ZoneResult {
+  std::string name;   ///< "edge of root at (0, 10, 2) mm"
+  double exponent{};  ///< λ of theory: stress ~ distance^(λ − 1) [1]
+  double exponent_measured{};  ///< from the solved field; 0: not measured [1]
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]
+  double radius{};                               ///< left out around it [m]
+  /// Whether its stress rises above the peak elsewhere.
+  bool governs{};
+};
+
 /// What beam theory says of the same load history.
 struct BeamComparison {
   double peak_stress{};  ///< governing of all beam and lug formulas [Pa]
@@ -61,6 +72,12 @@ struct PartSeconds {
   double mesh{}, assemble{}, factor{}, solve{}, recover{}, write{}, total{};
 };
 
+struct PartResult;
+
+/// The peak that limits and beam theory are compared with: away from the
+/// singular zones where one governs.
+const PeakStress& judged_peak(const PartResult& result);
+
 /// All that is known of a part after the check.
 struct PartResult {
   std::string name;
@@ -70,6 +87,10 @@ struct PartResult {
   std::string stopped_because;  ///< why the ladder went no further
   int dofs{}, cells{}, load_columns{};
   PeakStress peak;
+  std::vector<ZoneResult> singular_zones;
+  /// Where a zone governs: the peak away from those that do; else with an
+  /// empty sequence.
+  PeakStress peak_outside;
   double safety_factor{};  ///< yield / peak
   double deflection{};     ///< relative to its pins [m]
   Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();

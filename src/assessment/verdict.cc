@@ -21,8 +21,32 @@ std::string unsettled_remedy(const PartResult& result) {
   return "mesh finer there, give more instants, or loosen --tolerance";
 }
 
+/// "edge of root at (0, 0) mm and 1 more" of the zones that govern.
+std::string governing_zones(const PartResult& result) {
+  std::string first;
+  int more = 0;
+  for (const ZoneResult& zone : result.singular_zones) {
+    if (!zone.governs) continue;
+    if (first.empty()) {
+      first = zone.name;
+    } else {
+      ++more;
+    }
+  }
+  return more == 0 ? first : fmt::format("{} and {} more", first, more);
+}
+
+/// A part whose stress is unbounded somewhere cannot pass unless the user
+/// leaves such zones out; it can fail by its stress elsewhere.
+bool is_singular_only(const part::PartDefinition& part,
+                      const PartResult& result, double allowed) {
+  return &judged_peak(result) != &result.peak &&
+         !part.limits.exclude_singular_zones &&
+         result.peak_outside.band_low <= allowed;
+}
+
 bool judge_stress(const part::PartDefinition& part, PartResult& result) {
-  const PeakStress& peak = result.peak;
+  const PeakStress& peak = judged_peak(result);
   const double wanted = part.limits.safety_factor.value_or(1.0);
   const double allowed = part.material.yield_strength / wanted;
   const bool fails_anyway =
@@ -31,6 +55,17 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
     set(result, PartVerdict::kNotJudged,
         "nothing stresses the part: its loads cancel, or act on held surfaces "
         "only");
+    return false;
+  }
+  if (is_singular_only(part, result, allowed)) {
+    set(result, PartVerdict::kNotJudged,
+        fmt::format(
+            "stress without bound at {}; elsewhere {:.4g} MPa ({}). Round the "
+            "corner or spread the support, or judge without it by limits = {{ "
+            "singular_zones = \"exclude\" }}",
+            governing_zones(result), peak.value / kMega,
+            peak.verdict == PeakVerdict::kConverged ? "converged"
+                                                    : "not converged"));
     return false;
   }
   if (peak.verdict != PeakVerdict::kConverged && !fails_anyway) {
@@ -86,6 +121,11 @@ bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
 }
 
 }  // namespace
+
+const PeakStress& judged_peak(const PartResult& result) {
+  return result.peak_outside.sequence.empty() ? result.peak
+                                              : result.peak_outside;
+}
 
 void judge(const part::PartDefinition& part, PartResult& result) {
   if (!judge_stress(part, result) || !judge_buckling(part, result) ||

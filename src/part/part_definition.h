@@ -17,6 +17,8 @@ namespace clevis::part {
 struct Limits {
   std::optional<double> safety_factor;  ///< yield strength / peak, >= this [1]
   std::optional<double> deflection;     ///< [m], <= this
+  /// Judge the part by its stress away from singular zones.
+  bool exclude_singular_zones = false;
 };
 
 /// Where a joint of the mechanism acts on the part's surface.

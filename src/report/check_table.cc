@@ -71,6 +71,27 @@ void add_probes(TextTable& table, const PartResult& part) {
   }
 }
 
+void add_zones(TextTable& table, const PartResult& part) {
+  for (const auto& zone : part.singular_zones) {
+    std::string line = fmt::format("singular zone: {}, stress ~ r^{:.4f}",
+                                   zone.name, zone.exponent - 1.0);
+    if (zone.exponent_measured != 0.0) {
+      line += fmt::format(" (measured {:.4f})", zone.exponent_measured - 1.0);
+    }
+    line += fmt::format(", radius {:#.3g} mm", millimetres(zone.radius));
+    table.add_note(zone.governs ? line : line + ", does not govern");
+  }
+  const assessment::PeakStress& outside = part.peak_outside;
+  if (outside.sequence.empty()) return;
+  table.add_note(fmt::format(
+      "away from the singular zones: {:#.5g} [{:#.5g}, {:#.5g}] MPa at {} "
+      "({:.1f}, {:.1f}, {:.1f}), {}",
+      megapascals(outside.value), megapascals(outside.band_low),
+      megapascals(outside.band_high), outside.group,
+      millimetres(outside.at.x()), millimetres(outside.at.y()),
+      millimetres(outside.at.z()), text(outside.verdict)));
+}
+
 void add_reasons(TextTable& table, const PartResult& part) {
   if (!part.stopped_because.empty()) table.add_note(part.stopped_because);
   if (part.peak.verdict != PeakVerdict::kConverged) {
@@ -133,6 +154,7 @@ std::string check_table(const CheckReport& report, Colour colour) {
   for (const PartResult& part : report.parts) {
     table.add_row(part_row(part));
     add_probes(table, part);
+    add_zones(table, part);
     add_reasons(table, part);
   }
   for (const PartFailure& failure : report.failures) {

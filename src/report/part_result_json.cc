@@ -33,6 +33,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SequenceMember, degree, dofs, peak,
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeakStress, value, band_low, band_high,
                                    discretization_error, model_error, verdict,
                                    at, group, instant, label, sequence)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ZoneResult, name, exponent,
+                                   exponent_measured, at, radius, governs)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BeamComparison, peak_stress, governing,
                                    deflection, buckling_safety,
                                    ratio_fe_to_beam, reason)
@@ -44,10 +46,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartSeconds, mesh, assemble, factor, solve,
                                    recover, write, total)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartResult, name, verdict, why, model,
                                    stopped_because, dofs, cells, load_columns,
-                                   peak, safety_factor, deflection,
-                                   deflection_at, deflection_instant,
-                                   strain_energy, beam, self_checks, probes,
-                                   seconds, mass)
+                                   peak, singular_zones, peak_outside,
+                                   safety_factor, deflection, deflection_at,
+                                   deflection_instant, strain_energy, beam,
+                                   self_checks, probes, seconds, mass)
 
 }  // namespace clevis::assessment
 

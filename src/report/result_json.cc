@@ -65,6 +65,21 @@ ordered_json peak_json(const assessment::PeakStress& peak) {
       {"sequence", sequence}};
 }
 
+ordered_json zones_json(const std::vector<assessment::ZoneResult>& zones) {
+  ordered_json list = ordered_json::array();
+  for (const assessment::ZoneResult& zone : zones) {
+    ordered_json measured;  // null: the mesh is not graded there
+    if (zone.exponent_measured != 0.0) measured = zone.exponent_measured;
+    list.push_back({{"name", zone.name},
+                    {"exponent", zone.exponent},
+                    {"exponent_measured", measured},
+                    {"at_mm", vector_mm(zone.at)},
+                    {"radius_mm", millimetres(zone.radius)},
+                    {"governs", zone.governs}});
+  }
+  return list;
+}
+
 ordered_json beam_json(const assessment::BeamComparison& beam) {
   ordered_json buckling;  // null: the part is not in pressure
   if (beam.buckling_safety > 0.0) buckling = beam.buckling_safety;
@@ -97,7 +112,8 @@ ordered_json probes_json(const std::vector<assessment::ProbeResult>& probes) {
 
 ordered_json limits_json(const CheckReport& report, const std::string& part) {
   ordered_json limits = {{"safety_factor", nullptr},
-                         {"deflection_mm", nullptr}};
+                         {"deflection_mm", nullptr},
+                         {"singular_zones", "count"}};
   const auto found = report.limits.find(part);
   if (found == report.limits.end()) return limits;
   if (found->second.safety_factor) {
@@ -106,45 +122,53 @@ ordered_json limits_json(const CheckReport& report, const std::string& part) {
   if (found->second.deflection) {
     limits["deflection_mm"] = millimetres(*found->second.deflection);
   }
+  if (found->second.exclude_singular_zones) {
+    limits["singular_zones"] = "exclude";
+  }
   return limits;
 }
 
 ordered_json part_json(const CheckReport& report, const PartResult& part) {
   const assessment::SelfChecks& checks = part.self_checks;
   const assessment::PartSeconds& seconds = part.seconds;
-  return {{"name", part.name},
-          {"verdict", text(part.verdict)},
-          {"why", part.why},
-          {"model", part.model},
-          {"stopped_because", part.stopped_because},
-          {"dofs", part.dofs},
-          {"cells", part.cells},
-          {"load_columns", part.load_columns},
-          {"mass_kg", part.mass},
-          {"peak_von_mises", peak_json(part.peak)},
-          {"safety_factor", part.safety_factor},
-          {"deflection_mm", millimetres(part.deflection)},
-          {"deflection_at_mm", vector_mm(part.deflection_at)},
-          {"deflection_instant_s", part.deflection_instant},
-          {"strain_energy_mJ", millijoules(part.strain_energy)},
-          {"limits", limits_json(report, part.name)},
-          {"beam", beam_json(part.beam)},
-          {"self_checks",
-           {{"equilibrium", checks.equilibrium},
-            {"residual", checks.residual},
-            {"energy", checks.energy},
-            {"compression", checks.compression},
-            {"reported_peak_is_field_maximum",
-             checks.reported_peak_is_field_maximum}}},
-          {"probes", probes_json(part.probes)},
-          {"seconds",
-           {{"mesh", seconds.mesh},
-            {"assemble", seconds.assemble},
-            {"factor", seconds.factor},
-            {"solve", seconds.solve},
-            {"recover", seconds.recover},
-            {"write", seconds.write},
-            {"total", seconds.total}}}};
+  ordered_json json = {{"name", part.name},
+                       {"verdict", text(part.verdict)},
+                       {"why", part.why},
+                       {"model", part.model},
+                       {"stopped_because", part.stopped_because},
+                       {"dofs", part.dofs},
+                       {"cells", part.cells},
+                       {"load_columns", part.load_columns},
+                       {"mass_kg", part.mass},
+                       {"peak_von_mises", peak_json(part.peak)},
+                       {"singular_zones", zones_json(part.singular_zones)},
+                       {"safety_factor", part.safety_factor},
+                       {"deflection_mm", millimetres(part.deflection)},
+                       {"deflection_at_mm", vector_mm(part.deflection_at)},
+                       {"deflection_instant_s", part.deflection_instant},
+                       {"strain_energy_mJ", millijoules(part.strain_energy)},
+                       {"limits", limits_json(report, part.name)},
+                       {"beam", beam_json(part.beam)},
+                       {"self_checks",
+                        {{"equilibrium", checks.equilibrium},
+                         {"residual", checks.residual},
+                         {"energy", checks.energy},
+                         {"compression", checks.compression},
+                         {"reported_peak_is_field_maximum",
+                          checks.reported_peak_is_field_maximum}}},
+                       {"probes", probes_json(part.probes)},
+                       {"seconds",
+                        {{"mesh", seconds.mesh},
+                         {"assemble", seconds.assemble},
+                         {"factor", seconds.factor},
+                         {"solve", seconds.solve},
+                         {"recover", seconds.recover},
+                         {"write", seconds.write},
+                         {"total", seconds.total}}}};
+  if (!part.peak_outside.sequence.empty()) {
+    json["peak_outside_singular_zones"] = peak_json(part.peak_outside);
+  }
+  return json;
 }
 
 ordered_json failure_json(const PartFailure& failure) {

@@ -31,7 +31,7 @@ constexpr Key kPart[] = {"name",      "geometry", "mesh", "length_unit",
                          "thickness", "material", "pins", "drives",
                          "limits",    "case"};
 constexpr Key kPartDrives[] = {"face", "pressurized"};
-constexpr Key kLimits[] = {"safety_factor", "deflection"};
+constexpr Key kLimits[] = {"safety_factor", "deflection", "singular_zones"};
 constexpr Key kCase[] = {"name",
                          "pins",
                          "pressure",

@@ -41,6 +41,10 @@ part::Limits read_limits(StrictTable table) {
   if (const auto deflection = table.find("deflection")) {
     limits.deflection = deflection->positive(Dimension::kLength);
   }
+  if (const auto zones = table.find("singular_zones")) {
+    limits.exclude_singular_zones =
+        zones->choice<bool>({{"count", false}, {"exclude", true}});
+  }
   return limits;
 }
 

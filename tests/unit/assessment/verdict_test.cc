@@ -56,6 +56,39 @@ TEST(Verdict, BandBeyondTheLimitFailsEvenIfNotConverged) {
   EXPECT_EQ(judged(steel_part(), result).verdict, PartVerdict::kNotJudged);
 }
 
+/// A singular peak of 900 MPa, and 150 MPa away from its zone.
+PartResult with_zone(double low, double value, double high) {
+  PartResult result = converged(800e6, 900e6, 1000e6);
+  result.peak.verdict = PeakVerdict::kSingular;
+  result.singular_zones = {
+      {"notch at (1.0, 2.0) mm", 0.54, 0.54, {}, 1e-3, true}};
+  result.peak_outside = converged(low, value, high).peak;
+  result.peak_outside.sequence = {{4, 1000, value, 1.0}};
+  return result;
+}
+
+TEST(Verdict, SingularPartIsJudgedAwayFromItsZoneOnlyIfAsked) {
+  part::PartDefinition part = steel_part();
+  const PartResult open = judged(part, with_zone(149e6, 150e6, 151e6));
+  EXPECT_EQ(open.verdict, PartVerdict::kNotJudged);
+  EXPECT_NE(open.why.find("notch at (1.0, 2.0) mm"), std::string::npos);
+  part.limits.exclude_singular_zones = true;
+  EXPECT_EQ(judged(part, with_zone(149e6, 150e6, 151e6)).verdict,
+            PartVerdict::kPass);
+  PartResult unsettled = with_zone(100e6, 150e6, 190e6);
+  unsettled.peak_outside.verdict = PeakVerdict::kNotConverged;
+  EXPECT_EQ(judged(part, unsettled).verdict, PartVerdict::kNotJudged);
+}
+
+TEST(Verdict, SingularPartFailsByItsStressElsewhere) {
+  part::PartDefinition part = steel_part();
+  EXPECT_EQ(judged(part, with_zone(201e6, 202e6, 203e6)).verdict,
+            PartVerdict::kFail);
+  part.limits.exclude_singular_zones = true;
+  EXPECT_EQ(judged(part, with_zone(201e6, 202e6, 203e6)).verdict,
+            PartVerdict::kFail);
+}
+
 TEST(Verdict, PartWithoutAnyStressIsNotJudged) {
   const PartResult result = judged(steel_part(), converged(0.0, 0.0, 0.0));
   EXPECT_EQ(result.verdict, PartVerdict::kNotJudged);

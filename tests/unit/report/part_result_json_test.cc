@@ -24,6 +24,9 @@ PartResult awkward_part() {
   part.deflection = std::numeric_limits<double>::denorm_min();
   part.strain_energy = std::numeric_limits<double>::max();
   part.self_checks.reported_peak_is_field_maximum = false;
+  part.peak_outside = part.peak;
+  part.singular_zones = {
+      {"notch", 0.5 + 1e-16, 1.0 / 3.0, {1.0, 2.0, 1.0 / 7.0}, 1e-4, true}};
   part.why = "quote \" backslash \\ newline \n µ";
   return part;
 }
@@ -47,6 +50,12 @@ TEST(PartResultJson, RoundTripKeepsEveryBit) {
   EXPECT_EQ(back.deflection_instant, part.deflection_instant);
   EXPECT_EQ(back.strain_energy, part.strain_energy);
   EXPECT_EQ(back.mass, part.mass);
+  ASSERT_EQ(back.singular_zones.size(), 1u);
+  EXPECT_EQ(back.singular_zones[0].name, "notch");
+  EXPECT_EQ(back.singular_zones[0].exponent_measured, 1.0 / 3.0);
+  EXPECT_EQ(back.singular_zones[0].at, part.singular_zones[0].at);
+  EXPECT_TRUE(back.singular_zones[0].governs);
+  EXPECT_EQ(back.peak_outside.value, part.peak_outside.value);
 }
 
 TEST(PartResultJson, RoundTripKeepsThePeak) {

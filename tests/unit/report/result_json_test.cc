@@ -38,6 +38,13 @@ CheckReport report_with_everything() {
       {"AB", Error("F003", "part AB", "residual 1", "Report it.")});
   report.complete = false;
   report.parts[1].beam.buckling_safety = 0.0;
+  assessment::PartResult& sharp = report.parts[1];
+  sharp.peak.verdict = assessment::PeakVerdict::kSingular;
+  sharp.peak_outside = sharp.peak;
+  sharp.singular_zones = {
+      {"notch at (1.0, 2.0) mm", 0.5445, 0.0, {1e-3, 2e-3, 0}, 1e-4, true},
+      {"edge of root at (0.0, 0.0) mm", 0.7112, 0.7107, {}, 2e-4, false}};
+  report.limits["BC"].exclude_singular_zones = true;
   return report;
 }
 
@@ -47,6 +54,18 @@ TEST(ResultJson, WhatIsWrittenFitsThePublishedSchema) {
   CheckReport cases_only = sample_report();
   cases_only.mechanism.reset();
   EXPECT_EQ(all_errors(written(cases_only)), "");
+}
+
+TEST(ResultJson, SingularZonesAreListedInMillimetres) {
+  const json part = written(report_with_everything())["parts"][1];
+  const json& notch = part["singular_zones"][0];
+  EXPECT_TRUE(notch["exponent_measured"].is_null());
+  EXPECT_EQ(notch["at_mm"][1], 2.0);
+  EXPECT_DOUBLE_EQ(notch["radius_mm"], 0.1);
+  EXPECT_EQ(notch["governs"], true);
+  EXPECT_EQ(part["singular_zones"][1]["exponent_measured"], 0.7107);
+  EXPECT_EQ(part["peak_outside_singular_zones"]["value_MPa"], 125.0);
+  EXPECT_EQ(part["limits"]["singular_zones"], "exclude");
 }
 
 // Otherwise the test above could not fail.
