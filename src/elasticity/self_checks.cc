@@ -152,8 +152,10 @@ VectorXd check_solution(const StiffnessAction& stiffness,
 }
 
 bool wants_refinement(const SolveChecks& checks) {
-  return checks.residual > kResidual || checks.equilibrium > kEquilibrium ||
-         checks.energy > kEnergy;
+  constexpr double kShare = 0.1;  // round-off differs from one BLAS to another
+  return checks.residual > kShare * kResidual ||
+         checks.equilibrium > kShare * kEquilibrium ||
+         checks.energy > kShare * kEnergy;
 }
 
 void require_checks(const SolveChecks& checks, int geometry_degree,

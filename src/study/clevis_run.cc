@@ -52,7 +52,7 @@ template <int dim>
 Run take(const assessment::Level<dim>& level, int instant) {
   Run run;
   run.dofs = level.member.dofs;
-  run.peak = level.history.peak[instant];
+  run.peak = level.history().peak[instant];
   run.energy = level.governing->strain_energy[instant];
   run.probes = level.probes;
   return run;
@@ -102,7 +102,7 @@ Governing governing_of(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   assessment::PartSeconds seconds;
   const auto level =
       assessment::solve_level<dim>(job, mesh, model, kDegree, seconds);
-  const int instant = level.history.peak_instant;
+  const int instant = level.history().peak_instant;
   return {level.set, instant,
           job.load_sets[level.set]
               .history.instants[static_cast<std::size_t>(instant)]
@@ -213,7 +213,7 @@ std::vector<Rung> rungs_of(const PartJob& job) {
 }
 
 int highest_degree(const PartJob& job, Rung rung) {
-  constexpr int kLayered = 5, kTensor = 4, kSimplex = 2;
+  constexpr int kLayered = 5, kTensor = 4, kSimplex = 4;
   if (terms_of(rung) > 0) return kLayered;
   return job.mesh.shape == mesh::CellShape::kTensor ? kTensor : kSimplex;
 }

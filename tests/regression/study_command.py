@@ -4,8 +4,8 @@
     study_command.py CLEVIS ROOT contract|calculix
 
 `calculix` needs ccx and returns 77 without it: clevis's and CalculiX's
-displacements must agree within 0.5 % on hexahedra, and to the digits of the
-.frd on tetrahedra, where both have the same space.
+displacements must agree within 0.5 %, and to the digits of the .frd on flat
+tetrahedra, where both have the same equations.
 """
 import csv
 import json
@@ -42,8 +42,14 @@ name = "spun"
 fixed = { bore_A = ["x", "y", "z"] }
 angular_acceleration = ["0 rad/s^2", "0 rad/s^2", "10000 rad/s^2"]
 """
-HEXAHEDRA_AGREE = 5e-3
-TETRAHEDRA_AGREE = 1e-5  # six digits in the .frd
+BENT = """
+[[part.case]]
+name = "bent"
+fixed = { root = ["x", "y", "z"] }
+traction = { tip = ["2 MPa", "0 MPa", "1 MPa"] }
+"""
+AGREE = 5e-3
+FLAT_AGREE = 1e-5  # six digits in the .frd
 
 
 class Checks:
@@ -168,10 +174,11 @@ def main():
         return 77
     else:
         squeezed = SQUEEZED.format(inside="20 MPa")
-        agreement(clevis, root, checks, "ring.msh", squeezed, HEXAHEDRA_AGREE)
-        agreement(clevis, root, checks, "ring.msh", SPUN, HEXAHEDRA_AGREE)
-        agreement(clevis, root, checks, "ring_tetrahedra.msh", SPUN,
-                  TETRAHEDRA_AGREE)
+        agreement(clevis, root, checks, "ring.msh", squeezed, AGREE)
+        agreement(clevis, root, checks, "ring.msh", SPUN, AGREE)
+        # C3D10's four points do not integrate curved edges exactly.
+        agreement(clevis, root, checks, "ring_tetrahedra.msh", SPUN, AGREE)
+        agreement(clevis, root, checks, "box_tetrahedra.msh", BENT, FLAT_AGREE)
     return checks.bad > 0
 
 
