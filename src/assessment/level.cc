@@ -66,12 +66,12 @@ std::vector<double> probe_values(const PartJob& job, const Level<dim>& level) {
 }  // namespace
 
 template <int dim>
-Level<dim> solve_level(const PartJob& job, const mesh::PartMesh<dim>& mesh,
-                       const Rung<dim>& rung, int degree,
-                       PartSeconds& seconds) {
+Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
+                       const mesh::PartMesh<dim>& mesh, const Rung<dim>& rung,
+                       int degree, PartSeconds& seconds) {
   Level<dim> level;
-  for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
-    const LoadSet& set = job.load_sets[s];
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    const LoadSet& set = sets[s];
     auto basis =
         std::make_shared<elasticity::DisplacementBasis<dim>>(rung.solve(
             {mesh, job.part.material, set.history, set.fixed, job.part.name},
@@ -106,9 +106,11 @@ Level<dim> solve_level(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   return level;
 }
 
-template Level<2> solve_level<2>(const PartJob&, const mesh::PartMesh<2>&,
-                                 const Rung<2>&, int, PartSeconds&);
-template Level<3> solve_level<3>(const PartJob&, const mesh::PartMesh<3>&,
-                                 const Rung<3>&, int, PartSeconds&);
+template Level<2> solve_level<2>(const PartJob&, const std::vector<LoadSet>&,
+                                 const mesh::PartMesh<2>&, const Rung<2>&, int,
+                                 PartSeconds&);
+template Level<3> solve_level<3>(const PartJob&, const std::vector<LoadSet>&,
+                                 const mesh::PartMesh<3>&, const Rung<3>&, int,
+                                 PartSeconds&);
 
 }  // namespace clevis::assessment

@@ -24,12 +24,14 @@ struct Level {
   const stress::StressHistory& history() const { return histories[set]; }
 };
 
-/// Solves all load sets of a part with one degree of a rung; displacements
+/// Solves load sets of a part with one degree of a rung; displacements
 /// relative to its pins.
+/// @param sets  the job's, or of each some instants.
 /// @param seconds  the stages' times are added here.
 /// @throws Error L005 if a probe lies outside the part; see elasticity.
 template <int dim>
-Level<dim> solve_level(const PartJob& job, const mesh::PartMesh<dim>& mesh,
-                       const Rung<dim>& rung, int degree, PartSeconds& seconds);
+Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
+                       const mesh::PartMesh<dim>& mesh, const Rung<dim>& rung,
+                       int degree, PartSeconds& seconds);
 
 }  // namespace clevis::assessment

@@ -36,6 +36,8 @@ class ZoneWatch {
   /// The mesh to solve on: the given one, or graded.
   const mesh::PartMesh<dim>& mesh() const { return mesh_; }
 
+  bool has_zones() const;
+
   /// Takes one more degree in.
   void take(const Level<dim>& level);
 
@@ -65,7 +67,6 @@ class ZoneWatch {
     std::vector<Eigen::VectorXd> energies;         // per set
   };
 
-  bool has_zones() const;
   void grade(const mesh::PartMesh<dim>& mesh);
   void measure(const Level<dim>& level, double outside_peak);
   OutsidePeak peak_of(const Taken& taken, bool without_all) const;

@@ -30,6 +30,8 @@ struct DisplacementBasis {
   Eigen::MatrixXd columns;  ///< U, dofs × rank [m]
   Eigen::MatrixXd coefficients;   ///< rank × instants
   Eigen::VectorXd strain_energy;  ///< per instant [J]
+  /// Even or odd about the mid-plane of a layer, so that von Mises is even.
+  bool is_mirrored = false;
   SolveChecks checks;
   SolveSeconds seconds;
 };

@@ -25,25 +25,36 @@ constexpr double kCompressionTolerance = 3e-7;
 /// Loads of a parity below this part of all are round-off of the other's.
 constexpr double kNoLoad = 1e-8;
 
-/// K or |K| times a block, from the upper triangle.
+/// K or |K| times a block, from the upper triangle; a few columns at a time,
+/// which stay in the cache.
 template <class Entry>
 MatrixXd multiply(const UpperTriangle& upper, const MatrixXd& x,
                   const Entry& entry) {
-  using RowMajor =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const RowMajor rows = x;
-  RowMajor y = RowMajor::Zero(x.rows(), x.cols());
-  for (int i = 0; i < upper.rows(); ++i) {
-    const auto begin = upper.row_start[static_cast<std::size_t>(i)];
-    const auto end = upper.row_start[static_cast<std::size_t>(i) + 1];
-    for (int k = begin; k < end; ++k) {
-      const int j = upper.column[static_cast<std::size_t>(k)];
-      const double value = entry(upper.value[static_cast<std::size_t>(k)]);
-      y.row(i) += value * rows.row(j);
-      if (j != i) y.row(j) += value * rows.row(i);
+  constexpr Index kColumns = 16;
+  using Rows = Eigen::Matrix<double, kColumns, Eigen::Dynamic>;
+  MatrixXd result(x.rows(), x.cols());
+  Rows from = Rows::Zero(kColumns, x.rows());
+  Rows to(kColumns, x.rows());
+  for (Index first = 0; first < x.cols(); first += kColumns) {
+    const Index count = std::min(kColumns, x.cols() - first);
+    from.topRows(count) = x.middleCols(first, count).transpose();
+    to.setZero();
+    for (int i = 0; i < upper.rows(); ++i) {
+      const auto begin = upper.row_start[static_cast<std::size_t>(i)];
+      const auto end = upper.row_start[static_cast<std::size_t>(i) + 1];
+      const Eigen::Matrix<double, kColumns, 1> here = from.col(i);
+      Eigen::Matrix<double, kColumns, 1> sum = to.col(i);
+      for (int k = begin; k < end; ++k) {
+        const int j = upper.column[static_cast<std::size_t>(k)];
+        const double value = entry(upper.value[static_cast<std::size_t>(k)]);
+        sum += value * from.col(j);
+        if (j != i) to.col(j) += value * here;
+      }
+      to.col(i) = sum;
     }
+    result.middleCols(first, count) = to.topRows(count).transpose();
   }
-  return y;
+  return result;
 }
 
 StiffnessAction action_of(const UpperTriangle& upper) {
@@ -249,6 +260,7 @@ DisplacementBasis<3> solve_layered(const ElasticProblem<2>& problem, int degree,
 
   const Plate plate{problem, plane, integrals, dissection_order(plane), place};
   const double all = largest_instant(history);
+  int parities = 0;
   for (const Parity parity : {Parity::kStretching, Parity::kBending}) {
     const ThicknessReduction reduction(parity, terms);
     watch.lap();
@@ -258,7 +270,9 @@ DisplacementBasis<3> solve_layered(const ElasticProblem<2>& problem, int degree,
     result.seconds.assemble += watch.lap();
     if (largest_instant(loads) <= kNoLoad * all) continue;
     solve_parity(plate, reduction, loads, result);
+    ++parities;
   }
+  result.is_mirrored = parities < 2;
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "elasticity/dense_product.h"
 #include "stress/cell_field.h"
@@ -29,6 +30,58 @@ ArrayXXd von_mises_squared(const MatrixXd& stress, Index n) {
   }
 }
 
+/// The points of a lattice that are evaluated, and of each point of the lattice
+/// the evaluated one whose von Mises it has.
+template <int dim>
+struct Sampling {
+  elasticity::ReferencePoints<dim> points;
+  std::vector<Index> source;
+};
+
+/// All points; of a field that mirrors itself about the mid-plane of a layer
+/// those of one half.
+template <int dim>
+Sampling<dim> sample(const elasticity::ReferencePoints<dim>& lattice,
+                     bool is_mirrored) {
+  constexpr double kSame = 1e-9;
+  Sampling<dim> sampling{
+      lattice, std::vector<Index>(static_cast<std::size_t>(lattice.cols()))};
+  Index kept = 0;
+  for (Index q = 0; q < lattice.cols(); ++q) {
+    Eigen::Matrix<double, dim, 1> point = lattice.col(q);
+    if (is_mirrored)
+      point[dim - 1] = std::min(point[dim - 1], 1.0 - point[dim - 1]);
+    Index at = is_mirrored ? 0 : kept;
+    while (at < kept && (sampling.points.col(at) - point).norm() > kSame) ++at;
+    if (at == kept) sampling.points.col(kept++) = point;
+    sampling.source[static_cast<std::size_t>(q)] = at;
+  }
+  sampling.points.conservativeResize(Eigen::NoChange, kept);
+  return sampling;
+}
+
+/// The largest value of each row and the column it stands in.
+struct WorstColumns {
+  Eigen::ArrayXd value, column;
+};
+WorstColumns worst_columns(const ArrayXXd& values) {
+  const Index n = values.rows();
+  WorstColumns worst{Eigen::ArrayXd::Constant(n, -1.0),
+                     Eigen::ArrayXd::Zero(n)};
+  double* value = worst.value.data();
+  double* column = worst.column.data();
+  for (Index i = 0; i < values.cols(); ++i) {  // down the columns: contiguous
+    const double* at = values.col(i).data();
+    const auto here = static_cast<double>(i);
+    for (Index q = 0; q < n; ++q) {
+      const bool higher = at[q] > value[q];
+      value[q] = higher ? at[q] : value[q];
+      column[q] = higher ? here : column[q];
+    }
+  }
+  return worst;
+}
+
 }  // namespace
 
 template <int dim>
@@ -37,7 +90,8 @@ StressHistory stress_history(const elasticity::DisplacementBasis<dim>& basis,
   const auto& discretization = basis.discretization;
   const auto points =
       elasticity::lattice<dim>(discretization.shape, subdivisions);
-  const CellField<dim> cell_field(discretization, material, points);
+  const auto sampling = sample<dim>(points, basis.is_mirrored);
+  const CellField<dim> cell_field(discretization, material, sampling.points);
   const Index n = points.cols();
   const Index instants = basis.coefficients.cols();
   StressHistory result;
@@ -59,18 +113,13 @@ StressHistory stress_history(const elasticity::DisplacementBasis<dim>& basis,
         elasticity::product(
             cell_field.stress(static_cast<std::size_t>(c), basis.columns),
             basis.coefficients),
-        n);
-    auto worst = result.worst.col(c);
+        sampling.points.cols());
+    const WorstColumns worst = worst_columns(squared);
     auto when = result.worst_instant.col(c);
-    worst.setConstant(-1.0);
-    when.setZero();
-    for (Index i = 0; i < instants; ++i) {  // down the columns: contiguous
-      for (Index q = 0; q < n; ++q) {
-        if (squared(q, i) > worst[q]) {
-          worst[q] = squared(q, i);
-          when[q] = static_cast<int>(i);
-        }
-      }
+    for (Index q = 0; q < n; ++q) {
+      const Index at = sampling.source[static_cast<std::size_t>(q)];
+      result.worst(q, c) = worst.value[at];
+      when[q] = static_cast<int>(worst.column[at]);
     }
     for (Index q = 0; q < n; ++q) {
       if (result.worst(q, c) > largest_of_half && on_half_lattice(q)) {

@@ -100,8 +100,8 @@ Governing governing_of(const PartJob& job, const mesh::PartMesh<dim>& mesh,
                        const assessment::Rung<dim>& model) {
   constexpr int kDegree = 2;
   assessment::PartSeconds seconds;
-  const auto level =
-      assessment::solve_level<dim>(job, mesh, model, kDegree, seconds);
+  const auto level = assessment::solve_level<dim>(job, job.load_sets, mesh,
+                                                  model, kDegree, seconds);
   const int instant = level.history().peak_instant;
   return {level.set, instant,
           job.load_sets[level.set]
@@ -123,17 +123,17 @@ Run run_once(const PartJob& job, Rung rung, int degree, int instant) {
   if (is_plane(rung)) {
     const auto plate = mid_plane(cells);
     seconds.mesh = watch.lap();
-    run = take<2>(
-        assessment::solve_level<2>(
-            job, plate, assessment::plane_stress_rung(plate), degree, seconds),
-        instant);
+    run = take<2>(assessment::solve_level<2>(
+                      job, job.load_sets, plate,
+                      assessment::plane_stress_rung(plate), degree, seconds),
+                  instant);
   } else if (terms_of(rung) > 0) {
     const auto plate = mid_plane(mesh);
     seconds.mesh = watch.lap();
     constexpr int kSubdivisions = 6;  // of the lattice that peaks are sought on
     run = take<3>(
         assessment::solve_level<3>(
-            job, mesh,
+            job, job.load_sets, mesh,
             assessment::layered_rung(plate, terms_of(rung), kSubdivisions),
             degree, seconds),
         instant);
@@ -145,10 +145,10 @@ Run run_once(const PartJob& job, Rung rung, int degree, int instant) {
                   fmt::format("{:.2g} degrees of freedom", dofs),
                   "a study solves no more than 350 000");
     }
-    run =
-        take<3>(assessment::solve_level<3>(
-                    job, cells, assessment::solid_rung(cells), degree, seconds),
-                instant);
+    run = take<3>(assessment::solve_level<3>(job, job.load_sets, cells,
+                                             assessment::solid_rung(cells),
+                                             degree, seconds),
+                  instant);
   }
   run.seconds = seconds;
   run.seconds.total = total.lap();

@@ -1,0 +1,159 @@
+#include "assessment/degree_ladder.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "assessment/few_instants.h"
+#include "base/errors.h"
+
+namespace clevis::assessment {
+namespace {
+
+using stress::Convergence;
+
+/// What the peak may miss between the points of the lattice and between the
+/// instants of the motion [Pa]. Cases stand behind the motion, at time 0.
+template <int dim>
+double sampling_error(const std::vector<LoadSet>& sets,
+                      const Level<dim>& level) {
+  const auto& instants = sets[level.set].history.instants;
+  std::size_t motion = 1;
+  while (motion < instants.size() &&
+         instants[motion].time > instants[motion - 1].time) {
+    ++motion;
+  }
+  return level.history().sampling_error +
+         stress::time_sampling_error(
+             level.history().peak.head(static_cast<Eigen::Index>(motion)));
+}
+
+/// Band of the peak; what the samples may miss widens it upwards.
+stress::Band band_of(const std::vector<SequenceMember>& sequence,
+                     double sampling_error, double tolerance) {
+  std::vector<stress::SequenceValue> values;
+  for (const auto& member : sequence) {
+    values.push_back({member.degree, member.peak});
+  }
+  stress::Band band = stress::peak_band(values, tolerance);
+  band.high += sampling_error;
+  if (band.verdict == stress::Convergence::kConverged &&
+      band.high - band.value > tolerance * band.value) {
+    band.verdict = stress::Convergence::kNotConverged;
+  }
+  return band;
+}
+
+template <int dim>
+stress::Band outer_band_of(const ZoneWatch<dim>& zones, double tolerance) {
+  std::vector<SequenceMember> sequence;
+  for (const auto& peak : zones.outside()) sequence.push_back(peak.member);
+  return band_of(sequence, zones.outside().back().sampling_error, tolerance);
+}
+
+/// One climb.
+template <int dim>
+class Climb {
+ public:
+  Climb(const PartJob& job, const mesh::PartMesh<dim>& mesh,
+        const Rung<dim>& rung, PartSeconds& seconds)
+      : job_(job), rung_(rung), seconds_(seconds), ladder_(job, mesh) {}
+
+  /// Adds a degree, solved for these sets.
+  void take(const std::vector<LoadSet>& sets, int degree) {
+    ladder_.level = solve_level<dim>(job_, sets, ladder_.zones.mesh(), rung_,
+                                     degree, seconds_);
+    ladder_.sequence.push_back(ladder_.level.member);
+    ladder_.probes.push_back(ladder_.level.probes);
+    const double tolerance = job_.tolerance - rung_.model_error;
+    ladder_.band = band_of(ladder_.sequence,
+                           sampling_error(sets, ladder_.level), tolerance);
+    ladder_.zones.take(ladder_.level);
+    if (ladder_.zones.is_singular()) {
+      ladder_.outer_band = outer_band_of(ladder_.zones, tolerance);
+    }
+  }
+  void drop() {
+    ladder_.sequence.pop_back();
+    ladder_.probes.pop_back();
+  }
+  bool is_within() const {
+    const auto& judged =
+        ladder_.zones.is_singular() ? ladder_.outer_band : ladder_.band;
+    return ladder_.sequence.size() > 2 &&
+           judged.verdict == Convergence::kConverged;
+  }
+  const DegreeLadder<dim>& ladder() const { return ladder_; }
+  DegreeLadder<dim> finish() { return std::move(ladder_); }
+
+ private:
+  const PartJob& job_;
+  const Rung<dim>& rung_;
+  PartSeconds& seconds_;
+  DegreeLadder<dim> ladder_;
+};
+
+template <int dim>
+DegreeLadder<dim> climb_with_all(const PartJob& job,
+                                 const mesh::PartMesh<dim>& mesh,
+                                 const Rung<dim>& rung, PartSeconds& seconds) {
+  Climb<dim> climb(job, mesh, rung, seconds);
+  for (int degree = rung.first_degree; degree <= rung.highest_degree;
+       ++degree) {
+    try {
+      climb.take(job.load_sets, degree);
+    } catch (const Error& error) {
+      // What the memory does not hold ends the sequence; three have a band.
+      if (error.code() != "F004" || climb.ladder().sequence.size() < 3) throw;
+      break;
+    }
+    if (climb.is_within()) break;
+  }
+  return climb.finish();
+}
+
+}  // namespace
+
+template <int dim>
+DegreeLadder<dim> climb_degrees(const PartJob& job,
+                                const mesh::PartMesh<dim>& mesh,
+                                const Rung<dim>& rung,
+                                const std::vector<LoadSet>& governing,
+                                PartSeconds& seconds) {
+  // The fourth degree is most often the last: solved for all at once.
+  constexpr int kFirstDegrees = 3;
+  const FewInstants few(job, governing);
+  Climb<dim> climb(job, mesh, rung, seconds);
+  if (few.sets().empty() || climb.ladder().zones.has_zones()) {
+    return climb_with_all(job, mesh, rung, seconds);
+  }
+  for (int degree = rung.first_degree; degree <= rung.highest_degree;
+       ++degree) {
+    bool all = degree >= rung.first_degree + kFirstDegrees;
+    climb.take(all ? job.load_sets : few.sets(), degree);
+    if (!all && (climb.is_within() || degree == rung.highest_degree)) {
+      climb.drop();
+      climb.take(job.load_sets, degree);
+      all = true;
+    }
+    if (!all) continue;
+    const Level<dim>& level = climb.ladder().level;
+    if (!few.contains(level.set, level.history().peak_instant)) {
+      return climb_with_all(job, mesh, rung, seconds);
+    }
+    if (climb.is_within()) break;
+  }
+  return climb.finish();
+}
+
+template DegreeLadder<2> climb_degrees<2>(const PartJob&,
+                                          const mesh::PartMesh<2>&,
+                                          const Rung<2>&,
+                                          const std::vector<LoadSet>&,
+                                          PartSeconds&);
+template DegreeLadder<3> climb_degrees<3>(const PartJob&,
+                                          const mesh::PartMesh<3>&,
+                                          const Rung<3>&,
+                                          const std::vector<LoadSet>&,
+                                          PartSeconds&);
+
+}  // namespace clevis::assessment

@@ -1,0 +1,214 @@
+#include "assessment/rung_result.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "stress/deflection.h"
+
+namespace clevis::assessment {
+namespace {
+
+PeakVerdict to_peak_verdict(stress::Convergence convergence) {
+  switch (convergence) {
+    case stress::Convergence::kConverged:
+      return PeakVerdict::kConverged;
+    // Growth alone is no proof: shape and supports show where it is due.
+    case stress::Convergence::kSingular:
+    case stress::Convergence::kNotConverged:
+      break;
+  }
+  return PeakVerdict::kNotConverged;
+}
+
+/// Where a peak stands on the lattice of a load set.
+struct PeakPlace {
+  std::size_t set{};
+  stress::FieldPoint at;
+  int instant{};
+};
+
+template <int dim>
+void fill_peak(const PartJob& job, const Level<dim>& level,
+               const stress::Band& band, const PeakPlace& place,
+               PeakStress& peak) {
+  const auto& discretization = level.bases[place.set]->discretization;
+  const int subdivisions = level.histories[place.set].subdivisions;
+  peak.value = band.value;
+  peak.band_low = band.low;
+  peak.band_high = band.high;
+  peak.verdict = to_peak_verdict(band.verdict);
+  peak.at = stress::position<dim>(discretization, place.at, subdivisions);
+  peak.group =
+      stress::surface_group<dim>(discretization, place.at, subdivisions);
+  const auto& instant =
+      job.load_sets[place.set]
+          .history.instants[static_cast<std::size_t>(place.instant)];
+  peak.instant = instant.time;
+  peak.label = instant.label;
+}
+
+/// Zones, and where one governs the peak away from those that do.
+template <int dim>
+void fill_zones(const PartJob& job, const Level<dim>& level,
+                const ZoneWatch<dim>& zones, const stress::Band& outer_band,
+                PartResult& result) {
+  result.singular_zones = zones.results();
+  if (!zones.is_singular()) return;
+  result.peak.verdict = PeakVerdict::kSingular;
+  const OutsidePeak& last = zones.outside().back();
+  fill_peak<dim>(job, level, outer_band, {last.set, last.at, last.instant},
+                 result.peak_outside);
+  PeakStress& outside = result.peak_outside;
+  outside.discretization_error = std::max(outside.band_high - outside.value,
+                                          outside.value - outside.band_low);
+  for (const OutsidePeak& peak : zones.outside()) {
+    outside.sequence.push_back(peak.member);
+  }
+}
+
+template <int dim>
+void fill_deflection(const PartJob& job, const Level<dim>& level,
+                     PartResult& result) {
+  for (std::size_t s = 0; s < level.bases.size(); ++s) {
+    const auto deflection = stress::largest_deflection<dim>(*level.bases[s]);
+    result.strain_energy = std::max(result.strain_energy,
+                                    level.bases[s]->strain_energy.maxCoeff());
+    if (s > 0 && deflection.value <= result.deflection) continue;
+    result.deflection = deflection.value;
+    result.deflection_at = deflection.at;
+    result.deflection_instant =
+        job.load_sets[s]
+            .history.instants[static_cast<std::size_t>(deflection.instant)]
+            .time;
+  }
+}
+
+template <int dim>
+void fill_checks(const Level<dim>& level, SelfChecks& checks) {
+  for (const auto& basis : level.bases) {
+    checks.equilibrium = std::max(
+        {checks.equilibrium, basis->checks.balance, basis->checks.equilibrium});
+    checks.residual = std::max(checks.residual, basis->checks.residual);
+    checks.energy = std::max(checks.energy, basis->checks.energy);
+    checks.compression =
+        std::max(checks.compression, basis->checks.compression);
+  }
+}
+
+/// The field that is written, evaluated afresh, must have the reported peak
+/// as its maximum.
+/// @return the largest stress component at that instant [Pa].
+template <int dim>
+double check_reported_peak(const PartJob& job, const Level<dim>& level,
+                           PartResult& result) {
+  const auto field = stress::instant_field<dim>(
+      *level.governing, job.part.material, level.history().subdivisions,
+      level.history().peak_instant);
+  double largest = 0.0;
+  double component = 0.0;
+  for (const auto& cell : field.stress) {
+    largest = std::max(largest, stress::von_mises(cell).maxCoeff());
+    component = std::max(component, cell.cwiseAbs().maxCoeff());
+  }
+  // Under even pressure von Mises is only the round-off of its components.
+  const double round_off = 1e-12 * component;
+  const double peak = result.peak.value;
+  result.self_checks.reported_peak_is_field_maximum =
+      std::isfinite(peak) &&
+      std::abs(largest - peak) <= 1e-9 * peak + round_off;
+  if (result.self_checks.reported_peak_is_field_maximum) return component;
+  throw Error("F003", "part " + job.part.name,
+              fmt::format("reported peak {:.6g} MPa, field maximum {:.6g} MPa",
+                          peak / 1e6, largest / 1e6),
+              "please report this scene");
+}
+
+/// Under even pressure von Mises is the round-off of K u and settles nowhere.
+/// @param component  largest stress component [Pa].
+void settle_even_pressure(double component, PeakStress& peak) {
+  constexpr double kRoundOff = 1e-7;
+  const double bound = kRoundOff * component;
+  if (peak.value > bound || peak.verdict == PeakVerdict::kConverged) return;
+  peak.verdict = PeakVerdict::kConverged;
+  peak.band_low = 0.0;
+  peak.band_high = bound;
+}
+
+template <int dim>
+PartFields make_fields(const PartJob& job, const Level<dim>& level) {
+  PartFields fields;
+  fields.dim = dim;
+  fields.shape = level.governing->discretization.shape;
+  fields.worst = level.history();
+  fields.peak_instant = level.history().peak_instant;
+  for (const auto& instant : job.load_sets[level.set].history.instants) {
+    fields.times.push_back(instant.time);
+  }
+  fields.at = [basis = level.governing, material = job.part.material](
+                  int instant, int subdivisions) {
+    return stress::instant_field<dim>(*basis, material, subdivisions, instant);
+  };
+  return fields;
+}
+
+/// Each probe with the band of its own sequence.
+void fill_probes(const PartJob& job, const std::vector<SequenceMember>& degrees,
+                 const std::vector<std::vector<double>>& values,
+                 std::vector<ProbeResult>& results) {
+  std::size_t index = 0;
+  for (const auto& load_case : job.part.cases) {
+    for (const auto& probe : load_case.probes) {
+      std::vector<stress::SequenceValue> sequence;
+      for (std::size_t k = 0; k < degrees.size(); ++k) {
+        sequence.push_back({degrees[k].degree, values[k][index]});
+      }
+      const auto band = stress::peak_band(sequence, job.tolerance);
+      results.push_back(
+          {probe.name, probe.quantity, band.value, band.low, band.high});
+      ++index;
+    }
+  }
+}
+
+}  // namespace
+
+template <int dim>
+PartAssessment assess(const PartJob& job, const Rung<dim>& rung,
+                      const DegreeLadder<dim>& ladder,
+                      const PartSeconds& seconds) {
+  const Level<dim>& level = ladder.level;
+  const auto& history = level.history();
+  PartAssessment assessment;
+  PartResult& result = assessment.result;
+  result.seconds = seconds;
+  result.peak.sequence = ladder.sequence;
+  result.model = fmt::format("{}, p = {}", rung.name, level.member.degree);
+  result.dofs = level.member.dofs;
+  result.cells = static_cast<int>(ladder.zones.mesh().cells.size());
+  for (const auto& basis : level.bases) {
+    result.load_columns += static_cast<int>(basis->columns.cols());
+  }
+  fill_peak<dim>(job, level, ladder.band,
+                 {level.set, history.peak_at, history.peak_instant},
+                 result.peak);
+  fill_zones<dim>(job, level, ladder.zones, ladder.outer_band, result);
+  fill_checks<dim>(level, result.self_checks);
+  fill_probes(job, ladder.sequence, ladder.probes, result.probes);
+  settle_even_pressure(check_reported_peak<dim>(job, level, result),
+                       result.peak);
+  fill_deflection<dim>(job, level, result);
+  assessment.fields = make_fields<dim>(job, level);
+  assessment.fields.zones = ladder.zones.marks(level.set);
+  return assessment;
+}
+
+template PartAssessment assess<2>(const PartJob&, const Rung<2>&,
+                                  const DegreeLadder<2>&, const PartSeconds&);
+template PartAssessment assess<3>(const PartJob&, const Rung<3>&,
+                                  const DegreeLadder<3>&, const PartSeconds&);
+
+}  // namespace clevis::assessment
