@@ -37,6 +37,8 @@ const DimensionEntry& entry_of(Dimension dimension) {
       {"angular velocity", "radian/s", "rpm, rad/s, deg/s"},
       {"angular acceleration", "radian/s^2", "rad/s^2, deg/s^2"},
       {"ratio", "1", "%, 1"},
+      {"compliance", "m/N", "m/N, um/N, mm/kN"},
+      {"angular compliance", "radian/(N m)", "rad/(N m), deg/(N m)"},
   });
   return kEntries.at(static_cast<std::size_t>(dimension));
 }

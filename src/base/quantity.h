@@ -22,6 +22,8 @@ enum class Dimension {
   kAngularVelocity,      // rad/s (also rpm); not Hz
   kAngularAcceleration,  // rad/s^2
   kRatio,                // 1 (also %)
+  kCompliance,           // m/N
+  kAngularCompliance,    // rad/(N m)
 };
 
 /// The SI value of a text such as "140 mm", "1500 rpm" or "1 %".

@@ -12,7 +12,6 @@
 namespace clevis::loads {
 
 using Eigen::Vector3d;
-using mechanism::JointType;
 
 namespace {
 
@@ -36,7 +35,7 @@ Wrench effort_on(const mechanism::Instant& instant, const DrivenSeat& driven,
   const mechanism::DriveState& state = instant.drives[driven.drive];
   const Vector3d effort_L =
       pose.R_WL.transpose() * (driven.joint.sign * state.effort * state.axis_W);
-  if (driven.joint.definition->type == JointType::kPrismatic) {
+  if (!driven.turns) {
     return rotated_and_shifted(effort_L, Vector3d::Zero(),
                                driven.joint.frame->p_LJ, driven.seat.p_LS);
   }
@@ -45,9 +44,8 @@ Wrench effort_on(const mechanism::Instant& instant, const DrivenSeat& driven,
 
 void add_pressure(const mechanism::Instant& instant, const DrivenSeat& driven,
                   InstantLoad& load) {
-  const double push = driven.joint.definition->type == JointType::kPrismatic
-                          ? std::max(0.0, instant.drives[driven.drive].effort)
-                          : 0.0;
+  const double push =
+      driven.turns ? 0.0 : std::max(0.0, instant.drives[driven.drive].effort);
   const double pressure = push / driven.area;
   for (const GroupGeometry& group : driven.pressurized) {
     load.surface_loads.push_back(

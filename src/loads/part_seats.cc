@@ -10,6 +10,7 @@
 
 #include "base/errors.h"
 #include "loads/balance.h"
+#include "mechanism/joint_types.h"
 
 namespace clevis::loads {
 
@@ -142,6 +143,7 @@ std::vector<DrivenSeat> driven_seats(const SeatContext& context) {
                   "name a driven joint, or delete the entry under `drives`");
     }
     driven.drive = static_cast<std::size_t>(drive - drives.begin());
+    driven.turns = mechanism::drives_angle(context.definition, *drive);
     const GroupGeometry& face = find_group(context.groups, wanted.group, place);
     driven.area = face.area;
     driven.seat = {.name = "drive " + wanted.drive,

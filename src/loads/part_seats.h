@@ -39,6 +39,7 @@ struct JointSeat {
 struct DrivenSeat {
   BodyJoint joint;
   std::size_t drive{};  ///< index into MechanismDefinition::drives
+  bool turns{};         ///< its effort is a torque
   Seat seat;
   double area{};  ///< of the face [m²]
   std::vector<GroupGeometry> pressurized;

@@ -98,9 +98,12 @@ std::string open_joints(const MechanismDefinition& definition,
     }
   };
   for (int i = 0; i < system.rows(); ++i) {
-    const auto joint = static_cast<std::size_t>(
-        system.row_list()[static_cast<std::size_t>(i)].joint);
-    std::string name = definition.joints[joint].name;
+    const auto& row = system.row_list()[static_cast<std::size_t>(i)];
+    const auto joint = static_cast<std::size_t>(row.joint);
+    std::string name =
+        row.coupling < 0
+            ? definition.joints[joint].name
+            : definition.couplings[static_cast<std::size_t>(row.coupling)].name;
     if (i >= system.joint_rows()) name += " (drive)";
     note(name, residual[i]);
   }

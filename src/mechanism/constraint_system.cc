@@ -42,7 +42,10 @@ JointModel joint_model(const JointDefinition& joint, const Matrix3d& R_WP,
                    .a = joint.body_a + 1,
                    .b = joint.body_b + 1,
                    .frame_a = joint.frame_a,
-                   .frame_b = joint.frame_b};
+                   .frame_b = joint.frame_b,
+                   .slide_per_angle = joint.lead / (2.0 * std::numbers::pi),
+                   .length = joint.length,
+                   .counts_turns = joint.type == JointType::kScrew};
   const auto refer = [&](BodyIndex body, JointFrame& frame) {
     if (body == kGround) {  // W → P
       frame.p_LJ = R_WP.transpose() * frame.p_LJ;
@@ -64,8 +67,10 @@ double link_length(const MechanismDefinition& definition,
     if (joint.b > 0) length = std::max(length, joint.frame_b.p_LJ.norm());
   }
   for (const DriveDefinition& drive : definition.drives) {
-    if (definition.joints[index(drive.joint)].type == JointType::kPrismatic) {
-      length = std::max({length, std::abs(drive.from), std::abs(drive.to)});
+    if (drives_angle(definition, drive)) continue;
+    length = std::max({length, std::abs(drive.from), std::abs(drive.to)});
+    for (const double x : drive.table.values) {
+      length = std::max(length, std::abs(x));
     }
   }
   if (length > 0.0) return length;
@@ -85,6 +90,7 @@ void close_out_of_plane(SolvingFrame& frame) {
   for (bool grown = true; grown;) {
     grown = false;
     for (const JointModel& joint : frame.joints) {
+      if (joint.type == JointType::kDistance) continue;
       if (seen[index(joint.a)] == seen[index(joint.b)]) continue;
       const PlacedJoint placed(joint, frame.placement[index(joint.a)],
                                frame.placement[index(joint.b)]);
@@ -94,6 +100,46 @@ void close_out_of_plane(SolvingFrame& frame) {
       seen[index(joint.a)] = seen[index(joint.b)] = grown = true;
     }
   }
+}
+
+/// Screws at the turn that their slide tells, the others within half a turn.
+std::vector<double> first_angles(const SolvingFrame& frame) {
+  std::vector<double> angles(frame.joints.size(), 0.0);
+  for (std::size_t j = 0; j < angles.size(); ++j) {
+    const JointModel& joint = frame.joints[j];
+    if (joint.type != JointType::kScrew) continue;
+    const PlacedJoint placed(joint, frame.placement[index(joint.a)],
+                             frame.placement[index(joint.b)]);
+    angles[j] = placed.displacement({JointRow::Kind::kTranslation, 2}) /
+                joint.slide_per_angle;
+  }
+  return angles;
+}
+
+CouplingModel coupling_model(const CouplingDefinition& coupling,
+                             SolvingFrame& frame) {
+  JointModel& first = frame.joints[index(coupling.joint_1)];
+  JointModel& second = frame.joints[index(coupling.joint_2)];
+  CouplingModel model{
+      .joint_1 = coupling.joint_1,
+      .joint_2 = coupling.joint_2,
+      .row_1 = coordinate_row(first.type, coupling.coordinate_1),
+      .row_2 = coordinate_row(second.type, coupling.coordinate_2),
+      .ratio = coupling.ratio};
+  first.counts_turns = second.counts_turns = true;
+  const double per_1 = model.row_1.is_angle() ? 1.0 / frame.length : 1.0;
+  const double per_2 = model.row_2.is_angle() ? 1.0 / frame.length : 1.0;
+  model.scale = 1.0 / std::hypot(per_1, coupling.ratio * per_2);
+  const auto at_placement = [&frame](const JointModel& joint,
+                                     const JointRow& row) {
+    return PlacedJoint(joint, frame.placement[index(joint.a)],
+                       frame.placement[index(joint.b)])
+        .displacement(row);
+  };
+  model.offset = coupling.offset.value_or(
+      at_placement(first, model.row_1) -
+      coupling.ratio * at_placement(second, model.row_2));
+  return model;
 }
 
 }  // namespace
@@ -119,6 +165,10 @@ SolvingFrame::SolvingFrame(const MechanismDefinition& given) {
     body.R = body.q.toRotationMatrix();
   }
   if (planar) close_out_of_plane(*this);
+  placement.angles = first_angles(*this);
+  for (const CouplingDefinition& coupling : definition.couplings) {
+    couplings.push_back(coupling_model(coupling, *this));
+  }
 }
 
 ConstraintSystem::ConstraintSystem(const SolvingFrame& frame,
@@ -136,19 +186,28 @@ ConstraintSystem::ConstraintSystem(const SolvingFrame& frame,
       rows_.push_back({static_cast<int>(j), row});
     }
   }
+  if (motions != Motions::kOutOfPlane) {
+    for (std::size_t k = 0; k < frame.couplings.size(); ++k) {
+      const CouplingModel& coupling = frame.couplings[k];
+      rows_.push_back({coupling.joint_1, coupling.row_1, static_cast<int>(k)});
+    }
+  }
   joint_rows_ = rows();
   if (with_drives == Drives::kNone) return;
   for (const DriveDefinition& drive : drives) {
     rows_.push_back(
-        {drive.joint, coordinate_row(frame.joints[index(drive.joint)].type)});
+        {drive.joint, coordinate_row(frame.joints[index(drive.joint)].type,
+                                     drive.coordinate)});
   }
 }
 
 std::vector<PlacedJoint> ConstraintSystem::place(const Configuration& x) const {
   std::vector<PlacedJoint> placed;
   placed.reserve(frame_->joints.size());
-  for (const JointModel& joint : frame_->joints) {
-    placed.emplace_back(joint, x[index(joint.a)], x[index(joint.b)]);
+  for (std::size_t j = 0; j < frame_->joints.size(); ++j) {
+    const JointModel& joint = frame_->joints[j];
+    placed.emplace_back(joint, x[index(joint.a)], x[index(joint.b)],
+                        x.angle(j));
   }
   return placed;
 }
@@ -159,8 +218,14 @@ VectorXd ConstraintSystem::residual(const std::vector<PlacedJoint>& placed,
   for (int i = 0; i < rows(); ++i) {
     const Row& r = rows_[index(i)];
     double gap = placed[index(r.joint)].displacement(r.row);
+    if (r.coupling >= 0) {  // counts turns
+      const CouplingModel& k = frame_->couplings[coupling(r)];
+      gap -= k.ratio * placed[index(k.joint_2)].displacement(k.row_2);
+      c[i] = k.scale * (gap - k.offset);
+      continue;
+    }
     if (i >= joint_rows_) gap -= targets[i - joint_rows_];
-    if (r.row.kind == JointRow::Kind::kRotation) {
+    if (r.row.is_angle()) {
       gap = length_ * std::remainder(gap, 2.0 * std::numbers::pi);
     }
     c[i] = gap;
@@ -168,37 +233,53 @@ VectorXd ConstraintSystem::residual(const std::vector<PlacedJoint>& placed,
   return c;
 }
 
+void ConstraintSystem::add_levers(MatrixXd& J, int row, int joint,
+                                  const PlacedJoint::Levers& levers,
+                                  double factor) const {
+  const int width = static_cast<int>(components_.size());
+  const auto add = [&](int slot, const Twist& lever) {
+    if (slot == 0) return;
+    for (int k = 0; k < width; ++k) {
+      const int component = components_[index(k)];
+      J(row, (slot - 1) * width + k) +=
+          factor * (component < 3 ? lever.v[component]
+                                  : lever.w[component - 3] / length_);
+    }
+  };
+  add(frame_->joints[index(joint)].a, levers.a);
+  add(frame_->joints[index(joint)].b, levers.b);
+}
+
 MatrixXd ConstraintSystem::jacobian(
     const std::vector<PlacedJoint>& placed) const {
   MatrixXd J = MatrixXd::Zero(rows(), columns_);
-  const int width = static_cast<int>(components_.size());
   for (int i = 0; i < rows(); ++i) {
     const Row& r = rows_[index(i)];
-    const auto levers = placed[index(r.joint)].levers(r.row);
-    const double turn = scale(r.row) / length_;
-    const auto fill = [&](int slot, const Twist& lever) {
-      if (slot == 0) return;
-      for (int k = 0; k < width; ++k) {
-        const int component = components_[index(k)];
-        J(i, (slot - 1) * width + k) =
-            component < 3 ? lever.v[component] : turn * lever.w[component - 3];
-      }
-    };
-    fill(frame_->joints[index(r.joint)].a, levers.a);
-    fill(frame_->joints[index(r.joint)].b, levers.b);
+    add_levers(J, i, r.joint, placed[index(r.joint)].levers(r.row), scale(r));
+    if (r.coupling < 0) continue;
+    const CouplingModel& k = frame_->couplings[coupling(r)];
+    add_levers(J, i, k.joint_2, placed[index(k.joint_2)].levers(k.row_2),
+               -k.scale * k.ratio);
   }
   return J;
 }
 
 VectorXd ConstraintSystem::bias(const std::vector<PlacedJoint>& placed,
                                 const std::vector<Twist>& twists) const {
+  const auto of = [&](int joint, const JointRow& row) {
+    const JointModel& model = frame_->joints[index(joint)];
+    return placed[index(joint)].bias(row, twists[index(model.a)],
+                                     twists[index(model.b)]);
+  };
   VectorXd bias(rows());
   for (int i = 0; i < rows(); ++i) {
     const Row& r = rows_[index(i)];
-    const JointModel& joint = frame_->joints[index(r.joint)];
-    bias[i] = scale(r.row) *
-              placed[index(r.joint)].bias(r.row, twists[index(joint.a)],
-                                          twists[index(joint.b)]);
+    bias[i] = of(r.joint, r.row);
+    if (r.coupling >= 0) {
+      const CouplingModel& k = frame_->couplings[coupling(r)];
+      bias[i] -= k.ratio * of(k.joint_2, k.row_2);
+    }
+    bias[i] *= scale(r);
   }
   return bias;
 }
@@ -232,12 +313,20 @@ VectorXd ConstraintSystem::wrench_vector(
 }
 
 double ConstraintSystem::multiplier(const Row& row, double scaled) const {
-  return scale(row.row) * scaled;
+  return scale(row) * scaled;
 }
 
 void ConstraintSystem::move(Configuration& x, const VectorXd& unknowns) const {
   const std::vector<Twist> steps = twists(unknowns);
   for (std::size_t i = 1; i < x.size(); ++i) x[i].move(steps[i].v, steps[i].w);
+  for (std::size_t j = 0; j < x.angles.size(); ++j) {
+    const JointModel& joint = frame_->joints[j];
+    if (!joint.counts_turns) continue;
+    const auto a = index(joint.a), b = index(joint.b);
+    const Vector3d axis = x[a].R * joint.frame_a.R_LJ.col(2);
+    const double about = x.angles[j] + axis.dot(steps[b].w - steps[a].w);
+    x.angles[j] = PlacedJoint(joint, x[a], x[b], about).turned();
+  }
 }
 
 double ConstraintSystem::distance(const Configuration& x,

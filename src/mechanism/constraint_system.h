@@ -10,8 +10,25 @@
 
 namespace clevis::mechanism {
 
-/// Positions of all bodies by slot; slot 0 is ground.
-using Configuration = std::vector<BodyPlacement>;
+/// Positions of all bodies by slot; slot 0 is ground. Joints that count turns
+/// also need the angle that they have turned by.
+struct Configuration : std::vector<BodyPlacement> {
+  using std::vector<BodyPlacement>::vector;
+  /// By joint, to half a turn [rad]; move() keeps it up. Empty: all 0.
+  std::vector<double> angles;
+
+  double angle(std::size_t joint) const {
+    return joint < angles.size() ? angles[joint] : 0.0;
+  }
+};
+
+/// q_1 = ratio q_2 + offset between coordinates of two joints.
+struct CouplingModel {
+  int joint_1{}, joint_2{};
+  JointRow row_1, row_2;
+  double ratio{}, offset{};
+  double scale{};  ///< makes its row comparable with lengths
+};
 
 /// A mechanism in the frame P in which it is solved: for planar ones z is the
 /// plane's normal. Each body is referred to M, the mean of its joints.
@@ -24,11 +41,12 @@ struct SolvingFrame {
   double length{};
   std::vector<Eigen::Vector3d> p_LM;  ///< by body [m]
   std::vector<JointModel> joints;
+  std::vector<CouplingModel> couplings;
   Configuration placement;  ///< as the user gave it, out of plane closed
 };
 
 /// The constraint equations c(x, t) = 0 of a mechanism for some motions of
-/// its bodies: the joints' rows, then one row per drive.
+/// its bodies: the joints' rows, one row per coupling, one per drive.
 ///
 /// Unknowns of a body: displacement of M and length × turn, so that rows,
 /// columns and multipliers do not depend on the units or the size.
@@ -42,13 +60,15 @@ class ConstraintSystem {
 
   int rows() const { return static_cast<int>(rows_.size()); }
   int columns() const { return columns_; }
+  /// Rows of joints and couplings; those of drives follow.
   int joint_rows() const { return joint_rows_; }
   Motions motions() const { return motions_; }
 
-  /// A row: which joint, and which motion of it. Drives come last.
+  /// A row: which joint, and which motion of it; of a coupling the first.
   struct Row {
     int joint{};
     JointRow row{};
+    int coupling = -1;  ///< index, or −1
   };
   const std::vector<Row>& row_list() const { return rows_; }
 
@@ -74,10 +94,20 @@ class ConstraintSystem {
   double distance(const Configuration& x, const Configuration& y) const;
 
   double scale(const JointRow& row) const {
-    return row.kind == JointRow::Kind::kRotation ? length_ : 1.0;
+    return row.is_angle() ? length_ : 1.0;
+  }
+  double scale(const Row& row) const {
+    return row.coupling < 0 ? scale(row.row)
+                            : frame_->couplings[coupling(row)].scale;
   }
 
  private:
+  static std::size_t coupling(const Row& row) {
+    return static_cast<std::size_t>(row.coupling);
+  }
+  void add_levers(Eigen::MatrixXd& J, int row, int joint,
+                  const PlacedJoint::Levers& levers, double factor) const;
+
   const SolvingFrame* frame_;
   Motions motions_;
   std::span<const int> components_;

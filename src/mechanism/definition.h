@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "mechanism/cubic_spline.h"
 #include "part/mass_properties.h"
 
 namespace clevis::mechanism {
@@ -30,19 +31,40 @@ struct BodyDefinition {
   std::string place;  ///< file:line:column
 };
 
-enum class JointType { kRevolute, kPrismatic, kWeld };
+enum class JointType {
+  kRevolute,
+  kPrismatic,
+  kWeld,
+  kCylindrical,
+  kUniversal,
+  kSpherical,
+  kPlanar,
+  kScrew,
+  kDistance
+};
 
-/// Frame J of a joint on one of its bodies: z is the joint axis (rotation or
-/// slide), x the direction that prismatic and weld joints keep aligned and
-/// from which a revolute measures its angle.
+/// Frame J of a joint on one of its bodies: z is the joint axis (rotation,
+/// slide, normal of a planar joint), x the direction that prismatic and weld
+/// joints keep aligned and from which angles about z are measured.
 struct JointFrame {
   Eigen::Vector3d p_LJ = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Matrix3d R_LJ = Eigen::Matrix3d::Identity();
 };
 
-/// A joint between bodies a and b. Its coordinate q is, for a revolute, the
-/// angle from x of a to x of b about z [rad]; for a prismatic, the distance
-/// from the origin of a's frame to b's along z of a [m].
+/// How far a joint gives way in frame J, per force [m/N] and per moment
+/// [rad/(N m)] along x, y, z. It decides how reactions are shared that
+/// equilibrium leaves open, and bounds them at change points; motion stays
+/// that of rigid joints.
+struct JointCompliance {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+};
+
+/// A joint between bodies a and b, J its frame on each. Coordinates (named in
+/// joint_types.h): angles from x of a to x of b about z [rad], distances from
+/// the origin of a's frame to b's along an axis of a [m]. A universal joint
+/// turns about z of a, then about x of b, which stay at right angles; angles
+/// of a spherical one are about z of a, the turned x, y of b.
 struct JointDefinition {
   std::string name;
   JointType type{};
@@ -50,9 +72,24 @@ struct JointDefinition {
   BodyIndex body_b = kGround;
   JointFrame frame_a, frame_b;
   std::string place;
+  double lead{};    ///< of a screw: slide along z per turn [m]
+  double length{};  ///< of a distance joint: between the origins [m]
+  std::optional<JointCompliance> compliance = std::nullopt;
 };
 
-enum class DriveLaw { kConstant, kRamp, kQuintic, kSine };
+/// Gear or rack: q_1 = ratio q_2 + offset between coordinates of two joints.
+/// The tooth force is not resolved: each coordinate takes its generalised
+/// force.
+struct CouplingDefinition {
+  std::string name;
+  int joint_1{}, coordinate_1{};
+  int joint_2{}, coordinate_2{};
+  double ratio{};                ///< unit of q_1 per unit of q_2
+  std::optional<double> offset;  ///< without: that of the placement
+  std::string place;
+};
+
+enum class DriveLaw { kConstant, kRamp, kQuintic, kSine, kTable };
 
 /// Prescribed joint coordinate. Before `start` it rests at `from`, after
 /// start + duration at `to`.
@@ -64,6 +101,8 @@ struct DriveDefinition {
   double start{}, duration{};       ///< [s]
   double amplitude{}, frequency{};  ///< [m] or [rad], [Hz]
   std::string place;
+  int coordinate{};     ///< which of the joint's
+  CubicSpline table{};  ///< of a table: times after `start`, [m] or [rad]
 };
 
 /// A constant force and moment on a body, directions fixed in W.
@@ -90,6 +129,7 @@ enum class SpaceDimension { kAuto, kPlanar, kSpatial };
 struct MechanismDefinition {
   std::vector<BodyDefinition> bodies;
   std::vector<JointDefinition> joints;
+  std::vector<CouplingDefinition> couplings;
   std::vector<DriveDefinition> drives;
   std::vector<ForceDefinition> forces;
   std::vector<MarkerDefinition> markers;

@@ -21,6 +21,10 @@ DriveTarget sine(const DriveDefinition& drive, double t) {
 DriveTarget drive_target(const DriveDefinition& drive, double t) {
   if (drive.law == DriveLaw::kConstant) return {.position = drive.from};
   if (drive.law == DriveLaw::kSine) return sine(drive, t);
+  if (drive.law == DriveLaw::kTable) {
+    const CubicSpline::Point point = drive.table.at(t - drive.start);
+    return {point.value, point.rate, point.acceleration};
+  }
   if (t < drive.start) return {.position = drive.from};
   if (t > drive.start + drive.duration || drive.duration <= 0.0) {
     return {.position = drive.to};

@@ -15,7 +15,7 @@ struct DriveTarget {
 ///
 /// Constant: `from`. Ramp: linear, quintic: 10 s³ − 15 s⁴ + 6 s⁵, from `from`
 /// to `to` over [start, start + duration], at rest outside of it. Sine: at
-/// rest before `start`, without end after it.
+/// rest before `start`, without end after it. Table: the spline, from `start`.
 DriveTarget drive_target(const DriveDefinition& drive, double t);
 
 }  // namespace clevis::mechanism

@@ -82,25 +82,49 @@ void Equilibrium::add(Solution& solution,
                       const VectorXd& lambda) const {
   for (int i = 0; i < rows.joint_rows(); ++i) {
     const auto& row = rows.row_list()[index(i)];
-    JointReaction& reaction = solution.joints[index(row.joint)];
-    const Vector3d value = rows.multiplier(row, lambda[i]) *
-                           placed[index(row.joint)].axes_a.col(row.row.axis);
-    if (row.row.kind == JointRow::Kind::kTranslation) {
-      reaction.f_W += value;
-    } else {
-      reaction.t_W += value;
+    const double value = rows.multiplier(row, lambda[i]);
+    if (row.coupling >= 0) {
+      const CouplingModel& coupling = frame_.couplings[index(row.coupling)];
+      const Twist first = placed[index(coupling.joint_1)].action(row.row);
+      const Twist second =
+          placed[index(coupling.joint_2)].action(coupling.row_2);
+      const double value_2 = -coupling.ratio * value;
+      solution.couplings[index(row.coupling)] = {.effort = value,
+                                                 .f_1_W = value * first.v,
+                                                 .t_1_W = value * first.w,
+                                                 .f_2_W = value_2 * second.v,
+                                                 .t_2_W = value_2 * second.w};
+      continue;
     }
+    JointReaction& reaction = solution.joints[index(row.joint)];
+    const Twist action = placed[index(row.joint)].action(row.row);
+    reaction.f_W += value * action.v;
+    reaction.t_W += value * action.w;
   }
 }
 
-void Equilibrium::mark(Solution& solution, const ConstraintSystem& rows,
+void Equilibrium::mark(Solution& solution,
+                       const std::vector<PlacedJoint>& placed,
+                       const ConstraintSystem& rows,
                        const std::vector<bool>& dependent) const {
+  constexpr double kRoundOff = 1e-9;  // of a unit vector's component
   for (int i = 0; i < rows.joint_rows(); ++i) {
     if (!dependent[index(i)]) continue;
     const auto& row = rows.row_list()[index(i)];
+    if (row.coupling >= 0) {
+      solution.couplings[index(row.coupling)].unique = false;
+      continue;
+    }
+    const PlacedJoint& joint = placed[index(row.joint)];
     JointReaction& reaction = solution.joints[index(row.joint)];
-    const int moment = row.row.kind == JointRow::Kind::kRotation ? 3 : 0;
-    reaction.unique_components[index(moment + row.row.axis)] = false;
+    const Twist action = joint.action(row.row);
+    const Vector3d f = joint.axes_a.transpose() * action.v;
+    const Vector3d t = joint.axes_a.transpose() * action.w;
+    for (int k = 0; k < 3; ++k) {
+      auto& unique = reaction.unique_components;
+      if (std::abs(f[k]) > kRoundOff) unique[index(k)] = false;
+      if (std::abs(t[k]) > kRoundOff) unique[index(3 + k)] = false;
+    }
     reaction.unique = false;
   }
 }
@@ -128,9 +152,12 @@ void Equilibrium::solve_out_of_plane(Solution& solution,
   }
   for (std::size_t i = 0; i < solution.efforts.size(); ++i) {
     const auto& row = system_.row_list()[index(system_.joint_rows()) + i];
-    if (row.row.kind == JointRow::Kind::kRotation) continue;  // in the plane
     forces[index(row.joint)] +=
-        solution.efforts[i] * placed[index(row.joint)].axes_a.col(2);
+        solution.efforts[i] * placed[index(row.joint)].action(row.row).v;
+  }
+  for (std::size_t k = 0; k < solution.couplings.size(); ++k) {
+    forces[index(frame_.couplings[k].joint_1)] += solution.couplings[k].f_1_W;
+    forces[index(frame_.couplings[k].joint_2)] += solution.couplings[k].f_2_W;
   }
   for (std::size_t j = 0; j < placed.size(); ++j) {
     const Vector3d& f = forces[j];
@@ -148,7 +175,7 @@ void Equilibrium::solve_out_of_plane(Solution& solution,
   factor.compute(J);
   add(solution, placed, out_of_plane_,
       factor.solve_transposed(out_of_plane_.wrench_vector(required)));
-  mark(solution, out_of_plane_, row_dependence(J).dependent);
+  mark(solution, placed, out_of_plane_, row_dependence(J).dependent);
 }
 
 Equilibrium::Solution Equilibrium::solve(
@@ -161,6 +188,7 @@ Equilibrium::Solution Equilibrium::solve(
       factor.solve_transposed(system_.wrench_vector(required));
   Solution solution;
   solution.joints.resize(placed.size());
+  solution.couplings.resize(frame_.couplings.size());
   for (std::size_t j = 0; j < placed.size(); ++j) {
     solution.joints[j].p_WJ = placed[j].p_b;
   }
@@ -171,7 +199,8 @@ Equilibrium::Solution Equilibrium::solve(
     solution.efforts.push_back(effort);
   }
   if (system_.rows() > factor.rank()) {
-    mark(solution, system_, row_dependence(system_.jacobian(placed)).dependent);
+    mark(solution, placed, system_,
+         row_dependence(system_.jacobian(placed)).dependent);
   }
   if (frame_.planar && acts_across_plane(placed, required)) {
     solve_out_of_plane(solution, placed, required);

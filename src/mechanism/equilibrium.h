@@ -20,8 +20,9 @@ class Equilibrium {
               const ConstraintSystem& system);
 
   struct Solution {
-    std::vector<JointReaction> joints;  ///< expressed in P
-    std::vector<double> efforts;        ///< by drive
+    std::vector<JointReaction> joints;     ///< expressed in P
+    std::vector<double> efforts;           ///< by drive
+    std::vector<CouplingState> couplings;  ///< expressed in P
   };
   /// @param twists, accelerations  by slot, of M, in P.
   Solution solve(const Configuration& x, const std::vector<PlacedJoint>& placed,
@@ -41,7 +42,8 @@ class Equilibrium {
   void solve_out_of_plane(Solution& solution,
                           const std::vector<PlacedJoint>& placed,
                           std::vector<Twist> required) const;
-  void mark(Solution& solution, const ConstraintSystem& rows,
+  void mark(Solution& solution, const std::vector<PlacedJoint>& placed,
+            const ConstraintSystem& rows,
             const std::vector<bool>& dependent) const;
 
   struct Inertia {

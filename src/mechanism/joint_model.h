@@ -1,38 +1,12 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include "mechanism/definition.h"
+#include "mechanism/joint_types.h"
 
 namespace clevis::mechanism {
-
-/// Which motions of the bodies a system of equations is about. A planar
-/// mechanism moves in its plane only, but its parts also carry what acts
-/// across it.
-enum class Motions { kSpatial, kInPlane, kOutOfPlane };
-
-/// Indices into a twist (v, ω) that these motions use; the plane's normal is z.
-std::span<const int> twist_components(Motions motions);
-
-/// One constrained (or measured) motion of frame J on b against frame J on a:
-/// along or about an axis of J on a.
-struct JointRow {
-  enum class Kind { kTranslation, kRotation } kind{};
-  int axis{};  ///< 0, 1, 2: x, y, z of frame J on body a
-};
-
-/// What a joint type holds, within the given motions. In the plane, frames
-/// of revolutes and welds have z normal to it, of prismatic joints x.
-/// This table, coordinate_row() and rotation_error() are all that a new joint
-/// type needs.
-std::span<const JointRow> constrained_rows(JointType type, Motions motions);
-
-/// The motion that a drive of the joint prescribes. Welds have none.
-JointRow coordinate_row(JointType type);
 
 /// Position of a body's reference point M and orientation, in the solving
 /// frame P.
@@ -46,7 +20,8 @@ struct BodyPlacement {
             const Eigen::Vector3d& rotation);
 };
 
-/// Velocity of M and angular velocity of a body; or accelerations.
+/// Velocity of M and angular velocity of a body; or accelerations; or a force
+/// and a moment.
 struct Twist {
   Eigen::Vector3d v = Eigen::Vector3d::Zero();
   Eigen::Vector3d w = Eigen::Vector3d::Zero();
@@ -57,32 +32,46 @@ struct JointModel {
   JointType type{};
   int a{}, b{};  ///< slots
   JointFrame frame_a, frame_b;
+  double slide_per_angle{};  ///< of a screw [m/rad]
+  double length{};           ///< of a distance joint [m]
+  /// The angle about its axis counts beyond a turn: a screw, or coupled.
+  bool counts_turns = false;
 };
 
 /// A joint in a configuration: its axes and levers in P.
 struct PlacedJoint {
+  /// @param angle  near which the angle about the joint's axis lies, to half
+  ///   a turn [rad].
   PlacedJoint(const JointModel& joint, const BodyPlacement& body_a,
-              const BodyPlacement& body_b);
+              const BodyPlacement& body_b, double angle = 0.0);
 
-  /// Rotation vector from frame J on a to J on b [rad]; a revolute leaves
-  /// out the turn about its axis.
+  /// Rotation vector from frame J on a to J on b [rad]; joints that turn
+  /// about z leave out that turn.
   Eigen::Vector3d rotation_error() const;
 
   /// How far b is displaced against a in this row: [m] or [rad].
   double displacement(const JointRow& row) const;
 
-  /// Force (or moment) on b at J per unit multiplier of the row, as (force,
-  /// moment about M) on a and on b: the row of the constraint Jacobian.
+  /// Force and moment on b at its J per unit multiplier of the row.
+  Twist action(const JointRow& row) const;
+
+  /// The same as (force, moment about M) on a and on b: the row of the
+  /// constraint Jacobian. Exact where the joint is closed.
   struct Levers {
     Twist a, b;
   };
-  Levers levers(const JointRow& row) const;
+  Levers levers(const JointRow& row) const { return levers(action(row)); }
+  Levers levers(const Twist& action) const;
 
   /// Second time derivative of the row that velocities alone cause.
   double bias(const JointRow& row, const Twist& twist_a,
               const Twist& twist_b) const;
 
+  /// Angle about the joint's axis, beyond half a turn as `angle` says.
+  double turned() const;
+
   JointType type{};
+  double slide_per_angle{}, length{}, angle_near{};
   Eigen::Matrix3d axes_a, axes_b;  ///< columns: axes of J in P
   Eigen::Vector3d r_a, r_b;        ///< from M to J [m]
   Eigen::Vector3d p_b;             ///< J on b [m]

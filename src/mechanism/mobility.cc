@@ -63,14 +63,16 @@ Mobility mobility_at(const SolvingFrame& frame, const ConstraintSystem& system,
   const MatrixXd freedom = null_space(all);
   const auto placed = system.place(x);
   for (std::size_t j = 0; j < frame.joints.size(); ++j) {
-    if (frame.joints[j].type == JointType::kWeld) continue;
     DriveDefinition probe;
     probe.joint = static_cast<int>(j);
-    const ConstraintSystem with_probe(frame, {probe}, system.motions(),
-                                      ConstraintSystem::Drives::kAll);
-    const MatrixXd row = with_probe.jacobian(placed).bottomRows(1);
-    if ((row * freedom).norm() > 1e-6) {
-      result.free_joints.push_back(static_cast<int>(j));
+    const auto count = coordinates(frame.joints[j].type).size();
+    for (; probe.coordinate < static_cast<int>(count); ++probe.coordinate) {
+      const ConstraintSystem with_probe(frame, {probe}, system.motions(),
+                                        ConstraintSystem::Drives::kAll);
+      const MatrixXd row = with_probe.jacobian(placed).bottomRows(1);
+      if ((row * freedom).norm() > 1e-6) {
+        result.free_coordinates.push_back(probe);
+      }
     }
   }
   return result;
@@ -96,8 +98,7 @@ void require_driven(const MechanismDefinition& definition,
     for (const int i : mobility.dependent_drives) {
       const DriveDefinition& drive =
           definition.drives[static_cast<std::size_t>(i)];
-      names.push_back(
-          definition.joints[static_cast<std::size_t>(drive.joint)].name);
+      names.push_back(drive_name(definition, drive));
     }
     const DriveDefinition& last =
         definition
@@ -120,8 +121,8 @@ void require_driven(const MechanismDefinition& definition,
   }
   if (mobility.with_drives > 0) {
     std::vector<std::string> names;
-    for (const int j : mobility.free_joints) {
-      names.push_back(definition.joints[static_cast<std::size_t>(j)].name);
+    for (const DriveDefinition& drive : mobility.free_coordinates) {
+      names.push_back(drive_name(definition, drive));
     }
     throw Error(
         "K002", "mechanism",

@@ -14,8 +14,9 @@ struct Mobility {
   int joints{};       ///< columns − rank of the joints' rows
   int with_drives{};  ///< columns − rank of all rows: what no drive fixes
   int redundant{};    ///< joints' rows − rank
-  std::vector<bool> dependent_rows;   ///< joints' rows among dependent ones
-  std::vector<int> free_joints;       ///< joints that the drives leave loose
+  std::vector<bool> dependent_rows;  ///< joints' rows among dependent ones
+  /// Coordinates that the drives leave loose, as drives of them.
+  std::vector<DriveDefinition> free_coordinates;
   std::vector<int> dependent_drives;  ///< drives that repeat other rows
 };
 

@@ -33,11 +33,25 @@ struct JointReaction {
   std::array<bool, 6> unique_components{true, true, true, true, true, true};
 };
 
+/// What a coupling does to the bodies b of its two joints, at the origins of
+/// their frames J; the bodies a feel the opposite at the same points. In W.
+struct CouplingState {
+  double effort{};  ///< generalised force on coordinate 1 [N] or [N m]; on
+                    ///< coordinate 2 it is −ratio times that
+  Eigen::Vector3d f_1_W = Eigen::Vector3d::Zero();  ///< [N]
+  Eigen::Vector3d t_1_W = Eigen::Vector3d::Zero();  ///< [N m]
+  Eigen::Vector3d f_2_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d t_2_W = Eigen::Vector3d::Zero();
+  bool unique = true;
+};
+
 /// Prescribed coordinate and what it takes.
 struct DriveState {
   double position{}, rate{}, acceleration{};  ///< [m] or [rad] …
   double effort{};  ///< [N] or [N m]; power = effort * rate; > 0 pushes apart
-  Eigen::Vector3d axis_W = Eigen::Vector3d::Zero();  ///< direction on body b
+  /// Force, or moment, on body b per effort; a unit vector but for angles of
+  /// spherical joints.
+  Eigen::Vector3d axis_W = Eigen::Vector3d::Zero();
 };
 
 struct Instant {
@@ -45,6 +59,7 @@ struct Instant {
   std::vector<BodyState> bodies;
   std::vector<JointReaction> joints;
   std::vector<DriveState> drives;
+  std::vector<CouplingState> couplings;
   double closure_error{};        ///< largest joint gap [m]
   double power_balance_error{};  ///< |drives + loads − d(kinetic)/dt| over the
                                  ///< largest of them over the motion [1]

@@ -1,5 +1,6 @@
 #include "mechanism/plane.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -27,12 +28,25 @@ Matrix3d axes(const MechanismDefinition& definition, BodyIndex body,
   return rotation(definition, body) * frame.R_LJ;
 }
 
+/// Turns about z only, or not at all about other axes.
+bool has_normal_axis(JointType type) {
+  return type == JointType::kRevolute || type == JointType::kPlanar ||
+         type == JointType::kCylindrical || type == JointType::kSpherical;
+}
+
+/// Types that leave no motion across the plane unless all bodies share it;
+/// the others are taken as planar only where the user says so.
+bool is_planar_type(JointType type) {
+  return type == JointType::kRevolute || type == JointType::kPrismatic ||
+         type == JointType::kWeld || type == JointType::kPlanar;
+}
+
 /// Normal that the joints suggest; world z where they leave it open.
 Vector3d suggested_normal(const MechanismDefinition& definition) {
   Vector3d slide = Vector3d::Zero();
   for (const JointDefinition& joint : definition.joints) {
     const Vector3d z = axes(definition, joint.body_a, joint.frame_a).col(2);
-    if (joint.type == JointType::kRevolute) return z;
+    if (has_normal_axis(joint.type)) return z;
     if (joint.type != JointType::kPrismatic) continue;
     const Vector3d normal = slide.cross(z);
     if (normal.norm() > 1e-3) return normal.normalized();
@@ -52,15 +66,20 @@ const JointDefinition* find_spatial_joint(const MechanismDefinition& definition,
     const Matrix3d axes_a = axes(definition, joint.body_a, joint.frame_a);
     const Matrix3d axes_b = axes(definition, joint.body_b, joint.frame_b);
     const Vector3d z_a = axes_a.col(2), z_b = axes_b.col(2);
-    const bool revolute = joint.type == JointType::kRevolute;
+    if (joint.type == JointType::kDistance) continue;
+    if (joint.type == JointType::kUniversal ||
+        joint.type == JointType::kScrew) {
+      return &joint;
+    }
     const bool fits =
-        revolute ? z_a.cross(normal).norm() < kParallel &&
-                       (z_a - z_b).norm() < kParallel
-                 // the same turn about the normal on both bodies
-                 : (axes_a.transpose() * normal - axes_b.transpose() * normal)
-                               .norm() < kParallel &&
-                       (joint.type == JointType::kWeld ||
-                        std::abs(z_a.dot(normal)) < kParallel);
+        has_normal_axis(joint.type)
+            ? z_a.cross(normal).norm() < kParallel &&
+                  (z_a - z_b).norm() < kParallel
+            // the same turn about the normal on both bodies
+            : (axes_a.transpose() * normal - axes_b.transpose() * normal)
+                          .norm() < kParallel &&
+                  (joint.type == JointType::kWeld ||
+                   std::abs(z_a.dot(normal)) < kParallel);
     if (!fits) return &joint;
   }
   return nullptr;
@@ -70,6 +89,11 @@ const JointDefinition* find_spatial_joint(const MechanismDefinition& definition,
 
 std::optional<Matrix3d> find_plane(const MechanismDefinition& definition) {
   if (definition.dimension == SpaceDimension::kSpatial) return std::nullopt;
+  if (definition.dimension == SpaceDimension::kAuto &&
+      !std::ranges::all_of(definition.joints, is_planar_type,
+                           &JointDefinition::type)) {
+    return std::nullopt;
+  }
   Vector3d normal = suggested_normal(definition);
   // of both normals the one that looks the user's way
   if (normal.z() < -kParallel) normal = -normal;
@@ -97,7 +121,7 @@ std::optional<Matrix3d> find_plane(const MechanismDefinition& definition) {
 void align_joint_frames(MechanismDefinition& definition,
                         const Vector3d& normal_W) {
   for (JointDefinition& joint : definition.joints) {
-    if (joint.type == JointType::kRevolute) continue;
+    if (has_normal_axis(joint.type)) continue;
     const Matrix3d old = axes(definition, joint.body_a, joint.frame_a);
     Matrix3d turned;
     if (joint.type == JointType::kPrismatic) {

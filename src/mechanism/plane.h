@@ -12,8 +12,10 @@ namespace clevis::mechanism {
 /// mechanism move, or nothing if the joints (in the reference placement) allow
 /// no such plane.
 ///
-/// Planar: axes of revolutes parallel to z and of the same sense on both
-/// bodies, slides normal to it, all to 1e-9.
+/// Planar: axes of revolutes (planar, cylindrical, spherical joints) parallel
+/// to z and of the same sense on both bodies, slides normal to it, all to
+/// 1e-9. Unless the user says "planar", only revolutes, slides, welds and
+/// planar joints count as such: the others leave bodies loose across it.
 /// @throws Error S010 if `definition.dimension` says planar and it is not.
 std::optional<Eigen::Matrix3d> find_plane(
     const MechanismDefinition& definition);

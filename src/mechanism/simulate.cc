@@ -92,15 +92,14 @@ ClosedConfiguration Simulation::start() const {
 std::string Simulation::drives_at(const VectorXd& targets) const {
   std::string text;
   for (std::size_t i = 0; i < definition_.drives.size(); ++i) {
-    const JointDefinition& joint =
-        definition_
-            .joints[static_cast<std::size_t>(definition_.drives[i].joint)];
+    const DriveDefinition& drive = definition_.drives[i];
+    const std::string name = drive_name(definition_, drive);
     const double q = targets[static_cast<Eigen::Index>(i)];
     text += text.empty() ? "" : ", ";
-    text += joint.type == JointType::kPrismatic
-                ? fmt::format("{} at {:.6g} mm", joint.name, 1e3 * q)
-                : fmt::format("{} at {:.6g} deg", joint.name,
-                              q * 180.0 / std::numbers::pi);
+    text += drives_angle(definition_, drive)
+                ? fmt::format("{} at {:.6g} deg", name,
+                              q * 180.0 / std::numbers::pi)
+                : fmt::format("{} at {:.6g} mm", name, 1e3 * q);
   }
   return text;
 }
@@ -180,10 +179,21 @@ Instant Simulation::instant(const ClosedConfiguration& at, double t) const {
   }
   result.joints = std::move(forces.joints);
   for (std::size_t k = 0; k < result.drives.size(); ++k) {
-    const auto joint = static_cast<std::size_t>(definition_.drives[k].joint);
+    const auto& row = system_.row_list()[static_cast<std::size_t>(
+        system_.joint_rows() + static_cast<int>(k))];
+    const Twist action =
+        at.placed[static_cast<std::size_t>(row.joint)].action(row.row);
     result.drives[k].effort = forces.efforts[k];
-    result.drives[k].axis_W = frame_.R_WP * at.placed[joint].axes_a.col(2);
+    result.drives[k].axis_W =
+        frame_.R_WP * (row.row.is_angle() ? action.w : action.v);
   }
+  for (CouplingState& coupling : forces.couplings) {
+    for (Vector3d* vector :
+         {&coupling.f_1_W, &coupling.t_1_W, &coupling.f_2_W, &coupling.t_2_W}) {
+      *vector = frame_.R_WP * *vector;
+    }
+  }
+  result.couplings = std::move(forces.couplings);
   result.closure_error = at.gap;
   return result;
 }

@@ -19,7 +19,17 @@ int pair_constraints(const MechanismDefinition& definition, Motions motions) {
     constraints +=
         static_cast<int>(constrained_rows(joint.type, motions).size());
   }
-  return constraints;
+  return constraints + static_cast<int>(definition.couplings.size());
+}
+
+/// Links with revolutes and slides only.
+bool has_assur_groups(const MechanismDefinition& definition) {
+  return definition.couplings.empty() &&
+         std::ranges::all_of(definition.joints, [](const auto& joint) {
+           return joint.type == JointType::kRevolute ||
+                  joint.type == JointType::kPrismatic ||
+                  joint.type == JointType::kWeld;
+         });
 }
 
 std::vector<std::string> involved(const MechanismDefinition& definition,
@@ -28,9 +38,11 @@ std::vector<std::string> involved(const MechanismDefinition& definition,
   std::vector<std::string> names;
   for (int i = 0; i < system.joint_rows(); ++i) {
     if (!dependent_rows[static_cast<std::size_t>(i)]) continue;
-    const auto joint = static_cast<std::size_t>(
-        system.row_list()[static_cast<std::size_t>(i)].joint);
-    const std::string& name = definition.joints[joint].name;
+    const auto& row = system.row_list()[static_cast<std::size_t>(i)];
+    const std::string& name =
+        row.coupling < 0
+            ? definition.joints[static_cast<std::size_t>(row.joint)].name
+            : definition.couplings[static_cast<std::size_t>(row.coupling)].name;
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
   return names;
@@ -68,7 +80,7 @@ Structure analyse_structure(const MechanismDefinition& definition) {
   s.chebyshev = frame.planar
                     ? 3 * s.moving_links - pair_constraints(definition, own)
                     : s.spatial_chebyshev;
-  if (!frame.planar) return s;
+  if (!frame.planar || !has_assur_groups(definition)) return s;
   const AssurFormula corrected = corrected_formula(definition);
   const AssurFormula published = published_formula(definition);
   s.assur_corrected = corrected.text;

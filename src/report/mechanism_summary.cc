@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanism/joint_types.h"
+
 namespace clevis::report {
 namespace {
 
@@ -49,14 +51,13 @@ MechanismSummary summarise(const mechanism::MechanismDefinition& definition,
                               peak_over(motion, moment)});
   }
   for (std::size_t d = 0; d < definition.drives.size(); ++d) {
-    const auto& joint =
-        definition.joints[static_cast<std::size_t>(definition.drives[d].joint)];
-    const bool slides = joint.type == mechanism::JointType::kPrismatic;
+    const bool turns =
+        mechanism::drives_angle(definition, definition.drives[d]);
     const auto effort = [d](const Instant& instant) {
       return std::abs(instant.drives[d].effort);
     };
-    summary.drives.push_back({joint.name,
-                              slides ? EffortKind::kForce : EffortKind::kTorque,
+    summary.drives.push_back({drive_name(definition, definition.drives[d]),
+                              turns ? EffortKind::kTorque : EffortKind::kForce,
                               peak_over(motion, effort)});
   }
   return summary;

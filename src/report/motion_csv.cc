@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "mechanism/joint_types.h"
 #include "report/motion_report.h"
 
 namespace clevis::report {
@@ -83,14 +84,13 @@ void add_motion_titles(Text& text, const MotionReport& report) {
     add_vector_title(text, marker.name + ".marker", "mm");
   }
   for (const auto& drive : report.definition.drives) {
-    const auto& joint =
-        report.definition.joints[static_cast<std::size_t>(drive.joint)];
-    const bool slides = joint.type == mechanism::JointType::kPrismatic;
+    const bool slides = !mechanism::drives_angle(report.definition, drive);
     fmt::format_to(std::back_inserter(text),
                    ",{0}.drive_{1},{0}.drive_rate_{2},"
                    "{0}.drive_acceleration_{2}2,{0}.drive_effort_{3}",
-                   joint.name, slides ? "mm" : "rad",
-                   slides ? "m_per_s" : "rad_per_s", slides ? "N" : "N_m");
+                   mechanism::drive_name(report.definition, drive),
+                   slides ? "mm" : "rad", slides ? "m_per_s" : "rad_per_s",
+                   slides ? "N" : "N_m");
   }
   fmt::format_to(std::back_inserter(text),
                  ",closure_error_mm,power_balance_error_rel\n");
@@ -137,10 +137,8 @@ std::string motion_csv(const MotionReport& report) {
     }
     for (std::size_t d = 0; d < instant.drives.size(); ++d) {
       const mechanism::DriveState& drive = instant.drives[d];
-      const auto joint =
-          static_cast<std::size_t>(report.definition.drives[d].joint);
-      const bool slides = report.definition.joints[joint].type ==
-                          mechanism::JointType::kPrismatic;
+      const bool slides = !mechanism::drives_angle(report.definition,
+                                                   report.definition.drives[d]);
       add(text, (slides ? 1e3 : 1.0) * drive.position);
       add(text, drive.rate);
       add(text, drive.acceleration);

@@ -9,10 +9,10 @@ namespace {
 
 using Key = std::string_view;
 
-constexpr Key kScene[] = {"schema",    "name",       "world",      "material",
-                          "mechanism", "body",       "joint",      "drive",
-                          "force",     "marker",     "simulation", "part",
-                          "accuracy",  "closed_form"};
+constexpr Key kScene[] = {"schema",    "name",     "world",      "material",
+                          "mechanism", "body",     "joint",      "coupling",
+                          "drive",     "force",    "marker",     "simulation",
+                          "part",      "accuracy", "closed_form"};
 constexpr Key kWorld[] = {"gravity"};
 constexpr Key kMaterial[] = {"youngs_modulus", "poissons_ratio", "density",
                              "yield_strength"};
@@ -20,10 +20,14 @@ constexpr Key kMechanism[] = {"dimension"};
 constexpr Key kBody[] = {"name",           "part",    "mass",
                          "center_of_mass", "inertia", "placement"};
 constexpr Key kPlacement[] = {"origin", "angle", "x_axis", "y_axis"};
-constexpr Key kJoint[] = {"name",  "type", "between", "at",
-                          "point", "axis", "normal"};
-constexpr Key kDrive[] = {"joint", "law",      "from",      "to",
-                          "start", "duration", "amplitude", "frequency"};
+constexpr Key kJoint[] = {"name", "type",   "between", "at",     "point",
+                          "axis", "normal", "lead",    "length", "compliance"};
+constexpr Key kCompliance[] = {"force", "moment"};
+constexpr Key kCoupling[] = {"name",  "type",   "joints", "coordinates",
+                             "ratio", "radius", "offset"};
+constexpr Key kDrive[] = {"joint",     "coordinate", "law",       "from",
+                          "to",        "start",      "duration",  "amplitude",
+                          "frequency", "times",      "positions", "ends"};
 constexpr Key kForce[] = {"name", "type", "body", "point", "force", "moment"};
 constexpr Key kMarker[] = {"name", "body", "point"};
 constexpr Key kSimulation[] = {"duration", "instants", "tolerance"};
@@ -56,6 +60,8 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"body", kBody},
     {"body.placement", kPlacement},
     {"joint", kJoint},
+    {"joint.compliance", kCompliance},
+    {"coupling", kCoupling},
     {"drive", kDrive},
     {"force", kForce},
     {"marker", kMarker},

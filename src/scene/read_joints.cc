@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "mechanism/joint_types.h"
 #include "scene/readers.h"
 
 namespace clevis::scene {
@@ -120,8 +121,8 @@ PerBody default_normals(JointType type, const PerBody& axes,
   const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(),
                  z = Vector3d::UnitZ();
   constexpr double kNear = 0.9;  // cosine; one of three is always farther
-  const auto candidates =
-      type == JointType::kRevolute ? std::array{x, y, z} : std::array{z, x, y};
+  const bool slides = type == JointType::kPrismatic || type == JointType::kWeld;
+  const auto candidates = slides ? std::array{z, x, y} : std::array{x, y, z};
   for (const Vector3d& candidate : candidates) {
     const PerBody normals = seen_by_bodies(candidate, joint);
     if (std::abs(normals[0].dot(axes[0])) < kNear &&
@@ -149,6 +150,38 @@ Matrix3d joint_rotation(const Vector3d& axis, const Vector3d& normal,
   return rotation;
 }
 
+/// x exactly along the normal, z along the axis as far as it is across.
+Matrix3d normal_first(const Vector3d& axis, const Vector3d& normal,
+                      const Value& where) {
+  const Matrix3d rotation = joint_rotation(normal, axis, where);
+  Matrix3d cyclic;
+  cyclic << rotation.col(2), rotation.col(2).cross(-rotation.col(0)),
+      rotation.col(0);
+  return cyclic;
+}
+
+void read_rotations(StrictTable& table, const Value& name,
+                    const JointBodies& between, JointDefinition& joint) {
+  // Welds and ball joints have no axis of their own; z of the world serves.
+  const bool has_axis =
+      joint.type != JointType::kWeld && joint.type != JointType::kSpherical;
+  const auto axis =
+      has_axis ? std::optional(table["axis"]) : table.find("axis");
+  const PerBody axes = axis ? read_directions(*axis, between)
+                            : seen_by_bodies(Vector3d::UnitZ(), between);
+  // The second axis of a universal joint is no matter of choice.
+  const auto normal = joint.type == JointType::kUniversal
+                          ? std::optional(table["normal"])
+                          : table.find("normal");
+  const PerBody normals = normal ? read_directions(*normal, between)
+                                 : default_normals(joint.type, axes, between);
+  const Value where = normal ? *normal : axis ? *axis : name;
+  joint.frame_a.R_LJ = joint_rotation(axes[0], normals[0], where);
+  joint.frame_b.R_LJ = joint.type == JointType::kUniversal
+                           ? normal_first(axes[1], normals[1], where)
+                           : joint_rotation(axes[1], normals[1], where);
+}
+
 JointDefinition read_joint(StrictTable& table,
                            const std::vector<BodyDefinition>& bodies,
                            Names& names) {
@@ -160,23 +193,27 @@ JointDefinition read_joint(StrictTable& table,
   joint.type =
       table["type"].choice<JointType>({{"revolute", JointType::kRevolute},
                                        {"prismatic", JointType::kPrismatic},
-                                       {"weld", JointType::kWeld}});
+                                       {"cylindrical", JointType::kCylindrical},
+                                       {"universal", JointType::kUniversal},
+                                       {"spherical", JointType::kSpherical},
+                                       {"planar", JointType::kPlanar},
+                                       {"screw", JointType::kScrew},
+                                       {"weld", JointType::kWeld},
+                                       {"distance", JointType::kDistance}});
   const JointBodies between = read_between(table["between"], bodies, names);
   joint.body_a = between.indices[0];
   joint.body_b = between.indices[1];
   const PerBody origins = read_origins(table, between);
-  // A weld has no axis of its own; z and x of the world serve.
-  const auto axis = joint.type == JointType::kWeld
-                        ? table.find("axis")
-                        : std::optional(table["axis"]);
-  const PerBody axes = axis ? read_directions(*axis, between)
-                            : seen_by_bodies(Vector3d::UnitZ(), between);
-  const auto normal = table.find("normal");
-  const PerBody normals = normal ? read_directions(*normal, between)
-                                 : default_normals(joint.type, axes, between);
-  const Value where = normal ? *normal : axis ? *axis : name;
-  joint.frame_a = {origins[0], joint_rotation(axes[0], normals[0], where)};
-  joint.frame_b = {origins[1], joint_rotation(axes[1], normals[1], where)};
+  joint.frame_a.p_LJ = origins[0];
+  joint.frame_b.p_LJ = origins[1];
+  if (joint.type == JointType::kDistance) {
+    joint.frame_a.R_LJ = between.placements[0].R_WL.transpose();
+    joint.frame_b.R_LJ = between.placements[1].R_WL.transpose();
+  } else {
+    read_rotations(table, name, between, joint);
+  }
+  read_joint_properties(table, bodies, joint);
+  table.finish(fmt::format("with type = \"{}\"", name_of(joint.type)));
   return joint;
 }
 

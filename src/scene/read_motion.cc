@@ -5,11 +5,7 @@
 namespace clevis::scene {
 namespace {
 
-using mechanism::DriveDefinition;
-using mechanism::DriveLaw;
 using mechanism::ForceDefinition;
-using mechanism::JointDefinition;
-using mechanism::JointType;
 using mechanism::MarkerDefinition;
 
 /// A name for messages and files of entities that need none.
@@ -20,52 +16,6 @@ std::string name_or_number(StrictTable& table, std::string_view kind,
       name ? name->title() : fmt::format("{}_{}", kind, count + 1);
   index.add(text, name ? *name : table["type"]);
   return text;
-}
-
-double read_start(StrictTable& table) {
-  const auto start = table.find("start");
-  if (!start) return 0.0;
-  const double time = start->quantity(Dimension::kTime);
-  if (time < 0.0) {
-    throw start->refusal("S006", "is negative", "The motion starts at 0 s.");
-  }
-  return time;
-}
-
-DriveDefinition read_drive(StrictTable& table,
-                           const std::vector<JointDefinition>& joints,
-                           Names& names) {
-  DriveDefinition drive;
-  drive.place = table.place();
-  const Value joint = table["joint"];
-  const std::string joint_name = joint.name();
-  drive.joint = names.joints.find(joint_name, joint);
-  names.drives.add(joint_name, joint);
-  const JointType type = joints[static_cast<std::size_t>(drive.joint)].type;
-  if (type == JointType::kWeld) {
-    throw joint.refusal("S010", "= \"" + joint_name + "\" is a weld",
-                        "Drive a revolute or a prismatic joint.");
-  }
-  const Dimension coordinate =
-      type == JointType::kRevolute ? Dimension::kAngle : Dimension::kLength;
-  const Value law = table["law"];
-  drive.law = law.choice<DriveLaw>({{"constant", DriveLaw::kConstant},
-                                    {"ramp", DriveLaw::kRamp},
-                                    {"quintic", DriveLaw::kQuintic},
-                                    {"sine", DriveLaw::kSine}});
-  drive.from = table["from"].quantity(coordinate);
-  drive.to = drive.from;
-  if (drive.law == DriveLaw::kRamp || drive.law == DriveLaw::kQuintic) {
-    drive.to = table["to"].quantity(coordinate);
-    drive.start = read_start(table);
-    drive.duration = table["duration"].positive(Dimension::kTime);
-  } else if (drive.law == DriveLaw::kSine) {
-    drive.start = read_start(table);
-    drive.amplitude = table["amplitude"].quantity(coordinate);
-    drive.frequency = table["frequency"].positive(Dimension::kFrequency);
-  }
-  table.finish(fmt::format("with law = \"{}\"", law.text()));
-  return drive;
 }
 
 ForceDefinition read_force(StrictTable& table, std::size_t count,
@@ -97,16 +47,6 @@ MarkerDefinition read_marker(StrictTable& table, Names& names) {
 }
 
 }  // namespace
-
-std::vector<DriveDefinition> read_drives(
-    StrictTable& root, const std::vector<JointDefinition>& joints,
-    Names& names) {
-  std::vector<DriveDefinition> drives;
-  for (StrictTable& table : root.tables("drive")) {
-    drives.push_back(read_drive(table, joints, names));
-  }
-  return drives;
-}
 
 std::vector<ForceDefinition> read_forces(StrictTable& root, Names& names) {
   std::vector<ForceDefinition> forces;

@@ -25,6 +25,7 @@ MechanismDefinition read_mechanism(StrictTable& root, Names& names) {
   mechanism.bodies = read_bodies(root, names);
   if (mechanism.bodies.empty()) return mechanism;
   mechanism.joints = read_joints(root, mechanism.bodies, names);
+  mechanism.couplings = read_couplings(root, mechanism.joints, names);
   mechanism.drives = read_drives(root, mechanism.joints, names);
   mechanism.forces = read_forces(root, names);
   mechanism.markers = read_markers(root, names);

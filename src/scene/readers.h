@@ -16,6 +16,7 @@ struct Names {
   NameIndex parts{"part"};
   NameIndex bodies{"body"};
   NameIndex joints{"joint"};
+  NameIndex couplings{"coupling"};
   NameIndex drives{"driven joint"};  ///< by the joint's name
   NameIndex forces{"force"};
   NameIndex markers{"marker"};
@@ -28,6 +29,9 @@ std::vector<mechanism::BodyDefinition> read_bodies(StrictTable& root,
                                                    Names& names);
 std::vector<mechanism::JointDefinition> read_joints(
     StrictTable& root, const std::vector<mechanism::BodyDefinition>& bodies,
+    Names& names);
+std::vector<mechanism::CouplingDefinition> read_couplings(
+    StrictTable& root, const std::vector<mechanism::JointDefinition>& joints,
     Names& names);
 std::vector<mechanism::DriveDefinition> read_drives(
     StrictTable& root, const std::vector<mechanism::JointDefinition>& joints,
@@ -53,6 +57,16 @@ void read_seats(StrictTable& table,
                 const Names& names, part::PartDefinition& part);
 
 part::LoadCaseDefinition read_case(StrictTable table);
+
+/// The origins and axes of a joint apart, what its type needs besides: lead,
+/// length, compliance.
+void read_joint_properties(StrictTable& table,
+                           const std::vector<mechanism::BodyDefinition>& bodies,
+                           mechanism::JointDefinition& joint);
+
+/// Index of the coordinate that `value` names. @throws Error S009.
+int find_coordinate(const Value& value,
+                    const mechanism::JointDefinition& joint);
 
 /// Index of a body, kGround for "ground". @throws Error S005, S007.
 mechanism::BodyIndex find_body_or_ground(const Value& name, const Names& names);

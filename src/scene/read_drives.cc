@@ -1,0 +1,129 @@
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "mechanism/joint_types.h"
+#include "scene/readers.h"
+
+namespace clevis::scene {
+namespace {
+
+using mechanism::DriveDefinition;
+using mechanism::DriveLaw;
+using mechanism::JointDefinition;
+using mechanism::SplineEnds;
+
+double read_start(StrictTable& table) {
+  const auto start = table.find("start");
+  if (!start) return 0.0;
+  const double time = start->quantity(Dimension::kTime);
+  if (time < 0.0) {
+    throw start->refusal("S006", "is negative", "The motion starts at 0 s.");
+  }
+  return time;
+}
+
+/// @return the drive's joint and coordinate set, its dimension second.
+Dimension read_driven(StrictTable& table,
+                      const std::vector<JointDefinition>& joints, Names& names,
+                      DriveDefinition& drive) {
+  const Value joint = table["joint"];
+  const std::string joint_name = joint.name();
+  drive.joint = names.joints.find(joint_name, joint);
+  const JointDefinition& driven = joints[static_cast<std::size_t>(drive.joint)];
+  const auto all = mechanism::coordinates(driven.type);
+  if (all.empty()) {
+    throw joint.refusal(
+        "S010",
+        fmt::format("= \"{}\" is a {}", joint_name, name_of(driven.type)),
+        "Drive a joint that has a coordinate, such as a revolute or a "
+        "prismatic joint.");
+  }
+  const auto coordinate = table.find("coordinate");
+  if (coordinate) drive.coordinate = find_coordinate(*coordinate, driven);
+  const auto k = static_cast<std::size_t>(drive.coordinate);
+  names.drives.add(
+      k == 0 ? joint_name : fmt::format("{}.{}", joint_name, all[k].name),
+      coordinate ? *coordinate : joint);
+  return all[k].row.is_angle() ? Dimension::kAngle : Dimension::kLength;
+}
+
+mechanism::CubicSpline read_table(StrictTable& table, Dimension coordinate) {
+  const Value times = table["times"], positions = table["positions"];
+  std::vector<double> t, q;
+  for (const Value& value : times.elements()) {
+    t.push_back(value.quantity(Dimension::kTime));
+    if (t.size() > 1 && !(t.back() > t[t.size() - 2])) {
+      throw value.refusal("S006", "is not after the time before it",
+                          "Give increasing times.");
+    }
+  }
+  for (const Value& value : positions.elements()) {
+    q.push_back(value.quantity(coordinate));
+  }
+  if (t.size() < 2) {
+    throw times.refusal("S006", "has fewer than two times",
+                        "Give two or more, or law = \"constant\".");
+  }
+  if (t.size() != q.size()) {
+    throw positions.refusal(
+        "S010", fmt::format("has {} entries for {} times", q.size(), t.size()),
+        "Give one position for each time.");
+  }
+  SplineEnds ends = SplineEnds::kClamped;
+  if (const auto given = table.find("ends")) {
+    ends = given->choice<SplineEnds>(
+        {{"clamped", SplineEnds::kClamped}, {"natural", SplineEnds::kNatural}});
+  }
+  return mechanism::interpolating_spline(std::move(t), std::move(q), ends);
+}
+
+DriveDefinition read_drive(StrictTable& table,
+                           const std::vector<JointDefinition>& joints,
+                           Names& names) {
+  DriveDefinition drive;
+  drive.place = table.place();
+  const Dimension coordinate = read_driven(table, joints, names, drive);
+  const Value law = table["law"];
+  drive.law = law.choice<DriveLaw>({{"constant", DriveLaw::kConstant},
+                                    {"ramp", DriveLaw::kRamp},
+                                    {"quintic", DriveLaw::kQuintic},
+                                    {"sine", DriveLaw::kSine},
+                                    {"table", DriveLaw::kTable}});
+  if (drive.law == DriveLaw::kTable) {
+    drive.start = read_start(table);
+    drive.table = read_table(table, coordinate);
+    drive.from = drive.table.values.front();
+    drive.to = drive.table.values.back();
+  } else {
+    drive.from = table["from"].quantity(coordinate);
+    drive.to = drive.from;
+  }
+  if (drive.law == DriveLaw::kRamp || drive.law == DriveLaw::kQuintic) {
+    drive.to = table["to"].quantity(coordinate);
+    drive.start = read_start(table);
+    drive.duration = table["duration"].positive(Dimension::kTime);
+  } else if (drive.law == DriveLaw::kSine) {
+    drive.start = read_start(table);
+    drive.amplitude = table["amplitude"].quantity(coordinate);
+    drive.frequency = table["frequency"].positive(Dimension::kFrequency);
+  }
+  table.finish(fmt::format("with law = \"{}\"", law.text()));
+  return drive;
+}
+
+}  // namespace
+
+std::vector<DriveDefinition> read_drives(
+    StrictTable& root, const std::vector<JointDefinition>& joints,
+    Names& names) {
+  std::vector<DriveDefinition> drives;
+  for (StrictTable& table : root.tables("drive")) {
+    drives.push_back(read_drive(table, joints, names));
+  }
+  return drives;
+}
+
+}  // namespace clevis::scene
