@@ -156,44 +156,42 @@ Eigen::VectorXd check_classes(const StiffnessAction& stiffness,
   return check.strain_energy(checks);
 }
 
-/// Factor's size of all classes as that of one problem: it goes with n^(4/3).
-double equivalent_dofs(double dofs, double classes) {
-  return dofs * std::pow(classes, 0.75);
-}
-
 template <int dim>
 bool uses_multigrid(const ElasticProblem<dim>& problem,
-                    const Discretization<dim>& part, double classes) {
+                    const Folding<dim>& folding, double columns) {
   if constexpr (dim == 3) {
     if (problem.solver == LinearSolver::kDirect) return false;
     if (problem.solver == LinearSolver::kMultigrid) {
-      return suits_multigrid(part, problem.material);
+      return suits_multigrid(folding.part, problem.material);
     }
-    return prefers_multigrid(part, problem.material,
-                             equivalent_dofs(part.dofs(), classes),
-                             physical_memory());
+    const double classes = folding.classes();
+    return prefers_multigrid(
+        folding.part, problem.material,
+        {classes * folding.factor_flops, classes * folding.factor_bytes},
+        classes * columns, physical_memory());
   } else {
     return false;
   }
 }
 
+/// Before the loads are assembled, with as many columns as there may be.
 template <int dim>
 void require_memory_for(const ElasticProblem<dim>& problem,
-                        const Discretization<dim>& part, double classes,
-                        bool iterates, const std::string& place) {
+                        const Folding<dim>& folding, const std::string& place) {
+  constexpr double kMostColumns = 60.0;
+  const Discretization<dim>& part = folding.part;
+  const double classes = folding.classes();
+  const double columns = std::min(
+      static_cast<double>(problem.history.instants.size()), kMostColumns);
   if constexpr (dim == 3) {
-    if (iterates) {
-      constexpr double kMostColumns = 60.0;
-      const auto instants =
-          static_cast<double>(problem.history.instants.size());
+    if (uses_multigrid(problem, folding, columns)) {
       require_multigrid_memory(part.degree, coarse_degree(part), part.dofs(),
-                               classes * std::min(instants, kMostColumns),
-                               physical_memory(), place);
+                               classes * columns, physical_memory(), place);
       return;
     }
   }
-  require_memory(dim, equivalent_dofs(part.dofs(), classes), physical_memory(),
-                 place);
+  require_memory(classes * folding.factor_bytes, classes * part.dofs(),
+                 physical_memory(), place);
 }
 
 /// One factorisation per class; fills the classes' columns, the checks, the
@@ -286,8 +284,7 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
   const Folding<dim> folding =
       fold<dim>(whole, positions, common_mirrors<dim>(whole, positions, fixed));
   const Discretization<dim>& part = folding.part;
-  const bool iterates = uses_multigrid(problem, part, folding.classes());
-  require_memory_for(problem, part, folding.classes(), iterates, place);
+  require_memory_for(problem, folding, place);
   LoadBasis loads = load_columns(whole, problem.history, density, problem.name);
   if (is_free) {
     balance_free_part<dim>(whole, positions, density, loads, result.checks);
@@ -300,7 +297,8 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
                                      result.checks.compression);
   for (ParityClass& c : classes) hold<dim>(folding, fixed, folded_positions, c);
   result.seconds.assemble = watch.lap();
-  if (iterates) {
+  const auto columns = static_cast<double>(loads.columns.cols());
+  if (uses_multigrid(problem, folding, columns)) {
     solve_by_multigrid(problem, folding, loads, place, classes, result);
   } else {
     solve_by_factors(problem, folding, loads, place, classes, result);

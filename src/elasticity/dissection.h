@@ -6,13 +6,21 @@
 
 namespace clevis::elasticity {
 
-/// Elimination order of the nodes by nested dissection: the cells are halved
-/// across their longest extent again and again, and what both halves share is
-/// eliminated after either. Unlike an ordering of the matrix it costs next to
-/// nothing and serves any number of unknowns per node.
-/// @return nodes in the order in which they are eliminated.
+/// Elimination order of the nodes, and what a dense Cholesky factor of each
+/// separator would cost with one unknown per node: flops grow with the cube,
+/// entries with the square of the unknowns.
+struct Dissection {
+  std::vector<int> order;  ///< nodes, first to last eliminated
+  double flops{};
+  double entries{};  ///< of the factor's lower triangle
+};
+
+/// Nested dissection: the cells are halved across their longest extent again
+/// and again, and what both halves share is eliminated after either. Unlike an
+/// ordering of the matrix it costs next to nothing and serves any number of
+/// unknowns per node.
 template <int dim>
-std::vector<int> dissection_order(const Discretization<dim>& discretization);
+Dissection dissect(const Discretization<dim>& discretization);
 
 /// The order of the equations if node n has `unknowns` in turn: first to last
 /// eliminated, held ones left out.

@@ -27,6 +27,8 @@ struct Folding {
   std::vector<unsigned> behind;
   /// Per node of the folded part, bit k: it stands on mirror k.
   std::vector<unsigned> on_plane;
+  /// What one Cholesky factor of the folded part takes.
+  double factor_flops{}, factor_bytes{};
 
   unsigned classes() const { return 1U << mirrors.size(); }
 };

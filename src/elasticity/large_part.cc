@@ -19,13 +19,22 @@ bool suits_multigrid(const Discretization<3>& discretization,
 }
 
 bool prefers_multigrid(const Discretization<3>& discretization,
-                       const part::Material& material, double factored_dofs,
-                       double memory) {
-  constexpr double kLarge = 3e5;        // below, the factor is faster
+                       const part::Material& material, const DirectCost& direct,
+                       double columns, double memory) {
+  // Of one core of 2020, tests/benchmarks/direct_solve and large_parts; only
+  // their ratio matters.
+  constexpr double kFlopsPerSecond = 3e10;
+  constexpr double kSecondsPerColumn = 0.7e-6;  // and degree of freedom
+  constexpr double kSecondsOfSetup = 4e-6;      // per degree of freedom
+  constexpr double kClearly = 2.0;
   constexpr double kAnisotropic = 4.0;  // above, too many iterations
   if (!suits_multigrid(discretization, material)) return false;
-  if (!fits_memory(3, factored_dofs, memory)) return true;
-  return factored_dofs > kLarge && cell_aspect(discretization) < kAnisotropic;
+  if (!holds(direct.bytes, memory)) return true;
+  const double factors = direct.flops / kFlopsPerSecond;
+  const double iterations =
+      discretization.dofs() * (columns * kSecondsPerColumn + kSecondsOfSetup);
+  return factors > kClearly * iterations &&
+         cell_aspect(discretization) < kAnisotropic;
 }
 
 double cell_aspect(const Discretization<3>& discretization) {

@@ -19,14 +19,19 @@ enum class LinearSolver {
 bool suits_multigrid(const Discretization<3>& discretization,
                      const part::Material& material);
 
-/// Whether it should: where a factor does not fit into memory, and for large
-/// parts of not too anisotropic cells.
-/// @param factored_dofs  of a part whose factor is as large as those that a
-///   direct solve needs.
+/// What a direct solve would take.
+struct DirectCost {
+  double flops{};  ///< of all factors
+  double bytes{};  ///< of all factors, kept together
+};
+
+/// Whether it should: where the factors do not fit into memory, and where
+/// they would take clearly longer and the cells are not too anisotropic.
+/// @param columns  right-hand sides of all classes together.
 /// @param memory  of the machine [bytes].
 bool prefers_multigrid(const Discretization<3>& discretization,
-                       const part::Material& material, double factored_dofs,
-                       double memory);
+                       const part::Material& material, const DirectCost& direct,
+                       double columns, double memory);
 
 /// Longest over shortest side that 95 % of the hexahedra do not exceed.
 double cell_aspect(const Discretization<3>& discretization);

@@ -243,7 +243,10 @@ DisplacementBasis<3> solve_layered(const ElasticProblem<2>& problem, int degree,
   DisplacementBasis<3> result;
   result.discretization = layer_over(plane, 2 * terms - 1);
   const auto& layer = result.discretization;
-  require_memory(3, 3.0 * terms * plane.nodes, physical_memory(), place);
+  const Dissection dissection = dissect(plane);
+  const double unknowns = 3.0 * terms;
+  require_memory(8.0 * dissection.entries * unknowns * unknowns,
+                 unknowns * plane.nodes, physical_memory(), place);
   const auto positions = node_positions(layer);
   const bool is_free = problem.fixed.empty();
   LoadBasis history =
@@ -258,7 +261,7 @@ DisplacementBasis<3> solve_layered(const ElasticProblem<2>& problem, int degree,
   result.strain_energy = Eigen::VectorXd::Zero(instants);
   result.seconds.assemble = watch.lap();
 
-  const Plate plate{problem, plane, integrals, dissection_order(plane), place};
+  const Plate plate{problem, plane, integrals, dissection.order, place};
   const double all = largest_instant(history);
   int parities = 0;
   for (const Parity parity : {Parity::kStretching, Parity::kBending}) {

@@ -34,13 +34,13 @@ double factor_bytes(int dim, double dofs) {
   return 8.0 * entries;
 }
 
-bool fits_memory(int dim, double dofs, double available) {
-  return factor_bytes(dim, dofs) <= kUsable * available;
+bool holds(double bytes, double available) {
+  return bytes <= kUsable * available;
 }
 
-void require_memory(int dim, double dofs, double available,
+void require_memory(double bytes, double dofs, double available,
                     const std::string& place) {
-  require(factor_bytes(dim, dofs), dofs, "the factorisation", available, place);
+  require(bytes, dofs, "the factorisation", available, place);
 }
 
 double multigrid_bytes(int degree, int coarse, double dofs, double columns) {

@@ -9,13 +9,14 @@ namespace clevis::elasticity {
 /// bodies; slender ones need less), 8 N log₂ N in the plane.
 double factor_bytes(int dim, double dofs);
 
-/// Whether that fits into a machine's memory [bytes], with room for the rest.
-bool fits_memory(int dim, double dofs, double available);
+/// Whether so much fits into a machine's memory [bytes], with room for the
+/// rest.
+bool holds(double bytes, double available);
 
+/// @param bytes      of the factors.
 /// @param available  memory of the machine [bytes].
-/// @throws Error F004 if the factor would not fit, before anything is
-///   allocated.
-void require_memory(int dim, double dofs, double available,
+/// @throws Error F004 if they would not fit, before they are allocated.
+void require_memory(double bytes, double dofs, double available,
                     const std::string& place);
 
 /// Bytes of the iterative solve of a hexahedral mesh without its matrix: the

@@ -15,15 +15,17 @@ TEST(MemoryForecast, AgreesWithACountedFactor) {
 }
 
 TEST(MemoryForecast, RefusesWhatDoesNotFit) {
-  EXPECT_NO_THROW(require_memory(3, 1e5, 24.0 * kGibi, "part"));
+  EXPECT_NO_THROW(
+      require_memory(factor_bytes(3, 1e5), 1e5, 24.0 * kGibi, "part"));
   try {
-    require_memory(3, 1e7, 24.0 * kGibi, "part BIG");
+    require_memory(factor_bytes(3, 1e7), 1e7, 24.0 * kGibi, "part BIG");
     FAIL() << "not refused";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), "F004");
     EXPECT_EQ(error.exit_code(), ExitCode::kResourceLimit);
   }
-  EXPECT_NO_THROW(require_memory(2, 1e7, 24.0 * kGibi, "part"));
+  EXPECT_NO_THROW(
+      require_memory(factor_bytes(2, 1e7), 1e7, 24.0 * kGibi, "part"));
 }
 
 TEST(MemoryForecast, OfAMillionFreedomsWithoutTheMatrix) {

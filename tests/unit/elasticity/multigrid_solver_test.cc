@@ -154,11 +154,18 @@ TEST(LargePart, ChoosesBySizeCellsAndMaterial) {
   const auto flat = discretize<3>(bar({0.3, 0.1, 0.01}, {6, 2, 2}), 2);
   EXPECT_NEAR(cell_aspect(cubes), 1.0, 0.1);
   EXPECT_NEAR(cell_aspect(flat), 10.0, 0.5);
-  EXPECT_FALSE(prefers_multigrid(cubes, material(0.3), 1e5, kMemory));
-  EXPECT_TRUE(prefers_multigrid(cubes, material(0.3), 1e6, kMemory));
-  EXPECT_FALSE(prefers_multigrid(flat, material(0.3), 1e6, kMemory));
-  EXPECT_TRUE(prefers_multigrid(flat, material(0.3), 1e7, kMemory));
-  EXPECT_FALSE(prefers_multigrid(cubes, material(0.4999), 1e6, kMemory));
+  // Work of the factors over that of the iterations.
+  const auto prefers = [&](const Discretization<3>& part, double poisson,
+                           double ratio, double bytes) {
+    const DirectCost cost{ratio * 1e6 * part.dofs(), bytes};
+    return prefers_multigrid(part, material(poisson), cost, 40.0, kMemory);
+  };
+  EXPECT_FALSE(prefers(cubes, 0.3, 1.0, 1e9));
+  EXPECT_TRUE(prefers(cubes, 0.3, 10.0, 1e9));
+  EXPECT_FALSE(prefers(flat, 0.3, 10.0, 1e9));
+  EXPECT_TRUE(prefers(flat, 0.3, 10.0, 30e9));
+  EXPECT_TRUE(prefers(cubes, 0.3, 1.0, 30e9));
+  EXPECT_FALSE(prefers(cubes, 0.4999, 10.0, 1e9));
   EXPECT_FALSE(suits_multigrid(discretize<3>(bar({1, 1, 1}, {1, 1, 1}), 1),
                                material(0.3)));
 }
