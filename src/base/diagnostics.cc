@@ -54,8 +54,9 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "lengths break a loop, or the approximate placement is too far off. The "
      "message lists the joints that stay open and by how much."},
     {"K002", kModelInvalid, "under-driven mechanism",
-     "The drives leave degrees of freedom unprescribed. Add a drive on one of "
-     "the named joints."},
+     "The scene asks for a motion that the drives fix, but they leave degrees "
+     "of freedom unprescribed. Add a drive on one of the named joints, or "
+     "leave simulation.motion out: forces then decide the free coordinates."},
     {"K003", kModelInvalid, "over-driven mechanism",
      "More independent drives than degrees of freedom: they contradict each "
      "other. Remove one of the named drives."},
@@ -70,6 +71,13 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"K006", kModelInvalid, "massless body must carry inertia",
      "The body has neither a part nor a mass. Give it mass, center_of_mass "
      "and inertia, or a part."},
+    {"K007", kModelInvalid, "initial velocities contradict the joints",
+     "No velocity satisfies all joints, drives and the rates in [[initial]]. "
+     "Give as many rates as the mechanism has free coordinates, or fewer."},
+    {"K008", kSolverFailed, "motion cannot be integrated",
+     "No step of the integration is short enough for the tolerance: a force "
+     "grows without bound or jumps in every step. Look for stiffnesses, "
+     "masses or lengths of a wrong order of size."},
     {"L001", kModelInvalid, "unbalanced load on a free part",
      "Forces, moments and inertia of a part that nothing holds do not cancel. "
      "A linear static solve would hide the residual in arbitrary supports. "

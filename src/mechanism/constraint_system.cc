@@ -212,9 +212,24 @@ std::vector<PlacedJoint> ConstraintSystem::place(const Configuration& x) const {
   return placed;
 }
 
+void ConstraintSystem::place(const Configuration& x,
+                             std::vector<PlacedJoint>& placed) const {
+  for (std::size_t j = 0; j < placed.size(); ++j) {
+    const JointModel& joint = frame_->joints[j];
+    placed[j] =
+        PlacedJoint(joint, x[index(joint.a)], x[index(joint.b)], x.angle(j));
+  }
+}
+
 VectorXd ConstraintSystem::residual(const std::vector<PlacedJoint>& placed,
                                     const VectorXd& targets) const {
   VectorXd c(rows());
+  residual(placed, targets, c);
+  return c;
+}
+
+void ConstraintSystem::residual(const std::vector<PlacedJoint>& placed,
+                                const VectorXd& targets, VectorXd& c) const {
   for (int i = 0; i < rows(); ++i) {
     const Row& r = rows_[index(i)];
     double gap = placed[index(r.joint)].displacement(r.row);
@@ -230,7 +245,6 @@ VectorXd ConstraintSystem::residual(const std::vector<PlacedJoint>& placed,
     }
     c[i] = gap;
   }
-  return c;
 }
 
 void ConstraintSystem::add_levers(MatrixXd& J, int row, int joint,
@@ -253,6 +267,13 @@ void ConstraintSystem::add_levers(MatrixXd& J, int row, int joint,
 MatrixXd ConstraintSystem::jacobian(
     const std::vector<PlacedJoint>& placed) const {
   MatrixXd J = MatrixXd::Zero(rows(), columns_);
+  fill_jacobian(placed, J);
+  return J;
+}
+
+void ConstraintSystem::fill_jacobian(const std::vector<PlacedJoint>& placed,
+                                     MatrixXd& J) const {
+  J.topRows(rows()).setZero();
   for (int i = 0; i < rows(); ++i) {
     const Row& r = rows_[index(i)];
     add_levers(J, i, r.joint, placed[index(r.joint)].levers(r.row), scale(r));
@@ -261,17 +282,23 @@ MatrixXd ConstraintSystem::jacobian(
     add_levers(J, i, k.joint_2, placed[index(k.joint_2)].levers(k.row_2),
                -k.scale * k.ratio);
   }
-  return J;
 }
 
 VectorXd ConstraintSystem::bias(const std::vector<PlacedJoint>& placed,
                                 const std::vector<Twist>& twists) const {
+  VectorXd result(rows());
+  bias(placed, twists, result);
+  return result;
+}
+
+void ConstraintSystem::bias(const std::vector<PlacedJoint>& placed,
+                            const std::vector<Twist>& twists,
+                            VectorXd& bias) const {
   const auto of = [&](int joint, const JointRow& row) {
     const JointModel& model = frame_->joints[index(joint)];
     return placed[index(joint)].bias(row, twists[index(model.a)],
                                      twists[index(model.b)]);
   };
-  VectorXd bias(rows());
   for (int i = 0; i < rows(); ++i) {
     const Row& r = rows_[index(i)];
     bias[i] = of(r.joint, r.row);
@@ -281,7 +308,6 @@ VectorXd ConstraintSystem::bias(const std::vector<PlacedJoint>& placed,
     }
     bias[i] *= scale(r);
   }
-  return bias;
 }
 
 std::vector<Twist> ConstraintSystem::twists(const VectorXd& unknowns) const {

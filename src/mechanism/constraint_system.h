@@ -82,6 +82,16 @@ class ConstraintSystem {
   Eigen::VectorXd bias(const std::vector<PlacedJoint>& placed,
                        const std::vector<Twist>& twists) const;
 
+  /// The same into storage of the right size, without allocation.
+  void place(const Configuration& x, std::vector<PlacedJoint>& placed) const;
+  void residual(const std::vector<PlacedJoint>& placed,
+                const Eigen::VectorXd& targets, Eigen::VectorXd& c) const;
+  /// @param J  its first rows are filled.
+  void fill_jacobian(const std::vector<PlacedJoint>& placed,
+                     Eigen::MatrixXd& J) const;
+  void bias(const std::vector<PlacedJoint>& placed,
+            const std::vector<Twist>& twists, Eigen::VectorXd& bias) const;
+
   /// Unknowns ↔ twists by slot.
   std::vector<Twist> twists(const Eigen::VectorXd& unknowns) const;
   /// Wrenches about M by slot → right-hand side of Jᵀλ = wrench.

@@ -115,6 +115,22 @@ struct ForceDefinition {
   std::string place;
 };
 
+/// Coordinate or rate of a joint at t = 0, of motions that are integrated.
+struct InitialJointState {
+  int joint{};                     ///< index into MechanismDefinition::joints
+  std::optional<double> position;  ///< [m] or [rad]
+  std::optional<double> rate;      ///< [m/s] or [rad/s]
+  std::string place;
+};
+
+/// Velocity of a body at t = 0, as near as the joints allow.
+struct InitialBodyState {
+  BodyIndex body{};
+  Eigen::Vector3d v_WLo = Eigen::Vector3d::Zero();  ///< [m/s]
+  Eigen::Vector3d w_WL = Eigen::Vector3d::Zero();   ///< [rad/s], in W
+  std::string place;
+};
+
 /// A point of a body whose path is an output.
 struct MarkerDefinition {
   std::string name;
@@ -133,15 +149,24 @@ struct MechanismDefinition {
   std::vector<DriveDefinition> drives;
   std::vector<ForceDefinition> forces;
   std::vector<MarkerDefinition> markers;
+  std::vector<InitialJointState> initial_joints;
+  std::vector<InitialBodyState> initial_bodies;
   Eigen::Vector3d gravity_W = Eigen::Vector3d::Zero();  ///< [m/s²]
   SpaceDimension dimension = SpaceDimension::kAuto;
 };
 
+/// How a motion comes about: from the drives alone, or by integration of the
+/// equations of motion. kAuto: the latter if the drives leave freedom.
+enum class MotionKind { kAuto, kDriven, kDynamic };
+
 /// When the motion is sampled.
 struct SimulationSettings {
-  double duration{};        ///< [s]
-  int instants = 201;       ///< uniform from 0 to duration, both included
-  double tolerance = 1e-8;  ///< closure, relative to the mechanism's size
+  double duration{};   ///< [s]
+  int instants = 201;  ///< uniform from 0 to duration, both included
+  /// Closure, and the error of integrated positions, over the mechanism's
+  /// size.
+  double tolerance = 1e-8;
+  MotionKind motion = MotionKind::kAuto;
 };
 
 }  // namespace clevis::mechanism

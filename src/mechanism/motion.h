@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,10 +73,20 @@ struct ChangePoint {
   double t_before{}, t_after{};  ///< [s]
 };
 
+/// How an integrated motion was found.
+struct IntegrationSummary {
+  std::string method;  ///< "DOP853", "Radau IIA", or both
+  long steps{}, rejected{}, evaluations{};
+  /// Largest |kinetic energy − work of all forces| [J], and over the largest
+  /// of them in the motion [1].
+  double energy_error{}, relative_energy_error{};
+};
+
 /// The whole history, what `loads` and `report` take.
 struct Motion {
   std::vector<Instant> instants;
   std::vector<ChangePoint> change_points;
+  std::optional<IntegrationSummary> integration;  ///< of integrated motions
 };
 
 }  // namespace clevis::mechanism

@@ -9,9 +9,11 @@
 
 #include "base/errors.h"
 #include "mechanism/assembly.h"
+#include "mechanism/body_motion.h"
 #include "mechanism/closed_joints.h"
 #include "mechanism/continuation.h"
 #include "mechanism/drive_law.h"
+#include "mechanism/dynamic_motion.h"
 #include "mechanism/equilibrium.h"
 #include "mechanism/mobility.h"
 #include "mechanism/power_balance.h"
@@ -63,8 +65,6 @@ class Simulation {
   [[noreturn]] void stop(const Continuation::Reached& reached, double t) const;
   std::string drives_at(const VectorXd& targets) const;
   Instant instant(const ClosedConfiguration& at, double t) const;
-  BodyState body_state(std::size_t body, const BodyPlacement& placement,
-                       const Twist& twist, const Twist& acceleration) const;
 
   const MechanismDefinition& definition_;
   SolvingFrame frame_;
@@ -125,24 +125,6 @@ void Simulation::stop(const Continuation::Reached& reached, double t) const {
               "reduce the range of the drive, or correct the lengths");
 }
 
-BodyState Simulation::body_state(std::size_t body,
-                                 const BodyPlacement& placement,
-                                 const Twist& twist,
-                                 const Twist& acceleration) const {
-  const auto& R_WP = frame_.R_WP;
-  const Vector3d lever = -(placement.R * frame_.p_LM[body]);
-  const Vector3d& w = twist.w;
-  BodyState state;
-  state.pose.R_WL = R_WP * placement.R;
-  state.pose.p_WL = R_WP * (placement.p + lever);
-  state.v_WLo = R_WP * (twist.v + w.cross(lever));
-  state.w_WL = R_WP * w;
-  state.a_WLo = R_WP * (acceleration.v + acceleration.w.cross(lever) +
-                        w.cross(w.cross(lever)));
-  state.alpha_WL = R_WP * acceleration.w;
-  return state;
-}
-
 Instant Simulation::instant(const ClosedConfiguration& at, double t) const {
   const auto n_drives = static_cast<Eigen::Index>(definition_.drives.size());
   VectorXd rate = VectorXd::Zero(system_.rows());
@@ -167,33 +149,13 @@ Instant Simulation::instant(const ClosedConfiguration& at, double t) const {
   const std::vector<Twist> accelerations =
       system_.twists(at.factor.solve(second));
   for (std::size_t i = 0; i < definition_.bodies.size(); ++i) {
-    result.bodies.push_back(
-        body_state(i, at.x[i + 1], twists[i + 1], accelerations[i + 1]));
+    result.bodies.push_back(body_motion(frame_, static_cast<BodyIndex>(i),
+                                        at.x[i + 1], twists[i + 1],
+                                        accelerations[i + 1]));
   }
   Equilibrium::Solution forces =
       equilibrium_.solve(at.x, at.placed, at.factor, twists, accelerations);
-  for (JointReaction& reaction : forces.joints) {
-    reaction.p_WJ = frame_.R_WP * reaction.p_WJ;
-    reaction.f_W = frame_.R_WP * reaction.f_W;
-    reaction.t_W = frame_.R_WP * reaction.t_W;
-  }
-  result.joints = std::move(forces.joints);
-  for (std::size_t k = 0; k < result.drives.size(); ++k) {
-    const auto& row = system_.row_list()[static_cast<std::size_t>(
-        system_.joint_rows() + static_cast<int>(k))];
-    const Twist action =
-        at.placed[static_cast<std::size_t>(row.joint)].action(row.row);
-    result.drives[k].effort = forces.efforts[k];
-    result.drives[k].axis_W =
-        frame_.R_WP * (row.row.is_angle() ? action.w : action.v);
-  }
-  for (CouplingState& coupling : forces.couplings) {
-    for (Vector3d* vector :
-         {&coupling.f_1_W, &coupling.t_1_W, &coupling.f_2_W, &coupling.t_2_W}) {
-      *vector = frame_.R_WP * *vector;
-    }
-  }
-  result.couplings = std::move(forces.couplings);
+  put_forces(frame_, system_, at.placed, std::move(forces), result);
   result.closure_error = at.gap;
   return result;
 }
@@ -225,11 +187,31 @@ Motion Simulation::run(const SimulationSettings& settings) const {
   return motion;
 }
 
+/// Whether the drives leave freedom, so that forces decide the motion.
+bool is_dynamic(const MechanismDefinition& definition,
+                const SimulationSettings& settings) {
+  if (settings.motion != MotionKind::kAuto) {
+    return settings.motion == MotionKind::kDynamic;
+  }
+  const SolvingFrame frame(definition);
+  const ConstraintSystem system(
+      frame, definition.drives,
+      frame.planar ? Motions::kInPlane : Motions::kSpatial,
+      ConstraintSystem::Drives::kAll);
+  const Mobility freedom = mobility(
+      frame, system,
+      closed_joints(definition, frame, settings.tolerance * frame.length));
+  return freedom.with_drives > 0 && freedom.dependent_drives.empty();
+}
+
 }  // namespace
 
 Motion simulate(const MechanismDefinition& definition,
                 const SimulationSettings& settings) {
   require_mass(definition);
+  if (is_dynamic(definition, settings)) {
+    return integrate_motion(definition, settings);
+  }
   return Simulation(definition, settings).run(settings);
 }
 

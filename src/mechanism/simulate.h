@@ -5,12 +5,13 @@
 
 namespace clevis::mechanism {
 
-/// Motion of a mechanism whose drives fix it: positions with branch
-/// continuity, velocities, accelerations, and all reactions by equilibrium.
+/// Motion of a mechanism.
 ///
-/// No time integration: instants follow from the drives alone, nothing
-/// drifts.
-/// @throws Error K001–K006.
+/// Where its drives fix it: positions with branch continuity, velocities,
+/// accelerations, and all reactions by equilibrium. No time integration:
+/// instants follow from the drives alone, nothing drifts. Otherwise
+/// integrate_motion().
+/// @throws Error K001–K008.
 Motion simulate(const MechanismDefinition& definition,
                 const SimulationSettings& settings);
 

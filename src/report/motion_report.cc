@@ -178,6 +178,15 @@ std::string motion_json(const MotionReport& report) {
       {"joints", joints_json(report, summary)},
       {"drives", drives_json(report, summary)},
       {"markers", markers_json(report)}};
+  if (const auto& run = report.motion.integration) {
+    json["motion"]["integration"] = {
+        {"method", run->method},
+        {"steps", run->steps},
+        {"rejected_steps", run->rejected},
+        {"evaluations", run->evaluations},
+        {"energy_error_J", run->energy_error},
+        {"relative_energy_error", run->relative_energy_error}};
+  }
   if (report.slide_lever) {
     json["slide_lever"] = slide_lever_json(*report.slide_lever);
   }

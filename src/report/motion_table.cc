@@ -71,6 +71,13 @@ std::string quality_text(const MotionReport& report,
       "balance to {:.1e}\n",
       summary.instants, report.motion.instants.back().t,
       millimetres(summary.max_closure_error), summary.max_power_balance_error);
+  if (const auto& run = report.motion.integration) {
+    text += fmt::format(
+        "  integrated by {}: {} steps, {} rejected, {} evaluations; energy "
+        "balance to {:.1e} J, {:.1e} of the largest\n",
+        run->method, run->steps, run->rejected, run->evaluations,
+        run->energy_error, run->relative_energy_error);
+  }
   for (const auto& point : report.motion.change_points) {
     text += fmt::format(
         "  passes a change point between {:.6g} s and {:.6g} s, on its branch; "

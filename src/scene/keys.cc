@@ -9,10 +9,10 @@ namespace {
 
 using Key = std::string_view;
 
-constexpr Key kScene[] = {"schema",    "name",     "world",      "material",
-                          "mechanism", "body",     "joint",      "coupling",
-                          "drive",     "force",    "marker",     "simulation",
-                          "part",      "accuracy", "closed_form"};
+constexpr Key kScene[] = {"schema",     "name",  "world",    "material",
+                          "mechanism",  "body",  "joint",    "coupling",
+                          "drive",      "force", "initial",  "marker",
+                          "simulation", "part",  "accuracy", "closed_form"};
 constexpr Key kWorld[] = {"gravity"};
 constexpr Key kMaterial[] = {"youngs_modulus", "poissons_ratio", "density",
                              "yield_strength"};
@@ -29,8 +29,10 @@ constexpr Key kDrive[] = {"joint",     "coordinate", "law",       "from",
                           "to",        "start",      "duration",  "amplitude",
                           "frequency", "times",      "positions", "ends"};
 constexpr Key kForce[] = {"name", "type", "body", "point", "force", "moment"};
+constexpr Key kInitial[] = {"joint", "position", "rate",
+                            "body",  "velocity", "angular_velocity"};
 constexpr Key kMarker[] = {"name", "body", "point"};
-constexpr Key kSimulation[] = {"duration", "instants", "tolerance"};
+constexpr Key kSimulation[] = {"duration", "instants", "tolerance", "motion"};
 constexpr Key kPart[] = {"name",      "geometry", "mesh", "length_unit",
                          "thickness", "material", "pins", "drives",
                          "limits",    "case"};
@@ -64,6 +66,7 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"coupling", kCoupling},
     {"drive", kDrive},
     {"force", kForce},
+    {"initial", kInitial},
     {"marker", kMarker},
     {"simulation", kSimulation},
     {"part", kPart},

@@ -74,6 +74,12 @@ mechanism::SimulationSettings read_simulation(StrictTable table) {
   if (const auto tolerance = table.find("tolerance")) {
     settings.tolerance = tolerance->number(1e-14, 1e-3);
   }
+  if (const auto motion = table.find("motion")) {
+    settings.motion = motion->choice<mechanism::MotionKind>(
+        {{"auto", mechanism::MotionKind::kAuto},
+         {"driven", mechanism::MotionKind::kDriven},
+         {"dynamic", mechanism::MotionKind::kDynamic}});
+  }
   return settings;
 }
 

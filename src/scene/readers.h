@@ -40,6 +40,9 @@ std::vector<mechanism::ForceDefinition> read_forces(StrictTable& root,
                                                     Names& names);
 std::vector<mechanism::MarkerDefinition> read_markers(StrictTable& root,
                                                       Names& names);
+/// Adds the [[initial]] tables to a mechanism that has its joints.
+void read_initial_states(StrictTable& root, Names& names,
+                         mechanism::MechanismDefinition& mechanism);
 mechanism::SimulationSettings read_simulation(StrictTable table);
 
 std::vector<part::Material> read_materials(StrictTable& root, Names& names);

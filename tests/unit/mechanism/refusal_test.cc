@@ -14,7 +14,8 @@ using namespace testing;
 /// "K001 problem remedy" of the refusal, or "".
 std::string refusal(const MechanismDefinition& m) {
   try {
-    simulate(m, {.duration = 2.0, .instants = 51});
+    simulate(m,
+             {.duration = 2.0, .instants = 51, .motion = MotionKind::kDriven});
   } catch (const Error& error) {
     return error.code() + " " + error.place() + ": " + error.problem() + "; " +
            error.remedy();

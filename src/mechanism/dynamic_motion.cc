@@ -1,0 +1,173 @@
+#include "mechanism/dynamic_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "mechanism/body_motion.h"
+#include "mechanism/dop853.h"
+#include "mechanism/drive_law.h"
+#include "mechanism/equilibrium.h"
+#include "mechanism/forward_dynamics.h"
+#include "mechanism/initial_state.h"
+#include "mechanism/power_balance.h"
+
+namespace clevis::mechanism {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// Local errors add up over a motion; steps are this much stricter, down to
+// where round-off beside change points would govern.
+constexpr double kLocalPart = 0.01;
+constexpr double kStrictest = 1e-11;
+
+/// One run: integrates and samples.
+class DynamicRun {
+ public:
+  DynamicRun(const MechanismDefinition& definition,
+             const SimulationSettings& settings)
+      : definition_(definition),
+        settings_(settings),
+        frame_(frame_at_centres(definition)),
+        dynamics_(definition, frame_,
+                  std::max(kLocalPart * settings.tolerance, kStrictest)),
+        equilibrium_(definition, frame_, dynamics_.system()),
+        integrator_(dynamics_) {}
+
+  Motion run();
+
+ private:
+  void start();
+  void sample_until(double t);
+  void add_instant(double t, VectorXd& y);
+  void note_energy(const VectorXd& y);
+  double sample_time(int i) const;
+
+  const MechanismDefinition& definition_;
+  const SimulationSettings& settings_;
+  SolvingFrame frame_;
+  ForwardDynamics dynamics_;
+  Equilibrium equilibrium_;
+  Dop853 integrator_;
+  VectorXd y_, sample_, slope_;
+  int next_sample_ = 0;
+  double energy_start_{}, energy_error_{}, largest_energy_{};
+  Motion motion_;
+};
+
+double DynamicRun::sample_time(int i) const {
+  return i + 1 < settings_.instants
+             ? settings_.duration * i / (settings_.instants - 1)
+             : settings_.duration;
+}
+
+void DynamicRun::start() {
+  const InitialState initial =
+      initial_state(definition_, frame_, dynamics_.system(),
+                    settings_.tolerance * frame_.length);
+  y_ = dynamics_.state(initial.x);
+  y_.segment(dynamics_.velocity_index(), initial.velocities.size()) =
+      initial.velocities;
+  dynamics_.project(0.0, y_);
+  slope_.setZero(y_.size());
+  sample_ = y_;
+  dynamics_.rate(0.0, y_, slope_);
+  dynamics_.note_speed(y_);
+  energy_start_ = dynamics_.kinetic_energy(y_);
+  integrator_.restart(0.0, y_, 0.0);
+}
+
+void DynamicRun::note_energy(const VectorXd& y) {
+  const double kinetic = dynamics_.kinetic_energy(y);
+  const double work = y[dynamics_.work_index()];
+  energy_error_ =
+      std::max(energy_error_, std::abs(kinetic - energy_start_ - work));
+  largest_energy_ = std::max({largest_energy_, kinetic, std::abs(work)});
+}
+
+void DynamicRun::add_instant(double t, VectorXd& y) {
+  const double gap = dynamics_.project(t, y);
+  dynamics_.rate(t, y, slope_);
+  note_energy(y);
+  const ConstraintSystem& system = dynamics_.system();
+  const auto placed = system.place(dynamics_.configuration());
+  const auto accelerations = system.twists(dynamics_.accelerations());
+  JacobianFactor factor;
+  factor.compute(system.jacobian(placed));
+  Instant instant;
+  instant.t = t;
+  for (std::size_t i = 0; i < definition_.bodies.size(); ++i) {
+    instant.bodies.push_back(body_motion(
+        frame_, static_cast<BodyIndex>(i), dynamics_.configuration()[i + 1],
+        dynamics_.twists()[i + 1], accelerations[i + 1]));
+  }
+  Equilibrium::Solution forces =
+      equilibrium_.solve(dynamics_.configuration(), placed, factor,
+                         dynamics_.twists(), accelerations);
+  for (const DriveDefinition& drive : definition_.drives) {
+    const DriveTarget target = drive_target(drive, t);
+    instant.drives.push_back({.position = target.position,
+                              .rate = target.rate,
+                              .acceleration = target.acceleration});
+  }
+  put_forces(frame_, system, placed, std::move(forces), instant);
+  instant.closure_error = gap;
+  motion_.instants.push_back(std::move(instant));
+}
+
+void DynamicRun::sample_until(double t) {
+  while (next_sample_ < settings_.instants && sample_time(next_sample_) <= t) {
+    const double at = sample_time(next_sample_++);
+    if (at >= integrator_.t()) {
+      sample_ = integrator_.y();
+    } else {
+      integrator_.interpolate(at, sample_);
+    }
+    add_instant(at, sample_);
+  }
+}
+
+Motion DynamicRun::run() {
+  start();
+  sample_until(0.0);
+  while (integrator_.t() < settings_.duration) {
+    if (!integrator_.step(settings_.duration)) {
+      throw Error("K008", "mechanism",
+                  fmt::format("at t = {:.9g} s no step is short enough",
+                              integrator_.t()),
+                  "look for forces or lengths of a wrong order of size");
+    }
+    sample_until(integrator_.t());
+    y_ = integrator_.y();
+    dynamics_.project(integrator_.t(), y_);
+    dynamics_.note_speed(y_);
+    integrator_.correct(y_);
+    note_energy(y_);
+  }
+  const StepCounts& counts = integrator_.counts();
+  motion_.integration = IntegrationSummary{
+      .method = "DOP853",
+      .steps = counts.steps,
+      .rejected = counts.rejected,
+      .evaluations = counts.evaluations,
+      .energy_error = energy_error_,
+      .relative_energy_error =
+          largest_energy_ > 0.0 ? energy_error_ / largest_energy_ : 0.0};
+  judge_power_balance(definition_, motion_);
+  return std::move(motion_);
+}
+
+}  // namespace
+
+Motion integrate_motion(const MechanismDefinition& definition,
+                        const SimulationSettings& settings) {
+  return DynamicRun(definition, settings).run();
+}
+
+}  // namespace clevis::mechanism

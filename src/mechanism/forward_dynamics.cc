@@ -1,0 +1,309 @@
+#include "mechanism/forward_dynamics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "mechanism/drive_law.h"
+
+namespace clevis::mechanism {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+std::size_t index(Index i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// F with F Fᵀ = inertia⁻¹.
+Matrix3d inverse_root(const Matrix3d& inertia) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(inertia);
+  return eigen.eigenvectors() *
+         eigen.eigenvalues().cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+}  // namespace
+
+SolvingFrame frame_at_centres(const MechanismDefinition& definition) {
+  SolvingFrame frame(definition);
+  std::vector<Vector3d> shift(definition.bodies.size() + 1, Vector3d::Zero());
+  for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
+    shift[i + 1] = definition.bodies[i].mass_properties.p_LCm - frame.p_LM[i];
+    frame.p_LM[i] = definition.bodies[i].mass_properties.p_LCm;
+    frame.placement[i + 1].p += frame.placement[i + 1].R * shift[i + 1];
+  }
+  for (JointModel& joint : frame.joints) {
+    joint.frame_a.p_LJ -= shift[index(joint.a)];
+    joint.frame_b.p_LJ -= shift[index(joint.b)];
+  }
+  return frame;
+}
+
+ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
+                                 const SolvingFrame& frame, double tolerance)
+    : frame_(frame),
+      drives_(definition.drives),
+      system_(frame, definition.drives,
+              frame.planar ? Motions::kInPlane : Motions::kSpatial,
+              ConstraintSystem::Drives::kAll),
+      mass_(system_.columns(), system_.rows()),
+      planar_(frame.planar),
+      length_(frame.length),
+      tolerance_(tolerance),
+      positions_(static_cast<Index>(definition.bodies.size()) *
+                 (planar_ ? 3 : 7)),
+      bodies_(definition.bodies.size() + 1),
+      gravity_(frame.R_WP.transpose() * definition.gravity_W),
+      x_(frame.placement),
+      twists_(frame.placement.size()),
+      wrenches_(frame.placement.size()) {
+  for (std::size_t i = 1; i < bodies_.size(); ++i) {
+    const part::MassProperties& given =
+        definition.bodies[i - 1].mass_properties;
+    Body& body = bodies_[i];
+    body.mass = given.mass;
+    body.inertia = given.inertia_LCm;
+    body.turn_factor = length_ * inverse_root(given.inertia_LCm);
+    body.turn_root = body.turn_factor.inverse();
+    body.R_start = frame.placement[i].R;
+    body.inertia_z =
+        (body.R_start * given.inertia_LCm * body.R_start.transpose())(2, 2);
+    const double root = 1.0 / std::sqrt(body.mass);
+    const int k = static_cast<int>(i) - 1;
+    if (planar_) {
+      mass_.set_diagonal(k, {root, root, length_ / std::sqrt(body.inertia_z)});
+    } else {
+      mass_.set_diagonal(2 * k, Vector3d::Constant(root));
+    }
+  }
+  for (const ForceDefinition& force : definition.forces) {
+    loads_.push_back({force.body + 1,
+                      force.p_LP - frame.p_LM[index(force.body)],
+                      frame.R_WP.transpose() * force.f_W,
+                      frame.R_WP.transpose() * force.t_W});
+  }
+  placed_ = system_.place(x_);
+  J_.setZero(system_.rows(), system_.columns());
+  for (VectorXd* v : {&u_, &Q_, &acceleration_, &change_}) {
+    v->setZero(system_.columns());
+  }
+  for (VectorXd* v :
+       {&target_rates_, &target_seconds_, &residual_, &gamma_, &lambda_}) {
+    v->setZero(system_.rows());
+  }
+  targets_.setZero(static_cast<Index>(drives_.size()));
+}
+
+VectorXd ForwardDynamics::state(const Configuration& x) const {
+  VectorXd y = VectorXd::Zero(size());
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (planar_) {
+      const Matrix3d turn = x[i].R * bodies_[i].R_start.transpose();
+      const double angle = std::atan2(turn(1, 0), turn(0, 0));
+      y.segment<3>(static_cast<Index>(3 * (i - 1))) =
+          Vector3d(x[i].p.x(), x[i].p.y(), length_ * angle);
+    } else {
+      const auto at = static_cast<Index>(7 * (i - 1));
+      y.segment<3>(at) = x[i].p;
+      y.segment<4>(at + 3) = x[i].q.coeffs();
+    }
+  }
+  return y;
+}
+
+void ForwardDynamics::place(const VectorXd& y) {
+  u_ = y.segment(positions_, system_.columns());
+  for (std::size_t i = 1; i < x_.size(); ++i) {
+    if (planar_) {
+      const auto at = static_cast<Index>(3 * (i - 1));
+      x_[i].p.head<2>() = y.segment<2>(at);
+      const double angle = y[at + 2] / length_;
+      const double c = std::cos(angle), s = std::sin(angle);
+      const Matrix3d& R = bodies_[i].R_start;
+      x_[i].R.row(0) = c * R.row(0) - s * R.row(1);
+      x_[i].R.row(1) = s * R.row(0) + c * R.row(1);
+      twists_[i].v.head<2>() = u_.segment<2>(at);
+      twists_[i].w.z() = u_[at + 2] / length_;
+    } else {
+      const auto at = static_cast<Index>(7 * (i - 1));
+      x_[i].p = y.segment<3>(at);
+      x_[i].q.coeffs() = y.segment<4>(at + 3).normalized();
+      x_[i].R = x_[i].q.toRotationMatrix();
+      const auto u = static_cast<Index>(6 * (i - 1));
+      twists_[i].v = u_.segment<3>(u);
+      twists_[i].w = u_.segment<3>(u + 3) / length_;
+      mass_.set_full(static_cast<int>(2 * i - 1),
+                     x_[i].R * bodies_[i].turn_factor,
+                     bodies_[i].turn_root * x_[i].R.transpose());
+    }
+  }
+  system_.place(x_, placed_);
+  for (std::size_t j = 0; j < x_.angles.size(); ++j) {
+    if (frame_.joints[j].counts_turns) x_.angles[j] = placed_[j].turned();
+  }
+}
+
+void ForwardDynamics::set_targets(double t) {
+  for (std::size_t k = 0; k < drives_.size(); ++k) {
+    const DriveTarget target = drive_target(drives_[k], t);
+    const Index row = system_.joint_rows() + static_cast<Index>(k);
+    const double scale = system_.scale(system_.row_list()[index(row)]);
+    targets_[static_cast<Index>(k)] = target.position;
+    target_rates_[row] = scale * target.rate;
+    target_seconds_[row] = scale * target.acceleration;
+  }
+}
+
+void ForwardDynamics::factor() {
+  system_.fill_jacobian(placed_, J_);
+  mass_.factor(J_, system_.rows());
+}
+
+/// Wrenches about the centres of mass, and Q of them.
+void ForwardDynamics::add_loads(double /*t*/) {
+  for (std::size_t i = 1; i < wrenches_.size(); ++i) {
+    wrenches_[i].v = bodies_[i].mass * gravity_;
+    wrenches_[i].w.setZero();
+  }
+  for (const Load& load : loads_) {
+    Twist& wrench = wrenches_[index(load.slot)];
+    wrench.v += load.f;
+    wrench.w += load.t + (x_[index(load.slot)].R * load.p_CmP).cross(load.f);
+  }
+  for (std::size_t i = 1; i < wrenches_.size(); ++i) {
+    if (planar_) {
+      const auto at = static_cast<Index>(3 * (i - 1));
+      Q_.segment<2>(at) = wrenches_[i].v.head<2>();
+      Q_[at + 2] = wrenches_[i].w.z() / length_;
+    } else {
+      const auto at = static_cast<Index>(6 * (i - 1));
+      const Matrix3d& R = x_[i].R;
+      const Vector3d& w = twists_[i].w;
+      const Vector3d spin = R * (bodies_[i].inertia * (R.transpose() * w));
+      Q_.segment<3>(at) = wrenches_[i].v;
+      Q_.segment<3>(at + 3) = (wrenches_[i].w - w.cross(spin)) / length_;
+    }
+  }
+}
+
+void ForwardDynamics::rate(double t, const VectorXd& y, VectorXd& rate) {
+  place(y);
+  set_targets(t);
+  factor();
+  add_loads(t);
+  system_.bias(placed_, twists_, gamma_);
+  gamma_ = target_seconds_ - gamma_;
+  mass_.accelerate(gamma_, Q_, acceleration_, lambda_);
+  double power = 0.0;
+  for (std::size_t i = 1; i < x_.size(); ++i) {
+    power +=
+        wrenches_[i].v.dot(twists_[i].v) + wrenches_[i].w.dot(twists_[i].w);
+    if (planar_) continue;
+    const auto at = static_cast<Index>(7 * (i - 1));
+    rate.segment<3>(at) = twists_[i].v;
+    // q' = ½ (0, w) q
+    const Eigen::Vector4d q = y.segment<4>(at + 3);  // x, y, z, w
+    const Vector3d half = 0.5 * twists_[i].w;
+    rate.segment<3>(at + 3) = q.w() * half + half.cross(q.head<3>());
+    rate[at + 6] = -half.dot(q.head<3>());
+  }
+  if (planar_) rate.head(positions_) = u_;
+  rate.segment(positions_, system_.columns()) = acceleration_;
+  for (Index i = system_.joint_rows(); i < system_.rows(); ++i) {
+    power += lambda_[i] * target_rates_[i];
+  }
+  rate[work_index()] = power;
+}
+
+void ForwardDynamics::note_speed(const VectorXd& y) {
+  const double speed =
+      y.segment(positions_, system_.columns()).lpNorm<Eigen::Infinity>();
+  // from rest: the speed that the acceleration reaches over the length
+  const double reached =
+      std::sqrt(length_ * acceleration_.lpNorm<Eigen::Infinity>());
+  speed_ = std::max({speed_, speed, speed_ > 0.0 ? 0.0 : reached});
+}
+
+void ForwardDynamics::error_weights(const VectorXd& /*y*/,
+                                    VectorXd& weights) const {
+  if (planar_) {
+    weights.head(positions_).setConstant(1.0 / (tolerance_ * length_));
+  } else {
+    for (Index at = 0; at < positions_; at += 7) {
+      weights.segment<3>(at).setConstant(1.0 / (tolerance_ * length_));
+      weights.segment<4>(at + 3).setConstant(2.0 / tolerance_);
+    }
+  }
+  const double speed = speed_ > 0.0 ? speed_ : length_;
+  weights.segment(positions_, system_.columns())
+      .setConstant(1.0 / (tolerance_ * speed));
+  weights[work_index()] = 0.0;
+}
+
+void ForwardDynamics::move(VectorXd& y, const VectorXd& change) const {
+  if (planar_) {
+    y.head(positions_) += change;
+    return;
+  }
+  for (Index i = 0; i < positions_ / 7; ++i) {
+    BodyPlacement body;
+    body.p = y.segment<3>(7 * i);
+    body.q.coeffs() = y.segment<4>(7 * i + 3);
+    body.move(change.segment<3>(6 * i), change.segment<3>(6 * i + 3) / length_);
+    y.segment<3>(7 * i) = body.p;
+    y.segment<4>(7 * i + 3) = body.q.coeffs();
+  }
+}
+
+double ForwardDynamics::correct_positions(VectorXd& y) {
+  constexpr int kMost = 4;
+  constexpr double kClosed = 1e-13;
+  double last = 0.0;
+  for (int i = 0;; ++i) {
+    system_.residual(placed_, targets_, residual_);
+    const double gap =
+        residual_.size() == 0 ? 0.0 : residual_.lpNorm<Eigen::Infinity>();
+    if (gap <= kClosed * length_ || i == kMost || (i > 1 && gap > 0.5 * last)) {
+      return gap;
+    }
+    last = gap;
+    mass_.correct(residual_, change_);
+    move(y, change_);
+    place(y);
+    // the factor at hand serves unless the gap was large
+    if (gap > 1e-6 * length_) factor();
+  }
+}
+
+double ForwardDynamics::project(double t, VectorXd& y) {
+  place(y);
+  set_targets(t);
+  factor();
+  const double gap = correct_positions(y);
+  system_.fill_jacobian(placed_, J_);
+  residual_.noalias() = J_ * u_;
+  residual_ -= target_rates_;
+  mass_.correct(residual_, change_);
+  u_ += change_;
+  y.segment(positions_, system_.columns()) = u_;
+  place(y);
+  return gap;
+}
+
+double ForwardDynamics::kinetic_energy(const VectorXd& y) {
+  place(y);
+  double energy = 0.0;
+  for (std::size_t i = 1; i < x_.size(); ++i) {
+    const Vector3d w_L = x_[i].R.transpose() * twists_[i].w;
+    energy += 0.5 * bodies_[i].mass * twists_[i].v.squaredNorm() +
+              0.5 * w_L.dot(bodies_[i].inertia * w_L);
+  }
+  return energy;
+}
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mechanism/constrained_mass.h"
+#include "mechanism/constraint_system.h"
+#include "mechanism/definition.h"
+#include "mechanism/ode_system.h"
+
+namespace clevis::mechanism {
+
+/// The frame in which a mechanism is solved with M of every body moved into
+/// its centre of mass, so that the mass matrix is block diagonal.
+SolvingFrame frame_at_centres(const MechanismDefinition& definition);
+
+/// Equations of motion of a mechanism with free coordinates.
+///
+/// State y: positions of the bodies (planar: x, y, length × angle; spatial:
+/// position and quaternion), their velocities (unknowns of the constraint
+/// system), the work of all forces since the start. Drives are constraints
+/// that move.
+class ForwardDynamics : public OdeSystem {
+ public:
+  /// @param frame  frame_at_centres(); outlives this.
+  /// @param tolerance  error of positions over the mechanism's length.
+  ForwardDynamics(const MechanismDefinition& definition,
+                  const SolvingFrame& frame, double tolerance);
+
+  int size() const override { return static_cast<int>(work_index()) + 1; }
+  void rate(double t, const Eigen::VectorXd& y, Eigen::VectorXd& rate) override;
+  void error_weights(const Eigen::VectorXd& y,
+                     Eigen::VectorXd& weights) const override;
+
+  /// State of bodies at rest.
+  Eigen::VectorXd state(const Configuration& x) const;
+  /// Moves positions and velocities, by the least mass norm, onto the
+  /// constraints at time t. @return the largest gap that is left [m].
+  double project(double t, Eigen::VectorXd& y);
+
+  /// As of the last rate() or project().
+  const Configuration& configuration() const { return x_; }
+  const std::vector<Twist>& twists() const { return twists_; }
+  const Eigen::VectorXd& accelerations() const { return acceleration_; }
+  const ConstrainedMass& mass() const { return mass_; }
+
+  Eigen::Index velocity_index() const { return positions_; }
+  Eigen::Index work_index() const { return positions_ + system_.columns(); }
+  double kinetic_energy(const Eigen::VectorXd& y);
+  const ConstraintSystem& system() const { return system_; }
+  /// Largest speed of the unknowns so far, for error_weights() [m/s].
+  void note_speed(const Eigen::VectorXd& y);
+
+ private:
+  void place(const Eigen::VectorXd& y);
+  void set_targets(double t);
+  void factor();
+  void add_loads(double t);
+  double correct_positions(Eigen::VectorXd& y);
+  void move(Eigen::VectorXd& y, const Eigen::VectorXd& change) const;
+
+  struct Body {
+    double mass{};
+    Eigen::Matrix3d inertia;      ///< about Cm, in L
+    Eigen::Matrix3d turn_factor;  ///< in L: F with F Fᵀ = length² inertia⁻¹
+    Eigen::Matrix3d turn_root;    ///< its inverse
+    double inertia_z{};           ///< planar: about the normal
+    Eigen::Matrix3d R_start;      ///< planar: orientation at angle zero
+  };
+  struct Load {
+    int slot{};
+    Eigen::Vector3d p_CmP, f, t;
+  };
+
+  const SolvingFrame& frame_;
+  const std::vector<DriveDefinition>& drives_;
+  ConstraintSystem system_;
+  ConstrainedMass mass_;
+  bool planar_;
+  double length_, tolerance_, speed_{};
+  Eigen::Index positions_;
+  std::vector<Body> bodies_;  ///< by slot
+  std::vector<Load> loads_;
+  Eigen::Vector3d gravity_;
+
+  // workspace
+  Configuration x_;
+  std::vector<PlacedJoint> placed_;
+  std::vector<Twist> twists_, wrenches_;
+  Eigen::MatrixXd J_;
+  Eigen::VectorXd u_, targets_, target_rates_, target_seconds_, residual_,
+      gamma_, Q_, acceleration_, lambda_, change_;
+};
+
+}  // namespace clevis::mechanism

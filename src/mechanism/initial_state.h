@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "mechanism/constraint_system.h"
+#include "mechanism/definition.h"
+
+namespace clevis::mechanism {
+
+/// Where an integrated motion starts.
+struct InitialState {
+  Configuration x;             ///< closed, drives at their start
+  Eigen::VectorXd velocities;  ///< unknowns of the system
+};
+
+/// Assembles the mechanism with the joints' initial coordinates, near the
+/// placement, and finds the velocities: those of `initial_joints` and of the
+/// drives exactly, those of `initial_bodies` as near as the joints allow.
+/// @param system     with the drives.
+/// @param tolerance  [m].
+/// @throws Error K001, K003, K007.
+InitialState initial_state(const MechanismDefinition& definition,
+                           const SolvingFrame& frame,
+                           const ConstraintSystem& system, double tolerance);
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace clevis::mechanism {
+
+/// y' = f(t, y), for the integrators. None of it allocates.
+class OdeSystem {
+ public:
+  virtual ~OdeSystem() = default;
+
+  virtual int size() const = 0;
+  /// f(t, y). Entries that are not finite make the integrator shorten its
+  /// step.
+  virtual void rate(double t, const Eigen::VectorXd& y,
+                    Eigen::VectorXd& rate) = 0;
+  /// By component, the inverse of the error that a step may make there; 0
+  /// where it does not matter.
+  virtual void error_weights(const Eigen::VectorXd& y,
+                             Eigen::VectorXd& weights) const = 0;
+};
+
+/// What an integrator has done so far.
+struct StepCounts {
+  long steps{}, rejected{}, evaluations{}, factorisations{};
+};
+
+/// One accepted step after another, with dense output over the last one.
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+
+  /// Starts at (t, y); @param step  first trial [s], or 0 to let the
+  /// integrator choose.
+  virtual void restart(double t, const Eigen::VectorXd& y, double step) = 0;
+  /// Takes one step that ends at `limit` at the latest.
+  /// @return false if no step of a representable length is good enough.
+  virtual bool step(double limit) = 0;
+
+  virtual double t_start() const = 0;  ///< of the last step
+  virtual double t() const = 0;
+  virtual const Eigen::VectorXd& y() const = 0;
+  /// State within the last step.
+  virtual void interpolate(double t, Eigen::VectorXd& y) = 0;
+  /// Puts a corrected state in place of y(), within the tolerance of it.
+  virtual void correct(const Eigen::VectorXd& y) = 0;
+  /// Whether the other kind of method (explicit, implicit) would do better.
+  virtual bool wants_change() const = 0;
+  virtual double next_step() const = 0;
+
+  const StepCounts& counts() const { return counts_; }
+
+ protected:
+  StepCounts counts_;
+};
+
+}  // namespace clevis::mechanism
