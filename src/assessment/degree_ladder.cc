@@ -4,42 +4,50 @@
 #include <utility>
 
 #include "assessment/few_instants.h"
+#include "assessment/local_error.h"
 #include "base/errors.h"
+#include "base/stopwatch.h"
 
 namespace clevis::assessment {
 namespace {
 
 using stress::Convergence;
 
-/// What the peak may miss between the points of the lattice and between the
-/// instants of the motion [Pa]. Cases stand behind the motion, at time 0.
+/// What the peak may miss between the instants of the motion [Pa]. Cases stand
+/// behind the motion, at time 0.
 template <int dim>
-double sampling_error(const std::vector<LoadSet>& sets,
-                      const Level<dim>& level) {
+double time_error(const std::vector<LoadSet>& sets, const Level<dim>& level) {
   const auto& instants = sets[level.set].history.instants;
   std::size_t motion = 1;
   while (motion < instants.size() &&
          instants[motion].time > instants[motion - 1].time) {
     ++motion;
   }
-  return level.history().sampling_error +
-         stress::time_sampling_error(
-             level.history().peak.head(static_cast<Eigen::Index>(motion)));
+  return stress::time_sampling_error(
+      level.history().peak.head(static_cast<Eigen::Index>(motion)));
 }
 
-/// Band of the peak; what the samples may miss widens it upwards.
+/// What the samples may miss widens a band upwards.
+stress::Band widened(stress::Band band, double sampling_error,
+                     double tolerance) {
+  band.high += sampling_error;
+  if (band.verdict == Convergence::kConverged &&
+      band.high - band.value > tolerance * band.value) {
+    band.verdict = Convergence::kNotConverged;
+  }
+  return band;
+}
+
+/// Of the lattice's peak from the sequence of the fields' own.
 stress::Band band_of(const std::vector<SequenceMember>& sequence,
-                     double sampling_error, double tolerance) {
+                     double tolerance) {
   std::vector<stress::SequenceValue> values;
   for (const auto& member : sequence) {
-    values.push_back({member.degree, member.peak});
+    values.push_back({member.degree, member.field_peak});
   }
   stress::Band band = stress::peak_band(values, tolerance);
-  band.high += sampling_error;
-  if (band.verdict == stress::Convergence::kConverged &&
-      band.high - band.value > tolerance * band.value) {
-    band.verdict = stress::Convergence::kNotConverged;
-  }
+  band.value = sequence.back().peak;
+  band.low = std::min(band.low, band.value);
   return band;
 }
 
@@ -47,7 +55,8 @@ template <int dim>
 stress::Band outer_band_of(const ZoneWatch<dim>& zones, double tolerance) {
   std::vector<SequenceMember> sequence;
   for (const auto& peak : zones.outside()) sequence.push_back(peak.member);
-  return band_of(sequence, zones.outside().back().sampling_error, tolerance);
+  return widened(band_of(sequence, tolerance),
+                 zones.outside().back().sampling_error, tolerance);
 }
 
 /// One climb.
@@ -64,12 +73,14 @@ class Climb {
                                      degree, seconds_);
     ladder_.sequence.push_back(ladder_.level.member);
     ladder_.probes.push_back(ladder_.level.probes);
-    const double tolerance = job_.tolerance - rung_.model_error;
-    ladder_.band = band_of(ladder_.sequence,
-                           sampling_error(sets, ladder_.level), tolerance);
     ladder_.zones.take(ladder_.level);
+    const double tolerance = job_.tolerance - rung_.model_error;
+    ladder_.band = widened(band_of(ladder_.sequence, tolerance),
+                           time_error(sets, ladder_.level), tolerance);
     if (ladder_.zones.is_singular()) {
       ladder_.outer_band = outer_band_of(ladder_.zones, tolerance);
+    } else if (rung_.looks_nearby && ladder_.sequence.size() > 2) {
+      look_nearby(sets, tolerance);
     }
   }
   void drop() {
@@ -86,6 +97,21 @@ class Climb {
   DegreeLadder<dim> finish() { return std::move(ladder_); }
 
  private:
+  /// Puts the band of the peak's neighbourhood in place of the sequence's.
+  void look_nearby(const std::vector<LoadSet>& sets, double tolerance) {
+    Stopwatch watch;
+    const auto& sequence = ladder_.sequence;
+    const auto values =
+        local_peak<dim>(job_, sets, ladder_.zones.mesh(), ladder_.level,
+                        sequence[sequence.size() - 2].field_peak);
+    seconds_.recover += watch.lap();
+    if (!values) return;
+    stress::Band band = stress::local_band(*values, tolerance);
+    band.value = sequence.back().peak;
+    band.low = std::min(band.low, band.value);
+    ladder_.band = widened(band, time_error(sets, ladder_.level), tolerance);
+  }
+
   const PartJob& job_;
   const Rung<dim>& rung_;
   PartSeconds& seconds_;

@@ -30,6 +30,7 @@ Rung<2> plane_stress_rung(const mesh::PartMesh<2>& plate) {
   rung.highest_degree = kHighestDegree;
   rung.first_degree = unfolded(plate, 2, rung.highest_degree);
   rung.subdivisions = 8;
+  rung.looks_nearby = true;
   return rung;
 }
 

@@ -21,6 +21,8 @@ struct Rung {
   /// the sequence compares like with like.
   int subdivisions{};
   double model_error{};  ///< over the peak, where known beforehand [1]
+  /// Whether higher degrees near the peak alone tell the error of the last.
+  bool looks_nearby = false;
 };
 
 Rung<2> plane_stress_rung(const mesh::PartMesh<2>& plate);

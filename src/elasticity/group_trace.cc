@@ -27,7 +27,7 @@ FaceTable<dim> face_table(const Discretization<dim>& discretization, int face) {
   const int p = discretization.degree;
   const int q = discretization.thickness_degree;
   const bool plate = dim == 2 || discretization.is_layer;
-  const Degree points = {p + (plate ? 8 : 4), q + (plate ? 2 : 4)};
+  const Degree points = {p + (plate ? 28 : 4), q + (plate ? 2 : 4)};
   FaceTable<dim> table;
   table.rule = face_gauss<dim>(discretization.shape, face, points);
   table.geometry = tabulate_geometry<dim>(

@@ -34,4 +34,24 @@ Band peak_band(std::span<const SequenceValue> sequence, double tolerance) {
   return band;
 }
 
+Band local_band(const LocalValues& values, double tolerance) {
+  constexpr double kSafety = 0.25;
+  constexpr double kPollution = 0.01;
+  constexpr double kLeast = 0.01;
+  const double half_width =
+      std::max({kSafety * std::abs(values.finest - values.value),
+                std::abs(values.finest - values.finer),
+                kPollution * std::abs(values.value - values.before),
+                kPollution * std::abs(values.elsewhere),
+                kLeast * tolerance * std::abs(values.finest)});
+  Band band{values.value, std::min(values.finest - half_width, values.value),
+            std::max(values.finest + half_width, values.value),
+            Convergence::kConverged};
+  const double reach = std::max(band.high - band.value, band.value - band.low);
+  if (!(reach <= tolerance * std::abs(values.value))) {
+    band.verdict = Convergence::kNotConverged;
+  }
+  return band;
+}
+
 }  // namespace clevis::stress

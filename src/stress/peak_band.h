@@ -31,4 +31,24 @@ struct Band {
 /// @param tolerance  half-width over value [1].
 Band peak_band(std::span<const SequenceValue> sequence, double tolerance);
 
+/// A quantity that was also computed with higher degrees nearby alone
+/// (elasticity::enrich).
+struct LocalValues {
+  double before{};  ///< of the degree before
+  double value{};   ///< of the degree that was solved for
+  double finer{};   ///< nearby two degrees higher
+  double finest{};  ///< nearby three degrees higher
+  /// What other places are off, e.g. the peak of which this is not one.
+  double elsewhere = 0.0;
+};
+
+/// Band of such a quantity: about the finest value, a quarter of its
+/// difference to the solved one wide to either side; at least what the last
+/// degree nearby has changed, and for what comes from far away a hundredth of
+/// what the last degree everywhere has and of what other places are off; never
+/// less than a hundredth of the tolerance. It holds the solved value.
+/// @param tolerance  of the distance from the value to the far end, over the
+///   value [1].
+Band local_band(const LocalValues& values, double tolerance);
+
 }  // namespace clevis::stress

@@ -139,9 +139,26 @@ Eigen::MatrixXd solve_held(const elasticity::StiffnessMatrix<dim>& stiffness,
   return u;
 }
 
-/// One load case with tractions and a body force that the library's loads
-/// cannot express, in addition to the first instant of the problem's history
-/// (may be empty).
+/// Nodal load of tractions and a body force that the library's loads cannot
+/// express, in addition to the first instant of the problem's history (may be
+/// empty).
+template <int dim>
+Eigen::MatrixXd field_load(
+    const elasticity::Discretization<dim>& discretization,
+    const elasticity::ElasticProblem<dim>& problem,
+    const std::vector<TractionField<dim>>& tractions,
+    const BodyField<dim>& body) {
+  Eigen::MatrixXd load = Eigen::MatrixXd::Zero(discretization.dofs(), 1);
+  if (!problem.history.instants.empty()) {
+    load = elasticity::assemble_loads(discretization, problem.history,
+                                      problem.material.density, problem.name);
+  }
+  for (const auto& field : tractions) add_traction(discretization, field, load);
+  if (body) add_body_force<dim>(discretization, body, load);
+  return load;
+}
+
+/// One load case of field_load.
 /// @param held  components held at zero instead of the problem's supports.
 template <int dim>
 elasticity::DisplacementBasis<dim> solve_field(
@@ -151,13 +168,8 @@ elasticity::DisplacementBasis<dim> solve_field(
   elasticity::DisplacementBasis<dim> basis;
   basis.discretization = elasticity::discretize(problem.mesh, degree);
   const auto& discretization = basis.discretization;
-  Eigen::MatrixXd load = Eigen::MatrixXd::Zero(discretization.dofs(), 1);
-  if (!problem.history.instants.empty()) {
-    load = elasticity::assemble_loads(discretization, problem.history,
-                                      problem.material.density, problem.name);
-  }
-  for (const auto& field : tractions) add_traction(discretization, field, load);
-  if (body) add_body_force<dim>(discretization, body, load);
+  const Eigen::MatrixXd load =
+      field_load<dim>(discretization, problem, tractions, body);
   const auto positions = elasticity::node_positions(discretization);
   if (held.empty()) {
     held = problem.fixed.empty()

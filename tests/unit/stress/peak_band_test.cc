@@ -87,6 +87,27 @@ TEST(PeakBand, FewerThanThreeValuesSayNothing) {
             Convergence::kNotConverged);
 }
 
+TEST(LocalBand, HoldsWhatHigherDegreesNearbySayAndTheSolvedValue) {
+  const Band band = local_band({95.0, 99.0, 100.1, 100.2}, 0.1);
+  EXPECT_EQ(band.value, 99.0);
+  EXPECT_EQ(band.low, 99.0);
+  EXPECT_NEAR(band.high, 100.2 + 0.25 * 1.2, 1e-12);
+  EXPECT_EQ(band.verdict, Convergence::kConverged);
+}
+
+TEST(LocalBand, DoubtsWhatTheLastDegreeNearbyStillChanges) {
+  const Band band = local_band({99.0, 99.0, 97.0, 100.0}, 0.01);
+  EXPECT_NEAR(band.high, 103.0, 1e-12);
+  EXPECT_NEAR(band.low, 97.0, 1e-12);
+  EXPECT_EQ(band.verdict, Convergence::kNotConverged);
+}
+
+TEST(LocalBand, CountsWhatComesFromFarAway) {
+  EXPECT_NEAR(local_band({90.0, 100.0, 100.0, 100.0}, 1e-3).high, 100.1, 1e-12);
+  EXPECT_NEAR(local_band({100.0, 100.0, 100.0, 100.0, 50.0}, 1e-3).high, 100.5,
+              1e-12);
+}
+
 // A peak between two instants of a sine is missed by at most its curvature.
 TEST(TimeSampling, CoversWhatACoarseMotionMisses) {
   for (const int n : {9, 11, 24, 41}) {

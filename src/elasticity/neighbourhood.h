@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "elasticity/discretization.h"
+#include "elasticity/displacement_basis.h"
+#include "part/material.h"
+
+namespace clevis::elasticity {
+
+/// A field solved with one degree, and what a higher one on the same mesh
+/// would be loaded and held by.
+template <int dim>
+struct EnrichmentProblem {
+  const Discretization<dim>& coarse;
+  const Eigen::MatrixXd& displacement;  ///< dofs of `coarse` × 1 [m]
+  const Discretization<dim>& fine;      ///< same mesh, higher degree
+  const Eigen::MatrixXd& load;          ///< dofs of `fine` × 1 [N]
+  std::vector<int> held;                ///< dofs of `fine`; empty: a free part
+  const part::Material& material;
+};
+
+/// The field of higher degree on some cells.
+template <int dim>
+struct Enriched {
+  DisplacementBasis<dim> basis;  ///< one column, one instant
+  std::vector<int> cells;        ///< of the mesh, one per cell of `basis`
+};
+
+/// Solves with the higher degree in the neighbourhood of some cells, they and
+/// those that share a vertex with them, the displacement of the lower degree
+/// kept on its border to the rest of the part.
+///
+/// What that changes at the centre is an estimate of the error there: it holds
+/// what the cells nearby do not resolve, not what comes from far away.
+/// @throws Error F002 if the neighbourhood is loose, M005.
+template <int dim>
+Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
+                     const std::vector<int>& centre);
+
+}  // namespace clevis::elasticity
