@@ -38,25 +38,21 @@ stress::Band widened(stress::Band band, double sampling_error,
   return band;
 }
 
-/// Of the lattice's peak from the sequence of the fields' own.
 stress::Band band_of(const std::vector<SequenceMember>& sequence,
-                     double tolerance) {
+                     double sampling_error, double tolerance) {
   std::vector<stress::SequenceValue> values;
   for (const auto& member : sequence) {
-    values.push_back({member.degree, member.field_peak});
+    values.push_back({member.degree, member.peak});
   }
-  stress::Band band = stress::peak_band(values, tolerance);
-  band.value = sequence.back().peak;
-  band.low = std::min(band.low, band.value);
-  return band;
+  return widened(stress::peak_band(values, tolerance), sampling_error,
+                 tolerance);
 }
 
 template <int dim>
 stress::Band outer_band_of(const ZoneWatch<dim>& zones, double tolerance) {
   std::vector<SequenceMember> sequence;
   for (const auto& peak : zones.outside()) sequence.push_back(peak.member);
-  return widened(band_of(sequence, tolerance),
-                 zones.outside().back().sampling_error, tolerance);
+  return band_of(sequence, zones.outside().back().sampling_error, tolerance);
 }
 
 /// One climb.
@@ -75,8 +71,10 @@ class Climb {
     ladder_.probes.push_back(ladder_.level.probes);
     ladder_.zones.take(ladder_.level);
     const double tolerance = job_.tolerance - rung_.model_error;
-    ladder_.band = widened(band_of(ladder_.sequence, tolerance),
-                           time_error(sets, ladder_.level), tolerance);
+    ladder_.band = band_of(ladder_.sequence,
+                           ladder_.level.history().sampling_error +
+                               time_error(sets, ladder_.level),
+                           tolerance);
     if (ladder_.zones.is_singular()) {
       ladder_.outer_band = outer_band_of(ladder_.zones, tolerance);
     } else if (rung_.looks_nearby && ladder_.sequence.size() > 2) {

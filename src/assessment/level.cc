@@ -102,8 +102,10 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
                           ? level.governing->equations
                           : level.governing->discretization.dofs();
   level.member.peak = level.history().largest();
-  level.member.field_peak = stress::field_maximum<dim>(
-      *level.governing, job.part.material, level.history());
+  if (rung.looks_nearby) {
+    level.member.field_peak = stress::field_maximum<dim>(
+        *level.governing, job.part.material, level.history());
+  }
   level.member.strain_energy =
       level.governing->strain_energy[level.history().peak_instant];
   return level;

@@ -15,7 +15,7 @@ struct SequenceMember {
   int degree{};
   int dofs{};
   double peak{};           ///< von Mises over all points and instants [Pa]
-  double field_peak{};     ///< the same between the points too [Pa]
+  double field_peak{};     ///< the same between the points; 0: not sought [Pa]
   double strain_energy{};  ///< at the worst instant [J]
 };
 

@@ -30,7 +30,9 @@ Rung<2> plane_stress_rung(const mesh::PartMesh<2>& plate) {
   rung.highest_degree = kHighestDegree;
   rung.first_degree = unfolded(plate, 2, rung.highest_degree);
   rung.subdivisions = 8;
-  rung.looks_nearby = true;
+  // Degrees far above that of the geometry see the kinks between its arcs.
+  constexpr int kSmoothGeometry = 4;
+  rung.looks_nearby = plate.degree >= kSmoothGeometry;
   return rung;
 }
 

@@ -137,7 +137,7 @@ OutsidePeak ZoneWatch<dim>::peak_of(const Taken& taken,
     result.at = peak.at;
     result.instant = peak.instant;
     result.sampling_error = peak.sampling_error;
-    result.member.peak = result.member.field_peak = peak.value;
+    result.member.peak = peak.value;
     result.member.strain_energy = taken.energies[s][peak.instant];
   }
   return result;
