@@ -50,6 +50,11 @@ std::string summary(const PartStudy& part, bool has_other) {
       part.energy.value * 1e3, part.energy.uncertainty * 1e3,
       part.reference_run);
   for (const double tolerance : {0.01, 0.001}) {
+    if (part.peak.uncertainty > tolerance * std::abs(part.peak.value)) {
+      text += fmt::format("  the reference itself is not known to {:g} %\n",
+                          100.0 * tolerance);
+      continue;
+    }
     text +=
         fmt::format("  peak within {:g} %: {}\n", 100.0 * tolerance,
                     words(fastest_within(part, tolerance, Program::kClevis)));
