@@ -20,7 +20,7 @@ namespace {
 using assessment::PartJob;
 
 /// Above it a study would wait for minutes for one point.
-constexpr double kMostDofs = 1e6;
+constexpr double kMostDofs = 4.5e5;
 
 /// A quick run is repeated until this time is spent, or so often.
 constexpr double kRepeatSeconds = 0.3;
@@ -143,7 +143,7 @@ Run run_once(const PartJob& job, Rung rung, int degree, int instant) {
     if (dofs > kMostDofs) {
       throw Error("F004", "part " + job.part.name,
                   fmt::format("{:.2g} degrees of freedom", dofs),
-                  "a study solves no more than a million");
+                  "a study solves no more than 450 000");
     }
     run = take<3>(assessment::solve_level<3>(job, job.load_sets, cells,
                                              assessment::solid_rung(cells),
