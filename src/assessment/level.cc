@@ -106,6 +106,11 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
     level.member.field_peak = stress::field_maximum<dim>(
         *level.governing, job.part.material, level.history());
   }
+  level.member.label =
+      sets[level.set]
+          .history
+          .instants[static_cast<std::size_t>(level.history().peak_instant)]
+          .label;
   level.member.strain_energy =
       level.governing->strain_energy[level.history().peak_instant];
   return level;

@@ -15,8 +15,9 @@ struct SequenceMember {
   int degree{};
   int dofs{};
   double peak{};           ///< von Mises over all points and instants [Pa]
-  double field_peak{};     ///< the same between the points; 0: not sought [Pa]
   double strain_energy{};  ///< at the worst instant [J]
+  std::string label{};     ///< of that instant
+  double field_peak{};     ///< peak between the points too; 0: not sought [Pa]
 };
 
 /// Peak von Mises over the surface and all instants.
@@ -97,6 +98,9 @@ struct PartResult {
   Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();
   double deflection_instant{};  ///< [s]
   double strain_energy{};       ///< largest over the instants [J]
+  /// Over the strain energy at the worst instant, by its last three degrees;
+  /// negative: too few at one instant [1].
+  double strain_energy_error = -1.0;
   BeamComparison beam;
   SelfChecks self_checks;
   std::vector<ProbeResult> probes;

@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "stress/deflection.h"
+#include "stress/energy_error.h"
 
 namespace clevis::assessment {
 namespace {
@@ -155,6 +156,19 @@ PartFields make_fields(const PartJob& job, const Level<dim>& level) {
   return fields;
 }
 
+/// From the last three degrees if their worst instant is the same.
+double energy_error(const std::vector<SequenceMember>& sequence) {
+  constexpr double kUnknown = -1.0;
+  std::vector<stress::EnergyValue> values;
+  for (const SequenceMember& member : sequence) {
+    if (member.label != sequence.back().label)
+      values.clear();
+    else
+      values.push_back({member.dofs, member.strain_energy});
+  }
+  return values.size() < 3 ? kUnknown : stress::strain_energy_error(values);
+}
+
 /// Each probe with the band of its own sequence.
 void fill_probes(const PartJob& job, const std::vector<SequenceMember>& degrees,
                  const std::vector<std::vector<double>>& values,
@@ -201,6 +215,7 @@ PartAssessment assess(const PartJob& job, const Rung<dim>& rung,
   settle_even_pressure(check_reported_peak<dim>(job, level, result),
                        result.peak);
   fill_deflection<dim>(job, level, result);
+  result.strain_energy_error = energy_error(ladder.sequence);
   assessment.fields = make_fields<dim>(job, level);
   assessment.fields.zones = ladder.zones.marks(level.set);
   return assessment;

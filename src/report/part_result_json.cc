@@ -29,7 +29,7 @@ struct adl_serializer<Eigen::Vector3d> {
 namespace clevis::assessment {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SequenceMember, degree, dofs, peak,
-                                   strain_energy)
+                                   strain_energy, label, field_peak)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeakStress, value, band_low, band_high,
                                    discretization_error, model_error, verdict,
                                    at, group, instant, label, sequence)
@@ -48,8 +48,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartResult, name, verdict, why, model,
                                    stopped_because, dofs, cells, load_columns,
                                    peak, singular_zones, peak_outside,
                                    safety_factor, deflection, deflection_at,
-                                   deflection_instant, strain_energy, beam,
-                                   self_checks, probes, seconds, mass)
+                                   deflection_instant, strain_energy,
+                                   strain_energy_error, beam, self_checks,
+                                   probes, seconds, mass)
 
 }  // namespace clevis::assessment
 

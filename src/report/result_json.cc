@@ -131,6 +131,10 @@ ordered_json limits_json(const CheckReport& report, const std::string& part) {
 ordered_json part_json(const CheckReport& report, const PartResult& part) {
   const assessment::SelfChecks& checks = part.self_checks;
   const assessment::PartSeconds& seconds = part.seconds;
+  ordered_json energy_error;  // null: too few degrees at one instant
+  if (part.strain_energy_error >= 0.0) {
+    energy_error = 100.0 * part.strain_energy_error;
+  }
   ordered_json json = {{"name", part.name},
                        {"verdict", text(part.verdict)},
                        {"why", part.why},
@@ -147,6 +151,7 @@ ordered_json part_json(const CheckReport& report, const PartResult& part) {
                        {"deflection_at_mm", vector_mm(part.deflection_at)},
                        {"deflection_instant_s", part.deflection_instant},
                        {"strain_energy_mJ", millijoules(part.strain_energy)},
+                       {"strain_energy_error_percent", energy_error},
                        {"limits", limits_json(report, part.name)},
                        {"beam", beam_json(part.beam)},
                        {"self_checks",

@@ -17,16 +17,16 @@ assessment::PartResult sample_part(const std::string& name) {
   part.dofs = 4758;
   part.cells = 137;
   part.load_columns = 15;
-  part.peak = {
-      .value = 125e6,
-      .band_low = 124.5e6,
-      .band_high = 125.75e6,
-      .verdict = PeakVerdict::kConverged,
-      .at = {0.0125, -0.003, 0.004},
-      .group = "bore_C",
-      .instant = 1.25,
-      .label = "t = 1.25 s",
-      .sequence = {{2, 1000, 120e6, 6.5e-3}, {3, 2746, 124e6, 6.6e-3}}};
+  part.peak = {.value = 125e6,
+               .band_low = 124.5e6,
+               .band_high = 125.75e6,
+               .verdict = PeakVerdict::kConverged,
+               .at = {0.0125, -0.003, 0.004},
+               .group = "bore_C",
+               .instant = 1.25,
+               .label = "t = 1.25 s",
+               .sequence = {{2, 1000, 120e6, 6.5e-3, "t = 1.25 s"},
+                            {3, 2746, 124e6, 6.6e-3, "t = 1.25 s"}}};
   part.safety_factor = 2.84;
   part.deflection = 0.125e-3;
   part.deflection_at = {0.1, 0.02, -0.005};

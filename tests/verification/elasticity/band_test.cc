@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@
 #include <gtest/gtest.h>
 
 #include "band_catalogue.h"
+#include "elasticity/displacement_basis.h"
+#include "stress/energy_error.h"
+#include "support/annulus_mesh.h"
 
 namespace clevis {
 namespace {
@@ -110,6 +114,48 @@ TEST(Bands, HoldTheExactValue) {
   held_out.by_sequence.print("plane peaks held out by the sequence alone");
   std::printf("%zu problems\n", problems.size());
   EXPECT_GE(problems.size(), 20U);
+}
+
+/// A quarter of a ring of radii 1 and 2 under pressure 1 in its bore.
+std::vector<stress::EnergyValue> ring_energies(const part::Material& steel) {
+  const auto mesh = support::sector_mesh<2>(
+      {.inner = 1, .outer = 2, .thickness = 1, .radial = 1, .angular = 2});
+  loads::SurfaceLoad load;
+  load.group = "x0";
+  load.pressure = 1.0;
+  load.resultant.force = {1.0, 1.0, 0.0};
+  loads::LoadHistory history;
+  history.instants.push_back({});
+  history.instants[0].surface_loads.push_back(load);
+  std::vector<stress::EnergyValue> energies;
+  for (int degree = 2; degree <= 4; ++degree) {
+    const auto basis = elasticity::solve<2>(
+        {mesh,
+         steel,
+         history,
+         {{"y0", {false, true, false}}, {"y1", {true, false, false}}},
+         "ring"},
+        degree);
+    energies.push_back({basis.discretization.dofs(), basis.strain_energy[0]});
+  }
+  return energies;
+}
+
+// Where the energy converges faster than any power of the unknowns, as here,
+// the estimate is on the safe side.
+// Lamé: u(a) = p a/E ((a² + b²)/(b² − a²) + ν); ½ p u(a) over a quarter.
+TEST(Bands, ErrorOfTheStrainEnergyIsNotUnderestimated) {
+  const auto steel = support::band_material();
+  const double exact =
+      0.5 * std::numbers::pi / 2 * (5.0 / 3.0 + 0.3) / steel.youngs_modulus;
+  const auto energies = ring_energies(steel);
+  const double error = std::abs(exact / energies.back().energy - 1.0);
+  const double estimate = stress::strain_energy_error(energies);
+  std::printf("strain energy: error %.2e, estimated %.2e\n", error, estimate);
+  EXPECT_GT(estimate, error);
+  const double last_change =
+      energies[2].energy / energies[1].energy - 1.0;  // the worst it may say
+  EXPECT_LT(estimate, last_change);
 }
 
 }  // namespace
