@@ -39,6 +39,12 @@ const DimensionEntry& entry_of(Dimension dimension) {
       {"ratio", "1", "%, 1"},
       {"compliance", "m/N", "m/N, um/N, mm/kN"},
       {"angular compliance", "radian/(N m)", "rad/(N m), deg/(N m)"},
+      {"stiffness", "N/m", "N/m, N/mm, kN/m"},
+      {"angular stiffness", "N m/radian", "N m/rad, N m/deg"},
+      {"damping", "N s/m", "N s/m, N s/mm"},
+      {"angular damping", "N m s/radian", "N m s/rad"},
+      {"inverse velocity", "s/m", "s/m, s/mm"},
+      {"inverse angular velocity", "s/radian", "s/rad"},
   });
   return kEntries.at(static_cast<std::size_t>(dimension));
 }

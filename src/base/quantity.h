@@ -7,23 +7,29 @@ namespace clevis {
 
 /// Dimensions that a scene value can have. SI inside, without exception.
 enum class Dimension {
-  kLength,               // m
-  kAngle,                // rad
-  kTime,                 // s
-  kMass,                 // kg
-  kMassMoment,           // kg m^2
-  kForce,                // N
-  kTorque,               // N m
-  kStress,               // Pa
-  kDensity,              // kg/m^3
-  kVelocity,             // m/s
-  kAcceleration,         // m/s^2
-  kFrequency,            // 1/s (also Hz); not rad/s
-  kAngularVelocity,      // rad/s (also rpm); not Hz
-  kAngularAcceleration,  // rad/s^2
-  kRatio,                // 1 (also %)
-  kCompliance,           // m/N
-  kAngularCompliance,    // rad/(N m)
+  kLength,                  // m
+  kAngle,                   // rad
+  kTime,                    // s
+  kMass,                    // kg
+  kMassMoment,              // kg m^2
+  kForce,                   // N
+  kTorque,                  // N m
+  kStress,                  // Pa
+  kDensity,                 // kg/m^3
+  kVelocity,                // m/s
+  kAcceleration,            // m/s^2
+  kFrequency,               // 1/s (also Hz); not rad/s
+  kAngularVelocity,         // rad/s (also rpm); not Hz
+  kAngularAcceleration,     // rad/s^2
+  kRatio,                   // 1 (also %)
+  kCompliance,              // m/N
+  kAngularCompliance,       // rad/(N m)
+  kStiffness,               // N/m
+  kAngularStiffness,        // N m/rad
+  kDamping,                 // N s/m
+  kAngularDamping,          // N m s/rad
+  kInverseVelocity,         // s/m
+  kInverseAngularVelocity,  // s/rad
 };
 
 /// The SI value of a text such as "140 mm", "1500 rpm" or "1 %".

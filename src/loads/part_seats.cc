@@ -190,14 +190,24 @@ void require_seats(const SeatContext& context) {
                 "add them: pins = { JOINT = \"group\" }, drives = { JOINT = { "
                 "face = \"group\" } }");
   }
+  const auto refuse = [&](const std::string& name, const std::string& place) {
+    throw Error("L004", place,
+                fmt::format("force \"{}\" acts on the body of part {}, but "
+                            "on no surface of it",
+                            name, context.part.name),
+                "apply it to a body of its own that is welded to this one "
+                "at a bore");
+  };
   for (const auto& force : definition.forces) {
-    if (force.body == context.body) {
-      throw Error("L004", force.place,
-                  fmt::format("force \"{}\" acts on the body of part {}, but "
-                              "on no surface of it",
-                              force.name, context.part.name),
-                  "apply it to a body of its own that is welded to this one "
-                  "at a bore");
+    if (force.body == context.body) refuse(force.name, force.place);
+  }
+  for (const auto& element : definition.elements) {
+    if (mechanism::acts_on(element, definition.joints, context.body)) {
+      std::visit(
+          [&](const auto& e) {
+            refuse(e.name, e.place);
+          },
+          element);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "mechanism/cubic_spline.h"
+#include "mechanism/force_element.h"
 #include "part/mass_properties.h"
 
 namespace clevis::mechanism {
@@ -148,6 +149,7 @@ struct MechanismDefinition {
   std::vector<CouplingDefinition> couplings;
   std::vector<DriveDefinition> drives;
   std::vector<ForceDefinition> forces;
+  std::vector<ForceElement> elements;
   std::vector<MarkerDefinition> markers;
   std::vector<InitialJointState> initial_joints;
   std::vector<InitialBodyState> initial_bodies;

@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "mechanism/body_motion.h"
+#include "mechanism/brent.h"
 #include "mechanism/dop853.h"
 #include "mechanism/drive_law.h"
 #include "mechanism/equilibrium.h"
@@ -44,6 +45,13 @@ class DynamicRun {
 
  private:
   void start();
+  void find_breaks();
+  double next_break() const;
+  /// Whether an event ended the last step, which then has been handled.
+  bool passed_event();
+  void pass(int event, double t);
+  void restart(double t);
+  void guard_against_accumulation(double t);
   void sample_until(double t);
   void add_instant(double t, VectorXd& y);
   void note_energy(const VectorXd& y);
@@ -57,6 +65,10 @@ class DynamicRun {
   Dop853 integrator_;
   VectorXd y_, sample_, slope_;
   int next_sample_ = 0;
+  VectorXd values_, next_values_, sample_values_, event_state_;
+  std::vector<double> breaks_;  ///< times at which drives or tables bend
+  int crowded_events_ = 0;
+  double last_event_ = -1.0;
   double energy_start_{}, energy_error_{}, largest_energy_{};
   Motion motion_;
 };
@@ -71,16 +83,122 @@ void DynamicRun::start() {
   const InitialState initial =
       initial_state(definition_, frame_, dynamics_.system(),
                     settings_.tolerance * frame_.length);
-  y_ = dynamics_.state(initial.x);
+  y_ = dynamics_.start(initial.x);
   y_.segment(dynamics_.velocity_index(), initial.velocities.size()) =
       initial.velocities;
+  values_.setOnes(dynamics_.forces().events());
+  next_values_ = sample_values_ = values_;
+  event_state_ = y_;
+  find_breaks();
   dynamics_.project(0.0, y_);
+  dynamics_.choose_modes(0.0, y_);
+  dynamics_.project(0.0, y_);
+  dynamics_.accept(0.0);
   slope_.setZero(y_.size());
   sample_ = y_;
   dynamics_.rate(0.0, y_, slope_);
   dynamics_.note_speed(y_);
   energy_start_ = dynamics_.kinetic_energy(y_);
+  if (!dynamics_.forces().empty()) dynamics_.event_values(0.0, y_, values_);
   integrator_.restart(0.0, y_, 0.0);
+}
+
+void DynamicRun::find_breaks() {
+  breaks_ = dynamics_.forces().kink_times();
+  for (const DriveDefinition& drive : definition_.drives) {
+    breaks_.push_back(drive.start);
+    breaks_.push_back(drive.start + drive.duration);
+    for (const double t : drive.table.times) {
+      breaks_.push_back(drive.start + t);
+    }
+  }
+  std::ranges::sort(breaks_);
+}
+
+double DynamicRun::next_break() const {
+  const double now = integrator_.t();
+  const auto next = std::ranges::upper_bound(breaks_, now);
+  return next == breaks_.end() ? settings_.duration
+                               : std::min(*next, settings_.duration);
+}
+
+void DynamicRun::guard_against_accumulation(double t) {
+  constexpr int kMost = 200;
+  const double crowd = 1e-9 * settings_.duration;
+  crowded_events_ = t - last_event_ < crowd ? crowded_events_ + 1 : 0;
+  last_event_ = t;
+  if (crowded_events_ < kMost) return;
+  throw Error("K008", "mechanism",
+              fmt::format("at t = {:.9g} s events of contact or friction "
+                          "follow one another without end",
+                          t),
+              "give the contact damping, or the friction model = "
+              "\"regularized\"");
+}
+
+bool DynamicRun::passed_event() {
+  constexpr int kSamples = 4;
+  constexpr double kBeside = 1e-3;
+  const double start = integrator_.t_start(), end = integrator_.t();
+  double before = start;
+  for (int k = 1; k <= kSamples; ++k) {
+    const double at =
+        k == kSamples ? end : start + (end - start) * k / kSamples;
+    integrator_.interpolate(at, event_state_);
+    dynamics_.event_values(at, event_state_, next_values_);
+    int event = -1;
+    double first = at;
+    for (int i = 0; i < values_.size(); ++i) {
+      if (!(next_values_[i] < 0.0) || (!(values_[i] > 0.0) && k > 1)) continue;
+      const auto value = [&](double t) {
+        integrator_.interpolate(t, event_state_);
+        VectorXd& all = sample_values_;
+        dynamics_.event_values(t, event_state_, all);
+        return all[i];
+      };
+      // a piece that has just begun starts at zero: look beside it
+      double left = before, at_left = values_[i];
+      if (!(at_left > 0.0)) {
+        left = before + kBeside * (at - before);
+        at_left = value(left);
+      }
+      const double root =
+          at_left > 0.0 ? brent_root(value, left, at_left, at, next_values_[i])
+                        : before;
+      if (event < 0 || root < first) {
+        event = i;
+        first = root;
+      }
+    }
+    if (event >= 0) {
+      pass(event, first);
+      return true;
+    }
+    values_ = next_values_;
+    before = at;
+  }
+  return false;
+}
+
+void DynamicRun::pass(int event, double t) {
+  guard_against_accumulation(t);
+  sample_until(t);
+  integrator_.interpolate(t, y_);
+  dynamics_.event_values(t, y_, values_);
+  ForceModel& forces = dynamics_.forces();
+  const int before = forces.mode(event);
+  forces.pass_event(event);
+  dynamics_.project(t, y_);
+  dynamics_.settle(t, y_);
+  dynamics_.project(t, y_);
+  dynamics_.accept(t);
+  motion_.events.push_back(forces.change(event, t, before));
+  restart(t);
+}
+
+void DynamicRun::restart(double t) {
+  dynamics_.event_values(t, y_, values_);
+  integrator_.restart(t, y_, 0.0);
 }
 
 void DynamicRun::note_energy(const VectorXd& y) {
@@ -107,9 +225,12 @@ void DynamicRun::add_instant(double t, VectorXd& y) {
         frame_, static_cast<BodyIndex>(i), dynamics_.configuration()[i + 1],
         dynamics_.twists()[i + 1], accelerations[i + 1]));
   }
+  std::vector<Twist> applied(dynamics_.twists().size());
+  dynamics_.forces().add_to(applied);
+  instant.elements = dynamics_.forces().states();
   Equilibrium::Solution forces =
       equilibrium_.solve(dynamics_.configuration(), placed, factor,
-                         dynamics_.twists(), accelerations);
+                         dynamics_.twists(), accelerations, applied);
   for (const DriveDefinition& drive : definition_.drives) {
     const DriveTarget target = drive_target(drive, t);
     instant.drives.push_back({.position = target.position,
@@ -137,18 +258,22 @@ Motion DynamicRun::run() {
   start();
   sample_until(0.0);
   while (integrator_.t() < settings_.duration) {
-    if (!integrator_.step(settings_.duration)) {
+    const double limit = next_break();
+    if (!integrator_.step(limit)) {
       throw Error("K008", "mechanism",
                   fmt::format("at t = {:.9g} s no step is short enough",
                               integrator_.t()),
                   "look for forces or lengths of a wrong order of size");
     }
+    if (!dynamics_.forces().empty() && passed_event()) continue;
     sample_until(integrator_.t());
     y_ = integrator_.y();
     dynamics_.project(integrator_.t(), y_);
+    dynamics_.accept(integrator_.t());
     dynamics_.note_speed(y_);
     integrator_.correct(y_);
     note_energy(y_);
+    if (integrator_.t() == limit && limit < settings_.duration) restart(limit);
   }
   const StepCounts& counts = integrator_.counts();
   motion_.integration = IntegrationSummary{

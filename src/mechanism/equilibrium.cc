@@ -181,9 +181,13 @@ void Equilibrium::solve_out_of_plane(Solution& solution,
 Equilibrium::Solution Equilibrium::solve(
     const Configuration& x, const std::vector<PlacedJoint>& placed,
     const JacobianFactor& factor, const std::vector<Twist>& twists,
-    const std::vector<Twist>& accelerations) const {
-  const std::vector<Twist> required =
-      required_wrenches(x, twists, accelerations);
+    const std::vector<Twist>& accelerations,
+    std::span<const Twist> applied) const {
+  std::vector<Twist> required = required_wrenches(x, twists, accelerations);
+  for (std::size_t i = 1; i < applied.size(); ++i) {
+    required[i].v -= applied[i].v;
+    required[i].w -= applied[i].w;
+  }
   const VectorXd lambda =
       factor.solve_transposed(system_.wrench_vector(required));
   Solution solution;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -25,9 +26,11 @@ class Equilibrium {
     std::vector<CouplingState> couplings;  ///< expressed in P
   };
   /// @param twists, accelerations  by slot, of M, in P.
+  /// @param applied  further wrenches about M by slot, or none.
   Solution solve(const Configuration& x, const std::vector<PlacedJoint>& placed,
                  const JacobianFactor& factor, const std::vector<Twist>& twists,
-                 const std::vector<Twist>& accelerations) const;
+                 const std::vector<Twist>& accelerations,
+                 std::span<const Twist> applied = {}) const;
 
  private:
   std::vector<Twist> required_wrenches(

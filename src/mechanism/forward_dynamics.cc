@@ -51,7 +51,9 @@ ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
       system_(frame, definition.drives,
               frame.planar ? Motions::kInPlane : Motions::kSpatial,
               ConstraintSystem::Drives::kAll),
-      mass_(system_.columns(), system_.rows()),
+      forces_(definition, frame),
+      mass_(system_.columns(),
+            system_.rows() + static_cast<int>(forces_.size())),
       planar_(frame.planar),
       length_(frame.length),
       tolerance_(tolerance),
@@ -88,18 +90,25 @@ ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
                       frame.R_WP.transpose() * force.t_W});
   }
   placed_ = system_.place(x_);
-  J_.setZero(system_.rows(), system_.columns());
+  for (const double angle : x_.angles) turns_.push_back({angle, 0.0});
+  rows_ = system_.rows();
+  const Index most = rows_ + static_cast<Index>(forces_.size());
+  J_.setZero(most, system_.columns());
   for (VectorXd* v : {&u_, &Q_, &acceleration_, &change_}) {
     v->setZero(system_.columns());
   }
   for (VectorXd* v :
        {&target_rates_, &target_seconds_, &residual_, &gamma_, &lambda_}) {
-    v->setZero(system_.rows());
+    v->setZero(most);
   }
+  scratch_.setZero(size());
   targets_.setZero(static_cast<Index>(drives_.size()));
 }
 
-VectorXd ForwardDynamics::state(const Configuration& x) const {
+VectorXd ForwardDynamics::start(const Configuration& x) {
+  for (std::size_t j = 0; j < turns_.size(); ++j) {
+    turns_[j] = {x.angle(j), 0.0};
+  }
   VectorXd y = VectorXd::Zero(size());
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (planar_) {
@@ -116,7 +125,7 @@ VectorXd ForwardDynamics::state(const Configuration& x) const {
   return y;
 }
 
-void ForwardDynamics::place(const VectorXd& y) {
+void ForwardDynamics::place(double t, const VectorXd& y) {
   u_ = y.segment(positions_, system_.columns());
   for (std::size_t i = 1; i < x_.size(); ++i) {
     if (planar_) {
@@ -142,9 +151,22 @@ void ForwardDynamics::place(const VectorXd& y) {
                      bodies_[i].turn_root * x_[i].R.transpose());
     }
   }
+  // near the last accepted state's, so that no trial miscounts the turns
+  for (std::size_t j = 0; j < turns_.size(); ++j) {
+    if (!frame_.joints[j].counts_turns) continue;
+    x_.angles[j] = turns_[j].angle + turns_[j].rate * (t - accepted_at_);
+  }
   system_.place(x_, placed_);
-  for (std::size_t j = 0; j < x_.angles.size(); ++j) {
-    if (frame_.joints[j].counts_turns) x_.angles[j] = placed_[j].turned();
+}
+
+void ForwardDynamics::accept(double t) {
+  accepted_at_ = t;
+  forces_.accept(t);
+  for (std::size_t j = 0; j < turns_.size(); ++j) {
+    const JointModel& joint = frame_.joints[j];
+    if (!joint.counts_turns) continue;
+    const Vector3d w = twists_[index(joint.b)].w - twists_[index(joint.a)].w;
+    turns_[j] = {placed_[j].turned(), placed_[j].axes_a.col(2).dot(w)};
   }
 }
 
@@ -161,15 +183,40 @@ void ForwardDynamics::set_targets(double t) {
 
 void ForwardDynamics::factor() {
   system_.fill_jacobian(placed_, J_);
-  mass_.factor(J_, system_.rows());
+  rows_ = system_.rows();
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (!forces_.sticks(k)) continue;
+    const ActingElement& e = forces_.element(k);
+    const double scale = forces_.is_angle(k) ? length_ : 1.0;
+    J_.row(rows_).setZero();
+    add_lever(rows_, e.line.a, e.levers.a, scale);
+    add_lever(rows_++, e.line.b, e.levers.b, scale);
+  }
+  mass_.factor(J_, rows_);
+}
+
+void ForwardDynamics::add_lever(Index row, int slot, const Twist& lever,
+                                double scale) {
+  if (slot == 0) return;
+  if (planar_) {
+    const Index at = 3 * (slot - 1);
+    J_.row(row).segment<2>(at) += scale * lever.v.head<2>().transpose();
+    J_(row, at + 2) += scale * lever.w.z() / length_;
+  } else {
+    const Index at = 6 * (slot - 1);
+    J_.row(row).segment<3>(at) += scale * lever.v.transpose();
+    J_.row(row).segment<3>(at + 3) += scale / length_ * lever.w.transpose();
+  }
 }
 
 /// Wrenches about the centres of mass, and Q of them.
-void ForwardDynamics::add_loads(double /*t*/) {
+void ForwardDynamics::add_loads(double t, const VectorXd& y) {
+  forces_.evaluate(t, x_, twists_, y.data() + internal_index());
   for (std::size_t i = 1; i < wrenches_.size(); ++i) {
     wrenches_[i].v = bodies_[i].mass * gravity_;
     wrenches_[i].w.setZero();
   }
+  forces_.add_to(wrenches_);
   for (const Load& load : loads_) {
     Twist& wrench = wrenches_[index(load.slot)];
     wrench.v += load.f;
@@ -192,13 +239,27 @@ void ForwardDynamics::add_loads(double /*t*/) {
 }
 
 void ForwardDynamics::rate(double t, const VectorXd& y, VectorXd& rate) {
-  place(y);
+  place(t, y);
   set_targets(t);
+  add_loads(t, y);
   factor();
-  add_loads(t);
   system_.bias(placed_, twists_, gamma_);
-  gamma_ = target_seconds_ - gamma_;
+  gamma_.head(system_.rows()) =
+      target_seconds_.head(system_.rows()) - gamma_.head(system_.rows());
+  Index row = system_.rows();
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (!forces_.sticks(k)) continue;
+    gamma_[row++] =
+        -(forces_.is_angle(k) ? length_ : 1.0) * forces_.stick_bias(k, twists_);
+  }
   mass_.accelerate(gamma_, Q_, acceleration_, lambda_);
+  row = system_.rows();
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (!forces_.sticks(k)) continue;
+    forces_.set_stick_effort(
+        k, (forces_.is_angle(k) ? length_ : 1.0) * lambda_[row++]);
+  }
+  forces_.internal_rates(rate.data() + internal_index());
   double power = 0.0;
   for (std::size_t i = 1; i < x_.size(); ++i) {
     power +=
@@ -242,6 +303,12 @@ void ForwardDynamics::error_weights(const VectorXd& /*y*/,
   const double speed = speed_ > 0.0 ? speed_ : length_;
   weights.segment(positions_, system_.columns())
       .setConstant(1.0 / (tolerance_ * speed));
+  const Index n = forces_.internal_states();
+  if (n > 0) {
+    forces_.internal_scales(weights.data() + internal_index());
+    weights.segment(internal_index(), n) =
+        (tolerance_ * weights.segment(internal_index(), n)).cwiseInverse();
+  }
   weights[work_index()] = 0.0;
 }
 
@@ -260,12 +327,13 @@ void ForwardDynamics::move(VectorXd& y, const VectorXd& change) const {
   }
 }
 
-double ForwardDynamics::correct_positions(VectorXd& y) {
+double ForwardDynamics::correct_positions(double t, VectorXd& y) {
   constexpr int kMost = 4;
   constexpr double kClosed = 1e-13;
   double last = 0.0;
   for (int i = 0;; ++i) {
     system_.residual(placed_, targets_, residual_);
+    residual_.tail(residual_.size() - system_.rows()).setZero();
     const double gap =
         residual_.size() == 0 ? 0.0 : residual_.lpNorm<Eigen::Infinity>();
     if (gap <= kClosed * length_ || i == kMost || (i > 1 && gap > 0.5 * last)) {
@@ -274,29 +342,63 @@ double ForwardDynamics::correct_positions(VectorXd& y) {
     last = gap;
     mass_.correct(residual_, change_);
     move(y, change_);
-    place(y);
+    place(t, y);
     // the factor at hand serves unless the gap was large
     if (gap > 1e-6 * length_) factor();
   }
 }
 
 double ForwardDynamics::project(double t, VectorXd& y) {
-  place(y);
+  place(t, y);
   set_targets(t);
+  add_loads(t, y);
   factor();
-  const double gap = correct_positions(y);
-  system_.fill_jacobian(placed_, J_);
-  residual_.noalias() = J_ * u_;
-  residual_ -= target_rates_;
+  const double gap = correct_positions(t, y);
+  system_.fill_jacobian(placed_, J_);  // sticking rows hardly turn
+  residual_.head(rows_).noalias() = J_.topRows(rows_) * u_;
+  residual_.head(system_.rows()) -= target_rates_.head(system_.rows());
   mass_.correct(residual_, change_);
   u_ += change_;
   y.segment(positions_, system_.columns()) = u_;
-  place(y);
+  place(t, y);
   return gap;
 }
 
+void ForwardDynamics::choose_modes(double t, const VectorXd& y) {
+  place(t, y);
+  add_loads(t, y);
+  forces_.choose_modes();
+  settle(t, y);
+}
+
+void ForwardDynamics::settle(double t, const VectorXd& y) {
+  constexpr double kRoundOff = 1e-9;
+  for (std::size_t tries = 0; tries <= forces_.size(); ++tries) {
+    rate(t, y, scratch_);
+    double worst = 1.0 + kRoundOff;
+    std::size_t which = forces_.size();
+    for (std::size_t k = 0; k < forces_.size(); ++k) {
+      if (!forces_.sticks(k)) continue;
+      const double ratio =
+          std::abs(forces_.element(k).effort) / forces_.breakaway(k);
+      if (ratio > worst || forces_.breakaway(k) == 0.0) {
+        worst = ratio;
+        which = k;
+      }
+    }
+    if (which == forces_.size()) return;
+    forces_.slip(which, forces_.element(which).effort > 0.0 ? -1 : 1);
+  }
+}
+
+void ForwardDynamics::event_values(double t, const VectorXd& y,
+                                   VectorXd& values) {
+  rate(t, y, scratch_);
+  forces_.event_values(values);
+}
+
 double ForwardDynamics::kinetic_energy(const VectorXd& y) {
-  place(y);
+  place(accepted_at_, y);
   double energy = 0.0;
   for (std::size_t i = 1; i < x_.size(); ++i) {
     const Vector3d w_L = x_[i].R.transpose() * twists_[i].w;

@@ -7,6 +7,7 @@
 #include "mechanism/constrained_mass.h"
 #include "mechanism/constraint_system.h"
 #include "mechanism/definition.h"
+#include "mechanism/force_model.h"
 #include "mechanism/ode_system.h"
 
 namespace clevis::mechanism {
@@ -33,11 +34,23 @@ class ForwardDynamics : public OdeSystem {
   void error_weights(const Eigen::VectorXd& y,
                      Eigen::VectorXd& weights) const override;
 
-  /// State of bodies at rest.
-  Eigen::VectorXd state(const Configuration& x) const;
+  /// State of bodies at rest, from which turns count.
+  Eigen::VectorXd start(const Configuration& x);
+  /// Modes of the force elements from the state alone, then settle().
+  void choose_modes(double t, const Eigen::VectorXd& y);
+  /// Lets slip what cannot stick.
+  void settle(double t, const Eigen::VectorXd& y);
+  void event_values(double t, const Eigen::VectorXd& y,
+                    Eigen::VectorXd& values);
+  ForceModel& forces() { return forces_; }
+
   /// Moves positions and velocities, by the least mass norm, onto the
   /// constraints at time t. @return the largest gap that is left [m].
   double project(double t, Eigen::VectorXd& y);
+
+  /// The state of the last project() is part of the motion: angles that count
+  /// turns go on from there.
+  void accept(double t);
 
   /// As of the last rate() or project().
   const Configuration& configuration() const { return x_; }
@@ -46,18 +59,22 @@ class ForwardDynamics : public OdeSystem {
   const ConstrainedMass& mass() const { return mass_; }
 
   Eigen::Index velocity_index() const { return positions_; }
-  Eigen::Index work_index() const { return positions_ + system_.columns(); }
+  Eigen::Index internal_index() const { return positions_ + system_.columns(); }
+  Eigen::Index work_index() const {
+    return internal_index() + forces_.internal_states();
+  }
   double kinetic_energy(const Eigen::VectorXd& y);
   const ConstraintSystem& system() const { return system_; }
   /// Largest speed of the unknowns so far, for error_weights() [m/s].
   void note_speed(const Eigen::VectorXd& y);
 
  private:
-  void place(const Eigen::VectorXd& y);
+  void place(double t, const Eigen::VectorXd& y);
   void set_targets(double t);
   void factor();
-  void add_loads(double t);
-  double correct_positions(Eigen::VectorXd& y);
+  void add_loads(double t, const Eigen::VectorXd& y);
+  void add_lever(Eigen::Index row, int slot, const Twist& lever, double scale);
+  double correct_positions(double t, Eigen::VectorXd& y);
   void move(Eigen::VectorXd& y, const Eigen::VectorXd& change) const;
 
   struct Body {
@@ -76,15 +93,23 @@ class ForwardDynamics : public OdeSystem {
   const SolvingFrame& frame_;
   const std::vector<DriveDefinition>& drives_;
   ConstraintSystem system_;
+  ForceModel forces_;
   ConstrainedMass mass_;
   bool planar_;
   double length_, tolerance_, speed_{};
   Eigen::Index positions_;
   std::vector<Body> bodies_;  ///< by slot
+  struct Turn {
+    double angle{}, rate{};  ///< [rad], [rad/s]
+  };
+  std::vector<Turn> turns_;  ///< by joint, at accepted_at_
+  double accepted_at_{};
   std::vector<Load> loads_;
   Eigen::Vector3d gravity_;
 
   // workspace
+  int rows_{};  ///< of the system and of what sticks
+  Eigen::VectorXd scratch_;
   Configuration x_;
   std::vector<PlacedJoint> placed_;
   std::vector<Twist> twists_, wrenches_;

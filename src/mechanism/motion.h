@@ -55,12 +55,28 @@ struct DriveState {
   Eigen::Vector3d axis_W = Eigen::Vector3d::Zero();
 };
 
+/// What a force element does.
+struct ElementState {
+  double position{}, rate{};  ///< of its line; a contact's depth [m] or [rad]
+  double effort{};    ///< on b, > 0 pushes apart; a contact's normal force
+  double friction{};  ///< of a contact [N]
+  double power{};     ///< [W]
+};
+
+/// A change of an element's mode: touch, release, stick, slip.
+struct MotionEvent {
+  double t{};  ///< [s]
+  int element{};
+  std::string what;
+};
+
 struct Instant {
   double t{};  ///< [s]
   std::vector<BodyState> bodies;
   std::vector<JointReaction> joints;
   std::vector<DriveState> drives;
   std::vector<CouplingState> couplings;
+  std::vector<ElementState> elements;
   double closure_error{};        ///< largest joint gap [m]
   double power_balance_error{};  ///< |drives + loads − d(kinetic)/dt| over the
                                  ///< largest of them over the motion [1]
@@ -86,6 +102,7 @@ struct IntegrationSummary {
 struct Motion {
   std::vector<Instant> instants;
   std::vector<ChangePoint> change_points;
+  std::vector<MotionEvent> events;
   std::optional<IntegrationSummary> integration;  ///< of integrated motions
 };
 

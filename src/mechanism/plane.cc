@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -85,13 +86,30 @@ const JointDefinition* find_spatial_joint(const MechanismDefinition& definition,
   return nullptr;
 }
 
+/// Whether joints keep every body in the plane that is ground's.
+bool all_hang_on_ground(const MechanismDefinition& definition) {
+  std::vector<bool> held(definition.bodies.size() + 1, false);
+  held[0] = true;
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (const JointDefinition& joint : definition.joints) {
+      const auto a = static_cast<std::size_t>(joint.body_a + 1);
+      const auto b = static_cast<std::size_t>(joint.body_b + 1);
+      if (held[a] == held[b]) continue;
+      held[a] = held[b] = grown = true;
+    }
+  }
+  return std::ranges::find(held, false) == held.end();
+}
+
 }  // namespace
 
 std::optional<Matrix3d> find_plane(const MechanismDefinition& definition) {
   if (definition.dimension == SpaceDimension::kSpatial) return std::nullopt;
   if (definition.dimension == SpaceDimension::kAuto &&
-      !std::ranges::all_of(definition.joints, is_planar_type,
-                           &JointDefinition::type)) {
+      (!all_hang_on_ground(definition) ||
+       !std::ranges::all_of(definition.joints, is_planar_type,
+                            &JointDefinition::type))) {
     return std::nullopt;
   }
   Vector3d normal = suggested_normal(definition);

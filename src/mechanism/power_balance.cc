@@ -27,6 +27,9 @@ Power power(const MechanismDefinition& definition, const Instant& instant) {
   for (const DriveState& drive : instant.drives) {
     result.add(drive.effort * drive.rate);
   }
+  for (const ElementState& element : instant.elements) {
+    result.add(element.power);
+  }
   for (const ForceDefinition& force : definition.forces) {
     const BodyState& body =
         instant.bodies[static_cast<std::size_t>(force.body)];

@@ -15,6 +15,7 @@
 #include "mechanism/drive_law.h"
 #include "mechanism/dynamic_motion.h"
 #include "mechanism/equilibrium.h"
+#include "mechanism/force_model.h"
 #include "mechanism/mobility.h"
 #include "mechanism/power_balance.h"
 
@@ -54,6 +55,7 @@ class Simulation {
                 frame_.planar ? Motions::kInPlane : Motions::kSpatial,
                 ConstraintSystem::Drives::kAll),
         tolerance_(settings.tolerance * frame_.length),
+        forces_(definition, frame_),
         continuation_(system_, tolerance_),
         equilibrium_(definition, frame_, system_) {}
 
@@ -70,6 +72,7 @@ class Simulation {
   SolvingFrame frame_;
   ConstraintSystem system_;
   double tolerance_;
+  mutable ForceModel forces_;  // keeps modes between instants
   Continuation continuation_;
   Equilibrium equilibrium_;
 };
@@ -153,8 +156,15 @@ Instant Simulation::instant(const ClosedConfiguration& at, double t) const {
                                         at.x[i + 1], twists[i + 1],
                                         accelerations[i + 1]));
   }
-  Equilibrium::Solution forces =
-      equilibrium_.solve(at.x, at.placed, at.factor, twists, accelerations);
+  forces_.evaluate(t, at.x, twists, nullptr);
+  forces_.choose_modes();
+  forces_.evaluate(t, at.x, twists, nullptr);
+  forces_.accept(t);
+  std::vector<Twist> applied(at.x.size());
+  forces_.add_to(applied);
+  result.elements = forces_.states();
+  Equilibrium::Solution forces = equilibrium_.solve(
+      at.x, at.placed, at.factor, twists, accelerations, applied);
   put_forces(frame_, system_, at.placed, std::move(forces), result);
   result.closure_error = at.gap;
   return result;
@@ -194,6 +204,8 @@ bool is_dynamic(const MechanismDefinition& definition,
     return settings.motion == MotionKind::kDynamic;
   }
   const SolvingFrame frame(definition);
+  // bristles have a history of their own
+  if (ForceModel(definition, frame).internal_states() > 0) return true;
   const ConstraintSystem system(
       frame, definition.drives,
       frame.planar ? Motions::kInPlane : Motions::kSpatial,

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/atomic_file.h"
+#include "report/element_output.h"
 #include "report/json_text.h"
 #include "report/mechanism_summary.h"
 #include "report/units.h"
@@ -187,6 +188,8 @@ std::string motion_json(const MotionReport& report) {
         {"energy_error_J", run->energy_error},
         {"relative_energy_error", run->relative_energy_error}};
   }
+  json["forces"] = forces_json(report);
+  json["events"] = events_json(report);
   if (report.slide_lever) {
     json["slide_lever"] = slide_lever_json(*report.slide_lever);
   }
@@ -199,6 +202,10 @@ void write_motion_files(const MotionReport& report,
   const std::string json = motion_json(report);  // refuses first
   write_file(folder / "reactions.csv", reactions_csv(report));
   write_file(folder / "motion.csv", motion_csv(report));
+  if (!report.definition.elements.empty()) {
+    write_file(folder / "forces.csv", forces_csv(report));
+    write_file(folder / "events.csv", events_csv(report));
+  }
   write_file(folder / "simulate.json", json);
 }
 

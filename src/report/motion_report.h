@@ -65,7 +65,8 @@ std::string reactions_csv(const MotionReport& report);
 /// markers and the drives.
 std::string motion_csv(const MotionReport& report);
 
-/// Writes reactions.csv, motion.csv and, last, simulate.json into `folder`.
+/// Writes reactions.csv, motion.csv, with forces that depend on the motion
+/// forces.csv and events.csv, and, last, simulate.json into `folder`.
 /// @throws Error I002; F003 if a number is not finite.
 void write_motion_files(const MotionReport& report,
                         const std::filesystem::path& folder);

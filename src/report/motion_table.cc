@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "report/element_output.h"
 #include "report/mechanism_summary.h"
 #include "report/text_table.h"
 #include "report/units.h"
@@ -215,6 +216,10 @@ std::string motion_table(const MotionReport& report, Colour colour) {
   if (!report.definition.drives.empty()) {
     text += '\n';
     text += drives_text(report, summary, colour);
+  }
+  if (const std::string forces = forces_text(report, colour); !forces.empty()) {
+    text += '\n';
+    text += forces;
   }
   if (!report.definition.markers.empty()) {
     text += '\n';

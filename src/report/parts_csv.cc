@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "report/csv_field.h"
 #include "report/units.h"
 
 namespace clevis::report {
@@ -16,13 +17,6 @@ struct Field {
 
 std::string number(double value) {
   return fmt::format("{}", value);
-}
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + "\"";
 }
 
 std::vector<Field> fields(const assessment::PartResult& part) {
@@ -66,7 +60,7 @@ std::string row(const std::vector<Field>& columns, std::string Field::*cell) {
   std::string line;
   for (const Field& column : columns) {
     if (&column != &columns.front()) line += ",";
-    line += quoted(column.*cell);
+    line += csv_field(column.*cell);
   }
   return line + "\r\n";
 }

@@ -52,31 +52,16 @@ Dimension read_driven(StrictTable& table,
 
 mechanism::CubicSpline read_table(StrictTable& table, Dimension coordinate) {
   const Value times = table["times"], positions = table["positions"];
-  std::vector<double> t, q;
-  for (const Value& value : times.elements()) {
-    t.push_back(value.quantity(Dimension::kTime));
-    if (t.size() > 1 && !(t.back() > t[t.size() - 2])) {
-      throw value.refusal("S006", "is not after the time before it",
-                          "Give increasing times.");
-    }
-  }
+  std::vector<double> t = increasing_times(times, 2), q;
   for (const Value& value : positions.elements()) {
     q.push_back(value.quantity(coordinate));
-  }
-  if (t.size() < 2) {
-    throw times.refusal("S006", "has fewer than two times",
-                        "Give two or more, or law = \"constant\".");
   }
   if (t.size() != q.size()) {
     throw positions.refusal(
         "S010", fmt::format("has {} entries for {} times", q.size(), t.size()),
         "Give one position for each time.");
   }
-  SplineEnds ends = SplineEnds::kClamped;
-  if (const auto given = table.find("ends")) {
-    ends = given->choice<SplineEnds>(
-        {{"clamped", SplineEnds::kClamped}, {"natural", SplineEnds::kNatural}});
-  }
+  const SplineEnds ends = read_spline_ends(table);
   return mechanism::interpolating_spline(std::move(t), std::move(q), ends);
 }
 
@@ -115,6 +100,29 @@ DriveDefinition read_drive(StrictTable& table,
 }
 
 }  // namespace
+
+std::vector<double> increasing_times(const Value& times, std::size_t least) {
+  std::vector<double> t;
+  for (const Value& value : times.elements()) {
+    t.push_back(value.quantity(Dimension::kTime));
+    if (t.size() > 1 && !(t.back() > t[t.size() - 2])) {
+      throw value.refusal("S006", "is not after the time before it",
+                          "Give increasing times.");
+    }
+  }
+  if (t.size() < least) {
+    throw times.refusal("S006", "has fewer than two times",
+                        "Give two or more, or a constant value.");
+  }
+  return t;
+}
+
+SplineEnds read_spline_ends(StrictTable& table) {
+  const auto given = table.find("ends");
+  if (!given) return SplineEnds::kClamped;
+  return given->choice<SplineEnds>(
+      {{"clamped", SplineEnds::kClamped}, {"natural", SplineEnds::kNatural}});
+}
 
 std::vector<DriveDefinition> read_drives(
     StrictTable& root, const std::vector<JointDefinition>& joints,

@@ -18,13 +18,11 @@ std::string name_or_number(StrictTable& table, std::string_view kind,
   return text;
 }
 
-ForceDefinition read_force(StrictTable& table, std::size_t count,
-                           Names& names) {
+ForceDefinition read_constant_force(const std::string& name, StrictTable& table,
+                                    const Names& names) {
   ForceDefinition force;
   force.place = table.place();
-  enum class Type { kConstant };
-  table["type"].choice<Type>({{"constant", Type::kConstant}});
-  force.name = name_or_number(table, "force", count, names.forces);
+  force.name = name;
   const Value body = table["body"];
   force.body = names.bodies.find(body.name(), body);
   force.p_LP = table["point"].vector(Dimension::kLength);
@@ -32,6 +30,7 @@ ForceDefinition read_force(StrictTable& table, std::size_t count,
   if (const auto moment = table.find("moment")) {
     force.t_W = moment->vector(Dimension::kTorque);
   }
+  table.finish("with type = \"constant\"");
   return force;
 }
 
@@ -48,12 +47,27 @@ MarkerDefinition read_marker(StrictTable& table, Names& names) {
 
 }  // namespace
 
-std::vector<ForceDefinition> read_forces(StrictTable& root, Names& names) {
-  std::vector<ForceDefinition> forces;
+void read_forces(StrictTable& root, Names& names,
+                 mechanism::MechanismDefinition& mechanism) {
+  std::size_t count = 0;
   for (StrictTable& table : root.tables("force")) {
-    forces.push_back(read_force(table, forces.size(), names));
+    const auto type = table["type"].choice<ElementType>(
+        {{"constant", ElementType::kConstant},
+         {"spring", ElementType::kSpring},
+         {"friction", ElementType::kFriction},
+         {"stop", ElementType::kStop},
+         {"table", ElementType::kTable},
+         {"contact", ElementType::kContact},
+         {"impedance", ElementType::kImpedance}});
+    const std::string name =
+        name_or_number(table, "force", count++, names.forces);
+    if (type == ElementType::kConstant) {
+      mechanism.forces.push_back(read_constant_force(name, table, names));
+    } else {
+      mechanism.elements.push_back(
+          read_element(type, name, table, mechanism.joints, names));
+    }
   }
-  return forces;
 }
 
 std::vector<MarkerDefinition> read_markers(StrictTable& root, Names& names) {

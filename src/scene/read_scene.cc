@@ -27,7 +27,7 @@ MechanismDefinition read_mechanism(StrictTable& root, Names& names) {
   mechanism.joints = read_joints(root, mechanism.bodies, names);
   mechanism.couplings = read_couplings(root, mechanism.joints, names);
   mechanism.drives = read_drives(root, mechanism.joints, names);
-  mechanism.forces = read_forces(root, names);
+  read_forces(root, names, mechanism);
   read_initial_states(root, names, mechanism);
   mechanism.markers = read_markers(root, names);
   mechanism.gravity_W =

@@ -36,8 +36,23 @@ std::vector<mechanism::CouplingDefinition> read_couplings(
 std::vector<mechanism::DriveDefinition> read_drives(
     StrictTable& root, const std::vector<mechanism::JointDefinition>& joints,
     Names& names);
-std::vector<mechanism::ForceDefinition> read_forces(StrictTable& root,
-                                                    Names& names);
+/// Adds the [[force]] tables to a mechanism that has its joints.
+void read_forces(StrictTable& root, Names& names,
+                 mechanism::MechanismDefinition& mechanism);
+
+enum class ElementType {
+  kConstant,
+  kSpring,
+  kFriction,
+  kStop,
+  kTable,
+  kContact,
+  kImpedance
+};
+/// A force that depends on the motion. @pre not kConstant.
+mechanism::ForceElement read_element(
+    ElementType type, const std::string& name, StrictTable& table,
+    const std::vector<mechanism::JointDefinition>& joints, const Names& names);
 std::vector<mechanism::MarkerDefinition> read_markers(StrictTable& root,
                                                       Names& names);
 /// Adds the [[initial]] tables to a mechanism that has its joints.
@@ -70,6 +85,11 @@ void read_joint_properties(StrictTable& table,
 /// Index of the coordinate that `value` names. @throws Error S009.
 int find_coordinate(const Value& value,
                     const mechanism::JointDefinition& joint);
+
+/// @param least  0 or 2. @throws Error S006 unless that many increase.
+std::vector<double> increasing_times(const Value& times, std::size_t least);
+/// `ends` of a spline, or clamped.
+mechanism::SplineEnds read_spline_ends(StrictTable& table);
 
 /// Index of a body, kGround for "ground". @throws Error S005, S007.
 mechanism::BodyIndex find_body_or_ground(const Value& name, const Names& names);

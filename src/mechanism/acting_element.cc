@@ -1,0 +1,230 @@
+#include "mechanism/acting_element.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "mechanism/force_laws.h"
+
+namespace clevis::mechanism {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// Points at a distance of zero push along no direction.
+constexpr double kShortest = 1e-12;  // [m]
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+Matrix3d with_z_along(const Vector3d& z) {
+  return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), z)
+      .toRotationMatrix();
+}
+
+JointFrame frame_of(const ElementPoint& p, const SolvingFrame& frame) {
+  JointFrame result;
+  if (p.body == kGround) {
+    result.p_LJ = frame.R_WP.transpose() * p.p_L;
+    result.R_LJ = frame.R_WP.transpose();
+  } else {
+    result.p_LJ = p.p_L - frame.p_LM[index(p.body)];
+  }
+  return result;
+}
+
+void join(ActingElement& e, const ElementPoint& a, const ElementPoint& b,
+          const SolvingFrame& frame) {
+  e.line.a = a.body + 1;
+  e.line.b = b.body + 1;
+  e.line.frame_a = frame_of(a, frame);
+  e.line.frame_b = frame_of(b, frame);
+}
+
+void join_line(ActingElement& e, const ElementLine& line,
+               const SolvingFrame& frame) {
+  if (line.kind == ElementLine::Kind::kJoint) {
+    e.line = frame.joints[index(line.joint)];
+    e.row = coordinate_row(e.line.type, line.coordinate);
+    e.line.counts_turns = e.row.is_angle();
+    return;
+  }
+  join(e, line.a, line.b, frame);
+  if (line.kind == ElementLine::Kind::kDistance) {
+    e.line.type = JointType::kDistance;
+    e.row = {JointRow::Kind::kDistance, 0};
+    return;
+  }
+  e.line.type = JointType::kPrismatic;
+  e.row = {JointRow::Kind::kTranslation, 2};
+  e.line.frame_a.R_LJ =
+      e.line.frame_a.R_LJ * with_z_along(line.axis_L.normalized());
+}
+
+double unilateral(ActingElement& e, std::size_t end, const ContactLaw& law,
+                  double depth, double rate) {
+  e.depth[end] = depth;
+  e.depth_rate[end] = rate;
+  e.unbounded[end] = contact_effort(law, depth, rate);
+  return e.modes[end] == 1 ? e.unbounded[end] : 0.0;
+}
+
+double friction_effort(ActingElement& e, const FrictionLaw& law,
+                       const double* internal) {
+  const double size = kinetic_effort(law, e.rate);
+  const double viscous = law.viscous * e.rate;
+  if (law.model == FrictionModel::kRegularized) {
+    return -size * std::tanh(e.rate / law.regularizing_speed) - viscous;
+  }
+  if (law.model == FrictionModel::kLuGre) {
+    // the mode times the rate is the speed, smooth until the next turn
+    const double bristle = internal[e.internal];
+    e.internal_rate =
+        e.rate - law.bristle_stiffness * e.modes[0] * e.rate / size * bristle;
+    return -law.bristle_stiffness * bristle -
+           law.bristle_damping * e.internal_rate - viscous;
+  }
+  return e.modes[0] == 0 ? 0.0 : -e.modes[0] * size - viscous;
+}
+
+double line_effort(ActingElement& e, const LineElement& element, double t,
+                   const double* internal) {
+  if (const auto* spring = std::get_if<SpringLaw>(&element.law)) {
+    return -spring->stiffness * (e.q - spring->free) -
+           spring->damping * e.rate - spring->preload;
+  }
+  if (const auto* table = std::get_if<TableLaw>(&element.law)) {
+    return table_effort(*table, t);
+  }
+  if (const auto* stop = std::get_if<StopLaw>(&element.law)) {
+    double effort = 0.0;
+    if (stop->lower) {
+      effort += unilateral(e, 0, stop->contact, *stop->lower - e.q, -e.rate);
+    }
+    if (stop->upper) {
+      effort -= unilateral(e, 1, stop->contact, e.q - *stop->upper, e.rate);
+    }
+    return effort;
+  }
+  return friction_effort(e, std::get<FrictionLaw>(element.law), internal);
+}
+
+void evaluate_line(ActingElement& e, const LineElement& element, double t,
+                   const Twist& a, const Twist& b, const double* internal) {
+  const bool is_distance = e.row.kind == JointRow::Kind::kDistance;
+  // the row then measures the distance itself
+  if (is_distance) e.placed.length = std::max(e.placed.d.norm(), kShortest);
+  e.levers = e.placed.levers(e.row);
+  e.q = is_distance ? e.placed.length : e.placed.displacement(e.row);
+  e.rate = e.levers.a.v.dot(a.v) + e.levers.a.w.dot(a.w) +
+           e.levers.b.v.dot(b.v) + e.levers.b.w.dot(b.w);
+  act_along(e, line_effort(e, element, t, internal));
+}
+
+void evaluate_contact(ActingElement& e, const ContactElement& contact,
+                      const Twist& a, const Twist& b) {
+  const Vector3d n = e.placed.axes_a.col(2);
+  // levers of the contact point on both bodies
+  const Vector3d on_b = e.placed.r_b - contact.radius * n;
+  const Vector3d on_a = e.placed.r_a + e.placed.d - contact.radius * n;
+  const Vector3d v = b.v + b.w.cross(on_b) - a.v - a.w.cross(on_a);
+  e.q = contact.radius - n.dot(e.placed.d);
+  e.rate = -n.dot(v);
+  e.effort = unilateral(e, 0, contact.law, e.q, e.rate);
+  const Vector3d sliding = v + e.rate * n;
+  const double speed = sliding.norm();
+  Vector3d f = e.effort * n;
+  e.friction = 0.0;
+  if (e.effort > 0.0 && speed > 0.0) {
+    e.friction = friction_coefficient(contact, speed) * e.effort;
+    f -= e.friction / speed * sliding;
+  }
+  e.on_b = {f, on_b.cross(f)};
+  e.on_a = {-f, on_a.cross(Vector3d(-f))};
+}
+
+void evaluate_impedance(ActingElement& e, const ImpedanceElement& impedance,
+                        double t, const Twist& b) {
+  Vector3d target = impedance.target_W, target_rate = Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const CubicSpline& path = impedance.path_W[index(k)];
+    if (path.times.empty()) continue;
+    const CubicSpline::Point at = path.at(t);
+    target[k] = at.value;
+    if (!impedance.damps_absolute) target_rate[k] = at.rate;
+  }
+  const Vector3d off = e.placed.p_b - e.R_PW * target;
+  const Vector3d rate = b.v + b.w.cross(e.placed.r_b) - e.R_PW * target_rate;
+  const Vector3d f = -impedance.stiffness * off - impedance.damping * rate;
+  e.q = off.norm();
+  e.rate = rate.norm();
+  e.effort = f.norm();
+  e.on_b = {f, e.placed.r_b.cross(f)};
+}
+
+const JointModel kNothing{.frame_a = {}, .frame_b = {}};
+const BodyPlacement kNowhere;
+
+}  // namespace
+
+ActingElement acting_element(const ForceElement& definition,
+                             const SolvingFrame& frame, int& internal_states) {
+  ActingElement e{.definition = &definition,
+                  .line = {},
+                  .row = {},
+                  .R_PW = frame.R_WP.transpose(),
+                  .placed = PlacedJoint(kNothing, kNowhere, kNowhere),
+                  .levers = {}};
+  if (const auto* line = std::get_if<LineElement>(&definition)) {
+    join_line(e, line->line, frame);
+    if (const FrictionLaw* friction = switched_friction(definition)) {
+      e.modes[0] = 1;  // free, until modes are chosen
+      if (friction->model == FrictionModel::kLuGre) {
+        e.internal = internal_states++;
+      }
+    }
+  } else if (const auto* contact = std::get_if<ContactElement>(&definition)) {
+    join(e, contact->plane, contact->center, frame);
+    e.line.frame_a.R_LJ =
+        e.line.frame_a.R_LJ * with_z_along(contact->normal_L.normalized());
+  } else {
+    join(e, {.body = kGround}, std::get<ImpedanceElement>(definition).point,
+         frame);
+  }
+  return e;
+}
+
+void evaluate(ActingElement& e, double t, const Configuration& x,
+              const std::vector<Twist>& twists, const double* internal) {
+  e.placed = PlacedJoint(e.line, x[index(e.line.a)], x[index(e.line.b)],
+                         e.q_start + e.rate_start * (t - e.t_start));
+  const Twist& a = twists[index(e.line.a)];
+  const Twist& b = twists[index(e.line.b)];
+  if (const auto* line = std::get_if<LineElement>(e.definition)) {
+    evaluate_line(e, *line, t, a, b, internal);
+  } else if (const auto* c = std::get_if<ContactElement>(e.definition)) {
+    evaluate_contact(e, *c, a, b);
+  } else {
+    evaluate_impedance(e, std::get<ImpedanceElement>(*e.definition), t, b);
+  }
+  e.power = e.on_a.v.dot(a.v) + e.on_a.w.dot(a.w) + e.on_b.v.dot(b.v) +
+            e.on_b.w.dot(b.w);
+}
+
+void accept(ActingElement& e, double t) {
+  if (!e.line.counts_turns) return;
+  e.q_start = e.q;
+  e.rate_start = e.rate;
+  e.t_start = t;
+}
+
+void act_along(ActingElement& e, double effort) {
+  e.effort = effort;
+  e.on_a = {effort * e.levers.a.v, effort * e.levers.a.w};
+  e.on_b = {effort * e.levers.b.v, effort * e.levers.b.w};
+}
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mechanism/constraint_system.h"
+#include "mechanism/definition.h"
+
+namespace clevis::mechanism {
+
+/// A force element placed in a mechanism, and what it does in a state.
+///
+/// Laws with kinks are followed piece by piece: a mode says which piece
+/// holds. Friction: −1, 0 (sticks), 1 by the sense of slip. Contacts and
+/// stops: 0 open, 1 pressing, 2 deep but without force; a stop has one such
+/// mode per end.
+struct ActingElement {
+  const ForceElement* definition{};
+  JointModel line;  ///< J: its ends; a contact's plane (a) and centre (b)
+  JointRow row;     ///< what a line measures
+  Eigen::Matrix3d R_PW = Eigen::Matrix3d::Identity();
+  int internal = -1;  ///< index of its internal state (LuGre's bristle)
+  std::array<int, 2> modes{};
+  double q_start{}, rate_start{}, t_start{};  ///< as of accept()
+
+  // as of evaluate()
+  PlacedJoint placed;
+  PlacedJoint::Levers levers;  ///< of a line
+  double q{}, rate{};          ///< of a line; a contact's depth; [m] or [rad]
+  double effort{};             ///< on b, > 0 pushes apart; normal force
+  double friction{};           ///< of a contact [N]
+  double internal_rate{};
+  std::array<double, 2> depth{}, depth_rate{};  ///< by end, or of a contact
+  std::array<double, 2> unbounded{};  ///< contact_effort() whatever the mode
+  Twist on_a{}, on_b{};               ///< force and moment about M
+  double power{};                     ///< [W]
+};
+
+/// @param definition  outlives the result. @param internal_states  how many
+///   there are so far; counts those of this element.
+ActingElement acting_element(const ForceElement& definition,
+                             const SolvingFrame& frame, int& internal_states);
+
+/// Computes what is "as of evaluate()". Sticking friction has no effort of
+/// its own.
+/// @param twists  by slot. @param internal  all internal states.
+void evaluate(ActingElement& e, double t, const Configuration& x,
+              const std::vector<Twist>& twists, const double* internal);
+
+/// The state of the last evaluate() is part of the motion: angles count
+/// their turns from there.
+void accept(ActingElement& e, double t);
+
+/// Lets a line act with an effort.
+void act_along(ActingElement& e, double effort);
+
+}  // namespace clevis::mechanism

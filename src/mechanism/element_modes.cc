@@ -1,0 +1,107 @@
+#include "mechanism/element_modes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanism/force_laws.h"
+
+namespace clevis::mechanism {
+namespace {
+
+const StopLaw* stop_law(const ForceElement& element) {
+  const auto* line = std::get_if<LineElement>(&element);
+  return line ? std::get_if<StopLaw>(&line->law) : nullptr;
+}
+
+bool has_end(const ForceElement& element, std::size_t end) {
+  const StopLaw* stop = stop_law(element);
+  if (stop == nullptr) return end == 0;
+  return (end == 0 ? stop->lower : stop->upper).has_value();
+}
+
+double contact_value(const ActingElement& e, const ContactLaw& law,
+                     std::size_t end) {
+  const double depth = e.depth[end], rate = e.depth_rate[end];
+  if (e.modes[end] == 0) return -depth;
+  // without force: until it is out, or pressed again
+  if (e.modes[end] == 2) return std::min(depth, -e.unbounded[end]);
+  if (may_pull(law)) return depth;
+  // the sign of the force, without the factors that vanish with the depth
+  return law.model == ContactModel::kHuntCrossley
+             ? std::min(depth, 1.0 + law.damping * rate)
+             : law.stiffness * depth + law.damping * rate;
+}
+
+void pass_contact(ActingElement& e, const ContactLaw& law, std::size_t end) {
+  int& mode = e.modes[end];
+  if (mode == 0) {
+    mode = 1;
+  } else if (mode == 1) {
+    mode = !may_pull(law) && e.depth[end] > 0.0 ? 2 : 0;
+  } else {
+    const bool leaves = e.depth_rate[end] < 0.0 && e.unbounded[end] <= 0.0;
+    mode = leaves ? 0 : 1;
+  }
+}
+
+}  // namespace
+
+bool sticks(const ActingElement& e) {
+  const FrictionLaw* law = switched_friction(*e.definition);
+  return law != nullptr && law->model == FrictionModel::kCoulomb &&
+         e.modes[0] == 0;
+}
+
+void choose_modes(ActingElement& e) {
+  if (const FrictionLaw* law = switched_friction(*e.definition)) {
+    e.modes[0] = e.rate > 0.0 ? 1 : e.rate < 0.0 ? -1 : 0;
+    if (law->model == FrictionModel::kLuGre && e.modes[0] == 0) {
+      e.modes[0] = 1;
+    }
+  } else if (const ContactLaw* contact = contact_law(*e.definition)) {
+    for (const std::size_t end : {0, 1}) {
+      const bool deep = has_end(*e.definition, end) && e.depth[end] > 0.0;
+      const bool presses = e.unbounded[end] >= 0.0 || may_pull(*contact);
+      e.modes[end] = !deep ? 0 : presses ? 1 : 2;
+    }
+  }
+}
+
+double event_value(const ActingElement& e, int end) {
+  const auto at = static_cast<std::size_t>(end);
+  if (const FrictionLaw* friction = switched_friction(*e.definition)) {
+    if (end == 1) return 1.0;
+    return sticks(e) ? friction->breakaway - std::abs(e.effort)
+                     : e.modes[0] * e.rate;
+  }
+  const ContactLaw* law = contact_law(*e.definition);
+  if (law == nullptr || !has_end(*e.definition, at)) return 1.0;
+  return contact_value(e, *law, at);
+}
+
+void pass_event(ActingElement& e, int end) {
+  const auto at = static_cast<std::size_t>(end);
+  if (const FrictionLaw* law = switched_friction(*e.definition)) {
+    int& mode = e.modes[0];
+    if (law->model == FrictionModel::kLuGre) {
+      mode = -mode;
+    } else if (mode == 0) {
+      mode = e.effort > 0.0 ? -1 : 1;
+    } else {
+      mode = 0;
+    }
+  } else if (const ContactLaw* contact = contact_law(*e.definition)) {
+    pass_contact(e, *contact, at);
+  }
+}
+
+const char* name_of_change(const ActingElement& e, int end, int mode_before) {
+  const int mode = e.modes[static_cast<std::size_t>(end)];
+  if (contact_law(*e.definition) != nullptr) {
+    return mode == 1 ? "press" : "release";
+  }
+  if (mode == 0) return "stick";
+  return mode_before == 0 ? "slip" : "turn";
+}
+
+}  // namespace clevis::mechanism

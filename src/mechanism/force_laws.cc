@@ -1,0 +1,46 @@
+#include "mechanism/force_laws.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clevis::mechanism {
+
+double contact_effort(const ContactLaw& law, double depth, double rate) {
+  if (law.model == ContactModel::kHuntCrossley) {
+    return law.stiffness * std::pow(std::max(depth, 0.0), law.exponent) *
+           (1.0 + law.damping * rate);
+  }
+  const double full = law.stiffness * depth + law.damping * rate;
+  if (law.model == ContactModel::kPublished || law.transition <= 0.0) {
+    return full;
+  }
+  const double s = std::clamp(depth / law.transition, 0.0, 1.0);
+  return s * s * (3.0 - 2.0 * s) * full;
+}
+
+double kinetic_effort(const FrictionLaw& law, double speed) {
+  if (law.stribeck_speed <= 0.0) return law.kinetic;
+  const double r = speed / law.stribeck_speed;
+  return law.kinetic + (law.breakaway - law.kinetic) * std::exp(-r * r);
+}
+
+double friction_coefficient(const ContactElement& contact, double speed) {
+  const double r = speed / contact.critical_speed;
+  if (r <= 1.0) return contact.static_friction * 2.0 * r / (1.0 + r * r);
+  return contact.kinetic_friction +
+         (contact.static_friction - contact.kinetic_friction) *
+             std::exp(-(r - 1.0) * (r - 1.0));
+}
+
+double table_effort(const TableLaw& law, double t) {
+  if (t <= law.times.front()) return law.efforts.front();
+  if (t >= law.times.back()) return law.efforts.back();
+  const auto next = std::ranges::upper_bound(law.times, t);
+  const auto i = next - law.times.begin();
+  const auto at = static_cast<std::size_t>(i);
+  const double s =
+      (t - law.times[at - 1]) / (law.times[at] - law.times[at - 1]);
+  return law.efforts[at - 1] + s * (law.efforts[at] - law.efforts[at - 1]);
+}
+
+}  // namespace clevis::mechanism

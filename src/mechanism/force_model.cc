@@ -1,0 +1,149 @@
+#include "mechanism/force_model.h"
+
+#include "mechanism/drive_law.h"
+#include "mechanism/element_modes.h"
+
+namespace clevis::mechanism {
+namespace {
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+void add_wrench(Twist& sum, const Twist& wrench) {
+  sum.v += wrench.v;
+  sum.w += wrench.w;
+}
+
+/// Coordinate of a joint at t = 0 where the scene says it, else 0: decides
+/// from which turn an angle counts.
+double start_of(const ElementLine& line,
+                const MechanismDefinition& definition) {
+  if (line.kind != ElementLine::Kind::kJoint) return 0.0;
+  for (const DriveDefinition& drive : definition.drives) {
+    if (drive.joint == line.joint && drive.coordinate == line.coordinate) {
+      return drive_target(drive, 0.0).position;
+    }
+  }
+  for (const InitialJointState& initial : definition.initial_joints) {
+    if (initial.joint == line.joint && line.coordinate == 0) {
+      return initial.position.value_or(0.0);
+    }
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+ForceModel::ForceModel(const MechanismDefinition& definition,
+                       const SolvingFrame& frame)
+    : definitions_(definition.elements) {
+  for (const ForceElement& given : definitions_) {
+    elements_.push_back(acting_element(given, frame, internal_states_));
+    if (const auto* line = std::get_if<LineElement>(&given)) {
+      elements_.back().q_start = start_of(line->line, definition);
+    }
+  }
+}
+
+void ForceModel::evaluate(double t, const Configuration& x,
+                          const std::vector<Twist>& twists,
+                          const double* internal) {
+  for (ActingElement& e : elements_) {
+    mechanism::evaluate(e, t, x, twists, internal);
+  }
+}
+
+void ForceModel::accept(double t) {
+  for (ActingElement& e : elements_) mechanism::accept(e, t);
+}
+
+void ForceModel::add_to(std::vector<Twist>& wrenches) const {
+  for (const ActingElement& e : elements_) {
+    add_wrench(wrenches[index(e.line.a)], e.on_a);
+    add_wrench(wrenches[index(e.line.b)], e.on_b);
+  }
+}
+
+void ForceModel::internal_rates(double* rates) const {
+  for (const ActingElement& e : elements_) {
+    if (e.internal >= 0) rates[e.internal] = e.internal_rate;
+  }
+}
+
+void ForceModel::internal_scales(double* scales) const {
+  for (const ActingElement& e : elements_) {
+    if (e.internal < 0) continue;
+    const FrictionLaw& law = *switched_friction(*e.definition);
+    scales[e.internal] = law.breakaway / law.bristle_stiffness;
+  }
+}
+
+void ForceModel::choose_modes() {
+  for (ActingElement& e : elements_) mechanism::choose_modes(e);
+}
+
+bool ForceModel::sticks(std::size_t k) const {
+  return mechanism::sticks(elements_[k]);
+}
+
+double ForceModel::stick_bias(std::size_t k,
+                              const std::vector<Twist>& twists) const {
+  const ActingElement& e = elements_[k];
+  return e.placed.bias(e.row, twists[index(e.line.a)], twists[index(e.line.b)]);
+}
+
+double ForceModel::breakaway(std::size_t k) const {
+  return switched_friction(*elements_[k].definition)->breakaway;
+}
+
+void ForceModel::event_values(Eigen::VectorXd& values) const {
+  for (int i = 0; i < events(); ++i) {
+    values[i] = event_value(elements_[index(i / 2)], i % 2);
+  }
+}
+
+void ForceModel::pass_event(int event) {
+  mechanism::pass_event(elements_[index(event / 2)], event % 2);
+}
+
+int ForceModel::mode(int event) const {
+  return elements_[index(event / 2)].modes[index(event % 2)];
+}
+
+MotionEvent ForceModel::change(int event, double t, int mode_before) const {
+  const ActingElement& e = elements_[index(event / 2)];
+  return {.t = t,
+          .element = event / 2,
+          .what = name_of_change(e, event % 2, mode_before)};
+}
+
+std::vector<double> ForceModel::kink_times() const {
+  std::vector<double> times;
+  const auto add = [&times](const std::vector<double>& more) {
+    times.insert(times.end(), more.begin(), more.end());
+  };
+  for (const ForceElement& element : definitions_) {
+    if (const auto* line = std::get_if<LineElement>(&element)) {
+      const auto* table = std::get_if<TableLaw>(&line->law);
+      if (table != nullptr) add(table->times);
+    } else if (const auto* i = std::get_if<ImpedanceElement>(&element)) {
+      add(i->path_W[0].times);
+    }
+  }
+  return times;
+}
+
+std::vector<ElementState> ForceModel::states() const {
+  std::vector<ElementState> states;
+  for (const ActingElement& e : elements_) {
+    states.push_back({.position = e.q,
+                      .rate = e.rate,
+                      .effort = e.effort,
+                      .friction = e.friction,
+                      .power = e.power});
+  }
+  return states;
+}
+
+}  // namespace clevis::mechanism

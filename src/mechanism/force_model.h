@@ -1,0 +1,71 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mechanism/acting_element.h"
+#include "mechanism/motion.h"
+
+namespace clevis::mechanism {
+
+/// All force elements of a mechanism, evaluated without allocation.
+class ForceModel {
+ public:
+  ForceModel(const MechanismDefinition& definition, const SolvingFrame& frame);
+
+  ForceModel(const ForceModel&) = delete;
+  ForceModel& operator=(const ForceModel&) = delete;
+
+  bool empty() const { return elements_.empty(); }
+  std::size_t size() const { return elements_.size(); }
+  int internal_states() const { return internal_states_; }
+
+  /// @param internal  internal states (bristles).
+  void evaluate(double t, const Configuration& x,
+                const std::vector<Twist>& twists, const double* internal);
+  /// See accept() of an element.
+  void accept(double t);
+  /// Adds the wrenches about M, by slot.
+  void add_to(std::vector<Twist>& wrenches) const;
+  /// Rates of the internal states, as of evaluate().
+  void internal_rates(double* rates) const;
+  /// Scale of the internal states, for error weights.
+  void internal_scales(double* scales) const;
+
+  /// Modes that the state of the last evaluate() suggests.
+  void choose_modes();
+
+  /// Sticking friction is a constraint: its row, as levers and bias.
+  bool sticks(std::size_t k) const;
+  bool is_angle(std::size_t k) const { return elements_[k].row.is_angle(); }
+  const ActingElement& element(std::size_t k) const { return elements_[k]; }
+  double stick_bias(std::size_t k, const std::vector<Twist>& twists) const;
+  /// Gives a sticking element the effort that holds it.
+  void set_stick_effort(std::size_t k, double effort) {
+    act_along(elements_[k], effort);
+  }
+  double breakaway(std::size_t k) const;
+  void slip(std::size_t k, int sense) { elements_[k].modes[0] = sense; }
+
+  /// Two per element: positive while its modes hold, as of evaluate() and
+  /// set_stick_effort().
+  int events() const { return static_cast<int>(2 * elements_.size()); }
+  void event_values(Eigen::VectorXd& values) const;
+  /// Goes to the next mode of what event_values() found at zero.
+  void pass_event(int event);
+  /// What changed at that event. @param mode_before  of mode().
+  MotionEvent change(int event, double t, int mode_before) const;
+  int mode(int event) const;
+  /// Times at which tables and the paths of targets bend.
+  std::vector<double> kink_times() const;
+
+  std::vector<ElementState> states() const;
+
+ private:
+  std::vector<ForceElement> definitions_;
+  std::vector<ActingElement> elements_;
+  int internal_states_ = 0;
+};
+
+}  // namespace clevis::mechanism

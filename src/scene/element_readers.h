@@ -1,0 +1,25 @@
+#pragma once
+
+#include "scene/readers.h"
+
+namespace clevis::scene {
+
+/// A quantity that may be zero but not negative. @throws Error S006.
+double not_negative(const Value& value, Dimension dimension);
+double not_negative_or(StrictTable& table, std::string_view key,
+                       Dimension dimension, double otherwise);
+
+/// Dimensions of a line's coordinate, effort and constants.
+struct LineUnits {
+  Dimension coordinate, rate, effort, stiffness, damping;
+};
+
+LineUnits line_units(bool angle);
+
+// The keys of one type of force each; all throw Error S002–S011.
+mechanism::StopLaw read_stop(StrictTable& table, const LineUnits& units);
+mechanism::ContactElement read_contact(StrictTable& table, const Names& names);
+mechanism::ImpedanceElement read_impedance(StrictTable& table,
+                                           const Names& names);
+
+}  // namespace clevis::scene

@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include "mechanism/joint_types.h"
+#include "scene/element_readers.h"
+
+namespace clevis::scene {
+namespace {
+
+using namespace mechanism;
+
+enum class Needs { kAnyLine, kFixedAxis };
+
+/// `joint` and perhaps `coordinate`, or `between` with `from`, `to` and perhaps
+/// `axis`.
+ElementLine read_line(StrictTable& table,
+                      const std::vector<JointDefinition>& joints,
+                      const Names& names, Needs needs) {
+  ElementLine line;
+  if (const auto joint = table.find("joint")) {
+    line.kind = ElementLine::Kind::kJoint;
+    line.joint = names.joints.find(joint->name(), *joint);
+    const auto& definition = joints[static_cast<std::size_t>(line.joint)];
+    if (coordinates(definition.type).empty()) {
+      throw joint->refusal("S010", "has no coordinate",
+                           "Name a joint that moves.");
+    }
+    if (const auto coordinate = table.find("coordinate")) {
+      line.coordinate = find_coordinate(*coordinate, definition);
+    }
+    return line;
+  }
+  const Value between = table["between"];
+  const auto bodies = between.elements(2);
+  line.a.body = find_body_or_ground(bodies[0], names);
+  line.b.body = find_body_or_ground(bodies[1], names);
+  if (line.a.body == line.b.body) {
+    throw between.refusal("S010", "names one body twice",
+                          "Name two different bodies, one may be \"ground\".");
+  }
+  line.a.p_L = table["from"].vector(Dimension::kLength);
+  line.b.p_L = table["to"].vector(Dimension::kLength);
+  line.kind = ElementLine::Kind::kDistance;
+  const auto axis = needs == Needs::kFixedAxis ? std::optional(table["axis"])
+                                               : table.find("axis");
+  if (axis) {
+    line.kind = ElementLine::Kind::kSlide;
+    line.axis_L = axis->direction();
+  }
+  return line;
+}
+
+SpringLaw read_spring(StrictTable& table, const LineUnits& units) {
+  SpringLaw law;
+  law.stiffness = not_negative_or(table, "stiffness", units.stiffness, 0.0);
+  law.damping = not_negative_or(table, "damping", units.damping, 0.0);
+  if (law.stiffness > 0.0) law.free = table["free"].quantity(units.coordinate);
+  if (const auto preload = table.find("preload")) {
+    law.preload = preload->quantity(units.effort);
+  }
+  if (law.stiffness == 0.0 && law.damping == 0.0) {
+    throw table.refusal("S003", "lacks the key \"stiffness\" or \"damping\"",
+                        "Give a spring, a damper or both.");
+  }
+  return law;
+}
+
+FrictionLaw read_friction(StrictTable& table, const LineUnits& units) {
+  FrictionLaw law;
+  if (const auto model = table.find("model")) {
+    law.model = model->choice<FrictionModel>(
+        {{"coulomb", FrictionModel::kCoulomb},
+         {"regularized", FrictionModel::kRegularized},
+         {"lugre", FrictionModel::kLuGre}});
+  }
+  const Value breakaway = table["breakaway"];
+  law.breakaway = not_negative(breakaway, units.effort);
+  law.kinetic = not_negative(table["kinetic"], units.effort);
+  if (law.kinetic > law.breakaway) {
+    throw breakaway.refusal("S006", "is below the kinetic friction",
+                            "Friction at rest is at least that in motion.");
+  }
+  law.viscous = not_negative_or(table, "viscous", units.damping, 0.0);
+  law.stribeck_speed =
+      not_negative_or(table, "stribeck_speed", units.rate, 0.0);
+  if (law.model == FrictionModel::kRegularized) {
+    law.regularizing_speed = table["regularizing_speed"].positive(units.rate);
+  } else if (law.model == FrictionModel::kLuGre) {
+    law.bristle_stiffness =
+        table["bristle_stiffness"].positive(units.stiffness);
+    law.bristle_damping = not_negative(table["bristle_damping"], units.damping);
+    if (!(law.kinetic > 0.0)) {
+      throw breakaway.refusal("S006", "with kinetic = 0 has no bristles",
+                              "Give a kinetic friction above zero.");
+    }
+  }
+  return law;
+}
+
+TableLaw read_table(StrictTable& table, const LineUnits& units) {
+  TableLaw law;
+  law.times = increasing_times(table["times"], 1);
+  const Value efforts = table["efforts"];
+  for (const Value& e : efforts.elements()) {
+    law.efforts.push_back(e.quantity(units.effort));
+  }
+  if (law.times.size() != law.efforts.size()) {
+    throw efforts.refusal("S010",
+                          fmt::format("has {} entries for {} times",
+                                      law.efforts.size(), law.times.size()),
+                          "Give one effort for each time.");
+  }
+  return law;
+}
+
+}  // namespace
+
+/// A quantity that may be zero but not negative.
+double not_negative(const Value& value, Dimension dimension) {
+  const double number = value.quantity(dimension);
+  if (number < 0.0) {
+    throw value.refusal("S006", "is negative", "Give zero or more.");
+  }
+  return number;
+}
+
+double not_negative_or(StrictTable& table, std::string_view key,
+                       Dimension dimension, double otherwise) {
+  const auto value = table.find(key);
+  return value ? not_negative(*value, dimension) : otherwise;
+}
+
+LineUnits line_units(bool angle) {
+  return angle ? LineUnits{Dimension::kAngle, Dimension::kAngularVelocity,
+                           Dimension::kTorque, Dimension::kAngularStiffness,
+                           Dimension::kAngularDamping}
+               : LineUnits{Dimension::kLength, Dimension::kVelocity,
+                           Dimension::kForce, Dimension::kStiffness,
+                           Dimension::kDamping};
+}
+
+ForceElement read_element(ElementType type, const std::string& name,
+                          StrictTable& table,
+                          const std::vector<JointDefinition>& joints,
+                          const Names& names) {
+  ForceElement result;
+  if (type == ElementType::kContact) {
+    ContactElement contact = read_contact(table, names);
+    contact.name = name;
+    contact.place = table.place();
+    result = contact;
+  } else if (type == ElementType::kImpedance) {
+    ImpedanceElement impedance = read_impedance(table, names);
+    impedance.name = name;
+    impedance.place = table.place();
+    result = impedance;
+  } else {
+    LineElement element;
+    element.name = name;
+    element.place = table.place();
+    element.line = read_line(
+        table, joints, names,
+        type == ElementType::kSpring ? Needs::kAnyLine : Needs::kFixedAxis);
+    const LineUnits units = line_units(is_angle(element.line, joints));
+    if (type == ElementType::kSpring) element.law = read_spring(table, units);
+    if (type == ElementType::kFriction) {
+      element.law = read_friction(table, units);
+    }
+    if (type == ElementType::kStop) element.law = read_stop(table, units);
+    if (type == ElementType::kTable) element.law = read_table(table, units);
+    result = element;
+  }
+  table.finish("with this type of force");
+  return result;
+}
+
+}  // namespace clevis::scene
