@@ -12,13 +12,13 @@
 #include "elasticity/dense_product.h"
 #include "elasticity/equations.h"
 #include "elasticity/folding.h"
+#include "elasticity/frontal_cholesky.h"
 #include "elasticity/large_part.h"
 #include "elasticity/load_basis.h"
 #include "elasticity/load_vectors.h"
 #include "elasticity/memory_forecast.h"
 #include "elasticity/multigrid_solver.h"
 #include "elasticity/refinement.h"
-#include "elasticity/sparse_cholesky.h"
 #include "elasticity/stiffness.h"
 #include "elasticity/supports.h"
 
@@ -41,7 +41,7 @@ struct ParityClass {
   std::vector<int> held;      ///< on the planes and by supports, sorted
   std::vector<int> supports;  ///< determinate: without reaction
   EquationNumbers numbers;
-  std::unique_ptr<SparseCholesky> factor;
+  std::unique_ptr<FrontalCholesky> factor;
   MatrixXd columns;  ///< displacements on the folded part
 };
 
@@ -167,7 +167,7 @@ bool uses_multigrid(const ElasticProblem<dim>& problem,
     const double classes = folding.classes();
     return prefers_multigrid(
         folding.part, problem.material,
-        {classes * folding.factor_flops, classes * folding.factor_bytes},
+        {classes * folding.factor_flops(), classes * folding.factor_bytes()},
         classes * columns, physical_memory());
   } else {
     return false;
@@ -190,7 +190,7 @@ void require_memory_for(const ElasticProblem<dim>& problem,
       return;
     }
   }
-  require_memory(classes * folding.factor_bytes, classes * part.dofs(),
+  require_memory(classes * folding.factor_bytes(), classes * part.dofs(),
                  physical_memory(), place);
 }
 
@@ -209,9 +209,8 @@ void solve_by_factors(const ElasticProblem<dim>& problem,
     c.numbers = number_equations(part.dofs(), c.held);
     const UpperTriangle upper = free_equations(stiffness, c.numbers);
     result.seconds.assemble += watch.lap();
-    std::vector<int> as_they_are(static_cast<std::size_t>(upper.rows()));
-    std::iota(as_they_are.begin(), as_they_are.end(), 0);
-    c.factor = std::make_unique<SparseCholesky>(upper, place, as_they_are);
+    c.factor = std::make_unique<FrontalCholesky>(
+        upper, front_tree(folding.dissection, dim, c.numbers.equation), place);
     result.seconds.factor += watch.lap();
     c.columns = extend_rows(
         c.factor->solve(restrict_rows(c.loads.columns, c.numbers)), c.numbers);

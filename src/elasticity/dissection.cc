@@ -34,11 +34,12 @@ class Dissector {
 
   /// Orders the nodes of these cells that no separator holds yet.
   void dissect(std::span<std::size_t> cells) {
-    const double border = count_shared(cells);
-    const std::size_t before = result_.order.size();
+    NodeFront front;
+    front.border = held_further_up(cells);
     if (cells.size() == 1) {
+      front.begin = ordered();
       for (int node : cell_nodes_[cells[0]]) take(node);
-      count(before, border);
+      add(std::move(front));
       return;
     }
     const auto half = cells.size() / 2;
@@ -56,36 +57,41 @@ class Dissector {
     for (const std::size_t c : cells.first(half)) mark(c, kFirst, kUnseen);
     dissect(cells.first(half));
     dissect(cells.subspan(half));
-    const std::size_t inside = result_.order.size();
+    front.children = 2;
+    front.begin = ordered();
     for (int node : separator) {
       at(node) = kUnseen;
       take(node);
     }
-    count(inside, border);
+    add(std::move(front));
   }
 
   /// Nodes of these cells that separators further up hold.
-  double count_shared(std::span<const std::size_t> cells) {
+  std::vector<int> held_further_up(std::span<const std::size_t> cells) {
     ++round_;
-    int count = 0;
+    std::vector<int> nodes;
     for (const std::size_t c : cells) {
       for (int node : cell_nodes_[c]) {
         int& seen = seen_[static_cast<std::size_t>(node)];
         if (at(node) != kShared || seen == round_) continue;
         seen = round_;
-        ++count;
+        nodes.push_back(node);
       }
     }
-    return count;
+    return nodes;
   }
 
-  /// Counts the elimination of what was ordered since, with so many nodes of
-  /// the border to update.
-  void count(std::size_t since, double border) {
-    const auto n = static_cast<double>(result_.order.size() - since);
+  /// Adds and counts the elimination of what was ordered since its begin.
+  void add(NodeFront front) {
+    front.end = ordered();
+    const double n = front.end - front.begin;
+    const auto border = static_cast<double>(front.border.size());
     result_.flops += n * (n * n / 3.0 + border * (n + border));
-    result_.entries += n * (0.5 * n + border);
+    result_.entries += n * (n + border);
+    result_.fronts.push_back(std::move(front));
   }
+
+  int ordered() const { return static_cast<int>(result_.order.size()); }
 
   /// Halves the cells across their longest extent.
   void split(std::span<std::size_t> cells, std::size_t half) {
@@ -127,22 +133,32 @@ Dissection dissect(const Discretization<dim>& discretization) {
   return Dissector<dim>(discretization).run();
 }
 
-std::vector<int> equation_order(const std::vector<int>& node_order,
-                                int unknowns,
-                                const std::vector<int>& equation) {
-  std::vector<int> order;
-  order.reserve(equation.size());
-  for (int node : node_order) {
-    for (int a = 0; a < unknowns; ++a) {
-      const int number =
-          equation[static_cast<std::size_t>(unknowns * node + a)];
-      if (number >= 0) order.push_back(number);
-    }
+template <int dim>
+Dissection dissect_and_renumber(Discretization<dim>& discretization,
+                                std::vector<int>& place) {
+  Dissection dissection = dissect(discretization);
+  place.resize(dissection.order.size());
+  int next = 0;
+  for (int node : dissection.order) {
+    place[static_cast<std::size_t>(node)] = next++;
   }
-  return order;
+  const auto renumber = [&](std::vector<int>& nodes) {
+    for (int& i : nodes) {
+      if (i >= 0) i = place[static_cast<std::size_t>(i)];
+    }
+  };
+  for (auto& nodes : discretization.cell_nodes) renumber(nodes);
+  for (NodeFront& front : dissection.fronts) renumber(front.border);
+  renumber(discretization.vertex_nodes);
+  renumber(dissection.order);
+  return dissection;
 }
 
 template Dissection dissect<2>(const Discretization<2>&);
 template Dissection dissect<3>(const Discretization<3>&);
+template Dissection dissect_and_renumber<2>(Discretization<2>&,
+                                            std::vector<int>&);
+template Dissection dissect_and_renumber<3>(Discretization<3>&,
+                                            std::vector<int>&);
 
 }  // namespace clevis::elasticity

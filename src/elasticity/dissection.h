@@ -6,13 +6,22 @@
 
 namespace clevis::elasticity {
 
+/// Nodes that are eliminated together once all below them are.
+struct NodeFront {
+  int begin{}, end{};       ///< of Dissection::order
+  int children{};           ///< fronts just below it
+  std::vector<int> border;  ///< nodes further up that they are coupled to
+};
+
 /// Elimination order of the nodes, and what a dense Cholesky factor of each
-/// separator would cost with one unknown per node: flops grow with the cube,
+/// separator costs with one unknown per node: flops grow with the cube,
 /// entries with the square of the unknowns.
 struct Dissection {
   std::vector<int> order;  ///< nodes, first to last eliminated
+  /// Of `order`, each behind those below it.
+  std::vector<NodeFront> fronts;
   double flops{};
-  double entries{};  ///< of the factor's lower triangle
+  double entries{};  ///< of the factor
 };
 
 /// Nested dissection: the cells are halved across their longest extent again
@@ -22,10 +31,10 @@ struct Dissection {
 template <int dim>
 Dissection dissect(const Discretization<dim>& discretization);
 
-/// The order of the equations if node n has `unknowns` in turn: first to last
-/// eliminated, held ones left out.
-/// @param equation  per unknown; -1: held.
-std::vector<int> equation_order(const std::vector<int>& node_order,
-                                int unknowns, const std::vector<int>& equation);
+/// The same, and renumbers the nodes in the order of their elimination.
+/// @param place  of each node, by its former number.
+template <int dim>
+Dissection dissect_and_renumber(Discretization<dim>& discretization,
+                                std::vector<int>& place);
 
 }  // namespace clevis::elasticity

@@ -80,24 +80,14 @@ void take_cells(const Discretization<dim>& whole,
     part.cell_nodes.push_back(std::move(nodes));
     part.cell_points.push_back(whole.cell_points[c]);
   }
-  // In the order of their elimination: the factorisation permutes nothing.
-  const Dissection dissection = dissect(part);
-  const std::vector<int>& order = dissection.order;
-  constexpr double kUnknowns = dim;
-  folding.factor_flops = dissection.flops * std::pow(kUnknowns, 3);
-  folding.factor_bytes = 8.0 * dissection.entries * std::pow(kUnknowns, 2);
-  std::vector<int> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
-  }
-  for (auto& nodes : part.cell_nodes) {
-    for (int& i : nodes) i = place[static_cast<std::size_t>(i)];
-  }
-  for (int& n : number) {
-    if (n >= 0) n = place[static_cast<std::size_t>(n)];
-  }
   for (int& i : part.vertex_nodes) {
     if (i >= 0) i = number[static_cast<std::size_t>(i)];
+  }
+  // The factorisation permutes nothing.
+  std::vector<int> place;
+  folding.dissection = dissect_and_renumber(part, place);
+  for (int& n : number) {
+    if (n >= 0) n = place[static_cast<std::size_t>(n)];
   }
   folding.node = std::move(number);
 }

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/discretization.h"
+#include "elasticity/dissection.h"
 #include "elasticity/mirror.h"
 
 namespace clevis::elasticity {
@@ -27,10 +28,12 @@ struct Folding {
   std::vector<unsigned> behind;
   /// Per node of the folded part, bit k: it stands on mirror k.
   std::vector<unsigned> on_plane;
-  /// What one Cholesky factor of the folded part takes.
-  double factor_flops{}, factor_bytes{};
+  Dissection dissection;  ///< of `part`
 
   unsigned classes() const { return 1U << mirrors.size(); }
+  /// What one Cholesky factor of the folded part takes.
+  double factor_flops() const { return dissection.flops * dim * dim * dim; }
+  double factor_bytes() const { return 8.0 * dissection.entries * dim * dim; }
 };
 
 /// @param positions  of the nodes [m].

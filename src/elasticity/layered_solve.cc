@@ -8,6 +8,7 @@
 #include "base/stopwatch.h"
 #include "elasticity/dissection.h"
 #include "elasticity/equations.h"
+#include "elasticity/frontal_cholesky.h"
 #include "elasticity/layered_stiffness.h"
 #include "elasticity/load_vectors.h"
 #include "elasticity/memory_forecast.h"
@@ -180,7 +181,7 @@ struct Plate {
   const ElasticProblem<2>& problem;
   const Discretization<2>& plane;
   const PlaneIntegrals& integrals;
-  const std::vector<int> node_order;
+  const Dissection& dissection;
   std::string place;
 };
 
@@ -199,10 +200,10 @@ void solve_parity(const Plate& plate, const ThicknessReduction& reduction,
   const auto numbers = number_equations(stiffness.rows(), held);
   const UpperTriangle upper = free_equations(stiffness, numbers);
   result.seconds.assemble += watch.lap();
-  const SparseCholesky cholesky(
-      upper, plate.place,
-      equation_order(plate.node_order, 3 * reduction.terms(),
-                     numbers.equation));
+  const FrontalCholesky cholesky(
+      upper,
+      front_tree(plate.dissection, 3 * reduction.terms(), numbers.equation),
+      plate.place);
   result.seconds.factor += watch.lap();
   MatrixXd terms = extend_rows(
       cholesky.solve(restrict_rows(basis.columns, numbers)), numbers);
@@ -239,11 +240,12 @@ DisplacementBasis<3> solve_layered(const ElasticProblem<2>& problem, int degree,
   Stopwatch watch;
   const std::string place = "part " + problem.name;
   const double density = problem.material.density;
-  const auto plane = discretize(problem.mesh, degree);
+  auto plane = discretize(problem.mesh, degree);
+  std::vector<int> place_of_node;
+  const Dissection dissection = dissect_and_renumber(plane, place_of_node);
   DisplacementBasis<3> result;
   result.discretization = layer_over(plane, 2 * terms - 1);
   const auto& layer = result.discretization;
-  const Dissection dissection = dissect(plane);
   const double unknowns = 3.0 * terms;
   require_memory(8.0 * dissection.entries * unknowns * unknowns,
                  unknowns * plane.nodes, physical_memory(), place);
@@ -261,7 +263,7 @@ DisplacementBasis<3> solve_layered(const ElasticProblem<2>& problem, int degree,
   result.strain_energy = Eigen::VectorXd::Zero(instants);
   result.seconds.assemble = watch.lap();
 
-  const Plate plate{problem, plane, integrals, dissection.order, place};
+  const Plate plate{problem, plane, integrals, dissection, place};
   const double all = largest_instant(history);
   int parities = 0;
   for (const Parity parity : {Parity::kStretching, Parity::kBending}) {

@@ -150,6 +150,10 @@ UpperTriangle layered_stiffness(const PlaneIntegrals& plane,
   const int n = 3 * terms;
   UpperTriangle upper;
   upper.row_start.push_back(0);
+  const std::size_t block =
+      static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+  upper.column.reserve(plane.column.size() * block);
+  upper.value.reserve(plane.column.size() * block);
   for (int i = 0; i < plane.nodes(); ++i) {
     const auto begin = plane.row_start[static_cast<std::size_t>(i)];
     const auto end = plane.row_start[static_cast<std::size_t>(i) + 1];

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "elasticity/equations.h"
-#include "elasticity/sparse_cholesky.h"
+#include "elasticity/frontal_cholesky.h"
 #include "elasticity/stiffness.h"
 #include "elasticity/supports.h"
 #include "elasticity/tabulation.h"
@@ -157,8 +157,9 @@ Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
       assemble_stiffness<dim>(part, problem.material, "neighbourhood");
   const auto numbers = number_equations(
       part.dofs(), held_components<dim>(problem, result.cells, number));
-  const SparseCholesky factor(free_equations(stiffness, numbers),
-                              "neighbourhood");
+  const FrontalCholesky factor(free_equations(stiffness, numbers),
+                               front_tree(dissect(part), dim, numbers.equation),
+                               "neighbourhood");
   const MatrixXd residual = load - stiffness.multiply(u);
   u += extend_rows(factor.solve(restrict_rows(residual, numbers)), numbers);
   result.basis.columns = std::move(u);

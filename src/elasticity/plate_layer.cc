@@ -98,6 +98,23 @@ ThicknessReduction::ThicknessReduction(Parity parity, int terms)
   }
 }
 
+namespace {
+
+/// to[i] = Σ_k weight(i, k) from[k stride], as plain loops: the blocks are too
+/// small for a library.
+void apply(const MatrixXd& weight, const double* from, Index from_stride,
+           double* to, Index to_stride) {
+  for (Index i = 0; i < weight.rows(); ++i) {
+    double sum = 0.0;
+    for (Index k = 0; k < weight.cols(); ++k) {
+      sum += weight(i, k) * from[k * from_stride];
+    }
+    to[i * to_stride] = sum;
+  }
+}
+
+}  // namespace
+
 MatrixXd ThicknessReduction::expand(const MatrixXd& terms) const {
   const Index heights = in_plane_.rows();
   const Index n = terms_;
@@ -106,12 +123,9 @@ MatrixXd ThicknessReduction::expand(const MatrixXd& terms) const {
   for (Index column = 0; column < terms.cols(); ++column) {
     for (Index i = 0; i < nodes; ++i) {
       for (Index c = 0; c < 3; ++c) {
-        const Eigen::VectorXd at =
-            (c < 2 ? in_plane_ : transverse_) *
-            terms.col(column).segment(3 * n * i + n * c, n);
-        for (Index k = 0; k < heights; ++k) {
-          nodal(3 * (heights * i + k) + c, column) = at[k];
-        }
+        apply(c < 2 ? in_plane_ : transverse_,
+              &terms(3 * n * i + n * c, column), 1,
+              &nodal(3 * heights * i + c, column), 3);
       }
     }
   }
@@ -122,16 +136,15 @@ MatrixXd ThicknessReduction::reduce(const MatrixXd& nodal) const {
   const Index heights = in_plane_.rows();
   const Index n = terms_;
   const Index nodes = nodal.rows() / (3 * heights);
+  const MatrixXd in_plane = in_plane_.transpose();
+  const MatrixXd transverse = transverse_.transpose();
   MatrixXd terms(3 * n * nodes, nodal.cols());
-  Eigen::VectorXd at(heights);
   for (Index column = 0; column < nodal.cols(); ++column) {
     for (Index i = 0; i < nodes; ++i) {
       for (Index c = 0; c < 3; ++c) {
-        for (Index k = 0; k < heights; ++k) {
-          at[k] = nodal(3 * (heights * i + k) + c, column);
-        }
-        terms.col(column).segment(3 * n * i + n * c, n) =
-            (c < 2 ? in_plane_ : transverse_).transpose() * at;
+        apply(c < 2 ? in_plane : transverse,
+              &nodal(3 * heights * i + c, column), 3,
+              &terms(3 * n * i + n * c, column), 1);
       }
     }
   }

@@ -94,7 +94,7 @@ MatrixXd forces_by_strain(const Discretization<dim>& discretization,
   return forces;
 }
 
-void refine(const StiffnessAction& stiffness, const SparseCholesky& factor,
+void refine(const StiffnessAction& stiffness, const FrontalCholesky& factor,
             const EquationNumbers& numbers, const LoadBasis& loads,
             MatrixXd& columns) {
   constexpr int kSweeps = 5;

@@ -4,9 +4,9 @@
 
 #include "elasticity/discretization.h"
 #include "elasticity/equations.h"
+#include "elasticity/frontal_cholesky.h"
 #include "elasticity/load_basis.h"
 #include "elasticity/self_checks.h"
-#include "elasticity/sparse_cholesky.h"
 #include "part/material.h"
 
 namespace clevis::elasticity {
@@ -25,7 +25,7 @@ Eigen::MatrixXd forces_by_strain(const Discretization<dim>& discretization,
 /// is round-off, at most a few times.
 /// @param stiffness  more exact than the factor.
 /// @param loads      F.
-void refine(const StiffnessAction& stiffness, const SparseCholesky& factor,
+void refine(const StiffnessAction& stiffness, const FrontalCholesky& factor,
             const EquationNumbers& numbers, const LoadBasis& loads,
             Eigen::MatrixXd& columns);
 

@@ -12,13 +12,14 @@
 
 #include "base/stopwatch.h"
 #include "elasticity/dense_product.h"
+#include "elasticity/dissection.h"
 #include "elasticity/equations.h"
+#include "elasticity/frontal_cholesky.h"
 #include "elasticity/harmonic_loads.h"
 #include "elasticity/load_basis.h"
 #include "elasticity/meridian_stiffness.h"
 #include "elasticity/revolved_discretization.h"
 #include "elasticity/self_checks.h"
-#include "elasticity/sparse_cholesky.h"
 #include "elasticity/supports.h"
 
 namespace clevis::elasticity {
@@ -119,7 +120,9 @@ struct OrderSystem {
 class TermSystem {
  public:
   TermSystem(const Discretization<2>& meridian, std::vector<HarmonicLoad> loads)
-      : block_(3 * meridian.nodes), loads_(std::move(loads)) {}
+      : block_(3 * meridian.nodes),
+        dissection_(dissect(meridian)),
+        loads_(std::move(loads)) {}
 
   std::vector<Harmonic> harmonics() const {
     std::vector<Harmonic> result;
@@ -205,8 +208,9 @@ class TermSystem {
       }
       const auto numbers =
           number_equations(static_cast<int>(block_), system.held);
-      const SparseCholesky cholesky(free_equations(system.stiffness, numbers),
-                                    place);
+      const FrontalCholesky cholesky(
+          free_equations(system.stiffness, numbers),
+          front_tree(dissection_, 3, numbers.equation), place);
       columns =
           extend_rows(cholesky.solve(restrict_rows(columns, numbers)), numbers);
       for (std::size_t k = 0; k < begins.size(); ++k) {
@@ -243,6 +247,7 @@ class TermSystem {
   }
 
   Index block_;
+  Dissection dissection_;
   std::vector<HarmonicLoad> loads_;
   std::map<int, OrderSystem> systems_;
 };

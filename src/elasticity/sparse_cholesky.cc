@@ -42,18 +42,15 @@ struct SparseCholesky::Petsc {
   UpperTriangle matrix;  // PETSc borrows its arrays
   Mat stiffness = nullptr;
   Mat factor = nullptr;
-  IS order = nullptr;
 
   ~Petsc() {
     MatDestroy(&factor);
     MatDestroy(&stiffness);
-    ISDestroy(&order);
   }
 };
 
 SparseCholesky::SparseCholesky(const UpperTriangle& matrix,
-                               const std::string& name,
-                               const std::vector<int>& order)
+                               const std::string& name)
     : petsc_(std::make_unique<Petsc>()) {
   initialize_petsc();
   Petsc& p = *petsc_;
@@ -67,19 +64,13 @@ SparseCholesky::SparseCholesky(const UpperTriangle& matrix,
   require(MatSetOption(p.stiffness, MAT_SPD, PETSC_TRUE), name, "MatSetOption");
   // CHOLMOD by itself is content with minimum degree; nested dissection
   // gives the better factor for solids and is worth the trial.
-  PetscOptionsSetValue(nullptr, "-mat_cholmod_nmethods",
-                       order.empty() ? "3" : "1");
+  PetscOptionsSetValue(nullptr, "-mat_cholmod_nmethods", "3");
   require(MatGetFactor(p.stiffness, MATSOLVERCHOLMOD, MAT_FACTOR_CHOLESKY,
                        &p.factor),
           name, "MatGetFactor");
   MatFactorInfo info;
   MatFactorInfoInitialize(&info);
-  if (!order.empty()) {
-    require(ISCreateGeneral(PETSC_COMM_SELF, n, order.data(), PETSC_COPY_VALUES,
-                            &p.order),
-            name, "ISCreateGeneral");
-  }
-  require(MatCholeskyFactorSymbolic(p.factor, p.stiffness, p.order, &info),
+  require(MatCholeskyFactorSymbolic(p.factor, p.stiffness, nullptr, &info),
           name, "symbolic factorisation");
   require(MatCholeskyFactorNumeric(p.factor, p.stiffness, &info), name,
           "numeric factorisation (matrix not positive definite)");

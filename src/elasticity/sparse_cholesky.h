@@ -16,17 +16,15 @@ struct UpperTriangle {
   int rows() const { return static_cast<int>(row_start.size()) - 1; }
 };
 
-/// Sparse Cholesky factorisation: PETSc with CHOLMOD, supernodal.
+/// Sparse Cholesky factorisation of a matrix without a tree of fronts: PETSc
+/// with CHOLMOD, supernodal, in an order of its own.
 ///
 /// PETSc is initialised once per process, without MPI's launcher.
 class SparseCholesky {
  public:
   /// @param name  entity for messages ("part DCE").
-  /// @param order  equations in the order of their elimination; empty: CHOLMOD
-  ///   tries its own, which takes longer than a plate's factorisation.
   /// @throws Error F002 if the matrix is not positive definite.
-  SparseCholesky(const UpperTriangle& matrix, const std::string& name,
-                 const std::vector<int>& order = {});
+  SparseCholesky(const UpperTriangle& matrix, const std::string& name);
   ~SparseCholesky();
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;

@@ -17,6 +17,7 @@
 #include "elasticity/displacement_basis.h"
 #include "elasticity/dissection.h"
 #include "elasticity/equations.h"
+#include "elasticity/frontal_cholesky.h"
 #include "elasticity/supports.h"
 #include "stress/stress_history.h"
 #include "support/structured_mesh.h"
@@ -56,8 +57,8 @@ void run(std::array<int, 3> cells, int degree, int columns, int instants) {
   const UpperTriangle upper = free_equations(stiffness, numbers);
   const double assembled = watch.lap();
   const Dissection dissection = dissect(part);
-  const SparseCholesky factor(
-      upper, "block", equation_order(dissection.order, 3, numbers.equation));
+  const FrontalCholesky factor(
+      upper, front_tree(dissection, 3, numbers.equation), "block");
   const double factored = watch.lap();
   const MatrixXd loads = MatrixXd::Random(numbers.count, columns);
   watch.lap();
