@@ -122,6 +122,18 @@ double plane_stress_error(const PartJob& job, const mesh::PartMesh<2>& plate,
   return difference(plane, layered);
 }
 
+bool plane_stress_is_far(const PartJob& job, const mesh::PartMesh<2>& plate,
+                         const std::vector<LoadSet>& governing) {
+  constexpr double kSure = 2.5;  // what degree and terms may feign
+  const VectorXd plane = all_peaks(governing, [&](const LoadSet& set) {
+    return plane_peaks(job, plate, set, kFirstDegree);
+  });
+  const VectorXd layered = all_peaks(governing, [&](const LoadSet& set) {
+    return layered_peaks(job, plate, set, kFirstDegree, kFewestTerms);
+  });
+  return difference(plane, layered) > kSure * job.tolerance;
+}
+
 ThicknessChoice choose_terms(const PartJob& job, const mesh::PartMesh<2>& plate,
                              const std::vector<LoadSet>& governing,
                              double allowed) {

@@ -18,6 +18,11 @@ std::vector<LoadSet> governing_loads(const PartJob& job,
 double plane_stress_error(const PartJob& job, const mesh::PartMesh<2>& plate,
                           const std::vector<LoadSet>& governing);
 
+/// Whether two terms of a low degree already say that plane stress cannot meet
+/// the tolerance: the cheap part of plane_stress_error().
+bool plane_stress_is_far(const PartJob& job, const mesh::PartMesh<2>& plate,
+                         const std::vector<LoadSet>& governing);
+
 /// Thickness terms and what is still missing with them.
 struct ThicknessChoice {
   int terms{};

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -52,15 +54,17 @@ void add_model_error(double tolerance, double model_error, PartResult& result) {
       100.0 * tolerance);
 }
 
+bool is_held(const PartJob& job) {
+  return std::ranges::any_of(job.load_sets, [](const LoadSet& set) {
+    return !set.fixed.empty();
+  });
+}
+
 /// Whether a higher rung has nothing to add. Of a free part a slow sequence of
 /// degrees that looks singular may only want a higher one.
 bool is_settled(const PartJob& job, const PartResult& result) {
-  const bool is_held =
-      std::ranges::any_of(job.load_sets, [](const LoadSet& set) {
-        return !set.fixed.empty();
-      });
   return result.peak.verdict == PeakVerdict::kConverged ||
-         (is_held && result.peak.verdict == PeakVerdict::kSingular);
+         (is_held(job) && result.peak.verdict == PeakVerdict::kSingular);
 }
 
 void add_seconds(const PartSeconds& earlier, PartSeconds& seconds) {
@@ -70,18 +74,30 @@ void add_seconds(const PartSeconds& earlier, PartSeconds& seconds) {
   seconds.recover += earlier.recover;
 }
 
-PartAssessment run_plane_stress(const PartJob& job, const PlateModel& plate,
-                                const std::vector<LoadSet>& governing) {
-  auto assessment = run_rung<2>(job, plate.mesh, plane_stress_rung(plate.mesh));
-  const bool measured =
-      plate.mesh.shape == mesh::CellShape::kTensor &&
-      assessment.result.peak.verdict != PeakVerdict::kSingular &&
-      assessment.result.peak.value > 0.0;
-  add_model_error(
-      job.tolerance,
-      measured ? plane_stress_error(job, plate.mesh, governing) : 0.0,
-      assessment.result);
-  if (!measured) assessment.result.stopped_because += "; model not measured";
+/// Nothing if a higher rung is there and the error of the model alone is above
+/// the tolerance. A held part is climbed first: a stress without bound needs no
+/// better model.
+std::optional<PartAssessment> run_plane_stress(
+    const PartJob& job, const PlateModel& plate,
+    const std::vector<LoadSet>& governing) {
+  const bool is_measured = plate.mesh.shape == mesh::CellShape::kTensor;
+  const bool may_skip = is_measured && plate.suits_layers && !is_held(job) &&
+                        job.model != ModelChoice::kPlaneStress;
+  auto rung = plane_stress_rung(plate.mesh);
+  if (may_skip) {
+    if (plane_stress_is_far(job, plate.mesh, governing)) return std::nullopt;
+    rung.model_error = plane_stress_error(job, plate.mesh, governing);
+    if (rung.model_error > job.tolerance) return std::nullopt;
+  }
+  auto assessment = run_rung<2>(job, plate.mesh, rung, governing);
+  PartResult& result = assessment.result;
+  const bool counts = is_measured && result.peak.value > 0.0 &&
+                      result.peak.verdict != PeakVerdict::kSingular;
+  if (counts && !may_skip) {
+    rung.model_error = plane_stress_error(job, plate.mesh, governing);
+  }
+  add_model_error(job.tolerance, counts ? rung.model_error : 0.0, result);
+  if (!counts) result.stopped_because += "; model not measured";
   return assessment;
 }
 
@@ -155,11 +171,11 @@ PartAssessment climb(const PartJob& job) {
       job.model != ModelChoice::kLayered) {
     auto assessment = run_plane_stress(job, *plate, governing);
     const bool is_last = !plate->suits_layers && !is_held_in_space(job);
-    if (is_settled(job, assessment.result) || is_last ||
-        job.model == ModelChoice::kPlaneStress) {
-      return assessment;
+    if (assessment && (is_settled(job, assessment->result) || is_last ||
+                       job.model == ModelChoice::kPlaneStress)) {
+      return std::move(*assessment);
     }
-    seconds = assessment.result.seconds;
+    if (assessment) seconds = assessment->result.seconds;
   }
   if (plate && plate->suits_layers) {
     auto assessment = run_layered(job, *plate, governing);
