@@ -161,6 +161,10 @@ struct MechanismDefinition {
 /// equations of motion. kAuto: the latter if the drives leave freedom.
 enum class MotionKind { kAuto, kDriven, kDynamic };
 
+/// Method of an integrated motion: DOP853, Radau IIA, or each where it is the
+/// better.
+enum class IntegratorChoice { kAuto, kExplicit, kImplicit };
+
 /// When the motion is sampled.
 struct SimulationSettings {
   double duration{};   ///< [s]
@@ -169,6 +173,9 @@ struct SimulationSettings {
   /// size.
   double tolerance = 1e-8;
   MotionKind motion = MotionKind::kAuto;
+  IntegratorChoice integrator = IntegratorChoice::kAuto;
+  /// Also where a joint's force or moment is largest, for integrated motions.
+  bool at_peaks = false;
 };
 
 }  // namespace clevis::mechanism

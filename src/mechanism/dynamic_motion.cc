@@ -9,13 +9,13 @@
 
 #include "base/errors.h"
 #include "mechanism/body_motion.h"
-#include "mechanism/brent.h"
-#include "mechanism/dop853.h"
 #include "mechanism/drive_law.h"
 #include "mechanism/equilibrium.h"
+#include "mechanism/event_finder.h"
 #include "mechanism/forward_dynamics.h"
 #include "mechanism/initial_state.h"
 #include "mechanism/power_balance.h"
+#include "mechanism/switching_integrator.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -39,7 +39,8 @@ class DynamicRun {
         dynamics_(definition, frame_,
                   std::max(kLocalPart * settings.tolerance, kStrictest)),
         equilibrium_(definition, frame_, dynamics_.system()),
-        integrator_(dynamics_) {}
+        integrator_(dynamics_, settings.integrator),
+        events_(dynamics_) {}
 
   Motion run();
 
@@ -47,9 +48,7 @@ class DynamicRun {
   void start();
   void find_breaks();
   double next_break() const;
-  /// Whether an event ended the last step, which then has been handled.
-  bool passed_event();
-  void pass(int event, double t);
+  void pass(const EventFinder::Event& event);
   void restart(double t);
   void guard_against_accumulation(double t);
   void sample_until(double t);
@@ -62,10 +61,11 @@ class DynamicRun {
   SolvingFrame frame_;
   ForwardDynamics dynamics_;
   Equilibrium equilibrium_;
-  Dop853 integrator_;
+  SwitchingIntegrator integrator_;
+  EventFinder events_;
   VectorXd y_, sample_, slope_;
   int next_sample_ = 0;
-  VectorXd values_, next_values_, sample_values_, event_state_;
+  VectorXd event_values_;
   std::vector<double> breaks_;  ///< times at which drives or tables bend
   int crowded_events_ = 0;
   double last_event_ = -1.0;
@@ -86,9 +86,7 @@ void DynamicRun::start() {
   y_ = dynamics_.start(initial.x);
   y_.segment(dynamics_.velocity_index(), initial.velocities.size()) =
       initial.velocities;
-  values_.setOnes(dynamics_.forces().events());
-  next_values_ = sample_values_ = values_;
-  event_state_ = y_;
+  event_values_.setOnes(dynamics_.forces().events());
   find_breaks();
   dynamics_.project(0.0, y_);
   dynamics_.choose_modes(0.0, y_);
@@ -99,8 +97,7 @@ void DynamicRun::start() {
   dynamics_.rate(0.0, y_, slope_);
   dynamics_.note_speed(y_);
   energy_start_ = dynamics_.kinetic_energy(y_);
-  if (!dynamics_.forces().empty()) dynamics_.event_values(0.0, y_, values_);
-  integrator_.restart(0.0, y_, 0.0);
+  restart(0.0);
 }
 
 void DynamicRun::find_breaks() {
@@ -136,68 +133,25 @@ void DynamicRun::guard_against_accumulation(double t) {
               "\"regularized\"");
 }
 
-bool DynamicRun::passed_event() {
-  constexpr int kSamples = 4;
-  constexpr double kBeside = 1e-3;
-  const double start = integrator_.t_start(), end = integrator_.t();
-  double before = start;
-  for (int k = 1; k <= kSamples; ++k) {
-    const double at =
-        k == kSamples ? end : start + (end - start) * k / kSamples;
-    integrator_.interpolate(at, event_state_);
-    dynamics_.event_values(at, event_state_, next_values_);
-    int event = -1;
-    double first = at;
-    for (int i = 0; i < values_.size(); ++i) {
-      if (!(next_values_[i] < 0.0) || (!(values_[i] > 0.0) && k > 1)) continue;
-      const auto value = [&](double t) {
-        integrator_.interpolate(t, event_state_);
-        VectorXd& all = sample_values_;
-        dynamics_.event_values(t, event_state_, all);
-        return all[i];
-      };
-      // a piece that has just begun starts at zero: look beside it
-      double left = before, at_left = values_[i];
-      if (!(at_left > 0.0)) {
-        left = before + kBeside * (at - before);
-        at_left = value(left);
-      }
-      const double root =
-          at_left > 0.0 ? brent_root(value, left, at_left, at, next_values_[i])
-                        : before;
-      if (event < 0 || root < first) {
-        event = i;
-        first = root;
-      }
-    }
-    if (event >= 0) {
-      pass(event, first);
-      return true;
-    }
-    values_ = next_values_;
-    before = at;
-  }
-  return false;
-}
-
-void DynamicRun::pass(int event, double t) {
+void DynamicRun::pass(const EventFinder::Event& event) {
+  const double t = event.t;
   guard_against_accumulation(t);
   sample_until(t);
-  integrator_.interpolate(t, y_);
-  dynamics_.event_values(t, y_, values_);
+  integrator_.state_at(t, y_);
+  dynamics_.event_values(t, y_, event_values_);
   ForceModel& forces = dynamics_.forces();
-  const int before = forces.mode(event);
-  forces.pass_event(event);
+  const int before = forces.mode(event.index);
+  forces.pass_event(event.index);
   dynamics_.project(t, y_);
   dynamics_.settle(t, y_);
   dynamics_.project(t, y_);
   dynamics_.accept(t);
-  motion_.events.push_back(forces.change(event, t, before));
+  motion_.events.push_back(forces.change(event.index, t, before));
   restart(t);
 }
 
 void DynamicRun::restart(double t) {
-  dynamics_.event_values(t, y_, values_);
+  events_.start(t, y_);
   integrator_.restart(t, y_, 0.0);
 }
 
@@ -248,7 +202,7 @@ void DynamicRun::sample_until(double t) {
     if (at >= integrator_.t()) {
       sample_ = integrator_.y();
     } else {
-      integrator_.interpolate(at, sample_);
+      integrator_.state_at(at, sample_);
     }
     add_instant(at, sample_);
   }
@@ -265,7 +219,11 @@ Motion DynamicRun::run() {
                               integrator_.t()),
                   "look for forces or lengths of a wrong order of size");
     }
-    if (!dynamics_.forces().empty() && passed_event()) continue;
+    const EventFinder::Event event = events_.find(integrator_);
+    if (event.index >= 0) {
+      pass(event);
+      continue;
+    }
     sample_until(integrator_.t());
     y_ = integrator_.y();
     dynamics_.project(integrator_.t(), y_);
@@ -277,10 +235,12 @@ Motion DynamicRun::run() {
   }
   const StepCounts& counts = integrator_.counts();
   motion_.integration = IntegrationSummary{
-      .method = "DOP853",
+      .method = integrator_.method(),
       .steps = counts.steps,
       .rejected = counts.rejected,
       .evaluations = counts.evaluations,
+      .factorisations = counts.factorisations,
+      .implicit_steps = integrator_.implicit_steps(),
       .energy_error = energy_error_,
       .relative_energy_error =
           largest_energy_ > 0.0 ? energy_error_ / largest_energy_ : 0.0};

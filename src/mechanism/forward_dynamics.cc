@@ -290,26 +290,22 @@ void ForwardDynamics::note_speed(const VectorXd& y) {
   speed_ = std::max({speed_, speed, speed_ > 0.0 ? 0.0 : reached});
 }
 
-void ForwardDynamics::error_weights(const VectorXd& /*y*/,
+void ForwardDynamics::scales(const VectorXd& /*y*/, VectorXd& scales) const {
+  scales.head(positions_).setConstant(length_);
+  for (Index at = 3; !planar_ && at < positions_; at += 7) {
+    scales.segment<4>(at).setConstant(0.5);  // of quaternions: a turn of 1
+  }
+  scales.segment(positions_, system_.columns())
+      .setConstant(speed_ > 0.0 ? speed_ : length_);
+  forces_.internal_scales(scales.data() + internal_index());
+  scales[work_index()] = 0.0;
+}
+
+void ForwardDynamics::error_weights(const VectorXd& y,
                                     VectorXd& weights) const {
-  if (planar_) {
-    weights.head(positions_).setConstant(1.0 / (tolerance_ * length_));
-  } else {
-    for (Index at = 0; at < positions_; at += 7) {
-      weights.segment<3>(at).setConstant(1.0 / (tolerance_ * length_));
-      weights.segment<4>(at + 3).setConstant(2.0 / tolerance_);
-    }
-  }
-  const double speed = speed_ > 0.0 ? speed_ : length_;
-  weights.segment(positions_, system_.columns())
-      .setConstant(1.0 / (tolerance_ * speed));
-  const Index n = forces_.internal_states();
-  if (n > 0) {
-    forces_.internal_scales(weights.data() + internal_index());
-    weights.segment(internal_index(), n) =
-        (tolerance_ * weights.segment(internal_index(), n)).cwiseInverse();
-  }
-  weights[work_index()] = 0.0;
+  scales(y, weights);
+  weights.head(work_index()) =
+      (tolerance_ * weights.head(work_index())).cwiseInverse();
 }
 
 void ForwardDynamics::move(VectorXd& y, const VectorXd& change) const {

@@ -33,6 +33,7 @@ class ForwardDynamics : public OdeSystem {
   void rate(double t, const Eigen::VectorXd& y, Eigen::VectorXd& rate) override;
   void error_weights(const Eigen::VectorXd& y,
                      Eigen::VectorXd& weights) const override;
+  void scales(const Eigen::VectorXd& y, Eigen::VectorXd& scales) const override;
 
   /// State of bodies at rest, from which turns count.
   Eigen::VectorXd start(const Configuration& x);

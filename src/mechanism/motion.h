@@ -93,6 +93,8 @@ struct ChangePoint {
 struct IntegrationSummary {
   std::string method;  ///< "DOP853", "Radau IIA", or both
   long steps{}, rejected{}, evaluations{};
+  long factorisations{};  ///< of Radau IIA's pairs of matrices
+  long implicit_steps{};  ///< those of Radau IIA
   /// Largest |kinetic energy − work of all forces| [J], and over the largest
   /// of them in the motion [1].
   double energy_error{}, relative_energy_error{};

@@ -18,6 +18,9 @@ class OdeSystem {
   /// where it does not matter.
   virtual void error_weights(const Eigen::VectorXd& y,
                              Eigen::VectorXd& weights) const = 0;
+  /// By component, a size that is large for it; 0 where no rate depends on it.
+  virtual void scales(const Eigen::VectorXd& y,
+                      Eigen::VectorXd& scales) const = 0;
 };
 
 /// What an integrator has done so far.
@@ -40,8 +43,10 @@ class Integrator {
   virtual double t_start() const = 0;  ///< of the last step
   virtual double t() const = 0;
   virtual const Eigen::VectorXd& y() const = 0;
-  /// State within the last step.
+  /// State within the last step, cheaply.
   virtual void interpolate(double t, Eigen::VectorXd& y) = 0;
+  /// The same to the accuracy of the steps.
+  virtual void state_at(double t, Eigen::VectorXd& y) { interpolate(t, y); }
   /// Puts a corrected state in place of y(), within the tolerance of it.
   virtual void correct(const Eigen::VectorXd& y) = 0;
   /// Whether the other kind of method (explicit, implicit) would do better.

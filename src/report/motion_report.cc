@@ -183,8 +183,10 @@ std::string motion_json(const MotionReport& report) {
     json["motion"]["integration"] = {
         {"method", run->method},
         {"steps", run->steps},
+        {"implicit_steps", run->implicit_steps},
         {"rejected_steps", run->rejected},
         {"evaluations", run->evaluations},
+        {"factorisations", run->factorisations},
         {"energy_error_J", run->energy_error},
         {"relative_energy_error", run->relative_energy_error}};
   }

@@ -74,10 +74,14 @@ std::string quality_text(const MotionReport& report,
       millimetres(summary.max_closure_error), summary.max_power_balance_error);
   if (const auto& run = report.motion.integration) {
     text += fmt::format(
-        "  integrated by {}: {} steps, {} rejected, {} evaluations; energy "
+        "  integrated by {}: {} steps{}, {} rejected, {} evaluations; energy "
         "balance to {:.1e} J, {:.1e} of the largest\n",
-        run->method, run->steps, run->rejected, run->evaluations,
-        run->energy_error, run->relative_energy_error);
+        run->method, run->steps,
+        run->implicit_steps > 0 && run->implicit_steps < run->steps
+            ? fmt::format(" ({} implicit)", run->implicit_steps)
+            : "",
+        run->rejected, run->evaluations, run->energy_error,
+        run->relative_energy_error);
   }
   for (const auto& point : report.motion.change_points) {
     text += fmt::format(

@@ -72,7 +72,8 @@ constexpr Key kForce[] = {"name",
 constexpr Key kInitial[] = {"joint", "position", "rate",
                             "body",  "velocity", "angular_velocity"};
 constexpr Key kMarker[] = {"name", "body", "point"};
-constexpr Key kSimulation[] = {"duration", "instants", "tolerance", "motion"};
+constexpr Key kSimulation[] = {"duration", "instants", "tolerance", "motion",
+                               "integrator"};
 constexpr Key kPart[] = {"name",      "geometry", "mesh", "length_unit",
                          "thickness", "material", "pins", "drives",
                          "limits",    "case"};

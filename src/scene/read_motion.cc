@@ -94,6 +94,11 @@ mechanism::SimulationSettings read_simulation(StrictTable table) {
          {"driven", mechanism::MotionKind::kDriven},
          {"dynamic", mechanism::MotionKind::kDynamic}});
   }
+  if (const auto integrator = table.find("integrator")) {
+    using enum mechanism::IntegratorChoice;
+    settings.integrator = integrator->choice<mechanism::IntegratorChoice>(
+        {{"auto", kAuto}, {"explicit", kExplicit}, {"implicit", kImplicit}});
+  }
   return settings;
 }
 

@@ -6,12 +6,17 @@
 
 #include "base/errors.h"
 #include "mechanism/simulate.h"
-#include "support/free_linkages.h"
+#include "support/reference_motions.h"
 
 namespace clevis::mechanism {
 namespace {
 
 using Eigen::Vector3d;
+using testing::against_a_wall;
+using testing::on_joint;
+using testing::pulled;
+using testing::sliders;
+using testing::tribometer;
 
 SimulationSettings settings(double duration, int instants, double tolerance) {
   SimulationSettings s;
@@ -21,62 +26,8 @@ SimulationSettings settings(double duration, int instants, double tolerance) {
   return s;
 }
 
-/// Bodies that slide along x on ground, `mass` each.
-MechanismDefinition sliders(const std::vector<double>& masses) {
-  MechanismDefinition m;
-  for (std::size_t i = 0; i < masses.size(); ++i) {
-    BodyDefinition body = testing::uniform_bar("slider_" + std::to_string(i),
-                                               Vector3d::Zero(), 0.0, 0.1);
-    body.mass_properties.mass = masses[i];
-    body.mass_properties.p_LCm.setZero();
-    m.bodies.push_back(body);
-    m.joints.push_back({.name = "guide_" + std::to_string(i),
-                        .type = JointType::kPrismatic,
-                        .body_a = kGround,
-                        .body_b = static_cast<int>(i),
-                        .frame_a = testing::slide(1.0),
-                        .frame_b = testing::slide(1.0),
-                        .place = "joint"});
-  }
-  return m;
-}
-
-LineElement on_joint(int joint, decltype(LineElement::law) law) {
-  LineElement element;
-  element.name = "element";
-  element.line.kind = ElementLine::Kind::kJoint;
-  element.line.joint = joint;
-  element.law = law;
-  return element;
-}
-
 double x_of(const Instant& instant, std::size_t body) {
   return instant.bodies[body].pose.p_WL.x();
-}
-
-/// Upper platform (0.5 kg, 1000 N/m) on a lower one that a law drives.
-MechanismDefinition tribometer(const FrictionLaw& law) {
-  MechanismDefinition m = sliders({1.0, 0.5});
-  m.elements.push_back(on_joint(1, SpringLaw{.stiffness = 1000.0}));
-  LineElement friction;
-  friction.name = "friction";
-  friction.line.kind = ElementLine::Kind::kSlide;
-  friction.line.a.body = 0;
-  friction.line.b.body = 1;
-  friction.law = law;
-  m.elements.push_back(friction);
-  DriveDefinition drive;
-  drive.joint = 0;
-  drive.law = DriveLaw::kSine;
-  drive.amplitude = 0.010;
-  drive.frequency = 1.0;
-  m.drives = {drive};
-  // both start together
-  m.initial_joints = {{.joint = 1,
-                       .position = {},
-                       .rate = 0.010 * 2.0 * M_PI,
-                       .place = "initial"}};
-  return m;
 }
 
 // First slip: asin(Fs/((k − m w²) a))/w. The others by the pieces' closed
@@ -116,24 +67,6 @@ TEST(Friction, BeltOfConstantSpeedHasThePeriodOfTheClosedForm) {
   }
 }
 
-/// Mass 1 kg pulled over rough ground by a spring whose end moves at 0.1 m/s.
-MechanismDefinition pulled(const FrictionLaw& law) {
-  MechanismDefinition m = sliders({1.0, 1.0});
-  LineElement spring;
-  spring.line.kind = ElementLine::Kind::kSlide;
-  spring.line.a.body = 0;
-  spring.line.b.body = 1;
-  spring.law = SpringLaw{.stiffness = 2.0};
-  m.elements = {spring, on_joint(1, law)};
-  DriveDefinition drive;
-  drive.joint = 0;
-  drive.law = DriveLaw::kRamp;
-  drive.to = 10.0;
-  drive.duration = 100.0;
-  m.drives = {drive};
-  return m;
-}
-
 TEST(Friction, CoulombStickSlip) {
   const Motion motion = simulate(pulled({.breakaway = 1.5, .kinetic = 1.0}),
                                  settings(25.0, 251, 1e-9));
@@ -144,27 +77,9 @@ TEST(Friction, CoulombStickSlip) {
 }
 
 TEST(Friction, LuGre) {
-  FrictionLaw law;
-  law.model = FrictionModel::kLuGre;
-  law.breakaway = 1.5;
-  law.kinetic = 1.0;
-  law.viscous = 0.4;
-  law.stribeck_speed = 0.001;
-  law.bristle_stiffness = 1e5;
-  law.bristle_damping = std::sqrt(1e5);
-  const Motion motion = simulate(pulled(law), settings(25.0, 26, 1e-7));
+  const Motion motion =
+      simulate(pulled(testing::bristles()), settings(25.0, 26, 1e-7));
   EXPECT_NEAR(x_of(motion.instants.back(), 1), 1.908839199, 1e-6);
-}
-
-/// 1 kg on 100 N/m that starts at rest, 0.1 m away from the wall at x = 0.
-MechanismDefinition against_a_wall(const ContactLaw& law) {
-  MechanismDefinition m = sliders({1.0});
-  m.elements.push_back(on_joint(0, SpringLaw{.stiffness = 100.0}));
-  m.elements.push_back(
-      on_joint(0, StopLaw{.lower = 0.0, .upper = {}, .contact = law}));
-  m.initial_joints = {
-      {.joint = 0, .position = 0.1, .rate = {}, .place = "initial"}};
-  return m;
 }
 
 // Linear spring and damper during contact: e = exp(−πz/√(1−z²)) if it may

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <complex>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include "mechanism/ode_system.h"
+
+namespace clevis::mechanism {
+
+/// The three stages of Radau IIA of order 5 over one step: z_i = y(t + c_i h)
+/// − y(t), c = (4 − √6)/10, (4 + √6)/10, 1. Simplified Newton in the
+/// coordinates w = T⁻¹ z in which the method's matrix is a real eigenvalue and
+/// a complex pair (Hairer, Wanner 1996, IV.8).
+class Collocation {
+ public:
+  explicit Collocation(OdeSystem& system);
+
+  using Stages = std::array<Eigen::VectorXd, 3>;
+
+  /// Jacobian of the rate at (t, y), by differences.
+  void linearise(double t, const Eigen::VectorXd& y,
+                 const Eigen::VectorXd& slope);
+  /// Decomposes for a step h. @return false if that fails.
+  bool factor(double h);
+  bool is_factored_for(double h) const { return h == h_; }
+
+  /// Solves for the stages from the guess in stages().
+  /// @param weights  of OdeSystem::error_weights().
+  /// @return whether it converged to kConverged of the error allowed.
+  bool solve(double t, const Eigen::VectorXd& y, double h,
+             const Eigen::VectorXd& weights);
+
+  Stages& stages() { return z_; }
+  int iterations() const { return iterations_; }  ///< of the last solve()
+  double contraction() const { return contraction_; }
+  /// v ← (γ₀/h − J)⁻¹ v.
+  void filter(Eigen::VectorXd& v);
+  /// Stages' part of the embedded error, over h.
+  void embedded(double h, Eigen::VectorXd& sum) const;
+  /// Largest growth of a vector by J in a few power iterations [1/s].
+  double stiffness();
+
+  long evaluations() const { return evaluations_; }
+  long factorisations() const { return factorisations_; }
+
+  static constexpr int kMostIterations = 8;
+  static const double kC1, kC2;
+
+ private:
+  void newton_step(double h);
+
+  OdeSystem& system_;
+  double h_ = 0.0;  ///< of the factors
+  int iterations_{};
+  double contraction_{};
+  long evaluations_{}, factorisations_{};
+  Eigen::MatrixXd J_, real_matrix_;
+  Eigen::MatrixXcd complex_matrix_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> real_;
+  Eigen::PartialPivLU<Eigen::MatrixXcd> complex_;
+  Stages z_, w_, f_;
+  Eigen::VectorXd point_, scratch_, direction_;
+  Eigen::VectorXcd complex_scratch_, complex_solution_;
+};
+
+/// Root mean square of error times weights.
+double weighted_norm(const Eigen::VectorXd& error,
+                     const Eigen::VectorXd& weights);
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "mechanism/collocation.h"
+#include "mechanism/ode_system.h"
+
+namespace clevis::mechanism {
+
+/// Implicit Runge–Kutta method Radau IIA of order 5, stiffly accurate, with
+/// step control as in RADAU5 (Hairer, Wanner 1996, IV.8).
+class Radau5 : public Integrator {
+ public:
+  explicit Radau5(OdeSystem& system);
+
+  void restart(double t, const Eigen::VectorXd& y, double step) override;
+  bool step(double limit) override;
+  double t_start() const override { return t_start_; }
+  double t() const override { return t_; }
+  const Eigen::VectorXd& y() const override { return y_; }
+  /// The collocation polynomial, of order 3.
+  void interpolate(double t, Eigen::VectorXd& y) override;
+  /// A step of its own from t_start(), of order 5.
+  void state_at(double t, Eigen::VectorXd& y) override;
+  void correct(const Eigen::VectorXd& y) override;
+  /// Steps are so short that an explicit method would be stable.
+  bool wants_change() const override { return easy_steps_ >= kEasySteps; }
+  double next_step() const override { return h_; }
+
+ private:
+  static constexpr int kEasySteps = 10;
+
+  void guess_stages(double h);
+  double attempt(double h, bool careful);
+  double error(double h, bool careful);
+  void accept(double h, double error, double limit, bool rejected);
+  void judge_stiffness(double h);
+  void count();
+
+  OdeSystem& system_;
+  Collocation collocation_;
+  double t_start_{}, t_{}, h_{}, last_h_{}, last_error_{};
+  bool has_past_ = false, fresh_jacobian_ = false, refresh_ = true;
+  int easy_steps_{};
+  Eigen::VectorXd y_start_, y_, weights_, slope_, trial_slope_, scratch_,
+      embedded_;
+  std::array<Eigen::VectorXd, 4> dense_;  ///< Newton's form from the end
+};
+
+}  // namespace clevis::mechanism

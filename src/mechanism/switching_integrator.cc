@@ -1,0 +1,56 @@
+#include "mechanism/switching_integrator.h"
+
+namespace clevis::mechanism {
+
+SwitchingIntegrator::SwitchingIntegrator(OdeSystem& system,
+                                         IntegratorChoice choice)
+    : explicit_(system),
+      implicit_(system),
+      active_(&explicit_),
+      may_change_(choice == IntegratorChoice::kAuto) {
+  if (choice == IntegratorChoice::kImplicit) active_ = &implicit_;
+  state_.setZero(system.size());
+}
+
+void SwitchingIntegrator::restart(double t, const Eigen::VectorXd& y,
+                                  double step) {
+  active_->restart(t, y, step);
+  count();
+}
+
+void SwitchingIntegrator::change() {
+  const double t = active_->t(), step = active_->next_step();
+  state_ = active_->y();
+  Integrator* other = &implicit_;
+  if (active_ == other) other = &explicit_;
+  active_ = other;
+  active_->restart(t, state_, step);
+}
+
+bool SwitchingIntegrator::step(double limit) {
+  if (may_change_ && active_->wants_change()) change();
+  bool done = active_->step(limit);
+  if (!done && may_change_ && active_ == &explicit_) {
+    change();
+    done = active_->step(limit);
+  }
+  count();
+  return done;
+}
+
+void SwitchingIntegrator::count() {
+  const StepCounts& a = explicit_.counts();
+  const StepCounts& b = implicit_.counts();
+  counts_ = {.steps = a.steps + b.steps,
+             .rejected = a.rejected + b.rejected,
+             .evaluations = a.evaluations + b.evaluations,
+             .factorisations = b.factorisations};
+}
+
+std::string SwitchingIntegrator::method() const {
+  const bool both = explicit_steps() > 0 && implicit_steps() > 0;
+  if (both) return "DOP853 and Radau IIA";
+  return implicit_steps() > 0 ? "Radau IIA" : "DOP853";
+}
+
+}  // namespace clevis::mechanism

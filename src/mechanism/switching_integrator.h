@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+
+#include "mechanism/definition.h"
+#include "mechanism/dop853.h"
+#include "mechanism/radau5.h"
+
+namespace clevis::mechanism {
+
+/// DOP853 where accuracy limits the steps, Radau IIA where stability would;
+/// changes between them as the motion goes.
+class SwitchingIntegrator : public Integrator {
+ public:
+  SwitchingIntegrator(OdeSystem& system, IntegratorChoice choice);
+
+  void restart(double t, const Eigen::VectorXd& y, double step) override;
+  bool step(double limit) override;
+  double t_start() const override { return active_->t_start(); }
+  double t() const override { return active_->t(); }
+  const Eigen::VectorXd& y() const override { return active_->y(); }
+  void interpolate(double t, Eigen::VectorXd& y) override {
+    active_->interpolate(t, y);
+  }
+  void state_at(double t, Eigen::VectorXd& y) override {
+    active_->state_at(t, y);
+  }
+  void correct(const Eigen::VectorXd& y) override { active_->correct(y); }
+  bool wants_change() const override { return false; }
+  double next_step() const override { return active_->next_step(); }
+
+  /// "DOP853", "Radau IIA", or both.
+  std::string method() const;
+  long explicit_steps() const { return explicit_.counts().steps; }
+  long implicit_steps() const { return implicit_.counts().steps; }
+
+ private:
+  void change();
+  void count();
+
+  Dop853 explicit_;
+  Radau5 implicit_;
+  Integrator* active_;
+  bool may_change_;
+  Eigen::VectorXd state_;
+};
+
+}  // namespace clevis::mechanism

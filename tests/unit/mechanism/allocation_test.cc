@@ -1,0 +1,79 @@
+// Counts what the C library's allocator is asked for, by standing in for it.
+#include <cstddef>
+
+#include <gtest/gtest.h>
+
+#include "mechanism/forward_dynamics.h"
+#include "mechanism/initial_state.h"
+#include "mechanism/switching_integrator.h"
+#include "support/reference_motions.h"
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
+    defined(__GLIBC__)
+#define CLEVIS_COUNTS_ALLOCATIONS
+#endif
+
+#ifdef CLEVIS_COUNTS_ALLOCATIONS
+namespace {
+long allocations = 0;
+}
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+}
+
+namespace clevis::mechanism {
+namespace {
+
+/// Allocations of the steps from `skip` on.
+long allocations_of_steps(const MechanismDefinition& definition,
+                          IntegratorChoice choice, int skip, int steps) {
+  const SolvingFrame frame = frame_at_centres(definition);
+  ForwardDynamics dynamics(definition, frame, 1e-8);
+  const InitialState initial =
+      initial_state(definition, frame, dynamics.system(), 1e-8);
+  Eigen::VectorXd y = dynamics.start(initial.x);
+  y.segment(dynamics.velocity_index(), initial.velocities.size()) =
+      initial.velocities;
+  dynamics.project(0.0, y);
+  dynamics.choose_modes(0.0, y);
+  dynamics.accept(0.0);
+  SwitchingIntegrator integrator(dynamics, choice);
+  integrator.restart(0.0, y, 0.0);
+  long before = 0;
+  for (int i = 0; i < skip + steps; ++i) {
+    if (i == skip) before = allocations;
+    EXPECT_TRUE(integrator.step(1e9));
+    y = integrator.y();
+    dynamics.project(integrator.t(), y);
+    dynamics.accept(integrator.t());
+    integrator.correct(y);
+  }
+  return allocations - before;
+}
+
+TEST(Allocation, NoneInAStep) {
+  for (const IntegratorChoice choice :
+       {IntegratorChoice::kExplicit, IntegratorChoice::kImplicit}) {
+    EXPECT_EQ(
+        allocations_of_steps(testing::simple_pendulum(0.5), choice, 2, 20), 0);
+    EXPECT_EQ(
+        allocations_of_steps(testing::spatial_slider_crank(), choice, 2, 20),
+        0);
+    EXPECT_EQ(allocations_of_steps(testing::pulled(testing::bristles()), choice,
+                                   2, 20),
+              0);
+    EXPECT_EQ(
+        allocations_of_steps(
+            testing::pulled({.breakaway = 1.5, .kinetic = 1.0}), choice, 2, 5),
+        0);
+  }
+}
+
+}  // namespace
+}  // namespace clevis::mechanism
+#endif
