@@ -87,7 +87,9 @@ double friction_effort(ActingElement& e, const FrictionLaw& law,
     return -law.bristle_stiffness * bristle -
            law.bristle_damping * e.internal_rate - viscous;
   }
-  return e.modes[0] == 0 ? 0.0 : -e.modes[0] * size - viscous;
+  if (std::abs(e.modes[0]) == 2) return -0.5 * e.modes[0] * law.breakaway;
+  if (e.modes[0] == 0 || e.modes[0] == kLetGo) return 0.0;
+  return -e.modes[0] * size - viscous;
 }
 
 double line_effort(ActingElement& e, const LineElement& element, double t,

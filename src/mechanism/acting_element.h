@@ -8,12 +8,16 @@
 
 namespace clevis::mechanism {
 
+/// Mode of friction that is left out for a moment.
+inline constexpr int kLetGo = 3;
+
 /// A force element placed in a mechanism, and what it does in a state.
 ///
 /// Laws with kinks are followed piece by piece: a mode says which piece
-/// holds. Friction: −1, 0 (sticks), 1 by the sense of slip. Contacts and
-/// stops: 0 open, 1 pressing, 2 deep but without force; a stop has one such
-/// mode per end.
+/// holds. Friction: 0 sticks, ±1 slips in that sense, ±2 gives its most against
+/// that sense while other friction still holds the line. Contacts and stops: 0
+/// open, 1 pressing, 2 deep but without force; a stop has one such mode per
+/// end.
 struct ActingElement {
   const ForceElement* definition{};
   JointModel line;  ///< J: its ends; a contact's plane (a) and centre (b)

@@ -140,13 +140,15 @@ void DynamicRun::pass(const EventFinder::Event& event) {
   integrator_.state_at(t, y_);
   dynamics_.event_values(t, y_, event_values_);
   ForceModel& forces = dynamics_.forces();
-  const int before = forces.mode(event.index);
+  const std::vector<int> before = forces.modes();
   forces.pass_event(event.index);
   dynamics_.project(t, y_);
   dynamics_.settle(t, y_);
   dynamics_.project(t, y_);
   dynamics_.accept(t);
-  motion_.events.push_back(forces.change(event.index, t, before));
+  for (MotionEvent& change : forces.changes(event.index, t, before)) {
+    motion_.events.push_back(std::move(change));
+  }
   restart(t);
 }
 

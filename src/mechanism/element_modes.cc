@@ -71,8 +71,8 @@ double event_value(const ActingElement& e, int end) {
   const auto at = static_cast<std::size_t>(end);
   if (const FrictionLaw* friction = switched_friction(*e.definition)) {
     if (end == 1) return 1.0;
-    return sticks(e) ? friction->breakaway - std::abs(e.effort)
-                     : e.modes[0] * e.rate;
+    if (sticks(e)) return friction->breakaway - std::abs(e.effort);
+    return std::abs(e.modes[0]) == 2 ? 1.0 : e.modes[0] * e.rate;
   }
   const ContactLaw* law = contact_law(*e.definition);
   if (law == nullptr || !has_end(*e.definition, at)) return 1.0;
@@ -86,7 +86,7 @@ void pass_event(ActingElement& e, int end) {
     if (law->model == FrictionModel::kLuGre) {
       mode = -mode;
     } else if (mode == 0) {
-      mode = e.effort > 0.0 ? -1 : 1;
+      mode = e.effort > 0.0 ? -2 : 2;
     } else {
       mode = 0;
     }
@@ -100,8 +100,14 @@ const char* name_of_change(const ActingElement& e, int end, int mode_before) {
   if (contact_law(*e.definition) != nullptr) {
     return mode == 1 ? "press" : "release";
   }
-  if (mode == 0) return "stick";
-  return mode_before == 0 ? "slip" : "turn";
+  const auto slips = [](int m) {
+    return std::abs(m) == 1;
+  };
+  if (mode == mode_before || (!slips(mode) && !slips(mode_before))) {
+    return nullptr;
+  }
+  if (!slips(mode)) return "stick";
+  return slips(mode_before) ? "turn" : "slip";
 }
 
 }  // namespace clevis::mechanism

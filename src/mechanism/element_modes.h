@@ -19,7 +19,7 @@ double event_value(const ActingElement& e, int end);
 void pass_event(ActingElement& e, int end);
 
 /// "press", "release", "stick", "slip", "turn": what the change to the
-/// present mode of an end was.
+/// present mode of an end was; null if there was none to speak of.
 const char* name_of_change(const ActingElement& e, int end, int mode_before);
 
 }  // namespace clevis::mechanism

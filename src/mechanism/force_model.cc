@@ -93,6 +93,21 @@ double ForceModel::stick_bias(std::size_t k,
   return e.placed.bias(e.row, twists[index(e.line.a)], twists[index(e.line.b)]);
 }
 
+double ForceModel::line_acceleration(std::size_t k,
+                                     const std::vector<Twist>& accelerations,
+                                     const std::vector<Twist>& twists) const {
+  const ActingElement& e = elements_[k];
+  const Twist& a = accelerations[index(e.line.a)];
+  const Twist& b = accelerations[index(e.line.b)];
+  return e.levers.a.v.dot(a.v) + e.levers.a.w.dot(a.w) + e.levers.b.v.dot(b.v) +
+         e.levers.b.w.dot(b.w) + stick_bias(k, twists);
+}
+
+bool ForceModel::is_dry(std::size_t k) const {
+  const FrictionLaw* law = switched_friction(*elements_[k].definition);
+  return law != nullptr && law->model == FrictionModel::kCoulomb;
+}
+
 double ForceModel::breakaway(std::size_t k) const {
   return switched_friction(*elements_[k].definition)->breakaway;
 }
@@ -107,15 +122,24 @@ void ForceModel::pass_event(int event) {
   mechanism::pass_event(elements_[index(event / 2)], event % 2);
 }
 
-int ForceModel::mode(int event) const {
-  return elements_[index(event / 2)].modes[index(event % 2)];
+std::vector<int> ForceModel::modes() const {
+  std::vector<int> modes;
+  for (const ActingElement& e : elements_) {
+    modes.insert(modes.end(), e.modes.begin(), e.modes.end());
+  }
+  return modes;
 }
 
-MotionEvent ForceModel::change(int event, double t, int mode_before) const {
-  const ActingElement& e = elements_[index(event / 2)];
-  return {.t = t,
-          .element = event / 2,
-          .what = name_of_change(e, event % 2, mode_before)};
+std::vector<MotionEvent> ForceModel::changes(
+    int event, double t, const std::vector<int>& before) const {
+  std::vector<MotionEvent> changes;
+  for (int i = 0; i < events(); ++i) {
+    const auto k = index(i / 2);
+    if (i != event && !is_dry(k)) continue;
+    const char* what = name_of_change(elements_[k], i % 2, before[index(i)]);
+    if (what != nullptr) changes.push_back({t, i / 2, what});
+  }
+  return changes;
 }
 
 std::vector<double> ForceModel::kink_times() const {

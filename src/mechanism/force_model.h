@@ -40,13 +40,19 @@ class ForceModel {
   bool sticks(std::size_t k) const;
   bool is_angle(std::size_t k) const { return elements_[k].row.is_angle(); }
   const ActingElement& element(std::size_t k) const { return elements_[k]; }
+  /// Part of the line's acceleration that velocities cause.
   double stick_bias(std::size_t k, const std::vector<Twist>& twists) const;
+  double line_acceleration(std::size_t k,
+                           const std::vector<Twist>& accelerations,
+                           const std::vector<Twist>& twists) const;
+  /// Coulomb friction, whose modes are decided together.
+  bool is_dry(std::size_t k) const;
   /// Gives a sticking element the effort that holds it.
   void set_stick_effort(std::size_t k, double effort) {
     act_along(elements_[k], effort);
   }
   double breakaway(std::size_t k) const;
-  void slip(std::size_t k, int sense) { elements_[k].modes[0] = sense; }
+  void set_mode(std::size_t k, int mode) { elements_[k].modes[0] = mode; }
 
   /// Two per element: positive while its modes hold, as of evaluate() and
   /// set_stick_effort().
@@ -54,9 +60,10 @@ class ForceModel {
   void event_values(Eigen::VectorXd& values) const;
   /// Goes to the next mode of what event_values() found at zero.
   void pass_event(int event);
-  /// What changed at that event. @param mode_before  of mode().
-  MotionEvent change(int event, double t, int mode_before) const;
-  int mode(int event) const;
+  std::vector<int> modes() const;  ///< by event
+  /// What changed at that event. @param before  modes().
+  std::vector<MotionEvent> changes(int event, double t,
+                                   const std::vector<int>& before) const;
   /// Times at which tables and the paths of targets bend.
   std::vector<double> kink_times() const;
 

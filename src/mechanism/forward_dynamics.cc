@@ -360,33 +360,6 @@ double ForwardDynamics::project(double t, VectorXd& y) {
   return gap;
 }
 
-void ForwardDynamics::choose_modes(double t, const VectorXd& y) {
-  place(t, y);
-  add_loads(t, y);
-  forces_.choose_modes();
-  settle(t, y);
-}
-
-void ForwardDynamics::settle(double t, const VectorXd& y) {
-  constexpr double kRoundOff = 1e-9;
-  for (std::size_t tries = 0; tries <= forces_.size(); ++tries) {
-    rate(t, y, scratch_);
-    double worst = 1.0 + kRoundOff;
-    std::size_t which = forces_.size();
-    for (std::size_t k = 0; k < forces_.size(); ++k) {
-      if (!forces_.sticks(k)) continue;
-      const double ratio =
-          std::abs(forces_.element(k).effort) / forces_.breakaway(k);
-      if (ratio > worst || forces_.breakaway(k) == 0.0) {
-        worst = ratio;
-        which = k;
-      }
-    }
-    if (which == forces_.size()) return;
-    forces_.slip(which, forces_.element(which).effort > 0.0 ? -1 : 1);
-  }
-}
-
 void ForwardDynamics::event_values(double t, const VectorXd& y,
                                    VectorXd& values) {
   rate(t, y, scratch_);

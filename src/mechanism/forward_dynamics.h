@@ -39,7 +39,7 @@ class ForwardDynamics : public OdeSystem {
   Eigen::VectorXd start(const Configuration& x);
   /// Modes of the force elements from the state alone, then settle().
   void choose_modes(double t, const Eigen::VectorXd& y);
-  /// Lets slip what cannot stick.
+  /// Decides what sticks of what does not move, by the forces at hand.
   void settle(double t, const Eigen::VectorXd& y);
   void event_values(double t, const Eigen::VectorXd& y,
                     Eigen::VectorXd& values);
@@ -75,6 +75,11 @@ class ForwardDynamics : public OdeSystem {
   void factor();
   void add_loads(double t, const Eigen::VectorXd& y);
   void add_lever(Eigen::Index row, int slot, const Twist& lever, double scale);
+  void rest_what_hardly_moves();
+  bool release_worst();
+  bool judge_lines_at_their_most(double t, const Eigen::VectorXd& y);
+  double line_acceleration(std::size_t k) const;
+  double free_acceleration(std::size_t k) const;
   double correct_positions(double t, Eigen::VectorXd& y);
   void move(Eigen::VectorXd& y, const Eigen::VectorXd& change) const;
 

@@ -26,6 +26,25 @@ SimulationSettings settings(double duration, int instants, double tolerance) {
   return s;
 }
 
+/// A flywheel about the world's z, `inertia` about it.
+MechanismDefinition flywheel(double inertia) {
+  MechanismDefinition m;
+  BodyDefinition wheel =
+      testing::uniform_bar("wheel", Vector3d::Zero(), 0.0, 0.1);
+  wheel.mass_properties.p_LCm.setZero();
+  wheel.mass_properties.inertia_LCm =
+      Vector3d(inertia, inertia, inertia).asDiagonal();
+  m.bodies = {wheel};
+  m.joints = {{.name = "axle",
+               .type = JointType::kRevolute,
+               .body_a = kGround,
+               .body_b = 0,
+               .frame_a = {},
+               .frame_b = {},
+               .place = "joint"}};
+  return m;
+}
+
 double x_of(const Instant& instant, std::size_t body) {
   return instant.bodies[body].pose.p_WL.x();
 }
@@ -196,25 +215,6 @@ TEST(Spring, LoadsTheDriveOfADrivenMotion) {
   }
 }
 
-/// A flywheel about the world's z, `inertia` about it.
-MechanismDefinition flywheel(double inertia) {
-  MechanismDefinition m;
-  BodyDefinition wheel =
-      testing::uniform_bar("wheel", Vector3d::Zero(), 0.0, 0.1);
-  wheel.mass_properties.p_LCm.setZero();
-  wheel.mass_properties.inertia_LCm =
-      Vector3d(inertia, inertia, inertia).asDiagonal();
-  m.bodies = {wheel};
-  m.joints = {{.name = "axle",
-               .type = JointType::kRevolute,
-               .body_a = kGround,
-               .body_b = 0,
-               .frame_a = {},
-               .frame_b = {},
-               .place = "joint"}};
-  return m;
-}
-
 // Angles count beyond a turn: 0.5 kg m² on 2 N m/rad, from 10 rad.
 TEST(Spring, TorsionCountsTurns) {
   for (const auto dimension :
@@ -300,6 +300,97 @@ TEST(Friction, StribeckStopsASliderWhereTheIntegralSays) {
   }
   EXPECT_NEAR(x_of(motion.instants.back(), 0), distance, 1e-8);
   EXPECT_EQ(motion.events.size(), 1u);
+}
+
+// Two frictions on one guide act like one with their sum.
+TEST(Friction, OfOneFreedomAddsUp) {
+  MechanismDefinition m = pulled({.breakaway = 0.9, .kinetic = 0.4});
+  m.elements.push_back(
+      on_joint(1, FrictionLaw{.breakaway = 0.6, .kinetic = 0.6}));
+  const Motion motion = simulate(m, settings(25.0, 251, 1e-9));
+  ASSERT_EQ(motion.events.size(), 10u);  // both at once
+  const double slip = 2.611259254101;
+  const double known[] = {7.5, 7.5 + slip, 12.5 + slip, 12.5 + 2.0 * slip};
+  for (std::size_t k = 0; k < 8; ++k) {
+    EXPECT_NEAR(motion.events[k].t, known[k / 2], 1e-8);
+    EXPECT_EQ(motion.events[k].what, k / 2 % 2 == 0 ? "slip" : "stick");
+  }
+  EXPECT_LT(motion.integration->relative_energy_error, 1e-9);
+}
+
+// Two flywheels geared 1 : −2 under a torque that grows by 1 N m/s: they move
+// when it exceeds F₁ + F₂/2, then with I₁ + I₂/4 against K₁ + K₂/2.
+TEST(Friction, OfGearedFlywheelsActsThroughTheRatio) {
+  MechanismDefinition m = flywheel(0.5);
+  m.bodies.push_back(m.bodies[0]);
+  m.joints.push_back(m.joints[0]);
+  m.joints[1].body_b = 1;
+  m.couplings = {{.name = "gear",
+                  .joint_1 = 0,
+                  .coordinate_1 = 0,
+                  .joint_2 = 1,
+                  .coordinate_2 = 0,
+                  .ratio = -2.0,
+                  .offset = {},
+                  .place = "coupling"}};
+  m.elements = {
+      on_joint(0, TableLaw{.times = {0.0, 10.0}, .efforts = {0.0, 10.0}}),
+      on_joint(0, FrictionLaw{.breakaway = 1.0, .kinetic = 0.5}),
+      on_joint(1, FrictionLaw{.breakaway = 3.0, .kinetic = 2.0})};
+  const Motion motion = simulate(m, settings(4.0, 5, 1e-9));
+  ASSERT_EQ(motion.events.size(), 2u);
+  EXPECT_NEAR(motion.events[0].t, 2.5, 1e-9);
+  EXPECT_NEAR(motion.events[1].t, 2.5, 1e-9);
+  const double left = (0.5 * (16.0 - 6.25) - 1.5 * 1.5) / 0.625;
+  EXPECT_NEAR(motion.instants.back().bodies[0].w_WL.z(), left, 1e-8);
+  EXPECT_NEAR(motion.instants.back().bodies[1].w_WL.z(), -0.5 * left, 1e-8);
+  for (const Instant& i : motion.instants) {  // never more than it can give
+    EXPECT_LE(std::abs(i.elements[1].effort), 1.0 + 1e-9);
+    EXPECT_LE(std::abs(i.elements[2].effort), 3.0 + 1e-9);
+  }
+}
+
+// Friction in all four joints of a four-bar: it swings, stops for good, and
+// what the joints lost is what the bars fell.
+TEST(Friction, FourBarWithFrictionInAllJointsComesToRest) {
+  MechanismDefinition m = testing::two_window_four_bar();
+  m.bodies.erase(m.bodies.begin() + 4);
+  m.bodies.erase(m.bodies.begin() + 2);
+  m.joints = {testing::pin("A0", kGround, 0, 0.0, 0.0),
+              testing::pin("A1", kGround, 1, 1.0, 0.0),
+              testing::pin("B0", 0, 2, 1.0, 0.0),
+              testing::pin("B1", 1, 2, 1.0, 1.0)};
+  for (std::size_t i = 0; i < 2; ++i) {  // off the change point, hanging
+    m.bodies[i].placement.R_WL = testing::turned(-2.2);
+  }
+  m.bodies[2].placement.p_WL = m.bodies[0].placement.R_WL.col(0);
+  m.initial_joints.clear();
+  for (int joint = 0; joint < 4; ++joint) {
+    m.elements.push_back(
+        on_joint(joint, FrictionLaw{.breakaway = 0.9, .kinetic = 0.6}));
+  }
+  const Motion motion = simulate(m, settings(10.0, 101, 1e-8));
+  const Instant& end = motion.instants.back();
+  EXPECT_LT(end.bodies[0].w_WL.norm(), 1e-20);
+  double lost = 0.0;
+  for (std::size_t k = 1; k < motion.instants.size(); ++k) {
+    const auto angle = [&](std::size_t i) {
+      return motion.instants[i].elements[0].position;
+    };
+    // between instants it may turn: a bound only, met where it does not
+    lost += 4.0 * 0.6 * std::abs(angle(k) - angle(k - 1));
+  }
+  double fallen = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto height = [&](const Instant& at) {
+      const Pose& pose = at.bodies[i].pose;
+      return (pose.p_WL + 0.5 * pose.R_WL.col(0)).y();
+    };
+    fallen += 9.81 * (height(motion.instants.front()) - height(end));
+  }
+  EXPECT_LT(lost, fallen + 1e-9);
+  EXPECT_GT(lost, 0.99 * fallen);
+  EXPECT_LT(motion.integration->relative_energy_error, 1e-7);
 }
 
 // A bounce by Hunt and Crossley's law; its speed does not depend on the

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <cmath>
+
+#include "mechanism/forward_dynamics.h"
+
+namespace clevis::mechanism {
+
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double kRoundOff = 1e-9;
+
+}  // namespace
+
+void ForwardDynamics::choose_modes(double t, const VectorXd& y) {
+  place(t, y);
+  add_loads(t, y);
+  forces_.choose_modes();
+  settle(t, y);
+}
+
+/// Lines whose speed is round-off come to rest together: friction in several
+/// joints of one loop.
+void ForwardDynamics::rest_what_hardly_moves() {
+  const double fastest = std::max(speed_, u_.lpNorm<Eigen::Infinity>());
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (std::abs(forces_.element(k).modes[0]) != 1 || !forces_.is_dry(k)) {
+      continue;
+    }
+    const double size = forces_.is_angle(k) ? length_ : 1.0;
+    if (size * std::abs(forces_.element(k).rate) <= kRoundOff * fastest) {
+      forces_.set_mode(k, 0);
+    }
+  }
+}
+
+/// The sticking line that asks most of its friction gives its most instead, if
+/// that is less. @return whether there was one.
+bool ForwardDynamics::release_worst() {
+  double worst = 1.0 + kRoundOff;
+  std::size_t which = forces_.size();
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (!forces_.sticks(k)) continue;
+    const double breakaway = forces_.breakaway(k);
+    const double ratio =
+        breakaway > 0.0 ? std::abs(forces_.element(k).effort) / breakaway : 2.0;
+    if (ratio > worst) {
+      worst = ratio;
+      which = k;
+    }
+  }
+  if (which == forces_.size()) return false;
+  forces_.set_mode(which, forces_.element(which).effort > 0.0 ? -2 : 2);
+  return true;
+}
+
+/// Acceleration of a line [m/s²], turns times length, as of rate().
+double ForwardDynamics::line_acceleration(std::size_t k) const {
+  return (forces_.is_angle(k) ? length_ : 1.0) *
+         forces_.line_acceleration(k, system_.twists(acceleration_), twists_);
+}
+
+/// What the friction of a line at its most would do to its bodies if nothing
+/// else held them, likewise.
+double ForwardDynamics::free_acceleration(std::size_t k) const {
+  const ActingElement& e = forces_.element(k);
+  double sum = 0.0;
+  const auto add = [&](int slot, const Twist& lever) {
+    if (slot == 0) return;
+    const Body& body = bodies_[static_cast<std::size_t>(slot)];
+    sum += lever.v.squaredNorm() / body.mass +
+           lever.w.squaredNorm() * body.turn_factor.squaredNorm() /
+               (length_ * length_);
+  };
+  add(e.line.a, e.levers.a);
+  add(e.line.b, e.levers.b);
+  return (forces_.is_angle(k) ? length_ : 1.0) * sum * std::abs(e.effort);
+}
+
+/// A line at its most slips unless the others hold it, that is, unless it
+/// would rest even without its friction; it sticks if they carry it back.
+/// @return whether one changed.
+bool ForwardDynamics::judge_lines_at_their_most(double t, const VectorXd& y) {
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    const int mode = forces_.element(k).modes[0];
+    if (!forces_.is_dry(k) || std::abs(mode) != 2) continue;
+    const double round_off = kRoundOff * free_acceleration(k);
+    const double a = line_acceleration(k);
+    forces_.set_mode(k, kLetGo);
+    rate(t, y, scratch_);
+    const double free = line_acceleration(k);
+    const bool is_held = std::abs(free) <= round_off;
+    const bool goes_back = a * mode < -2.0 * round_off;
+    forces_.set_mode(k, is_held ? mode : goes_back ? 0 : mode / 2);
+    rate(t, y, scratch_);
+    if (!is_held) return true;
+  }
+  return false;
+}
+
+void ForwardDynamics::settle(double t, const VectorXd& y) {
+  rate(t, y, scratch_);
+  rest_what_hardly_moves();
+  const std::size_t most = 6 * forces_.size() + 2;
+  for (std::size_t tries = 0; tries < most; ++tries) {
+    rate(t, y, scratch_);
+    if (!release_worst() && !judge_lines_at_their_most(t, y)) return;
+  }
+}
+
+}  // namespace clevis::mechanism
