@@ -168,8 +168,9 @@ ExitCode run_check(const Options& options) {
 
   mechanism::Motion motion;
   if (loaded.scene.has_mechanism) {
-    motion =
-        mechanism::simulate(loaded.scene.mechanism, loaded.scene.simulation);
+    mechanism::SimulationSettings settings = loaded.scene.simulation;
+    settings.at_peaks = true;
+    motion = mechanism::simulate(loaded.scene.mechanism, settings);
     report.mechanism = report::summarise(
         loaded.scene.mechanism,
         mechanism::analyse_structure(loaded.scene.mechanism), motion);

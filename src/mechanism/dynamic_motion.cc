@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 #include "mechanism/forward_dynamics.h"
 #include "mechanism/initial_state.h"
 #include "mechanism/power_balance.h"
+#include "mechanism/reaction_peaks.h"
 #include "mechanism/switching_integrator.h"
 
 namespace clevis::mechanism {
@@ -28,21 +30,46 @@ using Eigen::VectorXd;
 constexpr double kLocalPart = 0.01;
 constexpr double kStrictest = 1e-11;
 
+/// Uniform instants, both ends included, and others among them.
+std::vector<double> sample_times(const SimulationSettings& settings,
+                                 const std::vector<double>& others) {
+  const double apart = 1e-9 * settings.duration;
+  std::vector<double> times;
+  for (int i = 0; i + 1 < settings.instants; ++i) {
+    times.push_back(settings.duration * i / (settings.instants - 1));
+  }
+  times.push_back(settings.duration);
+  for (const double t : others) {
+    const auto next = std::ranges::lower_bound(times, t);
+    const bool is_known = (next != times.end() && *next - t < apart) ||
+                          (next != times.begin() && t - *(next - 1) < apart);
+    if (!is_known) times.insert(next, t);
+  }
+  return times;
+}
+
 /// One run: integrates and samples.
 class DynamicRun {
  public:
+  /// @param others  instants besides the uniform ones.
   DynamicRun(const MechanismDefinition& definition,
-             const SimulationSettings& settings)
+             const SimulationSettings& settings,
+             const std::vector<double>& others = {})
       : definition_(definition),
         settings_(settings),
         frame_(frame_at_centres(definition)),
         dynamics_(definition, frame_,
-                  std::max(kLocalPart * settings.tolerance, kStrictest)),
+                  std::max(kLocalPart * settings.tolerance, kStrictest),
+                  settings.duration),
         equilibrium_(definition, frame_, dynamics_.system()),
         integrator_(dynamics_, settings.integrator),
-        events_(dynamics_) {}
+        events_(dynamics_),
+        sample_times_(sample_times(settings, others)) {}
 
   Motion run();
+  /// Lets the run look for the largest reactions.
+  void watch() { peaks_.emplace(dynamics_); }
+  std::vector<double> peak_times() const { return peaks_->times(); }
 
  private:
   void start();
@@ -54,7 +81,6 @@ class DynamicRun {
   void sample_until(double t);
   void add_instant(double t, VectorXd& y);
   void note_energy(const VectorXd& y);
-  double sample_time(int i) const;
 
   const MechanismDefinition& definition_;
   const SimulationSettings& settings_;
@@ -63,8 +89,10 @@ class DynamicRun {
   Equilibrium equilibrium_;
   SwitchingIntegrator integrator_;
   EventFinder events_;
+  std::vector<double> sample_times_;
   VectorXd y_, sample_, slope_;
-  int next_sample_ = 0;
+  std::size_t next_sample_ = 0;
+  std::optional<ReactionPeaks> peaks_;
   VectorXd event_values_;
   std::vector<double> breaks_;  ///< times at which drives or tables bend
   int crowded_events_ = 0;
@@ -72,12 +100,6 @@ class DynamicRun {
   double energy_start_{}, energy_error_{}, largest_energy_{};
   Motion motion_;
 };
-
-double DynamicRun::sample_time(int i) const {
-  return i + 1 < settings_.instants
-             ? settings_.duration * i / (settings_.instants - 1)
-             : settings_.duration;
-}
 
 void DynamicRun::start() {
   const InitialState initial =
@@ -138,6 +160,7 @@ void DynamicRun::pass(const EventFinder::Event& event) {
   guard_against_accumulation(t);
   sample_until(t);
   integrator_.state_at(t, y_);
+  dynamics_.project(t, y_);  // what stuck rests, without round-off
   dynamics_.event_values(t, y_, event_values_);
   ForceModel& forces = dynamics_.forces();
   const std::vector<int> before = forces.modes();
@@ -154,6 +177,7 @@ void DynamicRun::pass(const EventFinder::Event& event) {
 
 void DynamicRun::restart(double t) {
   events_.start(t, y_);
+  if (peaks_) peaks_->restart(t, y_);
   integrator_.restart(t, y_, 0.0);
 }
 
@@ -199,8 +223,9 @@ void DynamicRun::add_instant(double t, VectorXd& y) {
 }
 
 void DynamicRun::sample_until(double t) {
-  while (next_sample_ < settings_.instants && sample_time(next_sample_) <= t) {
-    const double at = sample_time(next_sample_++);
+  while (next_sample_ < sample_times_.size() &&
+         sample_times_[next_sample_] <= t) {
+    const double at = sample_times_[next_sample_++];
     if (at >= integrator_.t()) {
       sample_ = integrator_.y();
     } else {
@@ -222,6 +247,9 @@ Motion DynamicRun::run() {
                   "look for forces or lengths of a wrong order of size");
     }
     const EventFinder::Event event = events_.find(integrator_);
+    if (peaks_) {
+      peaks_->look(integrator_, event.index < 0 ? integrator_.t() : event.t);
+    }
     if (event.index >= 0) {
       pass(event);
       continue;
@@ -254,7 +282,12 @@ Motion DynamicRun::run() {
 
 Motion integrate_motion(const MechanismDefinition& definition,
                         const SimulationSettings& settings) {
-  return DynamicRun(definition, settings).run();
+  if (!settings.at_peaks) return DynamicRun(definition, settings).run();
+  // the same run twice: the first tells when reactions are largest
+  DynamicRun first(definition, settings);
+  first.watch();
+  first.run();
+  return DynamicRun(definition, settings, first.peak_times()).run();
 }
 
 }  // namespace clevis::mechanism

@@ -45,7 +45,8 @@ SolvingFrame frame_at_centres(const MechanismDefinition& definition) {
 }
 
 ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
-                                 const SolvingFrame& frame, double tolerance)
+                                 const SolvingFrame& frame, double tolerance,
+                                 double duration)
     : frame_(frame),
       drives_(definition.drives),
       system_(frame, definition.drives,
@@ -57,6 +58,7 @@ ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
       planar_(frame.planar),
       length_(frame.length),
       tolerance_(tolerance),
+      slowest_(frame.length / duration),
       positions_(static_cast<Index>(definition.bodies.size()) *
                  (planar_ ? 3 : 7)),
       bodies_(definition.bodies.size() + 1),
@@ -287,7 +289,7 @@ void ForwardDynamics::note_speed(const VectorXd& y) {
   // from rest: the speed that the acceleration reaches over the length
   const double reached =
       std::sqrt(length_ * acceleration_.lpNorm<Eigen::Infinity>());
-  speed_ = std::max({speed_, speed, speed_ > 0.0 ? 0.0 : reached});
+  speed_ = std::max({slowest_, speed_, speed, speed_ > 0.0 ? 0.0 : reached});
 }
 
 void ForwardDynamics::scales(const VectorXd& /*y*/, VectorXd& scales) const {

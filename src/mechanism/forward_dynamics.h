@@ -26,8 +26,9 @@ class ForwardDynamics : public OdeSystem {
  public:
   /// @param frame  frame_at_centres(); outlives this.
   /// @param tolerance  error of positions over the mechanism's length.
+  /// @param duration  in which errors of velocities move bodies [s].
   ForwardDynamics(const MechanismDefinition& definition,
-                  const SolvingFrame& frame, double tolerance);
+                  const SolvingFrame& frame, double tolerance, double duration);
 
   int size() const override { return static_cast<int>(work_index()) + 1; }
   void rate(double t, const Eigen::VectorXd& y, Eigen::VectorXd& rate) override;
@@ -57,6 +58,8 @@ class ForwardDynamics : public OdeSystem {
   const Configuration& configuration() const { return x_; }
   const std::vector<Twist>& twists() const { return twists_; }
   const Eigen::VectorXd& accelerations() const { return acceleration_; }
+  /// By row of system(), scaled as it is.
+  const Eigen::VectorXd& multipliers() const { return lambda_; }
   const ConstrainedMass& mass() const { return mass_; }
 
   Eigen::Index velocity_index() const { return positions_; }
@@ -66,7 +69,8 @@ class ForwardDynamics : public OdeSystem {
   }
   double kinetic_energy(const Eigen::VectorXd& y);
   const ConstraintSystem& system() const { return system_; }
-  /// Largest speed of the unknowns so far, for error_weights() [m/s].
+  /// Largest speed of the unknowns so far, for error_weights() [m/s]; at least
+  /// that which moves a body by the mechanism's length in the duration.
   void note_speed(const Eigen::VectorXd& y);
 
  private:
@@ -102,7 +106,7 @@ class ForwardDynamics : public OdeSystem {
   ForceModel forces_;
   ConstrainedMass mass_;
   bool planar_;
-  double length_, tolerance_, speed_{};
+  double length_, tolerance_, slowest_, speed_{};
   Eigen::Index positions_;
   std::vector<Body> bodies_;  ///< by slot
   struct Turn {

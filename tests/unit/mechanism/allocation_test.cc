@@ -33,7 +33,7 @@ namespace {
 long allocations_of_steps(const MechanismDefinition& definition,
                           IntegratorChoice choice, int skip, int steps) {
   const SolvingFrame frame = frame_at_centres(definition);
-  ForwardDynamics dynamics(definition, frame, 1e-8);
+  ForwardDynamics dynamics(definition, frame, 1e-8, 1.0);
   const InitialState initial =
       initial_state(definition, frame, dynamics.system(), 1e-8);
   Eigen::VectorXd y = dynamics.start(initial.x);

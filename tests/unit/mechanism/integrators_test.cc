@@ -225,5 +225,42 @@ TEST(Integrators, RestsOnAStiffFloorForLong) {
   EXPECT_LT(motion.integration->steps, 2000);
 }
 
+// Pin of the pendulum: 3 m g at the bottom, between the instants.
+TEST(ReactionPeaks, PendulumAtTheBottom) {
+  SimulationSettings s = settings(1.0, 3, 1e-9, IntegratorChoice::kAuto);
+  s.at_peaks = true;
+  const Motion motion = simulate(testing::simple_pendulum(1.0), s);
+  ASSERT_EQ(motion.instants.size(), 4u);
+  // a quarter of the period
+  EXPECT_NEAR(motion.instants[2].t, 0.25 * 2.367841947576237, 1e-5);
+  EXPECT_NEAR(motion.instants[2].joints[0].f_W.norm(), 29.43, 1e-7);
+}
+
+// Lever that hits a stop of 1e6 N m/rad: the blow of 3 ms is not missed. With
+// Ω² = k/I and impact speed w: M = I Ω w, pin against it m l/2 Ω w.
+TEST(ReactionPeaks, BlowBetweenInstants) {
+  MechanismDefinition m;
+  m.bodies = {testing::uniform_bar("lever", {0.0, 0.0, 0.0}, 0.0, 1.0)};
+  m.joints = {testing::pin("O", kGround, 0, 0.0, 0.0)};
+  m.elements = {testing::on_joint(
+      0, StopLaw{.lower = {}, .upper = 0.5, .contact = {.stiffness = 1e6}})};
+  m.initial_joints = {
+      {.joint = 0, .position = {}, .rate = 1.0, .place = "initial"}};
+  SimulationSettings s = settings(1.0, 11, 1e-9, IntegratorChoice::kAuto);
+  double peak = 0.0;
+  for (const bool at_peaks : {false, true}) {
+    s.at_peaks = at_peaks;
+    peak = 0.0;
+    for (const Instant& i : simulate(m, s).instants) {
+      peak = std::max(peak, i.joints[0].f_W.norm());
+    }
+    if (!at_peaks) {
+      EXPECT_LT(peak, 1.0);
+    }
+  }
+  const double stiff = std::sqrt(1e6 / (1.0 / 3.0));
+  EXPECT_NEAR(peak, 0.5 * stiff, 1e-3);
+}
+
 }  // namespace
 }  // namespace clevis::mechanism

@@ -1,0 +1,116 @@
+#include "mechanism/reaction_peaks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clevis::mechanism {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+ReactionPeaks::ReactionPeaks(ForwardDynamics& dynamics) : dynamics_(dynamics) {
+  const auto joints = static_cast<Index>(
+      dynamics.system().place(dynamics.configuration()).size());
+  for (VectorXd* v : {&before_.values, &last_.values, &next_.values, &largest_,
+                      &at_, &values_}) {
+    v->setZero(2 * joints);
+  }
+  state_.setZero(dynamics.size());
+  rate_.setZero(dynamics.size());
+}
+
+/// By joint the squares of force and moment.
+void ReactionPeaks::measure(double t, const VectorXd& y, VectorXd& values) {
+  dynamics_.rate(t, y, rate_);
+  values.setZero();
+  const ConstraintSystem& system = dynamics_.system();
+  for (int i = 0; i < system.joint_rows(); ++i) {
+    const auto& row = system.row_list()[static_cast<std::size_t>(i)];
+    if (row.coupling >= 0) continue;
+    const double effort = system.multiplier(row, dynamics_.multipliers()[i]);
+    values[2 * row.joint + (row.row.is_angle() ? 1 : 0)] += effort * effort;
+  }
+}
+
+void ReactionPeaks::note(const Sample& sample) {
+  for (Index k = 0; k < largest_.size(); ++k) {
+    if (sample.values[k] <= largest_[k]) continue;
+    largest_[k] = sample.values[k];
+    at_[k] = sample.t;
+  }
+}
+
+void ReactionPeaks::restart(double t, const VectorXd& y) {
+  last_.t = t;
+  measure(t, y, last_.values);
+  note(last_);
+  has_before_ = false;
+}
+
+void ReactionPeaks::look(Integrator& integrator, double until) {
+  // close to both ends, so that three samples of one step hold a maximum
+  constexpr double kParts[] = {0.001, 0.25, 0.5, 0.75, 0.999, 1.0};
+  const double start = integrator.t_start();
+  for (const double part : kParts) {
+    next_.t = part == 1.0 ? until : start + part * (until - start);
+    integrator.interpolate(next_.t, state_);
+    measure(next_.t, state_, next_.values);
+    for (Index i = 0; has_before_ && i < largest_.size(); ++i) {
+      const double middle = last_.values[i];
+      if (middle < 0.98 * largest_[i] || middle < before_.values[i] ||
+          middle < next_.values[i]) {
+        continue;
+      }
+      refine(integrator, i, std::max(before_.t, start), next_.t);
+    }
+    note(next_);
+    std::swap(before_, last_);
+    std::swap(last_, next_);
+    has_before_ = true;
+  }
+}
+
+void ReactionPeaks::refine(Integrator& integrator, Index which, double from,
+                           double to) {
+  constexpr int kSections = 16;
+  constexpr double kGolden = 0.6180339887498949;
+  const auto value = [&](double t) {
+    integrator.state_at(t, state_);
+    measure(t, state_, values_);
+    return values_[which];
+  };
+  double left = to - kGolden * (to - from);
+  double right = from + kGolden * (to - from);
+  double at_left = value(left), at_right = value(right);
+  for (int i = 0; i < kSections; ++i) {
+    if (at_left > at_right) {
+      to = right;
+      right = left;
+      at_right = at_left;
+      left = to - kGolden * (to - from);
+      at_left = value(left);
+    } else {
+      from = left;
+      left = right;
+      at_left = at_right;
+      right = from + kGolden * (to - from);
+      at_right = value(right);
+    }
+  }
+  const double best = std::max(at_left, at_right);
+  if (best <= largest_[which]) return;
+  largest_[which] = best;
+  at_[which] = at_left > at_right ? left : right;
+}
+
+std::vector<double> ReactionPeaks::times() const {
+  std::vector<double> times;
+  for (Index k = 0; k < at_.size(); ++k) {
+    if (largest_[k] > 0.0) times.push_back(at_[k]);
+  }
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+}  // namespace clevis::mechanism
