@@ -17,6 +17,7 @@
 #include "app/solver_jobs.h"
 #include "app/worker_pool.h"
 #include "base/stopwatch.h"
+#include "machine/bearing_life.h"
 #include "mechanism/simulate.h"
 #include "mechanism/structure.h"
 #include "report/atomic_file.h"
@@ -174,6 +175,10 @@ ExitCode run_check(const Options& options) {
     report.mechanism = report::summarise(
         loaded.scene.mechanism,
         mechanism::analyse_structure(loaded.scene.mechanism), motion);
+    report.bearings = report::bearing_reports(
+        machine::judge_bearings(loaded.scene.bearings, loaded.scene.mechanism,
+                                motion),
+        loaded.scene.mechanism);
   }
   report.seconds.emplace_back("mechanism", watch.lap());
 

@@ -51,7 +51,7 @@ void remove_previous_run(const fs::path& folder) {
   }
   std::error_code ignored;
   for (const char* name : {"mechanism.pvd", "reactions.csv", "parts.csv",
-                           "junit.xml", "result.json"}) {
+                           "junit.xml", "bearings.csv", "result.json"}) {
     fs::remove(folder / name, ignored);
   }
 }

@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/load_scene.h"
 #include "app/slide_lever_comparison.h"
+#include "machine/bearing_life.h"
 #include "mechanism/simulate.h"
 #include "mechanism/structure.h"
 #include "report/motion_report.h"
@@ -29,6 +30,9 @@ ExitCode simulate_command(const Options& options) {
   if (scene.slide_lever) {
     report.slide_lever = compare_slide_lever(scene, report.motion);
   }
+  report.bearings = report::bearing_reports(
+      machine::judge_bearings(scene.bearings, scene.mechanism, report.motion),
+      scene.mechanism);
   if (!options.out.empty()) report::write_motion_files(report, options.out);
   std::cout << (options.json ? report::motion_json(report)
                              : report::motion_table(

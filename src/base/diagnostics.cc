@@ -8,9 +8,34 @@ namespace {
 
 using enum ExitCode;
 
-// Letters: F elasticity, I files, K mechanism, L loads, M mesh, R regression,
-// S scene, U command line, X internal. Keep sorted by code.
+// Letters: B bearings and transmissions (remarks, no refusals), F elasticity, I
+// files, K mechanism, L loads, M mesh, R regression, S scene, U command line, X
+// internal. Keep sorted by code.
 constexpr auto kCatalogue = std::to_array<Diagnostic>({
+    {"B001", kLimitExceeded, "static load of a bearing above its rating",
+     "The largest static equivalent load P0 of the motion is above the "
+     "catalogue's C0: rolling bodies leave dents. The bearing fails if "
+     "C0 / P0 is below static_safety_wanted (1). Take a larger bearing."},
+    {"B002", kNotJudged, "axial load without its factors",
+     "The joint carries a load along its axis, but the bearing has no factors "
+     "X, Y, e (life) or X0, Y0 (static check): the load is left out and the "
+     "bearing cannot pass. Give the catalogue's factors."},
+    {"B003", kNotJudged, "bearing does not turn",
+     "Its joint moves by no angle, so a life in revolutions means nothing; "
+     "only the static check counts and the bearing may pass by it."},
+    {"B004", kNotJudged, "bearing load beyond the range of the life formula",
+     "ISO 281 leaves the life to the maker where P is above C0 or C/2, the "
+     "lesser of both. The number is printed; where a life is wanted the "
+     "bearing cannot pass by it."},
+    {"B005", kNotJudged, "moment across the axis of a bearing",
+     "The joint carries a moment that tilts the bearing: the load acts beside "
+     "it by more than half its width (any offset, if no width is given). "
+     "Equivalent loads know no such moment, so the bearing cannot pass. Put "
+     "the joint's point into the middle of the bearing, or take a pair."},
+    {"B006", kNotJudged, "bearing load is not unique",
+     "Equilibrium leaves the force of the joint open (redundant constraints). "
+     "The choice of least norm was taken; give the joints compliances to make "
+     "it physical."},
     {"F001", kModelInvalid, "free rigid mode",
      "The supports of a case leave the part free to move as a rigid body, and "
      "a linear solver would return a meaningless displacement. Hold the named "

@@ -98,6 +98,40 @@ std::vector<JunitCase> part_cases(const PartResult& part,
   return cases;
 }
 
+/// Static safety, and life if one is wanted; what the formulas leave open is
+/// an error.
+std::vector<JunitCase> bearing_cases(const BearingReport& bearing) {
+  using machine::BearingVerdict;
+  constexpr double kHour = 3600.0;
+  const machine::BearingResult& r = bearing.result;
+  const auto status = [&r](bool fails) {
+    if (fails) return JunitStatus::kFailure;
+    return r.verdict == BearingVerdict::kNotJudged ? JunitStatus::kError
+                                                   : JunitStatus::kPassed;
+  };
+  const bool breaks =
+      r.static_safety && *r.static_safety < r.static_safety_wanted;
+  const std::string name = "clevis.bearing." + r.name;
+  std::vector<JunitCase> cases{
+      {name, "static safety", status(breaks),
+       fmt::format("P0 {:.6g} N, C0 {:.6g} N, C0/P0 at least {:.6g} wanted{}",
+                   r.static_load, r.static_rating, r.static_safety_wanted,
+                   r.why.empty() ? "" : "; " + r.why),
+       0.0}};
+  if (r.life_wanted) {
+    const bool tires = r.life_seconds && *r.life_seconds < *r.life_wanted;
+    cases.push_back(
+        {name, "life", status(tires),
+         fmt::format("L10 {} h, at least {:.6g} h wanted",
+                     r.life_seconds
+                         ? fmt::format("{:.6g}", *r.life_seconds / kHour)
+                         : "without bound",
+                     *r.life_wanted / kHour),
+         0.0});
+  }
+  return cases;
+}
+
 }  // namespace
 
 std::string check_junit(const CheckReport& report) {
@@ -107,6 +141,9 @@ std::string check_junit(const CheckReport& report) {
     const auto limits =
         found != report.limits.end() ? found->second : part::Limits{};
     std::ranges::move(part_cases(part, limits), std::back_inserter(cases));
+  }
+  for (const BearingReport& bearing : report.bearings) {
+    std::ranges::move(bearing_cases(bearing), std::back_inserter(cases));
   }
   for (const PartFailure& failure : report.failures) {
     cases.push_back(

@@ -13,10 +13,18 @@ PartVerdict overall_verdict(const CheckReport& report) {
     return std::ranges::find(report.parts, verdict, &PartResult::verdict) !=
            report.parts.end();
   };
-  if (any(PartVerdict::kFail)) return PartVerdict::kFail;
+  const auto any_bearing = [&](machine::BearingVerdict verdict) {
+    return std::ranges::any_of(report.bearings, [&](const auto& bearing) {
+      return bearing.result.verdict == verdict;
+    });
+  };
+  using machine::BearingVerdict;
+  if (any(PartVerdict::kFail) || any_bearing(BearingVerdict::kFail)) {
+    return PartVerdict::kFail;
+  }
   // No part at all is no reason to say that the parts hold.
-  if (any(PartVerdict::kNotJudged) || !report.failures.empty() ||
-      !report.complete || report.parts.empty()) {
+  if (any(PartVerdict::kNotJudged) || any_bearing(BearingVerdict::kNotJudged) ||
+      !report.failures.empty() || !report.complete || report.parts.empty()) {
     return PartVerdict::kNotJudged;
   }
   return PartVerdict::kPass;

@@ -11,6 +11,7 @@
 #include "assessment/part_result.h"
 #include "base/errors.h"
 #include "part/part_definition.h"
+#include "report/bearing_output.h"
 #include "report/mechanism_summary.h"
 
 namespace clevis::report {
@@ -31,6 +32,7 @@ struct CheckReport {
   std::optional<MechanismSummary> mechanism;  ///< absent: only [[part.case]]
   std::vector<assessment::PartResult> parts;
   std::vector<PartFailure> failures;
+  std::vector<BearingReport> bearings;
   /// What the user allows, by part; a part without limits may be absent.
   std::map<std::string, part::Limits> limits;
   /// False if parts are missing because the user interrupted the check.
@@ -39,8 +41,8 @@ struct CheckReport {
   std::vector<std::pair<std::string, double>> seconds;
 };
 
-/// Fail if a part fails; else not judged if a part is not judged, could not
-/// be computed or was not reached; else pass.
+/// Fail if a part or bearing fails; else not judged if one is not judged, could
+/// not be computed or was not reached; else pass.
 assessment::PartVerdict overall_verdict(const CheckReport& report);
 
 /// What the process returns: that of the first failure if there is one, else

@@ -164,7 +164,11 @@ std::string check_table(const CheckReport& report, Colour colour) {
   std::string all = fmt::format("{} ({})\n", printable(report.scene),
                                 printable(report.file.string()));
   if (report.mechanism) all += mechanism_line(*report.mechanism);
-  return all + "\n" + table.text(colour) + "\n" + last_line(report, colour);
+  all += "\n" + table.text(colour);
+  if (!report.bearings.empty()) {
+    all += "\n" + bearings_text(report.bearings, colour);
+  }
+  return all + "\n" + last_line(report, colour);
 }
 
 }  // namespace clevis::report

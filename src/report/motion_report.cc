@@ -192,6 +192,9 @@ std::string motion_json(const MotionReport& report) {
   }
   json["forces"] = forces_json(report);
   json["events"] = events_json(report);
+  if (!report.bearings.empty()) {
+    json["bearings"] = bearings_json(report.bearings);
+  }
   if (report.slide_lever) {
     json["slide_lever"] = slide_lever_json(*report.slide_lever);
   }
@@ -207,6 +210,9 @@ void write_motion_files(const MotionReport& report,
   if (!report.definition.elements.empty()) {
     write_file(folder / "forces.csv", forces_csv(report));
     write_file(folder / "events.csv", events_csv(report));
+  }
+  if (!report.bearings.empty()) {
+    write_file(folder / "bearings.csv", bearings_csv(report.bearings));
   }
   write_file(folder / "simulate.json", json);
 }

@@ -11,6 +11,7 @@
 #include "mechanism/motion.h"
 #include "mechanism/slide_lever_closed_form.h"
 #include "mechanism/structure.h"
+#include "report/bearing_output.h"
 
 namespace clevis::report {
 
@@ -44,6 +45,7 @@ struct MotionReport {
   mechanism::Structure structure;
   mechanism::Motion motion;
   std::optional<SlideLeverComparison> slide_lever;
+  std::vector<BearingReport> bearings;
 };
 
 /// Position of a marker in W [m].
@@ -66,7 +68,8 @@ std::string reactions_csv(const MotionReport& report);
 std::string motion_csv(const MotionReport& report);
 
 /// Writes reactions.csv, motion.csv, with forces that depend on the motion
-/// forces.csv and events.csv, and, last, simulate.json into `folder`.
+/// forces.csv and events.csv, with bearings bearings.csv, and, last,
+/// simulate.json into `folder`.
 /// @throws Error I002; F003 if a number is not finite.
 void write_motion_files(const MotionReport& report,
                         const std::filesystem::path& folder);

@@ -225,6 +225,10 @@ std::string motion_table(const MotionReport& report, Colour colour) {
     text += '\n';
     text += forces;
   }
+  if (!report.bearings.empty()) {
+    text += '\n';
+    text += bearings_text(report.bearings, colour);
+  }
   if (!report.definition.markers.empty()) {
     text += '\n';
     text += markers_text(report, colour);

@@ -21,6 +21,9 @@ void write_result_files(const CheckReport& report,
                 "Check that the folder may be written.");
   }
   write_file(folder / "parts.csv", parts_csv(report));
+  if (!report.bearings.empty()) {
+    write_file(folder / "bearings.csv", bearings_csv(report.bearings));
+  }
   write_file(folder / "junit.xml", check_junit(report));
   write_file(result_file, result);
 }

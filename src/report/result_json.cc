@@ -212,6 +212,10 @@ std::string result_json(const CheckReport& report) {
   }
   document["parts"] = parts;
   document["failures"] = failures;
+  if (!report.bearings.empty()) {
+    document["bearings"] = bearings_json(report.bearings);
+    refuse_non_finite(document["bearings"], "bearings");
+  }
   return json_text(document);
 }
 

@@ -9,10 +9,10 @@ namespace {
 
 using Key = std::string_view;
 
-constexpr Key kScene[] = {"schema",     "name",  "world",    "material",
-                          "mechanism",  "body",  "joint",    "coupling",
-                          "drive",      "force", "initial",  "marker",
-                          "simulation", "part",  "accuracy", "closed_form"};
+constexpr Key kScene[] = {
+    "schema",     "name",     "world",    "material",    "mechanism", "body",
+    "joint",      "coupling", "drive",    "force",       "initial",   "marker",
+    "simulation", "part",     "accuracy", "closed_form", "bearing"};
 constexpr Key kWorld[] = {"gravity"};
 constexpr Key kMaterial[] = {"youngs_modulus", "poissons_ratio", "density",
                              "yield_strength"};
@@ -71,6 +71,22 @@ constexpr Key kForce[] = {"name",
                           "damping_of"};
 constexpr Key kInitial[] = {"joint", "position", "rate",
                             "body",  "velocity", "angular_velocity"};
+constexpr Key kBearing[] = {"name",
+                            "joint",
+                            "kind",
+                            "dynamic_rating",
+                            "static_rating",
+                            "radial_factor",
+                            "axial_factor",
+                            "axial_threshold",
+                            "static_radial_factor",
+                            "static_axial_factor",
+                            "service_factor",
+                            "life_wanted",
+                            "static_safety_wanted",
+                            "bore",
+                            "outer_diameter",
+                            "width"};
 constexpr Key kMarker[] = {"name", "body", "point"};
 constexpr Key kSimulation[] = {"duration", "instants", "tolerance", "motion",
                                "integrator"};
@@ -109,6 +125,7 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"force", kForce},
     {"initial", kInitial},
     {"marker", kMarker},
+    {"bearing", kBearing},
     {"simulation", kSimulation},
     {"part", kPart},
     {"part.drives", kPartDrives},

@@ -111,6 +111,7 @@ Scene read_scene(const std::filesystem::path& file) {
   scene.parts = read_parts(part_tables, scene, names, materials);
   if (scene.has_mechanism) {
     scene.simulation = read_simulation(root.table("simulation"));
+    scene.bearings = read_bearings(root, scene.mechanism.joints, names);
   }
   if (root.has("accuracy")) {
     scene.peak_stress_tolerance = read_peak_stress_tolerance(

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "machine/bearing.h"
 #include "mechanism/definition.h"
 #include "part/part_definition.h"
 #include "scene/name_index.h"
@@ -20,6 +21,7 @@ struct Names {
   NameIndex drives{"driven joint"};  ///< by the joint's name
   NameIndex forces{"force"};
   NameIndex markers{"marker"};
+  NameIndex bearings{"bearing"};
 };
 
 // Each reads its array of tables from the root of the scene, in this order:
@@ -58,6 +60,10 @@ std::vector<mechanism::MarkerDefinition> read_markers(StrictTable& root,
 /// Adds the [[initial]] tables to a mechanism that has its joints.
 void read_initial_states(StrictTable& root, Names& names,
                          mechanism::MechanismDefinition& mechanism);
+/// The [[bearing]] tables; a joint that turns about one axis each.
+std::vector<machine::BearingDefinition> read_bearings(
+    StrictTable& root, const std::vector<mechanism::JointDefinition>& joints,
+    Names& names);
 mechanism::SimulationSettings read_simulation(StrictTable table);
 
 std::vector<part::Material> read_materials(StrictTable& root, Names& names);

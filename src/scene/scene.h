@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "machine/bearing.h"
 #include "mechanism/definition.h"
 #include "part/part_definition.h"
 
@@ -25,6 +26,7 @@ struct Scene {
   bool has_mechanism = false;  ///< false: only [[part.case]]
   mechanism::MechanismDefinition mechanism;
   mechanism::SimulationSettings simulation;
+  std::vector<machine::BearingDefinition> bearings;
   std::vector<part::PartDefinition> parts;
   double peak_stress_tolerance = 0.01;  ///< [1], relative
   std::optional<SlideLeverClosedForm> slide_lever;

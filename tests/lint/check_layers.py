@@ -9,7 +9,8 @@ LAYERS = {  # module: (modules it may include, outside libraries it may include)
     "base": ("", "Eigen fmt udunits2"),
     "part": ("base", "Eigen fmt"),
     "mechanism": ("base part", "Eigen fmt"),
-    "scene": ("base part mechanism", "Eigen fmt toml"),
+    "machine": ("base part mechanism", "Eigen fmt"),
+    "scene": ("base part mechanism machine", "Eigen fmt toml"),
     "mesh": ("base part", "Eigen fmt"),
     "loads": ("base part mechanism", "Eigen fmt"),
     "beam": ("base part mesh loads", "Eigen fmt"),
@@ -17,10 +18,10 @@ LAYERS = {  # module: (modules it may include, outside libraries it may include)
     "calculix": ("base part mesh loads elasticity", "Eigen fmt"),
     "stress": ("base part mesh loads elasticity", "deal.II Eigen fmt"),
     "assessment": ("base part mesh loads beam elasticity stress", "Eigen fmt"),
-    "report": ("base part mechanism assessment", "Eigen fmt nlohmann"),
+    "report": ("base part mechanism machine assessment", "Eigen fmt nlohmann"),
     "study": ("base part mesh loads elasticity stress assessment report",
               "Eigen fmt nlohmann"),
-    "app": ("base part mechanism scene mesh loads beam elasticity calculix"
+    "app": ("base part mechanism machine scene mesh loads beam elasticity calculix"
             " stress assessment study report", "Eigen fmt nlohmann CLI"),
 }
 LIBRARIES = r"(Eigen|deal\.II|gmsh|petsc|nlohmann|fmt|toml|CLI|udunits2)"

@@ -1,0 +1,62 @@
+#include "machine/bearing_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace clevis::machine {
+namespace {
+
+using Eigen::Vector3d;
+using mechanism::BodyIndex;
+using mechanism::Instant;
+
+Vector3d axis(const mechanism::JointDefinition& joint, const Instant& instant) {
+  const Vector3d axis_L = joint.frame_a.R_LJ.col(2);
+  if (joint.body_a == mechanism::kGround) return axis_L;
+  const auto& body = instant.bodies[static_cast<std::size_t>(joint.body_a)];
+  return body.pose.R_WL * axis_L;
+}
+
+Vector3d angular_velocity(BodyIndex body, const Instant& instant) {
+  return body == mechanism::kGround
+             ? Vector3d(Vector3d::Zero())
+             : instant.bodies[static_cast<std::size_t>(body)].w_WL;
+}
+
+}  // namespace
+
+bool takes_bearing(mechanism::JointType type) {
+  return type == mechanism::JointType::kRevolute ||
+         type == mechanism::JointType::kCylindrical;
+}
+
+std::vector<BearingInstant> bearing_history(
+    const BearingDefinition& bearing,
+    const mechanism::MechanismDefinition& mechanism,
+    const mechanism::Motion& motion) {
+  const auto j = static_cast<std::size_t>(bearing.joint);
+  const mechanism::JointDefinition& joint = mechanism.joints[j];
+  std::vector<BearingInstant> history;
+  history.reserve(motion.instants.size());
+  for (const Instant& instant : motion.instants) {
+    const mechanism::JointReaction& reaction = instant.joints[j];
+    const Vector3d z = axis(joint, instant);
+    const double axial = reaction.f_W.dot(z);
+    BearingInstant here;
+    here.t = instant.t;
+    here.axial = std::abs(axial);
+    here.radial = (reaction.f_W - axial * z).norm();
+    here.tilt = (reaction.t_W - reaction.t_W.dot(z) * z).norm();
+    here.speed = (angular_velocity(joint.body_b, instant) -
+                  angular_velocity(joint.body_a, instant))
+                     .dot(z);
+    here.unique =
+        std::all_of(reaction.unique_components.begin(),
+                    reaction.unique_components.begin() + 3, std::identity{});
+    history.push_back(here);
+  }
+  return history;
+}
+
+}  // namespace clevis::machine

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "machine/bearing.h"
+#include "mechanism/definition.h"
+#include "mechanism/motion.h"
+
+namespace clevis::machine {
+
+/// Integrals of a load over the travelled angle, by trapezoids between the
+/// instants.
+struct TravelMean {
+  double travel{};  ///< ∫ |ω| dt [rad]
+  double mean{};    ///< (∫ P^p |ω| dt / travel)^(1/p) [N]; 0 without travel
+};
+
+/// @param every  takes each instant (1), or every second one and the last (2).
+TravelMean travel_mean(const BearingDefinition& bearing,
+                       std::span<const BearingInstant> history,
+                       std::size_t every = 1);
+
+/// Life and static safety of a bearing (ISO 281, ISO 76).
+/// @pre at least two instants.
+BearingResult judge_bearing(const BearingDefinition& bearing,
+                            std::span<const BearingInstant> history);
+
+/// All bearings of a mechanism over its motion.
+std::vector<BearingResult> judge_bearings(
+    const std::vector<BearingDefinition>& bearings,
+    const mechanism::MechanismDefinition& mechanism,
+    const mechanism::Motion& motion);
+
+}  // namespace clevis::machine
