@@ -33,6 +33,7 @@ void put_forces(const SolvingFrame& frame, const ConstraintSystem& system,
     reaction.p_WJ = frame.R_WP * reaction.p_WJ;
     reaction.f_W = frame.R_WP * reaction.f_W;
     reaction.t_W = frame.R_WP * reaction.t_W;
+    reaction.R_WJ = frame.R_WP * reaction.R_WJ;
   }
   instant.joints = std::move(forces.joints);
   for (std::size_t k = 0; k < instant.drives.size(); ++k) {

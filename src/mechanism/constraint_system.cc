@@ -116,6 +116,20 @@ std::vector<double> first_angles(const SolvingFrame& frame) {
   return angles;
 }
 
+/// As given, or equal in all directions and, of moments, that over length².
+void set_compliances(const MechanismDefinition& definition,
+                     SolvingFrame& frame) {
+  for (std::size_t j = 0; j < frame.joints.size(); ++j) {
+    auto& compliance = frame.joints[j].compliance;
+    const double turn = kDefaultCompliance / (frame.length * frame.length);
+    compliance << Vector3d::Constant(kDefaultCompliance),
+        Vector3d::Constant(turn);
+    if (const auto& given = definition.joints[j].compliance) {
+      compliance << given->force, given->moment;
+    }
+  }
+}
+
 CouplingModel coupling_model(const CouplingDefinition& coupling,
                              SolvingFrame& frame) {
   JointModel& first = frame.joints[index(coupling.joint_1)];
@@ -166,6 +180,7 @@ SolvingFrame::SolvingFrame(const MechanismDefinition& given) {
   }
   if (planar) close_out_of_plane(*this);
   placement.angles = first_angles(*this);
+  set_compliances(definition, *this);
   for (const CouplingDefinition& coupling : definition.couplings) {
     couplings.push_back(coupling_model(coupling, *this));
   }

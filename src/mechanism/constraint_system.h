@@ -30,6 +30,9 @@ struct CouplingModel {
   double scale{};  ///< makes its row comparable with lengths
 };
 
+/// Compliance of a joint along each axis where the user gives none [m/N].
+inline constexpr double kDefaultCompliance = 1e-9;
+
 /// A mechanism in the frame P in which it is solved: for planar ones z is the
 /// plane's normal. Each body is referred to M, the mean of its joints.
 struct SolvingFrame {

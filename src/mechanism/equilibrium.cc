@@ -103,29 +103,17 @@ void Equilibrium::add(Solution& solution,
   }
 }
 
-void Equilibrium::mark(Solution& solution,
-                       const std::vector<PlacedJoint>& placed,
-                       const ConstraintSystem& rows,
-                       const std::vector<bool>& dependent) const {
-  constexpr double kRoundOff = 1e-9;  // of a unit vector's component
-  for (int i = 0; i < rows.joint_rows(); ++i) {
-    if (!dependent[index(i)]) continue;
-    const auto& row = rows.row_list()[index(i)];
-    if (row.coupling >= 0) {
-      solution.couplings[index(row.coupling)].unique = false;
+void Equilibrium::mark(Solution& solution, const SharedReactions& shared) {
+  for (std::size_t i = 0; i < shared.unique.size(); ++i) {
+    if (shared.unique[i]) continue;
+    const std::size_t j = i / 6;
+    if (j >= solution.joints.size()) {
+      solution.couplings[i - 6 * solution.joints.size()].unique = false;
       continue;
     }
-    const PlacedJoint& joint = placed[index(row.joint)];
-    JointReaction& reaction = solution.joints[index(row.joint)];
-    const Twist action = joint.action(row.row);
-    const Vector3d f = joint.axes_a.transpose() * action.v;
-    const Vector3d t = joint.axes_a.transpose() * action.w;
-    for (int k = 0; k < 3; ++k) {
-      auto& unique = reaction.unique_components;
-      if (std::abs(f[k]) > kRoundOff) unique[index(k)] = false;
-      if (std::abs(t[k]) > kRoundOff) unique[index(3 + k)] = false;
-    }
-    reaction.unique = false;
+    JointReaction& reaction = solution.joints[j];
+    reaction.unique = reaction.unique_components[i % 6] = false;
+    reaction.spread[i % 6] += shared.spread[static_cast<Eigen::Index>(i)];
   }
 }
 
@@ -173,9 +161,11 @@ void Equilibrium::solve_out_of_plane(Solution& solution,
   const MatrixXd J = out_of_plane_.jacobian(placed);
   JacobianFactor factor;
   factor.compute(J);
-  add(solution, placed, out_of_plane_,
-      factor.solve_transposed(out_of_plane_.wrench_vector(required)));
-  mark(solution, placed, out_of_plane_, row_dependence(J).dependent);
+  const SharedReactions shared =
+      share_reactions(frame_, out_of_plane_, placed, factor,
+                      out_of_plane_.wrench_vector(required));
+  add(solution, placed, out_of_plane_, shared.lambda);
+  mark(solution, shared);
 }
 
 Equilibrium::Solution Equilibrium::solve(
@@ -188,13 +178,20 @@ Equilibrium::Solution Equilibrium::solve(
     required[i].v -= applied[i].v;
     required[i].w -= applied[i].w;
   }
-  const VectorXd lambda =
-      factor.solve_transposed(system_.wrench_vector(required));
+  const VectorXd f = system_.wrench_vector(required);
+  SharedReactions shared;
+  if (system_.rows() > factor.rank()) {
+    shared = share_reactions(frame_, system_, placed, factor, f);
+  } else {
+    shared.lambda = factor.solve_transposed(f);
+  }
+  const VectorXd& lambda = shared.lambda;
   Solution solution;
   solution.joints.resize(placed.size());
   solution.couplings.resize(frame_.couplings.size());
   for (std::size_t j = 0; j < placed.size(); ++j) {
     solution.joints[j].p_WJ = placed[j].p_b;
+    solution.joints[j].R_WJ = placed[j].axes_a;
   }
   add(solution, placed, system_, lambda);
   for (int i = system_.joint_rows(); i < system_.rows(); ++i) {
@@ -202,10 +199,7 @@ Equilibrium::Solution Equilibrium::solve(
     const double effort = system_.multiplier(row, lambda[i]);
     solution.efforts.push_back(effort);
   }
-  if (system_.rows() > factor.rank()) {
-    mark(solution, placed, system_,
-         row_dependence(system_.jacobian(placed)).dependent);
-  }
+  mark(solution, shared);
   if (frame_.planar && acts_across_plane(placed, required)) {
     solve_out_of_plane(solution, placed, required);
   }

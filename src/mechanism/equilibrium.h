@@ -8,6 +8,7 @@
 #include "mechanism/constraint_system.h"
 #include "mechanism/jacobian_factor.h"
 #include "mechanism/motion.h"
+#include "mechanism/reaction_sharing.h"
 
 namespace clevis::mechanism {
 
@@ -45,9 +46,7 @@ class Equilibrium {
   void solve_out_of_plane(Solution& solution,
                           const std::vector<PlacedJoint>& placed,
                           std::vector<Twist> required) const;
-  void mark(Solution& solution, const std::vector<PlacedJoint>& placed,
-            const ConstraintSystem& rows,
-            const std::vector<bool>& dependent) const;
+  static void mark(Solution& solution, const SharedReactions& shared);
 
   struct Inertia {
     double mass{};

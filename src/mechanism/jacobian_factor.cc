@@ -22,6 +22,7 @@ int positive_rank(const VectorXd& singular_values) {
 }  // namespace
 
 void JacobianFactor::compute(const MatrixXd& J) {
+  rows_ = static_cast<int>(J.rows());
   columns_ = static_cast<int>(J.cols());
   determinant_sign_ = 0;
   regular_ = false;
@@ -51,6 +52,14 @@ VectorXd JacobianFactor::solve(const VectorXd& b) const {
 VectorXd JacobianFactor::solve_transposed(const VectorXd& f) const {
   if (regular_) return lu_.transpose().solve(f);
   return orthogonal_.transpose().solve(f);
+}
+
+MatrixXd JacobianFactor::left_null_space() const {
+  const int open = rows_ - rank_;
+  MatrixXd N = MatrixXd::Zero(rows_, open);
+  N.bottomRows(open).setIdentity();
+  if (open > 0) N.applyOnTheLeft(orthogonal_.householderQ());
+  return N;
 }
 
 RowDependence row_dependence(const MatrixXd& J) {

@@ -31,9 +31,12 @@ class JacobianFactor {
   /// Minimal-norm, least-squares solution of Jᵀ λ = f.
   Eigen::VectorXd solve_transposed(const Eigen::VectorXd& f) const;
 
+  /// Orthonormal columns N with Nᵀ J = 0: what equilibrium leaves open.
+  Eigen::MatrixXd left_null_space() const;
+
  private:
   bool regular_ = false;
-  int rank_{}, columns_{}, determinant_sign_{};
+  int rank_{}, rows_{}, columns_{}, determinant_sign_{};
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> orthogonal_;
 };

@@ -34,6 +34,9 @@ struct JointModel {
   JointFrame frame_a, frame_b;
   double slide_per_angle{};  ///< of a screw [m/rad]
   double length{};           ///< of a distance joint [m]
+  /// Of forces [m/N], then moments [rad/(N m)], along x, y, z of J.
+  Eigen::Matrix<double, 6, 1> compliance =
+      Eigen::Matrix<double, 6, 1>::Constant(1.0);
   /// The angle about its axis counts beyond a turn: a screw, or coupled.
   bool counts_turns = false;
 };

@@ -27,11 +27,23 @@ struct JointReaction {
   Eigen::Vector3d f_W = Eigen::Vector3d::Zero();   ///< [N]
   Eigen::Vector3d t_W = Eigen::Vector3d::Zero();   ///< about p_WJ [N m]
   bool unique = true;  ///< false where redundancy leaves it undetermined
+  /// Axes of frame J on body a: columns.
+  Eigen::Matrix3d R_WJ = Eigen::Matrix3d::Identity();
   /// The same by component: force, then moment, along x, y, z of frame J.
-  /// What is not unique is the choice of least norm, moments over the
-  /// mechanism's length. A planar mechanism without loads across its plane
-  /// has none across it either: those count as unique.
+  /// What is not unique is shared by the joints' compliance. A planar
+  /// mechanism without loads across its plane has none across it either:
+  /// those count as unique.
   std::array<bool, 6> unique_components{true, true, true, true, true, true};
+  /// Largest change of a component, to first order, if each joint's
+  /// compliance is doubled or halved [N], [N m].
+  std::array<double, 6> spread{};
+
+  /// Force, then moment, in frame J.
+  Eigen::Matrix<double, 6, 1> components() const {
+    Eigen::Matrix<double, 6, 1> w;
+    w << R_WJ.transpose() * f_W, R_WJ.transpose() * t_W;
+    return w;
+  }
 };
 
 /// What a coupling does to the bodies b of its two joints, at the origins of

@@ -155,6 +155,11 @@ void align_joint_frames(MechanismDefinition& definition,
     const Matrix3d turn = old.transpose() * turned;
     joint.frame_a.R_LJ *= turn;
     joint.frame_b.R_LJ *= turn;
+    if (!joint.compliance) continue;
+    for (Vector3d* c : {&joint.compliance->force, &joint.compliance->moment}) {
+      const Matrix3d old_axes = c->asDiagonal();
+      *c = (turn.transpose() * old_axes * turn).diagonal();
+    }
   }
 }
 

@@ -22,7 +22,8 @@ std::optional<Eigen::Matrix3d> find_plane(
 
 /// Turns the frames of a planar mechanism's joints, alike on both bodies, so
 /// that the plane's normal is z of revolutes and welds and x of prismatic
-/// joints. The joints remain the same.
+/// joints. The joints remain the same; of their compliance only what couples
+/// the new axes is dropped.
 /// @param normal_W  unit normal.
 void align_joint_frames(MechanismDefinition& definition,
                         const Eigen::Vector3d& normal_W);

@@ -108,7 +108,7 @@ void add_reasons(TextTable& table, const PartResult& part) {
 std::string not_unique_line(const MechanismSummary& mechanism) {
   if (mechanism.not_unique.empty()) return "";
   return fmt::format(
-      "  reactions not unique, least norm taken: {}\n",
+      "  reactions not unique, shared by compliance: {}\n",
       printable(fmt::format("{}", fmt::join(mechanism.not_unique, ", "))));
 }
 

@@ -18,6 +18,28 @@ Peak peak_over(const mechanism::Motion& motion, Value value) {
   return peak;
 }
 
+void add_open_components(MechanismSummary& summary, std::size_t joint,
+                         const std::string& name,
+                         const mechanism::Motion& motion) {
+  static constexpr const char* kNames[] = {"force x",  "force y",  "force z",
+                                           "moment x", "moment y", "moment z"};
+  for (std::size_t k = 0; k < 6; ++k) {
+    OpenComponent open{.joint = name,
+                       .component = kNames[k],
+                       .is_moment = k >= 3,
+                       .peak = {.value = -1.0}};
+    for (const mechanism::Instant& instant : motion.instants) {
+      const auto& reaction = instant.joints[joint];
+      if (reaction.unique_components[k]) continue;
+      const double here = std::abs(reaction.components()[static_cast<int>(k)]);
+      if (!(here > open.peak.value)) continue;
+      open.peak = {here, instant.t};
+      open.spread = reaction.spread[k];
+    }
+    if (open.peak.value >= 0.0) summary.open_components.push_back(open);
+  }
+}
+
 }  // namespace
 
 MechanismSummary summarise(const mechanism::MechanismDefinition& definition,
@@ -45,6 +67,7 @@ MechanismSummary summarise(const mechanism::MechanismDefinition& definition,
           return !instant.joints[j].unique;
         })) {
       summary.not_unique.push_back(definition.joints[j].name);
+      add_open_components(summary, j, definition.joints[j].name, motion);
     }
     summary.joints.push_back({definition.joints[j].name,
                               peak_over(motion, force),

@@ -21,6 +21,16 @@ struct JointPeaks {
   Peak moment;  ///< about the origin of the joint's frame on body b [N m]
 };
 
+/// A component of a joint's reaction that equilibrium leaves open at some
+/// instant, where its magnitude is largest.
+struct OpenComponent {
+  std::string joint;
+  std::string component;  ///< "force x" … "moment z", in the joint's frame
+  bool is_moment{};
+  Peak peak;
+  double spread{};  ///< there; see JointReaction::spread [N] or [N m]
+};
+
 enum class EffortKind { kForce, kTorque };
 
 struct DrivePeak {
@@ -37,8 +47,9 @@ struct MechanismSummary {
   double max_closure_error{};        ///< [m]
   double max_power_balance_error{};  ///< [1]
   /// Joints whose reaction equilibrium leaves undetermined at some instant;
-  /// the least-norm one is taken.
+  /// the one by the joints' compliance is taken.
   std::vector<std::string> not_unique;
+  std::vector<OpenComponent> open_components{};
   std::vector<JointPeaks> joints;
   std::vector<DrivePeak> drives;
 };

@@ -62,8 +62,26 @@ void add_reaction(Text& text, const MotionReport& report,
   add(text, Vector3d(-(R_aW * reaction.t_W)));
   add(text, Vector3d(R_bW * reaction.f_W));
   add(text, Vector3d(R_bW * reaction.t_W));
-  fmt::format_to(std::back_inserter(text), ",{}\n",
+  fmt::format_to(std::back_inserter(text), ",{}",
                  reaction.unique ? "yes" : "no");
+  const auto in_joint_frame = reaction.components();
+  add(text, Vector3d(in_joint_frame.head<3>()));
+  add(text, Vector3d(in_joint_frame.tail<3>()));
+  for (const bool unique : reaction.unique_components) {
+    fmt::format_to(std::back_inserter(text), ",{}", unique ? "yes" : "no");
+  }
+  for (const double spread : reaction.spread) add(text, spread);
+  text.push_back('\n');
+}
+
+const char* coupling_unit(const mechanism::MechanismDefinition& definition,
+                          const mechanism::CouplingDefinition& coupling) {
+  const auto joint = static_cast<std::size_t>(coupling.joint_1);
+  return mechanism::coordinate_row(definition.joints[joint].type,
+                                   coupling.coordinate_1)
+                 .is_angle()
+             ? "N_m"
+             : "N";
 }
 
 void add_motion_titles(Text& text, const MotionReport& report) {
@@ -92,6 +110,10 @@ void add_motion_titles(Text& text, const MotionReport& report) {
                    slides ? "mm" : "rad", slides ? "m_per_s" : "rad_per_s",
                    slides ? "N" : "N_m");
   }
+  for (const auto& coupling : report.definition.couplings) {
+    fmt::format_to(std::back_inserter(text), ",{}.coupling_effort_{}",
+                   coupling.name, coupling_unit(report.definition, coupling));
+  }
   fmt::format_to(std::back_inserter(text),
                  ",closure_error_mm,power_balance_error_rel\n");
 }
@@ -108,7 +130,17 @@ std::string reactions_csv(const MotionReport& report) {
   add_vector_title(text, "moment_on_a_frame_a", "N_m");
   add_vector_title(text, "force_on_b_frame_b", "N");
   add_vector_title(text, "moment_on_b_frame_b", "N_m");
-  fmt::format_to(std::back_inserter(text), ",unique\n");
+  fmt::format_to(std::back_inserter(text), ",unique");
+  add_vector_title(text, "force_on_b_joint_frame", "N");
+  add_vector_title(text, "moment_on_b_joint_frame", "N_m");
+  for (const char* name : {"force", "moment"}) {
+    for (const char axis : {'x', 'y', 'z'}) {
+      fmt::format_to(std::back_inserter(text), ",unique_{}_{}", name, axis);
+    }
+  }
+  add_vector_title(text, "spread_force", "N");
+  add_vector_title(text, "spread_moment", "N_m");
+  text.push_back('\n');
   for (const Instant& instant : report.motion.instants) {
     for (std::size_t j = 0; j < instant.joints.size(); ++j) {
       add_reaction(text, report, instant, j);
@@ -144,6 +176,7 @@ std::string motion_csv(const MotionReport& report) {
       add(text, drive.acceleration);
       add(text, drive.effort);
     }
+    for (const auto& coupling : instant.couplings) add(text, coupling.effort);
     add(text, 1e3 * instant.closure_error);
     add(text, instant.power_balance_error);
     text.push_back('\n');

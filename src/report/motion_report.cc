@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "mechanism/joint_types.h"
 #include "report/atomic_file.h"
 #include "report/element_output.h"
 #include "report/json_text.h"
@@ -59,17 +60,33 @@ bool unique_throughout(const mechanism::Motion& motion, std::size_t joint) {
   });
 }
 
+ordered_json open_components_json(const MechanismSummary& summary,
+                                  const std::string& joint) {
+  ordered_json components = ordered_json::array();
+  for (const OpenComponent& open : summary.open_components) {
+    if (open.joint != joint) continue;
+    const std::string unit = open.is_moment ? "_N_m" : "_N";
+    components.push_back({{"component", open.component},
+                          {"peak" + unit, open.peak.value},
+                          {"at_s", open.peak.at},
+                          {"spread" + unit, open.spread}});
+  }
+  return components;
+}
+
 ordered_json joints_json(const MotionReport& report,
                          const MechanismSummary& summary) {
   ordered_json joints = ordered_json::array();
   for (std::size_t j = 0; j < summary.joints.size(); ++j) {
     const JointPeaks& peaks = summary.joints[j];
-    joints.push_back({{"name", peaks.name},
-                      {"peak_force_N", peaks.force.value},
-                      {"peak_force_at_s", peaks.force.at},
-                      {"peak_moment_N_m", peaks.moment.value},
-                      {"peak_moment_at_s", peaks.moment.at},
-                      {"unique", unique_throughout(report.motion, j)}});
+    joints.push_back(
+        {{"name", peaks.name},
+         {"peak_force_N", peaks.force.value},
+         {"peak_force_at_s", peaks.force.at},
+         {"peak_moment_N_m", peaks.moment.value},
+         {"peak_moment_at_s", peaks.moment.at},
+         {"unique", unique_throughout(report.motion, j)},
+         {"open_components", open_components_json(summary, peaks.name)}});
   }
   return joints;
 }
@@ -96,6 +113,31 @@ ordered_json drives_json(const MotionReport& report,
          {"instants", shown}});
   }
   return drives;
+}
+
+ordered_json couplings_json(const MotionReport& report) {
+  ordered_json couplings = ordered_json::array();
+  for (std::size_t k = 0; k < report.definition.couplings.size(); ++k) {
+    const auto& coupling = report.definition.couplings[k];
+    const auto joint = static_cast<std::size_t>(coupling.joint_1);
+    const bool turns = coordinate_row(report.definition.joints[joint].type,
+                                      coupling.coordinate_1)
+                           .is_angle();
+    double peak = 0.0, at = 0.0;
+    bool unique = true;
+    for (const auto& instant : report.motion.instants) {
+      const auto& state = instant.couplings[k];
+      unique = unique && state.unique;
+      if (std::abs(state.effort) <= peak) continue;
+      peak = std::abs(state.effort);
+      at = instant.t;
+    }
+    couplings.push_back({{"name", coupling.name},
+                         {turns ? "peak_effort_N_m" : "peak_effort_N", peak},
+                         {"peak_effort_at_s", at},
+                         {"unique", unique}});
+  }
+  return couplings;
 }
 
 ordered_json markers_json(const MotionReport& report) {
@@ -178,6 +220,7 @@ std::string motion_json(const MotionReport& report) {
         {"change_points", change_points}}},
       {"joints", joints_json(report, summary)},
       {"drives", drives_json(report, summary)},
+      {"couplings", couplings_json(report)},
       {"markers", markers_json(report)}};
   if (const auto& run = report.motion.integration) {
     json["motion"]["integration"] = {

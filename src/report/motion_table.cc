@@ -124,8 +124,37 @@ std::string reactions_text(const MotionReport& report,
       cells.push_back(
           {value == "0.000" ? "-" : fmt::format("{:.6g}", peak.at)});
     }
-    cells.push_back({unique ? "yes" : "no, least norm"});
+    cells.push_back({unique ? "yes" : "no"});
     table.add_row(cells);
+  }
+  return table.text(colour);
+}
+
+/// What redundancy leaves to the joints' compliance.
+std::string open_components_text(const MechanismSummary& summary,
+                                 Colour colour) {
+  TextTable table({{"left open by equilibrium"},
+                   {"component"},
+                   {"peak", Align::kRight},
+                   {"at s", Align::kRight},
+                   {"compliances x2 or /2", Align::kRight}});
+  int left_out = 0;
+  for (const OpenComponent& open : summary.open_components) {
+    const std::string value = newtons(open.peak.value);
+    const std::string spread = newtons(open.spread);
+    if (value == "0.000" && spread == "0.000") {
+      ++left_out;
+      continue;
+    }
+    const char* unit = open.is_moment ? " N m" : " N";
+    table.add_row({{open.joint},
+                   {open.component},
+                   {value + unit},
+                   {fmt::format("{:.6g}", open.peak.at)},
+                   {"+-" + spread + unit}});
+  }
+  if (left_out > 0) {
+    table.add_note(fmt::format("{} more that carry nothing", left_out));
   }
   return table.text(colour);
 }
@@ -217,6 +246,10 @@ std::string motion_table(const MotionReport& report, Colour colour) {
   text += quality_text(report, summary);
   text += '\n';
   text += reactions_text(report, summary, colour);
+  if (!summary.open_components.empty()) {
+    text += '\n';
+    text += open_components_text(summary, colour);
+  }
   if (!report.definition.drives.empty()) {
     text += '\n';
     text += drives_text(report, summary, colour);
