@@ -21,7 +21,8 @@ ClosedConfiguration Continuation::close(Configuration x,
   closed.x = std::move(x);
   closed.targets = targets;
   closed.placed = system_.place(closed.x);
-  closed.factor.compute(system_.jacobian(closed.placed));
+  closed.jacobian = system_.jacobian(closed.placed);
+  closed.factor.compute(closed.jacobian);
   closed.gap = largest_gap(system_.residual(closed.placed, targets));
   return closed;
 }
@@ -47,6 +48,7 @@ bool Continuation::correct(Configuration& x, const VectorXd& targets,
   const double round_off = 3e-14 * length;
   JacobianFactor own;
   const JacobianFactor* factor = &nearby;
+  bool fresh = false;  // the last step was Newton's own
   double last = 0.0;
   for (int i = 0; i < 12; ++i) {
     const auto placed = system_.place(x);
@@ -54,11 +56,13 @@ bool Continuation::correct(Configuration& x, const VectorXd& targets,
     const double gap = largest_gap(c);
     if (gap <= round_off) return true;
     if (!(gap < length)) return false;
-    if (i > 0 && gap > 0.1 * last) {
-      if (gap < tolerance_ && factor == &own) return true;  // all it can do
+    const bool slow = i > 0 && gap > 0.1 * last;
+    if (slow) {
+      if (gap < tolerance_ && fresh) return true;  // all it can do
       own.compute(system_.jacobian(placed));
       factor = &own;
     }
+    fresh = slow;
     last = gap;
     system_.move(x, -factor->solve(c));
   }

@@ -14,6 +14,7 @@ struct ClosedConfiguration {
   Configuration x;
   Eigen::VectorXd targets;  ///< coordinates of the drives
   std::vector<PlacedJoint> placed;
+  Eigen::MatrixXd jacobian;
   JacobianFactor factor;
   double gap{};  ///< largest residual [m]
 };

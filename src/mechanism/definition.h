@@ -165,6 +165,13 @@ enum class MotionKind { kAuto, kDriven, kDynamic };
 /// better.
 enum class IntegratorChoice { kAuto, kExplicit, kImplicit };
 
+/// What happens where the motion passes a change point.
+enum class AtSingularity {
+  kReport,    ///< it keeps its branch; an instant just there is refused
+  kContinue,  ///< that instant gets the reactions of joints that give way
+  kStop       ///< the first change point is refused
+};
+
 /// When the motion is sampled.
 struct SimulationSettings {
   double duration{};   ///< [s]
@@ -176,6 +183,7 @@ struct SimulationSettings {
   IntegratorChoice integrator = IntegratorChoice::kAuto;
   /// Also where a joint's force or moment is largest, for integrated motions.
   bool at_peaks = false;
+  AtSingularity at_singularity = AtSingularity::kReport;
 };
 
 }  // namespace clevis::mechanism

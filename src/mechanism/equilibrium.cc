@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanism/compliant_balance.h"
+
 namespace clevis::mechanism {
 namespace {
 
@@ -54,7 +56,8 @@ Equilibrium::Equilibrium(const MechanismDefinition& definition,
 
 std::vector<Twist> Equilibrium::required_wrenches(
     const Configuration& x, const std::vector<Twist>& twists,
-    const std::vector<Twist>& accelerations) const {
+    const std::vector<Twist>& accelerations,
+    std::span<const Twist> applied) const {
   std::vector<Twist> required(x.size());
   for (std::size_t i = 1; i < x.size(); ++i) {
     const Inertia& body = inertia_[i];
@@ -72,6 +75,10 @@ std::vector<Twist> Equilibrium::required_wrenches(
     Twist& wrench = required[index(load.slot)];
     wrench.v -= load.f;
     wrench.w -= load.t + (x[index(load.slot)].R * load.p_MP).cross(load.f);
+  }
+  for (std::size_t i = 1; i < applied.size(); ++i) {
+    required[i].v -= applied[i].v;
+    required[i].w -= applied[i].w;
   }
   return required;
 }
@@ -168,24 +175,8 @@ void Equilibrium::solve_out_of_plane(Solution& solution,
   mark(solution, shared);
 }
 
-Equilibrium::Solution Equilibrium::solve(
-    const Configuration& x, const std::vector<PlacedJoint>& placed,
-    const JacobianFactor& factor, const std::vector<Twist>& twists,
-    const std::vector<Twist>& accelerations,
-    std::span<const Twist> applied) const {
-  std::vector<Twist> required = required_wrenches(x, twists, accelerations);
-  for (std::size_t i = 1; i < applied.size(); ++i) {
-    required[i].v -= applied[i].v;
-    required[i].w -= applied[i].w;
-  }
-  const VectorXd f = system_.wrench_vector(required);
-  SharedReactions shared;
-  if (system_.rows() > factor.rank()) {
-    shared = share_reactions(frame_, system_, placed, factor, f);
-  } else {
-    shared.lambda = factor.solve_transposed(f);
-  }
-  const VectorXd& lambda = shared.lambda;
+Equilibrium::Solution Equilibrium::empty_solution(
+    const std::vector<PlacedJoint>& placed) const {
   Solution solution;
   solution.joints.resize(placed.size());
   solution.couplings.resize(frame_.couplings.size());
@@ -193,16 +184,52 @@ Equilibrium::Solution Equilibrium::solve(
     solution.joints[j].p_WJ = placed[j].p_b;
     solution.joints[j].R_WJ = placed[j].axes_a;
   }
-  add(solution, placed, system_, lambda);
+  return solution;
+}
+
+void Equilibrium::add_efforts(Solution& solution,
+                              const VectorXd& lambda) const {
   for (int i = system_.joint_rows(); i < system_.rows(); ++i) {
     const auto& row = system_.row_list()[index(i)];
-    const double effort = system_.multiplier(row, lambda[i]);
-    solution.efforts.push_back(effort);
+    solution.efforts.push_back(system_.multiplier(row, lambda[i]));
   }
+}
+
+Equilibrium::Solution Equilibrium::solve(
+    const Configuration& x, const std::vector<PlacedJoint>& placed,
+    const JacobianFactor& factor, const std::vector<Twist>& twists,
+    const std::vector<Twist>& accelerations,
+    std::span<const Twist> applied) const {
+  const std::vector<Twist> required =
+      required_wrenches(x, twists, accelerations, applied);
+  const VectorXd f = system_.wrench_vector(required);
+  SharedReactions shared;
+  if (system_.rows() > factor.rank()) {
+    shared = share_reactions(frame_, system_, placed, factor, f);
+  } else {
+    shared.lambda = factor.solve_transposed(f);
+  }
+  Solution solution = empty_solution(placed);
+  add(solution, placed, system_, shared.lambda);
+  add_efforts(solution, shared.lambda);
   mark(solution, shared);
   if (frame_.planar && acts_across_plane(placed, required)) {
     solve_out_of_plane(solution, placed, required);
   }
+  return solution;
+}
+
+std::optional<Equilibrium::Solution> Equilibrium::solve_compliant(
+    const Configuration& x, const std::vector<PlacedJoint>& placed,
+    const std::vector<Twist>& twists, const std::vector<Twist>& accelerations,
+    std::span<const Twist> applied) const {
+  const VectorXd f = system_.wrench_vector(
+      required_wrenches(x, twists, accelerations, applied));
+  const CompliantBalance balance = compliant_balance(frame_, system_, x, f);
+  if (!balance.found) return std::nullopt;
+  Solution solution = empty_solution(placed);
+  add(solution, placed, system_, balance.lambda);
+  add_efforts(solution, balance.lambda);
   return solution;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,10 +34,20 @@ class Equilibrium {
                  const std::vector<Twist>& accelerations,
                  std::span<const Twist> applied = {}) const;
 
+  /// The same with joints that give way, of the system's own motions only.
+  /// Nothing if no balance was found.
+  std::optional<Solution> solve_compliant(
+      const Configuration& x, const std::vector<PlacedJoint>& placed,
+      const std::vector<Twist>& twists, const std::vector<Twist>& accelerations,
+      std::span<const Twist> applied = {}) const;
+
  private:
-  std::vector<Twist> required_wrenches(
-      const Configuration& x, const std::vector<Twist>& twists,
-      const std::vector<Twist>& accelerations) const;
+  Solution empty_solution(const std::vector<PlacedJoint>& placed) const;
+  void add_efforts(Solution& solution, const Eigen::VectorXd& lambda) const;
+  std::vector<Twist> required_wrenches(const Configuration& x,
+                                       const std::vector<Twist>& twists,
+                                       const std::vector<Twist>& accelerations,
+                                       std::span<const Twist> applied) const;
   void add(Solution& solution, const std::vector<PlacedJoint>& placed,
            const ConstraintSystem& rows, const Eigen::VectorXd& lambda) const;
   /// Whether anything loads the parts across the plane of motion: loads with

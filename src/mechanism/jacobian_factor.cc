@@ -54,6 +54,21 @@ VectorXd JacobianFactor::solve_transposed(const VectorXd& f) const {
   return orthogonal_.transpose().solve(f);
 }
 
+JacobianFactor::Weakest JacobianFactor::weakest() const {
+  // inverse iteration, from a vector without symmetry
+  Weakest w;
+  w.v = VectorXd::LinSpaced(columns_, 1.0, 2.0);
+  for (int i = 0; i < 3; ++i) {
+    w.v.normalize();
+    w.u = solve_transposed(w.v);
+    w.u.normalize();
+    w.v = solve(w.u);
+  }
+  w.sigma = 1.0 / w.v.norm();
+  w.v *= w.sigma;
+  return w;
+}
+
 MatrixXd JacobianFactor::left_null_space() const {
   const int open = rows_ - rank_;
   MatrixXd N = MatrixXd::Zero(rows_, open);

@@ -22,9 +22,16 @@ class JacobianFactor {
 
   int rank() const { return rank_; }
   bool full_column_rank() const { return rank_ == columns_; }
-  /// Sign of det J; 0 if J is not square or not regular. It changes where the
-  /// motion passes a change point.
+  /// Sign of det J; 0 if J is not square or not regular.
   int determinant_sign() const { return determinant_sign_; }
+
+  /// Singular vectors of the smallest singular value, J v = sigma u, about;
+  /// of full column rank only.
+  struct Weakest {
+    double sigma{};
+    Eigen::VectorXd u, v;
+  };
+  Weakest weakest() const;
 
   /// Least-squares, minimal-norm solution of J x = b.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;

@@ -89,6 +89,9 @@ struct Instant {
   std::vector<DriveState> drives;
   std::vector<CouplingState> couplings;
   std::vector<ElementState> elements;
+  /// Rigid reactions have no bound here: those of joints that give way stand
+  /// in their place, and balance in the deflected position only.
+  bool is_change_point = false;
   double closure_error{};        ///< largest joint gap [m]
   double power_balance_error{};  ///< |drives + loads − d(kinetic)/dt| over the
                                  ///< largest of them over the motion [1]
@@ -98,7 +101,11 @@ struct Instant {
 /// its branch, but rigid reactions grow without bound towards the point, so
 /// their largest value is a matter of sampling.
 struct ChangePoint {
-  double t_before{}, t_after{};  ///< [s]
+  double t_before{}, t_after{};  ///< instants before and behind [s]
+  double t{};                    ///< the point itself [s]
+  /// The same, with the reactions of joints that give way; nothing where even
+  /// those do not hold the loads.
+  std::optional<Instant> at = std::nullopt;
 };
 
 /// How an integrated motion was found.

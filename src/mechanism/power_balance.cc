@@ -61,6 +61,7 @@ void judge_power_balance(const MechanismDefinition& definition,
                          Motion& motion) {
   double scale = 0.0;
   for (Instant& instant : motion.instants) {
+    if (instant.is_change_point) continue;  // in balance when deflected
     const Power p = power(definition, instant);
     instant.power_balance_error = std::abs(p.sum);
     scale = std::max(scale, p.largest_term);

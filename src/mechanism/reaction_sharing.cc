@@ -57,6 +57,13 @@ VectorXd compliances(const SolvingFrame& frame) {
 
 }  // namespace
 
+MatrixXd row_compliance(const SolvingFrame& frame,
+                        const ConstraintSystem& system,
+                        const std::vector<PlacedJoint>& placed) {
+  const MatrixXd E = components_of_rows(frame, system, placed);
+  return E.transpose() * compliances(frame).asDiagonal() * E;
+}
+
 SharedReactions share_reactions(const SolvingFrame& frame,
                                 const ConstraintSystem& system,
                                 const std::vector<PlacedJoint>& placed,

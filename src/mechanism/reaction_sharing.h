@@ -27,6 +27,11 @@ struct SharedReactions {
   Eigen::VectorXd spread;
 };
 
+/// Compliance of the rows against scaled multipliers: Eᵀ C E. Zero for drives.
+Eigen::MatrixXd row_compliance(const SolvingFrame& frame,
+                               const ConstraintSystem& system,
+                               const std::vector<PlacedJoint>& placed);
+
 /// @param factor  of the Jacobian of `system` at `placed`.
 /// @param f       right-hand side, of ConstraintSystem::wrench_vector.
 /// Source: docs/theory.md, "Reactions".

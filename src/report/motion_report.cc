@@ -204,8 +204,24 @@ std::string motion_json(const MotionReport& report) {
       summarise(report.definition, report.structure, report.motion);
   ordered_json change_points = ordered_json::array();
   for (const auto& point : report.motion.change_points) {
-    change_points.push_back(
-        {{"after_s", point.t_before}, {"before_s", point.t_after}});
+    change_points.push_back({{"after_s", point.t_before},
+                             {"before_s", point.t_after},
+                             {"at_s", point.t}});
+    if (!point.at) continue;
+    ordered_json& json = change_points.back();
+    for (std::size_t d = 0; d < report.definition.drives.size(); ++d) {
+      const auto& drive = report.definition.drives[d];
+      const bool turns = mechanism::drives_angle(report.definition, drive);
+      const double q = point.at->drives[d].position;
+      json["drives"].push_back(
+          {{"joint", mechanism::drive_name(report.definition, drive)},
+           {turns ? "position_deg" : "position_mm",
+            turns ? q / kDegree : millimetres(q)}});
+    }
+    for (std::size_t j = 0; j < report.definition.joints.size(); ++j) {
+      json["compliant_forces_N"][report.definition.joints[j].name] =
+          point.at->joints[j].f_W.norm();
+    }
   }
   ordered_json json = {
       {"schema", 1},

@@ -65,6 +65,33 @@ std::string structure_text(const mechanism::Structure& s) {
   return text;
 }
 
+std::string change_point_text(const MotionReport& report) {
+  std::string text;
+  for (const auto& point : report.motion.change_points) {
+    text += fmt::format("  change point at {:.8g} s, passed on its branch: ",
+                        point.t);
+    if (!point.at) {
+      text += "not even joints that give way hold the loads\n";
+      continue;
+    }
+    const auto& joints = point.at->joints;
+    const auto largest =
+        std::ranges::max_element(joints, {}, [](const auto& joint) {
+          return joint.f_W.norm();
+        });
+    const auto index = static_cast<std::size_t>(largest - joints.begin());
+    text += fmt::format("joints that give way carry {} N at most, in {}\n",
+                        newtons(largest->f_W.norm()),
+                        report.definition.joints[index].name);
+  }
+  if (!text.empty()) {
+    text +=
+        "  towards a change point rigid reactions grow without bound: their "
+        "peaks depend on the instants\n";
+  }
+  return text;
+}
+
 std::string quality_text(const MotionReport& report,
                          const MechanismSummary& summary) {
   std::string text = fmt::format(
@@ -83,14 +110,7 @@ std::string quality_text(const MotionReport& report,
         run->rejected, run->evaluations, run->energy_error,
         run->relative_energy_error);
   }
-  for (const auto& point : report.motion.change_points) {
-    text += fmt::format(
-        "  passes a change point between {:.6g} s and {:.6g} s, on its branch; "
-        "rigid reactions grow without bound there: peaks depend on the "
-        "instants\n",
-        point.t_before, point.t_after);
-  }
-  return text;
+  return text + change_point_text(report);
 }
 
 std::string reactions_text(const MotionReport& report,

@@ -88,8 +88,8 @@ constexpr Key kBearing[] = {"name",
                             "outer_diameter",
                             "width"};
 constexpr Key kMarker[] = {"name", "body", "point"};
-constexpr Key kSimulation[] = {"duration", "instants", "tolerance", "motion",
-                               "integrator"};
+constexpr Key kSimulation[] = {"duration", "instants",   "tolerance",
+                               "motion",   "integrator", "at_singularity"};
 constexpr Key kPart[] = {"name",      "geometry", "mesh", "length_unit",
                          "thickness", "material", "pins", "drives",
                          "limits",    "case"};

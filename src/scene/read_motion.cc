@@ -99,6 +99,12 @@ mechanism::SimulationSettings read_simulation(StrictTable table) {
     settings.integrator = integrator->choice<mechanism::IntegratorChoice>(
         {{"auto", kAuto}, {"explicit", kExplicit}, {"implicit", kImplicit}});
   }
+  if (const auto singularity = table.find("at_singularity")) {
+    settings.at_singularity = singularity->choice<mechanism::AtSingularity>(
+        {{"report", mechanism::AtSingularity::kReport},
+         {"continue", mechanism::AtSingularity::kContinue},
+         {"stop", mechanism::AtSingularity::kStop}});
+  }
   return settings;
 }
 
