@@ -1,0 +1,99 @@
+"""Closed forms of the source systems, independent of clevis."""
+import math
+
+
+def smallest(cosine, sine, right):
+    """The root nearest to 0 of cosine cos t + sine sin t = right."""
+    middle = math.atan2(sine, cosine)
+    half = math.acos(right / math.hypot(cosine, sine))
+    return min((middle + half, middle - half), key=abs)
+
+
+def antenna(elevation, azimuth, lever=100.0, crank=62.0, rod=200.0):
+    """Angles (a, b) [rad] of the reflector, R = Rx(a) Ry(b), for the angles of
+    the cranks: each rod keeps its length. [mm]"""
+    s_y = lever - crank + crank * math.cos(elevation)
+    s_z = -rod + crank * math.sin(elevation)
+    a = smallest(s_y, s_z, (lever**2 + s_y**2 + s_z**2 - rod**2) / (2 * lever))
+    s_x = -(lever - crank + crank * math.cos(azimuth))
+    s_z = -rod + crank * math.sin(azimuth)
+    w = (s_x, math.sin(a) * s_z, math.cos(a) * s_z)  # turned back by a
+    square = sum(x * x for x in w)
+    b = smallest(-w[0], w[2], (lever**2 + square - rod**2) / (2 * lever))
+    return a, b
+
+
+class FiveBar:
+    """The 5R linkage: inputs phi (counter-clockwise) and lam (clockwise), both
+    from y; AB = CD = l1 with twist a1, BC = AD = l2 with twist a2."""
+
+    def __init__(self, a2, l1=100.0, a1=math.radians(30)):
+        self.l1, self.a1, self.a2 = l1, a1, a2
+        self.l2 = l1 * math.sin(a2) / math.sin(a1)
+
+    def gamma(self, phi, lam):
+        """(sin, cos) of CD against AD; Bennett's with delta = phi + lam."""
+        l1, l2 = self.l1, self.l2
+        c1, c2 = math.cos(self.a1), math.cos(self.a2)
+        k1, k2 = l2 * l2 * c1 + l1 * l1 * c2, l1 * l2 * (c1 + c2)
+        delta = phi + lam
+        v = k1 - k2 * math.cos(delta)
+        return ((l2 * l2 - l1 * l1) * math.sin(delta) / v,
+                (k1 * math.cos(delta) - k2) / v)
+
+    def gamma_published(self, phi, lam):
+        """Equations (2), (3) and (6) as printed."""
+        l1, l2 = self.l1, self.l2
+        c1, c2 = math.cos(self.a1), math.cos(self.a2)
+        k = [l2 * l2 * c1 + l1 * l1 * c2, l1 * l1 * c2 - l2 * l2 * c1,
+             l1 * l2 * c2, l1 * l2 * c1, l1 * l2 * (c1 + c2),
+             l1 * l2 * (c1 - c2), l1 * l1 * c2, l2 * l2 * c1]
+        cc = math.cos(phi) * math.cos(lam)
+        ss = math.sin(phi) * math.sin(lam)
+        v = -cc * k[4] + ss * k[5] + math.cos(2 * lam) * k[6] + k[7]
+        return (math.sin(phi + lam) * (l2 * l2 - l1 * l1) / v,
+                (cc * k[0] + ss * k[1] - math.cos(2 * lam) * k[2] - k[3]) / v)
+
+    def point_c(self, lam, gamma):
+        """C from gamma = (sin, cos): on the circle about D. [mm]"""
+        sine, cosine = gamma
+        along = self.l2 + self.l1 * cosine
+        across = -self.l1 * sine * math.cos(self.a2)
+        # AD along (sin, cos, 0), its y is (-cos, sin, 0)
+        return (along * math.sin(lam) - across * math.cos(lam),
+                along * math.cos(lam) + across * math.sin(lam),
+                -self.l1 * sine * math.sin(self.a2))
+
+    def length_cd(self, phi, lam, gamma):
+        """|CD| if C is where gamma at B puts it. [mm]"""
+        sine, cosine = gamma
+        c1, s1 = math.cos(self.a1), math.sin(self.a1)
+        r, t = (-math.sin(phi), math.cos(phi)), (math.cos(phi), math.sin(phi))
+        c = [(self.l1 + self.l2 * cosine) * r[i] + self.l2 * sine * c1 * t[i]
+             for i in range(2)] + [-self.l2 * sine * s1]
+        d = (self.l2 * math.sin(lam), self.l2 * math.cos(lam), 0.0)
+        return math.dist(c, d)
+
+    def faults_of_published(self):
+        """Largest sin^2 + cos^2 - 1 and | |CD| - l1 | [mm] of the published
+        formulas over all inputs, by whole degrees."""
+        unit = length = 0.0
+        angles = [math.radians(i) for i in range(360)]
+        for phi in angles:
+            for lam in angles:
+                gamma = self.gamma_published(phi, lam)
+                unit = max(unit, abs(math.hypot(*gamma)**2 - 1))
+                off = abs(self.length_cd(phi, lam, gamma) - self.l1)
+                length = max(length, off)
+        return unit, length
+
+    def phi(self, lam, gamma):
+        """The inverse problem, for a2 = 90 deg."""
+        return 2 * math.atan(math.tan(gamma / 2) / math.sqrt(3)) - lam
+
+
+def bennett_second(theta, alpha, beta):
+    """Angle of the second hinge of Bennett's loop."""
+    product = (math.sin(0.5 * (beta + alpha)) /
+               math.sin(0.5 * (beta - alpha)))
+    return 2 * math.atan(product / math.tan(0.5 * theta))

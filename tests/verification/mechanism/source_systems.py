@@ -1,0 +1,195 @@
+#!/usr/bin/env python3
+"""Runs `clevis simulate` on the antenna, Bennett's linkage and the 5R linkage
+and compares with their closed forms.
+
+    source_systems.py CLEVIS GEOMETRY
+"""
+import csv
+import json
+import math
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from closed_forms import FiveBar, antenna, bennett_second
+
+TABLE_1 = [(0.2, 0.1), (2.0, 2.1), (0.3, 0.6), (0.2, 0.3), (2.0, 2.3),
+           (2.3, 1.3)]
+faults = []
+
+
+def expect(what, found, expected, tolerance):
+    if not abs(found - expected) <= tolerance:
+        faults.append(f"{what}: {found} instead of {expected} +- {tolerance}")
+
+
+def angle(difference):
+    """Difference of two angles without whole turns."""
+    return math.remainder(difference, 2 * math.pi)
+
+
+def simulate(clevis, scene, folder):
+    run = subprocess.run([clevis, "simulate", scene, "--json", "--out", folder],
+                         capture_output=True, text=True)
+    if run.returncode:
+        sys.exit(run.stderr)
+    with open(Path(folder) / "motion.csv", newline="") as file:
+        rows = [{key: float(value) for key, value in row.items()}
+                for row in csv.DictReader(file)]
+    return json.loads(run.stdout), rows
+
+
+def rotation(row, body):
+    """Columns of the body's axes in the world."""
+    w, x, y, z = (row[f"{body}.quaternion_{c}"] for c in "wxyz")
+    return ((1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)),
+            (2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)),
+            (2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)))
+
+
+def reflector(row):
+    """Angles (a, b) of R = Rx(a) Ry(b)."""
+    x, y, z = rotation(row, "reflector")
+    return math.atan2(y[2], y[1]), math.atan2(z[0], x[0])
+
+
+def marker(row, name):
+    return tuple(row[f"{name}.marker_{axis}_mm"] for axis in "xyz")
+
+
+def check_quality(result, name):
+    motion = result["motion"]
+    expect(f"{name}: gap", motion["max_closure_error_mm"], 0, 1e-8)
+    expect(f"{name}: power", motion["max_power_balance_error"], 0, 1e-10)
+
+
+def check_antenna(clevis, geometry, folder):
+    for scene in ("scene", "swinging", "opposite_sense"):
+        result, rows = simulate(clevis, geometry / f"antenna/{scene}.toml",
+                                folder)
+        expect("antenna: mobility", result["structure"]["mobility_rank"], 2, 0)
+        expect("antenna: Chebyshev",
+               result["structure"]["mobility_chebyshev"], 2, 0)
+        check_quality(result, f"antenna {scene}")
+        worst = 0.0
+        for row in rows:
+            a, b = reflector(row)
+            to_a, to_b = antenna(row["motor_elevation.drive_rad"],
+                                 row["motor_azimuth.drive_rad"])
+            worst = max(worst, abs(a - to_a), abs(b - to_b))
+        expect(f"antenna {scene}: closed form [deg]", math.degrees(worst), 0,
+               1e-9)
+        print(f"antenna {scene}: {math.degrees(worst):.1e} deg off")
+
+
+def check_bennett(clevis, geometry, folder):
+    result, rows = simulate(clevis, geometry / "bennett/scene.toml", folder)
+    structure = result["structure"]
+    expect("Bennett: mobility", structure["mobility_rank"], 1, 0)
+    expect("Bennett: Chebyshev", structure["mobility_chebyshev"], -2, 0)
+    expect("Bennett: redundant", structure["redundant_constraints"], 3, 0)
+    check_quality(result, "Bennett")
+    for joint in result["joints"]:
+        expect("Bennett: open components", len(joint["open_components"]), 5, 0)
+    worst = 0.0
+    for row in rows:
+        # hinge 2: from x of P to x of Q about z of Q
+        p, q = rotation(row, "P")[0], rotation(row, "Q")
+        across = [sum(p[i] * q[k][i] for i in range(3)) for k in range(2)]
+        second = math.atan2(-across[1], across[0])
+        theta = row["one.drive_rad"]
+        expected = bennett_second(theta, math.radians(60), math.radians(30))
+        worst = max(worst, abs(angle(second - expected)))
+        if row["t_s"] == 0:
+            expect("Bennett at 70 deg", second, -2.639805930424, 2e-11)
+    expect("Bennett: closed form [rad]", worst, 0, 1e-10)
+    print(f"Bennett: {worst:.1e} rad off")
+
+
+def inputs(speeds, rows):
+    """(phi, lambda) of the instants of 20 pi s; twelve printed digits of 144 rad
+    are too few."""
+    for i in range(rows):
+        t = 20 * math.pi * i / (rows - 1)
+        yield speeds[0] * t, speeds[1] * t
+
+
+def check_table_1(clevis, geometry, folder):
+    """C on the torus, gamma by the closed form, for six pairs of speeds."""
+    text = (geometry / "five_bar/scene.toml").read_text()
+    linkage = FiveBar(math.radians(90))
+    for speeds in TABLE_1:
+        rates = iter(speeds)
+        scene = Path(folder) / "run.toml"
+        scene.write_text(re.sub(
+            r'to = ".* rad"',
+            lambda _: f'to = "{next(rates) * 20 * math.pi!r} rad"', text))
+        result, rows = simulate(clevis, scene, folder)
+        expect("5R: mobility", result["structure"]["mobility_rank"], 2, 0)
+        expect("5R: redundant", result["structure"]["redundant_constraints"],
+               3, 0)
+        check_quality(result, f"5R {speeds}")
+        torus = closed = 0.0
+        for row, (phi, lam) in zip(rows, inputs(speeds, len(rows))):
+            x, y, z = marker(row, "C")
+            torus = max(torus, abs((math.hypot(x, y) - 200)**2 + z * z - 1e4) /
+                        1e4)
+            point = linkage.point_c(lam, linkage.gamma(phi, lam))
+            closed = max(closed, math.dist(point, (x, y, z)))
+        expect(f"5R {speeds}: torus [1]", torus, 0, 1e-9)
+        expect(f"5R {speeds}: C [mm]", closed, 0, 1e-7)
+        turns = math.dist(marker(rows[0], "C"), marker(rows[-1], "C"))
+        expect(f"5R {speeds}: closed curve [mm]", turns, 0, 1e-6)
+        print(f"5R {speeds}: torus {torus:.1e}, C {closed:.1e} mm off")
+
+
+def check_twist_60(clevis, geometry, folder):
+    """Where a2 is not 90 deg the published formulas fail, the corrected hold."""
+    result, rows = simulate(clevis, geometry / "five_bar/twist_60.toml", folder)
+    check_quality(result, "5R, 60 deg")
+    linkage = FiveBar(math.radians(60))
+    corrected = published = 0.0
+    for row, (phi, lam) in zip(rows, inputs((0.6, 0.3), len(rows))):
+        found = marker(row, "C")
+        good, bad = linkage.gamma(phi, lam), linkage.gamma_published(phi, lam)
+        corrected = max(corrected, math.dist(found, linkage.point_c(lam, good)))
+        published = max(published, math.dist(found, linkage.point_c(lam, bad)))
+    expect("5R, 60 deg: corrected [mm]", corrected, 0, 1e-7)
+    expect("5R, 60 deg: published [mm]", published, 84.8, 0.05)
+    unit, length = linkage.faults_of_published()
+    expect("published: sin^2 + cos^2 - 1", unit, 1.909, 5e-4)
+    expect("published: |CD| - l1 [mm]", length, 105.77, 5e-3)
+    print(f"5R, 60 deg: corrected {corrected:.1e} mm off; published {published:.1f}"
+          f" mm, sin^2 + cos^2 - 1 up to {unit:.2f}, |CD| off by {length:.0f} mm")
+
+
+def check_tracking(clevis, geometry, folder):
+    """The path of C is given; phi follows as the inverse closed form says."""
+    result, rows = simulate(clevis, geometry / "five_bar/tracking.toml", folder)
+    check_quality(result, "tracking")
+    linkage = FiveBar(math.radians(90))
+    worst = 0.0
+    for row in rows:
+        lam, gamma = row["F.drive_rad"], row["D.drive_rad"]
+        x = rotation(row, "AB")[0]
+        phi = math.atan2(-x[0], x[1])
+        worst = max(worst, abs(angle(phi - linkage.phi(lam, gamma))))
+    expect("tracking: phi [rad]", worst, 0, 1e-10)
+    print(f"tracking: phi {worst:.1e} rad off")
+
+
+def main():
+    clevis, geometry = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2])
+    with tempfile.TemporaryDirectory() as folder:
+        for check in (check_antenna, check_bennett, check_table_1,
+                      check_twist_60, check_tracking):
+            check(clevis, geometry, folder)
+    for fault in faults:
+        print(fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
