@@ -180,11 +180,62 @@ def check_tracking(clevis, geometry, folder):
     print(f"tracking: phi {worst:.1e} rad off")
 
 
+def replay_scene(text, rows, every):
+    """The tracking scene with the inputs as drives: phi recorded at every so
+    many instants, for a servo that follows a table."""
+    def listed(values, unit):  # one a line: lines hold 64 dots at most
+        return "[" + ",\n".join(f'"{value!r} {unit}"' for value in values) + "]"
+
+    chosen = rows[::every]
+    sides = [rotation(row, "AB")[0] for row in chosen]
+    table = ('[[drive]]\njoint = "A"\nlaw = "table"\n'
+             f"times = {listed([row['t_s'] for row in chosen], 's')}\n"
+             "positions = "
+             f"{listed([math.atan2(-x[0], x[1]) for x in sides], 'rad')}\n")
+    head, _, tail = text.partition('[[drive]]\njoint = "D"\n')
+    return head + table + tail[tail.index("\n[[marker]]"):]
+
+
+def drive_power(row, names):
+    return sum(row[f"{name}.drive_effort_N_m"] *
+               row[f"{name}.drive_rate_rad_per_s"] for name in names)
+
+
+def replay(clevis, geometry, folder, every):
+    """Largest distance of C from the path led [mm], difference of the drives'
+    power [W] and its largest value."""
+    scene = geometry / "five_bar/tracking.toml"
+    _, led = simulate(clevis, scene, folder)
+    copy = Path(folder) / "replay.toml"
+    copy.write_text(replay_scene(scene.read_text(), led, every))
+    _, rows = simulate(clevis, copy, folder)
+    off = max(math.dist(marker(a, "C"), marker(b, "C"))
+              for a, b in zip(led, rows))
+    power = max(abs(drive_power(a, "FD") - drive_power(b, "FA"))
+                for a, b in zip(led, rows))
+    return off, power, max(abs(drive_power(a, "FD")) for a in led)
+
+
+def check_replay(clevis, geometry, folder):
+    """The inputs found by leading C, replayed from tables: the path comes back,
+    the finer the table the better, and so does the power of the drives."""
+    runs = [replay(clevis, geometry, folder, every) for every in (40, 20, 10)]
+    for coarse, fine in zip(runs, runs[1:]):
+        if not fine[0] < 0.2 * coarse[0]:
+            faults.append(f"replay: {coarse[0]} mm, then {fine[0]} mm off")
+    off, power, largest = runs[-1]
+    expect("replay: C [mm]", off, 0, 0.02)
+    expect("replay: power of the drives [1]", power / largest, 0, 0.02)
+    print("replay by tables of 11, 21, 41 points: C "
+          f"{', '.join(f'{run[0]:.1e}' for run in runs)} mm off; power off by "
+          f"{power / largest:.1e} of the largest")
+
+
 def main():
     clevis, geometry = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2])
     with tempfile.TemporaryDirectory() as folder:
         for check in (check_antenna, check_bennett, check_table_1,
-                      check_twist_60, check_tracking):
+                      check_twist_60, check_tracking, check_replay):
             check(clevis, geometry, folder)
     for fault in faults:
         print(fault)
