@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <utility>
 
-#include <Eigen/Cholesky>
-
 #include "base/stopwatch.h"
-#include "elasticity/dense_product.h"
-#include "elasticity/equations.h"
 #include "elasticity/folding.h"
 #include "elasticity/frontal_cholesky.h"
 #include "elasticity/large_part.h"
@@ -18,6 +13,7 @@
 #include "elasticity/load_vectors.h"
 #include "elasticity/memory_forecast.h"
 #include "elasticity/multigrid_solver.h"
+#include "elasticity/parity_classes.h"
 #include "elasticity/refinement.h"
 #include "elasticity/stiffness.h"
 #include "elasticity/supports.h"
@@ -28,133 +24,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-template <int dim>
-using Positions = Eigen::Matrix<double, dim, Eigen::Dynamic>;
-
 constexpr double kCompressionTolerance = 3e-7;
-constexpr double kLoadless = 1e-8;  // a class, against the whole
-
-/// One parity class of the problem on the folded part.
-struct ParityClass {
-  unsigned parity{};
-  LoadBasis loads;
-  std::vector<int> held;      ///< on the planes and by supports, sorted
-  std::vector<int> supports;  ///< determinate: without reaction
-  EquationNumbers numbers;
-  std::unique_ptr<FrontalCholesky> factor;
-  MatrixXd columns;  ///< displacements on the folded part
-};
-
-/// Mirrors of the mesh that the supports have too.
-template <int dim>
-std::vector<Mirror> common_mirrors(const Discretization<dim>& discretization,
-                                   const Positions<dim>& positions,
-                                   const std::vector<int>& fixed) {
-  std::vector<Mirror> mirrors = find_mirrors<dim>(discretization, positions);
-  std::erase_if(mirrors, [&](const Mirror& mirror) {
-    return !maps_to_itself<dim>(mirror, fixed);
-  });
-  return mirrors;
-}
-
-/// Rigid modes of the folded part that belong to a class.
-template <int dim>
-MatrixXd free_modes(const Folding<dim>& folding, unsigned parity,
-                    const Positions<dim>& positions) {
-  const Eigen::Matrix<double, dim, 1> low = positions.rowwise().minCoeff();
-  const Eigen::Matrix<double, dim, 1> high = positions.rowwise().maxCoeff();
-  Eigen::Matrix<double, dim, 1> centre = 0.5 * (low + high);
-  for (const Mirror& mirror : folding.mirrors) {
-    centre[mirror.axis] = mirror.position;
-  }
-  const MatrixXd all = rigid_modes<dim>(positions, centre, (high - low).norm());
-  const std::vector<int> belong = rigid_modes_of(folding, parity);
-  MatrixXd modes(all.rows(), static_cast<Index>(belong.size()));
-  for (std::size_t k = 0; k < belong.size(); ++k) {
-    modes.col(static_cast<Index>(k)) = all.col(belong[k]);
-  }
-  return modes;
-}
-
-/// Takes out of a class's loads what leaves them out of balance on the folded
-/// part: the mesh is symmetric to 1e-9 only, its nodes have moved so far.
-void balance_class(const MatrixXd& modes, MatrixXd& loads) {
-  if (modes.cols() == 0) return;
-  loads -= product(modes, (modes.transpose() * modes)
-                              .llt()
-                              .solve(transposed_product(modes, loads)));
-}
-
-/// Components that a class holds: on the planes, by the fixed supports of the
-/// whole part, or determinate where it is free.
-template <int dim>
-void hold(const Folding<dim>& folding, const std::vector<int>& fixed,
-          const Positions<dim>& folded_positions, ParityClass& parity_class) {
-  std::vector<int>& held = parity_class.held;
-  held = held_on_planes(folding, parity_class.parity);
-  if (fixed.empty()) {
-    parity_class.supports = determinate_supports(
-        folding.part,
-        free_modes<dim>(folding, parity_class.parity, folded_positions), held);
-    held.insert(held.end(), parity_class.supports.begin(),
-                parity_class.supports.end());
-  }
-  for (int dof : fixed) {
-    held.push_back(dim * folding.node[static_cast<std::size_t>(dof / dim)] +
-                   dof % dim);
-  }
-  std::ranges::sort(held);
-  held.erase(std::unique(held.begin(), held.end()), held.end());
-}
-
-/// The classes that carry load. All have the columns of the whole part's
-/// loads, so that the same coefficients go with all of them.
-/// @param error  what is left out adds to that of the compression [1].
-template <int dim>
-std::vector<ParityClass> loaded_classes(const Folding<dim>& folding,
-                                        const Positions<dim>& folded_positions,
-                                        const LoadBasis& loads, bool is_free,
-                                        double& error) {
-  std::vector<ParityClass> classes;
-  if (loads.columns.cols() == 0) return classes;
-  const double scale = largest_instant(loads) /
-                       std::sqrt(static_cast<double>(folding.classes()));
-  for (unsigned parity = 0; parity < folding.classes(); ++parity) {
-    LoadBasis folded{fold_loads(folding, parity, loads.columns),
-                     loads.coefficients};
-    const double size = largest_instant(folded) / scale;
-    if (size <= kLoadless) {
-      error = std::hypot(error, size);
-      continue;
-    }
-    if (is_free && folding.classes() > 1) {
-      balance_class(free_modes<dim>(folding, parity, folded_positions),
-                    folded.columns);
-    }
-    classes.emplace_back();
-    classes.back().parity = parity;
-    classes.back().loads = std::move(folded);
-  }
-  return classes;
-}
-
-/// @return strain energy per instant [J].
-Eigen::VectorXd check_classes(const StiffnessAction& stiffness,
-                              const std::vector<ParityClass>& classes,
-                              double images, const LoadBasis& loads,
-                              SolveChecks& checks) {
-  forget_solution(checks);
-  const double share = 1.0 / std::sqrt(images);
-  SolutionCheck check(loads.coefficients.cols(),
-                      share * largest_instant(loads));
-  const Eigen::ArrayXd norms =
-      share * loads.columns.colwise().norm().transpose().array();
-  for (const ParityClass& c : classes) {
-    check.add(stiffness, c.columns, c.loads, norms, c.held, c.supports, images,
-              checks);
-  }
-  return check.strain_energy(checks);
-}
 
 template <int dim>
 bool uses_multigrid(const ElasticProblem<dim>& problem,
