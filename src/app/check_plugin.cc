@@ -52,6 +52,11 @@ std::string check_one(const PartJob& job,
     return kResult + report::encode(assessment.result);
   } catch (const Error& error) {
     return kRefusal + encode_error(error);
+  } catch (const std::bad_alloc&) {
+    return kRefusal +
+           encode_error(Error(
+               "F004", "part " + job.part.name, "the memory ran out",
+               "mesh the part coarser, or check fewer at once (--jobs 1)"));
   } catch (const std::exception& failure) {
     return kRefusal +
            encode_error(Error("X001", "part " + job.part.name, failure.what(),

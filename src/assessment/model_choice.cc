@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "elasticity/plane_loads.h"
 #include "mesh/mesh_reader.h"
+#include "mesh/quadrangles.h"
 
 namespace clevis::assessment {
 namespace {
@@ -79,7 +80,11 @@ std::optional<PlateModel> plate_model(const PartJob& job) {
   const bool held_across = is_held_across(job);
   PlateModel model;
   model.suits_plane_stress = !held_across && is_loaded_in_plane(*plate, job);
-  model.suits_layers = plate->shape == mesh::CellShape::kTensor;
+  model.suits_layers = true;
+  // Terms through the thickness stand on quadrangles.
+  model.quadrangles = plate->shape == mesh::CellShape::kSimplex
+                          ? mesh::quadrangles_of(*plate)
+                          : *plate;
   model.mesh = std::move(*plate);
   if (plane_stress && !model.suits_plane_stress) {
     refuse(job, "the part is no plate along z that is loaded in its plane");

@@ -9,9 +9,10 @@ namespace clevis::assessment {
 /// A part that is a plate along z with all loads and supports on its sides,
 /// and the models of it that suit them.
 struct PlateModel {
-  mesh::PartMesh<2> mesh;     ///< the mid-plane
-  bool suits_plane_stress{};  ///< loads and supports lie in the plane
-  bool suits_layers{};        ///< terms through the thickness
+  mesh::PartMesh<2> mesh;         ///< the mid-plane
+  mesh::PartMesh<2> quadrangles;  ///< the same, triangles cut into three
+  bool suits_plane_stress{};      ///< loads and supports lie in the plane
+  bool suits_layers{};            ///< terms through the thickness
 };
 
 /// Nothing if the part is no such plate or the job asks for 3-D.

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "elasticity/layered_solve.h"
+#include "stress/singular_zone.h"
 #include "stress/stress_history.h"
+#include "stress/zone_mask.h"
 
 namespace clevis::assessment {
 namespace {
@@ -24,13 +26,53 @@ elasticity::ElasticProblem<2> problem(const PartJob& job,
   return {plate, job.part.material, set.history, set.fixed, job.part.name};
 }
 
-/// Peak of each instant of a set.
+/// The singular zones of the plane model; for dim = 3 through the thickness.
+template <int dim>
+std::vector<stress::SingularZone> zones_of(const PartJob& job,
+                                           const mesh::PartMesh<2>& plate,
+                                           const LoadSet& set) {
+  auto zones = stress::singular_zones<2>(plate, job.part.material, set.fixed);
+  if constexpr (dim == 3) {
+    const Eigen::Vector3d half(0.0, 0.0, 0.5 * plate.thickness);
+    for (auto& zone : zones) {
+      for (auto& [from, to] : zone.edges) {
+        from -= half;
+        to += half;
+      }
+    }
+  }
+  return zones;
+}
+
+/// Peak of each instant of a set; away from singular zones, where there are
+/// any, of those points where that instant is the worst.
+template <int dim>
+VectorXd peaks_of(const PartJob& job, const mesh::PartMesh<2>& plate,
+                  const LoadSet& set,
+                  const elasticity::DisplacementBasis<dim>& basis,
+                  int subdivisions) {
+  const auto history =
+      stress::stress_history<dim>(basis, job.part.material, subdivisions);
+  const auto zones = zones_of<dim>(job, plate, set);
+  if (zones.empty()) return history.peak;
+  const auto zone_of =
+      stress::zone_of_points<dim>(basis.discretization, subdivisions, zones);
+  VectorXd peaks = VectorXd::Zero(history.peak.size());
+  for (Eigen::Index cell = 0; cell < zone_of.cols(); ++cell) {
+    for (Eigen::Index point = 0; point < zone_of.rows(); ++point) {
+      if (zone_of(point, cell) >= 0) continue;
+      double& peak = peaks[history.worst_instant(point, cell)];
+      peak = std::max(peak, history.worst(point, cell));
+    }
+  }
+  return peaks;
+}
+
 VectorXd plane_peaks(const PartJob& job, const mesh::PartMesh<2>& plate,
                      const LoadSet& set, int degree) {
-  return stress::stress_history<2>(
-             elasticity::solve<2>(problem(job, plate, set), degree),
-             job.part.material, kPlaneSubdivisions)
-      .peak;
+  return peaks_of<2>(job, plate, set,
+                     elasticity::solve<2>(problem(job, plate, set), degree),
+                     kPlaneSubdivisions);
 }
 
 /// The lattice's own error must stay below the difference that matters.
@@ -41,18 +83,24 @@ int subdivisions(const PartJob& job) {
 
 VectorXd layered_peaks(const PartJob& job, const mesh::PartMesh<2>& plate,
                        const LoadSet& set, int degree, int terms) {
-  return stress::stress_history<3>(
-             elasticity::solve_layered(problem(job, plate, set), degree, terms),
-             job.part.material, subdivisions(job))
-      .peak;
+  return peaks_of<3>(
+      job, plate, set,
+      elasticity::solve_layered(problem(job, plate, set), degree, terms),
+      subdivisions(job));
 }
 
-/// Peaks of all governing instants, set after set.
+/// Peaks of all governing instants, set after set; of a set with singular
+/// zones the largest alone: in another model another instant may be a point's
+/// worst.
 template <class Peaks>
-VectorXd all_peaks(const std::vector<LoadSet>& sets, const Peaks& peaks_of) {
+VectorXd all_peaks(const PartJob& job, const mesh::PartMesh<2>& plate,
+                   const std::vector<LoadSet>& sets, const Peaks& peaks_of) {
   VectorXd all;
   for (const LoadSet& set : sets) {
-    const VectorXd peaks = peaks_of(set);
+    VectorXd peaks = peaks_of(set);
+    if (!zones_of<2>(job, plate, set).empty()) {
+      peaks = VectorXd::Constant(1, peaks.maxCoeff());
+    }
     all.conservativeResize(all.size() + peaks.size());
     all.tail(peaks.size()) = peaks;
   }
@@ -113,24 +161,28 @@ std::vector<LoadSet> governing_loads(const PartJob& job,
 double plane_stress_error(const PartJob& job, const mesh::PartMesh<2>& plate,
                           const std::vector<LoadSet>& governing) {
   constexpr int kTerms = 4;  // fewer may agree with plane stress by chance
-  const VectorXd plane = all_peaks(governing, [&](const LoadSet& set) {
-    return plane_peaks(job, plate, set, kDegree);
-  });
-  const VectorXd layered = all_peaks(governing, [&](const LoadSet& set) {
-    return layered_peaks(job, plate, set, kDegree, kTerms);
-  });
+  const VectorXd plane =
+      all_peaks(job, plate, governing, [&](const LoadSet& set) {
+        return plane_peaks(job, plate, set, kDegree);
+      });
+  const VectorXd layered =
+      all_peaks(job, plate, governing, [&](const LoadSet& set) {
+        return layered_peaks(job, plate, set, kDegree, kTerms);
+      });
   return difference(plane, layered);
 }
 
 bool plane_stress_is_far(const PartJob& job, const mesh::PartMesh<2>& plate,
                          const std::vector<LoadSet>& governing) {
   constexpr double kSure = 2.5;  // what degree and terms may feign
-  const VectorXd plane = all_peaks(governing, [&](const LoadSet& set) {
-    return plane_peaks(job, plate, set, kFirstDegree);
-  });
-  const VectorXd layered = all_peaks(governing, [&](const LoadSet& set) {
-    return layered_peaks(job, plate, set, kFirstDegree, kFewestTerms);
-  });
+  const VectorXd plane =
+      all_peaks(job, plate, governing, [&](const LoadSet& set) {
+        return plane_peaks(job, plate, set, kFirstDegree);
+      });
+  const VectorXd layered =
+      all_peaks(job, plate, governing, [&](const LoadSet& set) {
+        return layered_peaks(job, plate, set, kFirstDegree, kFewestTerms);
+      });
   return difference(plane, layered) > kSure * job.tolerance;
 }
 
@@ -142,7 +194,7 @@ ThicknessChoice choose_terms(const PartJob& job, const mesh::PartMesh<2>& plate,
   const auto of_terms = [&](int terms) -> const VectorXd& {
     while (static_cast<int>(peaks.size()) <= terms - kFewestTerms) {
       const int next = kFewestTerms + static_cast<int>(peaks.size());
-      peaks.push_back(all_peaks(governing, [&](const LoadSet& set) {
+      peaks.push_back(all_peaks(job, plate, governing, [&](const LoadSet& set) {
         return layered_peaks(job, plate, set, kTermsDegree, next);
       }));
     }

@@ -29,9 +29,7 @@ PartAssessment run_rung(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   return assess<dim>(job, rung, ladder, seconds);
 }
 
-/// Widens the band by the model's error and says what the rung has achieved.
-void add_model_error(double tolerance, double model_error, PartResult& result) {
-  PeakStress& peak = result.peak;
+void widen(double tolerance, double model_error, PeakStress& peak) {
   peak.discretization_error =
       std::max(peak.band_high - peak.value, peak.value - peak.band_low);
   peak.model_error = model_error * peak.value;
@@ -42,14 +40,23 @@ void add_model_error(double tolerance, double model_error, PartResult& result) {
       half_width > tolerance * peak.value) {
     peak.verdict = PeakVerdict::kNotConverged;
   }
+}
+
+/// Widens the judged peak's band by the model's error and says what the rung
+/// has achieved.
+void add_model_error(double tolerance, double model_error, PartResult& result) {
+  const bool is_outside = !result.peak_outside.sequence.empty();
+  widen(tolerance, is_outside ? 0.0 : model_error, result.peak);
+  if (is_outside) widen(tolerance, model_error, result.peak_outside);
+  const PeakStress& peak = is_outside ? result.peak_outside : result.peak;
   const auto percent = [&](double error) {
     return peak.value > 0.0 ? 100.0 * error / peak.value : 0.0;
   };
   result.stopped_because = fmt::format(
       "{}: {:.2g} % discretisation + {:.2g} % model, {:.3g} % wanted",
-      peak.verdict == PeakVerdict::kConverged  ? "within tolerance"
-      : peak.verdict == PeakVerdict::kSingular ? "stress without bound"
-                                               : "highest degree done",
+      peak.verdict != PeakVerdict::kConverged ? "highest degree done"
+      : is_outside ? "within tolerance away from the singular zones"
+                   : "within tolerance",
       percent(peak.discretization_error), percent(peak.model_error),
       100.0 * tolerance);
 }
@@ -63,8 +70,12 @@ bool is_held(const PartJob& job) {
 /// Whether a higher rung has nothing to add. Of a free part a slow sequence of
 /// degrees that looks singular may only want a higher one.
 bool is_settled(const PartJob& job, const PartResult& result) {
-  return result.peak.verdict == PeakVerdict::kConverged ||
-         (is_held(job) && result.peak.verdict == PeakVerdict::kSingular);
+  if (result.peak.verdict != PeakVerdict::kSingular) {
+    return result.peak.verdict == PeakVerdict::kConverged;
+  }
+  return is_held(job) &&
+         (!job.part.limits.exclude_singular_zones ||
+          result.peak_outside.verdict == PeakVerdict::kConverged);
 }
 
 void add_seconds(const PartSeconds& earlier, PartSeconds& seconds) {
@@ -80,24 +91,21 @@ void add_seconds(const PartSeconds& earlier, PartSeconds& seconds) {
 std::optional<PartAssessment> run_plane_stress(
     const PartJob& job, const PlateModel& plate,
     const std::vector<LoadSet>& governing) {
-  const bool is_measured = plate.mesh.shape == mesh::CellShape::kTensor;
-  const bool may_skip = is_measured && plate.suits_layers && !is_held(job) &&
+  const bool may_skip = plate.suits_layers && !is_held(job) &&
                         job.model != ModelChoice::kPlaneStress;
   auto rung = plane_stress_rung(plate.mesh);
   if (may_skip) {
-    if (plane_stress_is_far(job, plate.mesh, governing)) return std::nullopt;
-    rung.model_error = plane_stress_error(job, plate.mesh, governing);
+    if (plane_stress_is_far(job, plate.quadrangles, governing))
+      return std::nullopt;
+    rung.model_error = plane_stress_error(job, plate.quadrangles, governing);
     if (rung.model_error > job.tolerance) return std::nullopt;
   }
   auto assessment = run_rung<2>(job, plate.mesh, rung, governing);
   PartResult& result = assessment.result;
-  const bool counts = is_measured && result.peak.value > 0.0 &&
-                      result.peak.verdict != PeakVerdict::kSingular;
-  if (counts && !may_skip) {
-    rung.model_error = plane_stress_error(job, plate.mesh, governing);
+  if (!may_skip && result.peak.value > 0.0) {
+    rung.model_error = plane_stress_error(job, plate.quadrangles, governing);
   }
-  add_model_error(job.tolerance, counts ? rung.model_error : 0.0, result);
-  if (!counts) result.stopped_because += "; model not measured";
+  add_model_error(job.tolerance, rung.model_error, result);
   return assessment;
 }
 
@@ -126,11 +134,11 @@ PartAssessment run_layered(const PartJob& job, const PlateModel& plate,
                            const std::vector<LoadSet>& governing) {
   constexpr double kShare = 0.5;  // of the tolerance, for the model
   const auto choice =
-      choose_terms(job, plate.mesh, governing, kShare * job.tolerance);
-  auto rung = layered_rung(plate.mesh, choice.terms, lattice_for(job));
+      choose_terms(job, plate.quadrangles, governing, kShare * job.tolerance);
+  auto rung = layered_rung(plate.quadrangles, choice.terms, lattice_for(job));
   rung.model_error = choice.model_error;
   auto assessment = run_rung<3>(job, job.mesh, rung, governing);
-  assessment.result.cells = static_cast<int>(plate.mesh.cells.size());
+  assessment.result.cells = static_cast<int>(plate.quadrangles.cells.size());
   add_model_error(job.tolerance, choice.model_error, assessment.result);
   return assessment;
 }
@@ -164,8 +172,9 @@ PartAssessment climb(const PartJob& job) {
   }
   const auto plate = plate_model(job);
   std::vector<LoadSet> governing;
-  if (plate && plate->mesh.shape == mesh::CellShape::kTensor) {
-    governing = governing_loads(job, plate->mesh, plate->suits_plane_stress);
+  if (plate) {
+    governing =
+        governing_loads(job, plate->quadrangles, plate->suits_plane_stress);
   }
   if (plate && plate->suits_plane_stress &&
       job.model != ModelChoice::kLayered) {

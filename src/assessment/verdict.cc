@@ -14,8 +14,8 @@ void set(PartResult& result, PartVerdict verdict, std::string why) {
   result.why = std::move(why);
 }
 
-std::string unsettled_remedy(const PartResult& result) {
-  if (result.peak.verdict == PeakVerdict::kSingular) {
+std::string unsettled_remedy(const PeakStress& peak) {
+  if (peak.verdict == PeakVerdict::kSingular) {
     return "round the corner, or support the part without a sharp edge";
   }
   return "mesh finer there, give more instants, or loosen --tolerance";
@@ -51,6 +51,12 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
   const double allowed = part.material.yield_strength / wanted;
   const bool fails_anyway =
       peak.verdict == PeakVerdict::kNotConverged && peak.band_low > allowed;
+  if (peak.value == 0.0 && result.peak.value > 0.0) {
+    set(result, PartVerdict::kNotJudged,
+        fmt::format("the singular zones cover the whole part ({}): mesh finer",
+                    governing_zones(result)));
+    return false;
+  }
   if (peak.value == 0.0) {
     set(result, PartVerdict::kNotJudged,
         "nothing stresses the part: its loads cancel, or act on held surfaces "
@@ -75,7 +81,7 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
                         ? "singular (grows without bound under refinement)"
                         : "not converged",
                     peak.group, peak.band_low / kMega, peak.band_high / kMega,
-                    unsettled_remedy(result)));
+                    unsettled_remedy(peak)));
     return false;
   }
   const std::string limit =

@@ -38,7 +38,7 @@ bool uses_multigrid(const ElasticProblem<dim>& problem,
     return prefers_multigrid(
         folding.part, problem.material,
         {classes * folding.factor_flops(), classes * folding.factor_bytes()},
-        classes * columns, physical_memory());
+        classes * columns, usable_memory());
   } else {
     return false;
   }
@@ -56,12 +56,12 @@ void require_memory_for(const ElasticProblem<dim>& problem,
   if constexpr (dim == 3) {
     if (uses_multigrid(problem, folding, columns)) {
       require_multigrid_memory(part.degree, coarse_degree(part), part.dofs(),
-                               classes * columns, physical_memory(), place);
+                               classes * columns, usable_memory(), place);
       return;
     }
   }
   require_memory(classes * folding.factor_bytes(), classes * part.dofs(),
-                 physical_memory(), place);
+                 usable_memory(), place);
 }
 
 /// One factorisation per class; fills the classes' columns, the checks, the

@@ -40,7 +40,7 @@ UpperTriangle free_equations(const StiffnessMatrix<dim>& stiffness,
           upper.value.push_back(stiffness.block[at](a, b));
         }
       }
-      upper.row_start.push_back(static_cast<int>(upper.column.size()));
+      upper.row_start.push_back(entry_number(upper.column.size()));
     }
   }
   return upper;

@@ -87,7 +87,7 @@ UpperTriangle free_equations(const UpperTriangle& all,
       upper.column.push_back(column);
       upper.value.push_back(all.value[at]);
     }
-    upper.row_start.push_back(static_cast<int>(upper.column.size()));
+    upper.row_start.push_back(entry_number(upper.column.size()));
   }
   return upper;
 }
@@ -248,7 +248,7 @@ DisplacementBasis<3> solve_layered(const ElasticProblem<2>& problem, int degree,
   const auto& layer = result.discretization;
   const double unknowns = 3.0 * terms;
   require_memory(8.0 * dissection.entries * unknowns * unknowns,
-                 unknowns * plane.nodes, physical_memory(), place);
+                 unknowns * plane.nodes, usable_memory(), place);
   const auto positions = node_positions(layer);
   const bool is_free = problem.fixed.empty();
   LoadBasis history =

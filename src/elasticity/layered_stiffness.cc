@@ -170,7 +170,7 @@ UpperTriangle layered_stiffness(const PlaneIntegrals& plane,
           upper.value.push_back(value);
         }
       }
-      upper.row_start.push_back(static_cast<int>(upper.column.size()));
+      upper.row_start.push_back(entry_number(upper.column.size()));
     }
   }
   return upper;

@@ -197,6 +197,11 @@ void drop_small_columns(double scale, LoadBasis& loads) {
 }  // namespace
 
 template <int dim>
+Eigen::VectorXd node_volumes(const Discretization<dim>& discretization) {
+  return node_moments(discretization).col(0);
+}
+
+template <int dim>
 LoadBasis load_columns(const Discretization<dim>& discretization,
                        const loads::LoadHistory& history, double density,
                        const std::string& part_name) {
@@ -268,6 +273,7 @@ double balance_loads(const Discretization<dim>& discretization, double density,
 }
 
 #define CLEVIS_INSTANTIATE(dim)                                               \
+  template Eigen::VectorXd node_volumes<dim>(const Discretization<dim>&);     \
   template LoadBasis load_columns<dim>(const Discretization<dim>&,            \
                                        const loads::LoadHistory&, double,     \
                                        const std::string&);                   \

@@ -28,6 +28,10 @@ Eigen::MatrixXd assemble_loads(const Discretization<dim>& discretization,
                                const loads::LoadHistory& history,
                                double density, const std::string& part_name);
 
+/// ∫ N dV of each node, for dim = 2 over the plate's thickness [m³].
+template <int dim>
+Eigen::VectorXd node_volumes(const Discretization<dim>& discretization);
+
 /// How well loads are in balance: their residual over their size [1].
 struct LoadBalance {
   double relief{};  ///< before, largest over the instants

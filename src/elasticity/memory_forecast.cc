@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "base/errors.h"
@@ -20,7 +22,7 @@ void require(double bytes, double dofs, const char* what, double available,
   if (bytes <= kUsable * available) return;
   throw Error("F004", place,
               fmt::format("{:.3g} degrees of freedom would need about {:.3g} "
-                          "GiB for {}, this machine has {:.3g}",
+                          "GiB for {}, {:.3g} can be had",
                           dofs, bytes / kGibi, what, available / kGibi),
               "mesh the part coarser");
 }
@@ -66,9 +68,21 @@ void require_multigrid_memory(int degree, int coarse, double dofs,
           "the iterative solution", available, place);
 }
 
-double physical_memory() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-         static_cast<double>(sysconf(_SC_PAGE_SIZE));
+double usable_memory() {
+  double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                 static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
+    bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));
+  }
+  // Version 2 says "max" and version 1 a number beyond any machine's memory
+  // where there is no limit.
+  for (const char* path : {"/sys/fs/cgroup/memory.max",
+                           "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+    double group = 0.0;
+    if (std::ifstream(path) >> group) bytes = std::min(bytes, group);
+  }
+  return bytes;
 }
 
 }  // namespace clevis::elasticity

@@ -32,7 +32,8 @@ void require_multigrid_memory(int degree, int coarse, double dofs,
                               double columns, double available,
                               const std::string& place);
 
-/// Physical memory of this machine [bytes].
-double physical_memory();
+/// Memory that this process may use [bytes]: the machine's, or less by a limit
+/// on its address space (ulimit -v) or on its group (containers).
+double usable_memory();
 
 }  // namespace clevis::elasticity

@@ -1,6 +1,7 @@
 #include "elasticity/sparse_cholesky.h"
 
 #include <cstdlib>
+#include <limits>
 
 #include <fmt/format.h>
 #include <petscmat.h>
@@ -36,6 +37,15 @@ void require(PetscErrorCode code, const std::string& name, const char* stage) {
 }
 
 }  // namespace
+
+int entry_number(std::size_t entries) {
+  if (entries > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    throw Error("F004", "linear system",
+                "its matrix has more than 2^31 - 1 entries",
+                "mesh the part coarser");
+  }
+  return static_cast<int>(entries);
+}
 
 struct SparseCholesky::Petsc {
   std::string name;

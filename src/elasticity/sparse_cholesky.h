@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,10 @@ struct UpperTriangle {
   std::vector<double> value;
   int rows() const { return static_cast<int>(row_start.size()) - 1; }
 };
+
+/// So many entries as a row start.
+/// @throws Error F004 if they are too many to be numbered by an int.
+int entry_number(std::size_t entries);
 
 /// Sparse Cholesky factorisation of a matrix without a tree of fronts: PETSc
 /// with CHOLMOD, supernodal, in an order of its own.

@@ -9,6 +9,7 @@
 
 #include "elasticity/dense_product.h"
 #include "elasticity/group_trace.h"
+#include "elasticity/load_vectors.h"
 #include "elasticity/supports.h"
 
 namespace clevis::stress {
@@ -51,6 +52,19 @@ NodeWeights surface_weights(
       weights[face.nodes[k]] += areas[static_cast<Index>(k)];
     }
     begin += n;
+  }
+  return weights;
+}
+
+/// Volume ∫ N dV that belongs to each node [m³]: the mean does not depend on
+/// where the mesh is fine.
+template <int dim>
+NodeWeights volume_weights(
+    const elasticity::Discretization<dim>& discretization) {
+  const Eigen::VectorXd volumes = elasticity::node_volumes<dim>(discretization);
+  NodeWeights weights;
+  for (Index node = 0; node < volumes.size(); ++node) {
+    weights[static_cast<int>(node)] = volumes[node];
   }
   return weights;
 }
@@ -122,11 +136,11 @@ void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
     return mean_motion<dim>(
         basis, surface_weights<dim>(basis.discretization, group), positions);
   };
-  NodeWeights all;
-  for (int node = 0; node < basis.discretization.nodes; ++node) all[node] = 1.0;
-  const auto first = seat_groups.empty()
-                         ? mean_motion<dim>(basis, all, positions)
-                         : motion_of(seat_groups.front());
+  const auto first =
+      seat_groups.empty()
+          ? mean_motion<dim>(basis, volume_weights<dim>(basis.discretization),
+                             positions)
+          : motion_of(seat_groups.front());
   MatrixXd rotation = first.rotation;
   if (seat_groups.size() > 1) {
     const auto second = motion_of(seat_groups[1]);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "stress/cell_field.h"
 #include "stress/stress_history.h"
@@ -30,12 +31,24 @@ bool in_bounds(const Eigen::Matrix<double, dim, Eigen::Dynamic>& points,
 }
 
 template <int dim>
-bool in_reference_cell(mesh::CellShape shape, const Point<dim>& xi) {
-  const bool low = (xi.array() >= -kOutside).all();
+bool in_reference_cell(mesh::CellShape shape, const Point<dim>& xi,
+                       double outside) {
+  const bool low = (xi.array() >= -outside).all();
   if (shape == mesh::CellShape::kSimplex) {
-    return low && xi.sum() <= 1.0 + kOutside;
+    return low && xi.sum() <= 1.0 + outside;
   }
-  return low && (xi.array() <= 1.0 + kOutside).all();
+  return low && (xi.array() <= 1.0 + outside).all();
+}
+
+template <int dim>
+double size_of(const Eigen::Matrix<double, dim, Eigen::Dynamic>& points) {
+  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+}
+
+/// Round-off of a position so far from the origin [m].
+template <int dim>
+double round_off(const Point<dim>& x) {
+  return 8.0 * std::numeric_limits<double>::epsilon() * x.norm();
 }
 
 /// Reference coordinates of x in a cell; false if Newton does not find any.
@@ -44,8 +57,7 @@ bool invert(const elasticity::Discretization<dim>& discretization,
             std::size_t cell, const Point<dim>& x, Point<dim>& xi) {
   constexpr int kIterations = 20;
   const auto& points = discretization.cell_points[cell];
-  const double size =
-      (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+  const double close = 1e-12 * size_of<dim>(points) + round_off<dim>(x);
   xi.setConstant(discretization.shape == mesh::CellShape::kSimplex ? 0.25
                                                                    : 0.5);
   for (int k = 0; k < kIterations; ++k) {
@@ -55,7 +67,7 @@ bool invert(const elasticity::Discretization<dim>& discretization,
         elasticity::tabulate_geometry<dim>(
             discretization.shape, discretization.mapping_degree(), here));
     const Point<dim> gap = x - at.points.col(0);
-    if (gap.norm() <= 1e-12 * size) return true;
+    if (gap.norm() <= close) return true;
     xi += at.inverse_jacobian[0] * gap;
     if (!(xi.norm() < 10.0)) return false;
   }
@@ -96,9 +108,11 @@ Location<dim> locate(const elasticity::Discretization<dim>& discretization,
   const Point<dim> x = at.head<dim>();
   for (std::size_t c = 0; c < discretization.cell_points.size(); ++c) {
     Point<dim> xi;
-    if (!in_bounds<dim>(discretization.cell_points[c], x) ||
-        !invert<dim>(discretization, c, x, xi) ||
-        !in_reference_cell<dim>(discretization.shape, xi)) {
+    const auto& points = discretization.cell_points[c];
+    const double outside =
+        kOutside + 8.0 * round_off<dim>(x) / size_of<dim>(points);
+    if (!in_bounds<dim>(points, x) || !invert<dim>(discretization, c, x, xi) ||
+        !in_reference_cell<dim>(discretization.shape, xi, outside)) {
       continue;
     }
     location.emplace_back(static_cast<int>(c), xi);

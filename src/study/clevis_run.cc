@@ -115,7 +115,8 @@ Run run_once(const PartJob& job, Rung rung, int degree, int instant) {
   Stopwatch total;
   Stopwatch watch;
   assessment::PartSeconds seconds;
-  const auto mesh = mesh::read_part_mesh(job.part.mesh, job.part.length_unit);
+  const auto mesh = mesh::read_part_mesh(job.part.mesh, job.part.length_unit,
+                                         job.part.thickness);
   Run run;
   const bool is_halved =
       rung == Rung::kSolidHalved || rung == Rung::kPlaneStressHalved;
@@ -254,7 +255,8 @@ Run run_check(const PartJob& job, double tolerance) {
     PartJob checked = job;
     checked.tolerance = tolerance;
     checked.model = assessment::ModelChoice::kAuto;
-    checked.mesh = mesh::read_part_mesh(job.part.mesh, job.part.length_unit);
+    checked.mesh = mesh::read_part_mesh(job.part.mesh, job.part.length_unit,
+                                        job.part.thickness);
     const double reading = watch.lap();
     const auto result = assessment::check_part(checked).result;
     Run once;
