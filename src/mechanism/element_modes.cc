@@ -98,7 +98,8 @@ void pass_event(ActingElement& e, int end) {
 const char* name_of_change(const ActingElement& e, int end, int mode_before) {
   const int mode = e.modes[static_cast<std::size_t>(end)];
   if (contact_law(*e.definition) != nullptr) {
-    return mode == 1 ? "press" : "release";
+    if (mode == 1) return "press";
+    return mode_before == 1 ? "release" : nullptr;  // else force was 0 before
   }
   const auto slips = [](int m) {
     return std::abs(m) == 1;

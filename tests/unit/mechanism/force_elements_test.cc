@@ -110,6 +110,9 @@ TEST(Contact, MassAgainstAWall) {
     auto m = against_a_wall(law);
     const Motion motion = simulate(m, settings(0.5, 5001, 1e-9));
     ASSERT_GE(motion.events.size(), 2u);
+    for (std::size_t k = 0; k < motion.events.size(); ++k) {
+      EXPECT_EQ(motion.events[k].what, k % 2 == 0 ? "press" : "release");
+    }
     const double touch = motion.events[0].t;
     EXPECT_NEAR(touch, M_PI / 20.0, 1e-9);
     // the spring turns the rebound's energy into its amplitude
