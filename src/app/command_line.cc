@@ -88,6 +88,18 @@ void add_simulate(CLI::App& app, Parsed& parsed) {
   });
 }
 
+void add_transmission(CLI::App& app, Parsed& parsed) {
+  CLI::App* command = app.add_subcommand(
+      "transmission", "compliance, frequencies and error of drive trains");
+  add_scene(*command, parsed);
+  add_output(*command, parsed);
+  command->callback([&parsed] {
+    parsed.run = [&parsed] {
+      return transmission_command(parsed.options);
+    };
+  });
+}
+
 void add_check(CLI::App& app, Parsed& parsed) {
   CLI::App* command = app.add_subcommand(
       "check", "does every part hold over the motion and its cases?");
@@ -254,6 +266,7 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   Parsed parsed;
   add_check(app, parsed);
   add_simulate(app, parsed);
+  add_transmission(app, parsed);
   add_mesh(app, parsed);
   add_study(app, parsed);
   add_export(app, parsed);

@@ -27,6 +27,7 @@ struct Options {
 // Each command writes its result to stdout, its progress to stderr, and
 // returns the exit code of the process. Refusals are thrown as Error.
 ExitCode simulate_command(const Options& options);
+ExitCode transmission_command(const Options& options);
 ExitCode check_command(const Options& options);
 ExitCode study_command(const Options& options);
 ExitCode export_command(const Options& options);

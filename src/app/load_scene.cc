@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/geometry_stamp.h"
+#include "base/errors.h"
 #include "mesh/mass_properties.h"
 #include "mesh/mesh_reader.h"
 
@@ -54,6 +55,12 @@ mechanism::BodyIndex LoadedScene::body_of(const std::string& part) const {
 LoadedScene load_scene(const std::filesystem::path& file) {
   LoadedScene loaded;
   loaded.scene = scene::read_scene(file);
+  if (!loaded.scene.has_mechanism && loaded.scene.parts.empty()) {
+    throw Error("S003", file.string() + ":1:1",
+                "the scene has neither [[body]] nor [[part]], so there is "
+                "nothing to check",
+                "Add one, or run clevis transmission.");
+  }
   for (const auto& definition : loaded.scene.parts) {
     loaded.parts.push_back(load_part(definition));
   }

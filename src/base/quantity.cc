@@ -23,7 +23,7 @@ struct DimensionEntry {
 const DimensionEntry& entry_of(Dimension dimension) {
   static constexpr auto kEntries = std::to_array<DimensionEntry>({
       {"length", "m", "mm, cm, m, um, in"},
-      {"angle", "radian", "deg, rad"},
+      {"angle", "radian", "deg, rad, arcmin"},
       {"time", "s", "s, ms, min"},
       {"mass", "kg", "kg, g, t"},
       {"moment of inertia", "kg m^2", "kg m^2, g mm^2"},
@@ -45,6 +45,8 @@ const DimensionEntry& entry_of(Dimension dimension) {
       {"angular damping", "N m s/radian", "N m s/rad"},
       {"inverse velocity", "s/m", "s/m, s/mm"},
       {"inverse angular velocity", "s/radian", "s/rad"},
+      {"volume per force", "m^3/N", "mm^3/N, m^3/N"},
+      {"area", "m^2", "mm^2, cm^2, m^2"},
   });
   return kEntries.at(static_cast<std::size_t>(dimension));
 }

@@ -30,6 +30,8 @@ enum class Dimension {
   kAngularDamping,          // N m s/rad
   kInverseVelocity,         // s/m
   kInverseAngularVelocity,  // s/rad
+  kVolumePerForce,          // m^3/N
+  kArea,                    // m^2
 };
 
 /// The SI value of a text such as "140 mm", "1500 rpm" or "1 %".

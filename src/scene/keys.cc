@@ -10,9 +10,10 @@ namespace {
 using Key = std::string_view;
 
 constexpr Key kScene[] = {
-    "schema",     "name",     "world",    "material",    "mechanism", "body",
-    "joint",      "coupling", "drive",    "force",       "initial",   "marker",
-    "simulation", "part",     "accuracy", "closed_form", "bearing"};
+    "schema",      "name",    "world",       "material", "mechanism",
+    "body",        "joint",   "coupling",    "drive",    "force",
+    "initial",     "marker",  "simulation",  "part",     "accuracy",
+    "closed_form", "bearing", "transmission"};
 constexpr Key kWorld[] = {"gravity"};
 constexpr Key kMaterial[] = {"youngs_modulus", "poissons_ratio", "density",
                              "yield_strength"};
@@ -87,6 +88,35 @@ constexpr Key kBearing[] = {"name",
                             "bore",
                             "outer_diameter",
                             "width"};
+constexpr Key kTransmission[] = {"name", "motor_inertia", "load_inertia",
+                                 "load", "errors",        "ball_screw_unit",
+                                 "stage"};
+constexpr Key kTransmissionErrors[] = {"control", "kinematic", "backlash",
+                                       "friction"};
+constexpr Key kStage[] = {"name", "ratio", "lead", "pinion_radius", "element"};
+constexpr Key kElement[] = {"name",
+                            "type",
+                            "length",
+                            "area",
+                            "youngs_modulus",
+                            "diameter",
+                            "bore",
+                            "shear_modulus",
+                            "height",
+                            "count",
+                            "form",
+                            "constant",
+                            "radius",
+                            "width",
+                            "modulus",
+                            "root_diameter",
+                            "circle_diameter",
+                            "ball_diameter",
+                            "turns",
+                            "preload",
+                            "class_factor",
+                            "compliance",
+                            "elements"};
 constexpr Key kMarker[] = {"name", "body", "point"};
 constexpr Key kSimulation[] = {"duration", "instants",   "tolerance",
                                "motion",   "integrator", "at_singularity"};
@@ -126,6 +156,10 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"initial", kInitial},
     {"marker", kMarker},
     {"bearing", kBearing},
+    {"transmission", kTransmission},
+    {"transmission.errors", kTransmissionErrors},
+    {"transmission.stage", kStage},
+    {"transmission.stage.element", kElement},
     {"simulation", kSimulation},
     {"part", kPart},
     {"part.drives", kPartDrives},

@@ -104,7 +104,9 @@ Scene read_scene(const std::filesystem::path& file) {
   }
   scene.mechanism = read_mechanism(root, names);
   scene.has_mechanism = !scene.mechanism.bodies.empty();
-  if (!scene.has_mechanism && part_tables.empty()) {
+  scene.transmissions = read_transmissions(root, names);
+  if (!scene.has_mechanism && part_tables.empty() &&
+      scene.transmissions.empty()) {
     throw root.refusal("S003", "has neither [[body]] nor [[part]]",
                        "Add a mechanism, a part with cases, or both.");
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "machine/bearing.h"
+#include "machine/transmission.h"
 #include "mechanism/definition.h"
 #include "part/part_definition.h"
 #include "scene/name_index.h"
@@ -22,6 +23,7 @@ struct Names {
   NameIndex forces{"force"};
   NameIndex markers{"marker"};
   NameIndex bearings{"bearing"};
+  NameIndex transmissions{"transmission"};
 };
 
 // Each reads its array of tables from the root of the scene, in this order:
@@ -64,6 +66,12 @@ void read_initial_states(StrictTable& root, Names& names,
 std::vector<machine::BearingDefinition> read_bearings(
     StrictTable& root, const std::vector<mechanism::JointDefinition>& joints,
     Names& names);
+/// The [[transmission]] tables, which need no mechanism.
+std::vector<machine::TransmissionDefinition> read_transmissions(
+    StrictTable& root, Names& names);
+/// An element of a stage. @throws Error S010 if it turns where the stage does
+/// not, or the other way round.
+machine::CompliantElement read_compliance(StrictTable& table, bool angular);
 mechanism::SimulationSettings read_simulation(StrictTable table);
 
 std::vector<part::Material> read_materials(StrictTable& root, Names& names);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "machine/bearing.h"
+#include "machine/transmission.h"
 #include "mechanism/definition.h"
 #include "part/part_definition.h"
 
@@ -27,6 +28,7 @@ struct Scene {
   mechanism::MechanismDefinition mechanism;
   mechanism::SimulationSettings simulation;
   std::vector<machine::BearingDefinition> bearings;
+  std::vector<machine::TransmissionDefinition> transmissions;
   std::vector<part::PartDefinition> parts;
   double peak_stress_tolerance = 0.01;  ///< [1], relative
   std::optional<SlideLeverClosedForm> slide_lever;

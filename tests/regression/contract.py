@@ -15,6 +15,7 @@ import tempfile
 from pathlib import Path
 
 SCENE = "geometry/landing_gear/scene.toml"
+TRANSMISSION = "geometry/transmission/example.toml"
 RUNS = 10
 
 # arguments, exit code
@@ -23,10 +24,13 @@ TEXT = [
     (["explain"], 0), (["explain", "S004"], 0), (["explain", "Q999"], 2),
     ([], 2), (["chek", SCENE], 2), (["check"], 2), (["check", SCENE, "-x"], 2),
     (["check", SCENE, "--tolerance", "1 mm"], 2),
-    (["mesh", "missing.toml"], 22),
+    (["mesh", "missing.toml"], 22), (["transmission", TRANSMISSION], 0),
+    (["simulate", "geometry/landing_gear/bearings.toml"], 0),
 ]
 JSON = [
     (["simulate", SCENE, "--json"], 0),
+    (["transmission", TRANSMISSION, "--json"], 0),
+    (["transmission", SCENE, "--json"], 10),
     (["simulate", "missing.toml", "--json"], 22),
     (["simulate", "README.md", "--json"], 10),
     (["check", "missing.toml", "--json"], 22),
@@ -36,6 +40,7 @@ JSON = [
     (["nonsense", "--json"], 2),
 ]
 WITHOUT_DEALII = [["--version"], ["--help"], ["explain"], ["simulate", SCENE],
+                  ["transmission", TRANSMISSION],
                   ["mesh", "missing.toml"],
                   ["compare", "missing.json", "missing.json"]]
 
