@@ -34,8 +34,8 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "the joint's point into the middle of the bearing, or take a pair."},
     {"B006", kNotJudged, "bearing load is not unique",
      "Equilibrium leaves the force of the joint open (redundant constraints). "
-     "The choice of least norm was taken; give the joints compliances to make "
-     "it physical."},
+     "The joints' compliance shares it; give the joints their own to make it "
+     "physical."},
     {"F001", kModelInvalid, "free rigid mode",
      "The supports of a case leave the part free to move as a rigid body, and "
      "a linear solver would return a meaningless displacement. Hold the named "

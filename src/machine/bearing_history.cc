@@ -11,17 +11,22 @@ using Eigen::Vector3d;
 using mechanism::BodyIndex;
 using mechanism::Instant;
 
-Vector3d axis(const mechanism::JointDefinition& joint, const Instant& instant) {
-  const Vector3d axis_L = joint.frame_a.R_LJ.col(2);
-  if (joint.body_a == mechanism::kGround) return axis_L;
-  const auto& body = instant.bodies[static_cast<std::size_t>(joint.body_a)];
-  return body.pose.R_WL * axis_L;
-}
-
 Vector3d angular_velocity(BodyIndex body, const Instant& instant) {
   return body == mechanism::kGround
              ? Vector3d(Vector3d::Zero())
              : instant.bodies[static_cast<std::size_t>(body)].w_WL;
+}
+
+/// The instants, and the change points between them where joints that give way
+/// hold the loads.
+std::vector<const Instant*> in_time(const mechanism::Motion& motion) {
+  std::vector<const Instant*> instants;
+  for (const Instant& instant : motion.instants) instants.push_back(&instant);
+  for (const auto& point : motion.change_points) {
+    if (point.at) instants.push_back(&*point.at);
+  }
+  std::ranges::stable_sort(instants, {}, &Instant::t);
+  return instants;
 }
 
 }  // namespace
@@ -38,10 +43,10 @@ std::vector<BearingInstant> bearing_history(
   const auto j = static_cast<std::size_t>(bearing.joint);
   const mechanism::JointDefinition& joint = mechanism.joints[j];
   std::vector<BearingInstant> history;
-  history.reserve(motion.instants.size());
-  for (const Instant& instant : motion.instants) {
+  for (const Instant* each : in_time(motion)) {
+    const Instant& instant = *each;
     const mechanism::JointReaction& reaction = instant.joints[j];
-    const Vector3d z = axis(joint, instant);
+    const Vector3d z = reaction.R_WJ.col(2);
     const double axial = reaction.f_W.dot(z);
     BearingInstant here;
     here.t = instant.t;

@@ -12,9 +12,9 @@ namespace clevis::machine {
 /// cylindrical.
 bool takes_bearing(mechanism::JointType type);
 
-/// Load and speed of a bearing over a motion: the reaction of its joint along
-/// and across the joint's axis on body a, the moment across it, and how fast b
-/// turns against a about it.
+/// Load and speed of a bearing over a motion and at its change points: the
+/// reaction of its joint along and across the joint's axis on body a, the
+/// moment across it, and how fast b turns against a about it.
 /// @pre takes_bearing() of the joint.
 std::vector<BearingInstant> bearing_history(
     const BearingDefinition& bearing,

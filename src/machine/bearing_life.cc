@@ -128,7 +128,9 @@ void warn(const BearingDefinition& bearing,
                             result.peak_tilt, 1e3 * offset));
   }
   if (!std::ranges::all_of(history, &BearingInstant::unique)) {
-    add("B006", "equilibrium leaves the joint's force open: least norm taken");
+    add("B006",
+        "equilibrium leaves the joint's force open: the joints' compliance "
+        "shares it");
   }
 }
 
