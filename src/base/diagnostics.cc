@@ -36,6 +36,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "Equilibrium leaves the force of the joint open (redundant constraints). "
      "The joints' compliance shares it; give the joints their own to make it "
      "physical."},
+    {"B007", kNotJudged, "force of teeth not in the bearing's load",
+     "A [[coupling]] acts on the angle of the bearing's joint. Couplings pass "
+     "torques on, not the force between the teeth, which presses the shafts "
+     "apart: the bearing carries more than is told and cannot pass."},
     {"F001", kModelInvalid, "free rigid mode",
      "The supports of a case leave the part free to move as a rigid body, and "
      "a linear solver would return a meaningless displacement. Hold the named "

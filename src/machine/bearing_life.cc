@@ -165,6 +165,8 @@ void decide(BearingResult& result) {
     result.why = "axial load without its factors (B002)";
   } else if (warned(result, "B005")) {
     result.why = "moment across the axis (B005)";
+  } else if (warned(result, "B007")) {
+    result.why = "force of teeth left out (B007)";
   } else if (result.life_wanted && warned(result, "B004")) {
     result.why = "load beyond the range of the life formula (B004)";
   } else {
@@ -200,7 +202,8 @@ TravelMean travel_mean(const BearingDefinition& bearing,
 }
 
 BearingResult judge_bearing(const BearingDefinition& bearing,
-                            std::span<const BearingInstant> history) {
+                            std::span<const BearingInstant> history,
+                            bool geared) {
   BearingResult result;
   result.name = bearing.name;
   result.joint = bearing.joint;
@@ -212,6 +215,12 @@ BearingResult judge_bearing(const BearingDefinition& bearing,
   take_peaks(bearing, history, result);
   take_life(bearing, history, result);
   warn(bearing, history, result);
+  if (geared) {
+    result.warnings.push_back(
+        {"B007",
+         "a gear or rack turns the joint: the force of its teeth is "
+         "not in the load"});
+  }
   decide(result);
   return result;
 }
@@ -222,8 +231,13 @@ std::vector<BearingResult> judge_bearings(
     const mechanism::Motion& motion) {
   std::vector<BearingResult> results;
   for (const BearingDefinition& bearing : bearings) {
-    results.push_back(
-        judge_bearing(bearing, bearing_history(bearing, mechanism, motion)));
+    const bool geared =
+        std::ranges::any_of(mechanism.couplings, [&](const auto& coupling) {
+          return coupling.joint_1 == bearing.joint ||
+                 coupling.joint_2 == bearing.joint;
+        });
+    results.push_back(judge_bearing(
+        bearing, bearing_history(bearing, mechanism, motion), geared));
   }
   return results;
 }

@@ -23,9 +23,12 @@ TravelMean travel_mean(const BearingDefinition& bearing,
                        std::size_t every = 1);
 
 /// Life and static safety of a bearing (ISO 281, ISO 76).
+/// @param geared  a gear or rack acts on the joint's angle; the force of its
+///   teeth is not in the history.
 /// @pre at least two instants.
 BearingResult judge_bearing(const BearingDefinition& bearing,
-                            std::span<const BearingInstant> history);
+                            std::span<const BearingInstant> history,
+                            bool geared = false);
 
 /// All bearings of a mechanism over its motion.
 std::vector<BearingResult> judge_bearings(

@@ -111,6 +111,19 @@ TEST(BearingHistory, WeightSplitsAlongAndAcrossALeaningAxis) {
   }
 }
 
+TEST(BearingHistory, BearingOfAGearedJointCannotPass) {
+  MechanismDefinition m = flywheel(0.0);
+  const auto motion = simulate(m, {.duration = 1.0, .instants = 11});
+  BearingDefinition bearing = bearing_in(0);
+  bearing.dynamic_factors = AxialFactors{1.0, 1.0, 0.0};
+  bearing.static_factors = AxialFactors{1.0, 1.0, 0.0};
+  EXPECT_EQ(judge_bearings({bearing}, m, motion)[0].verdict,
+            BearingVerdict::kPass);
+  m.couplings.push_back({.joint_1 = 1, .joint_2 = 0});
+  EXPECT_EQ(judge_bearings({bearing}, m, motion)[0].verdict,
+            BearingVerdict::kNotJudged);
+}
+
 TEST(BearingHistory, BearingsSitInJointsThatTurnAboutOneAxis) {
   using enum mechanism::JointType;
   EXPECT_TRUE(takes_bearing(kRevolute) && takes_bearing(kCylindrical));

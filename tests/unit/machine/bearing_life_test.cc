@@ -191,6 +191,13 @@ TEST(BearingVerdict, WhatTheFormulasDoNotCoverIsNotJudged) {
   EXPECT_EQ(judge_bearing(strong, heavy).verdict, BearingVerdict::kNotJudged);
 }
 
+TEST(BearingVerdict, ForceOfTeethIsMissedByName) {
+  const auto some = history(1.0, 11, constant(100.0), constant(1.0));
+  const auto result = judge_bearing(bearing_1000096(), some, true);
+  EXPECT_EQ(codes(result), std::vector<std::string>{"B007"});
+  EXPECT_EQ(result.verdict, BearingVerdict::kNotJudged);
+}
+
 TEST(BearingVerdict, LifeWantedIsALimit) {
   BearingDefinition bearing = bearing_1000096();
   const auto load = history(1.0, 11, constant(500.0), constant(1.0));
