@@ -11,7 +11,8 @@ import tempfile
 from pathlib import Path
 
 import source_systems
-from pieces import Tribometer, Wall, belt, cranked, restitution, swinging
+from pieces import (Drop, Tribometer, Wall, belt, cranked, restitution,
+                    swinging)
 from source_systems import expect, faults
 
 WALLS = {"scene": Wall(), "published": Wall(pulls=True),
@@ -177,10 +178,82 @@ def check_regularized(clevis, geometry, folder):
           f"{', '.join(f'{x:.1e}' for x in off)} mm off")
 
 
+def drop(clevis, geometry, folder, transition):
+    """(depth at rest [um], events, rows) of the free wheel."""
+    scene = changed(geometry / "wheel/drop.toml", folder,
+                    ('"0.1 mm"', f'"{1e3 * transition!r} mm"'))
+    result, rows, events = simulate(clevis, scene, folder)
+    check_energy("drop", result)
+    return 1e3 * (40 - rows[-1]["wheel.position_y_mm"]), events, rows
+
+
+def drop_impact(clevis, geometry, folder, mass, law):
+    """Part of 1 m/s that comes back without weight."""
+    scene = changed(geometry / "wheel/drop.toml", folder,
+                    ("-9.81 m/s^2", "0 m/s^2"),
+                    ('["0.3 m/s", "0 m/s"', '["0 m/s", "-1 m/s"'),
+                    ('mass = "1 kg"', f'mass = "{mass} kg"'),
+                    ('transition = "0.1 mm"', law))
+    _, rows, _ = simulate(clevis, scene, folder)
+    return rows[-1]["wheel.velocity_y_m_per_s"]
+
+
+def check_friction_cone(name, folder):
+    """Friction is at most 0.5 N, and does act."""
+    rows = forces(folder)
+    for row in rows:
+        if row["ground.friction_N"] > 0.5 * row["ground.effort_N"] + 1e-9:
+            faults.append(f"{name}: friction beyond 0.5 N at {row['t_s']} s")
+    if not any(row["ground.friction_N"] > 0.25 * row["ground.effort_N"] > 0
+               for row in rows):
+        faults.append(f"{name}: no friction")
+
+
+def check_drop(clevis, geometry, folder):
+    """Bounces, depth at rest and rolling of a free wheel."""
+    for transition in (0.0, 1e-4):
+        name = f"drop, {transition * 1e3} mm"
+        exact = Drop(transition)
+        depth, events, rows = drop(clevis, geometry, folder, transition)
+        worst = max(abs(a - t) for a, (t, _, _) in
+                    zip(exact.bounces(0.050, 2), events))
+        expect(f"{name}: times of two bounces [s]", worst, 0, 1e-9)
+        expect(f"{name}: depth at rest [um]", depth,
+               1e6 * exact.static_depth(), 1e-6)
+        # the impulse of friction turns a disc until it rolls at 2/3
+        expect(f"{name}: rolls at [m/s]",
+               rows[-1]["wheel.velocity_x_m_per_s"], 0.2, 1e-9)
+        expect(f"{name}: turns at [rad/s]",
+               rows[-1]["wheel.angular_velocity_z_rad_per_s"], -5, 1e-8)
+        check_friction_cone(name, folder)
+        if transition == 0:
+            expect(f"{name}: depth, source [um]", depth, 9.81, 1e-6)
+        print(f"{name}: two bounces {worst:.1e} s off, depth at rest "
+              f"{depth:.4f} um")
+
+
+IMPACT_LAWS = {"published": ('model = "published"', True),
+               "never pulls": ('transition = "0 mm"', False)}
+
+
+def check_drop_impacts(clevis, geometry, folder):
+    for mass, *known in ((1, 0.163, 0.298), (5, 0.486, 0.539)):
+        for (name, (law, pulls)), to in zip(IMPACT_LAWS.items(), known):
+            e = drop_impact(clevis, geometry, folder, mass, law)
+            expect(f"{mass} kg, {name}: source", e, to, 5.1e-4)
+            exact, _ = restitution(1e6, mass, 1e3, pulls)
+            expect(f"{mass} kg, {name}", e, exact, 1e-8)
+        smooth = drop_impact(clevis, geometry, folder, mass,
+                             'transition = "0.1 mm"')
+        weightless = Drop(1e-4, m=mass, g=0.0)
+        expect(f"{mass} kg, 0.1 mm", smooth, -weightless.press(1.0)[2], 1e-8)
+
+
 def main():
     clevis, geometry = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2])
     with tempfile.TemporaryDirectory() as folder:
-        for check in (check_wall, check_tribometer, check_regularized):
+        for check in (check_wall, check_tribometer, check_regularized,
+                      check_drop, check_drop_impacts):
             check(clevis, geometry, folder)
     for fault in faults:
         print(fault)
