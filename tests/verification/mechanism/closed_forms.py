@@ -97,3 +97,45 @@ def bennett_second(theta, alpha, beta):
     product = (math.sin(0.5 * (beta + alpha)) /
                math.sin(0.5 * (beta - alpha)))
     return 2 * math.atan(product / math.tan(0.5 * theta))
+
+
+class LandingGear:
+    """The slide-lever mechanism at cylinder length l_x, corrected (section
+    2 of the source), in mm: pins, and T, the wheel's lowest point, 140 mm
+    under C."""
+
+    def __init__(self, l_x, FD=210.24, DD1=210.0):
+        turned = (FD**2 + 60**2 - l_x**2) / (2 * FD * 60)
+        q3 = math.acos(turned) - math.acos(DD1 / FD)
+        corner = math.acos((60**2 + 140**2 - 145**2) / (2 * 60 * 140))
+        theta = math.pi - corner - q3
+        self.A, self.D = (0.0, 0.0), (0.0, 60.0)
+        self.F = (-DD1, 60 - math.sqrt(FD**2 - DD1**2))
+        self.E = (-60 * math.cos(q3), 60 + 60 * math.sin(q3))
+        self.C = (140 * math.cos(theta), 60 + 140 * math.sin(theta))
+        self.B = (self.C[0], self.C[1] - 60)
+        self.T = (self.C[0], self.C[1] - 140)
+        # dT/dl_x: DC turns against q3
+        rate = l_x / (FD * 60 * math.sqrt(1 - turned**2))
+        self.slope = (140 * math.sin(theta) * rate,
+                      -140 * math.cos(theta) * rate)
+
+    def statics(self, load):
+        """{pin: force [N]} and the cylinder's push [N], without masses, under
+        a load (x, y) at T: AB and FE are rods."""
+        def cross(a, b, force):
+            return (a[0] - b[0]) * force[1] - (a[1] - b[1]) * force[0]
+
+        def unit(a, b):
+            length = math.dist(a, b)
+            return (a[0] - b[0]) / length, (a[1] - b[1]) / length
+
+        along = unit(self.B, self.A)
+        rod = (-cross(self.T, self.C, load) / cross(self.B, self.C, along))
+        at_c = [rod * along[i] + load[i] for i in (0, 1)]  # of BC on DCE
+        axis = unit(self.E, self.F)
+        push = (-cross(self.C, self.D, at_c) / cross(self.E, self.D, axis))
+        at_d = [at_c[i] + push * axis[i] for i in (0, 1)]
+        pins = {"A": abs(rod), "B": abs(rod), "C": math.hypot(*at_c),
+                "D": math.hypot(*at_d), "E": abs(push), "F": abs(push)}
+        return pins, push

@@ -6,11 +6,13 @@ and compares with their closed forms.
 """
 import csv
 import math
+import re
 import sys
 import tempfile
 from pathlib import Path
 
 import source_systems
+from closed_forms import LandingGear
 from pieces import (Drop, Tribometer, Wall, belt, cranked, restitution,
                     swinging)
 from source_systems import expect, faults
@@ -48,6 +50,10 @@ def changed(scene, folder, *replacements):
         if old not in text:
             raise ValueError(f"{scene} lacks {old}")
         text = text.replace(old, new)
+    if 'geometry = "' in text:  # the meshes beside the geometry tree
+        meshes = scene.resolve().parents[2] / "meshes" / scene.parent.name
+        text = re.sub(r'geometry = "(.*)\.geo"', rf'mesh = "{meshes}/\1.msh"',
+                      text)
     copy = Path(folder) / f"changed_{scene.name}"
     copy.write_text(text)
     return copy
@@ -63,9 +69,10 @@ def worst_time(name, events, exact):
     return max(abs(a[0] - b[0]) for a, b in zip(events, exact))
 
 
-def check_energy(name, result):
+def check_energy(name, result, tolerance=1e-8):
     expect(f"{name}: energy [1]",
-           result["motion"]["integration"]["relative_energy_error"], 0, 1e-8)
+           result["motion"]["integration"]["relative_energy_error"], 0,
+           tolerance)
 
 
 def impact(clevis, geometry, folder, *replacements):
@@ -249,11 +256,90 @@ def check_drop_impacts(clevis, geometry, folder):
         expect(f"{mass} kg, 0.1 mm", smooth, -weightless.press(1.0)[2], 1e-8)
 
 
+FLOOR = -171.81  # mm
+
+
+def reactions(folder, t):
+    """{joint: force [N]} at an instant."""
+    with open(Path(folder) / "reactions.csv", newline="") as file:
+        return {row["joint"]: math.hypot(*(
+            float(row[f"force_on_b_world_{axis}_N"]) for axis in "xyz"))
+            for row in csv.DictReader(file) if float(row["t_s"]) == t}
+
+
+def quintic(t):
+    """(l_x [mm], its rate [mm/s]) of the cylinder's stroke in 2 s."""
+    s = t / 2
+    return (160 + 100 * s**3 * (10 - 15 * s + 6 * s * s),
+            100 * 30 * s * s * (1 - s)**2 / 2)
+
+
+def ground_force(t):
+    """(normal force, friction) [N] of the ground on the wheel that the
+    prescribed motion presses into it; x to the right."""
+    l_x, rate = quintic(t)
+    gear = LandingGear(l_x)
+    depth = 1e-3 * (FLOOR - gear.T[1])  # m
+    if depth <= 0:
+        return 0.0, 0.0
+    speed, sink = (1e-3 * rate * slope for slope in gear.slope)
+    grown = Drop(1e-4).growth(depth)
+    normal = max(0.0, grown * (1e6 * depth - 1e3 * sink))
+    r = abs(speed) / 1e-3
+    ratio = (0.5 * 2 * r / (1 + r * r) if r <= 1
+             else 0.3 + 0.2 * math.exp(-(r - 1)**2))
+    return normal, math.copysign(ratio * normal, -speed)
+
+
+def check_ground(clevis, geometry, folder):
+    """Force and friction of the ground by the closed form of the motion, and
+    the reactions in all pairs at rest by statics."""
+    scene = geometry / "landing_gear/ground.toml"
+    simulate(clevis, scene, folder)
+    worst = 0.0
+    for row in forces(folder):
+        normal, friction = ground_force(row["t_s"])
+        worst = max(worst, abs(row["ground.effort_N"] - normal),
+                    abs(row["ground.friction_N"] - abs(friction)))
+    expect("ground: forces [N]", worst, 0, 1e-6)
+    check_friction_cone("ground", folder)
+    simulate(clevis, changed(scene, folder, ("-9.81 m/s^2", "0 m/s^2")), folder)
+    normal, _ = ground_force(2.0)
+    expect("ground: source, about 1000 N", normal, 1000, 2)
+    pins, _ = LandingGear(260).statics((0, normal))
+    found = reactions(folder, 2.0)
+    off = max(abs(found[pin] - force) for pin, force in pins.items())
+    expect("ground: reactions [N]", off, 0, 1e-5)
+    print(f"ground: forces {worst:.1e} N off, reactions of {len(pins)} pairs "
+          f"{off:.1e} N off")
+
+
+def check_ground_by_force(clevis, geometry, folder):
+    """The ground answers what the cylinder's push leaves, by statics."""
+    scene = geometry / "landing_gear/ground_by_force.toml"
+    copy = changed(scene, folder, ("-9.81 m/s^2", "0 m/s^2"))
+    result, _, _ = simulate(clevis, copy, folder)
+    check_energy("ground by force", result, 1e-7)  # asks for 1e-8 of place
+    last = forces(folder)[-1]
+    gear = LandingGear(last["push.position_mm"])
+    load = last["ground.friction_N"], last["ground.effort_N"]
+    pins, push = gear.statics(load)
+    expect("ground by force: push [N]", push, 3500 + last["damper.effort_N"],
+           1e-3)
+    found = reactions(folder, 3.0)
+    off = max(abs(found[pin] - force) for pin, force in pins.items())
+    expect("ground by force: reactions [N]", off, 0, 2e-3)
+    check_friction_cone("ground by force", folder)
+    print(f"ground by force: {load[1]:.1f} N, push {push:.4f} N, reactions "
+          f"{off:.1e} N off")
+
+
 def main():
     clevis, geometry = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2])
     with tempfile.TemporaryDirectory() as folder:
         for check in (check_wall, check_tribometer, check_regularized,
-                      check_drop, check_drop_impacts):
+                      check_drop, check_drop_impacts,
+                      check_ground, check_ground_by_force):
             check(clevis, geometry, folder)
     for fault in faults:
         print(fault)
