@@ -139,3 +139,20 @@ class LandingGear:
         pins = {"A": abs(rod), "B": abs(rod), "C": math.hypot(*at_c),
                 "D": math.hypot(*at_d), "E": abs(push), "F": abs(push)}
         return pins, push
+
+    def mass_along_path(self, l_x):
+        """Mass [kg] that the cylinder's free motion moves at T, for the
+        masses of ground_by_force.toml: kinetic energy / (v_T^2 / 2)."""
+        speed = math.hypot(*self.slope)  # of T, per unit of l_x
+        turn = speed / 140  # of AB and DCE, 1/mm
+        square = (1e-6 * (200 + 0.105 * 70**2) + 1e-6 *
+                  (1500 + 0.517 * (49**2 + 20**2))) * (1e3 * turn)**2
+        axis = [(self.E[i] - self.F[i]) / l_x for i in (0, 1)]
+        across = (-axis[1], axis[0])
+        e = [self.E[0] - self.D[0], self.E[1] - self.D[1]]
+        # E goes round D the way C does: dE/dl_x = -turn x e
+        v_e = (turn * e[1], -turn * e[0])
+        swing = sum(across[i] * v_e[i] for i in (0, 1)) / l_x
+        square += 1e-6 * (330 + 0.144 * 78**2 + 160 + 0.096 *
+                          (l_x - 64)**2) * (1e3 * swing)**2
+        return (square + 0.096 + (0.073 + 0.30) * speed**2) / speed**2
