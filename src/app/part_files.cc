@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "report/atomic_file.h"
+#include "report/csv_field.h"
 #include "stress/field_output.h"
 
 namespace clevis::app {
@@ -63,6 +64,15 @@ std::vector<stress::ScalarField> worst_scalars(
                                  fields.zones.value_or(Eigen::MatrixXd::Zero(
                                      worst.worst.rows(), worst.worst.cols()))};
   return {peak, when, safety, zone};
+}
+
+std::string history_csv(const std::vector<assessment::InstantRow>& history) {
+  std::string text = "label,time_s,peak_von_mises_MPa,strain_energy_mJ\n";
+  for (const auto& row : history) {
+    text += fmt::format("{},{},{},{}\n", report::csv_field(row.label), row.time,
+                        row.peak * 1e-6, row.strain_energy * 1e3);
+  }
+  return text;
 }
 
 std::string pvd(const std::vector<std::string>& entries) {
@@ -129,6 +139,8 @@ void write_part_files(const assessment::PartAssessment& assessment,
   report::write_file(
       folder / (name + "_linear.vtu"),
       vtu(fields, field, scalars, stress::CellOrder::kLinear, {}));
+  report::write_file(folder / (name + "_history.csv"),
+                     history_csv(fields.history));
   if (moving) write_frames(assessment, *moving, folder);
 }
 

@@ -39,12 +39,21 @@ struct PartJob {
 };
 
 /// Fields of the highest degree, for output.
+/// What the part carries at one instant or in one case.
+struct InstantRow {
+  std::string label;       ///< of the case, or "t = 1.25 s"
+  double time{};           ///< [s]
+  double peak{};           ///< largest von Mises [Pa]
+  double strain_energy{};  ///< [J]
+};
+
 struct PartFields {
   int dim = 3;
   mesh::CellShape shape{};
   stress::StressHistory worst;  ///< of the governing load set
   std::vector<double> times;    ///< of its instants [s]
   int peak_instant{};
+  std::vector<InstantRow> history;  ///< of all load sets
   /// Singular zone of each lattice point, 0 outside; points × cells. Nothing
   /// if the part has none.
   std::optional<Eigen::MatrixXd> zones;

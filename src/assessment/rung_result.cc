@@ -167,6 +167,15 @@ PartFields make_fields(const PartJob& job, const Level<dim>& level) {
   for (const auto& instant : job.load_sets[level.set].history.instants) {
     fields.times.push_back(instant.time);
   }
+  for (std::size_t s = 0; s < level.bases.size(); ++s) {
+    const auto& instants = job.load_sets[s].history.instants;
+    for (std::size_t i = 0; i < instants.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      fields.history.push_back({instants[i].label, instants[i].time,
+                                level.histories[s].peak[at],
+                                level.bases[s]->strain_energy[at]});
+    }
+  }
   fields.at = [basis = level.governing, material = job.part.material](
                   int instant, int subdivisions) {
     return stress::instant_field<dim>(*basis, material, subdivisions, instant);

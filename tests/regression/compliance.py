@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+"""Compliance of real parts by finite elements beside the formulas of the
+transmission's elements, and what the landing gear's wheel gives under its load.
+
+    compliance.py CLEVIS [--parts]
+
+--parts: the single parts only, nothing written.
+
+Two equal and opposite unit loads at the ends of a part do the work of its
+strain energy U: e = 2 U / F². A mechanism whose drives hold gives at its wheel,
+along the load W,  δ = (U(loads + v) − U(loads) − U(v)) / v  for a small force v
+beside them (virtual work; the parts are linear), summed over all parts. Writes
+results/studies/compliance.md; exit code 1 if a formula misses by more than it
+may.
+"""
+import csv
+import json
+import math
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+GPA = 210e9
+CLEVIS = str(Path(sys.argv[1]).resolve())
+
+
+def check(scene, out, *more):
+    run = subprocess.run([CLEVIS, "check", str(scene), "--out", str(out), *more],
+                         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    if run.returncode not in (0, 1, 4):
+        sys.exit(run.stderr)
+    return json.loads((Path(out) / "result.json").read_text())
+
+
+def energies(folder, part):
+    """Strain energy of every instant or case [J]."""
+    with open(Path(folder) / f"{part}_history.csv", encoding="utf-8") as file:
+        return [1e-3 * float(row["strain_energy_mJ"]) for row in csv.DictReader(file)]
+
+
+HEAD = """schema = 1
+name = "compliance"
+[material.steel]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+density = "7850 kg/m^3"
+yield_strength = "355 MPa"
+[[part]]
+name = "part"
+length_unit = "mm"
+material = "steel"
+"""
+
+
+def mesh_of(geometry):
+    return ROOT / "meshes" / geometry.parent.name / (geometry.stem + ".msh")
+
+
+def part_compliance(folder, geometry, case):
+    """2 U of a part under one case [J]."""
+    scene = folder / "scene.toml"
+    is_own = geometry.is_relative_to(folder)
+    source = f'geometry = "{geometry.name}"' if is_own else f'mesh = "{mesh_of(geometry)}"'
+    scene.write_text(HEAD + source + f'\n[[part.case]]\nname = "unit"\n{case}\n'
+                     '[accuracy]\npeak_stress = "1 %"\n')
+    if is_own:
+        subprocess.run([CLEVIS, "mesh", str(scene)], check=True, stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL)
+    check(scene, folder / "out")
+    return 2.0 * energies(folder / "out", "part")[0]
+
+
+BAR = """Point(1) = {0, 0, 0}; Point(2) = {200, 0, 0}; Point(3) = {200, 10, 0}; Point(4) = {0, 10, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Transfinite Curve {1, 3} = 9; Transfinite Curve {2, 4} = 3;
+Transfinite Surface {1}; Recombine Surface {1};
+e[] = Extrude {0, 0, 10} { Surface{1}; Layers{2}; Recombine; };
+Physical Volume("body") = {e[1]};
+Physical Surface("left") = {e[5]}; Physical Surface("right") = {e[3]};
+"""
+
+
+def pull(a, b):
+    return f'pins = {{ {a} = ["-1000 N", "0 N", "0 N"], {b} = ["1000 N", "0 N", "0 N"] }}'
+
+
+def single_parts(folder):
+    """(what, finite elements, formula, remark) [m/N]."""
+    rows = []
+    bar = folder / "bar.geo"
+    bar.write_text(BAR)
+    area = 1e-4
+    fe = part_compliance(folder, bar, 'traction = { left = ["-10 MPa", "0 MPa", "0 MPa"], '
+                         'right = ["10 MPa", "0 MPa", "0 MPa"] }') / (10e6 * area) ** 2
+    rows.append(("bar 200 x 10 x 10", fe, 0.2 / (GPA * area), "l/EA"))
+    ring = lambda outer: math.pi * (outer**2 - 6e-3**2)
+    force = 27.5e6 * ring(20e-3)
+    # Area under the fillet of radius 4 from x = 96 to 100: integrated.
+    steps = 20000
+    fillet = 0.0
+    for i in range(steps):
+        x = 4e-3 * (i + 0.5) / steps
+        outer = 24e-3 - math.sqrt(16e-6 - x * x)
+        fillet += 4e-3 / steps / (GPA * ring(outer))
+    formula = 96e-3 / (GPA * ring(20e-3)) + fillet + 100e-3 / (GPA * ring(30e-3))
+    check(ROOT / "geometry/stepped_shaft/tension.toml", folder / "shaft")
+    fe = 2.0 * energies(folder / "shaft", "shaft")[0] / force**2
+    rows.append(("stepped shaft 40/60, bore 12, in tension", fe, formula, "Σ l/EA; the stress spreads into the collar over a length"))
+    link = ROOT / "geometry/reference_link/link.geo"
+    fe = part_compliance(folder, link, pull("bore_A", "bore_B")) / 1e6
+    rows.append(("reference link, pin to pin", fe, 140e-3 / (GPA * 12e-3 * 8e-3), "l/EA of the web alone: the eyes give most"))
+    for name, length, width, thick in (("link_ab", 140e-3, 18e-3, 5e-3), ("link_bc", 60e-3, 18e-3, 5e-3)):
+        bores = ("bore_A", "bore_B") if name == "link_ab" else ("bore_C", "bore_B")
+        fe = part_compliance(folder, ROOT / f"geometry/landing_gear/{name}.geo", pull(*bores)) / 1e6
+        rows.append((f"landing gear, {name}", fe, length / (GPA * width * thick), "l/EA of the web alone"))
+    return rows
+
+
+def wheel(folder, dx, dy, without_load=False):
+    """Per part the strain energies of all instants, with a force (dx, dy) N at
+    the wheel's contact point beside the scene's own."""
+    text = (ROOT / "geometry/landing_gear/loaded.toml").read_text()
+    fx, fy = (0.0, 0.0) if without_load else (500.0, 1000.0)
+    text = text.replace('force = ["500 N", "1000 N", "0 N"]',
+                        f'force = ["{fx + dx} N", "{fy + dy} N", "0 N"]')
+    assert text.count(f"{fx + dx} N") >= 1
+    text = re.sub(r"instants = \d+", "instants = 21", text)
+    text = re.sub(r'geometry = "(\w+\.geo)"',
+                  lambda m: f'mesh = "{ROOT}/meshes/landing_gear/{m[1][:-4]}.msh"', text)
+    if without_load:
+        text = text.replace('"-9.81 m/s^2"', '"0 m/s^2"').replace('density = "7850 kg/m^3"', 'density = "11 kg/m^3"')
+    scene = folder / "gear.toml"
+    scene.write_text(text)
+    out = folder / "gear"
+    result = check(scene, out)
+    parts = [part["name"] for part in result["parts"]]
+    assert len(parts) == 5, result
+    return {part: energies(out, part) for part in parts}, result
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        rows = single_parts(folder)
+        good = (abs(rows[0][1] / rows[0][2] - 1.0) < 1e-6
+                and 1.0 < rows[1][1] / rows[1][2] < 1.05)
+        if "--parts" in sys.argv:
+            for what, fe, formula, _ in rows:
+                print(f"{what}: {fe:.6e} m/N, formula {formula:.6e}")
+            return 0 if good else 1
+        v = 1000.0
+        loads, _ = wheel(folder, 0, 0)
+        both, _ = wheel(folder, 0, v)
+        alone, _ = wheel(folder, 0, v, without_load=True)
+    lines = ["# Compliance of parts and of the landing gear", "",
+             "Written by `python3 tests/regression/compliance.py build/release/bin/clevis`.", "",
+             "| part | finite elements, m/N | formula, m/N | ratio | |", "|---|---|---|---|---|"]
+    for what, fe, formula, remark in rows:
+        lines.append(f"| {what} | {fe:.4e} | {formula:.4e} | {fe / formula:.3f} | {remark} |")
+    lines += ["", "Vertical deflection of the wheel's contact point under (500, 1000) N by virtual work with the "
+              "strain energies of all parts, drives held, over the stroke; shares of the parts in per cent.", "",
+              "| instant | deflection, mm | " + " | ".join(loads) + " |",
+              "|---|---|" + "---|" * len(loads)]
+    for i in range(0, 21, 4):
+        share = {p: (both[p][i] - loads[p][i] - alone[p][i]) / v for p in loads}
+        total = sum(share.values())
+        lines.append(f"| {i + 1} of 21 | {1e3 * total:.4f} | "
+                     + " | ".join(f"{100 * share[p] / total:.1f}" for p in loads) + " |")
+    (ROOT / "results/studies/compliance.md").write_text("\n".join(lines) + "\n")
+    print("\n".join(lines))
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
