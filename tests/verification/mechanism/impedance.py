@@ -11,7 +11,7 @@ import tempfile
 from pathlib import Path
 
 from closed_forms import LandingGear
-from contact_systems import changed, check_energy, forces, simulate
+from runs import changed, check_energy, forces, simulate
 from source_systems import expect, faults, marker
 
 STIFFNESS, DAMPING = 5e3, 75.2254  # N/m, N s/m
