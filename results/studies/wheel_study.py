@@ -1,6 +1,8 @@
 """Studies of wheels on the ground and of impedance control; for
 make_contact_systems, which knows where the tests' modules are."""
+import json
 import math
+import subprocess
 from pathlib import Path
 
 from closed_forms import LandingGear
@@ -120,6 +122,27 @@ def ground_study(clevis, folder):
            "creeping, by the virtual work of push, weights and what friction is "
            "left. The published 1000 N cannot be told from an overlap that "
            "somebody chose.\n")
+
+
+def stress_study(clevis, folder):
+    """The driven ground scene checked to its verdict."""
+    subprocess.run([clevis, "check", GEOMETRY / "landing_gear/ground.toml",
+                    "--out", folder], capture_output=True, check=False)
+    result = json.loads((Path(folder) / "result.json").read_text())
+    yield ("**From the ground to stress.** `clevis check geometry/landing_gear/"
+           "ground.toml`: the contact acts on the wheel, which is welded to a "
+           "bore of BC.\n")
+    yield ("| part | peak MPa | band MPa | at s | safety | verdict | why |\n"
+           "|---|---|---|---|---|---|---|")
+    for part in result["parts"]:
+        peak = part["peak_von_mises"]
+        low, high = peak["band_MPa"]
+        yield (f"| {part['name']} | {peak['value_MPa']:.1f} | {low:.1f} to "
+               f"{high:.1f} | {peak['instant_s']:.2f} | "
+               f"{part['safety_factor']:.2f} | {part['verdict']} | "
+               f"{part['why']} |")
+    yield ("\nThe worst instant is that of the greatest friction, which bends "
+           "BC.\n")
 
 
 def impedance_study(clevis, folder):
