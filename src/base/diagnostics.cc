@@ -107,6 +107,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "No step of the integration is short enough for the tolerance: a force "
      "grows without bound or jumps in every step. Look for stiffnesses, "
      "masses or lengths of a wrong order of size."},
+    {"K009", kModelInvalid, "gas chamber without volume",
+     "At the start of the motion the piston stands where the chamber's volume "
+     "is zero or less: dead_volume at the coordinate origin, area times travel "
+     "from there. Give the origin, or a larger dead volume."},
     {"L001", kModelInvalid, "unbalanced load on a free part",
      "Forces, moments and inertia of a part that nothing holds do not cancel. "
      "A linear static solve would hide the residual in arbitrary supports. "

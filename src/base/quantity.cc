@@ -47,6 +47,12 @@ const DimensionEntry& entry_of(Dimension dimension) {
       {"inverse angular velocity", "s/radian", "s/rad"},
       {"volume per force", "m^3/N", "mm^3/N, m^3/N"},
       {"area", "m^2", "mm^2, cm^2, m^2"},
+      {"volume", "m^3", "mm^3, cm^3, m^3"},
+      {"temperature", "K", "K"},
+      {"specific heat", "J/(kg K)", "J/(kg K), kJ/(kg K)"},
+      {"thermal conductance", "W/K", "W/K, mW/K"},
+      {"volume flow", "m^3/s", "m^3/h, m^3/s"},
+      {"sonic conductance", "m^3/(s Pa)", "m^3/(s Pa), m^3/(s bar)"},
   });
   return kEntries.at(static_cast<std::size_t>(dimension));
 }

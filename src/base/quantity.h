@@ -32,6 +32,12 @@ enum class Dimension {
   kInverseAngularVelocity,  // s/rad
   kVolumePerForce,          // m^3/N
   kArea,                    // m^2
+  kVolume,                  // m^3
+  kTemperature,             // K; no offset units
+  kSpecificHeat,            // J/(kg K)
+  kThermalConductance,      // W/K
+  kVolumeFlow,              // m^3/s
+  kSonicConductance,        // m^3/(s Pa)
 };
 
 /// The SI value of a text such as "140 mm", "1500 rpm" or "1 %".

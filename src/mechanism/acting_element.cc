@@ -82,10 +82,10 @@ double friction_effort(ActingElement& e, const FrictionLaw& law,
   if (law.model == FrictionModel::kLuGre) {
     // the mode times the rate is the speed, smooth until the next turn
     const double bristle = internal[e.internal];
-    e.internal_rate =
+    e.internal_rates[0] =
         e.rate - law.bristle_stiffness * e.modes[0] * e.rate / size * bristle;
     return -law.bristle_stiffness * bristle -
-           law.bristle_damping * e.internal_rate - viscous;
+           law.bristle_damping * e.internal_rates[0] - viscous;
   }
   if (std::abs(e.modes[0]) == 2) return -0.5 * e.modes[0] * law.breakaway;
   if (e.modes[0] == 0 || e.modes[0] == kLetGo) return 0.0;
@@ -101,6 +101,10 @@ double line_effort(ActingElement& e, const LineElement& element, double t,
   if (const auto* table = std::get_if<TableLaw>(&element.law)) {
     return table_effort(*table, t);
   }
+  if (const auto* gas = std::get_if<GasCylinderLaw>(&element.law)) {
+    return gas_effort(*gas, t, e.q, e.rate, internal + e.internal,
+                      e.internal_rates, e.gas);
+  }
   if (const auto* stop = std::get_if<StopLaw>(&element.law)) {
     double effort = 0.0;
     if (stop->lower) {
@@ -114,13 +118,17 @@ double line_effort(ActingElement& e, const LineElement& element, double t,
   return friction_effort(e, std::get<FrictionLaw>(element.law), internal);
 }
 
-void evaluate_line(ActingElement& e, const LineElement& element, double t,
-                   const Twist& a, const Twist& b, const double* internal) {
+void measure_line(ActingElement& e) {
   const bool is_distance = e.row.kind == JointRow::Kind::kDistance;
   // the row then measures the distance itself
   if (is_distance) e.placed.length = std::max(e.placed.d.norm(), kShortest);
   e.levers = e.placed.levers(e.row);
   e.q = is_distance ? e.placed.length : e.placed.displacement(e.row);
+}
+
+void evaluate_line(ActingElement& e, const LineElement& element, double t,
+                   const Twist& a, const Twist& b, const double* internal) {
+  measure_line(e);
   e.rate = e.levers.a.v.dot(a.v) + e.levers.a.w.dot(a.w) +
            e.levers.b.v.dot(b.v) + e.levers.b.w.dot(b.w);
   act_along(e, line_effort(e, element, t, internal));
@@ -185,9 +193,13 @@ ActingElement acting_element(const ForceElement& definition,
     if (const FrictionLaw* friction = switched_friction(definition)) {
       e.modes[0] = 1;  // free, until modes are chosen
       if (friction->model == FrictionModel::kLuGre) {
-        e.internal = internal_states++;
+        e.internal_count = 1;
       }
+    } else if (const GasCylinderLaw* gas = gas_law(definition)) {
+      e.internal_count = gas->internal_states();
     }
+    if (e.internal_count > 0) e.internal = internal_states;
+    internal_states += e.internal_count;
   } else if (const auto* contact = std::get_if<ContactElement>(&definition)) {
     join(e, contact->plane, contact->center, frame);
     e.line.frame_a.R_LJ =
@@ -197,6 +209,17 @@ ActingElement acting_element(const ForceElement& definition,
          frame);
   }
   return e;
+}
+
+void start_internal(ActingElement& e, const Configuration& x,
+                    double* internal) {
+  const GasCylinderLaw* gas = gas_law(*e.definition);
+  if (gas == nullptr) return;
+  e.placed = PlacedJoint(e.line, x[index(e.line.a)], x[index(e.line.b)]);
+  measure_line(e);
+  start_gas(*gas, name_of(*e.definition),
+            std::get<LineElement>(*e.definition).place, e.q,
+            internal + e.internal);
 }
 
 void evaluate(ActingElement& e, double t, const Configuration& x,

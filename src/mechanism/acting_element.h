@@ -23,7 +23,8 @@ struct ActingElement {
   JointModel line;  ///< J: its ends; a contact's plane (a) and centre (b)
   JointRow row;     ///< what a line measures
   Eigen::Matrix3d R_PW = Eigen::Matrix3d::Identity();
-  int internal = -1;  ///< index of its internal state (LuGre's bristle)
+  int internal = -1;  ///< index of its first internal state: bristle, gas
+  int internal_count = 0;
   std::array<int, 2> modes{};
   double q_start{}, rate_start{}, t_start{};  ///< as of accept()
 
@@ -33,7 +34,8 @@ struct ActingElement {
   double q{}, rate{};          ///< of a line; a contact's depth; [m] or [rad]
   double effort{};             ///< on b, > 0 pushes apart; normal force
   double friction{};           ///< of a contact [N]
-  double internal_rate{};
+  GasInternals internal_rates{};
+  GasChamberStates gas{};
   std::array<double, 2> depth{}, depth_rate{};  ///< by end, or of a contact
   std::array<double, 2> unbounded{};  ///< contact_effort() whatever the mode
   Twist on_a{}, on_b{};               ///< force and moment about M
@@ -50,6 +52,10 @@ ActingElement acting_element(const ForceElement& definition,
 /// @param twists  by slot. @param internal  all internal states.
 void evaluate(ActingElement& e, double t, const Configuration& x,
               const std::vector<Twist>& twists, const double* internal);
+
+/// Sets its internal states to those of the start.
+/// @throws Error K009.
+void start_internal(ActingElement& e, const Configuration& x, double* internal);
 
 /// The state of the last evaluate() is part of the motion: angles count
 /// their turns from there.

@@ -20,6 +20,11 @@ const ContactLaw* contact_law(const ForceElement& element) {
   return stop ? &stop->contact : nullptr;
 }
 
+const GasCylinderLaw* gas_law(const ForceElement& element) {
+  const auto* line = std::get_if<LineElement>(&element);
+  return line ? std::get_if<GasCylinderLaw>(&line->law) : nullptr;
+}
+
 const std::string& name_of(const ForceElement& element) {
   return std::visit(
       [](const auto& e) -> const std::string& {

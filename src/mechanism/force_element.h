@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "mechanism/cubic_spline.h"
+#include "mechanism/gas_cylinder.h"
 
 namespace clevis::mechanism {
 
@@ -81,7 +82,7 @@ struct TableLaw {
 struct LineElement {
   std::string name;
   ElementLine line;
-  std::variant<SpringLaw, FrictionLaw, StopLaw, TableLaw> law;
+  std::variant<SpringLaw, FrictionLaw, StopLaw, TableLaw, GasCylinderLaw> law;
   std::string place;
 };
 
@@ -118,6 +119,8 @@ using ForceElement =
 const FrictionLaw* switched_friction(const ForceElement& element);
 /// The law of a contact's or stop's normal force, or null.
 const ContactLaw* contact_law(const ForceElement& element);
+/// The law of a gas cylinder, or null.
+const GasCylinderLaw* gas_law(const ForceElement& element);
 const std::string& name_of(const ForceElement& element);
 /// Whether a line measures an angle.
 bool is_angle(const ElementLine& line,

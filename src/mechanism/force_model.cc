@@ -1,5 +1,7 @@
 #include "mechanism/force_model.h"
 
+#include <algorithm>
+
 #include "mechanism/drive_law.h"
 #include "mechanism/element_modes.h"
 
@@ -33,6 +35,13 @@ double start_of(const ElementLine& line,
   return 0.0;
 }
 
+std::vector<GasChamberState> chambers_of(const ActingElement& e) {
+  const GasCylinderLaw* gas = gas_law(*e.definition);
+  if (gas == nullptr) return {};
+  const auto count = static_cast<std::ptrdiff_t>(gas->chambers.size());
+  return {e.gas.begin(), e.gas.begin() + count};
+}
+
 }  // namespace
 
 ForceModel::ForceModel(const MechanismDefinition& definition,
@@ -44,6 +53,10 @@ ForceModel::ForceModel(const MechanismDefinition& definition,
       elements_.back().q_start = start_of(line->line, definition);
     }
   }
+}
+
+void ForceModel::start_internal(const Configuration& x, double* internal) {
+  for (ActingElement& e : elements_) mechanism::start_internal(e, x, internal);
 }
 
 void ForceModel::evaluate(double t, const Configuration& x,
@@ -67,13 +80,18 @@ void ForceModel::add_to(std::vector<Twist>& wrenches) const {
 
 void ForceModel::internal_rates(double* rates) const {
   for (const ActingElement& e : elements_) {
-    if (e.internal >= 0) rates[e.internal] = e.internal_rate;
+    std::copy_n(e.internal_rates.begin(), e.internal_count, rates);
+    rates += e.internal_count;
   }
 }
 
-void ForceModel::internal_scales(double* scales) const {
+void ForceModel::internal_scales(const double* internal, double* scales) const {
   for (const ActingElement& e : elements_) {
     if (e.internal < 0) continue;
+    if (const GasCylinderLaw* gas = gas_law(*e.definition)) {
+      gas_scales(*gas, internal + e.internal, scales + e.internal);
+      continue;
+    }
     const FrictionLaw& law = *switched_friction(*e.definition);
     scales[e.internal] = law.breakaway / law.bristle_stiffness;
   }
@@ -151,6 +169,10 @@ std::vector<double> ForceModel::kink_times() const {
     if (const auto* line = std::get_if<LineElement>(&element)) {
       const auto* table = std::get_if<TableLaw>(&line->law);
       if (table != nullptr) add(table->times);
+      const GasCylinderLaw* gas = gas_law(element);
+      for (std::size_t k = 0; gas != nullptr && k < gas->chambers.size(); ++k) {
+        if (gas->chambers[k].valve) add(gas->chambers[k].valve->times);
+      }
     } else if (const auto* i = std::get_if<ImpedanceElement>(&element)) {
       add(i->path_W[0].times);
     }
@@ -165,7 +187,8 @@ std::vector<ElementState> ForceModel::states() const {
                       .rate = e.rate,
                       .effort = e.effort,
                       .friction = e.friction,
-                      .power = e.power});
+                      .power = e.power,
+                      .chambers = chambers_of(e)});
   }
   return states;
 }

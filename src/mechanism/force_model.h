@@ -21,7 +21,9 @@ class ForceModel {
   std::size_t size() const { return elements_.size(); }
   int internal_states() const { return internal_states_; }
 
-  /// @param internal  internal states (bristles).
+  /// Internal states of the start. @throws Error K009.
+  void start_internal(const Configuration& x, double* internal);
+  /// @param internal  internal states (bristles, gas).
   void evaluate(double t, const Configuration& x,
                 const std::vector<Twist>& twists, const double* internal);
   /// See accept() of an element.
@@ -31,7 +33,7 @@ class ForceModel {
   /// Rates of the internal states, as of evaluate().
   void internal_rates(double* rates) const;
   /// Scale of the internal states, for error weights.
-  void internal_scales(double* scales) const;
+  void internal_scales(const double* internal, double* scales) const;
 
   /// Modes that the state of the last evaluate() suggests.
   void choose_modes();

@@ -124,6 +124,7 @@ VectorXd ForwardDynamics::start(const Configuration& x) {
       y.segment<4>(at + 3) = x[i].q.coeffs();
     }
   }
+  forces_.start_internal(x, y.data() + internal_index());
   return y;
 }
 
@@ -292,14 +293,15 @@ void ForwardDynamics::note_speed(const VectorXd& y) {
   speed_ = std::max({slowest_, speed_, speed, speed_ > 0.0 ? 0.0 : reached});
 }
 
-void ForwardDynamics::scales(const VectorXd& /*y*/, VectorXd& scales) const {
+void ForwardDynamics::scales(const VectorXd& y, VectorXd& scales) const {
   scales.head(positions_).setConstant(length_);
   for (Index at = 3; !planar_ && at < positions_; at += 7) {
     scales.segment<4>(at).setConstant(0.5);  // of quaternions: a turn of 1
   }
   scales.segment(positions_, system_.columns())
       .setConstant(speed_ > 0.0 ? speed_ : length_);
-  forces_.internal_scales(scales.data() + internal_index());
+  forces_.internal_scales(y.data() + internal_index(),
+                          scales.data() + internal_index());
   scales[work_index()] = 0.0;
 }
 

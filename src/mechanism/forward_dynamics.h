@@ -20,8 +20,8 @@ SolvingFrame frame_at_centres(const MechanismDefinition& definition);
 ///
 /// State y: positions of the bodies (planar: x, y, length × angle; spatial:
 /// position and quaternion), their velocities (unknowns of the constraint
-/// system), the work of all forces since the start. Drives are constraints
-/// that move.
+/// system), internal states of forces, the work of all forces since the start.
+/// Drives are constraints that move.
 class ForwardDynamics : public OdeSystem {
  public:
   /// @param frame  frame_at_centres(); outlives this.
@@ -36,7 +36,7 @@ class ForwardDynamics : public OdeSystem {
                      Eigen::VectorXd& weights) const override;
   void scales(const Eigen::VectorXd& y, Eigen::VectorXd& scales) const override;
 
-  /// State of bodies at rest, from which turns count.
+  /// State of bodies at rest, from which turns count. @throws Error K009.
   Eigen::VectorXd start(const Configuration& x);
   /// Modes of the force elements from the state alone, then settle().
   void choose_modes(double t, const Eigen::VectorXd& y);

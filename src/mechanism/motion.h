@@ -73,6 +73,7 @@ struct ElementState {
   double effort{};    ///< on b, > 0 pushes apart; a contact's normal force
   double friction{};  ///< of a contact [N]
   double power{};     ///< [W]
+  std::vector<GasChamberState> chambers{};  ///< of a gas cylinder
 };
 
 /// A change of an element's mode: touch, release, stick, slip.

@@ -22,15 +22,30 @@ void require_mass(const MechanismDefinition& definition) {
   }
 }
 
+/// @throws Error K002 if a force has states that no drive fixes.
+void refuse_history(const ForceModel& forces) {
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    if (forces.element(k).internal < 0) continue;
+    throw Error("K002", "mechanism",
+                fmt::format("force {} has a history of its own, which drives "
+                            "do not fix",
+                            name_of(*forces.element(k).definition)),
+                "choose motion = \"dynamic\", or leave the key out");
+  }
+}
+
 /// Whether the drives leave freedom, so that forces decide the motion.
 bool is_dynamic(const MechanismDefinition& definition,
                 const SimulationSettings& settings) {
-  if (settings.motion != MotionKind::kAuto) {
-    return settings.motion == MotionKind::kDynamic;
-  }
+  if (settings.motion == MotionKind::kDynamic) return true;
   const SolvingFrame frame(definition);
-  // bristles have a history of their own
-  if (ForceModel(definition, frame).internal_states() > 0) return true;
+  // bristles and gas have a history of their own
+  const ForceModel forces(definition, frame);
+  if (settings.motion == MotionKind::kDriven) {
+    refuse_history(forces);
+    return false;
+  }
+  if (forces.internal_states() > 0) return true;
   const ConstraintSystem system(
       frame, definition.drives,
       frame.planar ? Motions::kInPlane : Motions::kSpatial,

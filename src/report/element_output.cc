@@ -10,6 +10,7 @@
 
 #include "mechanism/force_element.h"
 #include "report/csv_field.h"
+#include "report/gas_output.h"
 #include "report/mechanism_summary.h"
 #include "report/text_table.h"
 #include "report/units.h"
@@ -37,7 +38,8 @@ const char* kind(const ForceElement& element) {
   if (is_contact(element)) return "contact";
   const auto* line = std::get_if<mechanism::LineElement>(&element);
   if (line == nullptr) return "impedance";
-  constexpr const char* kNames[] = {"spring", "friction", "stop", "table"};
+  constexpr const char* kNames[] = {"spring", "friction", "stop", "table",
+                                    "gas_cylinder"};
   return kNames[line->law.index()];
 }
 
@@ -86,6 +88,7 @@ std::string forces_csv(const MotionReport& report) {
           name + ".power_W"}) {
       text += "," + csv_field(title);
     }
+    add_chamber_titles(text, element);
   }
   text += "\n";
   const auto add = [&text](double value) {
@@ -100,6 +103,9 @@ std::string forces_csv(const MotionReport& report) {
       for (const double value :
            {state.rate, state.effort, state.friction, state.power}) {
         add(value);
+      }
+      for (const auto& chamber : state.chambers) {
+        for (const double value : chamber_values(chamber)) add(value);
       }
     }
     text += "\n";
@@ -132,12 +138,18 @@ ordered_json forces_json(const MotionReport& report) {
             angle ? state.position / kDegree : millimetres(state.position)},
            {angle ? "effort_N_m" : "effort_N", state.effort}});
       if (is_contact(element)) shown.back()["friction_N"] = state.friction;
+      if (!state.chambers.empty()) {
+        shown.back()["chambers"] = chambers_json(element, state);
+      }
     }
     forces.push_back({{"name", name_of(element)},
                       {"type", kind(element)},
                       {angle ? "peak_effort_N_m" : "peak_effort_N", peak.value},
                       {"peak_effort_at_s", peak.at},
                       {"instants", shown}});
+    if (gas_law(element) != nullptr) {
+      forces.back()["chambers"] = gas_summary_json(motion, k, element);
+    }
   }
   return forces;
 }
@@ -177,6 +189,7 @@ std::string forces_text(const MotionReport& report, Colour colour) {
     table.add_row(cells);
   }
   std::string text = table.text(colour);
+  text += gas_text(report, colour);
   add_events(text, report);
   return text;
 }

@@ -18,6 +18,8 @@ LineUnits line_units(bool angle);
 
 // The keys of one type of force each; all throw Error S002–S011.
 mechanism::StopLaw read_stop(StrictTable& table, const LineUnits& units);
+/// @param angle  whether its line turns: refused.
+mechanism::GasCylinderLaw read_gas_cylinder(StrictTable& table, bool angle);
 mechanism::ContactElement read_contact(StrictTable& table, const Names& names);
 mechanism::ImpedanceElement read_impedance(StrictTable& table,
                                            const Names& names);

@@ -69,7 +69,33 @@ constexpr Key kForce[] = {"name",
                           "target",
                           "targets",
                           "ends",
-                          "damping_of"};
+                          "damping_of",
+                          "sections",
+                          "gas",
+                          "environment",
+                          "supply",
+                          "chamber"};
+constexpr Key kGas[] = {"gas_constant", "specific_heat"};
+constexpr Key kGasState[] = {"pressure", "temperature"};
+constexpr Key kSupply[] = {"pressure", "gauge_pressure", "temperature"};
+constexpr Key kChamber[] = {
+    "name",        "pushes",           "bore",     "rod",  "area",
+    "origin",      "dead_volume",      "pressure", "heat", "gauge_pressure",
+    "temperature", "wall_conductance", "valve"};
+constexpr Key kValve[] = {"kv",
+                          "cv",
+                          "sonic_conductance",
+                          "area",
+                          "discharge_coefficient",
+                          "critical_ratio",
+                          "laminar_ratio",
+                          "leakage",
+                          "smoothing",
+                          "opening",
+                          "opening_start",
+                          "opening_time",
+                          "times",
+                          "openings"};
 constexpr Key kInitial[] = {"joint", "position", "rate",
                             "body",  "velocity", "angular_velocity"};
 constexpr Key kBearing[] = {"name",
@@ -153,6 +179,11 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"coupling", kCoupling},
     {"drive", kDrive},
     {"force", kForce},
+    {"force.gas", kGas},
+    {"force.environment", kGasState},
+    {"force.supply", kSupply},
+    {"force.chamber", kChamber},
+    {"force.chamber.valve", kValve},
     {"initial", kInitial},
     {"marker", kMarker},
     {"bearing", kBearing},

@@ -159,7 +159,9 @@ ForceElement read_element(ElementType type, const std::string& name,
     element.place = table.place();
     element.line = read_line(
         table, joints, names,
-        type == ElementType::kSpring ? Needs::kAnyLine : Needs::kFixedAxis);
+        type == ElementType::kSpring || type == ElementType::kGasCylinder
+            ? Needs::kAnyLine
+            : Needs::kFixedAxis);
     const LineUnits units = line_units(is_angle(element.line, joints));
     if (type == ElementType::kSpring) element.law = read_spring(table, units);
     if (type == ElementType::kFriction) {
@@ -167,6 +169,9 @@ ForceElement read_element(ElementType type, const std::string& name,
     }
     if (type == ElementType::kStop) element.law = read_stop(table, units);
     if (type == ElementType::kTable) element.law = read_table(table, units);
+    if (type == ElementType::kGasCylinder) {
+      element.law = read_gas_cylinder(table, is_angle(element.line, joints));
+    }
     result = element;
   }
   table.finish("with this type of force");

@@ -58,7 +58,8 @@ void read_forces(StrictTable& root, Names& names,
          {"stop", ElementType::kStop},
          {"table", ElementType::kTable},
          {"contact", ElementType::kContact},
-         {"impedance", ElementType::kImpedance}});
+         {"impedance", ElementType::kImpedance},
+         {"gas_cylinder", ElementType::kGasCylinder}});
     const std::string name =
         name_or_number(table, "force", count++, names.forces);
     if (type == ElementType::kConstant) {

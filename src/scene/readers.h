@@ -51,7 +51,8 @@ enum class ElementType {
   kStop,
   kTable,
   kContact,
-  kImpedance
+  kImpedance,
+  kGasCylinder
 };
 /// A force that depends on the motion. @pre not kConstant.
 mechanism::ForceElement read_element(
