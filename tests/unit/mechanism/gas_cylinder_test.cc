@@ -228,7 +228,7 @@ TEST(GasCylinder, ChokedFillingOfAHeldChamberIsLinearInTime) {
   held.law = DriveLaw::kRamp;
   held.duration = 1.0;
   m.drives = {held};
-  const Motion motion = simulate(m, settings(0.04, 11, 1e-10));
+  const Motion motion = simulate(m, settings(0.013, 11, 1e-10));
   const double p = kEnvironment + 10e6;
   const double flow = conductance_of_kv(0.032, 0.3) * 1.185 * p;
   const GasChamberState& start = gas_at(motion.instants[0]);
