@@ -12,7 +12,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from pieces import Tribometer, cranked
+from stick_slip import Tribometer, cranked
 
 R, ROD, W, G = 0.010, 0.060, 2 * math.pi, 9.81
 LOWER = 1.0  # kg
