@@ -66,8 +66,9 @@ void add_chamber_titles(std::string& text, const ForceElement& element) {
   if (law == nullptr) return;
   for (const auto& chamber : law->chambers) {
     for (const char* title : kTitles) {
-      text +=
-          "," + csv_field(name_of(element) + "." + chamber.name + "." + title);
+      text += ',';
+      text += csv_field(
+          fmt::format("{}.{}.{}", name_of(element), chamber.name, title));
     }
   }
 }

@@ -56,6 +56,22 @@ long allocations_of_steps(const MechanismDefinition& definition,
   return allocations - before;
 }
 
+MechanismDefinition on_gas() {
+  GasChamber chamber;
+  chamber.area = 2e-4;
+  chamber.dead_volume = 1e-5;
+  chamber.start = {101325.0, 293.15};
+  chamber.valve = GasValve{.orifice = {.conductance = 1.5e-9},
+                           .times = {0.0, 0.02},
+                           .signals = {0.0, 1.0}};
+  GasCylinderLaw law;
+  law.supply.pressure = 2e5;
+  law.chambers = {chamber};
+  MechanismDefinition m = testing::sliders({0.6});
+  m.elements = {testing::on_joint(0, law)};
+  return m;
+}
+
 TEST(Allocation, NoneInAStep) {
   for (const IntegratorChoice choice :
        {IntegratorChoice::kExplicit, IntegratorChoice::kImplicit}) {
@@ -67,6 +83,7 @@ TEST(Allocation, NoneInAStep) {
     EXPECT_EQ(allocations_of_steps(testing::pulled(testing::bristles()), choice,
                                    2, 20),
               0);
+    EXPECT_EQ(allocations_of_steps(on_gas(), choice, 2, 20), 0);
     EXPECT_EQ(
         allocations_of_steps(
             testing::pulled({.breakaway = 1.5, .kinetic = 1.0}), choice, 2, 5),

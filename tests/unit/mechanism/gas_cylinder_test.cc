@@ -1,5 +1,6 @@
 #include "mechanism/gas_cylinder.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -84,6 +85,15 @@ const GasChamberState& gas_at(const Instant& instant) {
 
 double x_at(const Instant& instant) {
   return instant.elements[0].position;
+}
+
+/// Keeps the piston where it is.
+void hold(MechanismDefinition& m) {
+  DriveDefinition held;
+  held.joint = 0;
+  held.law = DriveLaw::kRamp;
+  held.duration = 1.0;
+  m.drives = {held};
 }
 
 /// When the upper stop is met first.
@@ -217,17 +227,10 @@ TEST(GasCylinder, MassIsInBalanceToRoundOff) {
 
 // Held by a drive: choked filling is linear, and its energy c_p T.
 TEST(GasCylinder, ChokedFillingOfAHeldChamberIsLinearInTime) {
-  MechanismDefinition m = piston(supplied(10e6, 1));
-  m.elements[0] = testing::on_joint(0, [] {
-    GasCylinderLaw law = supplied(10e6, 1);
-    law.chambers[0].valve->leakage = 0.0;
-    return law;
-  }());
-  DriveDefinition held;
-  held.joint = 0;
-  held.law = DriveLaw::kRamp;
-  held.duration = 1.0;
-  m.drives = {held};
+  GasCylinderLaw law = supplied(10e6, 1);
+  law.chambers[0].valve->leakage = 0.0;
+  MechanismDefinition m = piston(law);
+  hold(m);
   const Motion motion = simulate(m, settings(0.013, 11, 1e-10));
   const double p = kEnvironment + 10e6;
   const double flow = conductance_of_kv(0.032, 0.3) * 1.185 * p;
@@ -241,6 +244,46 @@ TEST(GasCylinder, ChokedFillingOfAHeldChamberIsLinearInTime) {
     EXPECT_NEAR(gas.pressure,
                 start.pressure + exponent * 287.0 * 293.15 * gas.taken / 1e-5,
                 1e-9 * gas.pressure);
+  }
+}
+
+// A ramp from 2 to 6 ms, then open: flow times the opening's integral.
+TEST(GasCylinder, ValveFollowsItsOpening) {
+  GasCylinderLaw law = supplied(10e6, 1);
+  GasValve& valve = *law.chambers[0].valve;
+  valve.leakage = valve.smoothing = 0.0;
+  valve.times = {0.002, 0.006};
+  valve.signals = {0.0, 1.0};
+  MechanismDefinition m = piston(law);
+  hold(m);
+  const Motion motion = simulate(m, settings(0.012, 13, 1e-10));
+  const double flow = valve.orifice.conductance * 1.185 * (kEnvironment + 10e6);
+  for (const Instant& instant : motion.instants) {
+    const double ramp = std::clamp(instant.t - 0.002, 0.0, 0.004);
+    const double open =
+        0.5 * ramp * ramp / 0.004 + std::max(0.0, instant.t - 0.006);
+    EXPECT_NEAR(gas_at(instant).taken, flow * open, 1e-9 * flow * 0.01)
+        << instant.t;
+  }
+}
+
+// Choked and isothermal: m' = −m/τ, τ = V/(R T C ρ₀) at T = T₀.
+TEST(GasCylinder, ExhaustOfAHeldIsothermalChamberDecaysExponentially) {
+  GasCylinderLaw law = supplied(1e6, 1);
+  law.chambers[0].start.pressure = 1e6;
+  law.chambers[0].heat = ChamberHeat::kIsothermal;
+  law.chambers[0].valve->leakage = 0.0;
+  law.chambers[0].valve->signals = {-1.0};
+  MechanismDefinition m = piston(law);
+  hold(m);
+  const Motion motion = simulate(m, settings(0.06, 7, 1e-10));
+  const double tau =
+      1e-5 / (287.0 * 293.15 * conductance_of_kv(0.032, 0.3) * 1.185);
+  for (const Instant& instant : motion.instants) {
+    ASSERT_GT(0.3 * gas_at(instant).pressure, kEnvironment);
+    EXPECT_NEAR(gas_at(instant).pressure, 1e6 * std::exp(-instant.t / tau),
+                1e-9 * 1e6);
+    EXPECT_EQ(gas_at(instant).taken, 0.0);
   }
 }
 
