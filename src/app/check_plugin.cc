@@ -17,6 +17,7 @@
 #include "app/solver_jobs.h"
 #include "app/worker_pool.h"
 #include "base/stopwatch.h"
+#include "loads/part_loads.h"
 #include "machine/bearing_life.h"
 #include "mechanism/simulate.h"
 #include "mechanism/structure.h"
@@ -187,8 +188,9 @@ ExitCode run_check(const Options& options) {
   }
   report.seconds.emplace_back("mechanism", watch.lap());
 
+  const mechanism::Motion loading = loads::loading_motion(motion);
   std::vector<PartJob> jobs =
-      part_jobs(loaded, motion, options.parts,
+      part_jobs(loaded, loading, options.parts,
                 options.tolerance.value_or(loaded.scene.peak_stress_tolerance));
   for (auto& job : jobs) {
     job.model = model_choice(options.model);
@@ -196,11 +198,11 @@ ExitCode run_check(const Options& options) {
   }
   report.seconds.emplace_back("loads", watch.lap());
 
-  check_parts(loaded, motion, std::move(jobs), options, folder, report);
+  check_parts(loaded, loading, std::move(jobs), options, folder, report);
   report.seconds.emplace_back("parts", watch.lap());
 
   const auto moving = moving_parts(loaded, report);
-  if (!moving.empty()) write_mechanism_series(moving, motion, folder);
+  if (!moving.empty()) write_mechanism_series(moving, loading, folder);
   if (loaded.scene.has_mechanism) {
     write_reactions(loaded, motion, folder);
   }

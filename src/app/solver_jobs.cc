@@ -6,6 +6,7 @@
 
 #include "app/error_text.h"
 #include "app/part_jobs.h"
+#include "loads/part_loads.h"
 #include "mechanism/simulate.h"
 #include "report/progress.h"
 
@@ -50,7 +51,8 @@ SolverJobs load_solver_jobs(const Options& options) {
   const scene::Scene& scene = result.loaded.scene;
   mechanism::Motion motion;
   if (scene.has_mechanism) {
-    motion = mechanism::simulate(scene.mechanism, scene.simulation);
+    motion = loads::loading_motion(
+        mechanism::simulate(scene.mechanism, scene.simulation));
   }
   result.jobs = part_jobs(result.loaded, motion, options.parts,
                           scene.peak_stress_tolerance);

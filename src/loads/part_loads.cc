@@ -67,6 +67,13 @@ RigidAcceleration rigid_acceleration(const mechanism::BodyState& state,
 
 }  // namespace
 
+mechanism::Motion loading_motion(mechanism::Motion motion) {
+  std::erase_if(motion.instants, [](const mechanism::Instant& instant) {
+    return instant.is_change_point;
+  });
+  return motion;
+}
+
 LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
                        const mechanism::Motion& motion,
                        mechanism::BodyIndex body,

@@ -21,6 +21,11 @@ struct GroupGeometry {
   Eigen::Vector3d area_moment = Eigen::Vector3d::Zero();
 };
 
+/// The motion without the instants at change points: what stands there are
+/// reactions of joints that give way, in balance in the deflected position
+/// only.
+mechanism::Motion loading_motion(mechanism::Motion motion);
+
 /// Loads on a part over the motion of its body: reactions, drive efforts,
 /// inertia and gravity, in frame L.
 ///

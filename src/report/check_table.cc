@@ -112,6 +112,32 @@ std::string not_unique_line(const MechanismSummary& mechanism) {
       printable(fmt::format("{}", fmt::join(mechanism.not_unique, ", "))));
 }
 
+std::string change_point_lines(const MechanismSummary& mechanism) {
+  if (mechanism.change_points.empty()) return "";
+  std::string text;
+  for (const PassedChangePoint& point : mechanism.change_points) {
+    text += fmt::format("  change point at {:.8g} s, passed on its branch: ",
+                        point.at);
+    text += point.joint.empty()
+                ? "not even joints that give way hold the loads\n"
+                : fmt::format(
+                      "joints that give way carry {:.4g} N at most, in "
+                      "{}\n",
+                      point.largest_force, printable(point.joint));
+  }
+  if (mechanism.instants_left_out > 0) {
+    text += fmt::format(
+        "  left out of the parts' loads: {} {} just there, where they balance "
+        "in "
+        "the deflected position only\n",
+        mechanism.instants_left_out,
+        mechanism.instants_left_out == 1 ? "instant" : "instants");
+  }
+  return text +
+         "  towards a change point rigid reactions grow without bound: peaks "
+         "of parts depend on the instants\n";
+}
+
 std::string mechanism_line(const MechanismSummary& mechanism) {
   return fmt::format(
              "mechanism: mobility {}, {} redundant constraints, {} instants, "
@@ -120,7 +146,7 @@ std::string mechanism_line(const MechanismSummary& mechanism) {
              mechanism.mobility, mechanism.redundant_constraints,
              mechanism.instants, millimetres(mechanism.max_closure_error),
              mechanism.max_power_balance_error) +
-         not_unique_line(mechanism);
+         not_unique_line(mechanism) + change_point_lines(mechanism);
 }
 
 std::string last_line(const CheckReport& report, Colour colour) {

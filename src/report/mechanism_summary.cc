@@ -40,6 +40,20 @@ void add_open_components(MechanismSummary& summary, std::size_t joint,
   }
 }
 
+PassedChangePoint passed(const mechanism::MechanismDefinition& definition,
+                         const mechanism::ChangePoint& point) {
+  PassedChangePoint result{.at = point.t, .joint = {}};
+  if (!point.at) return result;
+  const auto& joints = point.at->joints;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const double force = joints[j].f_W.norm();
+    if (!result.joint.empty() && force <= result.largest_force) continue;
+    result.largest_force = force;
+    result.joint = definition.joints[j].name;
+  }
+  return result;
+}
+
 }  // namespace
 
 MechanismSummary summarise(const mechanism::MechanismDefinition& definition,
@@ -55,6 +69,10 @@ MechanismSummary summarise(const mechanism::MechanismDefinition& definition,
         std::max(summary.max_closure_error, instant.closure_error);
     summary.max_power_balance_error =
         std::max(summary.max_power_balance_error, instant.power_balance_error);
+    summary.instants_left_out += instant.is_change_point ? 1 : 0;
+  }
+  for (const auto& point : motion.change_points) {
+    summary.change_points.push_back(passed(definition, point));
   }
   for (std::size_t j = 0; j < definition.joints.size(); ++j) {
     const auto force = [j](const Instant& instant) {

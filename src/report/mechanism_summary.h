@@ -31,6 +31,15 @@ struct OpenComponent {
   double spread{};  ///< there; see JointReaction::spread [N] or [N m]
 };
 
+/// A change point that the motion passed.
+struct PassedChangePoint {
+  double at{};  ///< [s]
+  /// Largest force of joints that give way, in which joint; an empty name: they
+  /// do not hold the loads [N].
+  double largest_force{};
+  std::string joint;
+};
+
 enum class EffortKind { kForce, kTorque };
 
 struct DrivePeak {
@@ -52,6 +61,10 @@ struct MechanismSummary {
   std::vector<OpenComponent> open_components{};
   std::vector<JointPeaks> joints;
   std::vector<DrivePeak> drives;
+  std::vector<PassedChangePoint> change_points{};
+  /// Instants just at one: their loads balance in the deflected position only
+  /// and take no part in those of the parts.
+  int instants_left_out{};
 };
 
 /// @pre `structure` and `motion` belong to `definition`.

@@ -33,10 +33,19 @@ ordered_json mechanism_json(const MechanismSummary& mechanism) {
                       {key, drive.effort.value},
                       {"at_s", drive.effort.at}});
   }
+  ordered_json change_points = ordered_json::array();
+  for (const PassedChangePoint& point : mechanism.change_points) {
+    change_points.push_back({{"at_s", point.at}});
+    if (point.joint.empty()) continue;
+    change_points.back()["compliant_force_N"] = point.largest_force;
+    change_points.back()["joint"] = point.joint;
+  }
   return {{"mobility", mechanism.mobility},
           {"redundant_constraints", mechanism.redundant_constraints},
           {"reactions_not_unique", mechanism.not_unique},
           {"instants", mechanism.instants},
+          {"change_points", change_points},
+          {"instants_left_out", mechanism.instants_left_out},
           {"max_closure_error_mm", millimetres(mechanism.max_closure_error)},
           {"max_power_balance_error", mechanism.max_power_balance_error},
           {"joints", joints},

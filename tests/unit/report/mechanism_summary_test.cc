@@ -78,5 +78,19 @@ TEST(MechanismSummary, CountsAndErrorsAreTheLargest) {
   EXPECT_EQ(summary.max_power_balance_error, 1e-11);
 }
 
+TEST(MechanismSummary, ChangePointsNameTheLargestCompliantForce) {
+  Fixture f;
+  f.motion.instants[1].is_change_point = true;
+  f.motion.change_points = {{0.0, 1.0, 0.5, f.motion.instants[1]},
+                            {0.5, 1.0, 0.75, std::nullopt}};
+  const auto summary = summarise(f.definition, f.structure, f.motion);
+  ASSERT_EQ(summary.change_points.size(), 2u);
+  EXPECT_EQ(summary.change_points[0].at, 0.5);
+  EXPECT_EQ(summary.change_points[0].joint, "cylinder");
+  EXPECT_DOUBLE_EQ(summary.change_points[0].largest_force, 5.0);
+  EXPECT_EQ(summary.change_points[1].joint, "");  // nothing holds the loads
+  EXPECT_EQ(summary.instants_left_out, 1);
+}
+
 }  // namespace
 }  // namespace clevis::report
