@@ -106,7 +106,8 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"K008", kSolverFailed, "motion cannot be integrated",
      "No step of the integration is short enough for the tolerance: a force "
      "grows without bound or jumps in every step. Look for stiffnesses, "
-     "masses or lengths of a wrong order of size."},
+     "masses or lengths of a wrong order of size. Or so many are needed that "
+     "the motion would take hours."},
     {"K009", kModelInvalid, "gas chamber without volume",
      "At the start of the motion the piston stands where the chamber's volume "
      "is zero or less: dead_volume at the coordinate origin, area times travel "

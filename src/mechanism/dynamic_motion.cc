@@ -78,6 +78,7 @@ class DynamicRun {
   void pass(const EventFinder::Event& event);
   void restart(double t);
   void guard_against_accumulation(double t);
+  void require_few(const StepCounts& counts) const;
   void sample_until(double t);
   void add_instant(double t, VectorXd& y);
   void note_energy(const VectorXd& y);
@@ -235,6 +236,20 @@ void DynamicRun::sample_until(double t) {
   }
 }
 
+/// A motion that would take hours is refused with what it is stuck at.
+void DynamicRun::require_few(const StepCounts& counts) const {
+  constexpr long kMost = 20'000'000;
+  if (counts.evaluations < kMost) return;
+  throw Error(
+      "K008", "mechanism",
+      fmt::format("{} evaluations in {} steps by {} have only reached "
+                  "t = {:.9g} s of {:.9g} s",
+                  counts.evaluations, counts.steps, integrator_.method(),
+                  integrator_.t(), settings_.duration),
+      "ask for a shorter motion or a looser tolerance, soften what is "
+      "stiff, or try another `integrator`");
+}
+
 Motion DynamicRun::run() {
   start();
   sample_until(0.0);
@@ -246,6 +261,7 @@ Motion DynamicRun::run() {
                               integrator_.t()),
                   "look for forces or lengths of a wrong order of size");
     }
+    require_few(integrator_.counts());
     const EventFinder::Event event = events_.find(integrator_);
     if (peaks_) {
       peaks_->look(integrator_, event.index < 0 ? integrator_.t() : event.t);
