@@ -191,7 +191,8 @@ double vertex_excess(const Eigen::VectorXd& peak) {
 double time_sampling_error(const Eigen::VectorXd& peak) {
   const Index n = peak.size();
   if (n < 2) return 0.0;
-  if (n < 5) return peak.maxCoeff() - peak.minCoeff();
+  constexpr Index kFew = 12;
+  if (n < kFew) return peak.maxCoeff() - peak.minCoeff();
   const double ends = std::max(peak[0], peak[n - 1]);
   double largest[2] = {ends, ends};
   for (Index i = 0; i < n; ++i) {

@@ -34,7 +34,7 @@ struct StressHistory {
 /// How much a peak between the instants may be higher [Pa]: the rise of the
 /// parabola through the largest and its neighbours, at least a third of what
 /// the largest gains from every second instant to all (ends always counted);
-/// with fewer than five instants their whole spread.
+/// with fewer than twelve instants their whole spread.
 /// @param peak  over the points, per instant of one motion [Pa].
 double time_sampling_error(const Eigen::VectorXd& peak);
 

@@ -127,6 +127,10 @@ TEST(TimeSampling, PeakAtAnEndMissesNothing) {
 
 TEST(TimeSampling, FewInstantsTellNothing) {
   EXPECT_EQ(time_sampling_error(Eigen::Vector3d(1.0, 4.0, 2.0)), 3.0);
+  // A peak between two of six instants: the parabola does not see it.
+  Eigen::VectorXd six(6);
+  six << 7.0, 8.0, 8.2, 8.3, 8.37, 8.1;
+  EXPECT_NEAR(time_sampling_error(six), 1.37, 1e-12);
 }
 
 }  // namespace
