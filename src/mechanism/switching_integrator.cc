@@ -1,6 +1,15 @@
 #include "mechanism/switching_integrator.h"
 
 namespace clevis::mechanism {
+namespace {
+
+// Explicit steps after which the other method is tried where they creep: so
+// many more would be needed to the next break. Round-off of states that hardly
+// move can hide from DOP853's own test that stability limits its steps.
+constexpr int kPatience = 2000;
+constexpr double kCreeping = 2e5;
+
+}  // namespace
 
 SwitchingIntegrator::SwitchingIntegrator(OdeSystem& system,
                                          IntegratorChoice choice)
@@ -24,11 +33,15 @@ void SwitchingIntegrator::change() {
   Integrator* other = &implicit_;
   if (active_ == other) other = &explicit_;
   active_ = other;
+  since_change_ = 0;
   active_->restart(t, state_, step);
 }
 
 bool SwitchingIntegrator::step(double limit) {
-  if (may_change_ && active_->wants_change()) change();
+  const bool creeps = active_ == &explicit_ && since_change_ > kPatience &&
+                      limit - active_->t() > kCreeping * active_->next_step();
+  if (may_change_ && (creeps || active_->wants_change())) change();
+  ++since_change_;
   bool done = active_->step(limit);
   if (!done && may_change_ && active_ == &explicit_) {
     change();

@@ -42,6 +42,7 @@ class SwitchingIntegrator : public Integrator {
   Radau5 implicit_;
   Integrator* active_;
   bool may_change_;
+  long since_change_ = 0;  ///< steps
   Eigen::VectorXd state_;
 };
 
