@@ -39,6 +39,8 @@ Equilibrium::Equilibrium(const MechanismDefinition& definition,
       system_(system),
       out_of_plane_(frame, {}, Motions::kOutOfPlane,
                     ConstraintSystem::Drives::kNone),
+      in_space_(frame, definition.drives, Motions::kSpatial,
+                ConstraintSystem::Drives::kAll),
       inertia_(definition.bodies.size() + 1),
       gravity_(frame.R_WP.transpose() * definition.gravity_W) {
   for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
@@ -175,6 +177,25 @@ void Equilibrium::solve_out_of_plane(Solution& solution,
   mark(solution, shared);
 }
 
+std::optional<Equilibrium::Solution> Equilibrium::solve_in_space(
+    const std::vector<PlacedJoint>& placed,
+    const std::vector<Twist>& required) const {
+  constexpr double kInBalance = 1e-9;
+  const VectorXd f = in_space_.wrench_vector(required);
+  const MatrixXd J = in_space_.jacobian(placed);
+  JacobianFactor factor;
+  factor.compute(J);
+  const SharedReactions shared =
+      share_reactions(frame_, in_space_, placed, factor, f);
+  const VectorXd left = J.transpose() * shared.lambda - f;
+  if (left.norm() > kInBalance * f.norm()) return std::nullopt;
+  Solution solution = empty_solution(placed);
+  add(solution, placed, in_space_, shared.lambda);
+  add_efforts(solution, in_space_, shared.lambda);
+  mark(solution, shared);
+  return solution;
+}
+
 Equilibrium::Solution Equilibrium::empty_solution(
     const std::vector<PlacedJoint>& placed) const {
   Solution solution;
@@ -187,11 +208,11 @@ Equilibrium::Solution Equilibrium::empty_solution(
   return solution;
 }
 
-void Equilibrium::add_efforts(Solution& solution,
+void Equilibrium::add_efforts(Solution& solution, const ConstraintSystem& rows,
                               const VectorXd& lambda) const {
-  for (int i = system_.joint_rows(); i < system_.rows(); ++i) {
-    const auto& row = system_.row_list()[index(i)];
-    solution.efforts.push_back(system_.multiplier(row, lambda[i]));
+  for (int i = rows.joint_rows(); i < rows.rows(); ++i) {
+    const auto& row = rows.row_list()[index(i)];
+    solution.efforts.push_back(rows.multiplier(row, lambda[i]));
   }
 }
 
@@ -202,18 +223,23 @@ Equilibrium::Solution Equilibrium::solve(
     std::span<const Twist> applied) const {
   const std::vector<Twist> required =
       required_wrenches(x, twists, accelerations, applied);
+  const bool across = frame_.planar && acts_across_plane(placed, required);
+  const bool open = system_.rows() > factor.rank();
+  if (across && open) {
+    if (auto solution = solve_in_space(placed, required)) return *solution;
+  }
   const VectorXd f = system_.wrench_vector(required);
   SharedReactions shared;
-  if (system_.rows() > factor.rank()) {
+  if (open) {
     shared = share_reactions(frame_, system_, placed, factor, f);
   } else {
     shared.lambda = factor.solve_transposed(f);
   }
   Solution solution = empty_solution(placed);
   add(solution, placed, system_, shared.lambda);
-  add_efforts(solution, shared.lambda);
+  add_efforts(solution, system_, shared.lambda);
   mark(solution, shared);
-  if (frame_.planar && acts_across_plane(placed, required)) {
+  if (across) {
     solve_out_of_plane(solution, placed, required);
   }
   return solution;
@@ -229,7 +255,7 @@ std::optional<Equilibrium::Solution> Equilibrium::solve_compliant(
   if (!balance.found) return std::nullopt;
   Solution solution = empty_solution(placed);
   add(solution, placed, system_, balance.lambda);
-  add_efforts(solution, balance.lambda);
+  add_efforts(solution, system_, balance.lambda);
   return solution;
 }
 

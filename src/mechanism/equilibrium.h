@@ -43,7 +43,8 @@ class Equilibrium {
 
  private:
   Solution empty_solution(const std::vector<PlacedJoint>& placed) const;
-  void add_efforts(Solution& solution, const Eigen::VectorXd& lambda) const;
+  void add_efforts(Solution& solution, const ConstraintSystem& rows,
+                   const Eigen::VectorXd& lambda) const;
   std::vector<Twist> required_wrenches(const Configuration& x,
                                        const std::vector<Twist>& twists,
                                        const std::vector<Twist>& accelerations,
@@ -57,6 +58,12 @@ class Equilibrium {
   void solve_out_of_plane(Solution& solution,
                           const std::vector<PlacedJoint>& placed,
                           std::vector<Twist> required) const;
+  /// All reactions together, where the plane alone leaves some open and loads
+  /// or joints lie beside it: how far these give way across the plane then
+  /// shares those in it. Nothing if the joints do not hold the loads.
+  std::optional<Solution> solve_in_space(
+      const std::vector<PlacedJoint>& placed,
+      const std::vector<Twist>& required) const;
   static void mark(Solution& solution, const SharedReactions& shared);
 
   struct Inertia {
@@ -70,7 +77,7 @@ class Equilibrium {
   };
   const SolvingFrame& frame_;
   const ConstraintSystem& system_;
-  ConstraintSystem out_of_plane_;
+  ConstraintSystem out_of_plane_, in_space_;
   std::vector<Inertia> inertia_;  ///< by slot
   std::vector<Load> loads_;
   Eigen::Vector3d gravity_;

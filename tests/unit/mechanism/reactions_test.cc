@@ -120,6 +120,49 @@ TEST(Reactions, SpreadIsTheSumOfTheChangesPerCompliance) {
   }
 }
 
+/// @return  reactions in the middle of a swing of the door, taken as spatial
+///   or planar.
+Instant swinging_door(MechanismDefinition m, SpaceDimension dimension,
+                      bool driven) {
+  m.dimension = dimension;
+  m.drives[0].law = DriveLaw::kQuintic;
+  m.drives[0].to = 1.5;
+  m.drives[0].duration = 1.0;
+  if (!driven) {
+    m.drives.clear();
+    m.initial_joints = {{.joint = 0, .position = {}, .rate = 2.0, .place = ""}};
+  }
+  return simulate(m, {.duration = 1.0, .instants = 4}).instants[1];
+}
+
+// A plane of motion does not tell how far apart the hinges are.
+TEST(Reactions, DoorTakenAsPlanarCarriesThePair) {
+  for (const bool driven : {true, false}) {
+    MechanismDefinition m = door();
+    m.bodies[0].mass_properties.p_LCm.z() = 0.1;
+    m.joints[0].compliance = compliance(3e-9, 4e-8);
+    m.joints[1].compliance = compliance(1e-9, 2e-8);
+    const Instant space = swinging_door(m, SpaceDimension::kSpatial, driven);
+    for (const auto as : {SpaceDimension::kAuto, SpaceDimension::kPlanar}) {
+      const Instant plane = swinging_door(m, as, driven);
+      for (std::size_t j = 0; j < 2; ++j) {
+        EXPECT_LT((plane.joints[j].components() - space.joints[j].components())
+                      .norm(),
+                  1e-7);
+        EXPECT_EQ(plane.joints[j].unique_components,
+                  space.joints[j].unique_components);
+        for (std::size_t k = 0; k < 6; ++k) {
+          EXPECT_NEAR(plane.joints[j].spread[k], space.joints[j].spread[k],
+                      1e-6);
+        }
+      }
+      if (driven) {
+        EXPECT_NEAR(plane.drives[0].effort, space.drives[0].effort, 1e-9);
+      }
+    }
+  }
+}
+
 /// Largest difference of forces and of moments over `length`.
 double difference(const Instant& a, const Instant& b, double length) {
   double worst = 0.0;
