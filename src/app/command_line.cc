@@ -100,6 +100,18 @@ void add_transmission(CLI::App& app, Parsed& parsed) {
   });
 }
 
+void add_impact(CLI::App& app, Parsed& parsed) {
+  CLI::App* command = app.add_subcommand(
+      "impact", "ejectors by beam theory: blow on the workpiece, limits");
+  add_scene(*command, parsed);
+  add_output(*command, parsed);
+  command->callback([&parsed] {
+    parsed.run = [&parsed] {
+      return impact_command(parsed.options);
+    };
+  });
+}
+
 void add_check(CLI::App& app, Parsed& parsed) {
   CLI::App* command = app.add_subcommand(
       "check", "does every part hold over the motion and its cases?");
@@ -267,6 +279,7 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   add_check(app, parsed);
   add_simulate(app, parsed);
   add_transmission(app, parsed);
+  add_impact(app, parsed);
   add_mesh(app, parsed);
   add_study(app, parsed);
   add_export(app, parsed);

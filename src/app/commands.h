@@ -28,6 +28,7 @@ struct Options {
 // returns the exit code of the process. Refusals are thrown as Error.
 ExitCode simulate_command(const Options& options);
 ExitCode transmission_command(const Options& options);
+ExitCode impact_command(const Options& options);
 ExitCode check_command(const Options& options);
 ExitCode study_command(const Options& options);
 ExitCode export_command(const Options& options);

@@ -10,10 +10,10 @@ namespace {
 using Key = std::string_view;
 
 constexpr Key kScene[] = {
-    "schema",      "name",    "world",       "material", "mechanism",
-    "body",        "joint",   "coupling",    "drive",    "force",
-    "initial",     "marker",  "simulation",  "part",     "accuracy",
-    "closed_form", "bearing", "transmission"};
+    "schema",      "name",    "world",        "material", "mechanism",
+    "body",        "joint",   "coupling",     "drive",    "force",
+    "initial",     "marker",  "simulation",   "part",     "accuracy",
+    "closed_form", "bearing", "transmission", "ejector"};
 constexpr Key kWorld[] = {"gravity"};
 constexpr Key kMaterial[] = {"youngs_modulus", "poissons_ratio", "density",
                              "yield_strength"};
@@ -143,6 +143,12 @@ constexpr Key kElement[] = {"name",
                             "class_factor",
                             "compliance",
                             "elements"};
+constexpr Key kEjector[] = {"name",          "arm_magnet", "arm_pusher",
+                            "arm_spring",    "inertia",    "magnet_force",
+                            "range",         "travel",     "spring_stiffness",
+                            "spring_preset", "workpiece"};
+constexpr Key kWorkpiece[] = {"material", "diameter", "length",
+                              "safety_factor"};
 constexpr Key kMarker[] = {"name", "body", "point"};
 constexpr Key kSimulation[] = {"duration", "instants",   "tolerance",
                                "motion",   "integrator", "at_singularity"};
@@ -191,6 +197,8 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"transmission.errors", kTransmissionErrors},
     {"transmission.stage", kStage},
     {"transmission.stage.element", kElement},
+    {"ejector", kEjector},
+    {"ejector.workpiece", kWorkpiece},
     {"simulation", kSimulation},
     {"part", kPart},
     {"part.drives", kPartDrives},

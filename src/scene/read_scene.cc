@@ -105,8 +105,9 @@ Scene read_scene(const std::filesystem::path& file) {
   scene.mechanism = read_mechanism(root, names);
   scene.has_mechanism = !scene.mechanism.bodies.empty();
   scene.transmissions = read_transmissions(root, names);
+  scene.ejectors = read_ejectors(root, materials, names);
   if (!scene.has_mechanism && part_tables.empty() &&
-      scene.transmissions.empty()) {
+      scene.transmissions.empty() && scene.ejectors.empty()) {
     throw root.refusal("S003", "has neither [[body]] nor [[part]]",
                        "Add a mechanism, a part with cases, or both.");
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "machine/bearing.h"
+#include "machine/ejector.h"
 #include "machine/transmission.h"
 #include "mechanism/definition.h"
 #include "part/part_definition.h"
@@ -24,6 +25,7 @@ struct Names {
   NameIndex markers{"marker"};
   NameIndex bearings{"bearing"};
   NameIndex transmissions{"transmission"};
+  NameIndex ejectors{"ejector"};
 };
 
 // Each reads its array of tables from the root of the scene, in this order:
@@ -70,6 +72,10 @@ std::vector<machine::BearingDefinition> read_bearings(
 /// The [[transmission]] tables, which need no mechanism.
 std::vector<machine::TransmissionDefinition> read_transmissions(
     StrictTable& root, Names& names);
+/// The [[ejector]] tables, which need no mechanism.
+std::vector<machine::EjectorDefinition> read_ejectors(
+    StrictTable& root, const std::vector<part::Material>& materials,
+    Names& names);
 /// An element of a stage. @throws Error S010 if it turns where the stage does
 /// not, or the other way round.
 machine::CompliantElement read_compliance(StrictTable& table, bool angular);

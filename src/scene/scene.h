@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "machine/bearing.h"
+#include "machine/ejector.h"
 #include "machine/transmission.h"
 #include "mechanism/definition.h"
 #include "part/part_definition.h"
@@ -29,6 +30,7 @@ struct Scene {
   mechanism::SimulationSettings simulation;
   std::vector<machine::BearingDefinition> bearings;
   std::vector<machine::TransmissionDefinition> transmissions;
+  std::vector<machine::EjectorDefinition> ejectors;
   std::vector<part::PartDefinition> parts;
   double peak_stress_tolerance = 0.01;  ///< [1], relative
   std::optional<SlideLeverClosedForm> slide_lever;

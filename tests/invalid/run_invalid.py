@@ -23,7 +23,7 @@ SECONDS = 5
 EXPECT = re.compile(
     r'#\s*expect:\s*([A-Z]\d{3})\s+(\d+)\s+"((?:[^"\\]|\\.)*)"(?:\s+at\s+(\d+))?')
 RUN = re.compile(r"#\s*run:\s*(.+)")
-WITH_JSON = ("simulate", "check", "transmission")
+WITH_JSON = ("simulate", "check", "transmission", "impact")
 
 
 def expectation(scene):

@@ -16,6 +16,7 @@ from pathlib import Path
 
 SCENE = "geometry/landing_gear/scene.toml"
 TRANSMISSION = "geometry/transmission/example.toml"
+EJECTOR = "geometry/ejector/beam_theory.toml"
 RUNS = 10
 
 # arguments, exit code
@@ -25,11 +26,13 @@ TEXT = [
     ([], 2), (["chek", SCENE], 2), (["check"], 2), (["check", SCENE, "-x"], 2),
     (["check", SCENE, "--tolerance", "1 mm"], 2),
     (["mesh", "missing.toml"], 22), (["transmission", TRANSMISSION], 0),
+    (["impact", EJECTOR], 0),
     (["simulate", "geometry/landing_gear/bearings.toml"], 0),
 ]
 JSON = [
     (["simulate", SCENE, "--json"], 0),
     (["transmission", TRANSMISSION, "--json"], 0),
+    (["impact", EJECTOR, "--json"], 0), (["impact", SCENE, "--json"], 10),
     (["transmission", SCENE, "--json"], 10),
     (["simulate", "missing.toml", "--json"], 22),
     (["simulate", "README.md", "--json"], 10),
@@ -40,7 +43,7 @@ JSON = [
     (["nonsense", "--json"], 2),
 ]
 WITHOUT_DEALII = [["--version"], ["--help"], ["explain"], ["simulate", SCENE],
-                  ["transmission", TRANSMISSION],
+                  ["transmission", TRANSMISSION], ["impact", EJECTOR],
                   ["mesh", "missing.toml"],
                   ["compare", "missing.json", "missing.json"]]
 

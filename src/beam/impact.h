@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+
+#include "part/material.h"
+
+namespace clevis::beam {
+
+/// A formula as its source prints it, or as it should be.
+enum class Formula { kPublished, kCorrected };
+
+/// Mass of the struck bar: left out, or moving along with the striker.
+enum class StruckMass { kLeftOut, kMovesAlong };
+
+/// A bar without inertia of its own, struck at one place.
+struct StruckBar {
+  double stiffness{};         ///< force per deflection of that place [N/m]
+  double stress_per_force{};  ///< largest nominal stress per force [1/m²]
+  double mass{};              ///< of the bar [kg]
+  double mass_part{};  ///< of it that counts at that place: 33/140, 17/35, 1/3
+};
+
+/// Section of a bar in the plane of bending.
+struct BarSection {
+  double area{};             ///< [m²]
+  double second_moment{};    ///< I [m⁴]
+  double section_modulus{};  ///< W [m³]
+};
+BarSection round_section(double diameter);
+
+/// Struck at its free end: 3 E I/h³. As published 1/h³ E I: the factor 3 of
+/// the deflection is missing (I-yst).
+StruckBar cantilever(const part::Material& material, const BarSection& section,
+                     double length, Formula deflection = Formula::kCorrected);
+/// Struck in the middle between hinges: 48 E I/l³.
+StruckBar simple_beam(const part::Material& material, const BarSection& section,
+                      double length);
+/// Struck along its axis, the far end held: E A/l.
+StruckBar rod(const part::Material& material, const BarSection& section,
+              double length);
+
+/// What strikes.
+struct Blow {
+  double mass{};   ///< of the striker, reduced to the place [kg]
+  double speed{};  ///< towards the bar [m/s]
+  double force{};  ///< that goes on pushing the striker [N]; < 0 pulls it back
+};
+
+/// What beam theory says of a blow.
+struct BarImpact {
+  double static_deflection{},
+      static_stress{};           ///< by the force alone [m], [Pa]
+  std::optional<double> factor;  ///< β, dynamic over static; none without force
+  double deflection{};           ///< largest [m]
+  double stress{};               ///< largest [Pa]
+};
+
+/// Largest deflection and stress while the striker stays on the bar,
+///     y = y_st + √(y_st² + m V²/k),   β = 1 + √(1 + m V²/(F y_st)),
+/// the blow's energy being kept; with the bar's mass moving along only
+/// m/(m + κ m_bar) of the kinetic energy is. Left out: waves and higher modes,
+/// the contact's own give, rebound before the largest deflection.
+/// Source: docs/theory.md, "Impact by beam theory".
+BarImpact impact(const StruckBar& bar, const Blow& blow,
+                 StruckMass struck_mass = StruckMass::kLeftOut);
+
+/// The same, to the deflection at time t: exact for a bar without mass,
+/// y_st (1 − cos ωt) + (V/ω) sin ωt, ω² = k/m.
+double deflection_at(const StruckBar& bar, const Blow& blow, double time);
+
+/// Largest speed at which the stress of impact() stays within a limit [m/s];
+/// 0 if the force alone exceeds it.
+double largest_speed(const StruckBar& bar, const Blow& blow, double stress,
+                     StruckMass struck_mass = StruckMass::kLeftOut);
+
+/// Period of the bar alone with its mass reduced to the place, 2π √(κ m/k)
+/// [s]; 1.4 % below the first bending period of a cantilever.
+double first_period(const StruckBar& bar);
+
+}  // namespace clevis::beam
