@@ -13,15 +13,16 @@ LAYERS = {  # module: (modules it may include, outside libraries it may include)
     "scene": ("base part mechanism machine", "Eigen fmt toml"),
     "mesh": ("base part", "Eigen fmt"),
     "loads": ("base part mechanism", "Eigen fmt"),
+    "dynamics": ("base loads", "Eigen fmt"),
     "beam": ("base part machine mesh loads", "Eigen fmt"),
-    "elasticity": ("base part mesh loads", "deal.II petsc Eigen fmt"),
+    "elasticity": ("base part mesh loads dynamics", "deal.II petsc Eigen fmt"),
     "calculix": ("base part mesh loads elasticity", "Eigen fmt"),
-    "stress": ("base part mesh loads elasticity", "deal.II Eigen fmt"),
-    "assessment": ("base part mesh loads beam elasticity stress", "Eigen fmt"),
+    "stress": ("base part mesh loads dynamics elasticity", "deal.II Eigen fmt"),
+    "assessment": ("base part mesh loads dynamics beam elasticity stress", "Eigen fmt"),
     "report": ("base part mechanism machine beam assessment", "Eigen fmt nlohmann"),
     "study": ("base part mesh loads elasticity stress assessment report",
               "Eigen fmt nlohmann"),
-    "app": ("base part mechanism machine scene mesh loads beam elasticity calculix"
+    "app": ("base part mechanism machine scene mesh loads dynamics beam elasticity calculix"
             " stress assessment study report", "Eigen fmt nlohmann CLI"),
 }
 LIBRARIES = r"(Eigen|deal\.II|gmsh|petsc|nlohmann|fmt|toml|CLI|udunits2)"

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "dynamics/linear_system.h"
+
+namespace clevis::dynamics {
+
+/// Space of (K + s M)⁻¹ M applied again and again to a block, M-orthonormal,
+/// with the operator's projection on it. The operator is self-adjoint in M;
+/// its eigenvalues θ = 1/(ω² + s) are largest for the lowest frequencies.
+///
+/// All vectors are orthogonalised against all others, twice: the loss of
+/// orthogonality that makes eigenvalues appear again does not arise. A block
+/// finds eigenvalues as often as they occur, up to its width.
+///
+/// Source: Golub & Underwood, in Mathematical Software III (1977) 361-377;
+/// Grimes, Lewis & Simon, SIAM J. Matrix Anal. 15 (1994) 228-272.
+class BlockKrylov {
+ public:
+  /// @param solve     B -> (K + s M)⁻¹ B.
+  /// @param start     block, need not be independent.
+  /// @param deflated  M-orthonormal vectors that stay out; may be empty.
+  BlockKrylov(const LinearSystem& system, BlockOperator solve,
+              const Eigen::MatrixXd& start, Eigen::MatrixXd deflated);
+
+  /// Adds a block; the space may close under the operator: then none.
+  void extend();
+
+  Eigen::Index size() const { return projection_.cols(); }
+  bool is_closed() const { return next_.cols() == 0; }
+
+  /// Eigenvectors of the projection: the best of this space.
+  struct RitzValues {
+    Eigen::VectorXd theta;     ///< falling [s²]
+    Eigen::MatrixXd vectors;   ///< in the space, size × size
+    Eigen::VectorXd residual;  ///< ‖T x − θ x‖_M [s²]
+  };
+  RitzValues ritz_values() const;
+
+  /// The first `size()` vectors of the space.
+  Eigen::MatrixXd basis() const { return basis_.leftCols(size()); }
+
+ private:
+  /// Takes out of `block` what lies in the space; returns the components.
+  Eigen::MatrixXd orthogonalise(Eigen::MatrixXd& block) const;
+  /// M-orthonormal columns that span the block's; block = columns · triangle.
+  Eigen::MatrixXd split(const Eigen::MatrixXd& block,
+                        Eigen::MatrixXd& triangle) const;
+
+  const LinearSystem& system_;
+  BlockOperator solve_;
+  Eigen::MatrixXd deflated_;
+  Eigen::MatrixXd basis_;       ///< with the block that is next
+  Eigen::MatrixXd next_;        ///< last columns of basis_
+  Eigen::MatrixXd projection_;  ///< basisᵀ M T basis, of the columns done
+  Eigen::MatrixXd overhang_;    ///< M-components of T basis on `next_`
+};
+
+/// The columns' span as M-orthonormal columns.
+Eigen::MatrixXd mass_orthonormal(const LinearSystem& system,
+                                 const Eigen::MatrixXd& columns);
+
+}  // namespace clevis::dynamics

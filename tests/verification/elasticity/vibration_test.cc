@@ -1,0 +1,167 @@
+// Mass matrix and free vibrations against closed forms. Source: docs/theory.md,
+// "Vibration and impact".
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "elasticity/eigenmodes.h"
+#include "elasticity/supports.h"
+#include "elasticity/vibrating_part.h"
+#include "support/convergence.h"
+#include "support/structured_mesh.h"
+#include "support/weld.h"
+
+namespace clevis {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+const part::Material kSteel{"steel", 210e9, 0.3, 7850.0, 355e6};
+const loads::LoadHistory kNoLoads;
+
+double shear_speed(const part::Material& material) {
+  return std::sqrt(material.youngs_modulus /
+                   (2.0 * (1.0 + material.poissons_ratio) * material.density));
+}
+
+mesh::PartMesh<3> block_mesh(std::array<int, 3> cells, const Vector3d& size) {
+  return support::structured_mesh<3>(cells, 1,
+                                     [size](const Vector3d& x) -> Vector3d {
+                                       return x.cwiseProduct(size);
+                                     });
+}
+
+/// Relative distance of the nearest frequency [1].
+double nearest(const Eigen::VectorXd& frequencies, double exact) {
+  return ((frequencies.array() - exact).abs().minCoeff()) / exact;
+}
+
+TEST(Mass, TotalAndInertiaOfABlock) {
+  const Vector3d size(0.03, 0.05, 0.02);
+  const auto mesh = block_mesh({2, 3, 1}, size);
+  for (int degree = 1; degree <= 4; ++degree) {
+    const auto part = elasticity::vibrating_part<3>(
+        {mesh, kSteel, kNoLoads, {}, "block"}, degree);
+    const double mass = kSteel.density * size.prod();
+    EXPECT_NEAR(part.mass / mass, 1.0, 1e-13);
+    const auto modes = elasticity::rigid_modes<3>(
+        elasticity::node_positions(part.discretization), 0.5 * size, 1.0);
+    const MatrixXd inertia = modes.transpose() * part.system.mass(modes);
+    for (int d = 0; d < 3; ++d) {
+      EXPECT_NEAR(inertia(d, d) / mass, 1.0, 1e-12);
+      const double square = size.squaredNorm() - size[d] * size[d];
+      // Degree 1 interpolates p, not p²: the product of two is integrated.
+      EXPECT_NEAR(inertia(3 + d, 3 + d) / (mass * square / 12.0), 1.0, 1e-12);
+    }
+    EXPECT_LT((inertia - MatrixXd(inertia.diagonal().asDiagonal()))
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-12 * mass);
+    EXPECT_LT(part.system.stiffness(modes).cwiseAbs().maxCoeff(),
+              1e-10 * kSteel.youngs_modulus * size[0]);
+  }
+}
+
+/// Free a × a × t block: f = c_s / (√2 a), whatever t and ν.
+TEST(Modes, LameModeOfAFreeBlock) {
+  const double a = 0.1;
+  const auto mesh = block_mesh({3, 3, 1}, {a, a, 0.04});
+  const auto modes =
+      elasticity::eigenmodes<3>({mesh, kSteel, kNoLoads, {}, "block"}, 4, 26);
+  const double exact = shear_speed(kSteel) / (std::sqrt(2.0) * a);
+  EXPECT_EQ(modes.rigid, 6);
+  EXPECT_EQ(modes.frequencies[5], 0.0);
+  EXPECT_GT(modes.frequencies[6], 0.1 * exact);
+  EXPECT_LT(nearest(modes.frequencies, exact), 1e-6);
+  EXPECT_LT(modes.residual.maxCoeff(), 1e-7);
+  // All mass moves with the rigid motions, none with the others.
+  for (int d = 0; d < 3; ++d) {
+    EXPECT_NEAR(modes.participation.col(d).head(6).sum(), 1.0, 1e-10);
+    EXPECT_LT(modes.participation.col(d).tail(20).sum(), 1e-10);
+  }
+}
+
+/// Plane stress has the same mode: nothing strains along z.
+TEST(Modes, LameModeOfAFreePlate) {
+  const double a = 0.1;
+  auto mesh = support::structured_mesh<2>({3, 3}, 1,
+                                          [a](const Vector2d& x) -> Vector2d {
+                                            return a * x;
+                                          });
+  mesh.thickness = 0.01;
+  const auto modes =
+      elasticity::eigenmodes<2>({mesh, kSteel, kNoLoads, {}, "plate"}, 4, 12);
+  EXPECT_EQ(modes.rigid, 3);
+  EXPECT_LT(
+      nearest(modes.frequencies, shear_speed(kSteel) / (std::sqrt(2.0) * a)),
+      1e-6);
+}
+
+/// Torsion of a free round bar: f_n = n c_s / (2 L).
+TEST(Modes, TorsionOfAFreeRoundBar) {
+  const double length = 0.1;
+  const auto mesh = support::round_bar(0.02, length, 1, 3, 4);
+  const auto modes =
+      elasticity::eigenmodes<3>({mesh, kSteel, kNoLoads, {}, "bar"}, 4, 16);
+  EXPECT_EQ(modes.rigid, 6);
+  EXPECT_LT(nearest(modes.frequencies, shear_speed(kSteel) / (2.0 * length)),
+            1e-6);
+  // Bending about either axis: the same frequency twice.
+  EXPECT_NEAR(modes.frequencies[6] / modes.frequencies[7], 1.0, 1e-8);
+  EXPECT_GT(modes.frequencies[8] / modes.frequencies[7], 1.01);
+}
+
+/// 1 : 100, ν = 0: shear and rotary inertia take 7e-5 of Euler's frequency.
+TEST(Modes, CantileverOfASlenderRod) {
+  const part::Material material{"no Poisson", 210e9, 0.0, 7850.0, 355e6};
+  const double length = 1.0, side = 0.01;
+  const auto mesh = block_mesh({20, 1, 1}, {length, side, side});
+  const auto modes = elasticity::eigenmodes<3>(
+      {mesh, material, kNoLoads, {{"x0", {true, true, true}}}, "rod"}, 3, 4);
+  const double euler =
+      1.875104069 * 1.875104069 / (2.0 * std::numbers::pi) *
+      std::sqrt(material.youngs_modulus * side * side /
+                (12.0 * material.density * length * length * length * length));
+  EXPECT_EQ(modes.rigid, 0);
+  for (int k = 0; k < 2; ++k) {  // about y and about z
+    EXPECT_LT(modes.frequencies[k], euler);
+    EXPECT_NEAR(modes.frequencies[k] / euler, 1.0, 2e-4);
+  }
+  EXPECT_NEAR(modes.frequencies[2] / euler,
+              std::pow(4.694091133 / 1.875104069, 2), 0.02);
+  EXPECT_NEAR(
+      elasticity::first_period<3>(
+          {mesh, material, kNoLoads, {{"x0", {true, true, true}}}, "rod"}, 3) *
+          modes.frequencies[0],
+      1.0, 1e-9);
+}
+
+/// The frequency's error falls with the power 2p of the cell's size.
+TEST(Modes, ErrorFallsWithTwiceTheDegree) {
+  const double a = 0.1;
+  const double exact = shear_speed(kSteel) / (std::sqrt(2.0) * a);
+  for (const int degree : {1, 2}) {
+    std::vector<double> errors;
+    for (const int cells : {4, 8, 16}) {
+      auto mesh = support::structured_mesh<2>(
+          {cells, cells}, 1, [a](const Vector2d& x) -> Vector2d {
+            return a * x;
+          });
+      mesh.thickness = 0.01;
+      errors.push_back(
+          nearest(elasticity::eigenmodes<2>(
+                      {mesh, kSteel, kNoLoads, {}, "plate"}, degree, 10)
+                      .frequencies,
+                  exact));
+    }
+    EXPECT_NEAR(support::last_rate(errors), 2.0 * degree, 0.1);
+  }
+}
+
+}  // namespace
+}  // namespace clevis
