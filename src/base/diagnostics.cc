@@ -112,6 +112,11 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "At the start of the motion the piston stands where the chamber's volume "
      "is zero or less: dead_volume at the coordinate origin, area times travel "
      "from there. Give the origin, or a larger dead volume."},
+    {"K010", kModelInvalid, "start at a change point that no rate decides",
+     "The motion starts where branches of positions meet, and the rates given "
+     "fit several of them or none that leads on. Give [[initial]] rates that "
+     "single one out, or start a little beside the change point on the branch "
+     "that is meant."},
     {"L001", kModelInvalid, "unbalanced load on a free part",
      "Forces, moments and inertia of a part that nothing holds do not cancel. "
      "A linear static solve would hide the residual in arbitrary supports. "

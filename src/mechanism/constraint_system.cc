@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
+
 #include "mechanism/plane.h"
 
 namespace clevis::mechanism {
@@ -379,6 +381,19 @@ double ConstraintSystem::distance(const Configuration& x,
     largest = std::max(largest, (x[i].p - y[i].p).norm() + length_ * turn);
   }
   return largest;
+}
+
+VectorXd ConstraintSystem::difference(const Configuration& x,
+                                      const Configuration& y) const {
+  std::vector<Twist> steps(x.size());
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    steps[i].v = y[i].p - x[i].p;
+    const Eigen::AngleAxisd turn(y[i].q * x[i].q.conjugate());
+    const double angle = std::remainder(turn.angle(), 2.0 * std::numbers::pi);
+    // wrench_vector() divides by the length, unknowns are multiplied by it
+    steps[i].w = length_ * length_ * angle * turn.axis();
+  }
+  return wrench_vector(steps);
 }
 
 double largest_gap(const VectorXd& residual) {

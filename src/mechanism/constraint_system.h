@@ -105,6 +105,9 @@ class ConstraintSystem {
   void move(Configuration& x, const Eigen::VectorXd& unknowns) const;
   /// Largest displacement between two configurations: |Δp| + length |Δturn|.
   double distance(const Configuration& x, const Configuration& y) const;
+  /// The displacement that moves x to y, of these motions.
+  Eigen::VectorXd difference(const Configuration& x,
+                             const Configuration& y) const;
 
   double scale(const JointRow& row) const {
     return row.is_angle() ? length_ : 1.0;

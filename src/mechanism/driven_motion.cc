@@ -10,45 +10,13 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "mechanism/assembly.h"
 #include "mechanism/body_motion.h"
-#include "mechanism/closed_joints.h"
-#include "mechanism/continuation.h"
 #include "mechanism/drive_law.h"
-#include "mechanism/equilibrium.h"
-#include "mechanism/mobility.h"
 #include "mechanism/power_balance.h"
 
 namespace clevis::mechanism {
-namespace {
 
 using Eigen::VectorXd;
-
-VectorXd positions(const MechanismDefinition& definition, double t) {
-  VectorXd q(static_cast<Eigen::Index>(definition.drives.size()));
-  for (Eigen::Index i = 0; i < q.size(); ++i) {
-    q[i] = drive_target(definition.drives[static_cast<std::size_t>(i)], t)
-               .position;
-  }
-  return q;
-}
-
-}  // namespace
-
-ClosedConfiguration DrivenMotion::start() const {
-  require_driven(definition_,
-                 mobility(frame_, system_,
-                          closed_joints(definition_, frame_, tolerance_)));
-  const VectorXd targets = positions(definition_, 0.0);
-  const Assembled assembled =
-      assemble(system_, frame_.placement, targets, tolerance_);
-  if (!assembled.closed) {
-    refuse_open(
-        open_joints(definition_, system_, assembled.residual, tolerance_),
-        "all joints with the drives at their start");
-  }
-  return continuation_.close(assembled.x, targets);
-}
 
 std::string DrivenMotion::drives_at(const VectorXd& targets) const {
   std::string text;
@@ -156,7 +124,7 @@ Instant DrivenMotion::instant(const ClosedConfiguration& at, double t) const {
 ClosedConfiguration DrivenMotion::follow(const ClosedConfiguration& from,
                                          double t) const {
   Continuation::Reached reached =
-      continuation_.follow(from, positions(definition_, t));
+      continuation_.follow(from, drive_positions(definition_, t));
   if (reached.part < 1.0) stop(reached, t);
   return std::move(reached.at);
 }

@@ -13,6 +13,10 @@
 
 namespace clevis::mechanism {
 
+/// Coordinates of the drives at time t [s].
+Eigen::VectorXd drive_positions(const MechanismDefinition& definition,
+                                double t);
+
 /// A motion that the drives fix: all that does not change from instant to
 /// instant.
 class DrivenMotion {
@@ -33,6 +37,7 @@ class DrivenMotion {
 
  private:
   ClosedConfiguration start() const;
+  void require_agreement(const ClosedConfiguration& at) const;
   void require_regular(const ClosedConfiguration& at, double t) const;
   [[noreturn]] void refuse_change_point(const ClosedConfiguration& at,
                                         double t) const;

@@ -1,49 +1,42 @@
 #include "mechanism/initial_state.h"
 
 #include <algorithm>
-#include <string>
+#include <utility>
+#include <vector>
 
-#include <Eigen/Geometry>
-#include <fmt/format.h>
-
-#include "base/errors.h"
 #include "mechanism/assembly.h"
 #include "mechanism/closed_joints.h"
 #include "mechanism/drive_law.h"
 #include "mechanism/jacobian_factor.h"
 #include "mechanism/mobility.h"
+#include "mechanism/singular_start.h"
 
 namespace clevis::mechanism {
 namespace {
 
 using Eigen::Index;
-using Eigen::Vector3d;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Drives, and after them the initial coordinates or rates as drives.
+/// Drives, and after them the initial coordinates as drives.
 struct Prescribed {
   std::vector<DriveDefinition> drives;
   VectorXd values;
 };
 
-enum class Order { kPosition, kRate };
-
-Prescribed prescribed(const MechanismDefinition& definition, Order order) {
+Prescribed prescribed(const MechanismDefinition& definition) {
   Prescribed all{definition.drives, {}};
   std::vector<double> values;
   for (const DriveDefinition& drive : definition.drives) {
-    const DriveTarget target = drive_target(drive, 0.0);
-    values.push_back(order == Order::kPosition ? target.position : target.rate);
+    values.push_back(drive_target(drive, 0.0).position);
   }
   for (const InitialJointState& initial : definition.initial_joints) {
-    const auto& value =
-        order == Order::kPosition ? initial.position : initial.rate;
-    if (!value) continue;
+    if (!initial.position) continue;
     DriveDefinition drive;
     drive.joint = initial.joint;
     drive.place = initial.place;
     all.drives.push_back(drive);
-    values.push_back(*value);
+    values.push_back(*initial.position);
   }
   all.values = Eigen::Map<const VectorXd>(values.data(),
                                           static_cast<Index>(values.size()));
@@ -53,7 +46,7 @@ Prescribed prescribed(const MechanismDefinition& definition, Order order) {
 Configuration assembled(const MechanismDefinition& definition,
                         const SolvingFrame& frame, Motions motions,
                         double tolerance) {
-  const Prescribed wanted = prescribed(definition, Order::kPosition);
+  const Prescribed wanted = prescribed(definition);
   const ConstraintSystem system(frame, wanted.drives, motions,
                                 ConstraintSystem::Drives::kAll);
   const Assembled result =
@@ -67,21 +60,37 @@ Configuration assembled(const MechanismDefinition& definition,
   return result.x;
 }
 
-/// Unknowns' rates that the scene wants of the bodies, whatever the joints.
-VectorXd wanted_velocities(const MechanismDefinition& definition,
-                           const SolvingFrame& frame,
-                           const ConstraintSystem& system,
-                           const Configuration& x) {
-  std::vector<Twist> twists(x.size());
+/// Velocities where the joints leave as much freedom as everywhere: rates of
+/// joints and drives exactly, those of bodies as near as the joints allow.
+VectorXd regular_velocities(const MechanismDefinition& definition,
+                            const ConstraintSystem& joints,
+                            const Configuration& x, const WantedRates& wanted) {
+  Index of_bodies = 0;
+  VectorXd guess = VectorXd::Zero(joints.columns());
   for (const InitialBodyState& initial : definition.initial_bodies) {
-    const auto slot = static_cast<std::size_t>(initial.body) + 1;
-    Twist& twist = twists[slot];
-    twist.w = frame.R_WP.transpose() * initial.w_WL;
-    const Vector3d lever = x[slot].R * frame.p_LM[slot - 1];
-    twist.v = frame.R_WP.transpose() * initial.v_WLo + twist.w.cross(lever);
-    twist.w *= frame.length * frame.length;  // as wrench_vector() divides
+    const Index n =
+        joints.columns() / static_cast<Index>(definition.bodies.size());
+    guess.segment(n * initial.body, n) = wanted.rates.segment(
+        wanted.rates.size() -
+            n * static_cast<Index>(definition.initial_bodies.size()) +
+            of_bodies,
+        n);
+    of_bodies += n;
   }
-  return system.wrench_vector(twists);
+  const Index exact = wanted.rates.size() - of_bodies;
+  MatrixXd J(joints.rows() + exact, joints.columns());
+  J << joints.jacobian(joints.place(x)), wanted.rows.topRows(exact);
+  VectorXd rates = VectorXd::Zero(J.rows());
+  rates.tail(exact) = wanted.rates.head(exact);
+  JacobianFactor factor;
+  factor.compute(J);
+  VectorXd v = guess + factor.solve(rates - J * guess);
+  const VectorXd left = J * v - rates;
+  const double size = std::max(rates.lpNorm<Eigen::Infinity>(),
+                               guess.lpNorm<Eigen::Infinity>());
+  const double miss = left.size() > 0 ? left.lpNorm<Eigen::Infinity>() : 0.0;
+  if (miss > 1e-6 * size) refuse_rates(definition, miss);
+  return v;
 }
 
 }  // namespace
@@ -94,33 +103,20 @@ InitialState initial_state(const MechanismDefinition& definition,
   if (!freedom.dependent_drives.empty()) require_driven(definition, freedom);
   InitialState state;
   state.x = assembled(definition, frame, system.motions(), tolerance);
-  const Prescribed wanted = prescribed(definition, Order::kRate);
-  const ConstraintSystem rows(frame, wanted.drives, system.motions(),
-                              ConstraintSystem::Drives::kAll);
-  VectorXd rates = VectorXd::Zero(rows.rows());
-  for (Index i = 0; i < wanted.values.size(); ++i) {
-    const auto& row =
-        rows.row_list()[static_cast<std::size_t>(rows.joint_rows() + i)];
-    rates[rows.joint_rows() + i] = rows.scale(row) * wanted.values[i];
+  const WantedRates wanted =
+      wanted_rates(definition, frame, system.motions(), state.x);
+  const ConstraintSystem joints(frame, {}, system.motions(),
+                                ConstraintSystem::Drives::kNone);
+  const int open =
+      joints.columns() - numerical_rank(joints.jacobian(joints.place(state.x)));
+  if (open <= freedom.joints) {
+    state.velocities = regular_velocities(definition, joints, state.x, wanted);
+    return state;
   }
-  const Eigen::MatrixXd J = rows.jacobian(rows.place(state.x));
-  JacobianFactor factor;
-  factor.compute(J);
-  const VectorXd guess = wanted_velocities(definition, frame, system, state.x);
-  state.velocities = guess + factor.solve(rates - J * guess);
-  const VectorXd left = J * state.velocities - rates;
-  const double size = std::max(rates.lpNorm<Eigen::Infinity>(),
-                               guess.lpNorm<Eigen::Infinity>());
-  if (left.size() > 0 && left.lpNorm<Eigen::Infinity>() > 1e-6 * size) {
-    throw Error("K007",
-                definition.initial_joints.empty()
-                    ? std::string("mechanism")
-                    : definition.initial_joints.front().place,
-                fmt::format("the initial rates contradict the joints or one "
-                            "another by {:.3g} m/s",
-                            left.lpNorm<Eigen::Infinity>()),
-                "give one rate per degree of freedom");
-  }
+  SingularStart start = singular_start(definition, frame, joints, state.x,
+                                       wanted, freedom.joints);
+  state.x = std::move(start.point.x);
+  state.velocities = std::move(start.velocities);
   return state;
 }
 

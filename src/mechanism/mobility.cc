@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/SVD>
 #include <fmt/format.h>
@@ -24,8 +25,10 @@ MatrixXd null_space(const MatrixXd& J) {
 }
 
 /// A closed configuration a little away along what the joints leave free.
-Configuration neighbour(const SolvingFrame& frame,
-                        const Configuration& closed) {
+/// @param which  of some directions: where branches meet, one may lead along a
+///   branch that stays singular.
+Configuration neighbour(const SolvingFrame& frame, const Configuration& closed,
+                        int which) {
   const Motions motions = frame.planar ? Motions::kInPlane : Motions::kSpatial;
   const ConstraintSystem joints(frame, {}, motions,
                                 ConstraintSystem::Drives::kNone);
@@ -33,7 +36,8 @@ Configuration neighbour(const SolvingFrame& frame,
   if (freedom.cols() == 0) return closed;
   VectorXd mix(freedom.cols());
   for (Eigen::Index i = 0; i < mix.size(); ++i) {
-    mix[i] = std::cos(1.0 + 2.0 * static_cast<double>(i));  // any fixed mix
+    // any fixed mix
+    mix[i] = std::cos(1.0 + 1.7 * which + 2.0 * static_cast<double>(i));
   }
   Configuration moved = closed;
   joints.move(moved, 0.02 * frame.length / mix.norm() * (freedom * mix));
@@ -82,12 +86,17 @@ Mobility mobility_at(const SolvingFrame& frame, const ConstraintSystem& system,
 
 Mobility mobility(const SolvingFrame& frame, const ConstraintSystem& system,
                   const Configuration& closed) {
-  const Mobility here = mobility_at(frame, system, closed);
-  const Mobility near = mobility_at(frame, system, neighbour(frame, closed));
-  // the higher rank is the general one
-  const bool here_is_general =
-      here.joints <= near.joints && here.with_drives <= near.with_drives;
-  return here_is_general ? here : near;
+  constexpr int kNeighbours = 6;
+  Mobility general = mobility_at(frame, system, closed);
+  // the highest rank is the general one; a regular place has it already
+  for (int which = 0; which < kNeighbours; ++which) {
+    Mobility near = mobility_at(frame, system, neighbour(frame, closed, which));
+    const bool is_regular = general.joints <= near.joints &&
+                            general.with_drives <= near.with_drives;
+    if (is_regular && which == 0 && general.joints <= 1) break;
+    if (!is_regular) general = std::move(near);
+  }
+  return general;
 }
 
 void require_driven(const MechanismDefinition& definition,
