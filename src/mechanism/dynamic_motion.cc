@@ -14,6 +14,7 @@
 #include "mechanism/equilibrium.h"
 #include "mechanism/event_finder.h"
 #include "mechanism/forward_dynamics.h"
+#include "mechanism/held_lines.h"
 #include "mechanism/initial_state.h"
 #include "mechanism/power_balance.h"
 #include "mechanism/reaction_peaks.h"
@@ -219,6 +220,8 @@ void DynamicRun::add_instant(double t, VectorXd& y) {
                               .acceleration = target.acceleration});
   }
   put_forces(frame_, system, placed, std::move(forces), instant);
+  mark_what_friction_leaves_open(frame_, system, placed, dynamics_.forces(),
+                                 instant);
   instant.closure_error = gap;
   motion_.instants.push_back(std::move(instant));
 }

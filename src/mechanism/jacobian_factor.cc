@@ -12,6 +12,8 @@ namespace {
 // LU serves down to this reciprocal condition number (in the 1-norm, at most
 // `columns` times below that of the 2-norm); the rank is judged below it.
 constexpr double kSafeCondition = 1e-3;
+// Of pivots over the largest: rcond() of an exactly singular LU means nothing.
+constexpr double kNoPivot = 1e-12;
 
 int positive_rank(const VectorXd& singular_values) {
   if (singular_values.size() == 0) return 0;
@@ -28,7 +30,9 @@ void JacobianFactor::compute(const MatrixXd& J) {
   regular_ = false;
   if (J.rows() == J.cols() && J.cols() > 0) {
     lu_.compute(J);
-    regular_ = lu_.rcond() > kSafeCondition;
+    const auto pivots = lu_.matrixLU().diagonal().cwiseAbs();
+    regular_ = pivots.minCoeff() > kNoPivot * pivots.maxCoeff() &&
+               lu_.rcond() > kSafeCondition;
     int sign = static_cast<int>(lu_.permutationP().determinant());
     for (int i = 0; i < columns_; ++i) {
       const double pivot = lu_.matrixLU()(i, i);

@@ -70,9 +70,10 @@ struct DriveState {
 /// What a force element does.
 struct ElementState {
   double position{}, rate{};  ///< of its line; a contact's depth [m] or [rad]
-  double effort{};    ///< on b, > 0 pushes apart; a contact's normal force
-  double friction{};  ///< of a contact [N]
-  double power{};     ///< [W]
+  double effort{};     ///< on b, > 0 pushes apart; a contact's normal force
+  double friction{};   ///< of a contact [N]
+  double power{};      ///< [W]
+  bool unique = true;  ///< false: friction at rest that lines share somehow
   std::vector<GasChamberState> chambers{};  ///< of a gas cylinder
 };
 

@@ -22,7 +22,18 @@ Index joint_components(const SolvingFrame& frame) {
   return 6 * static_cast<Index>(frame.joints.size());
 }
 
-/// E: components per scaled multiplier of the rows. Drives have none.
+VectorXd compliances(const SolvingFrame& frame) {
+  const Index joints = joint_components(frame);
+  VectorXd c(joints + static_cast<Index>(frame.couplings.size()));
+  for (std::size_t j = 0; j < frame.joints.size(); ++j) {
+    c.segment<6>(6 * static_cast<Index>(j)) = frame.joints[j].compliance;
+  }
+  c.tail(c.size() - joints).setConstant(kDefaultCompliance);
+  return c;
+}
+
+}  // namespace
+
 MatrixXd components_of_rows(const SolvingFrame& frame,
                             const ConstraintSystem& system,
                             const std::vector<PlacedJoint>& placed) {
@@ -44,18 +55,6 @@ MatrixXd components_of_rows(const SolvingFrame& frame,
   }
   return E;
 }
-
-VectorXd compliances(const SolvingFrame& frame) {
-  const Index joints = joint_components(frame);
-  VectorXd c(joints + static_cast<Index>(frame.couplings.size()));
-  for (std::size_t j = 0; j < frame.joints.size(); ++j) {
-    c.segment<6>(6 * static_cast<Index>(j)) = frame.joints[j].compliance;
-  }
-  c.tail(c.size() - joints).setConstant(kDefaultCompliance);
-  return c;
-}
-
-}  // namespace
 
 MatrixXd row_compliance(const SolvingFrame& frame,
                         const ConstraintSystem& system,

@@ -27,6 +27,12 @@ struct SharedReactions {
   Eigen::VectorXd spread;
 };
 
+/// E: components (as of SharedReactions) per scaled multiplier of the rows.
+/// Drives have none.
+Eigen::MatrixXd components_of_rows(const SolvingFrame& frame,
+                                   const ConstraintSystem& system,
+                                   const std::vector<PlacedJoint>& placed);
+
 /// Compliance of the rows against scaled multipliers: Eᵀ C E. Zero for drives.
 Eigen::MatrixXd row_compliance(const SolvingFrame& frame,
                                const ConstraintSystem& system,

@@ -58,6 +58,21 @@ const std::string& source(const MotionReport& report,
       report.definition.elements[static_cast<std::size_t>(event.element)]);
 }
 
+bool is_unique(const MotionReport& report, std::size_t k) {
+  return std::ranges::all_of(report.motion.instants, [k](const auto& instant) {
+    return instant.elements[k].unique;
+  });
+}
+
+void add_open_friction(TextTable& table, const MotionReport& report) {
+  for (std::size_t k = 0; k < report.definition.elements.size(); ++k) {
+    if (is_unique(report, k)) continue;
+    table.add_note(fmt::format(
+        "{}: not unique at rest, where other friction holds the same motion",
+        name_of(report.definition.elements[k])));
+  }
+}
+
 void add_events(std::string& text, const MotionReport& report) {
   constexpr std::size_t kShown = 10;
   const auto& events = report.motion.events;
@@ -146,6 +161,7 @@ ordered_json forces_json(const MotionReport& report) {
                       {"type", kind(element)},
                       {angle ? "peak_effort_N_m" : "peak_effort_N", peak.value},
                       {"peak_effort_at_s", peak.at},
+                      {"unique", is_unique(report, k)},
                       {"instants", shown}});
     if (gas_law(element) != nullptr) {
       forces.back()["chambers"] = gas_summary_json(motion, k, element);
@@ -188,6 +204,7 @@ std::string forces_text(const MotionReport& report, Colour colour) {
     cells.push_back({fmt::format("{:.6g}", peak.at)});
     table.add_row(cells);
   }
+  add_open_friction(table, report);
   std::string text = table.text(colour);
   text += gas_text(report, colour);
   add_events(text, report);

@@ -8,6 +8,7 @@
 
 #include "mechanism/joint_types.h"
 #include "report/atomic_file.h"
+#include "report/coupling_output.h"
 #include "report/element_output.h"
 #include "report/json_text.h"
 #include "report/mechanism_summary.h"
@@ -113,31 +114,6 @@ ordered_json drives_json(const MotionReport& report,
          {"instants", shown}});
   }
   return drives;
-}
-
-ordered_json couplings_json(const MotionReport& report) {
-  ordered_json couplings = ordered_json::array();
-  for (std::size_t k = 0; k < report.definition.couplings.size(); ++k) {
-    const auto& coupling = report.definition.couplings[k];
-    const auto joint = static_cast<std::size_t>(coupling.joint_1);
-    const bool turns = coordinate_row(report.definition.joints[joint].type,
-                                      coupling.coordinate_1)
-                           .is_angle();
-    double peak = 0.0, at = 0.0;
-    bool unique = true;
-    for (const auto& instant : report.motion.instants) {
-      const auto& state = instant.couplings[k];
-      unique = unique && state.unique;
-      if (std::abs(state.effort) <= peak) continue;
-      peak = std::abs(state.effort);
-      at = instant.t;
-    }
-    couplings.push_back({{"name", coupling.name},
-                         {turns ? "peak_effort_N_m" : "peak_effort_N", peak},
-                         {"peak_effort_at_s", at},
-                         {"unique", unique}});
-  }
-  return couplings;
 }
 
 ordered_json markers_json(const MotionReport& report) {

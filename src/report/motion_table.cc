@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "report/coupling_output.h"
 #include "report/element_output.h"
 #include "report/mechanism_summary.h"
 #include "report/text_table.h"
@@ -273,6 +274,10 @@ std::string motion_table(const MotionReport& report, Colour colour) {
   if (!report.definition.drives.empty()) {
     text += '\n';
     text += drives_text(report, summary, colour);
+  }
+  if (!report.definition.couplings.empty()) {
+    text += '\n';
+    text += couplings_text(report, colour);
   }
   if (const std::string forces = forces_text(report, colour); !forces.empty()) {
     text += '\n';

@@ -165,7 +165,7 @@ void print(double value) {
 void measure(const Problem& problem, IntegratorChoice choice,
              const char* name) {
   for (const double tolerance :
-       {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
+       {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
     SimulationSettings settings;
     settings.duration = problem.duration;
     settings.instants = problem.instants;

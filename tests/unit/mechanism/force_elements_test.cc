@@ -321,6 +321,29 @@ TEST(Friction, OfOneFreedomAddsUp) {
   EXPECT_LT(motion.integration->relative_energy_error, 1e-9);
 }
 
+// 4 N on two times 3 N: how the lines share it is open, that they hold is not.
+TEST(Friction, OfOneFreedomIsNotUniqueAtRest) {
+  MechanismDefinition m = sliders({1.0});
+  const auto friction =
+      on_joint(0, FrictionLaw{.breakaway = 3.0, .kinetic = 2.0});
+  m.elements = {
+      on_joint(0, TableLaw{.times = {0.0, 10.0}, .efforts = {4.0, 14.0}}),
+      friction, friction};
+  const Motion motion = simulate(m, settings(4.0, 5, 1e-9));
+  const Instant& rests = motion.instants[1];
+  EXPECT_NEAR(rests.elements[1].effort + rests.elements[2].effort, -5.0, 1e-9);
+  EXPECT_TRUE(rests.elements[0].unique);
+  EXPECT_FALSE(rests.elements[1].unique);
+  EXPECT_FALSE(rests.elements[2].unique);
+  const Instant& slips = motion.instants[3];
+  EXPECT_TRUE(slips.elements[1].unique);
+  EXPECT_TRUE(slips.elements[2].unique);
+  m.elements.pop_back();
+  m.elements[0] = on_joint(0, TableLaw{.times = {0.0}, .efforts = {2.5}});
+  EXPECT_TRUE(
+      simulate(m, settings(4.0, 5, 1e-9)).instants[4].elements[1].unique);
+}
+
 // Two flywheels geared 1 : −2 under a torque that grows by 1 N m/s: they move
 // when it exceeds F₁ + F₂/2, then with I₁ + I₂/4 against K₁ + K₂/2.
 TEST(Friction, OfGearedFlywheelsActsThroughTheRatio) {

@@ -16,6 +16,7 @@
 #include "mechanism/structure.h"
 #include "support/landing_gear.h"
 #include "support/newton_euler.h"
+#include "support/reference_motions.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -287,6 +288,42 @@ TEST(Coupling, RackMovesByTheRadius) {
     // the pinion pays for the rack: effort ratio = radius
     EXPECT_NEAR(at.couplings[0].t_2_W.norm(),
                 0.013 * at.couplings[0].f_1_W.norm(), 1e-12);
+  }
+}
+
+// Two equal gears beside one another: each takes half, and is not unique.
+TEST(Coupling, DuplicateTakesItsShare) {
+  MechanismDefinition m =
+      coupled(JointType::kRevolute, JointType::kRevolute, -2.0);
+  const Motion single = simulate(m, {.duration = 1.0, .instants = 5});
+  m.couplings.push_back(m.couplings[0]);
+  for (const bool planar : {false, true}) {
+    MechanismDefinition both = m;
+    if (planar) {  // as many rows as columns, but not regular
+      both.dimension = SpaceDimension::kPlanar;
+      for (JointDefinition& joint : both.joints) {
+        joint.frame_a.R_LJ.setIdentity();
+        joint.frame_b.R_LJ.setIdentity();
+      }
+      for (BodyDefinition& body : both.bodies) {
+        body.placement.R_WL.setIdentity();
+      }
+      both.drives.clear();
+      both.elements = {
+          testing::on_joint(0, TableLaw{.times = {0.0}, .efforts = {3.0}})};
+    }
+    const Motion motion = simulate(both, {.duration = 1.0, .instants = 5});
+    for (std::size_t i = 0; i < motion.instants.size(); ++i) {
+      const Instant& at = motion.instants[i];
+      EXPECT_FALSE(at.couplings[0].unique);
+      EXPECT_FALSE(at.couplings[1].unique);
+      EXPECT_NEAR(at.couplings[0].effort, at.couplings[1].effort, 1e-9);
+      EXPECT_GT(std::abs(at.couplings[0].effort), 1e-3);
+      if (planar) continue;
+      EXPECT_LT(imbalance(both, at), 1e-9);
+      EXPECT_NEAR(at.couplings[0].effort,
+                  0.5 * single.instants[i].couplings[0].effort, 1e-9);
+    }
   }
 }
 
