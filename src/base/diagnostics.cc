@@ -63,6 +63,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "--model out: clevis takes the cheapest model "
      "that "
      "fits."},
+    {"F006", kModelInvalid, "strike cannot be computed",
+     "A striker needs a mass, a speed or a force towards the part, and a "
+     "contact spring with a stiffness above zero. A Hertz contact (exponent "
+     "1.5) cannot be bilateral."},
     {"I001", kIo, "cannot read file",
      "The file does not exist or may not be read. Paths in a scene are "
      "relative to the scene file; meshes of a scene in geometry/NAME are "

@@ -1,6 +1,5 @@
 #include "dynamics/block_krylov.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -22,6 +21,11 @@ MatrixXd beside(const MatrixXd& left, const MatrixXd& right) {
   return result;
 }
 
+/// Of the columns' norms in M.
+double largest_square(const LinearSystem& system, const MatrixXd& block) {
+  return block.cwiseProduct(system.mass(block)).colwise().sum().maxCoeff();
+}
+
 }  // namespace
 
 BlockKrylov::BlockKrylov(const LinearSystem& system, BlockOperator solve,
@@ -32,41 +36,49 @@ BlockKrylov::BlockKrylov(const LinearSystem& system, BlockOperator solve,
       basis_(system.size, 0),
       projection_(0, 0) {
   MatrixXd block = start;
+  const double scale = largest_square(system, block);
   orthogonalise(block);
   MatrixXd triangle;
-  next_ = split(block, triangle);
-  basis_ = next_;
+  append(split(block, scale, triangle));
+}
+
+void BlockKrylov::append(const MatrixXd& block) {
+  if (columns_ + block.cols() > basis_.cols()) {
+    basis_.conservativeResize(Eigen::NoChange, 2 * (columns_ + block.cols()));
+  }
+  basis_.middleCols(columns_, block.cols()) = block;
+  columns_ += block.cols();
 }
 
 MatrixXd BlockKrylov::orthogonalise(MatrixXd& block) const {
-  MatrixXd components = MatrixXd::Zero(basis_.cols(), block.cols());
+  MatrixXd components = MatrixXd::Zero(columns_, block.cols());
   for (int pass = 0; pass < 2; ++pass) {
     const MatrixXd weighted = system_.mass(block);
     if (deflated_.cols() > 0) {
       block -= deflated_ * (deflated_.transpose() * weighted);
     }
-    if (basis_.cols() == 0) continue;
-    const MatrixXd inside = basis_.transpose() * weighted;
-    block -= basis_ * inside;
+    if (columns_ == 0) continue;
+    const auto space = basis_.leftCols(columns_);
+    const MatrixXd inside = space.transpose() * weighted;
+    block -= space * inside;
     components += inside;
   }
   return components;
 }
 
-MatrixXd BlockKrylov::split(const MatrixXd& block, MatrixXd& triangle) const {
+MatrixXd BlockKrylov::split(const MatrixXd& block, double scale,
+                            MatrixXd& triangle) const {
   // Gram-Schmidt with pivots: the largest rest is next.
   MatrixXd rest = block;
   MatrixXd weighted_rest = system_.mass(rest);
   MatrixXd columns(block.rows(), 0);
   MatrixXd weighted(block.rows(), 0);
   triangle = MatrixXd::Zero(0, block.cols());
-  double largest = 0.0;
   for (Index k = 0; k < block.cols(); ++k) {
     Index at = 0;
     const double square =
         rest.cwiseProduct(weighted_rest).colwise().sum().maxCoeff(&at);
-    largest = std::max(largest, square);
-    if (!(square > kNothing * kNothing * largest)) break;
+    if (!(square > kNothing * kNothing * scale)) break;
     MatrixXd column = rest.col(at) / std::sqrt(square);
     // Once more against the space and the columns before: what is small
     // carries the round-off of what was large.
@@ -88,25 +100,28 @@ MatrixXd BlockKrylov::split(const MatrixXd& block, MatrixXd& triangle) const {
 
 void BlockKrylov::extend() {
   if (is_closed()) return;
-  const Index before = projection_.cols();
-  const Index width = next_.cols();
-  MatrixXd image = solve_(system_.mass(next_));
-  const MatrixXd components = orthogonalise(image);  // all of basis_
-  MatrixXd grown = MatrixXd::Zero(before + width, before + width);
-  grown.topLeftCorner(before, before) = projection_;
-  grown.rightCols(width) = components;
-  grown.bottomLeftCorner(width, before) =
+  const Index before = done_;
+  const Index width = columns_ - done_;
+  MatrixXd image = solve_(system_.mass(basis_.middleCols(before, width)));
+  const double scale = largest_square(system_, image);
+  const MatrixXd components = orthogonalise(image);  // all of the space
+  done_ = columns_;
+  if (done_ > projection_.cols()) {
+    projection_.conservativeResize(2 * done_, 2 * done_);
+  }
+  projection_.block(0, before, done_, width) = components;
+  projection_.block(before, 0, width, before) =
       components.topRows(before).transpose();
-  projection_ = 0.5 * (grown + grown.transpose());
   MatrixXd triangle;
-  next_ = split(image, triangle);
-  overhang_ = MatrixXd::Zero(triangle.rows(), before + width);
+  append(split(image, scale, triangle));
+  overhang_ = MatrixXd::Zero(triangle.rows(), done_);
   overhang_.rightCols(width) = triangle;
-  basis_ = beside(basis_, next_);
 }
 
 BlockKrylov::RitzValues BlockKrylov::ritz_values() const {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(projection_);
+  const MatrixXd projection = projection_.topLeftCorner(done_, done_);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
+      0.5 * (projection + projection.transpose()));
   RitzValues result;
   result.theta = solver.eigenvalues().reverse();
   result.vectors = solver.eigenvectors().rowwise().reverse();

@@ -27,8 +27,8 @@ class BlockKrylov {
   /// Adds a block; the space may close under the operator: then none.
   void extend();
 
-  Eigen::Index size() const { return projection_.cols(); }
-  bool is_closed() const { return next_.cols() == 0; }
+  Eigen::Index size() const { return done_; }
+  bool is_closed() const { return columns_ == done_; }
 
   /// Eigenvectors of the projection: the best of this space.
   struct RitzValues {
@@ -39,22 +39,26 @@ class BlockKrylov {
   RitzValues ritz_values() const;
 
   /// The first `size()` vectors of the space.
-  Eigen::MatrixXd basis() const { return basis_.leftCols(size()); }
+  Eigen::MatrixXd basis() const { return basis_.leftCols(done_); }
 
  private:
+  void append(const Eigen::MatrixXd& block);
   /// Takes out of `block` what lies in the space; returns the components.
   Eigen::MatrixXd orthogonalise(Eigen::MatrixXd& block) const;
   /// M-orthonormal columns that span the block's; block = columns · triangle.
-  Eigen::MatrixXd split(const Eigen::MatrixXd& block,
+  /// @param scale  square of what the block was before it was orthogonalised:
+  ///   what is 1e-11 of it is round-off.
+  Eigen::MatrixXd split(const Eigen::MatrixXd& block, double scale,
                         Eigen::MatrixXd& triangle) const;
 
   const LinearSystem& system_;
   BlockOperator solve_;
   Eigen::MatrixXd deflated_;
-  Eigen::MatrixXd basis_;       ///< with the block that is next
-  Eigen::MatrixXd next_;        ///< last columns of basis_
-  Eigen::MatrixXd projection_;  ///< basisᵀ M T basis, of the columns done
-  Eigen::MatrixXd overhang_;    ///< M-components of T basis on `next_`
+  Eigen::MatrixXd basis_;       ///< with room for more
+  Eigen::Index columns_ = 0;    ///< of basis_, with the block that is next
+  Eigen::Index done_ = 0;       ///< of basis_, that T was applied to
+  Eigen::MatrixXd projection_;  ///< basisᵀ M T basis, with room for more
+  Eigen::MatrixXd overhang_;    ///< M-components of T basis on the next block
 };
 
 /// The columns' span as M-orthonormal columns.

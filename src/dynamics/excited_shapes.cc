@@ -1,0 +1,45 @@
+#include "dynamics/excited_shapes.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace clevis::dynamics {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+ExcitedShapes::ExcitedShapes(const LinearSystem& system, const VectorXd& load)
+    : system_(system),
+      load_(load),
+      rigid_(mass_orthonormal(system, system.rigid)) {
+  const BlockOperator solve =
+      system.factor(rigid_.cols() > 0 ? system.low_square : 0.0);
+  // Of a free body the part of the load that moves it as a whole is taken
+  // out: what is left strains it.
+  VectorXd straining = load;
+  if (rigid_.cols() > 0) {
+    straining -= system.mass(rigid_ * (rigid_.transpose() * load));
+  }
+  const MatrixXd answer = solve(straining);
+  compliance_ = load.dot(answer.col(0));
+  space_ = std::make_unique<BlockKrylov>(system, solve, answer, rigid_);
+}
+
+ReducedModel ExcitedShapes::model(int shapes) {
+  while (space_->size() < shapes && !space_->is_closed()) {
+    space_->extend();
+    ++solves_;
+  }
+  const MatrixXd basis = space_->basis();
+  const MatrixXd stiffness = basis.transpose() * system_.stiffness(basis);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(
+      0.5 * (stiffness + stiffness.transpose()));
+  ReducedModel result;
+  result.shapes.resize(system_.size, rigid_.cols() + basis.cols());
+  result.shapes << rigid_, basis * modes.eigenvectors();
+  result.squares = VectorXd::Zero(result.shapes.cols());
+  result.squares.tail(basis.cols()) = modes.eigenvalues();
+  result.contact = result.shapes.transpose() * load_;
+  return result;
+}
+
+}  // namespace clevis::dynamics

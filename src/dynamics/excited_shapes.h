@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+
+#include <Eigen/Core>
+
+#include "dynamics/block_krylov.h"
+#include "dynamics/linear_system.h"
+
+namespace clevis::dynamics {
+
+/// K and M on a space, in the space's own modes.
+struct ReducedModel {
+  Eigen::MatrixXd shapes;   ///< M-orthonormal, size × modes
+  Eigen::VectorXd squares;  ///< ω² [1/s²]
+  Eigen::VectorXd contact;  ///< shapesᵀ c
+};
+
+/// The rigid motions and the space that (K + s M)⁻¹ M makes of the static
+/// answer to a load c: that answer itself (s = 0: exactly; free bodies:
+/// nearly) and the modes that c excites, the lower the better, without those
+/// that it does not. In such a space the answer to c converges in far fewer
+/// vectors than in eigenmodes.
+///
+/// Source: Wilson, Yuan & Dickens, Earthq. Eng. Struct. Dyn. 10 (1982) 813-821.
+class ExcitedShapes {
+ public:
+  ExcitedShapes(const LinearSystem& system, const Eigen::VectorXd& load);
+
+  /// cᵀ (K + s M)⁻¹ c, s = 0 for held bodies [m/N].
+  double compliance() const { return compliance_; }
+  int solves() const { return solves_; }
+
+  /// With so many elastic shapes, or all that there are.
+  ReducedModel model(int shapes);
+
+ private:
+  const LinearSystem& system_;
+  Eigen::VectorXd load_;
+  Eigen::MatrixXd rigid_;
+  std::unique_ptr<BlockKrylov> space_;
+  double compliance_{};
+  int solves_ = 1;
+};
+
+}  // namespace clevis::dynamics

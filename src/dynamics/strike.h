@@ -1,0 +1,66 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "dynamics/linear_system.h"
+#include "dynamics/strike_run.h"
+#include "loads/strike.h"
+
+namespace clevis::dynamics {
+
+/// How the struck body moves in time.
+enum class Route {
+  kAuto,    ///< modal, direct where modes do not suffice
+  kDirect,  ///< all equations by the midpoint rule
+  kModal,   ///< shapes of a space that the contact excites, each exactly
+};
+
+struct StrikeOptions {
+  Route route = Route::kAuto;
+  double tolerance = 1e-3;  ///< of the contact's displacement and impulse [1]
+  int samples = 400;        ///< instants after t = 0
+  int fewest_modes = 24, most_modes = 480;
+  int most_direct_steps = 50000;
+  int most_modal_steps = 400000;
+};
+
+/// Answer of a body to a strike: u(t_i) = columns · coefficients of the i-th
+/// sample of the run.
+struct StrikeSolution {
+  StrikeRun run;
+  Eigen::MatrixXd columns;  ///< shapes; empty: run.states are all equations
+  bool is_modal = false;
+  int modes{};               ///< of the modal route
+  int steps{};               ///< of the last run
+  int solves{};              ///< with a factor, of all runs or for the shapes
+  double time_error{};       ///< estimated, of what `difference` compares [1]
+  double mode_error{};       ///< likewise
+  double shape_frequency{};  ///< highest of the shapes [Hz]
+  double contact_compliance{};  ///< static, of the body alone [m/N]
+  std::string reason;           ///< why this route
+  /// The contact was infinitely stiff: a spring of 1000 times the body's own
+  /// stiffness was put in its place; the stress grows with every refinement.
+  bool is_ideal = false;
+  bool within_tolerance = false;
+
+  double error() const { return time_error + mode_error; }
+};
+
+/// @param contact  c: its product with u is the displacement of the contact.
+/// @param place    entity for messages ("part DCE").
+/// @throws Error F002; F005 for a strike without mass, spring or way.
+StrikeSolution solve_strike(const LinearSystem& system,
+                            const Eigen::VectorXd& contact,
+                            const loads::Strike& strike,
+                            const StrikeOptions& options,
+                            const std::string& place);
+
+/// Whether values of ever finer models (degrees or meshes doubled) do not
+/// settle: the last change is above 1 % and not clearly below the one before,
+/// as of the root stress under an ideal velocity step.
+bool grows_with_refinement(const std::vector<double>& values);
+
+}  // namespace clevis::dynamics

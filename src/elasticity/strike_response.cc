@@ -1,0 +1,80 @@
+#include "elasticity/strike_response.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "base/stopwatch.h"
+#include "elasticity/dense_product.h"
+#include "elasticity/load_basis.h"
+#include "elasticity/vibrating_part.h"
+
+namespace clevis::elasticity {
+namespace {
+
+using Eigen::MatrixXd;
+
+/// Of displacements as columns, over the largest instant.
+constexpr double kCompressionTolerance = 1e-6;
+
+template <int dim>
+void require_direction(const loads::Strike& strike, const std::string& place) {
+  const double normal = dim == 2 ? std::abs(strike.direction.z()) : 0.0;
+  if (std::abs(strike.direction.norm() - 1.0) < 1e-9 && normal < 1e-9) return;
+  throw Error("F006", place,
+              fmt::format("strike \"{}\": direction ({:.4g}, {:.4g}, {:.4g})",
+                          strike.name, strike.direction.x(),
+                          strike.direction.y(), strike.direction.z()),
+              dim == 2 ? "a plate in plane stress is struck in its plane"
+                       : "give a unit vector");
+}
+
+}  // namespace
+
+template <int dim>
+StrikeResponse<dim> solve_strike(const ElasticProblem<dim>& problem,
+                                 const loads::Strike& strike, int degree,
+                                 const dynamics::StrikeOptions& options) {
+  const std::string place = "part " + problem.name;
+  require_direction<dim>(strike, place);
+  Stopwatch watch;
+  StrikeResponse<dim> response;
+  auto part = vibrating_part(problem, degree);
+  const Eigen::VectorXd contact =
+      unit_load(part, strike.group, strike.direction, place);
+  response.assemble_seconds = watch.lap();
+  response.solution =
+      dynamics::solve_strike(part.system, contact, strike, options, place);
+  auto& solution = response.solution;
+  DisplacementBasis<dim>& basis = response.basis;
+  if (solution.is_modal) {
+    basis.columns = extend_rows(solution.columns, part.numbers);
+    basis.coefficients = std::move(solution.run.states);
+  } else {
+    const LoadBasis few = compress(solution.run.states, kCompressionTolerance);
+    basis.columns = extend_rows(few.columns, part.numbers);
+    basis.coefficients = few.coefficients;
+    basis.checks.compression = few.compression_error;
+  }
+  solution.columns.resize(0, 0);
+  solution.run.states.resize(0, 0);
+  basis.equations = part.numbers.count;
+  basis.strain_energy = solution.run.strain_energy;
+  response.solve_seconds = watch.lap();
+  basis.seconds = {response.assemble_seconds, 0.0, response.solve_seconds};
+  response.stiffness = 1.0 / solution.contact_compliance;
+  response.mass = part.mass;
+  basis.discretization = std::move(part.discretization);
+  return response;
+}
+
+template StrikeResponse<2> solve_strike<2>(const ElasticProblem<2>&,
+                                           const loads::Strike&, int,
+                                           const dynamics::StrikeOptions&);
+template StrikeResponse<3> solve_strike<3>(const ElasticProblem<3>&,
+                                           const loads::Strike&, int,
+                                           const dynamics::StrikeOptions&);
+
+}  // namespace clevis::elasticity
