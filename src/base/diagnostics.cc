@@ -132,8 +132,9 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "mechanism: the lengths in the scene and in the geometry disagree."},
     {"L004", kModelInvalid, "load without a seat on the part",
      "A joint, drive or force acts on the body of a part, but no group of its "
-     "mesh takes it, or a seat names a joint that is not on the body. The "
-     "part would be checked with other loads than the mechanism has."},
+     "mesh takes it, or a seat names one that is not on the body. The part "
+     "would be checked with other loads than the mechanism has. Add pins, "
+     "drives or forces = { NAME = { face = \"GROUP\" } } to the part."},
     {"L005", kModelInvalid, "probe outside the part",
      "A probe's point lies in no cell of the part's mesh. Points are given in "
      "the part's frame, the mesh's own."},

@@ -47,6 +47,10 @@ LoadScale load_scale(const InstantLoad& instant,
   return scale;
 }
 
+double wall_area(const part::Bore& c) {
+  return 2.0 * std::numbers::pi * c.radius * c.length;
+}
+
 }  // namespace
 
 Wrench inertia_load(const RigidAcceleration& rigid,
@@ -95,6 +99,17 @@ const GroupGeometry& find_group(const std::vector<GroupGeometry>& groups,
               "use one of these names, or name the surface in the geometry");
 }
 
+Wrench about(const Vector3d& force, const Vector3d& moment,
+             const Vector3d& from, const Vector3d& to) {
+  return {.force = force, .moment = moment + (from - to).cross(force)};
+}
+
+bool is_full_cylinder(const GroupGeometry& group) {
+  if (!group.is_cylinder) return false;
+  const double full = wall_area(group.cylinder);
+  return std::abs(group.area - full) <= kFullCylinderTolerance * full;
+}
+
 void require_full_cylinder(const GroupGeometry& group,
                            const std::string& place) {
   if (!group.is_cylinder) {
@@ -105,9 +120,9 @@ void require_full_cylinder(const GroupGeometry& group,
                 "give a bore_* or round_* group, or load the surface by "
                 "`traction`");
   }
-  const part::Bore& c = group.cylinder;
-  const double full = 2.0 * std::numbers::pi * c.radius * c.length;
-  if (std::abs(group.area - full) > kFullCylinderTolerance * full) {
+  if (!is_full_cylinder(group)) {
+    const part::Bore& c = group.cylinder;
+    const double full = wall_area(c);
     throw Error(
         "L002", place,
         fmt::format("\"{}\" has {:.6g} mm^2, but a full cylinder of radius "

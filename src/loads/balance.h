@@ -34,6 +34,13 @@ void require_full_cylinder(const GroupGeometry& group,
 /// shown as 0.
 std::string vector_text(const Eigen::Vector3d& v, double scale);
 
+/// Force, and moment about `from`, as force and moment about `to`.
+Wrench about(const Eigen::Vector3d& force, const Eigen::Vector3d& moment,
+             const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+/// Whether a group is a circular cylinder, whole all round.
+bool is_full_cylinder(const GroupGeometry& group);
+
 /// Refuses a history in which an instant is out of balance.
 ///
 /// The load of an instant is the sum of the magnitudes of its forces and

@@ -1,12 +1,14 @@
 #include "loads/part_loads.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "loads/balance.h"
+#include "loads/force_seats.h"
 #include "loads/part_seats.h"
 
 namespace clevis::loads {
@@ -15,19 +17,13 @@ using Eigen::Vector3d;
 
 namespace {
 
-Wrench rotated_and_shifted(const Vector3d& f_L, const Vector3d& t_L,
-                           const Vector3d& from, const Vector3d& to) {
-  return {.force = f_L, .moment = t_L + (from - to).cross(f_L)};
-}
-
 Wrench reaction_on(const mechanism::Instant& instant, const JointSeat& seat,
                    const mechanism::Pose& pose) {
   const auto& reaction = instant.joints[seat.joint.index];
   const auto R_LW = pose.R_WL.transpose();
   const Vector3d p_LJ = R_LW * (reaction.p_WJ - pose.p_WL);
-  return rotated_and_shifted(R_LW * (seat.joint.sign * reaction.f_W),
-                             R_LW * (seat.joint.sign * reaction.t_W), p_LJ,
-                             seat.seat.p_LS);
+  return about(R_LW * (seat.joint.sign * reaction.f_W),
+               R_LW * (seat.joint.sign * reaction.t_W), p_LJ, seat.seat.p_LS);
 }
 
 Wrench effort_on(const mechanism::Instant& instant, const DrivenSeat& driven,
@@ -36,25 +32,34 @@ Wrench effort_on(const mechanism::Instant& instant, const DrivenSeat& driven,
   const Vector3d effort_L =
       pose.R_WL.transpose() * (driven.joint.sign * state.effort * state.axis_W);
   if (!driven.turns) {
-    return rotated_and_shifted(effort_L, Vector3d::Zero(),
-                               driven.joint.frame->p_LJ, driven.seat.p_LS);
+    return about(effort_L, Vector3d::Zero(), driven.joint.frame->p_LJ,
+                 driven.seat.p_LS);
   }
   return {.force = Vector3d::Zero(), .moment = effort_L};
 }
 
-void add_pressure(const mechanism::Instant& instant, const DrivenSeat& driven,
+/// Adds a pressure to those on the groups; one surface load per group.
+void add_pressure(double pressure, const std::vector<GroupGeometry>& groups,
                   InstantLoad& load) {
+  for (const GroupGeometry& group : groups) {
+    auto on_group =
+        std::ranges::find(load.surface_loads, group.name, &SurfaceLoad::group);
+    if (on_group == load.surface_loads.end()) {
+      load.surface_loads.push_back({.group = group.name, .resultant = {}});
+      on_group = load.surface_loads.end() - 1;
+    }
+    on_group->pressure += pressure;
+    on_group->resultant.force -= pressure * group.area_vector;
+    on_group->resultant.moment -= pressure * group.area_moment;
+    on_group->total = std::abs(on_group->pressure) * group.area;
+  }
+}
+
+double drive_pressure(const mechanism::Instant& instant,
+                      const DrivenSeat& driven) {
   const double push =
       driven.turns ? 0.0 : std::max(0.0, instant.drives[driven.drive].effort);
-  const double pressure = push / driven.area;
-  for (const GroupGeometry& group : driven.pressurized) {
-    load.surface_loads.push_back(
-        {.group = group.name,
-         .pressure = pressure,
-         .resultant = {.force = -pressure * group.area_vector,
-                       .moment = -pressure * group.area_moment},
-         .total = pressure * group.area});
-  }
+  return push / driven.area;
 }
 
 RigidAcceleration rigid_acceleration(const mechanism::BodyState& state,
@@ -83,11 +88,14 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
   const SeatContext context{definition, body, part, groups,
                             part_size(groups, mass)};
   require_seats(context);
+  require_force_seats(context);
   const std::vector<JointSeat> by_joint = joint_seats(context);
   const std::vector<DrivenSeat> by_drive = driven_seats(context);
+  const std::vector<ForceSeat> by_force = force_seats(context);
   LoadHistory history;
   for (const JointSeat& seat : by_joint) history.seats.push_back(seat.seat);
   for (const DrivenSeat& seat : by_drive) history.seats.push_back(seat.seat);
+  for (const ForceSeat& seat : by_force) history.seats.push_back(seat.seat);
   for (const mechanism::Instant& instant : motion.instants) {
     const auto& state = instant.bodies[static_cast<std::size_t>(body)];
     InstantLoad load;
@@ -99,7 +107,12 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
     }
     for (const DrivenSeat& seat : by_drive) {
       load.wrenches.push_back(effort_on(instant, seat, state.pose));
-      add_pressure(instant, seat, load);
+      add_pressure(drive_pressure(instant, seat), seat.pressurized, load);
+    }
+    for (const ForceSeat& seat : by_force) {
+      load.wrenches.push_back(force_on(context, instant, seat));
+      if (seat.pressurized.empty()) continue;
+      add_pressure(pressure_of(instant, seat), seat.pressurized, load);
     }
     history.instants.push_back(std::move(load));
   }

@@ -27,11 +27,11 @@ struct GroupGeometry {
 mechanism::Motion loading_motion(mechanism::Motion motion);
 
 /// Loads on a part over the motion of its body: reactions, drive efforts,
-/// inertia and gravity, in frame L.
+/// forces of the scene, inertia and gravity, in frame L.
 ///
-/// Joints and drives become seats. While a sliding drive pushes, its effort
-/// over the area of its face is also the pressure of the surface loads on the
-/// `pressurized` groups.
+/// Joints, drives and forces become seats. While a sliding drive pushes, its
+/// effort over the area of its face is also the pressure of the surface loads
+/// on the `pressurized` groups; a gas cylinder puts its gas's there.
 /// @throws Error L001 if an instant is out of balance by more than 1e-9 of its
 ///   load, L002 if a group cannot take what its joint transmits, L003 if a
 ///   seat's cylinder and its joint do not coincide (1e-6 of the part's size),

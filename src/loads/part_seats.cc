@@ -117,6 +117,27 @@ std::string SeatContext::place(const std::string& seat) const {
   return fmt::format("{}: part {}, {}", part.place, part.name, seat);
 }
 
+void require_coaxial(const SeatContext& context, const part::Bore& cylinder,
+                     int joint, const std::string& group,
+                     const std::string& place) {
+  const auto& definition =
+      context.definition.joints[static_cast<std::size_t>(joint)];
+  require_coaxial(context, cylinder,
+                  definition.body_b == context.body ? definition.frame_b
+                                                    : definition.frame_a,
+                  group, place);
+}
+
+std::vector<GroupGeometry> pressurized_groups(
+    const SeatContext& context, const std::vector<std::string>& names,
+    const std::string& place) {
+  std::vector<GroupGeometry> groups;
+  for (const std::string& name : names) {
+    groups.push_back(pressurized_group(context, name, place));
+  }
+  return groups;
+}
+
 std::vector<JointSeat> joint_seats(const SeatContext& context) {
   std::vector<JointSeat> seats;
   for (const part::Seat& wanted : context.part.seats) {
@@ -150,15 +171,12 @@ std::vector<DrivenSeat> driven_seats(const SeatContext& context) {
                    .group = wanted.group,
                    .kind = SeatKind::kTraction,
                    .p_LS = face.centroid};
-    for (const std::string& name : wanted.pressurized) {
-      driven.pressurized.push_back(pressurized_group(context, name, place));
-    }
+    driven.pressurized = pressurized_groups(context, wanted.pressurized, place);
     seats.push_back(std::move(driven));
   }
   return seats;
 }
 
-// Everything that acts on the body must have a place on the part's surface.
 void require_seats(const SeatContext& context) {
   const auto& definition = context.definition;
   const auto on_body = [&](const mechanism::JointDefinition& joint) {
@@ -189,26 +207,6 @@ void require_seats(const SeatContext& context) {
                 "no group of the mesh takes the load of " + missing,
                 "add them: pins = { JOINT = \"group\" }, drives = { JOINT = { "
                 "face = \"group\" } }");
-  }
-  const auto refuse = [&](const std::string& name, const std::string& place) {
-    throw Error("L004", place,
-                fmt::format("force \"{}\" acts on the body of part {}, but "
-                            "on no surface of it",
-                            name, context.part.name),
-                "apply it to a body of its own that is welded to this one "
-                "at a bore");
-  };
-  for (const auto& force : definition.forces) {
-    if (force.body == context.body) refuse(force.name, force.place);
-  }
-  for (const auto& element : definition.elements) {
-    if (mechanism::acts_on(element, definition.joints, context.body)) {
-      std::visit(
-          [&](const auto& e) {
-            refuse(e.name, e.place);
-          },
-          element);
-    }
   }
 }
 

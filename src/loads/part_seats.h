@@ -45,7 +45,19 @@ struct DrivenSeat {
   std::vector<GroupGeometry> pressurized;
 };
 
-/// Refuses a body on which something acts that has no seat.
+/// Refuses a cylinder that does not lie on the axis of a joint of the body.
+/// @param joint  index. @throws Error L003.
+void require_coaxial(const SeatContext& context, const part::Bore& cylinder,
+                     int joint, const std::string& group,
+                     const std::string& place);
+
+/// Groups that a pressure acts on without leaving a force.
+/// @throws Error L002, M003.
+std::vector<GroupGeometry> pressurized_groups(
+    const SeatContext& context, const std::vector<std::string>& names,
+    const std::string& place);
+
+/// Refuses a body on which a joint or drive acts that has no seat.
 /// @throws Error L004.
 void require_seats(const SeatContext& context);
 

@@ -246,6 +246,26 @@ void accept(ActingElement& e, double t) {
   e.t_start = t;
 }
 
+std::array<ElementAction, 2> actions(const ActingElement& e) {
+  Vector3d to_a = Vector3d::Zero(), to_b = Vector3d::Zero();  // from the J
+  if (const auto* contact = std::get_if<ContactElement>(e.definition)) {
+    to_b = -contact->radius * e.placed.axes_a.col(2);
+    to_a = e.placed.d + to_b;
+  }
+  const Eigen::Matrix3d R_WP = e.R_PW.transpose();
+  const auto action = [&R_WP](int slot, const Vector3d& p_J, const Vector3d& r,
+                              const Vector3d& to, const Twist& wrench) {
+    const Vector3d about_p = wrench.w - (r + to).cross(wrench.v);
+    return ElementAction{.body = slot - 1,
+                         .p_W = R_WP * (p_J + to),
+                         .f_W = R_WP * wrench.v,
+                         .t_W = R_WP * about_p};
+  };
+  return {
+      action(e.line.a, e.placed.p_b - e.placed.d, e.placed.r_a, to_a, e.on_a),
+      action(e.line.b, e.placed.p_b, e.placed.r_b, to_b, e.on_b)};
+}
+
 void act_along(ActingElement& e, double effort) {
   e.effort = effort;
   e.on_a = {effort * e.levers.a.v, effort * e.levers.a.w};

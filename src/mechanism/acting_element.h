@@ -5,6 +5,7 @@
 
 #include "mechanism/constraint_system.h"
 #include "mechanism/definition.h"
+#include "mechanism/motion.h"
 
 namespace clevis::mechanism {
 
@@ -60,6 +61,10 @@ void start_internal(ActingElement& e, const Configuration& x, double* internal);
 /// The state of the last evaluate() is part of the motion: angles count
 /// their turns from there.
 void accept(ActingElement& e, double t);
+
+/// What it does to its bodies, as of evaluate(); a contact acts where it
+/// touches, all others at their ends.
+std::array<ElementAction, 2> actions(const ActingElement& e);
 
 /// Lets a line act with an effort.
 void act_along(ActingElement& e, double effort);

@@ -188,7 +188,8 @@ std::vector<ElementState> ForceModel::states() const {
                       .effort = e.effort,
                       .friction = e.friction,
                       .power = e.power,
-                      .chambers = chambers_of(e)});
+                      .chambers = chambers_of(e),
+                      .actions = actions(e)});
   }
   return states;
 }

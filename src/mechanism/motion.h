@@ -67,6 +67,14 @@ struct DriveState {
   Eigen::Vector3d axis_W = Eigen::Vector3d::Zero();
 };
 
+/// What a force element does to one of its bodies, in W.
+struct ElementAction {
+  BodyIndex body = kGround;
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< point of attack [m]
+  Eigen::Vector3d f_W = Eigen::Vector3d::Zero();  ///< [N]
+  Eigen::Vector3d t_W = Eigen::Vector3d::Zero();  ///< about p_W [N m]
+};
+
 /// What a force element does.
 struct ElementState {
   double position{}, rate{};  ///< of its line; a contact's depth [m] or [rad]
@@ -75,6 +83,7 @@ struct ElementState {
   double power{};      ///< [W]
   bool unique = true;  ///< false: friction at rest that lines share somehow
   std::vector<GasChamberState> chambers{};  ///< of a gas cylinder
+  std::array<ElementAction, 2> actions{};   ///< on a and on b
 };
 
 /// A change of an element's mode: touch, release, stick, slip.

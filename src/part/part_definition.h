@@ -36,6 +36,15 @@ struct DriveSeat {
   std::vector<std::string> pressurized;
 };
 
+/// Where a force of the scene acts on the part.
+struct ForceSeat {
+  std::string force;
+  std::string group;  ///< bore or face that takes it
+  /// Groups that feel the pressure of the gas, or of an effort that pushes.
+  std::vector<std::string> pressurized;
+  std::string chamber = {};  ///< of a gas cylinder: whose pressure
+};
+
 /// A value that the user wants at a point.
 struct Probe {
   std::string name;
@@ -71,6 +80,7 @@ struct PartDefinition {
   Material material;
   std::vector<Seat> seats;
   std::vector<DriveSeat> drive_seats;
+  std::vector<ForceSeat> force_seats;
   Limits limits;
   std::vector<LoadCaseDefinition> cases;
   std::string place;  ///< file:line:column of the part's table

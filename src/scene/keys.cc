@@ -154,8 +154,9 @@ constexpr Key kSimulation[] = {"duration", "instants",   "tolerance",
                                "motion",   "integrator", "at_singularity"};
 constexpr Key kPart[] = {"name",      "geometry", "mesh", "length_unit",
                          "thickness", "material", "pins", "drives",
-                         "limits",    "case"};
+                         "forces",    "limits",   "case"};
 constexpr Key kPartDrives[] = {"face", "pressurized"};
+constexpr Key kPartForces[] = {"face", "pressurized", "chamber"};
 constexpr Key kLimits[] = {"safety_factor", "deflection", "singular_zones"};
 constexpr Key kCase[] = {"name",
                          "pins",
@@ -202,6 +203,7 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"simulation", kSimulation},
     {"part", kPart},
     {"part.drives", kPartDrives},
+    {"part.forces", kPartForces},
     {"part.limits", kLimits},
     {"part.case", kCase},
     {"part.case.probes", kProbes},

@@ -111,6 +111,7 @@ void read_seats(StrictTable& table, const MechanismDefinition& mechanism,
   if (body != mechanism::kGround) {
     read_pins(table, body, mechanism, names, part);
     read_drive_seats(table, body, mechanism, names, part);
+    read_force_seats(table, body, mechanism, names, part);
   } else if (part.cases.empty()) {
     throw table.refusal(
         "S003",

@@ -89,11 +89,17 @@ part::PartDefinition read_part(StrictTable& table, const Names& names,
                                const std::vector<part::Material>& materials,
                                const std::filesystem::path& file);
 
-/// The part's `pins` and `drives`, checked against the body that it moves
-/// with: each of the body's joints and drives needs its seat.
+/// The part's `pins`, `drives` and `forces`, checked against the body that it
+/// moves with: each of the body's joints and drives needs its seat.
 void read_seats(StrictTable& table,
                 const mechanism::MechanismDefinition& mechanism,
                 const Names& names, part::PartDefinition& part);
+
+/// The part's `forces`; those on its body without one are refused when the
+/// part is checked.
+void read_force_seats(StrictTable& table, mechanism::BodyIndex body,
+                      const mechanism::MechanismDefinition& mechanism,
+                      const Names& names, part::PartDefinition& part);
 
 part::LoadCaseDefinition read_case(StrictTable table);
 

@@ -178,6 +178,22 @@ TEST(SceneReader, ReadsPartsWithSeats) {
             (std::vector<std::string>{"wall", "lid"}));
 }
 
+TEST(SceneReader, ReadsSeatsOfForces) {
+  const auto seats =
+      read_scene(kScenes / "force_seats.toml").parts.at(0).force_seats;
+  ASSERT_EQ(seats.size(), 4u);
+  const auto seat = [&](const std::string& force) {
+    return *std::ranges::find(seats, force, &part::ForceSeat::force);
+  };
+  EXPECT_EQ(seat("gas").group, "bottom");
+  EXPECT_EQ(seat("gas").chamber, "rod");
+  EXPECT_EQ(seat("gas").pressurized, std::vector<std::string>{"wall"});
+  EXPECT_EQ(seat("end of stroke").group, "rim");
+  EXPECT_TRUE(seat("end of stroke").pressurized.empty());
+  EXPECT_EQ(seat("force_3").pressurized.size(), 2u);
+  EXPECT_EQ(seat("hose").group, "bore_hose");
+}
+
 TEST(SceneReader, ReadsCases) {
   const Scene scene = read_scene(kScenes / "part_alone.toml");
   EXPECT_FALSE(scene.has_mechanism);

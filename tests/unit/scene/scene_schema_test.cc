@@ -56,7 +56,8 @@ void collect(const toml::table& table, const std::string& path, Keys& used) {
                                   ? std::string(key.str())
                                   : path + "." + std::string(key.str());
     if (!known.contains(below)) continue;
-    const bool by_name = below == "material" || below == "part.drives";
+    const bool by_name =
+        below == "material" || below == "part.drives" || below == "part.forces";
     if (const auto* array = node.as_array()) {
       for (const auto& element : *array) {
         collect(*element.as_table(), below, used);
