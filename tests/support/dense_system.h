@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
@@ -34,43 +36,65 @@ inline dynamics::LinearSystem dense_system(const Eigen::MatrixXd& stiffness,
 }
 
 /// Rod of unit length, section, modulus and density (so waves of unit speed and
-/// impedance) of linear elements, held at its first end.
-inline dynamics::LinearSystem unit_rod(int elements) {
-  using Sparse = Eigen::SparseMatrix<double>;
-  const double h = 1.0 / elements;
-  std::vector<Eigen::Triplet<double>> k, m;
-  for (int j = 0; j < elements; ++j) {
-    const double shared = j + 1 < elements ? 2.0 : 1.0;
-    k.emplace_back(j, j, shared / h);
-    m.emplace_back(j, j, shared * h / 3.0);
-    if (j == 0) continue;
-    for (const auto& [row, column] : {std::pair(j, j - 1), {j - 1, j}}) {
-      k.emplace_back(row, column, -1.0 / h);
-      m.emplace_back(row, column, h / 6.0);
+/// impedance), held at its first end, of elements of degree 4 on equidistant
+/// nodes.
+struct UnitRod {
+  explicit UnitRod(int elements) : size(1.0 / elements) {
+    using Sparse = Eigen::SparseMatrix<double>;
+    constexpr int kNodes = 5;
+    Eigen::Matrix<double, kNodes, kNodes> powers, stiffness, mass;
+    for (int i = 0; i < kNodes; ++i) {
+      for (int j = 0; j < kNodes; ++j) {
+        powers(i, j) = j == 0 ? 1.0 : std::pow(0.25 * i, j);
+        mass(i, j) = 1.0 / (i + j + 1);
+        stiffness(i, j) = i * j == 0 ? 0.0 : double(i * j) / (i + j - 1);
+      }
     }
-  }
-  const auto stiffness = std::make_shared<Sparse>(elements, elements);
-  const auto mass = std::make_shared<Sparse>(elements, elements);
-  stiffness->setFromTriplets(k.begin(), k.end());
-  mass->setFromTriplets(m.begin(), m.end());
-  dynamics::LinearSystem system;
-  system.size = elements;
-  system.stiffness = [stiffness](const Eigen::MatrixXd& x) {
-    return Eigen::MatrixXd(*stiffness * x);
-  };
-  system.mass = [mass](const Eigen::MatrixXd& x) {
-    return Eigen::MatrixXd(*mass * x);
-  };
-  system.factor = [stiffness, mass](double shift) {
-    const auto factor = std::make_shared<Eigen::SimplicialLLT<Sparse>>(
-        Sparse(*stiffness + shift * *mass));
-    return [factor](const Eigen::MatrixXd& b) {
-      return Eigen::MatrixXd(factor->solve(b));
+    coefficients = powers.inverse();
+    stiffness = (coefficients.transpose() * stiffness * coefficients).eval();
+    mass = (coefficients.transpose() * mass * coefficients).eval();
+    std::vector<Eigen::Triplet<double>> k, m;
+    for (int e = 0; e < elements; ++e) {
+      for (int i = 0; i < kNodes; ++i) {
+        for (int j = 0; j < kNodes; ++j) {
+          const int row = 4 * e + i - 1, column = 4 * e + j - 1;
+          if (row < 0 || column < 0) continue;
+          k.emplace_back(row, column, stiffness(i, j) / size);
+          m.emplace_back(row, column, mass(i, j) * size);
+        }
+      }
+    }
+    const int n = 4 * elements;
+    const auto all_k = std::make_shared<Sparse>(n, n);
+    const auto all_m = std::make_shared<Sparse>(n, n);
+    all_k->setFromTriplets(k.begin(), k.end());
+    all_m->setFromTriplets(m.begin(), m.end());
+    system.size = n;
+    system.stiffness = [all_k](const Eigen::MatrixXd& x) {
+      return Eigen::MatrixXd(*all_k * x);
     };
-  };
-  system.rigid.resize(elements, 0);
-  return system;
-}
+    system.mass = [all_m](const Eigen::MatrixXd& x) {
+      return Eigen::MatrixXd(*all_m * x);
+    };
+    system.factor = [all_k, all_m](double shift) {
+      const auto factor = std::make_shared<Eigen::SimplicialLLT<Sparse>>(
+          Sparse(*all_k + shift * *all_m));
+      return [factor](const Eigen::MatrixXd& b) {
+        return Eigen::MatrixXd(factor->solve(b));
+      };
+    };
+    system.rigid.resize(n, 0);
+  }
+
+  /// Of the first four unknowns: stress at the held end.
+  Eigen::RowVector4d root_stress() const {
+    return coefficients.row(1).tail<4>() / size;
+  }
+
+  double size{};
+  Eigen::Matrix<double, 5, 5> coefficients;
+  dynamics::LinearSystem system;
+};
 
 /// Cantilever or simply supported Euler-Bernoulli beam of cubic Hermite
 /// elements with consistent mass; unknowns deflection and slope per node.
