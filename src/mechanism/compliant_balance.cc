@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 
 #include "mechanism/reaction_sharing.h"
 
@@ -24,8 +25,13 @@ constexpr double kFree = 0.2;  // of the length: the load moves it off, freely
 class Energy {
  public:
   Energy(const SolvingFrame& frame, const ConstraintSystem& system,
-         const Configuration& x, const VectorXd& f)
-      : system_(system), f_(f) {
+         const Configuration& x, const VectorXd& f, const MatrixXd& held)
+      : system_(system), f_(f), held_(MatrixXd::Zero(f.size(), f.size())) {
+    if (held.cols() > 0) {
+      const MatrixXd q = held.householderQr().householderQ() *
+                         MatrixXd::Identity(held.rows(), held.cols());
+      held_ = q * q.transpose() / kDriveCompliance;
+    }
     const auto placed = system.place(x);
     const Index drives = system.rows() - system.joint_rows();
     targets_ = VectorXd::Zero(drives);
@@ -46,11 +52,14 @@ class Energy {
 
   double value(const Configuration& x, const VectorXd& displacement) const {
     const VectorXd c = system_.residual(system_.place(x), targets_);
-    return 0.5 * c.dot(stiffness_ * c) + f_.dot(displacement);
+    return 0.5 * c.dot(stiffness_ * c) + f_.dot(displacement) +
+           0.5 * displacement.dot(held_ * displacement);
   }
 
-  VectorXd gradient(const std::vector<PlacedJoint>& placed) const {
-    return system_.jacobian(placed).transpose() * forces(placed) + f_;
+  VectorXd gradient(const std::vector<PlacedJoint>& placed,
+                    const VectorXd& displacement) const {
+    return system_.jacobian(placed).transpose() * forces(placed) + f_ +
+           held_ * displacement;
   }
 
   /// Jᵀ C⁻¹ J and the geometric part, by differences of J at fixed forces.
@@ -58,7 +67,7 @@ class Energy {
                    const std::vector<PlacedJoint>& placed) const {
     const MatrixXd J = system_.jacobian(placed);
     const VectorXd mu = forces(placed);
-    MatrixXd H = J.transpose() * stiffness_ * J;
+    const MatrixXd H = J.transpose() * stiffness_ * J + held_;
     const double h = 1e-6 * system_.scale({JointRow::Kind::kRotation});
     MatrixXd geometric(H.rows(), H.cols());
     const auto pull = [&](Index column, double step) {
@@ -75,6 +84,7 @@ class Energy {
  private:
   const ConstraintSystem& system_;
   const VectorXd& f_;
+  MatrixXd held_;  ///< stiffness
   VectorXd targets_;
   MatrixXd stiffness_;
 };
@@ -95,8 +105,9 @@ VectorXd descent(const MatrixXd& hessian, const VectorXd& gradient) {
 
 CompliantBalance compliant_balance(const SolvingFrame& frame,
                                    const ConstraintSystem& system,
-                                   const Configuration& x, const VectorXd& f) {
-  const Energy energy(frame, system, x, f);
+                                   const Configuration& x, const VectorXd& f,
+                                   const MatrixXd& held) {
+  const Energy energy(frame, system, x, f, held);
   const double longest = 0.05 * frame.length;
   const double scale = std::max(f.cwiseAbs().maxCoeff(), 1e-300);
   Configuration y = x;
@@ -105,7 +116,7 @@ CompliantBalance compliant_balance(const SolvingFrame& frame,
   double last = 0.0;
   for (int i = 0; i < kIterations; ++i) {
     const auto placed = system.place(y);
-    const VectorXd gradient = energy.gradient(placed);
+    const VectorXd gradient = energy.gradient(placed, displacement);
     result.lambda = -energy.forces(placed);
     // stiff joints: round-off of gaps (1e-16 m) over 1e-10 m/N
     const double left = gradient.cwiseAbs().maxCoeff();
@@ -124,8 +135,9 @@ CompliantBalance compliant_balance(const SolvingFrame& frame,
       system.move(trial, step);
       // near the minimum round-off hides the energy's change
       lower = energy.value(trial, displacement + step) < before ||
-              energy.gradient(system.place(trial)).cwiseAbs().maxCoeff() <
-                  1e-2 * left;
+              energy.gradient(system.place(trial), displacement + step)
+                      .cwiseAbs()
+                      .maxCoeff() < 1e-2 * left;
       if (lower) {
         y = std::move(trial);
         displacement += step;

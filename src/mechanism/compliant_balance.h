@@ -19,11 +19,14 @@ struct CompliantBalance {
 /// stiffness of the loaded joints carries what J cannot. By Newton's method,
 /// damped where the energy is not convex. The loads keep their directions;
 /// drives are ten times as stiff as joints by default.
-/// @param f  as of ConstraintSystem::wrench_vector.
+/// @param f     as of ConstraintSystem::wrench_vector.
+/// @param held  columns: directions in which nothing is displaced, those of a
+///   motion that forces decide; f has no part along them.
 /// Source: docs/theory.md, "Change points".
 CompliantBalance compliant_balance(const SolvingFrame& frame,
                                    const ConstraintSystem& system,
                                    const Configuration& x,
-                                   const Eigen::VectorXd& f);
+                                   const Eigen::VectorXd& f,
+                                   const Eigen::MatrixXd& held = {});
 
 }  // namespace clevis::mechanism

@@ -44,6 +44,8 @@ class ConstrainedMass {
   /// The change of least mass norm with J change = −residual.
   void correct(const Eigen::VectorXd& residual, Eigen::VectorXd& change);
 
+  Eigen::MatrixXd mass_times(const Eigen::MatrixXd& v) const;
+
   int rank() const { return rank_; }
   /// Smallest pivot of W Wᵀ among the rows that count, about (σ_min/σ_max)²:
   /// it vanishes at a change point.
@@ -54,7 +56,6 @@ class ConstrainedMass {
   bool cholesky_in_order();
   bool pivoted_cholesky();
   void orthogonal(const Eigen::MatrixXd& J);
-  Eigen::MatrixXd mass_times(const Eigen::MatrixXd& v) const;
   /// v + N z with Nᵀ (M (v + N z) − forces) = 0, N the null space.
   Eigen::VectorXd completed(const Eigen::VectorXd& v,
                             const Eigen::VectorXd& forces) const;

@@ -10,7 +10,7 @@
 
 #include "base/errors.h"
 #include "mechanism/body_motion.h"
-#include "mechanism/drive_law.h"
+#include "mechanism/dynamic_change_points.h"
 #include "mechanism/equilibrium.h"
 #include "mechanism/event_finder.h"
 #include "mechanism/forward_dynamics.h"
@@ -63,6 +63,7 @@ class DynamicRun {
                   std::max(kLocalPart * settings.tolerance, kStrictest),
                   settings.duration),
         equilibrium_(definition, frame_, dynamics_.system()),
+        change_points_(definition, settings, frame_, dynamics_, equilibrium_),
         integrator_(dynamics_, settings.integrator),
         events_(dynamics_),
         sample_times_(sample_times(settings, others)) {}
@@ -89,6 +90,7 @@ class DynamicRun {
   SolvingFrame frame_;
   ForwardDynamics dynamics_;
   Equilibrium equilibrium_;
+  DynamicChangePoints change_points_;
   SwitchingIntegrator integrator_;
   EventFinder events_;
   std::vector<double> sample_times_;
@@ -121,6 +123,7 @@ void DynamicRun::start() {
   dynamics_.rate(0.0, y_, slope_);
   dynamics_.note_speed(y_);
   energy_start_ = dynamics_.kinetic_energy(y_);
+  change_points_.start(initial, y_);
   restart(0.0);
 }
 
@@ -197,31 +200,28 @@ void DynamicRun::add_instant(double t, VectorXd& y) {
   note_energy(y);
   const ConstraintSystem& system = dynamics_.system();
   const auto placed = system.place(dynamics_.configuration());
-  const auto accelerations = system.twists(dynamics_.accelerations());
+  auto accelerations = system.twists(dynamics_.accelerations());
   JacobianFactor factor;
   factor.compute(system.jacobian(placed));
-  Instant instant;
-  instant.t = t;
-  for (std::size_t i = 0; i < definition_.bodies.size(); ++i) {
-    instant.bodies.push_back(body_motion(
-        frame_, static_cast<BodyIndex>(i), dynamics_.configuration()[i + 1],
-        dynamics_.twists()[i + 1], accelerations[i + 1]));
+  const bool is_change_point = factor.rank() < change_points_.rank();
+  std::optional<Equilibrium::Solution> forces;
+  if (is_change_point) {
+    if (auto found = change_points_.on_branch(t, y)) {
+      accelerations = std::move(found->accelerations);
+      forces = std::move(found->forces);
+    }
   }
-  std::vector<Twist> applied(dynamics_.twists().size());
-  dynamics_.forces().add_to(applied);
-  instant.elements = dynamics_.forces().states();
-  Equilibrium::Solution forces =
-      equilibrium_.solve(dynamics_.configuration(), placed, factor,
-                         dynamics_.twists(), accelerations, applied);
-  for (const DriveDefinition& drive : definition_.drives) {
-    const DriveTarget target = drive_target(drive, t);
-    instant.drives.push_back({.position = target.position,
-                              .rate = target.rate,
-                              .acceleration = target.acceleration});
+  if (!forces) {
+    std::vector<Twist> applied(dynamics_.twists().size());
+    dynamics_.forces().add_to(applied);
+    forces = equilibrium_.solve(dynamics_.configuration(), placed, factor,
+                                dynamics_.twists(), accelerations, applied);
   }
-  put_forces(frame_, system, placed, std::move(forces), instant);
+  Instant instant = motion_at(definition_, frame_, dynamics_, t, accelerations);
+  put_forces(frame_, system, placed, std::move(*forces), instant);
   mark_what_friction_leaves_open(frame_, system, placed, dynamics_.forces(),
                                  instant);
+  instant.is_change_point = is_change_point;
   instant.closure_error = gap;
   motion_.instants.push_back(std::move(instant));
 }
@@ -269,6 +269,8 @@ Motion DynamicRun::run() {
     if (peaks_) {
       peaks_->look(integrator_, event.index < 0 ? integrator_.t() : event.t);
     }
+    change_points_.look(integrator_,
+                        event.index < 0 ? integrator_.t() : event.t);
     if (event.index >= 0) {
       pass(event);
       continue;
@@ -293,6 +295,7 @@ Motion DynamicRun::run() {
       .energy_error = energy_error_,
       .relative_energy_error =
           largest_energy_ > 0.0 ? energy_error_ / largest_energy_ : 0.0};
+  motion_.change_points = std::move(change_points_).among(motion_.instants);
   judge_power_balance(definition_, motion_);
   return std::move(motion_);
 }

@@ -248,10 +248,11 @@ Equilibrium::Solution Equilibrium::solve(
 std::optional<Equilibrium::Solution> Equilibrium::solve_compliant(
     const Configuration& x, const std::vector<PlacedJoint>& placed,
     const std::vector<Twist>& twists, const std::vector<Twist>& accelerations,
-    std::span<const Twist> applied) const {
+    std::span<const Twist> applied, const MatrixXd& held) const {
   const VectorXd f = system_.wrench_vector(
       required_wrenches(x, twists, accelerations, applied));
-  const CompliantBalance balance = compliant_balance(frame_, system_, x, f);
+  const CompliantBalance balance =
+      compliant_balance(frame_, system_, x, f, held);
   if (!balance.found) return std::nullopt;
   Solution solution = empty_solution(placed);
   add(solution, placed, system_, balance.lambda);

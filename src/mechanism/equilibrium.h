@@ -35,11 +35,12 @@ class Equilibrium {
                  std::span<const Twist> applied = {}) const;
 
   /// The same with joints that give way, of the system's own motions only.
-  /// Nothing if no balance was found.
+  /// Nothing if no balance was found. @param held  see compliant_balance().
   std::optional<Solution> solve_compliant(
       const Configuration& x, const std::vector<PlacedJoint>& placed,
       const std::vector<Twist>& twists, const std::vector<Twist>& accelerations,
-      std::span<const Twist> applied = {}) const;
+      std::span<const Twist> applied = {},
+      const Eigen::MatrixXd& held = {}) const;
 
  private:
   Solution empty_solution(const std::vector<PlacedJoint>& placed) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -45,6 +46,7 @@ class ForwardDynamics : public OdeSystem {
   void event_values(double t, const Eigen::VectorXd& y,
                     Eigen::VectorXd& values);
   ForceModel& forces() { return forces_; }
+  const ForceModel& forces() const { return forces_; }
 
   /// Moves positions and velocities, by the least mass norm, onto the
   /// constraints at time t. @return the largest gap that is left [m].
@@ -56,6 +58,8 @@ class ForwardDynamics : public OdeSystem {
 
   /// As of the last rate() or project().
   const Configuration& configuration() const { return x_; }
+  /// The same with quaternions, which planar motions do without.
+  Configuration whole_configuration() const;
   const std::vector<Twist>& twists() const { return twists_; }
   const Eigen::VectorXd& accelerations() const { return acceleration_; }
   /// By row of system(), scaled as it is.
@@ -67,6 +71,18 @@ class ForwardDynamics : public OdeSystem {
   Eigen::Index work_index() const {
     return internal_index() + forces_.internal_states();
   }
+  /// Of joints and drives, without what sticks. @param J  is filled.
+  void jacobian(double t, const Eigen::VectorXd& y, Eigen::MatrixXd& J);
+  /// Motion on the branch of y's velocities at or beside a change point, where
+  /// J leaves accelerations open.
+  struct BranchMotion {
+    Eigen::VectorXd accelerations;
+    Eigen::MatrixXd open;  ///< columns: velocities that forces decide
+  };
+  /// @param freedom  of the joints elsewhere.
+  /// @return nothing where no regular branch leads on.
+  std::optional<BranchMotion> branch_motion(double t, const Eigen::VectorXd& y,
+                                            int freedom);
   double kinetic_energy(const Eigen::VectorXd& y);
   const ConstraintSystem& system() const { return system_; }
   /// Largest speed of the unknowns so far, for error_weights() [m/s]; at least

@@ -102,6 +102,8 @@ InitialState initial_state(const MechanismDefinition& definition,
       mobility(frame, system, closed_joints(definition, frame, tolerance));
   if (!freedom.dependent_drives.empty()) require_driven(definition, freedom);
   InitialState state;
+  state.freedom = freedom.joints;
+  state.rank = system.columns() - freedom.with_drives;
   state.x = assembled(definition, frame, system.motions(), tolerance);
   const WantedRates wanted =
       wanted_rates(definition, frame, system.motions(), state.x);

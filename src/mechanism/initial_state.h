@@ -11,6 +11,8 @@ namespace clevis::mechanism {
 struct InitialState {
   Configuration x;             ///< closed, drives at their start
   Eigen::VectorXd velocities;  ///< unknowns of the system
+  int freedom{};               ///< of the joints, at general positions
+  int rank{};                  ///< of the system's Jacobian there
 };
 
 /// Assembles the mechanism with the joints' initial coordinates, near the

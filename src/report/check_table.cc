@@ -119,7 +119,7 @@ std::string change_point_lines(const MechanismSummary& mechanism) {
     text += fmt::format("  change point at {:.8g} s, passed on its branch: ",
                         point.at);
     text += point.joint.empty()
-                ? "not even joints that give way hold the loads\n"
+                ? "rigid reactions have no bound there\n"
                 : fmt::format(
                       "joints that give way carry {:.4g} N at most, in "
                       "{}\n",

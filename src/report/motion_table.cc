@@ -71,6 +71,10 @@ std::string change_point_text(const MotionReport& report) {
   for (const auto& point : report.motion.change_points) {
     text += fmt::format("  change point at {:.8g} s, passed on its branch: ",
                         point.t);
+    if (!point.at && report.motion.integration) {
+      text += "rigid reactions have no bound there\n";
+      continue;
+    }
     if (!point.at) {
       text += "not even joints that give way hold the loads\n";
       continue;

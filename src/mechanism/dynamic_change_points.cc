@@ -1,0 +1,118 @@
+#include "mechanism/dynamic_change_points.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "mechanism/body_motion.h"
+#include "mechanism/drive_law.h"
+
+namespace clevis::mechanism {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+Instant motion_at(const MechanismDefinition& definition,
+                  const SolvingFrame& frame, const ForwardDynamics& dynamics,
+                  double t, const std::vector<Twist>& accelerations) {
+  Instant instant;
+  instant.t = t;
+  for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
+    instant.bodies.push_back(body_motion(
+        frame, static_cast<BodyIndex>(i), dynamics.configuration()[i + 1],
+        dynamics.twists()[i + 1], accelerations[i + 1]));
+  }
+  instant.elements = dynamics.forces().states();
+  for (const DriveDefinition& drive : definition.drives) {
+    const DriveTarget target = drive_target(drive, t);
+    instant.drives.push_back({.position = target.position,
+                              .rate = target.rate,
+                              .acceleration = target.acceleration});
+  }
+  return instant;
+}
+
+void DynamicChangePoints::start(const InitialState& initial,
+                                const VectorXd& y) {
+  freedom_ = initial.freedom;
+  rank_ = initial.rank;
+  state_ = rate_ = y;
+  const ConstraintSystem& system = dynamics_.system();
+  watch_.emplace(system.rows(), system.columns(), rank_, settings_.tolerance);
+  const auto jacobian = [&](double t, MatrixXd& J) {
+    dynamics_.jacobian(t, y, J);
+  };
+  if (watch_->start(jacobian, 0.0)) note(0.0, state_);
+}
+
+void DynamicChangePoints::look(Integrator& integrator, double until) {
+  const auto jacobian = [&](double t, MatrixXd& J) {
+    integrator.interpolate(t, state_);
+    dynamics_.jacobian(t, state_, J);
+  };
+  for (const double t : watch_->look(jacobian, until)) {
+    integrator.state_at(t, state_);
+    note(t, state_);
+  }
+}
+
+void DynamicChangePoints::note(double t, VectorXd& y) {
+  if (settings_.at_singularity == AtSingularity::kStop) {
+    throw Error(
+        "K005", "mechanism",
+        fmt::format("at t = {:.9g} s the motion passes a change point", t),
+        "end the motion before, change lengths or forces, or let "
+        "at_singularity be \"report\" or \"continue\"");
+  }
+  ChangePoint point{.t_before = t, .t_after = t, .t = t};
+  // costs more than the motion itself: only where it is wanted
+  const bool is_sought =
+      settings_.at_singularity == AtSingularity::kContinue ||
+      std::ranges::any_of(definition_.joints, [](const auto& joint) {
+        return joint.compliance.has_value();
+      });
+  if (is_sought) {
+    dynamics_.project(t, y);
+    auto found = on_branch(t, y);
+    if (found && found->forces) {
+      point.at =
+          motion_at(definition_, frame_, dynamics_, t, found->accelerations);
+      put_forces(frame_, dynamics_.system(),
+                 dynamics_.system().place(dynamics_.configuration()),
+                 std::move(*found->forces), *point.at);
+      point.at->is_change_point = true;
+    }
+  }
+  points_.push_back(std::move(point));
+}
+
+std::optional<DynamicChangePoints::OnBranch> DynamicChangePoints::on_branch(
+    double t, const VectorXd& y) {
+  const ConstraintSystem& system = dynamics_.system();
+  const auto found = dynamics_.branch_motion(t, y, freedom_);
+  if (!found) return std::nullopt;
+  OnBranch result{.accelerations = system.twists(found->accelerations),
+                  .forces = {}};
+  std::vector<Twist> applied(dynamics_.twists().size());
+  dynamics_.forces().add_to(applied);
+  const Configuration x = dynamics_.whole_configuration();
+  result.forces =
+      equilibrium_.solve_compliant(x, system.place(x), dynamics_.twists(),
+                                   result.accelerations, applied, found->open);
+  return result;
+}
+
+std::vector<ChangePoint> DynamicChangePoints::among(
+    const std::vector<Instant>& instants) && {
+  for (ChangePoint& point : points_) {
+    const auto after =
+        std::ranges::upper_bound(instants, point.t, {}, &Instant::t);
+    if (after != instants.begin()) point.t_before = std::prev(after)->t;
+    if (after != instants.end()) point.t_after = after->t;
+  }
+  return std::move(points_);
+}
+
+}  // namespace clevis::mechanism

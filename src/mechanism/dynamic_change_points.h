@@ -1,0 +1,69 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mechanism/equilibrium.h"
+#include "mechanism/forward_dynamics.h"
+#include "mechanism/initial_state.h"
+#include "mechanism/motion.h"
+#include "mechanism/rank_watch.h"
+
+namespace clevis::mechanism {
+
+/// Positions, rates, drives and elements of an integrated motion; no forces
+/// but the elements'. @pre dynamics.rate() at this state.
+Instant motion_at(const MechanismDefinition& definition,
+                  const SolvingFrame& frame, const ForwardDynamics& dynamics,
+                  double t, const std::vector<Twist>& accelerations);
+
+/// The change points that an integrated motion passes.
+class DynamicChangePoints {
+ public:
+  DynamicChangePoints(const MechanismDefinition& definition,
+                      const SimulationSettings& settings,
+                      const SolvingFrame& frame, ForwardDynamics& dynamics,
+                      const Equilibrium& equilibrium)
+      : definition_(definition),
+        settings_(settings),
+        frame_(frame),
+        dynamics_(dynamics),
+        equilibrium_(equilibrium) {}
+
+  /// @throws Error K005 if the motion starts at one and must stop there.
+  void start(const InitialState& initial, const Eigen::VectorXd& y);
+  /// Looks from the last time to `until` in the integrator's last step.
+  /// @throws Error K005.
+  void look(Integrator& integrator, double until);
+
+  /// Rank of the Jacobian at general positions.
+  int rank() const { return rank_; }
+  /// What J leaves open just at a change point.
+  struct OnBranch {
+    std::vector<Twist> accelerations;
+    /// Of joints that give way; nothing if these do not hold the loads.
+    std::optional<Equilibrium::Solution> forces;
+  };
+  /// @return nothing where no regular branch leads on.
+  std::optional<OnBranch> on_branch(double t, const Eigen::VectorXd& y);
+
+  /// Those found, each between the instants before and behind it.
+  std::vector<ChangePoint> among(const std::vector<Instant>& instants) &&;
+
+ private:
+  void note(double t, Eigen::VectorXd& y);
+
+  const MechanismDefinition& definition_;
+  const SimulationSettings& settings_;
+  const SolvingFrame& frame_;
+  ForwardDynamics& dynamics_;
+  const Equilibrium& equilibrium_;
+  int freedom_{}, rank_{};
+  std::optional<RankWatch> watch_;
+  std::vector<ChangePoint> points_;
+  Eigen::VectorXd state_, rate_;
+};
+
+}  // namespace clevis::mechanism
