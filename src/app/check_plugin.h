@@ -10,6 +10,7 @@ inline constexpr const char* kCheckPlugin = "clevis_check.so";
 inline constexpr const char* kCheckEntryName = "clevis_check";
 inline constexpr const char* kStudyEntryName = "clevis_study";
 inline constexpr const char* kExportEntryName = "clevis_export";
+inline constexpr const char* kModesEntryName = "clevis_modes";
 using PluginEntry = ExitCode(const Options& options);
 
 /// Loads the library and runs one of its commands. Interrupts that come while

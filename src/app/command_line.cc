@@ -185,6 +185,37 @@ void add_study(CLI::App& app, Parsed& parsed) {
   });
 }
 
+void add_modes(CLI::App& app, Parsed& parsed) {
+  constexpr int kMostModes = 200;
+  CLI::App* command = app.add_subcommand(
+      "modes", "free vibrations of the parts: frequencies and shapes");
+  command->footer(
+      "A part that the mechanism moves vibrates free, with 6 rigid modes; a\n"
+      "case's supports give modes of their own. Shapes (VTU) and modes.json "
+      "go\n"
+      "to --out [results/<scene>/modes].");
+  add_scene(*command, parsed);
+  add_parts(*command, parsed);
+  command
+      ->add_option("--modes", parsed.options.modes,
+                   "how many per part, rigid ones counted in [12]")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostModes));
+  command
+      ->add_option("--tolerance", parsed.tolerance,
+                   "of the frequencies, e.g. 1%")
+      ->type_name("RATIO");
+  add_output(*command, parsed);
+  command->callback([&parsed, command] {
+    parsed.run = [&parsed, command] {
+      if (command->count("--tolerance") > 0) {
+        parsed.options.tolerance = peak_tolerance(parsed.tolerance);
+      }
+      return modes_command(parsed.options);
+    };
+  });
+}
+
 void add_export(CLI::App& app, Parsed& parsed) {
   CLI::App* command = app.add_subcommand(
       "export", "the parts as CalculiX decks, one step per instant");
@@ -282,6 +313,7 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   add_impact(app, parsed);
   add_mesh(app, parsed);
   add_study(app, parsed);
+  add_modes(app, parsed);
   add_export(app, parsed);
   add_compare(app, parsed);
   add_explain(app, parsed);

@@ -21,6 +21,7 @@ struct Options {
   std::string elements = "C3D20R";  ///< CalculiX's hexahedra
   int split = 0;                    ///< pieces of each hexahedron's edges; 0:
                                     ///< the command's own
+  int modes = 12;                   ///< per part, rigid ones counted in
   bool every_instant = false;       ///< for CalculiX: a step for each
 };
 
@@ -32,6 +33,7 @@ ExitCode impact_command(const Options& options);
 ExitCode check_command(const Options& options);
 ExitCode study_command(const Options& options);
 ExitCode export_command(const Options& options);
+ExitCode modes_command(const Options& options);
 ExitCode mesh_command(const Options& options);
 ExitCode explain_command(const std::string& code);  // empty: list all
 

@@ -75,4 +75,8 @@ ExitCode export_command(const Options& options) {
   return run_in_plugin(kExportEntryName, options);
 }
 
+ExitCode modes_command(const Options& options) {
+  return run_in_plugin(kModesEntryName, options);
+}
+
 }  // namespace clevis::app

@@ -28,6 +28,8 @@ TEXT = [
     (["mesh", "missing.toml"], 22), (["transmission", TRANSMISSION], 0),
     (["impact", EJECTOR], 0),
     (["simulate", "geometry/landing_gear/bearings.toml"], 0),
+    (["modes", SCENE, "--modes", "0"], 2),
+    (["modes", SCENE, "--part", "nobody"], 2),
 ]
 JSON = [
     (["simulate", SCENE, "--json"], 0),

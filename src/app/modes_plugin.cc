@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <iostream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "app/check_plugin.h"
+#include "app/load_scene.h"
+#include "app/output_folder.h"
+#include "app/part_modes.h"
+#include "app/solver_jobs.h"
+#include "report/atomic_file.h"
+#include "report/json_text.h"
+#include "report/text_table.h"
+
+namespace clevis::app {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+void require_known(const LoadedScene& loaded, const Options& options) {
+  std::vector<std::string> known;
+  for (const auto& part : loaded.parts) known.push_back(part.definition.name);
+  for (const auto& name : options.parts) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    throw Error("U001", "--part",
+                fmt::format("the scene has no part \"{}\"", name),
+                fmt::format("Its parts: {}.", fmt::join(known, ", ")));
+  }
+  if (!known.empty()) return;
+  throw Error("S003", options.scene.string() + ":1:1",
+              "the scene has no [[part]]", "Add one with a mesh or geometry.");
+}
+
+std::vector<SolverTask> tasks_of(const LoadedScene& loaded,
+                                 const Options& options,
+                                 const fs::path& folder) {
+  constexpr double kTolerance = 0.01;
+  std::vector<SolverTask> tasks;
+  for (const auto& part : loaded.parts) {
+    const std::string& name = part.definition.name;
+    if (!options.parts.empty() &&
+        std::ranges::find(options.parts, name) == options.parts.end()) {
+      continue;
+    }
+    for (const auto& request : modes_requests(
+             part, loaded.body_of(name) != mechanism::kGround, options.modes,
+             options.tolerance.value_or(kTolerance))) {
+      tasks.push_back({"modes of " + name, [&part, request, folder] {
+                         return part_modes(part, request, folder).dump();
+                       }});
+    }
+  }
+  return tasks;
+}
+
+std::string table_of(const ordered_json& parts) {
+  using enum report::Align;
+  report::TextTable table({{"part"},
+                           {"supports"},
+                           {"mode", kRight},
+                           {"Hz", kRight},
+                           {"change", kRight},
+                           {"x %", kRight},
+                           {"y %", kRight},
+                           {"z %", kRight}});
+  const auto percent = [](const ordered_json& value) {
+    return fmt::format("{:.1f}", 100.0 * value.get<double>());
+  };
+  for (const auto& part : parts) {
+    int rigid = 0;
+    for (const auto& mode : part["modes"]) {
+      if (mode["kind"] == "rigid") {
+        ++rigid;
+        continue;
+      }
+      table.add_row(
+          {{part["part"]},
+           {part["supports"]},
+           {std::to_string(mode["mode"].get<int>())},
+           {fmt::format("{:.5g}", mode["frequency_hz"].get<double>())},
+           {fmt::format("{:.1g} %", 100.0 * mode["change"].get<double>())},
+           {percent(mode["participation_x"])},
+           {percent(mode["participation_y"])},
+           {percent(mode["participation_z"])}});
+    }
+    table.add_note(
+        fmt::format("    {}{:.4g} kg, p = {}, {} unknowns, {:.2f} s{}",
+                    rigid > 0 ? fmt::format("{} rigid modes; ", rigid) : "",
+                    part["mass_kg"].get<double>(), part["degree"].get<int>(),
+                    part["equations"].get<int>(), part["seconds"].get<double>(),
+                    part["converged"].get<bool>() ? "" : "; not settled"));
+  }
+  return table.text(report::colour_of(STDOUT_FILENO));
+}
+
+ExitCode run_modes(const Options& options) {
+  const InterruptGuard guard;
+  const LoadedScene loaded = load_scene(options.scene);
+  require_known(loaded, options);
+  const fs::path folder =
+      options.out.empty() ? output_folder(options) / "modes" : options.out;
+  const auto answers = run_solver_tasks(tasks_of(loaded, options, folder));
+  report::remove_unfinished(folder);
+  ordered_json parts = ordered_json::array();
+  bool complete = true;
+  for (const auto& answer : answers) {
+    if (answer.error) throw *answer.error;
+    if (answer.text) {
+      parts.push_back(ordered_json::parse(*answer.text));
+    } else {
+      complete = false;
+    }
+  }
+  const std::string document = report::json_text({{"schema", 1},
+                                                  {"version", CLEVIS_VERSION},
+                                                  {"scene", loaded.scene.name},
+                                                  {"complete", complete},
+                                                  {"parts", parts}});
+  report::write_file(folder / "modes.json", document);
+  if (options.json) {
+    std::cout << document;
+  } else {
+    std::cout << table_of(parts) << "\nfiles: " << folder.string() << "\n";
+  }
+  return complete ? ExitCode::kPass : kInterruptedExit;
+}
+
+}  // namespace
+}  // namespace clevis::app
+
+extern "C" __attribute__((visibility("default"))) clevis::ExitCode clevis_modes(
+    const clevis::app::Options& options) {
+  return clevis::app::run_modes(options);
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/load_scene.h"
+
+namespace clevis::app {
+
+/// Vibrations of a part that are asked for.
+struct ModesRequest {
+  std::string supports;  ///< "free", or the case that holds the part
+  std::map<std::string, std::array<bool, 3>> fixed;
+  int count{};         ///< of modes, rigid ones of a free part counted in
+  double tolerance{};  ///< of the frequencies, for the climb of degrees [1]
+};
+
+/// Climbs degrees until the frequencies settle; writes NAME_SUPPORTS_mode_N.vtu
+/// of every elastic mode.
+/// @return the entry of modes.json.
+/// @throws Error of elasticity::eigenmodes, I002.
+nlohmann::ordered_json part_modes(const LoadedPart& part,
+                                  const ModesRequest& request,
+                                  const std::filesystem::path& folder);
+
+/// What can be asked of a part: free if a body of the mechanism carries it or
+/// it has no case, and each case's supports once.
+std::vector<ModesRequest> modes_requests(const LoadedPart& part, bool moves,
+                                         int count, double tolerance);
+
+}  // namespace clevis::app
