@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "app/error_text.h"
+#include "app/link_compliance.h"
 #include "app/load_scene.h"
 #include "app/output_folder.h"
 #include "app/part_files.h"
@@ -168,10 +169,11 @@ ExitCode run_check(const Options& options) {
   remove_previous_run(folder);
   report::CheckReport report;
   report.version = CLEVIS_VERSION;
-  const LoadedScene loaded = load_scene(options.scene);
+  LoadedScene loaded = load_scene(options.scene);
   report.scene = loaded.scene.name;
   report.file = options.scene;
   report.seconds.emplace_back("scene_and_meshes", watch.lap());
+  add_link_compliances(loaded);
 
   mechanism::Motion motion;
   if (loaded.scene.has_mechanism) {

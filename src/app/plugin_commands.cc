@@ -39,9 +39,8 @@ void set_up_blas() {
 #endif
 }
 
-}  // namespace
-
-ExitCode run_in_plugin(const char* entry_name, const Options& options) {
+/// Loads the library and finds a function of it.
+void* plugin_entry(const char* entry_name) {
   set_up_blas();
   // An interrupt while the library loads waits for its InterruptGuard.
   sigset_t interrupts;
@@ -55,12 +54,23 @@ ExitCode run_in_plugin(const char* entry_name, const Options& options) {
     throw Error("I001", path.string(), dlerror(),
                 "Reinstall clevis: this library belongs to it.");
   }
-  const auto run = reinterpret_cast<PluginEntry*>(dlsym(plugin, entry_name));
-  if (run == nullptr) {
+  void* entry = dlsym(plugin, entry_name);
+  if (entry == nullptr) {
     throw Error("X001", path.string(), dlerror(),
                 "The executable and its library are of different versions.");
   }
-  return run(options);
+  return entry;
+}
+
+}  // namespace
+
+ExitCode run_in_plugin(const char* entry_name, const Options& options) {
+  return reinterpret_cast<PluginEntry*>(plugin_entry(entry_name))(options);
+}
+
+void add_link_compliances_by_plugin(scene::Scene& scene,
+                                    const Options& options) {
+  reinterpret_cast<LinkEntry*>(plugin_entry(kLinkEntryName))(scene, options);
 }
 
 ExitCode check_command(const Options& options) {

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include "app/check_plugin.h"
 #include "app/commands.h"
 #include "app/load_scene.h"
 #include "app/slide_lever_comparison.h"
@@ -15,11 +16,14 @@
 namespace clevis::app {
 
 ExitCode simulate_command(const Options& options) {
-  const scene::Scene scene = load_moving_scene(options.scene);
+  scene::Scene scene = load_moving_scene(options.scene);
   if (!scene.has_mechanism) {
     throw Error("S003", options.scene.string() + ":1:1",
                 "the scene has no [[body]], so there is nothing to move",
                 "Add a mechanism, or run clevis check.");
+  }
+  if (scene.simulation.links == mechanism::LinkStiffness::kElastic) {
+    add_link_compliances_by_plugin(scene, options);
   }
   report::MotionReport report;
   report.version = CLEVIS_VERSION;

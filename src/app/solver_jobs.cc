@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "app/error_text.h"
+#include "app/link_compliance.h"
 #include "app/part_jobs.h"
 #include "loads/part_loads.h"
 #include "mechanism/simulate.h"
@@ -48,6 +49,7 @@ SolverAnswer decode(const WorkerOutcome& outcome, const SolverTask& task) {
 SolverJobs load_solver_jobs(const Options& options) {
   SolverJobs result;
   result.loaded = load_scene(options.scene);
+  add_link_compliances(result.loaded);
   const scene::Scene& scene = result.loaded.scene;
   mechanism::Motion motion;
   if (scene.has_mechanism) {

@@ -8,7 +8,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
-#include "mechanism/reaction_sharing.h"
+#include "mechanism/give_way.h"
 
 namespace clevis::mechanism {
 namespace {

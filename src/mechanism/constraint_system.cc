@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
 
 #include <Eigen/Geometry>
 
@@ -132,6 +135,28 @@ void set_compliances(const MechanismDefinition& definition,
   }
 }
 
+std::vector<ElasticLink> elastic_links(const MechanismDefinition& definition) {
+  std::vector<ElasticLink> links;
+  for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
+    const auto& given = definition.bodies[i].compliance;
+    if (!given) continue;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(given->matrix);
+    ElasticLink link{
+        .slot = static_cast<int>(i) + 1,
+        .joints = given->joints,
+        .points = given->points,
+        .root = modes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+                modes.eigenvectors().transpose()};
+    for (std::size_t k = 0; k < link.joints.size(); ++k) {
+      const JointDefinition& joint = definition.joints[index(link.joints[k])];
+      const bool is_b = joint.body_b == static_cast<int>(i);
+      link.points[k] -= (is_b ? joint.frame_b : joint.frame_a).p_LJ;
+    }
+    links.push_back(std::move(link));
+  }
+  return links;
+}
+
 CouplingModel coupling_model(const CouplingDefinition& coupling,
                              SolvingFrame& frame) {
   JointModel& first = frame.joints[index(coupling.joint_1)];
@@ -183,6 +208,7 @@ SolvingFrame::SolvingFrame(const MechanismDefinition& given) {
   if (planar) close_out_of_plane(*this);
   placement.angles = first_angles(*this);
   set_compliances(definition, *this);
+  links = elastic_links(definition);
   for (const CouplingDefinition& coupling : definition.couplings) {
     couplings.push_back(coupling_model(coupling, *this));
   }

@@ -30,6 +30,14 @@ struct CouplingModel {
   double scale{};  ///< makes its row comparable with lengths
 };
 
+/// Compliance of a link, its points relative to its joints.
+struct ElasticLink {
+  int slot{};
+  std::vector<int> joints;
+  std::vector<Eigen::Vector3d> points;  ///< from J on the link, in L [m]
+  Eigen::MatrixXd root;  ///< rootᵀ root = LinkCompliance::matrix
+};
+
 /// Compliance of a joint along each axis where the user gives none [m/N].
 inline constexpr double kDefaultCompliance = 1e-9;
 
@@ -45,7 +53,8 @@ struct SolvingFrame {
   std::vector<Eigen::Vector3d> p_LM;  ///< by body [m]
   std::vector<JointModel> joints;
   std::vector<CouplingModel> couplings;
-  Configuration placement;  ///< as the user gave it, out of plane closed
+  std::vector<ElasticLink> links;  ///< those that are not rigid
+  Configuration placement;         ///< as the user gave it, out of plane closed
 };
 
 /// The constraint equations c(x, t) = 0 of a mechanism for some motions of

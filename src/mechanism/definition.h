@@ -22,6 +22,15 @@ struct Pose {
   Eigen::Matrix3d R_WL = Eigen::Matrix3d::Identity();  ///< columns: axes of L
 };
 
+/// How a link gives way at its joints: displacements and turns at `points`
+/// per force [N] and moment about the point [N m] there, in L, beside those of
+/// its rigid motion. Its loads are held by its inertia.
+struct LinkCompliance {
+  std::vector<int> joints;              ///< indices
+  std::vector<Eigen::Vector3d> points;  ///< p_LS, one per joint [m]
+  Eigen::MatrixXd matrix;  ///< 6 n × 6 n, symmetric: force, then moment
+};
+
 /// A rigid body. Its frame L is the frame of its part, if it has one.
 struct BodyDefinition {
   std::string name;
@@ -30,6 +39,9 @@ struct BodyDefinition {
   /// Approximate pose in the reference configuration; assembly closes loops.
   Pose placement;
   std::string place;  ///< file:line:column
+  /// Shares reactions that equilibrium leaves open; the body moves as a rigid
+  /// one.
+  std::optional<LinkCompliance> compliance = std::nullopt;
 };
 
 enum class JointType {
@@ -139,6 +151,10 @@ struct MarkerDefinition {
   Eigen::Vector3d p_LP = Eigen::Vector3d::Zero();  ///< [m]
 };
 
+/// What shares the reactions that equilibrium leaves open: joints that give
+/// way on rigid links, or the links as well.
+enum class LinkStiffness { kRigid, kElastic };
+
 enum class SpaceDimension { kAuto, kPlanar, kSpatial };
 
 /// A mechanism as the user wrote it, indices resolved. Immutable after
@@ -184,6 +200,7 @@ struct SimulationSettings {
   /// Also where a joint's force or moment is largest, for integrated motions.
   bool at_peaks = false;
   AtSingularity at_singularity = AtSingularity::kReport;
+  LinkStiffness links = LinkStiffness::kRigid;
 };
 
 }  // namespace clevis::mechanism

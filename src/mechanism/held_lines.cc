@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "mechanism/jacobian_factor.h"
-#include "mechanism/reaction_sharing.h"
+#include "mechanism/give_way.h"
 
 namespace clevis::mechanism {
 namespace {

@@ -13,8 +13,9 @@ namespace clevis::mechanism {
 ///
 /// Of all λ with Jᵀλ = f the one of least complementary energy ½ wᵀ C w is
 /// taken, w = E λ the forces and moments of the joints in their frames J and C
-/// their compliances: that of rigid links on joints that give way a little.
-/// It depends neither on units nor on the order of the joints.
+/// their compliances: that of links on joints that give way a little. Elastic
+/// links add their strain energy. It depends neither on units nor on the order
+/// of the joints.
 struct SharedReactions {
   Eigen::VectorXd lambda;  ///< scaled, by row
 
@@ -26,17 +27,6 @@ struct SharedReactions {
   /// doubled or halved.
   Eigen::VectorXd spread;
 };
-
-/// E: components (as of SharedReactions) per scaled multiplier of the rows.
-/// Drives have none.
-Eigen::MatrixXd components_of_rows(const SolvingFrame& frame,
-                                   const ConstraintSystem& system,
-                                   const std::vector<PlacedJoint>& placed);
-
-/// Compliance of the rows against scaled multipliers: Eᵀ C E. Zero for drives.
-Eigen::MatrixXd row_compliance(const SolvingFrame& frame,
-                               const ConstraintSystem& system,
-                               const std::vector<PlacedJoint>& placed);
 
 /// @param factor  of the Jacobian of `system` at `placed`.
 /// @param f       right-hand side, of ConstraintSystem::wrench_vector.

@@ -151,7 +151,8 @@ constexpr Key kWorkpiece[] = {"material", "diameter", "length",
                               "safety_factor"};
 constexpr Key kMarker[] = {"name", "body", "point"};
 constexpr Key kSimulation[] = {"duration", "instants",   "tolerance",
-                               "motion",   "integrator", "at_singularity"};
+                               "motion",   "integrator", "at_singularity",
+                               "links"};
 constexpr Key kPart[] = {"name",      "geometry", "mesh", "length_unit",
                          "thickness", "material", "pins", "drives",
                          "forces",    "limits",   "case"};

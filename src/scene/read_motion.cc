@@ -106,6 +106,11 @@ mechanism::SimulationSettings read_simulation(StrictTable table) {
          {"continue", mechanism::AtSingularity::kContinue},
          {"stop", mechanism::AtSingularity::kStop}});
   }
+  if (const auto links = table.find("links")) {
+    settings.links = links->choice<mechanism::LinkStiffness>(
+        {{"rigid", mechanism::LinkStiffness::kRigid},
+         {"elastic", mechanism::LinkStiffness::kElastic}});
+  }
   return settings;
 }
 

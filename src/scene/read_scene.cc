@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "scene/document.h"
@@ -85,6 +87,20 @@ double read_peak_stress_tolerance(StrictTable table, double otherwise) {
   return tolerance;
 }
 
+/// Links give way by what their parts' meshes say.
+/// @throws Error S010.
+void require_elastic_links(StrictTable& root, const Scene& scene) {
+  if (scene.simulation.links != mechanism::LinkStiffness::kElastic) return;
+  if (std::ranges::any_of(scene.mechanism.bodies, [](const auto& body) {
+        return !body.part.empty();
+      })) {
+    return;
+  }
+  throw root.table("simulation")["links"].refusal(
+      "S010", "= \"elastic\", but no body has a part",
+      "Give bodies their `part`, or joints their `compliance`.");
+}
+
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& file) {
@@ -114,6 +130,7 @@ Scene read_scene(const std::filesystem::path& file) {
   scene.parts = read_parts(part_tables, scene, names, materials);
   if (scene.has_mechanism) {
     scene.simulation = read_simulation(root.table("simulation"));
+    require_elastic_links(root, scene);
     scene.bearings = read_bearings(root, scene.mechanism.joints, names);
   }
   if (root.has("accuracy")) {
