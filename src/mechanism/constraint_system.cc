@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <Eigen/Eigenvalues>
-
 #include <Eigen/Geometry>
 
 #include "mechanism/plane.h"

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "mechanism/jacobian_factor.h"
 #include "mechanism/give_way.h"
+#include "mechanism/jacobian_factor.h"
 
 namespace clevis::mechanism {
 namespace {

@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""Elastic links share what equilibrium leaves open: a bar held by welds at both
+ends, under its own weight, carries q L²/12 at each, of whatever stiffness its
+welds are made as long as they are stiffer than the bar.
+
+    elastic_links.py CLEVIS
+"""
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+CLEVIS = str(Path(sys.argv[1]).resolve())
+LENGTH, SIDE, DENSITY, GRAVITY = 0.2, 0.01, 7850.0, 9.81
+
+# of the welds: 1e-5 of the bar's
+FORCE, TURN = '"1e-13 m/N"', '"1e-9 rad/(N m)"'
+
+BAR = """Point(1) = {0, -5, 0}; Point(2) = {200, -5, 0}; Point(3) = {200, 5, 0}; Point(4) = {0, 5, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Transfinite Curve {1, 3} = 17; Transfinite Curve {2, 4} = 3;
+Transfinite Surface {1}; Recombine Surface {1};
+e[] = Extrude {0, 0, 10} { Surface{1}; Layers{2}; Recombine; };
+Physical Volume("body") = {e[1]};
+Physical Surface("left") = {e[5]}; Physical Surface("right") = {e[3]};
+"""
+
+
+def weld(name, x):
+    at = f'["{x} mm", "0 mm", "5 mm"]'
+    return f"""
+[[joint]]
+name = "{name}"
+type = "weld"
+between = ["ground", "bar"]
+at = {{ ground = {at}, bar = {at} }}
+axis = [0, 0, 1]
+normal = [1, 0, 0]
+compliance = {{ force = [{FORCE}, {FORCE}, {FORCE}], moment = [{TURN}, {TURN}, {TURN}] }}
+"""
+
+
+SCENE = """schema = 1
+name = "bar between welds"
+[world]
+gravity = ["0 m/s^2", "-9.81 m/s^2", "0 m/s^2"]
+[material.steel]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.0
+density = "7850 kg/m^3"
+yield_strength = "355 MPa"
+[[body]]
+name = "bar"
+part = "bar"
+placement = {{ origin = ["0 mm", "0 mm", "0 mm"] }}
+{welds}
+[simulation]
+duration = "1 s"
+instants = 2
+{links}
+[[part]]
+name = "bar"
+geometry = "bar.geo"
+length_unit = "mm"
+material = "steel"
+pins = {{ left = "left", right = "right" }}
+"""
+
+
+def run(folder, *arguments):
+    done = subprocess.run([CLEVIS, *arguments], capture_output=True, text=True, cwd=folder)
+    if done.returncode not in (0, 1, 4):
+        sys.exit(f"clevis {' '.join(arguments)}: {done.stderr}")
+    return done.stdout
+
+
+def reactions(folder, links):
+    (folder / "scene.toml").write_text(SCENE.format(
+        welds=weld("left", 0) + weld("right", 200), links=links))
+    (folder / "bar.geo").write_text(BAR)
+    run(folder, "mesh", "scene.toml")
+    motion = json.loads(run(folder, "simulate", "scene.toml", "--json"))
+    return {joint["name"]: joint for joint in motion["joints"]}
+
+
+def main():
+    weight = DENSITY * GRAVITY * SIDE**2  # [N/m]
+    clamped = weight * LENGTH**2 / 12.0
+    with tempfile.TemporaryDirectory() as name:
+        for links, least, most in (("elastic", 0.0, 3e-5), ("rigid", 0.1, 1.0)):
+            joints = reactions(Path(name), f'links = "{links}"')
+            for end in ("left", "right"):
+                force = joints[end]["peak_force_N"] / (0.5 * weight * LENGTH) - 1.0
+                moment = joints[end]["peak_moment_N_m"] / clamped - 1.0
+                print(f"{links} links, {end}: force {force:+.1e}, moment {moment:+.1e} of the clamped bar's")
+                if abs(force) > 1e-9 or not least <= abs(moment) <= most:
+                    print("FAIL")
+                    return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
