@@ -74,8 +74,10 @@ std::string write_shape(const LoadedPart& part, const ModesRequest& request,
   std::ostringstream text;
   stress::write_vtu<3>(text, part.mesh.shape, field, {},
                        stress::CellOrder::kLagrange);
-  const std::string name = fmt::format(
-      "{}_{}_mode_{}.vtu", part.definition.name, request.supports, mode + 1);
+  const std::string set =
+      request.number > 1 ? fmt::format("_{}", request.number) : "";
+  const std::string name =
+      fmt::format("{}{}_mode_{}.vtu", part.definition.name, set, mode + 1);
   report::write_file(folder / name, text.view());
   return name;
 }
@@ -111,14 +113,15 @@ std::vector<ModesRequest> modes_requests(const LoadedPart& part, bool moves,
                                          int count, double tolerance) {
   std::vector<ModesRequest> requests;
   if (moves || part.definition.cases.empty()) {
-    requests.push_back({"free", {}, count, tolerance});
+    requests.push_back({"free", 1, {}, count, tolerance});
   }
   for (const auto& load_case : part.definition.cases) {
     const auto same =
         std::ranges::find(requests, load_case.fixed, &ModesRequest::fixed);
     if (same != requests.end()) continue;
     requests.push_back({load_case.fixed.empty() ? "free" : load_case.name,
-                        load_case.fixed, count, tolerance});
+                        static_cast<int>(requests.size()) + 1, load_case.fixed,
+                        count, tolerance});
   }
   return requests;
 }

@@ -15,12 +15,14 @@ namespace clevis::app {
 /// Vibrations of a part that are asked for.
 struct ModesRequest {
   std::string supports;  ///< "free", or the case that holds the part
+  int number{};          ///< of its set of supports, for names of files
   std::map<std::string, std::array<bool, 3>> fixed;
   int count{};         ///< of modes, rigid ones of a free part counted in
   double tolerance{};  ///< of the frequencies, for the climb of degrees [1]
 };
 
-/// Climbs degrees until the frequencies settle; writes NAME_SUPPORTS_mode_N.vtu
+/// Climbs degrees until the frequencies settle; writes NAME_mode_N.vtu (of the
+/// second set of supports NAME_2_mode_N.vtu)
 /// of every elastic mode.
 /// @return the entry of modes.json.
 /// @throws Error of elasticity::eigenmodes, I002.
