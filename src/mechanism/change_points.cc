@@ -1,25 +1,24 @@
 // The change points of a driven motion.
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <utility>
 
+#include <Eigen/QR>
+
 #include "mechanism/body_motion.h"
+#include "mechanism/drive_law.h"
 #include "mechanism/driven_motion.h"
 
 namespace clevis::mechanism {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
 namespace {
 
 // of the time between two instants, in search of change points
 constexpr int kHalvings = 300;
-
-std::vector<Twist> between(std::vector<Twist> a, const std::vector<Twist>& b,
-                           double part) {
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    a[i].v += part * (b[i].v - a[i].v);
-    a[i].w += part * (b[i].w - a[i].w);
-  }
-  return a;
-}
 
 }  // namespace
 
@@ -43,77 +42,152 @@ std::optional<double> DrivenMotion::singular_between(const Moment& from,
   }
   --halvings;
   const double t = 0.5 * (from.t + to.t);
-  const Moment middle(follow(from.at, t), t);
+  const Moment middle(follow(from, t), t);
   if (!middle.at.factor.full_column_rank()) return t;
   if (const auto hit = singular_between(from, middle, halvings)) return hit;
   return singular_between(middle, to, halvings);
 }
 
-/// Just outside the times around t_hit at which J has no full rank: before
-/// and behind. Each bisection starts from the last regular position.
-std::array<DrivenMotion::Moment, 2> DrivenMotion::singular_interval(
-    const Moment& from, double t_hit, const Moment& to) const {
-  const auto edge = [this, t_hit](Moment regular) {
-    double singular = t_hit;
-    for (int i = 0; i < 40; ++i) {
-      const double middle = 0.5 * (regular.t + singular);
-      ClosedConfiguration at = follow(regular.at, middle);
-      if (at.factor.full_column_rank()) {
-        regular = Moment(std::move(at), middle);
-      } else {
-        singular = middle;
-      }
+/// The last regular moment on the way to a singular time, by bisection.
+DrivenMotion::Moment DrivenMotion::edge(Moment regular, double singular) const {
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (regular.t + singular);
+    ClosedConfiguration at = follow(regular, middle);
+    if (at.factor.full_column_rank()) {
+      regular = Moment(std::move(at), middle);
+    } else {
+      singular = middle;
     }
-    return regular;
-  };
-  return {edge(from), edge(to)};
-}
-
-/// The change point at t on the way from a regular position: rates are
-/// interpolated between the nearest clearly regular positions on both sides,
-/// forces those of joints that give way.
-std::optional<Instant> DrivenMotion::change_point(const Moment& from, double t,
-                                                  double t_step) const {
-  for (double step = 1e-3 * t_step; step <= t_step; step *= 2.0) {
-    const double t_low = std::max(t - step, from.t), t_high = t + step;
-    const ClosedConfiguration before = follow(from.at, t_low);
-    const ClosedConfiguration behind = follow(from.at, t_high);
-    if (!before.factor.full_column_rank() ||
-        !behind.factor.full_column_rank()) {
-      continue;
-    }
-    const ClosedConfiguration at = follow(before, t);
-    const double part = (t - t_low) / (t_high - t_low);
-    const Rates low = rates(before, t_low), high = rates(behind, t_high);
-    const Rates here{between(low.twists, high.twists, part),
-                     between(low.accelerations, high.accelerations, part)};
-    Instant result = kinematics(at, t, here);
-    const std::vector<Twist> applied = elements(at, here, result);
-    auto forces = equilibrium_.solve_compliant(at.x, at.placed, here.twists,
-                                               here.accelerations, applied);
-    if (!forces) return std::nullopt;
-    put_forces(frame_, system_, at.placed, std::move(*forces), result);
-    result.is_change_point = true;
-    return result;
   }
-  return std::nullopt;
+  return regular;
 }
 
-/// Notes the change points between two regular instants.
+/// Values by drive, scaled as the rows are.
+VectorXd DrivenMotion::drive_rows(const VectorXd& values) const {
+  VectorXd rows = values;
+  for (Index i = 0; i < rows.size(); ++i) {
+    const auto row = static_cast<std::size_t>(system_.joint_rows() + i);
+    rows[i] *= system_.scale(system_.row_list()[row]);
+  }
+  return rows;
+}
+
+/// Velocities G z and accelerations G z' + G' z of the branch G that the drives
+/// ask for. @return nothing where they do not move along it.
+std::optional<DrivenMotion::Rates> DrivenMotion::branch_rates(
+    const BranchPoint& point, const VectorXd& along, double t) const {
+  const auto placed = system_.place(point.x);
+  const auto drives = static_cast<Index>(definition_.drives.size());
+  const MatrixXd rows = system_.jacobian(placed).bottomRows(drives);
+  const Eigen::ColPivHouseholderQR<MatrixXd> solver(rows * point.tangents);
+  if (!solver.isInvertible()) return std::nullopt;
+  VectorXd rate(drives), second(drives);
+  for (Index i = 0; i < drives; ++i) {
+    const DriveTarget target =
+        drive_target(definition_.drives[static_cast<std::size_t>(i)], t);
+    rate[i] = target.rate;
+    second[i] = target.acceleration;
+  }
+  const VectorXd z = solver.solve(drive_rows(rate));
+  const VectorXd v = point.tangents * z;
+  const VectorXd curved =
+      v.dot(along) / along.squaredNorm() * (point.slopes * z);
+  Rates result;
+  result.twists = system_.twists(v);
+  const VectorXd bias = system_.bias(placed, result.twists).tail(drives);
+  const VectorXd change =
+      solver.solve(drive_rows(second) - bias - rows * curved);
+  result.accelerations = system_.twists(curved + point.tangents * change);
+  return result;
+}
+
+/// An instant at a change point, with the forces of joints that give way.
+/// @param along  velocity, or a direction of it, on the branch.
+std::optional<Instant> DrivenMotion::on_branch(const Configuration& x,
+                                               const VectorXd& along,
+                                               double t) const {
+  const auto drives = static_cast<int>(definition_.drives.size());
+  const auto point = branch_point(joints_, x, along, drives);
+  if (!point) return std::nullopt;
+  const auto here = branch_rates(*point, along, t);
+  if (!here) return std::nullopt;
+  const ClosedConfiguration at =
+      continuation_.close(point->x, drive_positions(definition_, t));
+  Instant result = kinematics(at, t, *here);
+  const std::vector<Twist> applied = elements(at, *here, result);
+  auto forces = equilibrium_.solve_compliant(at.x, at.placed, here->twists,
+                                             here->accelerations, applied);
+  if (!forces) return std::nullopt;
+  put_forces(frame_, system_, at.placed, std::move(*forces), result);
+  result.is_change_point = true;
+  return result;
+}
+
+/// The change point at t, just behind a regular moment.
+std::optional<Instant> DrivenMotion::change_point(const Moment& before,
+                                                  double t) const {
+  const ClosedConfiguration at = follow(before, t);
+  const auto drives = static_cast<Index>(definition_.drives.size());
+  VectorXd change(drives);
+  for (Index i = 0; i < drives; ++i) {
+    change[i] =
+        drive_target(definition_.drives[static_cast<std::size_t>(i)], t).rate;
+  }
+  const bool rests = drive_rows(change).lpNorm<Eigen::Infinity>() <
+                     1e-9 * frame_.length / std::max(t, 1e-300);
+  if (rests) change = at.targets - before.at.targets;
+  VectorXd right = VectorXd::Zero(system_.rows());
+  right.tail(drives) = drive_rows(change);
+  const VectorXd along = before.at.factor.solve(right);
+  if (along.isZero(0.0)) return std::nullopt;
+  return on_branch(at.x, along, t);
+}
+
+/// Notes the change points between two regular moments.
 void DrivenMotion::note_change_points(const Moment& from, const Moment& to,
                                       AtSingularity policy,
                                       Motion& motion) const {
   Moment at = from;
   int halvings = kHalvings;
   while (const auto hit = singular_between(at, to, halvings)) {
-    auto [before, behind] = singular_interval(at, *hit, to);
+    const Moment before = edge(at, *hit);
+    Moment behind = edge(to, *hit);
     const double t = 0.5 * (before.t + behind.t);
     if (policy == AtSingularity::kStop) {
-      refuse_change_point(follow(before.at, t), t);
+      refuse_change_point(follow(before, t), t);
     }
-    motion.change_points.push_back(
-        {from.t, to.t, t, change_point(at, t, to.t - from.t)});
+    motion.change_points.push_back({t, t, t, change_point(before, t)});
     at = std::move(behind);
+  }
+}
+
+/// Notes a change point at which a step ended, and those beside it.
+/// @param next  the next regular moment, or none.
+void DrivenMotion::settle(const Moment& last, double singular,
+                          const Moment* next, AtSingularity policy,
+                          Motion& motion) const {
+  const Moment before = edge(last, singular);
+  note_change_points(last, before, policy, motion);
+  double t = singular;
+  std::optional<Moment> behind;
+  if (next) {
+    behind = edge(*next, singular);
+    t = 0.5 * (before.t + behind->t);
+  }
+  if (policy == AtSingularity::kStop) {
+    refuse_change_point(follow(before, t), t);
+  }
+  motion.change_points.push_back({t, t, t, change_point(before, t)});
+  if (next) note_change_points(*behind, *next, policy, motion);
+}
+
+void put_between(const std::vector<Instant>& instants,
+                 std::vector<ChangePoint>& points) {
+  for (ChangePoint& point : points) {
+    const auto after =
+        std::ranges::upper_bound(instants, point.t, {}, &Instant::t);
+    if (after != instants.begin()) point.t_before = std::prev(after)->t;
+    if (after != instants.end()) point.t_after = after->t;
   }
 }
 

@@ -11,7 +11,7 @@ using Eigen::VectorXd;
 // A prediction of second order that misses by more than this part of the
 // step may lead to a neighbouring branch.
 constexpr double kSmallMiss = 0.05;
-constexpr double kShortestStep = 1.0 / 16384.0;
+constexpr double kShortestStep = 0x1p-40;
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 #include "mechanism/driven_motion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -18,7 +19,7 @@ namespace clevis::mechanism {
 
 using Eigen::VectorXd;
 
-std::string DrivenMotion::drives_at(const VectorXd& targets) const {
+std::string DrivenMotion::drives_at(const VectorXd& targets, int digits) const {
   std::string text;
   for (std::size_t i = 0; i < definition_.drives.size(); ++i) {
     const DriveDefinition& drive = definition_.drives[i];
@@ -26,16 +27,11 @@ std::string DrivenMotion::drives_at(const VectorXd& targets) const {
     const double q = targets[static_cast<Eigen::Index>(i)];
     text += text.empty() ? "" : ", ";
     text += drives_angle(definition_, drive)
-                ? fmt::format("{} at {:.6g} deg", name,
-                              q * 180.0 / std::numbers::pi)
-                : fmt::format("{} at {:.6g} mm", name, 1e3 * q);
+                ? fmt::format("{} at {:.{}g} deg", name,
+                              q * 180.0 / std::numbers::pi, digits)
+                : fmt::format("{} at {:.{}g} mm", name, 1e3 * q, digits);
   }
   return text;
-}
-
-void DrivenMotion::require_regular(const ClosedConfiguration& at,
-                                   double t) const {
-  if (!at.factor.full_column_rank()) refuse_change_point(at, t);
 }
 
 void DrivenMotion::refuse_change_point(const ClosedConfiguration& at,
@@ -51,12 +47,47 @@ void DrivenMotion::refuse_change_point(const ClosedConfiguration& at,
               "reactions have no bound, or let at_singularity be \"continue\"");
 }
 
-void DrivenMotion::stop(const Continuation::Reached& reached, double t) const {
-  throw Error("K004", "mechanism",
-              fmt::format("before t = {:.6g} s the mechanism stops at {}: "
-                          "beyond it no position continues the motion",
-                          t, drives_at(reached.at.targets)),
-              "reduce the range of the drive, or correct the lengths");
+/// The drives' coordinates at which the branch ends, by the square of the
+/// smallest singular value, which falls linearly to zero there.
+/// @return how far beyond the last regular position, over the way to it.
+double DrivenMotion::dead_end(const Continuation::Reached& reached,
+                              VectorXd& targets) const {
+  constexpr double kBack = 1e-6;
+  if (!reached.at.factor.full_column_rank()) return 0.0;
+  const VectorXd back = -kBack * (targets - reached.at.targets);
+  const Continuation::Reached behind =
+      continuation_.follow(reached.at, reached.at.targets + back);
+  targets = reached.at.targets;
+  if (behind.part < 1.0 || !behind.at.factor.full_column_rank()) return 0.0;
+  const double here = std::pow(reached.at.factor.weakest().sigma, 2);
+  const double there = std::pow(behind.at.factor.weakest().sigma, 2);
+  const double beyond = here / (there - here);
+  if (!(beyond > 0.0 && beyond < 1.0)) return 0.0;
+  targets -= beyond * back;
+  return beyond;
+}
+
+void DrivenMotion::stop(const Moment& from, Continuation::Reached reached,
+                        double t) const {
+  VectorXd end = drive_positions(definition_, t);
+  dead_end(reached, end);
+  // when the drive that moves most is there
+  const VectorXd way = end - from.at.targets;
+  Eigen::Index k = 0;
+  way.cwiseAbs().maxCoeff(&k);
+  double before = from.t, after = t;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (before + after);
+    const double moved =
+        drive_positions(definition_, middle)[k] - from.at.targets[k];
+    (moved / way[k] < 1.0 ? before : after) = middle;
+  }
+  throw Error(
+      "K004", "mechanism",
+      fmt::format("at t = {:.9g} s the mechanism stops at {}: beyond it "
+                  "no position continues the motion",
+                  before, drives_at(end, 11)),
+      "reduce the range of the drive, or correct the lengths");
 }
 
 DrivenMotion::Rates DrivenMotion::rates(const ClosedConfiguration& at,
@@ -121,40 +152,63 @@ Instant DrivenMotion::instant(const ClosedConfiguration& at, double t) const {
   return result;
 }
 
-ClosedConfiguration DrivenMotion::follow(const ClosedConfiguration& from,
-                                         double t) const {
+ClosedConfiguration DrivenMotion::follow(const Moment& from, double t) const {
   Continuation::Reached reached =
-      continuation_.follow(from, drive_positions(definition_, t));
-  if (reached.part < 1.0) stop(reached, t);
+      continuation_.follow(from.at, drive_positions(definition_, t));
+  if (reached.part < 1.0) stop(from, std::move(reached), t);
   return std::move(reached.at);
+}
+
+/// From a regular moment to t, in steps of the drives' travel.
+/// @param singular  a time after `last` at which J has no full rank.
+void DrivenMotion::advance(Moment& last, std::optional<double>& singular,
+                           double t, AtSingularity policy,
+                           Motion& motion) const {
+  for (const double at : path_.steps(last.t, t)) {
+    Moment next(follow(last, at), at);
+    if (!next.at.factor.full_column_rank()) {
+      if (!singular) singular = at;
+      continue;
+    }
+    if (singular) {
+      settle(last, *singular, &next, policy, motion);
+      singular.reset();
+    } else {
+      note_change_points(last, next, policy, motion);
+    }
+    last = std::move(next);
+  }
 }
 
 Motion DrivenMotion::run(const SimulationSettings& settings) const {
   Motion motion;
-  Moment last(start(), 0.0);  // that was regular
-  require_regular(last.at, 0.0);
   const int n = settings.instants;
   motion.instants.reserve(static_cast<std::size_t>(n));
-  motion.instants.push_back(instant(last.at, 0.0));
+  path_.require_few_steps(settings.duration, n);
+  Moment last = first(settings, motion);  // that was regular
+  std::optional<double> singular;
   for (int i = 1; i < n; ++i) {
     const double t = settings.duration * i / (n - 1);
-    Moment next(follow(last.at, t), t);
-    if (settings.at_singularity == AtSingularity::kContinue &&
-        !next.at.factor.full_column_rank()) {
-      auto singular = change_point(last, t, t - last.t);
-      if (!singular) require_regular(next.at, t);
-      motion.instants.push_back(std::move(*singular));
+    if (t > last.t) {
+      advance(last, singular, t, settings.at_singularity, motion);
+    }
+    // else between a start at a change point and a little beyond it
+    const ClosedConfiguration at = last.t == t ? last.at : follow(last, t);
+    if (at.factor.full_column_rank()) {
+      motion.instants.push_back(instant(at, t));
       continue;
     }
-    require_regular(next.at, t);
-    note_change_points(last, next, settings.at_singularity, motion);
-    last = std::move(next);
-    motion.instants.push_back(instant(last.at, t));
+    std::optional<Instant> there;
+    if (settings.at_singularity == AtSingularity::kContinue) {
+      there = change_point(edge(last, t), t);
+    }
+    if (!there) refuse_change_point(at, t);
+    motion.instants.push_back(std::move(*there));
   }
-  if (motion.instants.back().is_change_point) {
-    const Instant& at = motion.instants.back();
-    motion.change_points.push_back({last.t, at.t, at.t, at});
+  if (singular) {
+    settle(last, *singular, nullptr, settings.at_singularity, motion);
   }
+  put_between(motion.instants, motion.change_points);
   judge_power_balance(definition_, motion);
   return motion;
 }

@@ -1,21 +1,26 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "mechanism/continuation.h"
+#include "mechanism/drive_path.h"
 #include "mechanism/equilibrium.h"
 #include "mechanism/force_model.h"
 #include "mechanism/motion.h"
+#include "mechanism/singular_start.h"
 
 namespace clevis::mechanism {
 
 /// Coordinates of the drives at time t [s].
 Eigen::VectorXd drive_positions(const MechanismDefinition& definition,
                                 double t);
+
+/// Sets the instants before and behind each point.
+void put_between(const std::vector<Instant>& instants,
+                 std::vector<ChangePoint>& points);
 
 /// A motion that the drives fix: all that does not change from instant to
 /// instant.
@@ -28,6 +33,8 @@ class DrivenMotion {
         system_(frame_, definition.drives,
                 frame_.planar ? Motions::kInPlane : Motions::kSpatial,
                 ConstraintSystem::Drives::kAll),
+        joints_(frame_, {}, system_.motions(), ConstraintSystem::Drives::kNone),
+        path_(definition, frame_.length),
         tolerance_(settings.tolerance * frame_.length),
         forces_(definition, frame_),
         continuation_(system_, tolerance_),
@@ -38,11 +45,9 @@ class DrivenMotion {
  private:
   ClosedConfiguration start() const;
   void require_agreement(const ClosedConfiguration& at) const;
-  void require_regular(const ClosedConfiguration& at, double t) const;
   [[noreturn]] void refuse_change_point(const ClosedConfiguration& at,
                                         double t) const;
-  [[noreturn]] void stop(const Continuation::Reached& reached, double t) const;
-  std::string drives_at(const Eigen::VectorXd& targets) const;
+  std::string drives_at(const Eigen::VectorXd& targets, int digits = 6) const;
   /// Velocities and accelerations of M by slot.
   struct Rates {
     std::vector<Twist> twists, accelerations;
@@ -55,7 +60,6 @@ class DrivenMotion {
   std::vector<Twist> elements(const ClosedConfiguration& at, const Rates& rates,
                               Instant& result) const;
   Instant instant(const ClosedConfiguration& at, double t) const;
-  ClosedConfiguration follow(const ClosedConfiguration& from, double t) const;
   struct Moment {
     Moment(ClosedConfiguration configuration, double time)
         : at(std::move(configuration)), t(time) {
@@ -65,18 +69,38 @@ class DrivenMotion {
     double t{};
     JacobianFactor::Weakest weakest{};
   };
-  std::optional<Instant> change_point(const Moment& from, double t,
-                                      double t_step) const;
+  ClosedConfiguration follow(const Moment& from, double t) const;
+  [[noreturn]] void stop(const Moment& from, Continuation::Reached reached,
+                         double t) const;
+  double dead_end(const Continuation::Reached& reached,
+                  Eigen::VectorXd& targets) const;
+
+  Moment first(const SimulationSettings& settings, Motion& motion) const;
+  Moment leave(const SingularStart& start, double duration) const;
+  void advance(Moment& last, std::optional<double>& singular, double t,
+               AtSingularity policy, Motion& motion) const;
+
+  Eigen::VectorXd drive_rows(const Eigen::VectorXd& values) const;
+  std::optional<Rates> branch_rates(const BranchPoint& point,
+                                    const Eigen::VectorXd& along,
+                                    double t) const;
+  std::optional<Instant> on_branch(const Configuration& x,
+                                   const Eigen::VectorXd& along,
+                                   double t) const;
+  std::optional<Instant> change_point(const Moment& before, double t) const;
   std::optional<double> singular_between(const Moment& from, const Moment& to,
                                          int& halvings) const;
-  std::array<Moment, 2> singular_interval(const Moment& from, double t_hit,
-                                          const Moment& to) const;
+  Moment edge(Moment regular, double singular) const;
   void note_change_points(const Moment& from, const Moment& to,
                           AtSingularity policy, Motion& motion) const;
+  void settle(const Moment& last, double singular, const Moment* next,
+              AtSingularity policy, Motion& motion) const;
 
   const MechanismDefinition& definition_;
   SolvingFrame frame_;
   ConstraintSystem system_;
+  ConstraintSystem joints_;  ///< without drives
+  DrivePath path_;
   double tolerance_;
   mutable ForceModel forces_;  // keeps modes between instants
   Continuation continuation_;
