@@ -53,6 +53,10 @@ const DimensionEntry& entry_of(Dimension dimension) {
       {"thermal conductance", "W/K", "W/K, mW/K"},
       {"volume flow", "m^3/s", "m^3/h, m^3/s"},
       {"sonic conductance", "m^3/(s Pa)", "m^3/(s Pa), m^3/(s bar)"},
+      {"voltage", "V", "V, mV, kV"},
+      {"resistance", "ohm", "ohm, mohm"},
+      {"inductance", "H", "H, mH, uH"},
+      {"magnetic flux", "Wb", "Wb, mWb, V s"},
   });
   return kEntries.at(static_cast<std::size_t>(dimension));
 }

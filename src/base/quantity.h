@@ -38,6 +38,10 @@ enum class Dimension {
   kThermalConductance,      // W/K
   kVolumeFlow,              // m^3/s
   kSonicConductance,        // m^3/(s Pa)
+  kVoltage,                 // V
+  kResistance,              // ohm
+  kInductance,              // H
+  kMagneticFlux,            // Wb
 };
 
 /// The SI value of a text such as "140 mm", "1500 rpm" or "1 %".

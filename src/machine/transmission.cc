@@ -1,5 +1,6 @@
 #include "machine/transmission.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -52,6 +53,26 @@ void add_stage(const TransmissionDefinition& transmission, std::size_t s,
   }
 }
 
+/// Motor, then the wheels between each two stages, and the load.
+ChainModel chain_of(const TransmissionDefinition& transmission,
+                    const std::vector<double>& ratios) {
+  std::vector<double> inertias{*transmission.motor_inertia * ratios.front() *
+                               ratios.front()};
+  std::vector<double> compliances;
+  for (std::size_t s = 0; s < transmission.stages.size(); ++s) {
+    const double square = ratios[s] * ratios[s];
+    inertias.back() += transmission.stages[s].wheel_inertia * square;
+    double own = 0.0;
+    for (const CompliantElement& element : transmission.stages[s].elements) {
+      own += compliance(element, transmission.ball_screw_unit);
+    }
+    compliances.push_back(own / square);
+    inertias.push_back(transmission.stages[s].pinion_inertia * square);
+  }
+  inertias.back() += *transmission.load_inertia;
+  return chain_model(inertias, compliances);
+}
+
 }  // namespace
 
 TwoMassModel two_mass_model(double motor_inertia, double load_inertia,
@@ -82,6 +103,11 @@ TransmissionResult analyse_transmission(
     result.two_mass = two_mass_model(
         *transmission.motor_inertia * result.ratio * result.ratio,
         *transmission.load_inertia, result.compliance);
+    const bool has_wheels = std::ranges::any_of(
+        transmission.stages, [](const TransmissionStage& stage) {
+          return stage.wheel_inertia > 0.0 || stage.pinion_inertia > 0.0;
+        });
+    if (has_wheels) result.chain = chain_of(transmission, ratios);
   }
   if (transmission.errors) {
     result.error = module_error(*transmission.errors, transmission.load,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "machine/chain_model.h"
 #include "machine/compliance.h"
 #include "machine/module_error.h"
 
@@ -18,6 +19,9 @@ struct TransmissionStage {
   double ratio = 1.0;
   bool angular = true;
   std::vector<CompliantElement> elements;
+  /// Of what moves with its start, before its elements (the wheel that drives
+  /// it), and with its end (its pinion); [kg m²] or [kg].
+  double wheel_inertia{}, pinion_inertia{};
 };
 
 /// A drive train from the motor to the output, its last stage. With
@@ -64,6 +68,9 @@ struct TransmissionResult {
   /// reduced to the output.
   double last_stage_published{};
   std::optional<TwoMassModel> two_mass;
+  /// With the inertia of the stages, where they have any: what the two-mass
+  /// model leaves out.
+  std::optional<ChainModel> chain;
   std::optional<ModuleError> error;
 };
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 
 #include "mechanism/force_laws.h"
+#include "mechanism/linear_table.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -99,11 +101,21 @@ double line_effort(ActingElement& e, const LineElement& element, double t,
            spring->damping * e.rate - spring->preload;
   }
   if (const auto* table = std::get_if<TableLaw>(&element.law)) {
-    return table_effort(*table, t);
+    return linear_at(table->times, table->efforts, t);
   }
   if (const auto* gas = std::get_if<GasCylinderLaw>(&element.law)) {
-    return gas_effort(*gas, t, e.q, e.rate, internal + e.internal,
-                      e.internal_rates, e.gas);
+    const double* own = internal + e.internal;
+    return gas->is_coupled()
+               ? coupled_gas_effort(*gas, t, e.rate, own, e.internal_rates,
+                                    e.gas, e.interface)
+               : gas_effort(*gas, t, e.q, e.rate, own, e.internal_rates, e.gas);
+  }
+  if (const auto* motor = std::get_if<MotorLaw>(&element.law)) {
+    return motor_effort(*motor, t, e.rate, internal + e.internal,
+                        e.internal_rates.data(), e.motor);
+  }
+  if (const auto* servo = std::get_if<ServoLaw>(&element.law)) {
+    return servo_effort(*servo, t, e.q, e.rate);
   }
   if (const auto* stop = std::get_if<StopLaw>(&element.law)) {
     double effort = 0.0;
@@ -197,6 +209,8 @@ ActingElement acting_element(const ForceElement& definition,
       }
     } else if (const GasCylinderLaw* gas = gas_law(definition)) {
       e.internal_count = gas->internal_states();
+    } else if (motor_law(definition) != nullptr) {
+      e.internal_count = MotorLaw::kStates;
     }
     if (e.internal_count > 0) e.internal = internal_states;
     internal_states += e.internal_count;
@@ -220,6 +234,20 @@ void start_internal(ActingElement& e, const Configuration& x,
   start_gas(*gas, name_of(*e.definition),
             std::get<LineElement>(*e.definition).place, e.q,
             internal + e.internal);
+  e.interface = {.since = -gas->step, .q = e.q};  // due at t = 0
+}
+
+double next_communication(const ActingElement& e) {
+  const GasCylinderLaw* gas = gas_law(*e.definition);
+  return gas != nullptr && gas->is_coupled()
+             ? e.interface.since + gas->step
+             : std::numeric_limits<double>::infinity();
+}
+
+void communicate(ActingElement& e, double t) {
+  const GasCylinderLaw* gas = gas_law(*e.definition);
+  if (gas == nullptr || !gas->is_coupled()) return;
+  communicate(e.interface, t, e.rate);
 }
 
 void evaluate(ActingElement& e, double t, const Configuration& x,
@@ -270,6 +298,11 @@ void act_along(ActingElement& e, double effort) {
   e.effort = effort;
   e.on_a = {effort * e.levers.a.v, effort * e.levers.a.w};
   e.on_b = {effort * e.levers.b.v, effort * e.levers.b.w};
+}
+
+double line_inertia(const ActingElement& e) {
+  const MotorLaw* motor = motor_law(*e.definition);
+  return motor == nullptr ? 0.0 : motor->inertia_at_joint();
 }
 
 }  // namespace clevis::mechanism

@@ -24,7 +24,7 @@ struct ActingElement {
   JointModel line;  ///< J: its ends; a contact's plane (a) and centre (b)
   JointRow row;     ///< what a line measures
   Eigen::Matrix3d R_PW = Eigen::Matrix3d::Identity();
-  int internal = -1;  ///< index of its first internal state: bristle, gas
+  int internal = -1;  ///< index of its first internal state
   int internal_count = 0;
   std::array<int, 2> modes{};
   double q_start{}, rate_start{}, t_start{};  ///< as of accept()
@@ -35,8 +35,10 @@ struct ActingElement {
   double q{}, rate{};          ///< of a line; a contact's depth; [m] or [rad]
   double effort{};             ///< on b, > 0 pushes apart; normal force
   double friction{};           ///< of a contact [N]
-  GasInternals internal_rates{};
+  GasInternals internal_rates{};  ///< room enough for any law
   GasChamberStates gas{};
+  GasInterface interface {};  ///< of gas that communicates in steps
+  MotorState motor{};
   std::array<double, 2> depth{}, depth_rate{};  ///< by end, or of a contact
   std::array<double, 2> unbounded{};  ///< contact_effort() whatever the mode
   Twist on_a{}, on_b{};               ///< force and moment about M
@@ -58,6 +60,12 @@ void evaluate(ActingElement& e, double t, const Configuration& x,
 /// @throws Error K009.
 void start_internal(ActingElement& e, const Configuration& x, double* internal);
 
+/// When gas and mechanism communicate next [s]; never if they are integrated
+/// together.
+double next_communication(const ActingElement& e);
+/// They do, as of the last evaluate().
+void communicate(ActingElement& e, double t);
+
 /// The state of the last evaluate() is part of the motion: angles count
 /// their turns from there.
 void accept(ActingElement& e, double t);
@@ -68,5 +76,8 @@ std::array<ElementAction, 2> actions(const ActingElement& e);
 
 /// Lets a line act with an effort.
 void act_along(ActingElement& e, double effort);
+
+/// Inertia that turns with a line's coordinate [kg m²]: that of a rotor.
+double line_inertia(const ActingElement& e);
 
 }  // namespace clevis::mechanism

@@ -27,6 +27,8 @@ Configuration ForwardDynamics::whole_configuration() const {
 /// Gᵀ M a = Gᵀ Q but for what drives and sticking friction fix, P a = γ.
 std::optional<ForwardDynamics::BranchMotion> ForwardDynamics::branch_motion(
     double t, const VectorXd& y, int freedom) {
+  // the inertia of rotors is no mass of a body: left open here
+  if (columns_ > system_.columns()) return std::nullopt;
   rate(t, y, scratch_);
   const VectorXd v = u_;
   if (v.isZero(0.0)) return std::nullopt;

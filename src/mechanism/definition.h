@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "mechanism/cubic_spline.h"
+#include "mechanism/drive_definition.h"
 #include "mechanism/force_element.h"
 #include "part/mass_properties.h"
 
@@ -100,22 +100,6 @@ struct CouplingDefinition {
   double ratio{};                ///< unit of q_1 per unit of q_2
   std::optional<double> offset;  ///< without: that of the placement
   std::string place;
-};
-
-enum class DriveLaw { kConstant, kRamp, kQuintic, kSine, kTable };
-
-/// Prescribed joint coordinate. Before `start` it rests at `from`, after
-/// start + duration at `to`.
-/// Sine: from + amplitude sin(2π frequency (t − start)).
-struct DriveDefinition {
-  int joint{};  ///< index into MechanismDefinition::joints
-  DriveLaw law{};
-  double from{}, to{};              ///< [m] or [rad]
-  double start{}, duration{};       ///< [s]
-  double amplitude{}, frequency{};  ///< [m] or [rad], [Hz]
-  std::string place;
-  int coordinate{};     ///< which of the joint's
-  CubicSpline table{};  ///< of a table: times after `start`, [m] or [rad]
 };
 
 /// A constant force and moment on a body, directions fixed in W.

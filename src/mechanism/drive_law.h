@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mechanism/definition.h"
+#include "mechanism/drive_definition.h"
 
 namespace clevis::mechanism {
 

@@ -115,6 +115,7 @@ void DynamicRun::start() {
   event_values_.setOnes(dynamics_.forces().events());
   find_breaks();
   dynamics_.project(0.0, y_);
+  dynamics_.communicate(0.0, y_);
   dynamics_.choose_modes(0.0, y_);
   dynamics_.project(0.0, y_);
   dynamics_.accept(0.0);
@@ -142,8 +143,8 @@ void DynamicRun::find_breaks() {
 double DynamicRun::next_break() const {
   const double now = integrator_.t();
   const auto next = std::ranges::upper_bound(breaks_, now);
-  return next == breaks_.end() ? settings_.duration
-                               : std::min(*next, settings_.duration);
+  const double bend = next == breaks_.end() ? settings_.duration : *next;
+  return std::min({bend, dynamics_.next_communication(), settings_.duration});
 }
 
 void DynamicRun::guard_against_accumulation(double t) {
@@ -282,7 +283,10 @@ Motion DynamicRun::run() {
     dynamics_.note_speed(y_);
     integrator_.correct(y_);
     note_energy(y_);
-    if (integrator_.t() == limit && limit < settings_.duration) restart(limit);
+    if (integrator_.t() == limit && limit < settings_.duration) {
+      dynamics_.communicate(limit, y_);
+      restart(limit);
+    }
   }
   const StepCounts& counts = integrator_.counts();
   motion_.integration = IntegrationSummary{

@@ -25,6 +25,16 @@ const GasCylinderLaw* gas_law(const ForceElement& element) {
   return line ? std::get_if<GasCylinderLaw>(&line->law) : nullptr;
 }
 
+const MotorLaw* motor_law(const ForceElement& element) {
+  const auto* line = std::get_if<LineElement>(&element);
+  return line ? std::get_if<MotorLaw>(&line->law) : nullptr;
+}
+
+const ServoLaw* servo_law(const ForceElement& element) {
+  const auto* line = std::get_if<LineElement>(&element);
+  return line ? std::get_if<ServoLaw>(&line->law) : nullptr;
+}
+
 const std::string& name_of(const ForceElement& element) {
   return std::visit(
       [](const auto& e) -> const std::string& {

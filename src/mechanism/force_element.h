@@ -9,7 +9,9 @@
 #include <Eigen/Core>
 
 #include "mechanism/cubic_spline.h"
+#include "mechanism/drive_definition.h"
 #include "mechanism/gas_cylinder.h"
+#include "mechanism/motor.h"
 
 namespace clevis::mechanism {
 
@@ -78,11 +80,22 @@ struct TableLaw {
   std::vector<double> times, efforts;
 };
 
+/// Follows a reference r(t): effort −stiffness (q − r) − damping (q' − r'), at
+/// most `limit`.
+struct ServoLaw {
+  DriveDefinition reference;    ///< its law; joint and coordinate unused
+  double stiffness{};           ///< [N/m] or [N m/rad]
+  double damping{};             ///< [N s/m] or [N m s/rad]
+  std::optional<double> limit;  ///< [N] or [N m]
+};
+
 /// An element with a scalar effort.
 struct LineElement {
   std::string name;
   ElementLine line;
-  std::variant<SpringLaw, FrictionLaw, StopLaw, TableLaw, GasCylinderLaw> law;
+  std::variant<SpringLaw, FrictionLaw, StopLaw, TableLaw, GasCylinderLaw,
+               MotorLaw, ServoLaw>
+      law;
   std::string place;
 };
 
@@ -121,6 +134,10 @@ const FrictionLaw* switched_friction(const ForceElement& element);
 const ContactLaw* contact_law(const ForceElement& element);
 /// The law of a gas cylinder, or null.
 const GasCylinderLaw* gas_law(const ForceElement& element);
+/// The law of a motor, or null.
+const MotorLaw* motor_law(const ForceElement& element);
+/// The law of a servo, or null.
+const ServoLaw* servo_law(const ForceElement& element);
 const std::string& name_of(const ForceElement& element);
 /// Whether a line measures an angle.
 bool is_angle(const ElementLine& line,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanism/drive_law.h"
+
 namespace clevis::mechanism {
 
 double contact_effort(const ContactLaw& law, double depth, double rate) {
@@ -32,15 +34,11 @@ double friction_coefficient(const ContactElement& contact, double speed) {
              std::exp(-(r - 1.0) * (r - 1.0));
 }
 
-double table_effort(const TableLaw& law, double t) {
-  if (t <= law.times.front()) return law.efforts.front();
-  if (t >= law.times.back()) return law.efforts.back();
-  const auto next = std::ranges::upper_bound(law.times, t);
-  const auto i = next - law.times.begin();
-  const auto at = static_cast<std::size_t>(i);
-  const double s =
-      (t - law.times[at - 1]) / (law.times[at] - law.times[at - 1]);
-  return law.efforts[at - 1] + s * (law.efforts[at] - law.efforts[at - 1]);
+double servo_effort(const ServoLaw& law, double t, double q, double rate) {
+  const DriveTarget target = drive_target(law.reference, t);
+  const double wanted = -law.stiffness * (q - target.position) -
+                        law.damping * (rate - target.rate);
+  return law.limit ? std::clamp(wanted, -*law.limit, *law.limit) : wanted;
 }
 
 }  // namespace clevis::mechanism

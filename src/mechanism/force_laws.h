@@ -20,6 +20,6 @@ double kinetic_effort(const FrictionLaw& law, double speed);
 /// speed, falls to the kinetic one beyond it; smooth.
 double friction_coefficient(const ContactElement& contact, double speed);
 
-double table_effort(const TableLaw& law, double t);
+double servo_effort(const ServoLaw& law, double t, double q, double rate);
 
 }  // namespace clevis::mechanism

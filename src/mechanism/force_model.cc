@@ -1,6 +1,8 @@
 #include "mechanism/force_model.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "mechanism/drive_law.h"
 #include "mechanism/element_modes.h"
@@ -19,8 +21,9 @@ void add_wrench(Twist& sum, const Twist& wrench) {
 
 /// Coordinate of a joint at t = 0 where the scene says it, else 0: decides
 /// from which turn an angle counts.
-double start_of(const ElementLine& line,
+double start_of(const LineElement& element,
                 const MechanismDefinition& definition) {
+  const ElementLine& line = element.line;
   if (line.kind != ElementLine::Kind::kJoint) return 0.0;
   for (const DriveDefinition& drive : definition.drives) {
     if (drive.joint == line.joint && drive.coordinate == line.coordinate) {
@@ -32,7 +35,8 @@ double start_of(const ElementLine& line,
       return initial.position.value_or(0.0);
     }
   }
-  return 0.0;
+  const auto* servo = std::get_if<ServoLaw>(&element.law);
+  return servo == nullptr ? 0.0 : drive_target(servo->reference, 0.0).position;
 }
 
 std::vector<GasChamberState> chambers_of(const ActingElement& e) {
@@ -40,6 +44,30 @@ std::vector<GasChamberState> chambers_of(const ActingElement& e) {
   if (gas == nullptr) return {};
   const auto count = static_cast<std::ptrdiff_t>(gas->chambers.size());
   return {e.gas.begin(), e.gas.begin() + count};
+}
+
+std::optional<MotorState> motor_of(const ActingElement& e) {
+  if (motor_law(*e.definition) == nullptr) return std::nullopt;
+  return e.motor;
+}
+
+std::optional<double> target_of(const ActingElement& e, double t) {
+  const ServoLaw* servo = servo_law(*e.definition);
+  if (servo == nullptr) return std::nullopt;
+  return drive_target(servo->reference, t).position;
+}
+
+std::optional<GasInterface> interface_of(const ActingElement& e) {
+  const GasCylinderLaw* gas = gas_law(*e.definition);
+  if (gas == nullptr || !gas->is_coupled()) return std::nullopt;
+  return e.interface;
+}
+
+/// Times at which the law of a drive or servo bends.
+void add_kinks(const DriveDefinition& drive, std::vector<double>& times) {
+  times.push_back(drive.start);
+  times.push_back(drive.start + drive.duration);
+  for (const double t : drive.table.times) times.push_back(drive.start + t);
 }
 
 }  // namespace
@@ -50,7 +78,7 @@ ForceModel::ForceModel(const MechanismDefinition& definition,
   for (const ForceElement& given : definitions_) {
     elements_.push_back(acting_element(given, frame, internal_states_));
     if (const auto* line = std::get_if<LineElement>(&given)) {
-      elements_.back().q_start = start_of(line->line, definition);
+      elements_.back().q_start = start_of(*line, definition);
     }
   }
 }
@@ -62,8 +90,23 @@ void ForceModel::start_internal(const Configuration& x, double* internal) {
 void ForceModel::evaluate(double t, const Configuration& x,
                           const std::vector<Twist>& twists,
                           const double* internal) {
+  t_ = t;
   for (ActingElement& e : elements_) {
     mechanism::evaluate(e, t, x, twists, internal);
+  }
+}
+
+double ForceModel::next_communication() const {
+  double next = std::numeric_limits<double>::infinity();
+  for (const ActingElement& e : elements_) {
+    next = std::min(next, mechanism::next_communication(e));
+  }
+  return next;
+}
+
+void ForceModel::communicate(double t) {
+  for (ActingElement& e : elements_) {
+    if (mechanism::next_communication(e) <= t) mechanism::communicate(e, t);
   }
 }
 
@@ -92,6 +135,10 @@ void ForceModel::internal_scales(const double* internal, double* scales) const {
       gas_scales(*gas, internal + e.internal, scales + e.internal);
       continue;
     }
+    if (const MotorLaw* motor = motor_law(*e.definition)) {
+      motor_scales(*motor, internal + e.internal, scales + e.internal);
+      continue;
+    }
     const FrictionLaw& law = *switched_friction(*e.definition);
     scales[e.internal] = law.breakaway / law.bristle_stiffness;
   }
@@ -105,10 +152,26 @@ bool ForceModel::sticks(std::size_t k) const {
   return mechanism::sticks(elements_[k]);
 }
 
-double ForceModel::stick_bias(std::size_t k,
-                              const std::vector<Twist>& twists) const {
+void ForceModel::set_row_effort(std::size_t k, double effort) {
+  ActingElement& e = elements_[k];
+  const bool turns_rotor = inertia(k) > 0.0;
+  act_along(e, turns_rotor ? e.effort + effort : effort);
+  if (turns_rotor) e.power = e.effort * e.rate;
+}
+
+double ForceModel::line_bias(std::size_t k,
+                             const std::vector<Twist>& twists) const {
   const ActingElement& e = elements_[k];
   return e.placed.bias(e.row, twists[index(e.line.a)], twists[index(e.line.b)]);
+}
+
+double ForceModel::joint_rate(std::size_t k,
+                              const std::vector<PlacedJoint>& placed,
+                              const std::vector<Twist>& twists) const {
+  const ActingElement& e = elements_[k];
+  const int joint = std::get<LineElement>(*e.definition).line.joint;
+  const Eigen::Vector3d axis = placed[index(joint)].axes_a.col(2);
+  return axis.dot(twists[index(e.line.b)].w - twists[index(e.line.a)].w);
 }
 
 double ForceModel::line_acceleration(std::size_t k,
@@ -118,7 +181,7 @@ double ForceModel::line_acceleration(std::size_t k,
   const Twist& a = accelerations[index(e.line.a)];
   const Twist& b = accelerations[index(e.line.b)];
   return e.levers.a.v.dot(a.v) + e.levers.a.w.dot(a.w) + e.levers.b.v.dot(b.v) +
-         e.levers.b.w.dot(b.w) + stick_bias(k, twists);
+         e.levers.b.w.dot(b.w) + line_bias(k, twists);
 }
 
 bool ForceModel::is_dry(std::size_t k) const {
@@ -169,6 +232,10 @@ std::vector<double> ForceModel::kink_times() const {
     if (const auto* line = std::get_if<LineElement>(&element)) {
       const auto* table = std::get_if<TableLaw>(&line->law);
       if (table != nullptr) add(table->times);
+      const MotorLaw* motor = motor_law(element);
+      if (motor != nullptr) add(motor->times);
+      const ServoLaw* servo = servo_law(element);
+      if (servo != nullptr) add_kinks(servo->reference, times);
       const GasCylinderLaw* gas = gas_law(element);
       for (std::size_t k = 0; gas != nullptr && k < gas->chambers.size(); ++k) {
         if (gas->chambers[k].valve) add(gas->chambers[k].valve->times);
@@ -189,7 +256,10 @@ std::vector<ElementState> ForceModel::states() const {
                       .friction = e.friction,
                       .power = e.power,
                       .chambers = chambers_of(e),
-                      .actions = actions(e)});
+                      .actions = actions(e),
+                      .motor = motor_of(e),
+                      .target = target_of(e, t_),
+                      .interface = interface_of(e)});
   }
   return states;
 }

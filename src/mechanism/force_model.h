@@ -23,9 +23,13 @@ class ForceModel {
 
   /// Internal states of the start. @throws Error K009.
   void start_internal(const Configuration& x, double* internal);
-  /// @param internal  internal states (bristles, gas).
+  /// @param internal  internal states (bristles, gas, currents).
   void evaluate(double t, const Configuration& x,
                 const std::vector<Twist>& twists, const double* internal);
+  /// When elements communicate with the mechanism next [s].
+  double next_communication() const;
+  /// Those whose time it is do, as of evaluate().
+  void communicate(double t);
   /// See accept() of an element.
   void accept(double t);
   /// Adds the wrenches about M, by slot.
@@ -42,22 +46,29 @@ class ForceModel {
   bool sticks(std::size_t k) const;
   bool is_angle(std::size_t k) const { return elements_[k].row.is_angle(); }
   const ActingElement& element(std::size_t k) const { return elements_[k]; }
+  /// Whether an element brings a row of its own: it sticks, or a rotor turns
+  /// with it.
+  bool brings_row(std::size_t k) const { return sticks(k) || inertia(k) > 0.0; }
+  /// See line_inertia().
+  double inertia(std::size_t k) const { return line_inertia(elements_[k]); }
   /// Part of the line's acceleration that velocities cause.
-  double stick_bias(std::size_t k, const std::vector<Twist>& twists) const;
+  double line_bias(std::size_t k, const std::vector<Twist>& twists) const;
+  /// Rate of the joint's angle along which element k acts [rad/s].
+  double joint_rate(std::size_t k, const std::vector<PlacedJoint>& placed,
+                    const std::vector<Twist>& twists) const;
   double line_acceleration(std::size_t k,
                            const std::vector<Twist>& accelerations,
                            const std::vector<Twist>& twists) const;
   /// Coulomb friction, whose modes are decided together.
   bool is_dry(std::size_t k) const;
-  /// Gives a sticking element the effort that holds it.
-  void set_stick_effort(std::size_t k, double effort) {
-    act_along(elements_[k], effort);
-  }
+  /// Gives a sticking element the effort that holds it, takes from a motor's
+  /// what its rotor needs.
+  void set_row_effort(std::size_t k, double effort);
   double breakaway(std::size_t k) const;
   void set_mode(std::size_t k, int mode) { elements_[k].modes[0] = mode; }
 
   /// Two per element: positive while its modes hold, as of evaluate() and
-  /// set_stick_effort().
+  /// set_row_effort().
   int events() const { return static_cast<int>(2 * elements_.size()); }
   void event_values(Eigen::VectorXd& values) const;
   /// Goes to the next mode of what event_values() found at zero.
@@ -75,6 +86,7 @@ class ForceModel {
   std::vector<ForceElement> definitions_;
   std::vector<ActingElement> elements_;
   int internal_states_ = 0;
+  double t_{};  ///< of evaluate()
 };
 
 }  // namespace clevis::mechanism

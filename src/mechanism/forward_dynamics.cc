@@ -20,6 +20,23 @@ std::size_t index(Index i) {
   return static_cast<std::size_t>(i);
 }
 
+/// Unknown of the rotor of each force element, or −1.
+std::vector<Index> rotor_unknowns(const ForceModel& forces, Index bodies) {
+  std::vector<Index> unknowns(forces.size(), -1);
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    if (forces.inertia(k) > 0.0) unknowns[k] = bodies++;
+  }
+  return unknowns;
+}
+
+/// Unknowns of bodies and rotors, a multiple of 3.
+Index all_unknowns(const std::vector<Index>& rotors, Index bodies) {
+  const auto count = std::ranges::count_if(rotors, [](Index r) {
+    return r >= 0;
+  });
+  return bodies + (count + 2) / 3 * 3;
+}
+
 /// F with F Fᵀ = inertia⁻¹.
 Matrix3d inverse_root(const Matrix3d& inertia) {
   const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(inertia);
@@ -53,7 +70,9 @@ ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
               frame.planar ? Motions::kInPlane : Motions::kSpatial,
               ConstraintSystem::Drives::kAll),
       forces_(definition, frame),
-      mass_(system_.columns(),
+      rotors_(rotor_unknowns(forces_, system_.columns())),
+      columns_(all_unknowns(rotors_, system_.columns())),
+      mass_(static_cast<int>(columns_),
             system_.rows() + static_cast<int>(forces_.size())),
       planar_(frame.planar),
       length_(frame.length),
@@ -95,16 +114,27 @@ ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
   for (const double angle : x_.angles) turns_.push_back({angle, 0.0});
   rows_ = system_.rows();
   const Index most = rows_ + static_cast<Index>(forces_.size());
-  J_.setZero(most, system_.columns());
-  for (VectorXd* v : {&u_, &Q_, &acceleration_, &change_}) {
-    v->setZero(system_.columns());
-  }
+  J_.setZero(most, columns_);
+  for (VectorXd* v : {&u_, &Q_, &acceleration_, &change_}) v->setZero(columns_);
+  place_rotors();
   for (VectorXd* v :
        {&target_rates_, &target_seconds_, &residual_, &gamma_, &lambda_}) {
     v->setZero(most);
   }
   scratch_.setZero(size());
   targets_.setZero(static_cast<Index>(drives_.size()));
+}
+
+/// Mass of the rotors' unknowns.
+void ForwardDynamics::place_rotors() {
+  VectorXd root = VectorXd::Ones(columns_);
+  for (std::size_t k = 0; k < rotors_.size(); ++k) {
+    if (rotors_[k] < 0) continue;
+    root[rotors_[k]] = row_scale(k) / std::sqrt(forces_.inertia(k));
+  }
+  for (Index at = system_.columns(); at < columns_; at += 3) {
+    mass_.set_diagonal(static_cast<int>(at / 3), root.segment<3>(at));
+  }
 }
 
 VectorXd ForwardDynamics::start(const Configuration& x) {
@@ -129,7 +159,8 @@ VectorXd ForwardDynamics::start(const Configuration& x) {
 }
 
 void ForwardDynamics::place(double t, const VectorXd& y) {
-  u_ = y.segment(positions_, system_.columns());
+  u_.setZero();  // rotors turn as their joints do
+  u_.head(system_.columns()) = y.segment(positions_, system_.columns());
   for (std::size_t i = 1; i < x_.size(); ++i) {
     if (planar_) {
       const auto at = static_cast<Index>(3 * (i - 1));
@@ -173,6 +204,12 @@ void ForwardDynamics::accept(double t) {
   }
 }
 
+void ForwardDynamics::communicate(double t, const VectorXd& y) {
+  if (forces_.next_communication() > t) return;
+  rate(t, y, scratch_);
+  forces_.communicate(t);
+}
+
 void ForwardDynamics::set_targets(double t) {
   for (std::size_t k = 0; k < drives_.size(); ++k) {
     const DriveTarget target = drive_target(drives_[k], t);
@@ -188,12 +225,13 @@ void ForwardDynamics::factor() {
   system_.fill_jacobian(placed_, J_);
   rows_ = system_.rows();
   for (std::size_t k = 0; k < forces_.size(); ++k) {
-    if (!forces_.sticks(k)) continue;
+    if (!forces_.brings_row(k)) continue;
     const ActingElement& e = forces_.element(k);
-    const double scale = forces_.is_angle(k) ? length_ : 1.0;
     J_.row(rows_).setZero();
-    add_lever(rows_, e.line.a, e.levers.a, scale);
-    add_lever(rows_++, e.line.b, e.levers.b, scale);
+    add_lever(rows_, e.line.a, e.levers.a, row_scale(k));
+    add_lever(rows_, e.line.b, e.levers.b, row_scale(k));
+    if (rotors_[k] >= 0) J_(rows_, rotors_[k]) = -1.0;
+    ++rows_;
   }
   mass_.factor(J_, rows_);
 }
@@ -251,16 +289,14 @@ void ForwardDynamics::rate(double t, const VectorXd& y, VectorXd& rate) {
       target_seconds_.head(system_.rows()) - gamma_.head(system_.rows());
   Index row = system_.rows();
   for (std::size_t k = 0; k < forces_.size(); ++k) {
-    if (!forces_.sticks(k)) continue;
-    gamma_[row++] =
-        -(forces_.is_angle(k) ? length_ : 1.0) * forces_.stick_bias(k, twists_);
+    if (!forces_.brings_row(k)) continue;
+    gamma_[row++] = -row_scale(k) * forces_.line_bias(k, twists_);
   }
   mass_.accelerate(gamma_, Q_, acceleration_, lambda_);
   row = system_.rows();
   for (std::size_t k = 0; k < forces_.size(); ++k) {
-    if (!forces_.sticks(k)) continue;
-    forces_.set_stick_effort(
-        k, (forces_.is_angle(k) ? length_ : 1.0) * lambda_[row++]);
+    if (!forces_.brings_row(k)) continue;
+    forces_.set_row_effort(k, row_scale(k) * lambda_[row++]);
   }
   forces_.internal_rates(rate.data() + internal_index());
   double power = 0.0;
@@ -276,8 +312,9 @@ void ForwardDynamics::rate(double t, const VectorXd& y, VectorXd& rate) {
     rate.segment<3>(at + 3) = q.w() * half + half.cross(q.head<3>());
     rate[at + 6] = -half.dot(q.head<3>());
   }
-  if (planar_) rate.head(positions_) = u_;
-  rate.segment(positions_, system_.columns()) = acceleration_;
+  if (planar_) rate.head(positions_) = u_.head(positions_);
+  rate.segment(positions_, system_.columns()) =
+      acceleration_.head(system_.columns());
   for (Index i = system_.joint_rows(); i < system_.rows(); ++i) {
     power += lambda_[i] * target_rates_[i];
   }
@@ -314,7 +351,7 @@ void ForwardDynamics::error_weights(const VectorXd& y,
 
 void ForwardDynamics::move(VectorXd& y, const VectorXd& change) const {
   if (planar_) {
-    y.head(positions_) += change;
+    y.head(positions_) += change.head(positions_);
     return;
   }
   for (Index i = 0; i < positions_ / 7; ++i) {
@@ -357,9 +394,15 @@ double ForwardDynamics::project(double t, VectorXd& y) {
   system_.fill_jacobian(placed_, J_);  // sticking rows hardly turn
   residual_.head(rows_).noalias() = J_.topRows(rows_) * u_;
   residual_.head(system_.rows()) -= target_rates_.head(system_.rows());
+  Eigen::Index row = system_.rows();
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (!forces_.brings_row(k)) continue;
+    if (rotors_[k] >= 0) residual_[row] = 0.0;  // turns as its joint does
+    ++row;
+  }
   mass_.correct(residual_, change_);
   u_ += change_;
-  y.segment(positions_, system_.columns()) = u_;
+  y.segment(positions_, system_.columns()) = u_.head(system_.columns());
   place(t, y);
   return gap;
 }
@@ -377,6 +420,11 @@ double ForwardDynamics::kinetic_energy(const VectorXd& y) {
     const Vector3d w_L = x_[i].R.transpose() * twists_[i].w;
     energy += 0.5 * bodies_[i].mass * twists_[i].v.squaredNorm() +
               0.5 * w_L.dot(bodies_[i].inertia * w_L);
+  }
+  for (std::size_t k = 0; k < rotors_.size(); ++k) {
+    if (rotors_[k] < 0) continue;
+    const double turn = forces_.joint_rate(k, placed_, twists_);
+    energy += 0.5 * forces_.inertia(k) * turn * turn;
   }
   return energy;
 }

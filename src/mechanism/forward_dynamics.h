@@ -22,7 +22,9 @@ SolvingFrame frame_at_centres(const MechanismDefinition& definition);
 /// State y: positions of the bodies (planar: x, y, length × angle; spatial:
 /// position and quaternion), their velocities (unknowns of the constraint
 /// system), internal states of forces, the work of all forces since the start.
-/// Drives are constraints that move.
+/// Drives are constraints that move. The rotor of a motor adds an unknown, its
+/// speed at the joint times the length, and the row that ties it to the joint;
+/// it is no state.
 class ForwardDynamics : public OdeSystem {
  public:
   /// @param frame  frame_at_centres(); outlives this.
@@ -55,6 +57,11 @@ class ForwardDynamics : public OdeSystem {
   /// The state of the last project() is part of the motion: angles that count
   /// turns go on from there.
   void accept(double t);
+
+  /// When force elements communicate with the mechanism next [s].
+  double next_communication() const { return forces_.next_communication(); }
+  /// Lets those do so whose time it is.
+  void communicate(double t, const Eigen::VectorXd& y);
 
   /// As of the last rate() or project().
   const Configuration& configuration() const { return x_; }
@@ -94,6 +101,11 @@ class ForwardDynamics : public OdeSystem {
   void set_targets(double t);
   void factor();
   void add_loads(double t, const Eigen::VectorXd& y);
+  /// Constant scale of the row that element k brings.
+  double row_scale(std::size_t k) const {
+    return forces_.is_angle(k) ? length_ : 1.0;
+  }
+  void place_rotors();
   void add_lever(Eigen::Index row, int slot, const Twist& lever, double scale);
   void rest_what_hardly_moves();
   bool release_worst();
@@ -120,6 +132,8 @@ class ForwardDynamics : public OdeSystem {
   const std::vector<DriveDefinition>& drives_;
   ConstraintSystem system_;
   ForceModel forces_;
+  std::vector<Eigen::Index> rotors_;  ///< by force element: unknown, or −1
+  Eigen::Index columns_;              ///< unknowns of bodies, then of rotors
   ConstrainedMass mass_;
   bool planar_;
   double length_, tolerance_, slowest_, speed_{};
@@ -134,7 +148,7 @@ class ForwardDynamics : public OdeSystem {
   Eigen::Vector3d gravity_;
 
   // workspace
-  int rows_{};  ///< of the system and of what sticks
+  int rows_{};  ///< of the system and of force elements
   Eigen::VectorXd scratch_;
   Configuration x_;
   std::vector<PlacedJoint> placed_;

@@ -6,20 +6,10 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "mechanism/linear_table.h"
 
 namespace clevis::mechanism {
 namespace {
-
-double signal_at(const GasValve& valve, double t) {
-  const auto next = std::ranges::upper_bound(valve.times, t);
-  if (next == valve.times.begin()) return valve.signals.front();
-  if (next == valve.times.end()) return valve.signals.back();
-  const auto k = static_cast<std::size_t>(next - valve.times.begin());
-  const double part =
-      (t - valve.times[k - 1]) / (valve.times[k] - valve.times[k - 1]);
-  return valve.signals[k - 1] +
-         part * (valve.signals[k] - valve.signals[k - 1]);
-}
 
 Orifice opened(const GasValve& valve, double signal) {
   Orifice way = valve.orifice;
@@ -28,19 +18,34 @@ Orifice opened(const GasValve& valve, double signal) {
   return way;
 }
 
-/// Flows of a chamber; their net is the inflow.
-GasFlow net_flow(const GasCylinderLaw& law, const GasChamber& chamber, double t,
-                 const GasState& gas, GasChamberState& state) {
-  state.inflow = state.outflow = 0.0;
+/// What passes a chamber's valve at an instant.
+struct Flows {
+  GasFlow in;   ///< from the supply
+  GasFlow out;  ///< to the environment
+};
+
+Flows flows_of(const GasCylinderLaw& law, const GasChamber& chamber, double t,
+               const GasState& supply, const GasState& gas) {
   if (!chamber.valve) return {};
-  const double s = signal_at(*chamber.valve, t);
-  const GasFlow in =
-      orifice_flow(opened(*chamber.valve, s), law.gas, law.supply, gas);
-  const GasFlow out =
-      orifice_flow(opened(*chamber.valve, -s), law.gas, gas, law.environment);
-  state.inflow = in.mass;
-  state.outflow = out.mass;
-  return {in.mass - out.mass, in.enthalpy - out.enthalpy};
+  const GasValve& valve = *chamber.valve;
+  const double s = linear_at(valve.times, valve.signals, t);
+  return {orifice_flow(opened(valve, s), law.gas, supply, gas),
+          orifice_flow(opened(valve, -s), law.gas, gas, law.environment)};
+}
+
+/// Pressure and temperature of chamber k, all that follows from its states.
+GasState observe(const GasCylinderLaw& law, std::size_t k, double q,
+                 const double* internal, GasChamberState& state) {
+  const double* own = internal + k * GasCylinderLaw::kStatesOfChamber;
+  state.volume = chamber_volume(law.chambers[k], q);
+  state.mass = own[0];
+  const GasState gas = chamber_state(law.gas, {own[0], own[1]}, state.volume);
+  state.pressure = gas.pressure;
+  state.temperature = gas.temperature;
+  state.taken = own[2];
+  state.released = own[3];
+  state.inflow = state.outflow = 0.0;
+  return gas;
 }
 
 }  // namespace
@@ -74,37 +79,69 @@ void start_gas(const GasCylinderLaw& law, const std::string& name,
 double gas_effort(const GasCylinderLaw& law, double t, double q, double rate,
                   const double* internal, GasInternals& rates,
                   GasChamberStates& states) {
+  const std::size_t count = law.chambers.size();
+  const std::size_t pistons = law.has_tank ? count - 1 : count;
+  GasState supply = law.supply;
+  if (law.has_tank)
+    supply = observe(law, pistons, q, internal, states[pistons]);
+  GasFlow from_tank;
   double effort = 0.0;
-  double* rates_of_chamber = rates.data();
-  for (std::size_t k = 0; k < law.chambers.size(); ++k) {
+  for (std::size_t k = 0; k < pistons; ++k) {
     const GasChamber& chamber = law.chambers[k];
-    GasChamberState& state = states[k];
-    state.volume = chamber_volume(chamber, q);
-    state.mass = internal[0];
-    const GasState gas =
-        chamber_state(law.gas, {internal[0], internal[1]}, state.volume);
-    state.pressure = gas.pressure;
-    state.temperature = gas.temperature;
-    state.taken = internal[2];
-    state.released = internal[3];
-    const GasFlow net = net_flow(law, chamber, t, gas, state);
+    const GasState gas = observe(law, k, q, internal, states[k]);
+    const Flows flows = flows_of(law, chamber, t, supply, gas);
+    states[k].inflow = flows.in.mass;
+    states[k].outflow = flows.out.mass;
+    from_tank.mass += law.sections * flows.in.mass;
+    from_tank.enthalpy += law.sections * flows.in.enthalpy;
     const double heat = chamber.wall_conductance *
                         (law.environment.temperature - gas.temperature);
     ChamberContent change =
-        chamber_rates(gas, net, chamber.sense * chamber.area * rate, heat);
+        chamber_rates(gas,
+                      {flows.in.mass - flows.out.mass,
+                       flows.in.enthalpy - flows.out.enthalpy},
+                      chamber.sense * chamber.area * rate, heat);
     if (chamber.heat == ChamberHeat::kIsothermal) {
       change.energy = law.gas.c_v() * chamber.start.temperature * change.mass;
     }
-    rates_of_chamber[0] = change.mass;
-    rates_of_chamber[1] = change.energy;
-    rates_of_chamber[2] = state.inflow;
-    rates_of_chamber[3] = state.outflow;
+    double* own = rates.data() + k * GasCylinderLaw::kStatesOfChamber;
+    own[0] = change.mass;
+    own[1] = change.energy;
+    own[2] = flows.in.mass;
+    own[3] = flows.out.mass;
     effort += chamber.sense * chamber.area *
               (gas.pressure - law.environment.pressure);
-    internal += GasCylinderLaw::kStatesOfChamber;
-    rates_of_chamber += GasCylinderLaw::kStatesOfChamber;
+  }
+  if (law.has_tank) {
+    states[pistons].outflow = from_tank.mass;
+    double* own = rates.data() + pistons * GasCylinderLaw::kStatesOfChamber;
+    own[0] = -from_tank.mass;
+    own[1] = -from_tank.enthalpy;
+    own[2] = 0.0;
+    own[3] = from_tank.mass;
   }
   return law.sections * effort;
+}
+
+double coupled_gas_effort(const GasCylinderLaw& law, double t, double rate,
+                          const double* internal, GasInternals& rates,
+                          GasChamberStates& states, GasInterface& interface) {
+  interface.gas_q = interface.q + interface.rate * (t - interface.since);
+  interface.gas_effort = gas_effort(law, t, interface.gas_q, interface.rate,
+                                    internal, rates, states);
+  const auto works = static_cast<std::size_t>(law.works_index());
+  interface.work_on_mechanism = internal[works];
+  interface.work_of_gas = internal[works + 1];
+  rates[works] = interface.effort * rate;
+  rates[works + 1] = interface.gas_effort * interface.rate;
+  return interface.effort;
+}
+
+void communicate(GasInterface& interface, double t, double rate) {
+  interface.since = t;
+  interface.q = interface.gas_q;
+  interface.rate = rate;
+  interface.effort = interface.gas_effort;
 }
 
 void gas_scales(const GasCylinderLaw& law, const double* internal,
@@ -117,6 +154,14 @@ void gas_scales(const GasCylinderLaw& law, const double* internal,
     scales[2] = scales[3] = scales[0];
     internal += GasCylinderLaw::kStatesOfChamber;
     scales += GasCylinderLaw::kStatesOfChamber;
+  }
+  if (!law.is_coupled()) return;
+  // works, as small as the energy of one chamber's dead volume
+  const GasChamber& first = law.chambers.front();
+  const ChamberContent least =
+      chamber_content(law.gas, first.start, first.dead_volume);
+  for (int i = 0; i < GasCylinderLaw::kWorks; ++i) {
+    scales[i] = std::max(least.energy, std::abs(internal[i]));
   }
 }
 

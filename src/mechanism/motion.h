@@ -84,6 +84,9 @@ struct ElementState {
   bool unique = true;  ///< false: friction at rest that lines share somehow
   std::vector<GasChamberState> chambers{};  ///< of a gas cylinder
   std::array<ElementAction, 2> actions{};   ///< on a and on b
+  std::optional<MotorState> motor{};
+  std::optional<double> target{};            ///< of a servo [m] or [rad]
+  std::optional<GasInterface> interface {};  ///< of gas that is coupled
 };
 
 /// A change of an element's mode: touch, release, stick, slip.

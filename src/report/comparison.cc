@@ -90,13 +90,22 @@ void refuse_mismatch(const StoredResult& result, const StoredResult& baseline) {
                             result.scene, baseline.scene),
                 "Compare results of the same scene.");
   }
-  const bool has_part =
-      std::ranges::any_of(baseline.subjects, [](const Subject& subject) {
-        return subject.name.starts_with("part ");
-      });
-  if (!has_part) {
+  const auto holds = [](const StoredResult& stored, const char* kind) {
+    return std::ranges::any_of(stored.subjects, [&](const Subject& subject) {
+      return subject.name.starts_with(kind);
+    });
+  };
+  const bool trains = holds(baseline, "transmission ");
+  if (trains != holds(result, "transmission ")) {
+    throw Error("R002", result.file.string(),
+                "one of the two is of `clevis check`, the other of `clevis "
+                "transmission`",
+                "Compare results of the same command.");
+  }
+  if (!trains && !holds(baseline, "part ") && !holds(baseline, "bearing ")) {
     throw Error("R002", baseline.file.string(),
-                "the baseline holds no part, so nothing could be found out",
+                "the baseline holds no part and no bearing, so nothing could "
+                "be found out",
                 "Make the baseline from a complete `clevis check`.");
   }
 }

@@ -38,7 +38,7 @@ struct Comparison {
 /// Parts, joints, drives and probes that only one side has are regressions:
 /// who stops checking a part must say so by renewing the baseline.
 /// @throws Error R002 if the two are of different scenes, or the baseline
-///   holds no part.
+///   holds neither part nor bearing.
 Comparison compare(const StoredResult& result, const StoredResult& baseline,
                    const Tolerances& tolerances);
 

@@ -12,6 +12,7 @@
 #include "report/csv_field.h"
 #include "report/gas_output.h"
 #include "report/mechanism_summary.h"
+#include "report/motor_output.h"
 #include "report/text_table.h"
 #include "report/units.h"
 
@@ -38,8 +39,8 @@ const char* kind(const ForceElement& element) {
   if (is_contact(element)) return "contact";
   const auto* line = std::get_if<mechanism::LineElement>(&element);
   if (line == nullptr) return "impedance";
-  constexpr const char* kNames[] = {"spring", "friction", "stop", "table",
-                                    "gas_cylinder"};
+  constexpr const char* kNames[] = {"spring",       "friction", "stop", "table",
+                                    "gas_cylinder", "motor",    "servo"};
   return kNames[line->law.index()];
 }
 
@@ -104,6 +105,12 @@ std::string forces_csv(const MotionReport& report) {
       text += "," + csv_field(title);
     }
     add_chamber_titles(text, element);
+    add_interface_titles(text, element);
+    add_motor_titles(text, element);
+    if (servo_law(element) != nullptr) {
+      text += ',';
+      text += csv_field(name + (angle ? ".target_rad" : ".target_mm"));
+    }
   }
   text += "\n";
   const auto add = [&text](double value) {
@@ -121,6 +128,18 @@ std::string forces_csv(const MotionReport& report) {
       }
       for (const auto& chamber : state.chambers) {
         for (const double value : chamber_values(chamber)) add(value);
+      }
+      if (state.interface) {
+        for (const double value : interface_values(*state.interface)) {
+          add(value);
+        }
+      }
+      if (state.motor) {
+        for (const double value : motor_values(*state.motor)) add(value);
+      }
+      if (state.target) {
+        add((turns(report, report.definition.elements[k]) ? 1.0 : 1e3) *
+            *state.target);
       }
     }
     text += "\n";
@@ -156,6 +175,11 @@ ordered_json forces_json(const MotionReport& report) {
       if (!state.chambers.empty()) {
         shown.back()["chambers"] = chambers_json(element, state);
       }
+      if (state.motor) shown.back()["motor"] = motor_json(*state.motor);
+      if (state.target) {
+        shown.back()[angle ? "target_deg" : "target_mm"] =
+            angle ? *state.target / kDegree : millimetres(*state.target);
+      }
     }
     forces.push_back({{"name", name_of(element)},
                       {"type", kind(element)},
@@ -165,6 +189,12 @@ ordered_json forces_json(const MotionReport& report) {
                       {"instants", shown}});
     if (gas_law(element) != nullptr) {
       forces.back()["chambers"] = gas_summary_json(motion, k, element);
+      if (gas_law(element)->is_coupled()) {
+        forces.back()["interface"] = interface_summary_json(motion, k, element);
+      }
+    }
+    if (motor_law(element) != nullptr) {
+      forces.back()["motor"] = motor_summary_json(motion, k);
     }
   }
   return forces;
@@ -207,6 +237,7 @@ std::string forces_text(const MotionReport& report, Colour colour) {
   add_open_friction(table, report);
   std::string text = table.text(colour);
   text += gas_text(report, colour);
+  text += motors_text(report, colour);
   add_events(text, report);
   return text;
 }

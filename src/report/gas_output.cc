@@ -78,6 +78,38 @@ std::array<double, 8> chamber_values(const GasChamberState& c) {
           c.inflow,       c.outflow,          c.taken,       c.released};
 }
 
+void add_interface_titles(std::string& text, const ForceElement& element) {
+  const GasCylinderLaw* law = gas_law(element);
+  if (law == nullptr || !law->is_coupled()) return;
+  for (const char* title :
+       {"gas_position_mm", "gas_rate_m_per_s", "gas_effort_N",
+        "work_on_mechanism_J", "work_of_gas_J"}) {
+    text += ',';
+    text += csv_field(fmt::format("{}.{}", name_of(element), title));
+  }
+}
+
+std::array<double, 5> interface_values(
+    const mechanism::GasInterface& interface) {
+  return {1e3 * interface.gas_q, interface.rate, interface.gas_effort,
+          interface.work_on_mechanism, interface.work_of_gas};
+}
+
+ordered_json interface_summary_json(const Motion& motion, std::size_t element,
+                                    const ForceElement& force) {
+  double lag = 0.0;
+  for (const auto& instant : motion.instants) {
+    const auto& state = instant.elements[element];
+    lag = std::max(lag, std::abs(state.interface->gas_q - state.position));
+  }
+  const auto& last = *motion.instants.back().elements[element].interface;
+  return {{"step_s", gas_law(force)->step},
+          {"largest_position_gap_mm", 1e3 * lag},
+          {"work_on_mechanism_J", last.work_on_mechanism},
+          {"work_of_gas_J", last.work_of_gas},
+          {"energy_drift_J", last.work_on_mechanism - last.work_of_gas}};
+}
+
 ordered_json chambers_json(const ForceElement& element,
                            const mechanism::ElementState& state) {
   ordered_json chambers = ordered_json::array();

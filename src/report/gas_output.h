@@ -16,6 +16,17 @@ void add_chamber_titles(std::string& text,
                         const mechanism::ForceElement& element);
 std::array<double, 8> chamber_values(const mechanism::GasChamberState& chamber);
 
+/// Columns for the interface of gas that is coupled in steps, likewise.
+void add_interface_titles(std::string& text,
+                          const mechanism::ForceElement& element);
+std::array<double, 5> interface_values(
+    const mechanism::GasInterface& interface);
+
+/// What the steps of the communication did to the energy.
+nlohmann::ordered_json interface_summary_json(
+    const mechanism::Motion& motion, std::size_t element,
+    const mechanism::ForceElement& force);
+
 /// By chamber the same at one instant.
 nlohmann::ordered_json chambers_json(const mechanism::ForceElement& element,
                                      const mechanism::ElementState& state);

@@ -6,75 +6,16 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "report/json_node.h"
 #include "report/json_text.h"
 #include "report/result_json.h"
+#include "report/transmission_reader.h"
 
 namespace clevis::report {
 namespace {
 
 using nlohmann::ordered_json;
-
-/// A value of the document that knows its place in the file.
-class Node {
- public:
-  Node(const ordered_json& value, std::string place)
-      : value_(&value), place_(std::move(place)) {}
-
-  bool has(const char* key) const {
-    return value_->is_object() && value_->contains(key) &&
-           !value_->at(key).is_null();
-  }
-  Node at(const char* key) const {
-    if (!has(key)) refuse(fmt::format("key \"{}\" is missing", key));
-    return {value_->at(key), place_ + "/" + key};
-  }
-  std::vector<Node> elements() const {
-    if (!value_->is_array()) refuse("a list is expected here");
-    std::vector<Node> nodes;
-    for (std::size_t i = 0; i < value_->size(); ++i) {
-      nodes.emplace_back((*value_)[i], fmt::format("{}/{}", place_, i));
-    }
-    return nodes;
-  }
-  double number() const {
-    if (!value_->is_number()) refuse("a number is expected here");
-    return value_->get<double>();
-  }
-  std::string text() const {
-    if (!value_->is_string()) refuse("a text is expected here");
-    return value_->get<std::string>();
-  }
-  bool flag() const {
-    if (!value_->is_boolean()) refuse("true or false is expected here");
-    return value_->get<bool>();
-  }
-  template <std::size_t n>
-  std::array<double, n> numbers() const {
-    const std::vector<Node> nodes = elements();
-    if (nodes.size() != n) refuse(fmt::format("{} numbers are expected", n));
-    std::array<double, n> values{};
-    std::ranges::transform(nodes, values.begin(), &Node::number);
-    return values;
-  }
-  std::map<std::string, std::string> texts() const {
-    if (!value_->is_object()) refuse("a table is expected here");
-    std::map<std::string, std::string> table;
-    for (const auto& [key, value] : value_->items()) {
-      table[key] = Node(value, place_ + "/" + key).text();
-    }
-    return table;
-  }
-
- private:
-  [[noreturn]] void refuse(const std::string& problem) const {
-    throw Error("I003", place_, problem,
-                "Run `clevis check` again, or restore the baseline; "
-                "docs/result.schema.json tells what the file must hold.");
-  }
-
-  const ordered_json* value_;
-  std::string place_;
-};
+using Node = JsonNode;
 
 Subject mechanism_subject(const Node& mechanism) {
   Subject subject{"mechanism", {}};
@@ -127,6 +68,21 @@ Subject part_subject(const Node& part) {
   return subject;
 }
 
+Subject bearing_subject(const Node& bearing) {
+  Subject subject{"bearing " + bearing.at("name").text(),
+                  {{"verdict", bearing.at("verdict").text()},
+                   {"bearing_load", bearing.at("mean_load_N").number()},
+                   {"static_load", bearing.at("static_load_N").number()}}};
+  // null without load or turning
+  if (bearing.has("static_safety")) {
+    subject.values["static_safety"] = bearing.at("static_safety").number();
+  }
+  if (bearing.has("life_h")) {
+    subject.values["bearing_life"] = bearing.at("life_h").number();
+  }
+  return subject;
+}
+
 Subject probe_subject(const std::string& part, const Node& probe) {
   Subject subject{fmt::format("probe {}/{} {}", part, probe.at("name").text(),
                               probe.at("quantity").text()),
@@ -160,6 +116,37 @@ void check_schema(const Node& document, const std::string& file) {
   }
 }
 
+/// Of a result.json.
+std::vector<Subject> check_subjects(const Node& document) {
+  std::vector<Subject> subjects;
+  Subject check{"check", {{"verdict", document.at("verdict").text()}}};
+  check.values["complete"] =
+      document.at("complete").flag() ? std::string("yes") : std::string("no");
+  subjects.push_back(check);
+  if (document.has("mechanism")) {
+    const Node mechanism = document.at("mechanism");
+    subjects.push_back(mechanism_subject(mechanism));
+    for (const Node& joint : mechanism.at("joints").elements()) {
+      subjects.push_back(joint_subject(joint));
+    }
+    for (const Node& drive : mechanism.at("drives").elements()) {
+      subjects.push_back(drive_subject(drive));
+    }
+  }
+  for (const Node& part : document.at("parts").elements()) {
+    subjects.push_back(part_subject(part));
+    for (const Node& probe : part.at("probes").elements()) {
+      subjects.push_back(probe_subject(part.at("name").text(), probe));
+    }
+  }
+  if (document.has("bearings")) {
+    for (const Node& bearing : document.at("bearings").elements()) {
+      subjects.push_back(bearing_subject(bearing));
+    }
+  }
+  return subjects;
+}
+
 }  // namespace
 
 StoredResult read_result(const std::filesystem::path& file_or_folder) {
@@ -175,26 +162,9 @@ StoredResult read_result(const std::filesystem::path& file_or_folder) {
   if (document.has("tolerances")) {
     result.tolerances = document.at("tolerances").texts();
   }
-  Subject check{"check", {{"verdict", document.at("verdict").text()}}};
-  check.values["complete"] =
-      document.at("complete").flag() ? std::string("yes") : std::string("no");
-  result.subjects.push_back(check);
-  if (document.has("mechanism")) {
-    const Node mechanism = document.at("mechanism");
-    result.subjects.push_back(mechanism_subject(mechanism));
-    for (const Node& joint : mechanism.at("joints").elements()) {
-      result.subjects.push_back(joint_subject(joint));
-    }
-    for (const Node& drive : mechanism.at("drives").elements()) {
-      result.subjects.push_back(drive_subject(drive));
-    }
-  }
-  for (const Node& part : document.at("parts").elements()) {
-    result.subjects.push_back(part_subject(part));
-    for (const Node& probe : part.at("probes").elements()) {
-      result.subjects.push_back(probe_subject(part.at("name").text(), probe));
-    }
-  }
+  result.subjects = document.has("transmissions")
+                        ? transmission_subjects(document)
+                        : check_subjects(document);
   refuse_duplicates(result);
   return result;
 }

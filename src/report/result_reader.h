@@ -19,7 +19,7 @@ struct Subject {
   std::map<std::string, ResultValue, std::less<>> values;
 };
 
-/// What `clevis compare` looks at in a result.json.
+/// What `clevis compare` looks at in a result.json or transmission.json.
 struct StoredResult {
   std::filesystem::path file;
   std::string scene, version;
@@ -28,9 +28,10 @@ struct StoredResult {
   std::map<std::string, std::string> tolerances;
 };
 
-/// Reads a result.json, or the one in a folder. Seconds, sizes of the systems
-/// and self-checks stay out: they say how, not what. Unknown keys are left
-/// alone, so that a baseline outlives additions to the format.
+/// Reads a result.json or a transmission.json, or the former in a folder.
+/// Seconds, sizes of the systems and self-checks stay out: they say how, not
+/// what. Unknown keys are left alone, so that a baseline outlives additions to
+/// the format.
 /// @throws Error I001, I003 (with line and column, or with the key), R002 if
 ///   the schema is another one.
 StoredResult read_result(const std::filesystem::path& file_or_folder);

@@ -73,6 +73,22 @@ std::string two_mass_text(const TransmissionResult& r) {
       r.two_mass->antiresonance, r.two_mass->resonance);
 }
 
+std::string frequencies_text(const std::vector<double>& frequencies) {
+  std::string text;
+  for (const double f : frequencies) {
+    text += fmt::format("{}{:.6g}", text.empty() ? "" : ", ", f);
+  }
+  return text;
+}
+
+std::string chain_text(const TransmissionResult& r) {
+  if (!r.chain) return {};
+  return fmt::format(
+      "with the stages' inertia: antiresonances {} Hz, resonances {} Hz\n",
+      frequencies_text(r.chain->antiresonances),
+      frequencies_text(r.chain->resonances));
+}
+
 std::string error_text(const TransmissionResult& r) {
   if (!r.error) return {};
   const ModuleError& e = *r.error;
@@ -121,7 +137,7 @@ std::string one_text(const TransmissionResult& r, Colour colour) {
   std::string text = printable(r.name);
   text += '\n';
   text += table.text(colour);
-  return text + sums_text(r) + two_mass_text(r) + error_text(r);
+  return text + sums_text(r) + two_mass_text(r) + chain_text(r) + error_text(r);
 }
 
 ordered_json elements_json(const TransmissionResult& r) {
@@ -169,6 +185,10 @@ ordered_json one_json(const TransmissionResult& r) {
                         {"load" + mass, r.two_mass->load_inertia},
                         {"antiresonance_Hz", r.two_mass->antiresonance},
                         {"resonance_Hz", r.two_mass->resonance}};
+  }
+  if (r.chain) {
+    json["chain"] = {{"antiresonances_Hz", r.chain->antiresonances},
+                     {"resonances_Hz", r.chain->resonances}};
   }
   if (r.error) json["error"] = error_json(r);
   return json;

@@ -20,6 +20,12 @@ LineUnits line_units(bool angle);
 mechanism::StopLaw read_stop(StrictTable& table, const LineUnits& units);
 /// @param angle  whether its line turns: refused.
 mechanism::GasCylinderLaw read_gas_cylinder(StrictTable& table, bool angle);
+/// @param on_revolute  whether its line is a revolute joint's angle, else
+///   refused.
+mechanism::MotorLaw read_motor(StrictTable& table, bool on_revolute);
+/// @param inertia  its dimension on this line.
+mechanism::ServoLaw read_servo(StrictTable& table, const LineUnits& units,
+                               Dimension inertia);
 mechanism::ContactElement read_contact(StrictTable& table, const Names& names);
 mechanism::ImpedanceElement read_impedance(StrictTable& table,
                                            const Names& names);

@@ -74,10 +74,32 @@ constexpr Key kForce[] = {"name",
                           "gas",
                           "environment",
                           "supply",
-                          "chamber"};
+                          "chamber",
+                          "ratio",
+                          "pole_pairs",
+                          "resistance",
+                          "inductance",
+                          "flux",
+                          "rotor_inertia",
+                          "voltage",
+                          "voltages",
+                          "d_axis",
+                          "law",
+                          "start",
+                          "duration",
+                          "amplitude",
+                          "frequency",
+                          "positions",
+                          "bandwidth",
+                          "damping_ratio",
+                          "inertia",
+                          "limit",
+                          "coupling"};
+constexpr Key kGasCoupling[] = {"step"};
 constexpr Key kGas[] = {"gas_constant", "specific_heat"};
 constexpr Key kGasState[] = {"pressure", "temperature"};
-constexpr Key kSupply[] = {"pressure", "gauge_pressure", "temperature"};
+constexpr Key kSupply[] = {"pressure", "gauge_pressure", "temperature",
+                           "volume"};
 constexpr Key kChamber[] = {
     "name",        "pushes",           "bore",     "rod",  "area",
     "origin",      "dead_volume",      "pressure", "heat", "gauge_pressure",
@@ -119,7 +141,9 @@ constexpr Key kTransmission[] = {"name", "motor_inertia", "load_inertia",
                                  "stage"};
 constexpr Key kTransmissionErrors[] = {"control", "kinematic", "backlash",
                                        "friction"};
-constexpr Key kStage[] = {"name", "ratio", "lead", "pinion_radius", "element"};
+constexpr Key kStage[] = {"name",          "ratio",         "lead",
+                          "pinion_radius", "wheel_inertia", "pinion_inertia",
+                          "element"};
 constexpr Key kElement[] = {"name",
                             "type",
                             "length",
@@ -188,6 +212,7 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"drive", kDrive},
     {"force", kForce},
     {"force.gas", kGas},
+    {"force.coupling", kGasCoupling},
     {"force.environment", kGasState},
     {"force.supply", kSupply},
     {"force.chamber", kChamber},

@@ -65,12 +65,10 @@ mechanism::CubicSpline read_table(StrictTable& table, Dimension coordinate) {
   return mechanism::interpolating_spline(std::move(t), std::move(q), ends);
 }
 
-DriveDefinition read_drive(StrictTable& table,
-                           const std::vector<JointDefinition>& joints,
-                           Names& names) {
-  DriveDefinition drive;
-  drive.place = table.place();
-  const Dimension coordinate = read_driven(table, joints, names, drive);
+}  // namespace
+
+void read_drive_law(StrictTable& table, Dimension coordinate,
+                    DriveDefinition& drive) {
   const Value law = table["law"];
   drive.law = law.choice<DriveLaw>({{"constant", DriveLaw::kConstant},
                                     {"ramp", DriveLaw::kRamp},
@@ -95,7 +93,18 @@ DriveDefinition read_drive(StrictTable& table,
     drive.amplitude = table["amplitude"].quantity(coordinate);
     drive.frequency = table["frequency"].positive(Dimension::kFrequency);
   }
-  table.finish(fmt::format("with law = \"{}\"", law.text()));
+}
+
+namespace {
+
+DriveDefinition read_drive(StrictTable& table,
+                           const std::vector<JointDefinition>& joints,
+                           Names& names) {
+  DriveDefinition drive;
+  drive.place = table.place();
+  const Dimension coordinate = read_driven(table, joints, names, drive);
+  read_drive_law(table, coordinate, drive);
+  table.finish(fmt::format("with law = \"{}\"", table["law"].text()));
   return drive;
 }
 

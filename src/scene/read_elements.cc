@@ -112,6 +112,24 @@ TableLaw read_table(StrictTable& table, const LineUnits& units) {
   return law;
 }
 
+ServoLaw read_servo_on(StrictTable& table, const ElementLine& line,
+                       const std::vector<JointDefinition>& joints) {
+  if (line.kind != ElementLine::Kind::kJoint) {
+    throw table.refusal("S010", "acts between points",
+                        "A servo moves the coordinate of a joint.");
+  }
+  const bool angle = is_angle(line, joints);
+  return read_servo(table, line_units(angle),
+                    angle ? Dimension::kMassMoment : Dimension::kMass);
+}
+
+bool is_revolute(const ElementLine& line,
+                 const std::vector<JointDefinition>& joints) {
+  return line.kind == ElementLine::Kind::kJoint &&
+         joints[static_cast<std::size_t>(line.joint)].type ==
+             JointType::kRevolute;
+}
+
 }  // namespace
 
 /// A quantity that may be zero but not negative.
@@ -157,11 +175,12 @@ ForceElement read_element(ElementType type, const std::string& name,
     LineElement element;
     element.name = name;
     element.place = table.place();
-    element.line = read_line(
-        table, joints, names,
-        type == ElementType::kSpring || type == ElementType::kGasCylinder
-            ? Needs::kAnyLine
-            : Needs::kFixedAxis);
+    element.line = read_line(table, joints, names,
+                             type == ElementType::kSpring ||
+                                     type == ElementType::kGasCylinder ||
+                                     type == ElementType::kTable
+                                 ? Needs::kAnyLine
+                                 : Needs::kFixedAxis);
     const LineUnits units = line_units(is_angle(element.line, joints));
     if (type == ElementType::kSpring) element.law = read_spring(table, units);
     if (type == ElementType::kFriction) {
@@ -171,6 +190,12 @@ ForceElement read_element(ElementType type, const std::string& name,
     if (type == ElementType::kTable) element.law = read_table(table, units);
     if (type == ElementType::kGasCylinder) {
       element.law = read_gas_cylinder(table, is_angle(element.line, joints));
+    }
+    if (type == ElementType::kMotor) {
+      element.law = read_motor(table, is_revolute(element.line, joints));
+    }
+    if (type == ElementType::kServo) {
+      element.law = read_servo_on(table, element.line, joints);
     }
     result = element;
   }

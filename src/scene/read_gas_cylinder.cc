@@ -1,5 +1,6 @@
 #include <array>
 #include <numbers>
+#include <set>
 #include <string>
 
 #include <fmt/format.h>
@@ -45,7 +46,7 @@ double read_temperature(StrictTable& table, double otherwise) {
                      : otherwise;
 }
 
-GasState read_supply(StrictTable table, const GasState& environment) {
+GasState read_supply(StrictTable& table, const GasState& environment) {
   GasState supply;
   supply.temperature = read_temperature(table, environment.temperature);
   if (!table.has("pressure") && !table.has("gauge_pressure")) {
@@ -59,7 +60,6 @@ GasState read_supply(StrictTable table, const GasState& environment) {
                         "pressure is absolute, gauge_pressure above the "
                         "environment's.");
   }
-  table.finish("with gauge_pressure");
   return supply;
 }
 
@@ -185,6 +185,27 @@ GasChamber read_chamber(StrictTable& table, const GasCylinderLaw& law,
   return chamber;
 }
 
+void refuse_equal_names(const StrictTable& table, const GasCylinderLaw& law) {
+  std::set<std::string> names;
+  for (const GasChamber& chamber : law.chambers) {
+    if (names.insert(chamber.name).second) continue;
+    throw table.refusal("S008",
+                        "has two chambers of one name (\"supply\" is the "
+                        "tank's)",
+                        "Name them apart.");
+  }
+}
+
+/// `coupling`: "monolithic" (0), or the step of the communication.
+double read_step(StrictTable& table) {
+  const auto coupling = table.find("coupling");
+  if (!coupling) return 0.0;
+  if (coupling->is_table()) {
+    return table.table("coupling")["step"].positive(Dimension::kTime);
+  }
+  return coupling->choice<double>({{"monolithic", 0.0}});
+}
+
 }  // namespace
 
 GasCylinderLaw read_gas_cylinder(StrictTable& table, bool angle) {
@@ -196,6 +217,7 @@ GasCylinderLaw read_gas_cylinder(StrictTable& table, bool angle) {
   if (const auto sections = table.find("sections")) {
     law.sections = sections->integer(1, 100);
   }
+  law.step = read_step(table);
   if (table.has("gas")) law.gas = read_gas(table.table("gas"));
   if (table.has("environment")) {
     StrictTable environment = table.table("environment");
@@ -206,13 +228,20 @@ GasCylinderLaw read_gas_cylinder(StrictTable& table, bool angle) {
   }
   const auto chambers = table.tables("chamber");
   if (chambers.empty() ||
-      chambers.size() > static_cast<std::size_t>(law.kMostChambers)) {
-    throw table.refusal("S003", "has not one or two [[force.chamber]]",
-                        "Give a chamber for each side of the piston that "
-                        "holds gas; more cylinders are more forces.");
+      chambers.size() >= static_cast<std::size_t>(law.kMostChambers)) {
+    throw table.refusal("S003", "has not one to seven [[force.chamber]]",
+                        "Give a chamber for each side of a piston that "
+                        "holds gas; cylinders elsewhere are more forces.");
   }
+  GasChamber tank;
   if (table.has("supply")) {
-    law.supply = read_supply(table.table("supply"), law.environment);
+    StrictTable supply = table.table("supply");
+    law.supply = read_supply(supply, law.environment);
+    if (const auto volume = supply.find("volume")) {
+      law.has_tank = true;
+      tank.dead_volume = volume->positive(Dimension::kVolume);
+    }
+    supply.finish("with gauge_pressure");
   }
   for (StrictTable chamber : chambers) {
     law.chambers.push_back(read_chamber(chamber, law, law.chambers.size() + 1));
@@ -221,11 +250,12 @@ GasCylinderLaw read_gas_cylinder(StrictTable& table, bool angle) {
                           "Give the pressure that its valve opens to.");
     }
   }
-  if (law.chambers.size() == 2 &&
-      law.chambers[0].name == law.chambers[1].name) {
-    throw table.refusal("S008", "has two chambers of one name",
-                        "Name them apart.");
+  if (law.has_tank) {
+    tank.name = "supply";
+    tank.start = law.supply;
+    law.chambers.push_back(tank);
   }
+  refuse_equal_names(table, law);
   return law;
 }
 

@@ -59,7 +59,9 @@ void read_forces(StrictTable& root, Names& names,
          {"table", ElementType::kTable},
          {"contact", ElementType::kContact},
          {"impedance", ElementType::kImpedance},
-         {"gas_cylinder", ElementType::kGasCylinder}});
+         {"gas_cylinder", ElementType::kGasCylinder},
+         {"motor", ElementType::kMotor},
+         {"servo", ElementType::kServo}});
     const std::string name =
         name_or_number(table, "force", count++, names.forces);
     if (type == ElementType::kConstant) {

@@ -57,6 +57,11 @@ std::vector<TransmissionStage> read_stages(StrictTable& table) {
         name ? name->title() : fmt::format("stage_{}", stages.size() + 1);
     stage.angular = turns;
     read_ratio(each, stages.size() + 1 == tables.size(), stage, turns);
+    const Dimension inertia =
+        stage.angular ? Dimension::kMassMoment : Dimension::kMass;
+    stage.wheel_inertia = not_negative_or(each, "wheel_inertia", inertia, 0.0);
+    stage.pinion_inertia =
+        not_negative_or(each, "pinion_inertia", inertia, 0.0);
     for (StrictTable& element : each.tables("element")) {
       stage.elements.push_back(read_compliance(element, stage.angular));
     }

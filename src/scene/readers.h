@@ -42,6 +42,10 @@ std::vector<mechanism::CouplingDefinition> read_couplings(
 std::vector<mechanism::DriveDefinition> read_drives(
     StrictTable& root, const std::vector<mechanism::JointDefinition>& joints,
     Names& names);
+/// The law that a coordinate follows, of a drive or a servo: `law` and its
+/// keys.
+void read_drive_law(StrictTable& table, Dimension coordinate,
+                    mechanism::DriveDefinition& drive);
 /// Adds the [[force]] tables to a mechanism that has its joints.
 void read_forces(StrictTable& root, Names& names,
                  mechanism::MechanismDefinition& mechanism);
@@ -54,7 +58,9 @@ enum class ElementType {
   kTable,
   kContact,
   kImpedance,
-  kGasCylinder
+  kGasCylinder,
+  kMotor,
+  kServo
 };
 /// A force that depends on the motion. @pre not kConstant.
 mechanism::ForceElement read_element(

@@ -43,8 +43,23 @@ def faults(clevis, folder):
     checked = {b["name"]: b for b in result["bearings"]}["C"]
     if abs(checked["life_revolutions"] / pin["life_revolutions"] - 1) > 1e-6:
         yield "check and simulate differ"
+    yield from comparison_faults(clevis, folder, result)
     if 'name="static safety"' not in (Path(folder) / "junit.xml").read_text():
         yield "junit.xml has no case of the bearings"
+
+
+def comparison_faults(clevis, folder, result):
+    """`clevis compare` with a baseline that holds another static load."""
+    for factor, expected in ((1.0, 0), (1.0001, 3)):
+        baseline = Path(folder) / "baseline.json"
+        next(b for b in result["bearings"]
+             if b["name"] == "C")["static_load_N"] *= factor
+        baseline.write_text(json.dumps(result))
+        run = subprocess.run([clevis, "compare", folder, baseline],
+                             capture_output=True, text=True)
+        if run.returncode != expected or (
+                expected and "static_load" not in run.stdout):
+            yield f"compare: exit {run.returncode}: {run.stdout} {run.stderr}"
 
 
 def main():

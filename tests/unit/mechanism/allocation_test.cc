@@ -72,6 +72,19 @@ MechanismDefinition on_gas() {
   return m;
 }
 
+MechanismDefinition on_a_motor() {
+  MotorLaw law;
+  law.resistance = 1.0;
+  law.inductance = 1e-3;
+  law.flux = 0.02;
+  law.rotor_inertia = 1e-3;
+  law.times = {0.0};
+  law.volts = {5.0};
+  MechanismDefinition m = testing::simple_pendulum(0.5);
+  m.elements = {testing::on_joint(0, law)};
+  return m;
+}
+
 TEST(Allocation, NoneInAStep) {
   for (const IntegratorChoice choice :
        {IntegratorChoice::kExplicit, IntegratorChoice::kImplicit}) {
@@ -84,6 +97,7 @@ TEST(Allocation, NoneInAStep) {
                                    2, 20),
               0);
     EXPECT_EQ(allocations_of_steps(on_gas(), choice, 2, 20), 0);
+    EXPECT_EQ(allocations_of_steps(on_a_motor(), choice, 2, 20), 0);
     EXPECT_EQ(
         allocations_of_steps(
             testing::pulled({.breakaway = 1.5, .kinetic = 1.0}), choice, 2, 5),

@@ -7,6 +7,7 @@
 
 #include "report/check_junit.h"
 #include "report/check_table.h"
+#include "report/comparison.h"
 #include "report/result_json.h"
 #include "sample_report.h"
 #include "support/json_schema.h"
@@ -87,6 +88,39 @@ TEST(BearingOutput, TableAndCsvNameWarningsByCode) {
   EXPECT_EQ(csv.rfind("name,joint,kind,verdict,why,dynamic_rating_N", 0), 0u);
   EXPECT_NE(csv.find("\n\"pin, left\",C,ball,fail,"), std::string::npos);
   EXPECT_NE(csv.find(",B001 B004\n"), std::string::npos);
+}
+
+/// Rows that are a regression of the changed bearing against the sample's.
+std::vector<std::string> moved_after(const BearingReport& changed) {
+  const auto stored = [](const BearingReport& bearing) {
+    CheckReport report = sample_report();
+    report.bearings = {bearing};
+    const TestFolder folder;
+    std::ofstream(folder / "result.json") << result_json(report);
+    return read_result(folder.path());
+  };
+  const Comparison comparison = compare(
+      stored(changed), stored(sample_bearing(BearingVerdict::kPass)), {});
+  std::vector<std::string> moved;
+  for (const ComparisonRow& row : comparison.rows) {
+    if (is_regression(row)) moved.push_back(row.subject + ": " + row.quantity);
+  }
+  return moved;
+}
+
+TEST(BearingOutput, ComparisonSeesLoadLifeAndVerdict) {
+  BearingReport bearing = sample_bearing(BearingVerdict::kPass);
+  EXPECT_TRUE(moved_after(bearing).empty());
+  bearing.result.mean_load *= 1.0 + 1e-5;
+  bearing.result.life_seconds = 7201.0;
+  EXPECT_EQ(moved_after(bearing),
+            (std::vector<std::string>{"bearing pin, left: bearing_life",
+                                      "bearing pin, left: bearing_load"}));
+  bearing = sample_bearing(BearingVerdict::kPass);
+  bearing.result.life_seconds = std::nullopt;
+  EXPECT_EQ(moved_after(bearing).size(), 1u);
+  bearing.result.name = "another";
+  EXPECT_EQ(moved_after(bearing).size(), 2u);  // one missing, one new
 }
 
 }  // namespace

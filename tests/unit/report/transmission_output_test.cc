@@ -1,9 +1,16 @@
 #include "report/transmission_output.h"
 
+#include <fstream>
 #include <numbers>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "report/comparison.h"
+#include "report/result_json.h"
+#include "sample_report.h"
+#include "support/json_schema.h"
 
 namespace clevis::report {
 namespace {
@@ -35,6 +42,54 @@ TEST(TransmissionOutput, KeysNameTheUnitsOfTheOutput) {
   EXPECT_NEAR(t["error"]["worst_case_m"].get<double>(), 7.01e-6, 1e-19);
   EXPECT_NEAR(t["error"]["reversal_run_m"].get<double>(),
               t["error"]["reversal_m"].get<double>(), 1e-11);
+}
+
+TEST(TransmissionOutput, FitsThePublishedSchema) {
+  std::ifstream file(CLEVIS_SOURCE_DIR "/docs/transmission.schema.json");
+  const json schema = json::parse(file);
+  TransmissionReport report = screw();
+  for (const bool turns : {false, true}) {
+    report.transmissions[0].angular = turns;
+    report.transmissions[0].chain = machine::ChainModel{{10.0}, {5.0, 7.0}};
+    const auto errors = test_support::schema_errors(
+        json::parse(transmission_json(report)), schema);
+    EXPECT_TRUE(errors.empty()) << errors.front();
+  }
+  json document = json::parse(transmission_json(report));
+  document["transmissions"][0]["two_mass"].erase("resonance_Hz");
+  EXPECT_EQ(test_support::schema_errors(document, schema).size(), 1u);
+}
+
+/// Through the file, as a baseline goes.
+StoredResult stored(const TransmissionReport& report) {
+  const TestFolder folder;
+  std::ofstream(folder / "transmission.json") << transmission_json(report);
+  return read_result(folder / "transmission.json");
+}
+
+TEST(TransmissionOutput, ComparisonSeesElementsSumsAndFrequencies) {
+  TransmissionReport report = screw();
+  EXPECT_FALSE(is_regression(compare(stored(report), stored(screw()), {})));
+  report.transmissions[0].elements[0].own *= 1.0 + 1e-8;
+  report.transmissions[0].two_mass->resonance *= 1.0 + 1e-8;
+  report.transmissions[0].chain = machine::ChainModel{{10.0}, {}};
+  std::string moved;
+  for (const auto& row : compare(stored(report), stored(screw()), {}).rows) {
+    if (is_regression(row)) moved += row.subject + " " + row.quantity + "; ";
+  }
+  EXPECT_EQ(moved,
+            "resonance of screw, \"left\" frequency; element screw, "
+            "\"left\"/turns/given_1 compliance; chain's resonance of screw, "
+            "\"left\", no. 1 ; ");
+}
+
+TEST(TransmissionOutput, ComparisonWithACheckIsRefused) {
+  const TestFolder folder;
+  std::ofstream(folder / "result.json") << result_json(sample_report());
+  TransmissionReport report = screw();
+  report.scene = sample_report().scene;
+  EXPECT_THROW(compare(stored(report), read_result(folder.path()), {}), Error);
+  EXPECT_THROW(compare(read_result(folder.path()), stored(report), {}), Error);
 }
 
 TEST(TransmissionOutput, TextShowsMicrometresOrArcMinutes) {

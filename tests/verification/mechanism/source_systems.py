@@ -196,6 +196,58 @@ def replay_scene(text, rows, every):
     return head + table + tail[tail.index("\n[[marker]]"):]
 
 
+def servo_scene(text, rows, every, bandwidth):
+    """The tracking scene with servos on the inputs in place of all drives; they
+    follow the angles recorded at every so many instants."""
+    def listed(values, unit):
+        return "[" + ",\n".join(f'"{value!r} {unit}"' for value in values) + "]"
+
+    chosen = rows[::every]
+    sides = [rotation(row, "AB")[0] for row in chosen]
+    angles = {"A": [math.atan2(-x[0], x[1]) for x in sides],
+              "F": [row["F.drive_rad"] for row in chosen]}
+    servos = "".join(
+        f'[[initial]]\njoint = "{joint}"\nposition = "{turns[0]!r} rad"\n'
+        'rate = "0 rad/s"\n\n'
+        f'[[force]]\ntype = "servo"\nname = "{joint}"\njoint = "{joint}"\n'
+        f'law = "table"\nbandwidth = "{bandwidth} Hz"\n'
+        'inertia = "0.02 kg m^2"\n'
+        f"times = {listed([row['t_s'] for row in chosen], 's')}\n"
+        f"positions = {listed(turns, 'rad')}\n\n"
+        for joint, turns in angles.items())
+    head, _, tail = text.partition('[[drive]]\njoint = "F"\n')
+    return (head + servos + tail[tail.index("[[marker]]"):]).replace(
+        "tolerance = 1e-12", "tolerance = 1e-9")
+
+
+def servo_replay(clevis, geometry, folder, bandwidth, every=10):
+    """Largest distance of C from the path led [mm], its root mean square, the
+    largest torque [N m], simulate.json."""
+    scene = geometry / "five_bar/tracking.toml"
+    _, led = simulate(clevis, scene, folder)
+    copy = Path(folder) / "servo.toml"
+    copy.write_text(servo_scene(scene.read_text(), led, every, bandwidth))
+    result, rows = simulate(clevis, copy, folder)
+    off = [math.dist(marker(a, "C"), marker(b, "C"))
+           for a, b in zip(led, rows)]
+    torque = max(force["peak_effort_N_m"] for force in result["forces"])
+    return (max(off), math.sqrt(sum(d * d for d in off) / len(off)), torque,
+            result)
+
+
+def check_servo(clevis, geometry, folder):
+    """Servos that follow the recorded angles bring C back but for what the
+    weight of the drum bends them, the stiffer the less."""
+    runs = [servo_replay(clevis, geometry, folder, hertz)
+            for hertz in (10, 20)]
+    expect("servo: 10 Hz over 20 Hz [1]", runs[0][1] / runs[1][1], 4, 0.4)
+    for run in runs:
+        expect("servo: energy [1]", run[3]["motion"]["integration"][
+            "relative_energy_error"], 0, 1e-7)
+    print(f"replay by servos of 10 and 20 Hz: C {runs[0][0]:.2f} and "
+          f"{runs[1][0]:.2f} mm off")
+
+
 def drive_power(row, names):
     return sum(row[f"{name}.drive_effort_N_m"] *
                row[f"{name}.drive_rate_rad_per_s"] for name in names)
@@ -235,7 +287,8 @@ def main():
     clevis, geometry = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2])
     with tempfile.TemporaryDirectory() as folder:
         for check in (check_antenna, check_bennett, check_table_1,
-                      check_twist_60, check_tracking, check_replay):
+                      check_twist_60, check_tracking, check_replay,
+                      check_servo):
             check(clevis, geometry, folder)
     for fault in faults:
         print(fault)

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "mechanism/cubic_spline.h"
+
+namespace clevis::mechanism {
+
+enum class DriveLaw { kConstant, kRamp, kQuintic, kSine, kTable };
+
+/// Prescribed joint coordinate. Before `start` it rests at `from`, after
+/// start + duration at `to`.
+/// Sine: from + amplitude sin(2π frequency (t − start)).
+struct DriveDefinition {
+  int joint{};  ///< index into MechanismDefinition::joints
+  DriveLaw law{};
+  double from{}, to{};              ///< [m] or [rad]
+  double start{}, duration{};       ///< [s]
+  double amplitude{}, frequency{};  ///< [m] or [rad], [Hz]
+  std::string place;
+  int coordinate{};     ///< which of the joint's
+  CubicSpline table{};  ///< of a table: times after `start`, [m] or [rad]
+};
+
+}  // namespace clevis::mechanism

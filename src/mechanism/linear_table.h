@@ -1,0 +1,21 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace clevis::mechanism {
+
+/// Linear between the points, constant outside.
+/// @param times  increasing, one or more. @param values  one for each.
+inline double linear_at(const std::vector<double>& times,
+                        const std::vector<double>& values, double t) {
+  const auto next = std::ranges::upper_bound(times, t);
+  if (next == times.begin()) return values.front();
+  if (next == times.end()) return values.back();
+  const auto k = static_cast<std::size_t>(next - times.begin());
+  const double part = (t - times[k - 1]) / (times[k] - times[k - 1]);
+  return values[k - 1] + part * (values[k] - values[k - 1]);
+}
+
+}  // namespace clevis::mechanism
