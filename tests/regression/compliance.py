@@ -120,6 +120,109 @@ def single_parts(folder):
     return rows
 
 
+TORSION = HEAD.replace('[[part]]', '''[world]
+gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
+[[body]]
+name = "shaft"
+part = "part"
+[[body]]
+name = "disc"  # at the far end, what the torque accelerates
+mass = "100 kg"
+center_of_mass = ["0 mm", "0 mm", "0 mm"]
+inertia = ["10 kg m^2", "10 kg m^2", "10 kg m^2"]
+placement = { origin = ["0 mm", "0 mm", "0 mm"] }
+[[joint]]
+name = "shaft"
+type = "revolute"
+between = ["ground", "shaft"]
+point = ["100 mm", "0 mm", "0 mm"]
+axis = [1, 0, 0]
+[[joint]]
+name = "flange"
+type = "weld"
+between = ["shaft", "disc"]
+point = ["0 mm", "0 mm", "0 mm"]
+[[drive]]
+joint = "shaft"
+law = "sine"
+from = "0 deg"
+amplitude = "0.001 deg"
+frequency = "25 Hz"
+[simulation]
+duration = "10 ms"
+instants = 2
+[[part]]''')
+
+
+# A hollow shaft along x, 40 outside, bore 12, 200 long.
+SHAFT = """bore[] = {}; outer[] = {}; left[] = {}; right[] = {}; solid[] = {};
+Point(1) = {0, 0, 0};
+For i In {0 : 3}
+  Point(10 + i) = {0, 6 * Cos(i * Pi / 2), 6 * Sin(i * Pi / 2)};
+  Point(20 + i) = {0, 20 * Cos(i * Pi / 2), 20 * Sin(i * Pi / 2)};
+  Line(30 + i) = {10 + i, 20 + i};
+  Transfinite Curve {30 + i} = 3;
+EndFor
+For i In {0 : 3}
+  j = (i + 1) % 4;
+  Circle(40 + i) = {10 + i, 1, 10 + j}; Circle(50 + i) = {20 + i, 1, 20 + j};
+  Transfinite Curve {40 + i, 50 + i} = 3;
+  Curve Loop(60 + i) = {30 + i, 50 + i, -(30 + j), -(40 + i)};
+  Plane Surface(70 + i) = {60 + i};
+  Transfinite Surface {70 + i}; Recombine Surface {70 + i};
+EndFor
+For i In {0 : 3}
+  e[] = Extrude {200, 0, 0} { Surface{70 + i}; Layers{4}; Recombine; };
+  left[] += 70 + i; right[] += e[0]; solid[] += e[1]; outer[] += e[3]; bore[] += e[5];
+EndFor
+Physical Volume("body") = {solid[]};
+Physical Surface("bore_axis") = {bore[]}; Physical Surface("round_outer") = {outer[]};
+Physical Surface("left") = {left[]}; Physical Surface("right") = {right[]};
+"""
+
+
+def polar_compliance(outers, inner):
+    """∫ dx/(G Jp) of (length, outer radius(x)) pieces."""
+    modulus, steps, total = GPA / 2.6, 20000, 0.0
+    for length, outer in outers:
+        for i in range(steps):
+            radius = outer(length * (i + 0.5) / steps)
+            total += length / steps / (0.5 * math.pi * modulus * (radius**4 - inner**4))
+    return total
+
+
+def torsion_of(folder, source):
+    """Finite elements [rad/(N m)]: at the top of a sine the drive's torque runs
+    from one face through the shaft to a disc at the other."""
+    scene = folder / "torsion.toml"
+    scene.write_text(TORSION + source + '\n'
+                     'pins = { shaft = "bore_axis", flange = "left" }\n'
+                     'drives = { shaft = { face = "right" } }\n'
+                     '[accuracy]\npeak_stress = "5 %"\n')
+    if "geometry" in source:
+        subprocess.run([CLEVIS, "mesh", str(scene)], check=True, stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL)
+    out = folder / "torsion"
+    result = check(scene, out, "--tolerance", "5 %")
+    torque = result["mechanism"]["drives"][0]["peak_effort_Nm"]
+    return 2.0 * energies(out, "part")[-1] / torque**2
+
+
+def torsion(folder):
+    """(what, finite elements, formula, remark) [rad/(N m)]"""
+    (folder / "shaft.geo").write_text(SHAFT)
+    fe = torsion_of(folder, 'geometry = "shaft.geo"')
+    yield ("shaft 40, bore 12, 200 long, in torsion", fe,
+           polar_compliance(((200e-3, lambda x: 20e-3),), 6e-3), "l/(G Jp), rad/(N m)")
+    mesh = mesh_of(ROOT / "geometry/stepped_shaft/shaft.geo")
+    fe = torsion_of(folder, f'mesh = "{mesh}"')
+    neck, collar = lambda x: 20e-3, lambda x: 30e-3
+    fillet = lambda x: 24e-3 - math.sqrt(16e-6 - x * x)
+    formula = polar_compliance(((96e-3, neck), (4e-3, fillet), (100e-3, collar)), 6e-3)
+    yield ("stepped shaft 40/60, bore 12, in torsion", fe, formula,
+           "Σ l/(G Jp), rad/(N m); the shoulder takes a length to fill")
+
+
 def wheel(folder, dx, dy, without_load=False):
     """Per part the strain energies of all instants, with a force (dx, dy) N at
     the wheel's contact point beside the scene's own."""
@@ -146,11 +249,15 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         rows = single_parts(folder)
+        rows += torsion(folder)
         good = (abs(rows[0][1] / rows[0][2] - 1.0) < 1e-6
-                and 1.0 < rows[1][1] / rows[1][2] < 1.05)
+                and 1.0 < rows[1][1] / rows[1][2] < 1.05
+                and abs(rows[-2][1] / rows[-2][2] - 1.0) < 1e-3
+                and 1.0 < rows[-1][1] / rows[-1][2] < 1.05)
         if "--parts" in sys.argv:
             for what, fe, formula, _ in rows:
-                print(f"{what}: {fe:.6e} m/N, formula {formula:.6e}")
+                unit = "rad/(N m)" if "torsion" in what else "m/N"
+                print(f"{what}: {fe:.6e} {unit}, formula {formula:.6e}")
             return 0 if good else 1
         v = 1000.0
         loads, _ = wheel(folder, 0, 0)
