@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/impact_jobs.h"
 #include "base/errors.h"
 
 namespace clevis::app {
@@ -144,7 +145,11 @@ PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
     job.buckling_length = buckling_length(definition, motion, body);
   }
   add_cases(part, job.load_sets);
-  if (job.load_sets.empty()) {
+  job.impacts = impact_jobs(definition, motion, part.definition, part.groups);
+  if (body != mechanism::kGround) {
+    job.impact_loads = impact_loads(definition, motion);
+  }
+  if (job.load_sets.empty() && job.impacts.empty()) {
     throw Error("S003", part.definition.place,
                 fmt::format("nothing loads part \"{}\"", part.definition.name),
                 "Give it to a body with `part`, or add a [[part.case]].");

@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "app/error_text.h"
@@ -44,6 +45,16 @@ SolverAnswer decode(const WorkerOutcome& outcome, const SolverTask& task) {
   return {std::nullopt, decode_error(content)};
 }
 
+/// @throws Error S010 for a part that only [[impact]] loads.
+void require_cases(const std::vector<assessment::PartJob>& jobs) {
+  for (const auto& job : jobs) {
+    if (!job.load_sets.empty()) continue;
+    throw Error("S010", job.part.place,
+                fmt::format("only [[impact]] loads part \"{}\"", job.part.name),
+                "Run clevis check, or name other parts with --part.");
+  }
+}
+
 }  // namespace
 
 SolverJobs load_solver_jobs(const Options& options) {
@@ -58,6 +69,7 @@ SolverJobs load_solver_jobs(const Options& options) {
   }
   result.jobs = part_jobs(result.loaded, motion, options.parts,
                           scene.peak_stress_tolerance);
+  require_cases(result.jobs);
   return result;
 }
 

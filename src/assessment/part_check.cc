@@ -9,6 +9,7 @@
 
 #include "assessment/beam_comparison.h"
 #include "assessment/degree_ladder.h"
+#include "assessment/impact_check.h"
 #include "assessment/model_choice.h"
 #include "assessment/model_error.h"
 #include "assessment/revolution_model.h"
@@ -212,8 +213,10 @@ PartAssessment climb(const PartJob& job) {
 
 }  // namespace
 
-PartAssessment check_part(const PartJob& job) {
+PartAssessment check_part(const PartJob& given) {
   Stopwatch watch;
+  PartJob job = given;
+  auto impacts = compute_impacts(job);
   PartAssessment assessment = climb(job);
   PartResult& result = assessment.result;
   result.name = job.part.name;
@@ -222,6 +225,8 @@ PartAssessment check_part(const PartJob& job) {
   result.safety_factor =
       judged > 0.0 ? job.part.material.yield_strength / judged : 0.0;
   result.beam = compare_with_beam(job, result);
+  finish_impacts(job, std::move(impacts), result);
+  judge_paces(job, result);
   judge(job.part, result);
   result.seconds.total = watch.lap();
   return assessment;

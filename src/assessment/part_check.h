@@ -11,6 +11,7 @@
 #include "assessment/part_result.h"
 #include "loads/load_history.h"
 #include "loads/part_loads.h"
+#include "loads/strike.h"
 #include "mesh/part_mesh.h"
 #include "part/mass_properties.h"
 #include "part/part_definition.h"
@@ -24,6 +25,20 @@ struct LoadSet {
   std::map<std::string, std::array<bool, 3>> fixed;  ///< empty: free part
 };
 
+/// A blow on the part, resolved.
+struct ImpactJob {
+  loads::Strike strike;
+  std::map<std::string, std::array<bool, 3>> fixed;
+  std::string source;  ///< "given", "contact touch"
+};
+
+/// An impact somewhere in the mechanism, as it loads the part.
+struct ImpactLoad {
+  std::string name;
+  double duration{};   ///< [s]
+  double rise_time{};  ///< until its largest force [s]
+};
+
 enum class ModelChoice { kAuto, kPlaneStress, kLayered, kRevolution, kSolid };
 
 /// All that the check of one part needs.
@@ -33,6 +48,8 @@ struct PartJob {
   part::MassProperties mass;
   std::vector<loads::GroupGeometry> groups;
   std::vector<LoadSet> load_sets;
+  std::vector<ImpactJob> impacts;
+  std::vector<ImpactLoad> impact_loads;
   double tolerance = 0.01;                ///< of the peak stress [1]
   std::optional<double> buckling_length;  ///< of a sliding pair [m]
   ModelChoice model = ModelChoice::kAuto;

@@ -70,6 +70,47 @@ struct ProbeResult {
   double value{}, band_low{}, band_high{};  ///< SI
 };
 
+/// What one model says of a blow.
+struct ImpactRow {
+  std::string model;    ///< "beam, corrected", "dynamic FE, modal, p = 3"
+  double stress{};      ///< where the part is judged [Pa]; 0: it says nothing
+  double nominal{};     ///< in the root section, by the bending moment [Pa]
+  double deflection{};  ///< of the struck face, along the blow [m]
+  double error = -1.0;  ///< estimated, of the stress; negative: not known [1]
+  double seconds{};
+  double ratio{};        ///< nominal stress over that of the dynamic FE [1]
+  std::string remark{};  ///< "unsafe by 12 %: …"
+};
+
+/// A blow on a part by all models.
+struct ImpactResult {
+  std::string name;
+  std::string source;                   ///< "given", "contact touch"
+  double mass{}, speed{}, force{};      ///< of the striker [kg], [m/s], [N]
+  double stiffness{}, exponent = 1.0;   ///< of the contact
+  double part_mass{};                   ///< [kg]
+  double first_period{};                ///< of the part [s]
+  double load_duration{}, rise_time{};  ///< of the contact's force [s]
+  double peak_force{};                  ///< of the contact [N]
+  double beam_factor{};                 ///< of the corrected beam; 0: none [1]
+  double dynamic_factor{};              ///< dynamic over static FE [1]
+  double stress{}, band_low{}, band_high{};  ///< by the dynamic FE [Pa]
+  double deflection{};                       ///< [m]
+  double safety_factor{};                    ///< yield / stress
+  std::string reason;                        ///< of the route in time
+  std::vector<ImpactRow> rows;
+};
+
+/// How fast an impact of the mechanism loads a part.
+struct LoadPace {
+  std::string impact;      ///< "stop, upper at 0.31 s"
+  double duration{};       ///< of its force [s]
+  double rise_time{};      ///< [s]
+  double ratio{};          ///< duration over the part's first period [1]
+  double amplification{};  ///< of one mode by a half sine as long [1]
+  std::string treatment;   ///< "quasi-static", …
+};
+
 struct PartSeconds {
   double mesh{}, assemble{}, factor{}, solve{}, recover{}, write{}, total{};
 };
@@ -105,7 +146,10 @@ struct PartResult {
   SelfChecks self_checks;
   std::vector<ProbeResult> probes;
   PartSeconds seconds;
-  double mass{};  ///< [kg]
+  double mass{};          ///< [kg]
+  double first_period{};  ///< of the free or held part [s]; 0: not asked for
+  std::vector<ImpactResult> impacts;
+  std::vector<LoadPace> paces;
 };
 
 }  // namespace clevis::assessment

@@ -138,6 +138,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"L005", kModelInvalid, "probe outside the part",
      "A probe's point lies in no cell of the part's mesh. Points are given in "
      "the part's frame, the mesh's own."},
+    {"L006", kModelInvalid, "impact that does not happen",
+     "An [[impact]] takes its striker from a contact of the mechanism that is "
+     "never touched in the motion, or whose bodies are held by drives so that "
+     "they weigh nothing that could be said. Give mass and speed instead."},
     {"M001", kMeshInvalid, "not a gmsh mesh",
      "The file does not start with $MeshFormat, so it is not read. gmsh would "
      "run unknown text as a script; clevis never does. Give a .msh of version "

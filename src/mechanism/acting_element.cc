@@ -101,7 +101,9 @@ double line_effort(ActingElement& e, const LineElement& element, double t,
            spring->damping * e.rate - spring->preload;
   }
   if (const auto* table = std::get_if<TableLaw>(&element.law)) {
-    return linear_at(table->times, table->efforts, t);
+    return table->positions.empty()
+               ? linear_at(table->times, table->efforts, t)
+               : piece_effort(*table, e.modes[0], e.q);
   }
   if (const auto* gas = std::get_if<GasCylinderLaw>(&element.law)) {
     const double* own = internal + e.internal;

@@ -18,7 +18,7 @@ inline constexpr int kLetGo = 3;
 /// holds. Friction: 0 sticks, ±1 slips in that sense, ±2 gives its most against
 /// that sense while other friction still holds the line. Contacts and stops: 0
 /// open, 1 pressing, 2 deep but without force; a stop has one such mode per
-/// end.
+/// end. Tables over positions: the piece, see piece_effort().
 struct ActingElement {
   const ForceElement* definition{};
   JointModel line;  ///< J: its ends; a contact's plane (a) and centre (b)

@@ -15,6 +15,7 @@
 #include "mechanism/event_finder.h"
 #include "mechanism/forward_dynamics.h"
 #include "mechanism/held_lines.h"
+#include "mechanism/impact_watch.h"
 #include "mechanism/initial_state.h"
 #include "mechanism/power_balance.h"
 #include "mechanism/reaction_peaks.h"
@@ -66,6 +67,7 @@ class DynamicRun {
         change_points_(definition, settings, frame_, dynamics_, equilibrium_),
         integrator_(dynamics_, settings.integrator),
         events_(dynamics_),
+        impacts_(dynamics_),
         sample_times_(sample_times(settings, others)) {}
 
   Motion run();
@@ -93,6 +95,7 @@ class DynamicRun {
   DynamicChangePoints change_points_;
   SwitchingIntegrator integrator_;
   EventFinder events_;
+  ImpactWatch impacts_;
   std::vector<double> sample_times_;
   VectorXd y_, sample_, slope_;
   std::size_t next_sample_ = 0;
@@ -175,6 +178,7 @@ void DynamicRun::pass(const EventFinder::Event& event) {
   dynamics_.settle(t, y_);
   dynamics_.project(t, y_);
   dynamics_.accept(t);
+  impacts_.pass(t, y_, before);
   for (MotionEvent& change : forces.changes(event.index, t, before)) {
     motion_.events.push_back(std::move(change));
   }
@@ -272,6 +276,7 @@ Motion DynamicRun::run() {
     }
     change_points_.look(integrator_,
                         event.index < 0 ? integrator_.t() : event.t);
+    impacts_.look(integrator_, event.index < 0 ? integrator_.t() : event.t);
     if (event.index >= 0) {
       pass(event);
       continue;
@@ -300,6 +305,7 @@ Motion DynamicRun::run() {
       .relative_energy_error =
           largest_energy_ > 0.0 ? energy_error_ / largest_energy_ : 0.0};
   motion_.change_points = std::move(change_points_).among(motion_.instants);
+  motion_.impacts = impacts_.impacts();
   judge_power_balance(definition_, motion_);
   return std::move(motion_);
 }

@@ -32,6 +32,13 @@ double contact_value(const ActingElement& e, const ContactLaw& law,
              : law.stiffness * depth + law.damping * rate;
 }
 
+/// How far a position is from the end of its piece; 1 where there is none.
+double way_left(const TableLaw& law, int piece, int end, double position) {
+  const auto at = static_cast<std::size_t>(piece);
+  if (end == 0) return at == 0 ? 1.0 : position - law.positions[at - 1];
+  return at == law.positions.size() ? 1.0 : law.positions[at] - position;
+}
+
 void pass_contact(ActingElement& e, const ContactLaw& law, std::size_t end) {
   int& mode = e.modes[end];
   if (mode == 0) {
@@ -64,6 +71,8 @@ void choose_modes(ActingElement& e) {
       const bool presses = e.unbounded[end] >= 0.0 || may_pull(*contact);
       e.modes[end] = !deep ? 0 : presses ? 1 : 2;
     }
+  } else if (const TableLaw* table = position_table(*e.definition)) {
+    e.modes[0] = piece_at(*table, e.q);
   }
 }
 
@@ -73,6 +82,9 @@ double event_value(const ActingElement& e, int end) {
     if (end == 1) return 1.0;
     if (sticks(e)) return friction->breakaway - std::abs(e.effort);
     return std::abs(e.modes[0]) == 2 ? 1.0 : e.modes[0] * e.rate;
+  }
+  if (const TableLaw* table = position_table(*e.definition)) {
+    return way_left(*table, e.modes[0], end, e.q);
   }
   const ContactLaw* law = contact_law(*e.definition);
   if (law == nullptr || !has_end(*e.definition, at)) return 1.0;
@@ -92,6 +104,8 @@ void pass_event(ActingElement& e, int end) {
     }
   } else if (const ContactLaw* contact = contact_law(*e.definition)) {
     pass_contact(e, *contact, at);
+  } else if (position_table(*e.definition) != nullptr) {
+    e.modes[0] += end == 0 ? -1 : 1;
   }
 }
 
@@ -101,6 +115,7 @@ const char* name_of_change(const ActingElement& e, int end, int mode_before) {
     if (mode == 1) return "press";
     return mode_before == 1 ? "release" : nullptr;  // else force was 0 before
   }
+  if (position_table(*e.definition) != nullptr) return nullptr;
   const auto slips = [](int m) {
     return std::abs(m) == 1;
   };

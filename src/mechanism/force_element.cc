@@ -11,6 +11,12 @@ const FrictionLaw* switched_friction(const ForceElement& element) {
   return law && law->model != FrictionModel::kRegularized ? law : nullptr;
 }
 
+const TableLaw* position_table(const ForceElement& element) {
+  const auto* line = std::get_if<LineElement>(&element);
+  const auto* law = line ? std::get_if<TableLaw>(&line->law) : nullptr;
+  return law && !law->positions.empty() ? law : nullptr;
+}
+
 const ContactLaw* contact_law(const ForceElement& element) {
   if (const auto* contact = std::get_if<ContactElement>(&element)) {
     return &contact->law;

@@ -75,9 +75,11 @@ struct StopLaw {
   ContactLaw contact;
 };
 
-/// Effort over time, linear between the points.
+/// Effort over time, or over the line's coordinate, linear between the points,
+/// constant outside.
 struct TableLaw {
   std::vector<double> times, efforts;
+  std::vector<double> positions{};  ///< [m] or [rad]; then no times
 };
 
 /// Follows a reference r(t): effort −stiffness (q − r) − damping (q' − r'), at
@@ -130,6 +132,8 @@ using ForceElement =
 
 /// The friction law whose modes events separate, or null.
 const FrictionLaw* switched_friction(const ForceElement& element);
+/// The law of a table over the line's coordinate, or null.
+const TableLaw* position_table(const ForceElement& element);
 /// The law of a contact's or stop's normal force, or null.
 const ContactLaw* contact_law(const ForceElement& element);
 /// The law of a gas cylinder, or null.

@@ -41,4 +41,18 @@ double servo_effort(const ServoLaw& law, double t, double q, double rate) {
   return law.limit ? std::clamp(wanted, -*law.limit, *law.limit) : wanted;
 }
 
+int piece_at(const TableLaw& law, double position) {
+  return static_cast<int>(std::ranges::upper_bound(law.positions, position) -
+                          law.positions.begin());
+}
+
+double piece_effort(const TableLaw& law, int piece, double position) {
+  const auto at = static_cast<std::size_t>(piece);
+  if (at == 0) return law.efforts.front();
+  if (at == law.positions.size()) return law.efforts.back();
+  const double s = (position - law.positions[at - 1]) /
+                   (law.positions[at] - law.positions[at - 1]);
+  return law.efforts[at - 1] + s * (law.efforts[at] - law.efforts[at - 1]);
+}
+
 }  // namespace clevis::mechanism

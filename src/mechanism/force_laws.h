@@ -22,4 +22,10 @@ double friction_coefficient(const ContactElement& contact, double speed);
 
 double servo_effort(const ServoLaw& law, double t, double q, double rate);
 
+/// Effort of a table over positions on one of its pieces: 0 before the first
+/// point, positions.size() behind the last; a piece goes on beyond its ends.
+double piece_effort(const TableLaw& law, int piece, double position);
+/// The piece that holds a position.
+int piece_at(const TableLaw& law, double position);
+
 }  // namespace clevis::mechanism

@@ -17,6 +17,12 @@ namespace clevis::mechanism {
 /// its centre of mass, so that the mass matrix is block diagonal.
 SolvingFrame frame_at_centres(const MechanismDefinition& definition);
 
+/// What two bodies weigh at their contact, along its normal; see Impact.
+struct ContactInertia {
+  double mass_a{}, mass_b{}, mass{};
+  double force{};
+};
+
 /// Equations of motion of a mechanism with free coordinates.
 ///
 /// State y: positions of the bodies (planar: x, y, length × angle; spatial:
@@ -49,6 +55,10 @@ class ForwardDynamics : public OdeSystem {
                     Eigen::VectorXd& values);
   ForceModel& forces() { return forces_; }
   const ForceModel& forces() const { return forces_; }
+  /// The forces alone, without what they make of the motion.
+  void evaluate_forces(double t, const Eigen::VectorXd& y);
+  /// Of a contact or an end of a stop, as of the last rate().
+  ContactInertia contact_inertia(std::size_t element, int end);
 
   /// Moves positions and velocities, by the least mass norm, onto the
   /// constraints at time t. @return the largest gap that is left [m].
@@ -107,6 +117,10 @@ class ForwardDynamics : public OdeSystem {
   }
   void place_rotors();
   void add_lever(Eigen::Index row, int slot, const Twist& lever, double scale);
+  /// The lever as a force on the unknowns.
+  void put_lever(int slot, const Twist& lever, Eigen::VectorXd& force) const;
+  /// Acceleration along a lever per force along it, were the body free.
+  double free_response(int slot, const Twist& lever) const;
   void rest_what_hardly_moves();
   bool release_worst();
   bool judge_lines_at_their_most(double t, const Eigen::VectorXd& y);

@@ -96,6 +96,25 @@ struct MotionEvent {
   std::string what;
 };
 
+/// A contact, or an end of a stop, from its first touch until it lets go. Of a
+/// stop in a joint that turns: angles, moments, inertias.
+struct Impact {
+  int element{};
+  int end{};                ///< of a stop: 0 lower, 1 upper
+  double t{};               ///< of the touch [s]
+  double approach_speed{};  ///< along the normal [m/s] or [rad/s]
+  /// What a (a contact's plane) and b weigh there along the normal, joints and
+  /// drives holding [kg] or [kg m²]; infinite where they cannot give way.
+  double mass_a{}, mass_b{};
+  double mass{};   ///< of both against one another
+  double force{};  ///< of all else that presses them together at the touch [N]
+  std::optional<double> duration;  ///< [s]; none: it still presses at the end
+  double exit_speed{};             ///< with which they part
+  double peak_force{};             ///< [N] or [N m]
+  double peak_at{};                ///< [s]
+  double impulse{};                ///< [N s] or [N m s]
+};
+
 struct Instant {
   double t{};  ///< [s]
   std::vector<BodyState> bodies;
@@ -138,6 +157,7 @@ struct Motion {
   std::vector<Instant> instants;
   std::vector<ChangePoint> change_points;
   std::vector<MotionEvent> events;
+  std::vector<Impact> impacts;  ///< of integrated motions, as they begin
   std::optional<IntegrationSummary> integration;  ///< of integrated motions
 };
 

@@ -70,6 +70,27 @@ struct LoadCaseDefinition {
   std::vector<Probe> probes;
 };
 
+/// A blow on a part that rests on its supports.
+struct ImpactDefinition {
+  std::string name;
+  std::string group;  ///< physical group that is struck
+  /// Of the striker's velocity, unit.
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+  std::map<std::string, std::array<bool, 3>>
+      fixed;  ///< components held at zero
+  /// Contact or stop of the mechanism whose hardest impact it is; empty: the
+  /// three below are given.
+  std::string contact;
+  double mass{};   ///< of the striker [kg]
+  double speed{};  ///< [m/s]
+  double force{};  ///< that goes on pushing it [N]
+  /// Of the contact: force per approach^exponent [N/m^exponent].
+  double stiffness{};
+  double exponent = 1.0;
+  std::optional<double> duration;  ///< that is computed [s]
+  std::string place;               ///< file:line:column
+};
+
 /// A part of the scene as the user wrote it. Frame L is the mesh's own.
 struct PartDefinition {
   std::string name;
@@ -83,6 +104,7 @@ struct PartDefinition {
   std::vector<ForceSeat> force_seats;
   Limits limits;
   std::vector<LoadCaseDefinition> cases;
+  std::vector<ImpactDefinition> impacts;
   std::string place;  ///< file:line:column of the part's table
 };
 

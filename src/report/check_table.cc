@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "report/part_impact_output.h"
 #include "report/text_table.h"
 #include "report/units.h"
 
@@ -190,7 +191,13 @@ std::string check_table(const CheckReport& report, Colour colour) {
   std::string all = fmt::format("{} ({})\n", printable(report.scene),
                                 printable(report.file.string()));
   if (report.mechanism) all += mechanism_line(*report.mechanism);
+  if (report.mechanism && !report.mechanism->impacts.empty()) {
+    all += "\n" + impacts_text(report.mechanism->impacts, colour);
+  }
   all += "\n" + table.text(colour);
+  for (const PartResult& part : report.parts) {
+    all += part_impacts_text(part, colour);
+  }
   if (!report.bearings.empty()) {
     all += "\n" + bearings_text(report.bearings, colour);
   }

@@ -11,6 +11,7 @@
 #include "mechanism/force_element.h"
 #include "report/csv_field.h"
 #include "report/gas_output.h"
+#include "report/impact_output.h"
 #include "report/mechanism_summary.h"
 #include "report/motor_output.h"
 #include "report/text_table.h"
@@ -238,6 +239,9 @@ std::string forces_text(const MotionReport& report, Colour colour) {
   std::string text = table.text(colour);
   text += gas_text(report, colour);
   text += motors_text(report, colour);
+  const std::string impacts =
+      impacts_text(named_impacts(report.definition, report.motion), colour);
+  if (!impacts.empty()) text += "\n" + impacts + "\n";
   add_events(text, report);
   return text;
 }

@@ -71,6 +71,7 @@ MechanismSummary summarise(const mechanism::MechanismDefinition& definition,
         std::max(summary.max_power_balance_error, instant.power_balance_error);
     summary.instants_left_out += instant.is_change_point ? 1 : 0;
   }
+  summary.impacts = named_impacts(definition, motion);
   for (const auto& point : motion.change_points) {
     summary.change_points.push_back(passed(definition, point));
   }

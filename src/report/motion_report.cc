@@ -10,6 +10,7 @@
 #include "report/atomic_file.h"
 #include "report/coupling_output.h"
 #include "report/element_output.h"
+#include "report/impact_output.h"
 #include "report/json_text.h"
 #include "report/mechanism_summary.h"
 #include "report/units.h"
@@ -227,6 +228,8 @@ std::string motion_json(const MotionReport& report) {
   }
   json["forces"] = forces_json(report);
   json["events"] = events_json(report);
+  const auto impacts = named_impacts(report.definition, report.motion);
+  json["impacts"] = impacts_json(impacts);
   if (!report.bearings.empty()) {
     json["bearings"] = bearings_json(report.bearings);
   }
@@ -245,6 +248,8 @@ void write_motion_files(const MotionReport& report,
   if (!report.definition.elements.empty()) {
     write_file(folder / "forces.csv", forces_csv(report));
     write_file(folder / "events.csv", events_csv(report));
+    write_file(folder / "impacts.csv",
+               impacts_csv(named_impacts(report.definition, report.motion)));
   }
   if (!report.bearings.empty()) {
     write_file(folder / "bearings.csv", bearings_csv(report.bearings));

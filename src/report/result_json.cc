@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/json_text.h"
+#include "report/part_impact_output.h"
 #include "report/units.h"
 
 namespace clevis::report {
@@ -46,6 +47,7 @@ ordered_json mechanism_json(const MechanismSummary& mechanism) {
           {"instants", mechanism.instants},
           {"change_points", change_points},
           {"instants_left_out", mechanism.instants_left_out},
+          {"impacts", impacts_json(mechanism.impacts)},
           {"max_closure_error_mm", millimetres(mechanism.max_closure_error)},
           {"max_power_balance_error", mechanism.max_power_balance_error},
           {"joints", joints},
@@ -89,16 +91,20 @@ ordered_json zones_json(const std::vector<assessment::ZoneResult>& zones) {
   return list;
 }
 
-ordered_json beam_json(const assessment::BeamComparison& beam) {
+ordered_json above_zero(double value) {
+  return value > 0.0 ? ordered_json(value) : ordered_json();
+}
+
+ordered_json beam_json(const assessment::BeamComparison& beam,
+                       const BeamImpactSummary& impact) {
   ordered_json buckling;  // null: the part is not in pressure
   if (beam.buckling_safety > 0.0) buckling = beam.buckling_safety;
   return {{"peak_stress_MPa", megapascals(beam.peak_stress)},
           {"governing", beam.governing},
           {"deflection_mm", millimetres(beam.deflection)},
           {"buckling_safety", buckling},
-          // No part of a scene is struck as long as scenes know no impact.
-          {"impact_factor", nullptr},
-          {"impact_stress_MPa", nullptr},
+          {"impact_factor", above_zero(impact.factor)},
+          {"impact_stress_MPa", above_zero(megapascals(impact.stress))},
           {"ratio_fe_to_beam", beam.ratio_fe_to_beam},
           {"reason", beam.reason}};
 }
@@ -162,7 +168,9 @@ ordered_json part_json(const CheckReport& report, const PartResult& part) {
                        {"strain_energy_mJ", millijoules(part.strain_energy)},
                        {"strain_energy_error_percent", energy_error},
                        {"limits", limits_json(report, part.name)},
-                       {"beam", beam_json(part.beam)},
+                       {"beam", beam_json(part.beam, beam_impact(part))},
+                       {"impacts", part_impacts_json(part)},
+                       {"load_paces", load_paces_json(part)},
                        {"self_checks",
                         {{"equilibrium", checks.equilibrium},
                          {"residual", checks.residual},

@@ -13,7 +13,7 @@ constexpr Key kScene[] = {
     "schema",      "name",    "world",        "material", "mechanism",
     "body",        "joint",   "coupling",     "drive",    "force",
     "initial",     "marker",  "simulation",   "part",     "accuracy",
-    "closed_form", "bearing", "transmission", "ejector"};
+    "closed_form", "bearing", "transmission", "ejector",  "impact"};
 constexpr Key kWorld[] = {"gravity"};
 constexpr Key kMaterial[] = {"youngs_modulus", "poissons_ratio", "density",
                              "yield_strength"};
@@ -57,6 +57,7 @@ constexpr Key kForce[] = {"name",
                           "upper",
                           "transition",
                           "times",
+                          "positions",
                           "efforts",
                           "center",
                           "radius",
@@ -171,6 +172,9 @@ constexpr Key kEjector[] = {"name",          "arm_magnet", "arm_pusher",
                             "arm_spring",    "inertia",    "magnet_force",
                             "range",         "travel",     "spring_stiffness",
                             "spring_preset", "workpiece"};
+constexpr Key kImpact[] = {"name",  "part",      "face",        "direction",
+                           "fixed", "contact",   "mass",        "speed",
+                           "force", "stiffness", "ball_radius", "duration"};
 constexpr Key kWorkpiece[] = {"material", "diameter", "length",
                               "safety_factor"};
 constexpr Key kMarker[] = {"name", "body", "point"};
@@ -226,6 +230,7 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"transmission.stage.element", kElement},
     {"ejector", kEjector},
     {"ejector.workpiece", kWorkpiece},
+    {"impact", kImpact},
     {"simulation", kSimulation},
     {"part", kPart},
     {"part.drives", kPartDrives},

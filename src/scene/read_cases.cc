@@ -91,6 +91,10 @@ void require_load(const StrictTable& table) {
 
 }  // namespace
 
+std::map<std::string, std::array<bool, 3>> read_fixed(StrictTable& table) {
+  return read_groups<std::array<bool, 3>>(table, "fixed", read_components);
+}
+
 LoadCaseDefinition read_case(StrictTable table) {
   const auto force = [](const Value& v) {
     return v.vector(Dimension::kForce);
@@ -107,8 +111,7 @@ LoadCaseDefinition read_case(StrictTable table) {
   load_case.pins = read_groups<Eigen::Vector3d>(table, "pins", force);
   load_case.pressure = read_groups<double>(table, "pressure", pressure);
   load_case.traction = read_groups<Eigen::Vector3d>(table, "traction", stress);
-  load_case.fixed =
-      read_groups<std::array<bool, 3>>(table, "fixed", read_components);
+  load_case.fixed = read_fixed(table);
   load_case.acceleration =
       vector_or_zero(table, "acceleration", Dimension::kAcceleration) -
       vector_or_zero(table, "gravity", Dimension::kAcceleration);

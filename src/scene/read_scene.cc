@@ -67,10 +67,12 @@ SlideLeverClosedForm read_slide_lever(StrictTable table, const Names& names) {
 
 std::vector<part::PartDefinition> read_parts(
     std::vector<StrictTable>& tables, const Scene& scene, const Names& names,
-    const std::vector<part::Material>& materials) {
+    const std::vector<part::Material>& materials,
+    std::vector<ImpactOfPart> impacts) {
   std::vector<part::PartDefinition> parts;
   for (StrictTable& table : tables) {
     parts.push_back(read_part(table, names, materials, scene.file));
+    add_impacts(impacts, static_cast<int>(parts.size()) - 1, parts.back());
     read_seats(table, scene.mechanism, names, parts.back());
   }
   return parts;
@@ -127,7 +129,8 @@ Scene read_scene(const std::filesystem::path& file) {
     throw root.refusal("S003", "has neither [[body]] nor [[part]]",
                        "Add a mechanism, a part with cases, or both.");
   }
-  scene.parts = read_parts(part_tables, scene, names, materials);
+  scene.parts = read_parts(part_tables, scene, names, materials,
+                           read_impacts(root, scene.mechanism, names));
   if (scene.has_mechanism) {
     scene.simulation = read_simulation(root.table("simulation"));
     require_elastic_links(root, scene);

@@ -112,13 +112,20 @@ void read_seats(StrictTable& table, const MechanismDefinition& mechanism,
     read_pins(table, body, mechanism, names, part);
     read_drive_seats(table, body, mechanism, names, part);
     read_force_seats(table, body, mechanism, names, part);
-  } else if (part.cases.empty()) {
+  } else if (part.cases.empty() && part.impacts.empty()) {
     throw table.refusal(
         "S003",
         fmt::format("\"{}\" has no load: no body has it and "
-                    "it has no [[part.case]]",
+                    "it has neither [[part.case]] nor [[impact]]",
                     part.name),
         "Give a body part = \"" + part.name + "\", or give the part a case.");
+  }
+  if (body != mechanism::kGround && !part.impacts.empty()) {
+    throw Error(
+        "S010", part.impacts.front().place,
+        fmt::format("[[impact]] on \"{}\", which is a body's part", part.name),
+        "Only parts that rest on `fixed` supports can be struck; give "
+        "the blow to a part that no body has.");
   }
   table.finish("without a body that has this part");
 }

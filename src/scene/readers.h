@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <map>
 #include <vector>
 
 #include "machine/bearing.h"
@@ -108,6 +110,22 @@ void read_force_seats(StrictTable& table, mechanism::BodyIndex body,
                       const Names& names, part::PartDefinition& part);
 
 part::LoadCaseDefinition read_case(StrictTable table);
+/// `fixed` of a case or an impact; empty without.
+std::map<std::string, std::array<bool, 3>> read_fixed(StrictTable& table);
+
+/// An [[impact]] that is read but for its contact's spring, which needs the
+/// part.
+struct ImpactOfPart {
+  int part{};  ///< index
+  StrictTable table;
+  part::ImpactDefinition impact{};
+};
+std::vector<ImpactOfPart> read_impacts(
+    StrictTable& root, const mechanism::MechanismDefinition& mechanism,
+    Names& names);
+/// Gives the part with this index its impacts.
+void add_impacts(std::vector<ImpactOfPart>& impacts, int index,
+                 part::PartDefinition& part);
 
 /// The origins and axes of a joint apart, what its type needs besides: lead,
 /// length, compliance.

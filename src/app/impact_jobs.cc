@@ -1,0 +1,132 @@
+#include "app/impact_jobs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/errors.h"
+
+namespace clevis::app {
+namespace {
+
+using mechanism::Impact;
+using mechanism::MechanismDefinition;
+using mechanism::Motion;
+
+const mechanism::ForceElement& element_of(const MechanismDefinition& definition,
+                                          const Impact& impact) {
+  return definition.elements[static_cast<std::size_t>(impact.element)];
+}
+
+const Impact& hardest_of(const MechanismDefinition& definition,
+                         const Motion& motion,
+                         const part::ImpactDefinition& wanted) {
+  const Impact* hardest = nullptr;
+  for (const Impact& impact : motion.impacts) {
+    if (name_of(element_of(definition, impact)) != wanted.contact) continue;
+    if (hardest == nullptr || impact.peak_force > hardest->peak_force) {
+      hardest = &impact;
+    }
+  }
+  if (hardest != nullptr && std::isfinite(hardest->mass)) return *hardest;
+  throw Error(
+      "L006", wanted.place,
+      fmt::format("impact \"{}\": \"{}\" {}", wanted.name, wanted.contact,
+                  hardest == nullptr ? "is never struck in the motion"
+                                     : "is struck by what drives hold"),
+      "Look at the impacts that clevis simulate lists, or give mass "
+      "and speed.");
+}
+
+void require_group(const std::string& name,
+                   const std::vector<loads::GroupGeometry>& groups,
+                   const part::ImpactDefinition& impact) {
+  std::vector<std::string> known;
+  for (const auto& group : groups) {
+    if (group.name == name) return;
+    known.push_back(group.name);
+  }
+  throw Error("M003", impact.place,
+              fmt::format("impact \"{}\": the mesh has no group \"{}\"",
+                          impact.name, name),
+              fmt::format("Its groups: {}.", fmt::join(known, ", ")));
+}
+
+}  // namespace
+
+std::vector<assessment::ImpactJob> impact_jobs(
+    const MechanismDefinition& definition, const Motion& motion,
+    const part::PartDefinition& part,
+    const std::vector<loads::GroupGeometry>& groups) {
+  std::vector<assessment::ImpactJob> jobs;
+  for (const part::ImpactDefinition& given : part.impacts) {
+    require_group(given.group, groups, given);
+    for (const auto& [group, held] : given.fixed) {
+      require_group(group, groups, given);
+    }
+    assessment::ImpactJob job;
+    job.fixed = given.fixed;
+    job.source = "given";
+    loads::Strike& strike = job.strike;
+    strike.name = given.name;
+    strike.group = given.group;
+    strike.direction = given.direction;
+    strike.mass = given.mass;
+    strike.speed = given.speed;
+    strike.force = given.force;
+    strike.contact = {.stiffness = given.stiffness, .exponent = given.exponent};
+    strike.duration = given.duration;
+    if (!given.contact.empty()) {
+      const Impact& impact = hardest_of(definition, motion, given);
+      const auto* line =
+          std::get_if<mechanism::LineElement>(&element_of(definition, impact));
+      if (line && mechanism::is_angle(line->line, definition.joints)) {
+        throw Error("S010", given.place,
+                    fmt::format("contact \"{}\" turns", given.contact),
+                    "Name a contact or stop with a force, not a moment.");
+      }
+      job.source = fmt::format("{} at {:.6g} s", given.contact, impact.t);
+      strike.mass = impact.mass;
+      strike.speed = impact.approach_speed;
+      strike.force = impact.force;
+    }
+    jobs.push_back(std::move(job));
+  }
+  return jobs;
+}
+
+std::vector<assessment::ImpactLoad> impact_loads(
+    const MechanismDefinition& definition, const Motion& motion) {
+  std::map<std::pair<int, int>, const Impact*> hardest;
+  for (const Impact& impact : motion.impacts) {
+    const Impact*& known = hardest[{impact.element, impact.end}];
+    if (known == nullptr || impact.peak_force > known->peak_force) {
+      known = &impact;
+    }
+  }
+  std::vector<assessment::ImpactLoad> loads;
+  double largest = 0.0;
+  for (const auto& [key, impact] : hardest) {
+    largest = std::max(largest, impact->peak_force);
+  }
+  for (const auto& [key, impact] : hardest) {
+    constexpr double kCounts = 0.01;  // what rests on a stop from the start
+    if (impact->peak_force < kCounts * largest) continue;
+    const auto& element = element_of(definition, *impact);
+    std::string name = name_of(element);
+    if (std::holds_alternative<mechanism::LineElement>(element)) {
+      name += impact->end == 0 ? ", lower" : ", upper";
+    }
+    const double end = motion.instants.back().t;
+    loads.push_back({.name = fmt::format("{} at {:.6g} s", name, impact->t),
+                     .duration = impact->duration.value_or(end - impact->t),
+                     .rise_time = impact->peak_at - impact->t});
+  }
+  return loads;
+}
+
+}  // namespace clevis::app

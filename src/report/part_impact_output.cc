@@ -1,0 +1,168 @@
+#include "report/part_impact_output.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "report/text_table.h"
+#include "report/units.h"
+
+namespace clevis::report {
+namespace {
+
+using assessment::ImpactResult;
+using assessment::ImpactRow;
+using assessment::LoadPace;
+using assessment::PartResult;
+using nlohmann::ordered_json;
+
+constexpr double kMillisecond = 1e-3, kPercent = 100.0;
+
+std::string or_dash(double value, const char* format) {
+  return value > 0.0 ? fmt::format(fmt::runtime(format), value) : "-";
+}
+
+std::string head_of(const PartResult& part, const ImpactResult& impact) {
+  return printable(fmt::format(
+             "impact {} on {} ({}): {:.4g} kg at {:.5g} m/s, pushed by {:.4g} "
+             "N, contact {:.4g} N/m{}",
+             impact.name, part.name, impact.source, impact.mass, impact.speed,
+             impact.force, impact.stiffness,
+             impact.exponent == 1.0 ? "" : "^1.5")) +
+         fmt::format(
+             "\n  mass ratio {:.3g}; load for {:.4g} ms, {:.3g} first periods "
+             "of {:.4g} "
+             "ms; peak {:.4g} N after {:.3g} ms\n",
+             impact.mass / impact.part_mass,
+             impact.load_duration / kMillisecond,
+             impact.load_duration / impact.first_period,
+             impact.first_period / kMillisecond, impact.peak_force,
+             impact.rise_time / kMillisecond);
+}
+
+std::string table_of(const ImpactResult& impact, Colour colour) {
+  TextTable table({{"model"},
+                   {"stress MPa", Align::kRight},
+                   {"root MPa", Align::kRight},
+                   {"/judged", Align::kRight},
+                   {"defl. mm", Align::kRight},
+                   {"error %", Align::kRight},
+                   {"s", Align::kRight},
+                   {""}});
+  for (const ImpactRow& row : impact.rows) {
+    table.add_row(
+        {{row.model},
+         {or_dash(megapascals(row.stress), "{:.1f}")},
+         {or_dash(megapascals(row.nominal), "{:.1f}")},
+         {fmt::format("{:.3f}", row.ratio)},
+         {fmt::format("{:.4f}", millimetres(row.deflection))},
+         {row.error < 0.0 ? "-" : fmt::format("{:.2g}", kPercent * row.error)},
+         {fmt::format("{:.2g}", row.seconds)},
+         {row.remark}});
+  }
+  table.add_note(fmt::format(
+      "stress {:#.4g} [{:#.4g}, {:#.4g}] MPa, safety {:#.4g}; in time: {}",
+      megapascals(impact.stress), megapascals(impact.band_low),
+      megapascals(impact.band_high), impact.safety_factor, impact.reason));
+  return table.text(colour);
+}
+
+std::string paces_text(const PartResult& part) {
+  std::string text;
+  for (const LoadPace& pace : part.paces) {
+    text += printable(fmt::format("{}, {}", part.name, pace.impact));
+    text += fmt::format(
+        ": for {:.4g} ms, {:.3g} of its first period of {:.4g} ms, "
+        "rising for {:.4g} ms; a mode answers {:.2f} times. {}\n",
+        pace.duration / kMillisecond, pace.ratio,
+        part.first_period / kMillisecond, pace.rise_time / kMillisecond,
+        pace.amplification, pace.treatment);
+  }
+  return text;
+}
+
+ordered_json row_json(const ImpactRow& row) {
+  ordered_json json = {{"model", row.model}};
+  json["stress_MPa"] =
+      row.stress > 0.0 ? ordered_json(megapascals(row.stress)) : ordered_json();
+  json["root_stress_MPa"] = row.nominal > 0.0
+                                ? ordered_json(megapascals(row.nominal))
+                                : ordered_json();
+  json["ratio"] = row.ratio;
+  json["deflection_mm"] = millimetres(row.deflection);
+  json["error_percent"] =
+      row.error < 0.0 ? ordered_json() : ordered_json(kPercent * row.error);
+  json["seconds"] = row.seconds;
+  json["remark"] = row.remark;
+  return json;
+}
+
+}  // namespace
+
+std::string part_impacts_text(const PartResult& part, Colour colour) {
+  std::string text;
+  for (const ImpactResult& impact : part.impacts) {
+    text += "\n" + head_of(part, impact) + table_of(impact, colour);
+  }
+  if (!part.paces.empty()) text += "\n" + paces_text(part);
+  return text;
+}
+
+ordered_json part_impacts_json(const PartResult& part) {
+  ordered_json list = ordered_json::array();
+  for (const ImpactResult& i : part.impacts) {
+    ordered_json rows = ordered_json::array();
+    for (const ImpactRow& row : i.rows) rows.push_back(row_json(row));
+    list.push_back(
+        {{"name", i.name},
+         {"source", i.source},
+         {"mass_kg", i.mass},
+         {"speed_m_per_s", i.speed},
+         {"pushing_N", i.force},
+         {"contact_stiffness", i.stiffness},
+         {"contact_exponent", i.exponent},
+         {"mass_ratio", i.mass / i.part_mass},
+         {"first_period_s", i.first_period},
+         {"load_duration_s", i.load_duration},
+         {"duration_over_first_period", i.load_duration / i.first_period},
+         {"rise_time_s", i.rise_time},
+         {"peak_force_N", i.peak_force},
+         {"dynamic_factor", i.dynamic_factor},
+         {"stress_MPa", megapascals(i.stress)},
+         {"band_MPa", {megapascals(i.band_low), megapascals(i.band_high)}},
+         {"deflection_mm", millimetres(i.deflection)},
+         {"safety_factor", i.safety_factor},
+         {"reason", i.reason},
+         {"models", rows}});
+  }
+  return list;
+}
+
+ordered_json load_paces_json(const PartResult& part) {
+  ordered_json list = ordered_json::array();
+  for (const LoadPace& pace : part.paces) {
+    list.push_back({{"impact", pace.impact},
+                    {"duration_s", pace.duration},
+                    {"rise_time_s", pace.rise_time},
+                    {"first_period_s", part.first_period},
+                    {"duration_over_first_period", pace.ratio},
+                    {"amplification", pace.amplification},
+                    {"treatment", pace.treatment}});
+  }
+  return list;
+}
+
+BeamImpactSummary beam_impact(const PartResult& part) {
+  BeamImpactSummary found;
+  for (const ImpactResult& impact : part.impacts) {
+    for (const ImpactRow& row : impact.rows) {
+      if (row.model != "beam, corrected" || row.nominal <= found.stress) {
+        continue;
+      }
+      found.stress = row.nominal;
+      found.factor = impact.beam_factor;
+    }
+  }
+  return found;
+}
+
+}  // namespace clevis::report

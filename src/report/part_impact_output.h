@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "assessment/part_result.h"
+#include "report/terminal.h"
+
+namespace clevis::report {
+
+/// Blows on a part by all models, and how fast impacts of the mechanism load
+/// it; empty without either.
+std::string part_impacts_text(const assessment::PartResult& part,
+                              Colour colour);
+
+nlohmann::ordered_json part_impacts_json(const assessment::PartResult& part);
+nlohmann::ordered_json load_paces_json(const assessment::PartResult& part);
+
+/// Stress by the corrected beam-theory impact model, the largest of the blows
+/// [Pa], and its factor over the static stress; 0: it says nothing.
+struct BeamImpactSummary {
+  double stress{}, factor{};
+};
+BeamImpactSummary beam_impact(const assessment::PartResult& part);
+
+}  // namespace clevis::report
