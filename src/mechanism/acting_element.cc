@@ -74,24 +74,19 @@ double unilateral(ActingElement& e, std::size_t end, const ContactLaw& law,
   return e.modes[end] == 1 ? e.unbounded[end] : 0.0;
 }
 
-double friction_effort(ActingElement& e, const FrictionLaw& law,
-                       const double* internal) {
-  const double size = kinetic_effort(law, e.rate);
-  const double viscous = law.viscous * e.rate;
-  if (law.model == FrictionModel::kRegularized) {
-    return -size * std::tanh(e.rate / law.regularizing_speed) - viscous;
-  }
-  if (law.model == FrictionModel::kLuGre) {
-    // the mode times the rate is the speed, smooth until the next turn
-    const double bristle = internal[e.internal];
-    e.internal_rates[0] =
-        e.rate - law.bristle_stiffness * e.modes[0] * e.rate / size * bristle;
-    return -law.bristle_stiffness * bristle -
-           law.bristle_damping * e.internal_rates[0] - viscous;
-  }
-  if (std::abs(e.modes[0]) == 2) return -0.5 * e.modes[0] * law.breakaway;
-  if (e.modes[0] == 0 || e.modes[0] == kLetGo) return 0.0;
-  return -e.modes[0] * size - viscous;
+double line_friction(ActingElement& e, const FrictionLaw& law,
+                     const double* internal) {
+  const double bristle = e.internal_count > 0 ? internal[e.internal] : 0.0;
+  const ActingElement::Tangent& at = e.tangent;
+  const FrictionEffort f =
+      at.holds ? friction_along_tangent(law, at.line, e.rate - at.rate,
+                                        bristle - at.bristle)
+               : friction_effort(law, e.modes[0], e.rate, bristle, e.slack);
+  e.internal_rates[0] = f.bristle_rate;
+  e.load = law.follows_reaction ? 0.0 : 1.0;
+  e.per_load = f.per_load;
+  e.own_effort = f.own;
+  return e.load * f.per_load + f.own;
 }
 
 double line_effort(ActingElement& e, const LineElement& element, double t,
@@ -101,9 +96,8 @@ double line_effort(ActingElement& e, const LineElement& element, double t,
            spring->damping * e.rate - spring->preload;
   }
   if (const auto* table = std::get_if<TableLaw>(&element.law)) {
-    return table->positions.empty()
-               ? linear_at(table->times, table->efforts, t)
-               : piece_effort(*table, e.modes[0], e.q);
+    return table->positions.empty() ? linear_at(table->times, table->efforts, t)
+                                    : piece_effort(*table, e.modes[0], e.q);
   }
   if (const auto* gas = std::get_if<GasCylinderLaw>(&element.law)) {
     const double* own = internal + e.internal;
@@ -129,7 +123,7 @@ double line_effort(ActingElement& e, const LineElement& element, double t,
     }
     return effort;
   }
-  return friction_effort(e, std::get<FrictionLaw>(element.law), internal);
+  return line_friction(e, std::get<FrictionLaw>(element.law), internal);
 }
 
 void measure_line(ActingElement& e) {
@@ -158,13 +152,17 @@ void evaluate_contact(ActingElement& e, const ContactElement& contact,
   e.q = contact.radius - n.dot(e.placed.d);
   e.rate = -n.dot(v);
   e.effort = unilateral(e, 0, contact.law, e.q, e.rate);
-  const Vector3d sliding = v + e.rate * n;
-  const double speed = sliding.norm();
+  e.sliding = v + e.rate * n;
   Vector3d f = e.effort * n;
   e.friction = 0.0;
-  if (e.effort > 0.0 && speed > 0.0) {
-    e.friction = friction_coefficient(contact, speed) * e.effort;
-    f -= e.friction / speed * sliding;
+  if (e.effort > 0.0) {
+    const ActingElement::Tangent& at = e.tangent;
+    const Vector3d coefficient =
+        at.holds ? Vector3d(at.contact.coefficient +
+                            at.contact.slope * (e.sliding - at.sliding))
+                 : sliding_friction(contact, e.sliding, e.slack).coefficient;
+    e.friction = coefficient.norm() * e.effort;
+    f -= e.effort * coefficient;
   }
   e.on_b = {f, on_b.cross(f)};
   e.on_a = {-f, on_a.cross(Vector3d(-f))};
@@ -294,6 +292,23 @@ std::array<ElementAction, 2> actions(const ActingElement& e) {
   return {
       action(e.line.a, e.placed.p_b - e.placed.d, e.placed.r_a, to_a, e.on_a),
       action(e.line.b, e.placed.p_b, e.placed.r_b, to_b, e.on_b)};
+}
+
+void hold_tangent(ActingElement& e, const double* internal) {
+  ActingElement::Tangent& at = e.tangent;
+  if (const auto* contact = std::get_if<ContactElement>(e.definition)) {
+    at.sliding = e.sliding;
+    at.contact = sliding_friction(*contact, e.sliding, e.slack);
+    at.holds = true;
+    return;
+  }
+  const auto* line = std::get_if<LineElement>(e.definition);
+  const auto* law = line ? std::get_if<FrictionLaw>(&line->law) : nullptr;
+  if (law == nullptr) return;
+  at.rate = e.rate;
+  at.bristle = e.internal_count > 0 ? internal[e.internal] : 0.0;
+  at.line = friction_effort(*law, e.modes[0], at.rate, at.bristle, e.slack);
+  at.holds = true;
 }
 
 void act_along(ActingElement& e, double effort) {

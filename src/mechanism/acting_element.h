@@ -5,6 +5,7 @@
 
 #include "mechanism/constraint_system.h"
 #include "mechanism/definition.h"
+#include "mechanism/friction_laws.h"
 #include "mechanism/motion.h"
 
 namespace clevis::mechanism {
@@ -28,6 +29,18 @@ struct ActingElement {
   int internal_count = 0;
   std::array<int, 2> modes{};
   double q_start{}, rate_start{}, t_start{};  ///< as of accept()
+  /// Speed below which speeds tell nothing: bristles turn late by that, and no
+  /// law is regularised by less.
+  double slack{};
+  /// Friction at the state of hold_tangent(); acts instead of the law.
+  struct Tangent {
+    bool holds = false;
+    double rate{}, bristle{};
+    FrictionEffort line;
+    Eigen::Vector3d sliding = Eigen::Vector3d::Zero();
+    SlidingFriction contact;
+  };
+  Tangent tangent{};
 
   // as of evaluate()
   PlacedJoint placed;
@@ -35,7 +48,12 @@ struct ActingElement {
   double q{}, rate{};          ///< of a line; a contact's depth; [m] or [rad]
   double effort{};             ///< on b, > 0 pushes apart; normal force
   double friction{};           ///< of a contact [N]
-  GasInternals internal_rates{};  ///< room enough for any law
+  Eigen::Vector3d sliding = Eigen::Vector3d::Zero();  ///< of a contact [m/s]
+  /// What friction is proportional to: 1, or the joint's force if it follows
+  /// that; 0 until that is known [N].
+  double load = 1.0;
+  double per_load{}, own_effort{};  ///< effort = load × per_load + own_effort
+  GasInternals internal_rates{};    ///< room enough for any law
   GasChamberStates gas{};
   GasInterface interface {};  ///< of gas that communicates in steps
   MotorState motor{};
@@ -73,6 +91,10 @@ void accept(ActingElement& e, double t);
 /// What it does to its bodies, as of evaluate(); a contact acts where it
 /// touches, all others at their ends.
 std::array<ElementAction, 2> actions(const ActingElement& e);
+
+/// Its friction acts by the tangent at the state of the last evaluate(), until
+/// tangent.holds is false again.
+void hold_tangent(ActingElement& e, const double* internal);
 
 /// Lets a line act with an effort.
 void act_along(ActingElement& e, double effort);

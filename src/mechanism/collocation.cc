@@ -68,6 +68,7 @@ void Collocation::linearise(double t, const VectorXd& y,
                             const VectorXd& slope) {
   const double root = std::sqrt(std::numeric_limits<double>::epsilon());
   system_.scales(y, scratch_);
+  system_.hold_tangents(t, y);
   point_ = y;
   for (Index j = 0; j < y.size(); ++j) {
     if (scratch_[j] == 0.0) {  // nothing depends on it
@@ -81,6 +82,7 @@ void Collocation::linearise(double t, const VectorXd& y,
     J_.col(j) = (f_[0] - slope) / (point_[j] - y[j]);
     point_[j] = y[j];
   }
+  system_.release_tangents();
   h_ = 0.0;
 }
 
@@ -164,6 +166,22 @@ void Collocation::embedded(double h, VectorXd& sum) const {
   static const double kE2 = (-13.0 + 7.0 * std::sqrt(6.0)) / 3.0;
   constexpr double kE3 = -1.0 / 3.0;
   sum = (kE1 / h) * z_[0] + (kE2 / h) * z_[1] + (kE3 / h) * z_[2];
+}
+
+double Collocation::largest_eigenvalue() {
+  // the mean growth over some powers: a pair of eigenvalues turns the vector
+  constexpr int kBefore = 6, kPowers = 8;
+  direction_.setOnes();
+  double growth = 0.0;
+  for (int i = 0; i < kBefore + kPowers; ++i) {
+    direction_ /= direction_.norm();
+    scratch_.noalias() = J_ * direction_;
+    const double size = scratch_.norm();
+    if (!(size > 0.0)) return 0.0;
+    if (i >= kBefore) growth += std::log(size);
+    direction_ = scratch_;
+  }
+  return std::exp(growth / kPowers);
 }
 
 double Collocation::stiffness() {

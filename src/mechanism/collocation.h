@@ -20,7 +20,7 @@ class Collocation {
 
   using Stages = std::array<Eigen::VectorXd, 3>;
 
-  /// Jacobian of the rate at (t, y), by differences.
+  /// Jacobian of the rate at (t, y), by differences that hold_tangents().
   void linearise(double t, const Eigen::VectorXd& y,
                  const Eigen::VectorXd& slope);
   /// Decomposes for a step h. @return false if that fails.
@@ -42,6 +42,8 @@ class Collocation {
   void embedded(double h, Eigen::VectorXd& sum) const;
   /// Largest growth of a vector by J in a few power iterations [1/s].
   double stiffness();
+  /// About the size of its largest eigenvalue [1/s].
+  double largest_eigenvalue();
 
   long evaluations() const { return evaluations_; }
   long factorisations() const { return factorisations_; }

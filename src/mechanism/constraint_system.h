@@ -7,55 +7,9 @@
 
 #include "mechanism/definition.h"
 #include "mechanism/joint_model.h"
+#include "mechanism/solving_frame.h"
 
 namespace clevis::mechanism {
-
-/// Positions of all bodies by slot; slot 0 is ground. Joints that count turns
-/// also need the angle that they have turned by.
-struct Configuration : std::vector<BodyPlacement> {
-  using std::vector<BodyPlacement>::vector;
-  /// By joint, to half a turn [rad]; move() keeps it up. Empty: all 0.
-  std::vector<double> angles;
-
-  double angle(std::size_t joint) const {
-    return joint < angles.size() ? angles[joint] : 0.0;
-  }
-};
-
-/// q_1 = ratio q_2 + offset between coordinates of two joints.
-struct CouplingModel {
-  int joint_1{}, joint_2{};
-  JointRow row_1, row_2;
-  double ratio{}, offset{};
-  double scale{};  ///< makes its row comparable with lengths
-};
-
-/// Compliance of a link, its points relative to its joints.
-struct ElasticLink {
-  int slot{};
-  std::vector<int> joints;
-  std::vector<Eigen::Vector3d> points;  ///< from J on the link, in L [m]
-  Eigen::MatrixXd root;  ///< rootᵀ root = LinkCompliance::matrix
-};
-
-/// Compliance of a joint along each axis where the user gives none [m/N].
-inline constexpr double kDefaultCompliance = 1e-9;
-
-/// A mechanism in the frame P in which it is solved: for planar ones z is the
-/// plane's normal. Each body is referred to M, the mean of its joints.
-struct SolvingFrame {
-  explicit SolvingFrame(const MechanismDefinition& definition);
-
-  bool planar{};
-  Eigen::Matrix3d R_WP = Eigen::Matrix3d::Identity();
-  /// Lengths of the links' order [m]: turns are measured as turn × length.
-  double length{};
-  std::vector<Eigen::Vector3d> p_LM;  ///< by body [m]
-  std::vector<JointModel> joints;
-  std::vector<CouplingModel> couplings;
-  std::vector<ElasticLink> links;  ///< those that are not rigid
-  Configuration placement;         ///< as the user gave it, out of plane closed
-};
 
 /// The constraint equations c(x, t) = 0 of a mechanism for some motions of
 /// its bodies: the joints' rows, one row per coupling, one per drive.
@@ -104,6 +58,10 @@ class ConstraintSystem {
   void bias(const std::vector<PlacedJoint>& placed,
             const std::vector<Twist>& twists, Eigen::VectorXd& bias) const;
 
+  /// Adds factor × levers of a line between two slots to a row of J.
+  void add_levers(Eigen::MatrixXd& J, int row, int slot_a, int slot_b,
+                  const PlacedJoint::Levers& levers, double factor) const;
+
   /// Unknowns ↔ twists by slot.
   std::vector<Twist> twists(const Eigen::VectorXd& unknowns) const;
   /// Wrenches about M by slot → right-hand side of Jᵀλ = wrench.
@@ -130,9 +88,6 @@ class ConstraintSystem {
   static std::size_t coupling(const Row& row) {
     return static_cast<std::size_t>(row.coupling);
   }
-  void add_levers(Eigen::MatrixXd& J, int row, int joint,
-                  const PlacedJoint::Levers& levers, double factor) const;
-
   const SolvingFrame* frame_;
   Motions motions_;
   std::span<const int> components_;

@@ -64,7 +64,7 @@ double ForwardDynamics::free_response(int slot, const Twist& lever) const {
 ContactInertia ForwardDynamics::contact_inertia(std::size_t element, int end) {
   const ActingElement& e = forces_.element(element);
   const PlacedJoint::Levers levers = apart(e, end);
-  Eigen::VectorXd on_a = Eigen::VectorXd::Zero(system_.columns());
+  Eigen::VectorXd on_a = Eigen::VectorXd::Zero(columns_);
   Eigen::VectorXd on_b = on_a, response = on_a;
   Eigen::VectorXd none = Eigen::VectorXd::Zero(gamma_.size());
   Eigen::VectorXd multipliers = none;

@@ -13,6 +13,7 @@
 #include "base/errors.h"
 #include "mechanism/body_motion.h"
 #include "mechanism/drive_law.h"
+#include "mechanism/following_friction.h"
 #include "mechanism/power_balance.h"
 
 namespace clevis::mechanism {
@@ -144,11 +145,15 @@ std::vector<Twist> DrivenMotion::elements(const ClosedConfiguration& at,
 Instant DrivenMotion::instant(const ClosedConfiguration& at, double t) const {
   const Rates motion = rates(at, t);
   Instant result = kinematics(at, t, motion);
-  const std::vector<Twist> applied = elements(at, motion, result);
+  elements(at, motion, result);
+  const auto balance = [&](std::span<const Twist> applied) {
+    return equilibrium_.solve(at.x, at.placed, at.factor, motion.twists,
+                              motion.accelerations, applied);
+  };
   put_forces(frame_, system_, at.placed,
-             equilibrium_.solve(at.x, at.placed, at.factor, motion.twists,
-                                motion.accelerations, applied),
-             result);
+             balance_with_friction(forces_, at.x.size(), balance), result);
+  result.elements = forces_.states();
+  require_unique_loads(definition_, result.joints);
   return result;
 }
 

@@ -28,9 +28,15 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 // Local errors add up over a motion; steps are this much stricter, down to
-// where round-off beside change points would govern.
+// round-off, and of closed loops to where that governs beside change points.
 constexpr double kLocalPart = 0.01;
-constexpr double kStrictest = 1e-11;
+constexpr double kStrictest = 1e-14, kStrictestOfLoops = 1e-11;
+
+double step_tolerance(const MechanismDefinition& definition, double tolerance) {
+  const bool loops = definition.joints.size() > definition.bodies.size();
+  return std::max(kLocalPart * tolerance,
+                  loops ? kStrictestOfLoops : kStrictest);
+}
 
 /// Uniform instants, both ends included, and others among them.
 std::vector<double> sample_times(const SimulationSettings& settings,
@@ -61,7 +67,7 @@ class DynamicRun {
         settings_(settings),
         frame_(frame_at_centres(definition)),
         dynamics_(definition, frame_,
-                  std::max(kLocalPart * settings.tolerance, kStrictest),
+                  step_tolerance(definition, settings.tolerance),
                   settings.duration),
         equilibrium_(definition, frame_, dynamics_.system()),
         change_points_(definition, settings, frame_, dynamics_, equilibrium_),
@@ -86,6 +92,7 @@ class DynamicRun {
   void sample_until(double t);
   void add_instant(double t, VectorXd& y);
   void note_energy(const VectorXd& y);
+  void require_energy_balance() const;
 
   const MechanismDefinition& definition_;
   const SimulationSettings& settings_;
@@ -105,6 +112,7 @@ class DynamicRun {
   int crowded_events_ = 0;
   double last_event_ = -1.0;
   double energy_start_{}, energy_error_{}, largest_energy_{};
+  double largest_load_{};  ///< force on a body [N]
   Motion motion_;
 };
 
@@ -197,6 +205,24 @@ void DynamicRun::note_energy(const VectorXd& y) {
   energy_error_ =
       std::max(energy_error_, std::abs(kinetic - energy_start_ - work));
   largest_energy_ = std::max({largest_energy_, kinetic, std::abs(work)});
+  largest_load_ = std::max(largest_load_, dynamics_.largest_load());
+}
+
+/// Kinetic energy and work must agree: to a part of the largest of them, or to
+/// what the largest force does over the error of positions that is allowed.
+void DynamicRun::require_energy_balance() const {
+  constexpr double kPart = 0.01, kTimesAllowed = 100.0;
+  const double allowed =
+      std::max(kPart, kTimesAllowed * settings_.tolerance) * largest_energy_ +
+      kTimesAllowed * settings_.tolerance * frame_.length * largest_load_;
+  if (energy_error_ <= allowed) return;
+  throw Error("K010", "mechanism",
+              fmt::format("kinetic energy and the work of all forces differ by "
+                          "{:.3g} J, {:.2g} of the largest: the integration "
+                          "failed",
+                          energy_error_, energy_error_ / largest_energy_),
+              "ask for a stricter tolerance, and look for lengths, masses or "
+              "forces of a wrong order of size");
 }
 
 void DynamicRun::add_instant(double t, VectorXd& y) {
@@ -227,6 +253,7 @@ void DynamicRun::add_instant(double t, VectorXd& y) {
   mark_what_friction_leaves_open(frame_, system, placed, dynamics_.forces(),
                                  instant);
   instant.is_change_point = is_change_point;
+  require_unique_loads(definition_, instant.joints);
   instant.closure_error = gap;
   motion_.instants.push_back(std::move(instant));
 }
@@ -264,6 +291,7 @@ Motion DynamicRun::run() {
   while (integrator_.t() < settings_.duration) {
     const double limit = next_break();
     if (!integrator_.step(limit)) {
+      if (dynamics_.jams()) refuse_jam(integrator_.t());
       throw Error("K008", "mechanism",
                   fmt::format("at t = {:.9g} s no step is short enough",
                               integrator_.t()),
@@ -293,6 +321,7 @@ Motion DynamicRun::run() {
       restart(limit);
     }
   }
+  require_energy_balance();
   const StepCounts& counts = integrator_.counts();
   motion_.integration = IntegrationSummary{
       .method = integrator_.method(),
@@ -310,10 +339,31 @@ Motion DynamicRun::run() {
   return std::move(motion_);
 }
 
+/// @throws Error K006 if a body is so light beside another that accelerations
+///   by it have no digit left.
+void refuse_massless(const MechanismDefinition& definition) {
+  constexpr double kLightest = 1e-12;
+  double heaviest = 0.0;
+  for (const BodyDefinition& body : definition.bodies) {
+    heaviest = std::max(heaviest, body.mass_properties.mass);
+  }
+  for (const BodyDefinition& body : definition.bodies) {
+    const double mass = body.mass_properties.mass;
+    if (mass >= kLightest * heaviest) continue;
+    throw Error("K006", body.place,
+                fmt::format("body {} has {:.3g} kg beside one of {:.3g} kg: "
+                            "massless, for double precision",
+                            body.name, mass, heaviest),
+                "give the body its mass, or replace a link between two joints "
+                "by a joint of type \"distance\"");
+  }
+}
+
 }  // namespace
 
 Motion integrate_motion(const MechanismDefinition& definition,
                         const SimulationSettings& settings) {
+  refuse_massless(definition);
   if (!settings.at_peaks) return DynamicRun(definition, settings).run();
   // the same run twice: the first tells when reactions are largest
   DynamicRun first(definition, settings);

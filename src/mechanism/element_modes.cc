@@ -80,8 +80,10 @@ double event_value(const ActingElement& e, int end) {
   const auto at = static_cast<std::size_t>(end);
   if (const FrictionLaw* friction = switched_friction(*e.definition)) {
     if (end == 1) return 1.0;
-    if (sticks(e)) return friction->breakaway - std::abs(e.effort);
-    return std::abs(e.modes[0]) == 2 ? 1.0 : e.modes[0] * e.rate;
+    if (sticks(e)) return e.load * friction->breakaway - std::abs(e.effort);
+    if (std::abs(e.modes[0]) == 2) return 1.0;
+    const bool bristles = friction->model == FrictionModel::kLuGre;
+    return e.modes[0] * e.rate + (bristles ? e.slack : 0.0);
   }
   if (const TableLaw* table = position_table(*e.definition)) {
     return way_left(*table, e.modes[0], end, e.q);

@@ -53,6 +53,9 @@ struct FrictionLaw {
   double stribeck_speed{};        ///< [m/s] or [rad/s]; 0: kinetic at once
   double regularizing_speed{};    ///< of tanh(v/v_c); regularized only
   double bristle_stiffness{}, bristle_damping{};  ///< LuGre
+  /// Breakaway and kinetic are per newton of the joint's force across its axis:
+  /// [1], or [m] where the joint turns.
+  bool follows_reaction = false;
 };
 
 enum class ContactModel { kPenalty, kPublished, kHuntCrossley };

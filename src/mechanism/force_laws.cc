@@ -20,20 +20,6 @@ double contact_effort(const ContactLaw& law, double depth, double rate) {
   return s * s * (3.0 - 2.0 * s) * full;
 }
 
-double kinetic_effort(const FrictionLaw& law, double speed) {
-  if (law.stribeck_speed <= 0.0) return law.kinetic;
-  const double r = speed / law.stribeck_speed;
-  return law.kinetic + (law.breakaway - law.kinetic) * std::exp(-r * r);
-}
-
-double friction_coefficient(const ContactElement& contact, double speed) {
-  const double r = speed / contact.critical_speed;
-  if (r <= 1.0) return contact.static_friction * 2.0 * r / (1.0 + r * r);
-  return contact.kinetic_friction +
-         (contact.static_friction - contact.kinetic_friction) *
-             std::exp(-(r - 1.0) * (r - 1.0));
-}
-
 double servo_effort(const ServoLaw& law, double t, double q, double rate) {
   const DriveTarget target = drive_target(law.reference, t);
   const double wanted = -law.stiffness * (q - target.position) -

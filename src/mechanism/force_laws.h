@@ -13,13 +13,6 @@ inline bool may_pull(const ContactLaw& law) {
   return law.model == ContactModel::kPublished;
 }
 
-/// Size of the kinetic friction at |v|, without the viscous part.
-double kinetic_effort(const FrictionLaw& law, double speed);
-
-/// Coefficient of sliding friction: rises to the static one at the critical
-/// speed, falls to the kinetic one beyond it; smooth.
-double friction_coefficient(const ContactElement& contact, double speed);
-
 double servo_effort(const ServoLaw& law, double t, double q, double rate);
 
 /// Effort of a table over positions on one of its pieces: 0 before the first

@@ -190,7 +190,34 @@ bool ForceModel::is_dry(std::size_t k) const {
 }
 
 double ForceModel::breakaway(std::size_t k) const {
-  return switched_friction(*elements_[k].definition)->breakaway;
+  return elements_[k].load *
+         switched_friction(*elements_[k].definition)->breakaway;
+}
+
+void ForceModel::set_load(std::size_t k, double load) {
+  ActingElement& e = elements_[k];
+  e.load = load;
+  if (sticks(k)) return;
+  act_along(e, load * e.per_load + e.own_effort);
+  e.power = e.effort * e.rate;
+}
+
+void ForceModel::hold_tangents(const double* internal) {
+  for (ActingElement& e : elements_) hold_tangent(e, internal);
+}
+
+void ForceModel::release_tangents() {
+  for (ActingElement& e : elements_) e.tangent.holds = false;
+}
+
+void ForceModel::set_slack(double speed, double turn, double per_second) {
+  for (ActingElement& e : elements_) {
+    e.slack = e.row.is_angle() ? turn : speed;
+    const FrictionLaw* law = switched_friction(*e.definition);
+    if (law == nullptr || law->model != FrictionModel::kLuGre) continue;
+    const double deflection = law->breakaway / law->bristle_stiffness;
+    e.slack = std::min(e.slack, per_second * deflection);
+  }
 }
 
 void ForceModel::event_values(Eigen::VectorXd& values) const {

@@ -65,7 +65,19 @@ class ForceModel {
   /// what its rotor needs.
   void set_row_effort(std::size_t k, double effort);
   double breakaway(std::size_t k) const;
+  /// Gives friction that follows a reaction its load, and with it, unless it
+  /// sticks, its effort.
+  void set_load(std::size_t k, double load);
   void set_mode(std::size_t k, int mode) { elements_[k].modes[0] = mode; }
+
+  /// See OdeSystem. @param internal  of the last evaluate().
+  void hold_tangents(const double* internal);
+  void release_tangents();
+  /// @param speed, turn  below which speeds tell nothing, of lines that slide
+  ///   and that turn [m/s], [rad/s].
+  /// @param per_second  bristles creep by this part of their deflection at
+  ///   most [1/s].
+  void set_slack(double speed, double turn, double per_second);
 
   /// Two per element: positive while its modes hold, as of evaluate() and
   /// set_row_effort().

@@ -6,8 +6,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-#include "mechanism/drive_law.h"
-
 namespace clevis::mechanism {
 namespace {
 
@@ -74,6 +72,8 @@ ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
       columns_(all_unknowns(rotors_, system_.columns())),
       mass_(static_cast<int>(columns_),
             system_.rows() + static_cast<int>(forces_.size())),
+      following_(forces_, system_, static_cast<int>(columns_),
+                 system_.rows() + static_cast<int>(forces_.size())),
       planar_(frame.planar),
       length_(frame.length),
       tolerance_(tolerance),
@@ -137,90 +137,6 @@ void ForwardDynamics::place_rotors() {
   }
 }
 
-VectorXd ForwardDynamics::start(const Configuration& x) {
-  for (std::size_t j = 0; j < turns_.size(); ++j) {
-    turns_[j] = {x.angle(j), 0.0};
-  }
-  VectorXd y = VectorXd::Zero(size());
-  for (std::size_t i = 1; i < x.size(); ++i) {
-    if (planar_) {
-      const Matrix3d turn = x[i].R * bodies_[i].R_start.transpose();
-      const double angle = std::atan2(turn(1, 0), turn(0, 0));
-      y.segment<3>(static_cast<Index>(3 * (i - 1))) =
-          Vector3d(x[i].p.x(), x[i].p.y(), length_ * angle);
-    } else {
-      const auto at = static_cast<Index>(7 * (i - 1));
-      y.segment<3>(at) = x[i].p;
-      y.segment<4>(at + 3) = x[i].q.coeffs();
-    }
-  }
-  forces_.start_internal(x, y.data() + internal_index());
-  return y;
-}
-
-void ForwardDynamics::place(double t, const VectorXd& y) {
-  u_.setZero();  // rotors turn as their joints do
-  u_.head(system_.columns()) = y.segment(positions_, system_.columns());
-  for (std::size_t i = 1; i < x_.size(); ++i) {
-    if (planar_) {
-      const auto at = static_cast<Index>(3 * (i - 1));
-      x_[i].p.head<2>() = y.segment<2>(at);
-      const double angle = y[at + 2] / length_;
-      const double c = std::cos(angle), s = std::sin(angle);
-      const Matrix3d& R = bodies_[i].R_start;
-      x_[i].R.row(0) = c * R.row(0) - s * R.row(1);
-      x_[i].R.row(1) = s * R.row(0) + c * R.row(1);
-      twists_[i].v.head<2>() = u_.segment<2>(at);
-      twists_[i].w.z() = u_[at + 2] / length_;
-    } else {
-      const auto at = static_cast<Index>(7 * (i - 1));
-      x_[i].p = y.segment<3>(at);
-      x_[i].q.coeffs() = y.segment<4>(at + 3).normalized();
-      x_[i].R = x_[i].q.toRotationMatrix();
-      const auto u = static_cast<Index>(6 * (i - 1));
-      twists_[i].v = u_.segment<3>(u);
-      twists_[i].w = u_.segment<3>(u + 3) / length_;
-      mass_.set_full(static_cast<int>(2 * i - 1),
-                     x_[i].R * bodies_[i].turn_factor,
-                     bodies_[i].turn_root * x_[i].R.transpose());
-    }
-  }
-  // near the last accepted state's, so that no trial miscounts the turns
-  for (std::size_t j = 0; j < turns_.size(); ++j) {
-    if (!frame_.joints[j].counts_turns) continue;
-    x_.angles[j] = turns_[j].angle + turns_[j].rate * (t - accepted_at_);
-  }
-  system_.place(x_, placed_);
-}
-
-void ForwardDynamics::accept(double t) {
-  accepted_at_ = t;
-  forces_.accept(t);
-  for (std::size_t j = 0; j < turns_.size(); ++j) {
-    const JointModel& joint = frame_.joints[j];
-    if (!joint.counts_turns) continue;
-    const Vector3d w = twists_[index(joint.b)].w - twists_[index(joint.a)].w;
-    turns_[j] = {placed_[j].turned(), placed_[j].axes_a.col(2).dot(w)};
-  }
-}
-
-void ForwardDynamics::communicate(double t, const VectorXd& y) {
-  if (forces_.next_communication() > t) return;
-  rate(t, y, scratch_);
-  forces_.communicate(t);
-}
-
-void ForwardDynamics::set_targets(double t) {
-  for (std::size_t k = 0; k < drives_.size(); ++k) {
-    const DriveTarget target = drive_target(drives_[k], t);
-    const Index row = system_.joint_rows() + static_cast<Index>(k);
-    const double scale = system_.scale(system_.row_list()[index(row)]);
-    targets_[static_cast<Index>(k)] = target.position;
-    target_rates_[row] = scale * target.rate;
-    target_seconds_[row] = scale * target.acceleration;
-  }
-}
-
 void ForwardDynamics::factor() {
   system_.fill_jacobian(placed_, J_);
   rows_ = system_.rows();
@@ -228,26 +144,11 @@ void ForwardDynamics::factor() {
     if (!forces_.brings_row(k)) continue;
     const ActingElement& e = forces_.element(k);
     J_.row(rows_).setZero();
-    add_lever(rows_, e.line.a, e.levers.a, row_scale(k));
-    add_lever(rows_, e.line.b, e.levers.b, row_scale(k));
+    system_.add_levers(J_, rows_, e.line.a, e.line.b, e.levers, row_scale(k));
     if (rotors_[k] >= 0) J_(rows_, rotors_[k]) = -1.0;
     ++rows_;
   }
   mass_.factor(J_, rows_);
-}
-
-void ForwardDynamics::add_lever(Index row, int slot, const Twist& lever,
-                                double scale) {
-  if (slot == 0) return;
-  if (planar_) {
-    const Index at = 3 * (slot - 1);
-    J_.row(row).segment<2>(at) += scale * lever.v.head<2>().transpose();
-    J_(row, at + 2) += scale * lever.w.z() / length_;
-  } else {
-    const Index at = 6 * (slot - 1);
-    J_.row(row).segment<3>(at) += scale * lever.v.transpose();
-    J_.row(row).segment<3>(at + 3) += scale / length_ * lever.w.transpose();
-  }
 }
 
 /// Wrenches about the centres of mass, and Q of them.
@@ -293,13 +194,15 @@ void ForwardDynamics::rate(double t, const VectorXd& y, VectorXd& rate) {
     gamma_[row++] = -row_scale(k) * forces_.line_bias(k, twists_);
   }
   mass_.accelerate(gamma_, Q_, acceleration_, lambda_);
+  double power = following_.empty()
+                     ? 0.0
+                     : following_.solve(forces_, mass_, acceleration_, lambda_);
   row = system_.rows();
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     if (!forces_.brings_row(k)) continue;
     forces_.set_row_effort(k, row_scale(k) * lambda_[row++]);
   }
   forces_.internal_rates(rate.data() + internal_index());
-  double power = 0.0;
   for (std::size_t i = 1; i < x_.size(); ++i) {
     power +=
         wrenches_[i].v.dot(twists_[i].v) + wrenches_[i].w.dot(twists_[i].w);
@@ -321,112 +224,24 @@ void ForwardDynamics::rate(double t, const VectorXd& y, VectorXd& rate) {
   rate[work_index()] = power;
 }
 
-void ForwardDynamics::note_speed(const VectorXd& y) {
-  const double speed =
-      y.segment(positions_, system_.columns()).lpNorm<Eigen::Infinity>();
-  // from rest: the speed that the acceleration reaches over the length
-  const double reached =
-      std::sqrt(length_ * acceleration_.lpNorm<Eigen::Infinity>());
-  speed_ = std::max({slowest_, speed_, speed, speed_ > 0.0 ? 0.0 : reached});
-}
-
-void ForwardDynamics::scales(const VectorXd& y, VectorXd& scales) const {
-  scales.head(positions_).setConstant(length_);
-  for (Index at = 3; !planar_ && at < positions_; at += 7) {
-    scales.segment<4>(at).setConstant(0.5);  // of quaternions: a turn of 1
-  }
-  scales.segment(positions_, system_.columns())
-      .setConstant(speed_ > 0.0 ? speed_ : length_);
-  forces_.internal_scales(y.data() + internal_index(),
-                          scales.data() + internal_index());
-  scales[work_index()] = 0.0;
-}
-
-void ForwardDynamics::error_weights(const VectorXd& y,
-                                    VectorXd& weights) const {
-  scales(y, weights);
-  weights.head(work_index()) =
-      (tolerance_ * weights.head(work_index())).cwiseInverse();
-}
-
-void ForwardDynamics::move(VectorXd& y, const VectorXd& change) const {
-  if (planar_) {
-    y.head(positions_) += change.head(positions_);
-    return;
-  }
-  for (Index i = 0; i < positions_ / 7; ++i) {
-    BodyPlacement body;
-    body.p = y.segment<3>(7 * i);
-    body.q.coeffs() = y.segment<4>(7 * i + 3);
-    body.move(change.segment<3>(6 * i), change.segment<3>(6 * i + 3) / length_);
-    y.segment<3>(7 * i) = body.p;
-    y.segment<4>(7 * i + 3) = body.q.coeffs();
-  }
-}
-
-double ForwardDynamics::correct_positions(double t, VectorXd& y) {
-  constexpr int kMost = 4;
-  constexpr double kClosed = 1e-13;
-  double last = 0.0;
-  for (int i = 0;; ++i) {
-    system_.residual(placed_, targets_, residual_);
-    residual_.tail(residual_.size() - system_.rows()).setZero();
-    const double gap =
-        residual_.size() == 0 ? 0.0 : residual_.lpNorm<Eigen::Infinity>();
-    if (gap <= kClosed * length_ || i == kMost || (i > 1 && gap > 0.5 * last)) {
-      return gap;
-    }
-    last = gap;
-    mass_.correct(residual_, change_);
-    move(y, change_);
-    place(t, y);
-    // the factor at hand serves unless the gap was large
-    if (gap > 1e-6 * length_) factor();
-  }
-}
-
-double ForwardDynamics::project(double t, VectorXd& y) {
+void ForwardDynamics::hold_tangents(double t, const VectorXd& y) {
   place(t, y);
-  set_targets(t);
-  add_loads(t, y);
-  factor();
-  const double gap = correct_positions(t, y);
-  system_.fill_jacobian(placed_, J_);  // sticking rows hardly turn
-  residual_.head(rows_).noalias() = J_.topRows(rows_) * u_;
-  residual_.head(system_.rows()) -= target_rates_.head(system_.rows());
-  Eigen::Index row = system_.rows();
-  for (std::size_t k = 0; k < forces_.size(); ++k) {
-    if (!forces_.brings_row(k)) continue;
-    if (rotors_[k] >= 0) residual_[row] = 0.0;  // turns as its joint does
-    ++row;
+  forces_.evaluate(t, x_, twists_, y.data() + internal_index());
+  forces_.hold_tangents(y.data() + internal_index());
+}
+
+double ForwardDynamics::largest_load() const {
+  double largest = 0.0;
+  for (const Twist& wrench : wrenches_) {
+    largest = std::max(largest, wrench.v.norm() + wrench.w.norm() / length_);
   }
-  mass_.correct(residual_, change_);
-  u_ += change_;
-  y.segment(positions_, system_.columns()) = u_.head(system_.columns());
-  place(t, y);
-  return gap;
+  return largest;
 }
 
 void ForwardDynamics::event_values(double t, const VectorXd& y,
                                    VectorXd& values) {
   rate(t, y, scratch_);
   forces_.event_values(values);
-}
-
-double ForwardDynamics::kinetic_energy(const VectorXd& y) {
-  place(accepted_at_, y);
-  double energy = 0.0;
-  for (std::size_t i = 1; i < x_.size(); ++i) {
-    const Vector3d w_L = x_[i].R.transpose() * twists_[i].w;
-    energy += 0.5 * bodies_[i].mass * twists_[i].v.squaredNorm() +
-              0.5 * w_L.dot(bodies_[i].inertia * w_L);
-  }
-  for (std::size_t k = 0; k < rotors_.size(); ++k) {
-    if (rotors_[k] < 0) continue;
-    const double turn = forces_.joint_rate(k, placed_, twists_);
-    energy += 0.5 * forces_.inertia(k) * turn * turn;
-  }
-  return energy;
 }
 
 }  // namespace clevis::mechanism

@@ -8,6 +8,7 @@
 #include "mechanism/constrained_mass.h"
 #include "mechanism/constraint_system.h"
 #include "mechanism/definition.h"
+#include "mechanism/following_friction.h"
 #include "mechanism/force_model.h"
 #include "mechanism/ode_system.h"
 
@@ -44,6 +45,11 @@ class ForwardDynamics : public OdeSystem {
   void error_weights(const Eigen::VectorXd& y,
                      Eigen::VectorXd& weights) const override;
   void scales(const Eigen::VectorXd& y, Eigen::VectorXd& scales) const override;
+
+  void hold_tangents(double t, const Eigen::VectorXd& y) override;
+  void release_tangents() override { forces_.release_tangents(); }
+  /// The last rate() is not finite, as friction that follows a reaction jams.
+  bool jams() const { return following_.jams(); }
 
   /// State of bodies at rest, from which turns count. @throws Error K009.
   Eigen::VectorXd start(const Configuration& x);
@@ -101,6 +107,8 @@ class ForwardDynamics : public OdeSystem {
   std::optional<BranchMotion> branch_motion(double t, const Eigen::VectorXd& y,
                                             int freedom);
   double kinetic_energy(const Eigen::VectorXd& y);
+  /// Force on a body as of the last rate(), joints left out [N].
+  double largest_load() const;
   const ConstraintSystem& system() const { return system_; }
   /// Largest speed of the unknowns so far, for error_weights() [m/s]; at least
   /// that which moves a body by the mechanism's length in the duration.
@@ -116,7 +124,6 @@ class ForwardDynamics : public OdeSystem {
     return forces_.is_angle(k) ? length_ : 1.0;
   }
   void place_rotors();
-  void add_lever(Eigen::Index row, int slot, const Twist& lever, double scale);
   /// The lever as a force on the unknowns.
   void put_lever(int slot, const Twist& lever, Eigen::VectorXd& force) const;
   /// Acceleration along a lever per force along it, were the body free.
@@ -149,8 +156,10 @@ class ForwardDynamics : public OdeSystem {
   std::vector<Eigen::Index> rotors_;  ///< by force element: unknown, or −1
   Eigen::Index columns_;              ///< unknowns of bodies, then of rotors
   ConstrainedMass mass_;
+  FollowingFriction following_;
   bool planar_;
   double length_, tolerance_, slowest_, speed_{};
+  double lowest_pivot_ = 1.0;  ///< so far
   Eigen::Index positions_;
   std::vector<Body> bodies_;  ///< by slot
   struct Turn {

@@ -21,6 +21,11 @@ class OdeSystem {
   /// By component, a size that is large for it; 0 where no rate depends on it.
   virtual void scales(const Eigen::VectorXd& y,
                       Eigen::VectorXd& scales) const = 0;
+  /// From now on laws that bend within a small change of the state act by
+  /// their tangents at (t, y): differences of rate() over steps of any length
+  /// tell its derivative. Until release_tangents().
+  virtual void hold_tangents(double /*t*/, const Eigen::VectorXd& /*y*/) {}
+  virtual void release_tangents() {}
 };
 
 /// What an integrator has done so far.

@@ -102,6 +102,26 @@ bool all_hang_on_ground(const MechanismDefinition& definition) {
   return std::ranges::find(held, false) == held.end();
 }
 
+/// Whether friction in a slide follows its force and loads act across the
+/// plane: these press on the slide, but are no part of the motion.
+bool presses_slides_across(const MechanismDefinition& definition,
+                           const Vector3d& normal) {
+  const auto follows = [&definition](const ForceElement& element) {
+    const auto* line = std::get_if<LineElement>(&element);
+    const auto* law = line ? std::get_if<FrictionLaw>(&line->law) : nullptr;
+    return law != nullptr && law->follows_reaction &&
+           !is_angle(line->line, definition.joints);
+  };
+  if (std::ranges::none_of(definition.elements, follows)) return false;
+  const auto across = [&normal](const Vector3d& v) {
+    return std::abs(v.dot(normal)) > kParallel * v.norm();
+  };
+  return across(definition.gravity_W) ||
+         std::ranges::any_of(definition.forces, [&](const auto& force) {
+           return across(force.f_W);
+         });
+}
+
 }  // namespace
 
 std::optional<Matrix3d> find_plane(const MechanismDefinition& definition) {
@@ -115,6 +135,10 @@ std::optional<Matrix3d> find_plane(const MechanismDefinition& definition) {
   Vector3d normal = suggested_normal(definition);
   // of both normals the one that looks the user's way
   if (normal.z() < -kParallel) normal = -normal;
+  if (definition.dimension == SpaceDimension::kAuto &&
+      presses_slides_across(definition, normal)) {
+    return std::nullopt;
+  }
   const JointDefinition* spatial = find_spatial_joint(definition, normal);
   if (spatial != nullptr) {
     if (definition.dimension == SpaceDimension::kAuto) return std::nullopt;

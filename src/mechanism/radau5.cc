@@ -207,6 +207,14 @@ void Radau5::state_at(double t, VectorXd& y) {
   if (solved) y = y_start_ + z[2];
 }
 
+double Radau5::largest_eigenvalue(double t, const VectorXd& y) {
+  system_.rate(t, y, trial_slope_);
+  collocation_.linearise(t, y, trial_slope_);
+  refresh_ = true;
+  count();
+  return collocation_.largest_eigenvalue();
+}
+
 void Radau5::correct(const VectorXd& y) {
   scratch_ = y - y_;
   const bool matters = weighted_norm(scratch_, weights_) > 0.01;

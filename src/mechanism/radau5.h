@@ -24,6 +24,8 @@ class Radau5 : public Integrator {
   /// Steps are so short that an explicit method would be stable.
   bool wants_change() const override { return easy_steps_ >= kEasySteps; }
   double next_step() const override { return h_; }
+  /// About the largest eigenvalue of the system there, in size [1/s].
+  double largest_eigenvalue(double t, const Eigen::VectorXd& y);
 
  private:
   static constexpr int kEasySteps = 10;

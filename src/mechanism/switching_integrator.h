@@ -36,6 +36,7 @@ class SwitchingIntegrator : public Integrator {
 
  private:
   void change();
+  bool is_stiff();
   void count();
 
   Dop853 explicit_;

@@ -64,7 +64,56 @@ SpringLaw read_spring(StrictTable& table, const LineUnits& units) {
   return law;
 }
 
-FrictionLaw read_friction(StrictTable& table, const LineUnits& units) {
+/// Friction that follows the force of its joint: coefficients, and where the
+/// joint turns the radius of the pin.
+void read_following(StrictTable& table, const ElementLine& line,
+                    const std::vector<JointDefinition>& joints,
+                    FrictionLaw& law) {
+  const Value kinetic = table["kinetic_friction"];
+  law.follows_reaction = true;
+  law.kinetic = kinetic.number(0.0, 100.0);
+  const auto at_rest = table.find("static_friction");
+  law.breakaway = at_rest ? at_rest->number(0.0, 100.0) : law.kinetic;
+  if (law.kinetic > law.breakaway) {
+    throw kinetic.refusal("S006", "is above the static friction",
+                          "Friction at rest is at least that in motion.");
+  }
+  const JointType type = line.kind == ElementLine::Kind::kJoint
+                             ? joints[static_cast<std::size_t>(line.joint)].type
+                             : JointType::kWeld;
+  if (type != JointType::kRevolute && type != JointType::kPrismatic &&
+      type != JointType::kCylindrical) {
+    throw kinetic.refusal("S010", "follows the force of no such joint",
+                          "Name a revolute, prismatic or cylindrical joint.");
+  }
+  if (law.model == FrictionModel::kLuGre) {
+    throw kinetic.refusal("S010", "is not for bristles",
+                          "Choose the model \"coulomb\" or \"regularized\".");
+  }
+  if (!is_angle(line, joints)) return;
+  const double radius = table["pin_radius"].positive(Dimension::kLength);
+  law.kinetic *= radius;
+  law.breakaway *= radius;
+}
+
+void read_given_friction(StrictTable& table, const LineUnits& units,
+                         FrictionLaw& law) {
+  const Value breakaway = table["breakaway"];
+  law.breakaway = not_negative(breakaway, units.effort);
+  law.kinetic = not_negative(table["kinetic"], units.effort);
+  if (law.kinetic > law.breakaway) {
+    throw breakaway.refusal("S006", "is below the kinetic friction",
+                            "Friction at rest is at least that in motion.");
+  }
+  if (law.model == FrictionModel::kLuGre && !(law.kinetic > 0.0)) {
+    throw breakaway.refusal("S006", "with kinetic = 0 has no bristles",
+                            "Give a kinetic friction above zero.");
+  }
+}
+
+FrictionLaw read_friction(StrictTable& table, const ElementLine& line,
+                          const std::vector<JointDefinition>& joints) {
+  const LineUnits units = line_units(is_angle(line, joints));
   FrictionLaw law;
   if (const auto model = table.find("model")) {
     law.model = model->choice<FrictionModel>(
@@ -72,12 +121,10 @@ FrictionLaw read_friction(StrictTable& table, const LineUnits& units) {
          {"regularized", FrictionModel::kRegularized},
          {"lugre", FrictionModel::kLuGre}});
   }
-  const Value breakaway = table["breakaway"];
-  law.breakaway = not_negative(breakaway, units.effort);
-  law.kinetic = not_negative(table["kinetic"], units.effort);
-  if (law.kinetic > law.breakaway) {
-    throw breakaway.refusal("S006", "is below the kinetic friction",
-                            "Friction at rest is at least that in motion.");
+  if (table.has("kinetic_friction")) {
+    read_following(table, line, joints, law);
+  } else {
+    read_given_friction(table, units, law);
   }
   law.viscous = not_negative_or(table, "viscous", units.damping, 0.0);
   law.stribeck_speed =
@@ -88,10 +135,6 @@ FrictionLaw read_friction(StrictTable& table, const LineUnits& units) {
     law.bristle_stiffness =
         table["bristle_stiffness"].positive(units.stiffness);
     law.bristle_damping = not_negative(table["bristle_damping"], units.damping);
-    if (!(law.kinetic > 0.0)) {
-      throw breakaway.refusal("S006", "with kinetic = 0 has no bristles",
-                              "Give a kinetic friction above zero.");
-    }
   }
   return law;
 }
@@ -212,7 +255,7 @@ ForceElement read_element(ElementType type, const std::string& name,
     const LineUnits units = line_units(is_angle(element.line, joints));
     if (type == ElementType::kSpring) element.law = read_spring(table, units);
     if (type == ElementType::kFriction) {
-      element.law = read_friction(table, units);
+      element.law = read_friction(table, element.line, joints);
     }
     if (type == ElementType::kStop) element.law = read_stop(table, units);
     if (type == ElementType::kTable) element.law = read_table(table, units);

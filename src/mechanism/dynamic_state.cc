@@ -1,0 +1,220 @@
+// States of ForwardDynamics: from and to bodies, scales, projection.
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "mechanism/drive_law.h"
+#include "mechanism/forward_dynamics.h"
+
+namespace clevis::mechanism {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// Round-off of accelerations is that over the smallest pivot: motions that
+// come near change points are not the better for steps beyond that.
+constexpr double kRoundOff = 1e-16, kNearRank = 1e-11;
+
+std::size_t index(Index i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+VectorXd ForwardDynamics::start(const Configuration& x) {
+  for (std::size_t j = 0; j < turns_.size(); ++j) {
+    turns_[j] = {x.angle(j), 0.0};
+  }
+  VectorXd y = VectorXd::Zero(size());
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (planar_) {
+      const Matrix3d turn = x[i].R * bodies_[i].R_start.transpose();
+      const double angle = std::atan2(turn(1, 0), turn(0, 0));
+      y.segment<3>(static_cast<Index>(3 * (i - 1))) =
+          Vector3d(x[i].p.x(), x[i].p.y(), length_ * angle);
+    } else {
+      const auto at = static_cast<Index>(7 * (i - 1));
+      y.segment<3>(at) = x[i].p;
+      y.segment<4>(at + 3) = x[i].q.coeffs();
+    }
+  }
+  forces_.start_internal(x, y.data() + internal_index());
+  return y;
+}
+
+void ForwardDynamics::place(double t, const VectorXd& y) {
+  u_.setZero();  // rotors turn as their joints do
+  u_.head(system_.columns()) = y.segment(positions_, system_.columns());
+  for (std::size_t i = 1; i < x_.size(); ++i) {
+    if (planar_) {
+      const auto at = static_cast<Index>(3 * (i - 1));
+      x_[i].p.head<2>() = y.segment<2>(at);
+      const double angle = y[at + 2] / length_;
+      const double c = std::cos(angle), s = std::sin(angle);
+      const Matrix3d& R = bodies_[i].R_start;
+      x_[i].R.row(0) = c * R.row(0) - s * R.row(1);
+      x_[i].R.row(1) = s * R.row(0) + c * R.row(1);
+      twists_[i].v.head<2>() = u_.segment<2>(at);
+      twists_[i].w.z() = u_[at + 2] / length_;
+    } else {
+      const auto at = static_cast<Index>(7 * (i - 1));
+      x_[i].p = y.segment<3>(at);
+      x_[i].q.coeffs() = y.segment<4>(at + 3).normalized();
+      x_[i].R = x_[i].q.toRotationMatrix();
+      const auto u = static_cast<Index>(6 * (i - 1));
+      twists_[i].v = u_.segment<3>(u);
+      twists_[i].w = u_.segment<3>(u + 3) / length_;
+      mass_.set_full(static_cast<int>(2 * i - 1),
+                     x_[i].R * bodies_[i].turn_factor,
+                     bodies_[i].turn_root * x_[i].R.transpose());
+    }
+  }
+  // near the last accepted state's, so that no trial miscounts the turns
+  for (std::size_t j = 0; j < turns_.size(); ++j) {
+    if (!frame_.joints[j].counts_turns) continue;
+    x_.angles[j] = turns_[j].angle + turns_[j].rate * (t - accepted_at_);
+  }
+  system_.place(x_, placed_);
+}
+
+void ForwardDynamics::accept(double t) {
+  accepted_at_ = t;
+  forces_.accept(t);
+  for (std::size_t j = 0; j < turns_.size(); ++j) {
+    const JointModel& joint = frame_.joints[j];
+    if (!joint.counts_turns) continue;
+    const Vector3d w = twists_[index(joint.b)].w - twists_[index(joint.a)].w;
+    turns_[j] = {placed_[j].turned(), placed_[j].axes_a.col(2).dot(w)};
+  }
+}
+
+void ForwardDynamics::communicate(double t, const VectorXd& y) {
+  if (forces_.next_communication() > t) return;
+  rate(t, y, scratch_);
+  forces_.communicate(t);
+}
+
+void ForwardDynamics::set_targets(double t) {
+  for (std::size_t k = 0; k < drives_.size(); ++k) {
+    const DriveTarget target = drive_target(drives_[k], t);
+    const Index row = system_.joint_rows() + static_cast<Index>(k);
+    const double scale = system_.scale(system_.row_list()[index(row)]);
+    targets_[static_cast<Index>(k)] = target.position;
+    target_rates_[row] = scale * target.rate;
+    target_seconds_[row] = scale * target.acceleration;
+  }
+}
+
+void ForwardDynamics::note_speed(const VectorXd& y) {
+  const double speed =
+      y.segment(positions_, system_.columns()).lpNorm<Eigen::Infinity>();
+  // from rest: the speed that the acceleration reaches over the length
+  const double reached =
+      std::sqrt(length_ * acceleration_.lpNorm<Eigen::Infinity>());
+  speed_ = std::max({slowest_, speed_, speed, speed_ > 0.0 ? 0.0 : reached});
+  // well above what steps may err by
+  const double slack = 10.0 * tolerance_ * speed_;
+  forces_.set_slack(slack, slack / length_, slowest_ / length_);
+  lowest_pivot_ = std::min(lowest_pivot_, mass_.smallest_pivot());
+}
+
+void ForwardDynamics::scales(const VectorXd& y, VectorXd& scales) const {
+  scales.head(positions_).setConstant(length_);
+  for (Index at = 3; !planar_ && at < positions_; at += 7) {
+    scales.segment<4>(at).setConstant(0.5);  // of quaternions: a turn of 1
+  }
+  scales.segment(positions_, system_.columns())
+      .setConstant(speed_ > 0.0 ? speed_ : length_);
+  forces_.internal_scales(y.data() + internal_index(),
+                          scales.data() + internal_index());
+  scales[work_index()] = 0.0;
+}
+
+void ForwardDynamics::error_weights(const VectorXd& y,
+                                    VectorXd& weights) const {
+  scales(y, weights);
+  const double tolerance =
+      std::max(tolerance_, std::min(kRoundOff / lowest_pivot_, kNearRank));
+  weights.head(work_index()) =
+      (tolerance * weights.head(work_index())).cwiseInverse();
+}
+
+void ForwardDynamics::move(VectorXd& y, const VectorXd& change) const {
+  if (planar_) {
+    y.head(positions_) += change.head(positions_);
+    return;
+  }
+  for (Index i = 0; i < positions_ / 7; ++i) {
+    BodyPlacement body;
+    body.p = y.segment<3>(7 * i);
+    body.q.coeffs() = y.segment<4>(7 * i + 3);
+    body.move(change.segment<3>(6 * i), change.segment<3>(6 * i + 3) / length_);
+    y.segment<3>(7 * i) = body.p;
+    y.segment<4>(7 * i + 3) = body.q.coeffs();
+  }
+}
+
+double ForwardDynamics::correct_positions(double t, VectorXd& y) {
+  constexpr int kMost = 4;
+  constexpr double kClosed = 1e-13;
+  double last = 0.0;
+  for (int i = 0;; ++i) {
+    system_.residual(placed_, targets_, residual_);
+    residual_.tail(residual_.size() - system_.rows()).setZero();
+    const double gap =
+        residual_.size() == 0 ? 0.0 : residual_.lpNorm<Eigen::Infinity>();
+    if (gap <= kClosed * length_ || i == kMost || (i > 1 && gap > 0.5 * last)) {
+      return gap;
+    }
+    last = gap;
+    mass_.correct(residual_, change_);
+    move(y, change_);
+    place(t, y);
+    // the factor at hand serves unless the gap was large
+    if (gap > 1e-6 * length_) factor();
+  }
+}
+
+double ForwardDynamics::project(double t, VectorXd& y) {
+  place(t, y);
+  set_targets(t);
+  add_loads(t, y);
+  factor();
+  const double gap = correct_positions(t, y);
+  system_.fill_jacobian(placed_, J_);  // sticking rows hardly turn
+  residual_.head(rows_).noalias() = J_.topRows(rows_) * u_;
+  residual_.head(system_.rows()) -= target_rates_.head(system_.rows());
+  Index row = system_.rows();
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (!forces_.brings_row(k)) continue;
+    if (rotors_[k] >= 0) residual_[row] = 0.0;  // turns as its joint does
+    ++row;
+  }
+  mass_.correct(residual_, change_);
+  u_ += change_;
+  y.segment(positions_, system_.columns()) = u_.head(system_.columns());
+  place(t, y);
+  return gap;
+}
+
+double ForwardDynamics::kinetic_energy(const VectorXd& y) {
+  place(accepted_at_, y);
+  double energy = 0.0;
+  for (std::size_t i = 1; i < x_.size(); ++i) {
+    const Vector3d w_L = x_[i].R.transpose() * twists_[i].w;
+    energy += 0.5 * bodies_[i].mass * twists_[i].v.squaredNorm() +
+              0.5 * w_L.dot(bodies_[i].inertia * w_L);
+  }
+  for (std::size_t k = 0; k < rotors_.size(); ++k) {
+    if (rotors_[k] < 0) continue;
+    const double turn = forces_.joint_rate(k, placed_, twists_);
+    energy += 0.5 * forces_.inertia(k) * turn * turn;
+  }
+  return energy;
+}
+
+}  // namespace clevis::mechanism
