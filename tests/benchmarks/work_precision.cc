@@ -14,7 +14,7 @@
 
 #include "base/errors.h"
 #include "mechanism/simulate.h"
-#include "support/reference_motions.h"
+#include "support/benchmark_mechanisms.h"
 
 using namespace clevis;
 using namespace clevis::mechanism;
@@ -86,6 +86,39 @@ double slider_error(const Motion& motion) {
   return error;
 }
 
+/// Depth of the sleeve every two seconds, against equations of its own.
+double sleeve_error(const Motion& motion) {
+  static const std::vector<double> known = [] {
+    GovernorEquations equations({});
+    std::vector<double> depths;
+    for (int i = 0; i < 5; ++i) {
+      equations.advance(2.0, 400000);
+      depths.push_back(equations.depth());
+    }
+    return depths;
+  }();
+  double error = 0.0;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const Instant& at = motion.instants[2 * (i + 1)];
+    error = std::max(error, std::abs(-at.bodies[1].pose.p_WL.z() - known[i]));
+  }
+  return error;
+}
+
+/// Residual of Bricard's closed form cos θ + cos φ + cos θ cos φ = 0, θ and φ
+/// between bars that follow one another.
+double bricard_error(const Motion& motion) {
+  double error = 0.0;
+  for (const Instant& i : motion.instants) {
+    const auto along = [&i](std::size_t bar) {
+      return Eigen::Vector3d(i.bodies[bar].pose.R_WL.col(0));
+    };
+    const double a = along(0).dot(along(1)), b = along(1).dot(along(2));
+    error = std::max(error, std::abs(a + b + a * b));
+  }
+  return error;
+}
+
 double event_error(const Motion& motion, const std::vector<double>& known) {
   double error = 0.0;
   for (std::size_t i = 0; i < known.size(); ++i) {
@@ -109,6 +142,8 @@ std::vector<Problem> problems() {
                  none, branch_error});
   all.push_back({"spatial_slider_crank", spatial_slider_crank(), 5.0, 51,
                  slider_error, none, none});
+  all.push_back({"governor", governor(), 10.0, 11, sleeve_error, none, none});
+  all.push_back({"bricard", bricard(), 10.0, 11, none, none, bricard_error});
   all.push_back({"stick_slip", pulled({.breakaway = 1.5, .kinetic = 1.0}), 25.0,
                  251,
                  [](const Motion& m) {

@@ -10,6 +10,8 @@ TITLES = {
     "pendulum": "Simple pendulum, 10 s: elliptic functions",
     "two_window_four_bar": "Two-window four-bar, 10 s, ten change points: converged reference",
     "spatial_slider_crank": "Spatial slider-crank, 5 s: converged reference, nine digits",
+    "governor": "Flyball governor (8e5 N/m, 4e4 N s/m), 10 s: equations of its own in three coordinates",
+    "bricard": "Bricard's mechanism, 10 s, one redundant constraint: residual of its closed form under branch",
     "stick_slip": "Coulomb stick-slip, 25 s: times of the first three events [s]",
     "lugre": "The same on LuGre's bristles (1e5 N/m): converged reference, nine digits",
     "wall_1e8": "Elastic wall of 1e8 N/m, 3 s: times of twenty events [s]",
