@@ -122,16 +122,16 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "fit several of them or none that leads on. Give [[initial]] rates that "
      "single one out, or start a little beside the change point on the branch "
      "that is meant."},
-    {"K010", kSolverFailed, "energy does not balance",
-     "Kinetic energy and the work of all forces of an integrated motion differ "
-     "by more than a hundredth of the largest of them (or 100 times the "
-     "tolerance). Its positions are wrong. Ask for a stricter tolerance, or "
-     "correct lengths, masses and forces of a wrong order of size."},
     {"K011", kModelInvalid, "friction that follows the reaction has no answer",
      "Friction proportional to the reaction of its joint changes that reaction "
      "by as much as itself: the joint jams, and rigid bodies have no answer, "
      "or several. Or equilibrium leaves the reaction open. Reduce the "
      "coefficient or the pin radius, or remove redundant constraints."},
+    {"K012", kSolverFailed, "energy does not balance",
+     "Kinetic energy and the work of all forces of an integrated motion differ "
+     "by more than a hundredth of the largest of them (or 100 times the "
+     "tolerance). Its positions are wrong. Ask for a stricter tolerance, or "
+     "correct lengths, masses and forces of a wrong order of size."},
     {"L001", kModelInvalid, "unbalanced load on a free part",
      "Forces, moments and inertia of a part that nothing holds do not cancel. "
      "A linear static solve would hide the residual in arbitrary supports. "

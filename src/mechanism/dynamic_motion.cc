@@ -216,7 +216,7 @@ void DynamicRun::require_energy_balance() const {
       std::max(kPart, kTimesAllowed * settings_.tolerance) * largest_energy_ +
       kTimesAllowed * settings_.tolerance * frame_.length * largest_load_;
   if (energy_error_ <= allowed) return;
-  throw Error("K010", "mechanism",
+  throw Error("K012", "mechanism",
               fmt::format("kinetic energy and the work of all forces differ by "
                           "{:.3g} J, {:.2g} of the largest: the integration "
                           "failed",
