@@ -32,7 +32,7 @@ def main():
     published, corrected, moving, _, direct, modal = blow["models"][:6]
     judged = blow["models"][-1]
 
-    mass, speed, push = 0.2, 1.37277, 7.95
+    mass, speed, push = 0.2, 1.3727254, 7.95
     I, W, length = 490.874e-12, 98.1748e-9, 0.060
     k = 3 * 210e9 * I / length**3
     y = push / k + math.sqrt((push / k)**2 + mass * speed**2 / k)
