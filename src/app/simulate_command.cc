@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 
 #include <unistd.h>
@@ -14,6 +15,17 @@
 #include "report/terminal.h"
 
 namespace clevis::app {
+namespace {
+
+/// Contacts and stops act between uniform instants: what they do there must
+/// be seen.
+bool has_contacts(const mechanism::MechanismDefinition& definition) {
+  return std::ranges::any_of(definition.elements, [](const auto& element) {
+    return mechanism::contact_law(element) != nullptr;
+  });
+}
+
+}  // namespace
 
 ExitCode simulate_command(const Options& options) {
   scene::Scene scene = load_moving_scene(options.scene);
@@ -30,7 +42,9 @@ ExitCode simulate_command(const Options& options) {
   report.scene = scene.name;
   report.definition = scene.mechanism;
   report.structure = mechanism::analyse_structure(scene.mechanism);
-  report.motion = mechanism::simulate(scene.mechanism, scene.simulation);
+  mechanism::SimulationSettings settings = scene.simulation;
+  settings.at_peaks = has_contacts(scene.mechanism);
+  report.motion = mechanism::simulate(scene.mechanism, settings);
   if (scene.slide_lever) {
     report.slide_lever = compare_slide_lever(scene, report.motion);
   }

@@ -5,6 +5,7 @@
 
 #include "assessment/few_instants.h"
 #include "assessment/local_error.h"
+#include "assessment/time_doubt.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
 
@@ -12,20 +13,6 @@ namespace clevis::assessment {
 namespace {
 
 using stress::Convergence;
-
-/// What the peak may miss between the instants of the motion [Pa]. Cases stand
-/// behind the motion, at time 0.
-template <int dim>
-double time_error(const std::vector<LoadSet>& sets, const Level<dim>& level) {
-  const auto& instants = sets[level.set].history.instants;
-  std::size_t motion = 1;
-  while (motion < instants.size() &&
-         instants[motion].time > instants[motion - 1].time) {
-    ++motion;
-  }
-  return stress::time_sampling_error(
-      level.history().peak.head(static_cast<Eigen::Index>(motion)));
-}
 
 /// What the samples may miss widens a band upwards.
 stress::Band widened(stress::Band band, double sampling_error,
@@ -71,10 +58,12 @@ class Climb {
     ladder_.probes.push_back(ladder_.level.probes);
     ladder_.zones.take(ladder_.level);
     const double tolerance = job_.tolerance - rung_.model_error;
-    ladder_.band = band_of(ladder_.sequence,
-                           ladder_.level.history().sampling_error +
-                               time_error(sets, ladder_.level),
-                           tolerance);
+    ladder_.band =
+        band_of(ladder_.sequence,
+                ladder_.level.history().sampling_error +
+                    time_doubt(sets[ladder_.level.set].history.instants,
+                               ladder_.level.history().peak),
+                tolerance);
     if (ladder_.zones.is_singular()) {
       ladder_.outer_band = outer_band_of(ladder_.zones, tolerance);
     } else if (rung_.looks_nearby && ladder_.sequence.size() > 2) {
@@ -107,7 +96,10 @@ class Climb {
     stress::Band band = stress::local_band(*values, tolerance);
     band.value = sequence.back().peak;
     band.low = std::min(band.low, band.value);
-    ladder_.band = widened(band, time_error(sets, ladder_.level), tolerance);
+    ladder_.band = widened(band,
+                           time_doubt(sets[ladder_.level.set].history.instants,
+                                      ladder_.level.history().peak),
+                           tolerance);
   }
 
   const PartJob& job_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assessment/time_doubt.h"
 #include "stress/zone_mask.h"
 #include "stress/zone_strength.h"
 
@@ -15,16 +16,6 @@ constexpr int kLayers = 8;  // innermost ring: 0.15^7 = 2e-6 of a cell
 // radius.
 constexpr double kReached = 0.1;
 constexpr double kFinest = 1e-6;
-
-/// Instants of the motion; cases stand behind it, at time 0.
-Eigen::Index motion_length(const std::vector<loads::InstantLoad>& instants) {
-  std::size_t motion = 1;
-  while (motion < instants.size() &&
-         instants[motion].time > instants[motion - 1].time) {
-    ++motion;
-  }
-  return static_cast<Eigen::Index>(motion);
-}
 
 }  // namespace
 
@@ -150,7 +141,7 @@ double ZoneWatch<dim>::sampling_error(const Level<dim>& level,
       *level.bases[peak.set], job_.part.material, peak.at,
       level.histories[peak.set].subdivisions);
   const auto& instants = job_.load_sets[peak.set].history.instants;
-  return stress::time_sampling_error(at_point.head(motion_length(instants)));
+  return time_doubt(instants, at_point);
 }
 
 template <int dim>

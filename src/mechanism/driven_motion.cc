@@ -13,6 +13,7 @@
 #include "base/errors.h"
 #include "mechanism/body_motion.h"
 #include "mechanism/drive_law.h"
+#include "mechanism/driven_sampling.h"
 #include "mechanism/following_friction.h"
 #include "mechanism/power_balance.h"
 
@@ -185,15 +186,59 @@ void DrivenMotion::advance(Moment& last, std::optional<double>& singular,
   }
 }
 
+/// Both sides of the first change of a force's law between the last two
+/// instants.
+void DrivenMotion::add_sides(const Moment& from, double t, double duration,
+                             const Motion& motion,
+                             std::vector<double>& sides) const {
+  const Instant& before = *(motion.instants.end() - 2);
+  if (!changes_mode(definition_, before, motion.instants.back())) return;
+  const double apart = 0.5 * kSides * duration;
+  double left = from.t;
+  while (t - left > apart) {
+    const double middle = 0.5 * (left + t);
+    const Instant between = instant(follow(from, middle), middle);
+    (changes_mode(definition_, before, between) ? t : left) = middle;
+  }
+  sides.push_back(left);
+  sides.push_back(t);
+}
+
 Motion DrivenMotion::run(const SimulationSettings& settings) const {
+  constexpr int kMostRounds = 10;
+  constexpr std::size_t kMostAdded = 4000;
+  std::vector<double> times = uniform_times(settings);
+  if (!settings.at_peaks) return run_at(times, settings, nullptr);
+  const double duration = settings.duration;
+  const double spacing = times[1] - times[0];
+  const std::size_t most = times.size() + kMostAdded;
+  add_times(sides_of_bends(definition_, duration), duration, times);
+  std::vector<double> sides;
+  Motion motion = run_at(times, settings, &sides);
+  std::vector<double> more = wanted_times(motion, spacing);
+  more.insert(more.end(), sides.begin(), sides.end());
+  for (int i = 0; i < kMostRounds && !more.empty() && times.size() < most;
+       ++i) {
+    add_times(more, duration, times);
+    motion = run_at(times, settings, nullptr);
+    more = wanted_times(motion, spacing);
+  }
+  return motion;
+}
+
+/// @param sides  of events between the instants, to be found; or null.
+Motion DrivenMotion::run_at(const std::vector<double>& times,
+                            const SimulationSettings& settings,
+                            std::vector<double>* sides) const {
   Motion motion;
-  const int n = settings.instants;
-  motion.instants.reserve(static_cast<std::size_t>(n));
-  path_.require_few_steps(settings.duration, n);
+  motion.instants.reserve(times.size());
+  path_.require_few_steps(settings.duration, settings.instants);
   Moment last = first(settings, motion);  // that was regular
   std::optional<double> singular;
-  for (int i = 1; i < n; ++i) {
-    const double t = settings.duration * i / (n - 1);
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double t = times[i];
+    const std::optional<Moment> before =
+        sides == nullptr ? std::nullopt : std::optional(last);
     if (t > last.t) {
       advance(last, singular, t, settings.at_singularity, motion);
     }
@@ -201,6 +246,9 @@ Motion DrivenMotion::run(const SimulationSettings& settings) const {
     const ClosedConfiguration at = last.t == t ? last.at : follow(last, t);
     if (at.factor.full_column_rank()) {
       motion.instants.push_back(instant(at, t));
+      if (before && before->t < t) {
+        add_sides(*before, t, settings.duration, motion, *sides);
+      }
       continue;
     }
     std::optional<Instant> there;

@@ -43,6 +43,9 @@ class DrivenMotion {
   Motion run(const SimulationSettings& settings) const;
 
  private:
+  Motion run_at(const std::vector<double>& times,
+                const SimulationSettings& settings,
+                std::vector<double>* sides) const;
   ClosedConfiguration start() const;
   void require_agreement(const ClosedConfiguration& at) const;
   [[noreturn]] void refuse_change_point(const ClosedConfiguration& at,
@@ -79,6 +82,8 @@ class DrivenMotion {
   Moment leave(const SingularStart& start, double duration) const;
   void advance(Moment& last, std::optional<double>& singular, double t,
                AtSingularity policy, Motion& motion) const;
+  void add_sides(const Moment& from, double t, double duration,
+                 const Motion& motion, std::vector<double>& sides) const;
 
   Eigen::VectorXd drive_rows(const Eigen::VectorXd& values) const;
   std::optional<Rates> branch_rates(const BranchPoint& point,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 
 #include "base/errors.h"
 #include "mechanism/body_motion.h"
+#include "mechanism/driven_sampling.h"
 #include "mechanism/dynamic_change_points.h"
 #include "mechanism/equilibrium.h"
 #include "mechanism/event_finder.h"
@@ -17,6 +19,7 @@
 #include "mechanism/held_lines.h"
 #include "mechanism/impact_watch.h"
 #include "mechanism/initial_state.h"
+#include "mechanism/load_sampler.h"
 #include "mechanism/power_balance.h"
 #include "mechanism/reaction_peaks.h"
 #include "mechanism/switching_integrator.h"
@@ -38,21 +41,13 @@ double step_tolerance(const MechanismDefinition& definition, double tolerance) {
                   loops ? kStrictestOfLoops : kStrictest);
 }
 
-/// Uniform instants, both ends included, and others among them.
+// Instants on both sides of more events than this would only crowd.
+constexpr int kMostTwoSided = 1000;
+
 std::vector<double> sample_times(const SimulationSettings& settings,
                                  const std::vector<double>& others) {
-  const double apart = 1e-9 * settings.duration;
-  std::vector<double> times;
-  for (int i = 0; i + 1 < settings.instants; ++i) {
-    times.push_back(settings.duration * i / (settings.instants - 1));
-  }
-  times.push_back(settings.duration);
-  for (const double t : others) {
-    const auto next = std::ranges::lower_bound(times, t);
-    const bool is_known = (next != times.end() && *next - t < apart) ||
-                          (next != times.begin() && t - *(next - 1) < apart);
-    if (!is_known) times.insert(next, t);
-  }
+  std::vector<double> times = uniform_times(settings);
+  add_times(others, settings.duration, times);
   return times;
 }
 
@@ -79,7 +74,11 @@ class DynamicRun {
   Motion run();
   /// Lets the run look for the largest reactions.
   void watch() { peaks_.emplace(dynamics_); }
-  std::vector<double> peak_times() const { return peaks_->times(); }
+  const ReactionPeaks& peaks() const { return *peaks_; }
+  /// Lets the run add instants so that large loads change little between
+  /// them, and on both sides of events.
+  /// @param largest  as ReactionPeaks found them.
+  void refine(const VectorXd& largest) { sampler_.emplace(dynamics_, largest); }
 
  private:
   void start();
@@ -90,6 +89,8 @@ class DynamicRun {
   void guard_against_accumulation(double t);
   void require_few(const StepCounts& counts) const;
   void sample_until(double t);
+  void add_wanted(double until);
+  void want_sides(double t);
   void add_instant(double t, VectorXd& y);
   void note_energy(const VectorXd& y);
   void require_energy_balance() const;
@@ -107,6 +108,9 @@ class DynamicRun {
   VectorXd y_, sample_, slope_;
   std::size_t next_sample_ = 0;
   std::optional<ReactionPeaks> peaks_;
+  std::optional<LoadSampler> sampler_;
+  std::vector<double> wanted_;
+  int two_sided_ = 0;
   VectorXd event_values_;
   std::vector<double> breaks_;  ///< times at which drives or tables bend
   int crowded_events_ = 0;
@@ -172,9 +176,29 @@ void DynamicRun::guard_against_accumulation(double t) {
               "\"regularized\"");
 }
 
+/// Instants that the loads of the last step call for.
+void DynamicRun::add_wanted(double until) {
+  wanted_.clear();
+  sampler_->look(integrator_, until,
+                 std::span(sample_times_).subspan(next_sample_), wanted_);
+  add_times(wanted_, settings_.duration, sample_times_);
+}
+
+/// Instants just before and behind a time at which loads may jump. That
+/// before is at the time itself where the modes change only then.
+void DynamicRun::want_sides(double t) {
+  const double side = kSides * settings_.duration;
+  if (t < side || t + side > settings_.duration ||
+      two_sided_++ >= kMostTwoSided) {
+    return;
+  }
+  add_times({t, t + side}, settings_.duration, sample_times_);
+}
+
 void DynamicRun::pass(const EventFinder::Event& event) {
   const double t = event.t;
   guard_against_accumulation(t);
+  if (sampler_) want_sides(t);
   sample_until(t);
   integrator_.state_at(t, y_);
   dynamics_.project(t, y_);  // what stuck rests, without round-off
@@ -196,6 +220,7 @@ void DynamicRun::pass(const EventFinder::Event& event) {
 void DynamicRun::restart(double t) {
   events_.start(t, y_);
   if (peaks_) peaks_->restart(t, y_);
+  if (sampler_) sampler_->restart(t, y_);
   integrator_.restart(t, y_, 0.0);
 }
 
@@ -305,6 +330,7 @@ Motion DynamicRun::run() {
     change_points_.look(integrator_,
                         event.index < 0 ? integrator_.t() : event.t);
     impacts_.look(integrator_, event.index < 0 ? integrator_.t() : event.t);
+    if (sampler_) add_wanted(event.index < 0 ? integrator_.t() : event.t);
     if (event.index >= 0) {
       pass(event);
       continue;
@@ -365,11 +391,17 @@ Motion integrate_motion(const MechanismDefinition& definition,
                         const SimulationSettings& settings) {
   refuse_massless(definition);
   if (!settings.at_peaks) return DynamicRun(definition, settings).run();
-  // the same run twice: the first tells when reactions are largest
+  // the same run twice: the first tells when loads are largest
   DynamicRun first(definition, settings);
   first.watch();
   first.run();
-  return DynamicRun(definition, settings, first.peak_times()).run();
+  std::vector<double> others = first.peaks().times();
+  const std::vector<double> bends =
+      sides_of_bends(definition, settings.duration);
+  others.insert(others.end(), bends.begin(), bends.end());
+  DynamicRun second(definition, settings, others);
+  second.refine(first.peaks().largest());
+  return second.run();
 }
 
 }  // namespace clevis::mechanism

@@ -8,28 +8,22 @@ namespace clevis::mechanism {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-ReactionPeaks::ReactionPeaks(ForwardDynamics& dynamics) : dynamics_(dynamics) {
-  const auto joints = static_cast<Index>(
-      dynamics.system().place(dynamics.configuration()).size());
+ReactionPeaks::ReactionPeaks(ForwardDynamics& dynamics)
+    : dynamics_(dynamics), list_(dynamics) {
   for (VectorXd* v : {&before_.values, &last_.values, &next_.values, &largest_,
                       &at_, &values_}) {
-    v->setZero(2 * joints);
+    v->setZero(list_.vectors());
   }
+  loads_.setZero(list_.size());
   state_.setZero(dynamics.size());
   rate_.setZero(dynamics.size());
 }
 
-/// By joint the squares of force and moment.
+/// Squares by vector.
 void ReactionPeaks::measure(double t, const VectorXd& y, VectorXd& values) {
   dynamics_.rate(t, y, rate_);
-  values.setZero();
-  const ConstraintSystem& system = dynamics_.system();
-  for (int i = 0; i < system.joint_rows(); ++i) {
-    const auto& row = system.row_list()[static_cast<std::size_t>(i)];
-    if (row.coupling >= 0) continue;
-    const double effort = system.multiplier(row, dynamics_.multipliers()[i]);
-    values[2 * row.joint + (row.row.is_angle() ? 1 : 0)] += effort * effort;
-  }
+  list_.get(dynamics_, loads_);
+  list_.squares(loads_, values);
 }
 
 void ReactionPeaks::note(const Sample& sample) {
@@ -49,6 +43,7 @@ void ReactionPeaks::restart(double t, const VectorXd& y) {
 
 void ReactionPeaks::look(Integrator& integrator, double until) {
   // close to both ends, so that three samples of one step hold a maximum
+  constexpr double kFlat = 1e-6;
   constexpr double kParts[] = {0.001, 0.25, 0.5, 0.75, 0.999, 1.0};
   const double start = integrator.t_start();
   for (const double part : kParts) {
@@ -57,8 +52,10 @@ void ReactionPeaks::look(Integrator& integrator, double until) {
     measure(next_.t, state_, next_.values);
     for (Index i = 0; has_before_ && i < largest_.size(); ++i) {
       const double middle = last_.values[i];
+      const double fall = middle - std::min(before_.values[i], next_.values[i]);
+      // at rest nothing falls, and nothing is missed
       if (middle < 0.98 * largest_[i] || middle < before_.values[i] ||
-          middle < next_.values[i]) {
+          middle < next_.values[i] || fall < kFlat * largest_[i]) {
         continue;
       }
       refine(integrator, i, std::max(before_.t, start), next_.t);
@@ -75,7 +72,7 @@ void ReactionPeaks::refine(Integrator& integrator, Index which, double from,
   constexpr int kSections = 16;
   constexpr double kGolden = 0.6180339887498949;
   const auto value = [&](double t) {
-    integrator.state_at(t, state_);
+    integrator.interpolate(t, state_);
     measure(t, state_, values_);
     return values_[which];
   };
@@ -97,9 +94,8 @@ void ReactionPeaks::refine(Integrator& integrator, Index which, double from,
       at_right = value(right);
     }
   }
-  const double best = std::max(at_left, at_right);
-  if (best <= largest_[which]) return;
-  largest_[which] = best;
+  if (std::max(at_left, at_right) <= largest_[which]) return;
+  largest_[which] = std::max(at_left, at_right);
   at_[which] = at_left > at_right ? left : right;
 }
 

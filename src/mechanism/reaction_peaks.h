@@ -5,12 +5,14 @@
 #include <Eigen/Core>
 
 #include "mechanism/forward_dynamics.h"
+#include "mechanism/load_list.h"
 #include "mechanism/ode_system.h"
 
 namespace clevis::mechanism {
 
-/// Watches an integration for the times at which the force and the moment of
-/// each joint, as far as they hold the motion, are largest.
+/// Watches an integration for the times at which each of its loads is largest:
+/// the force and the moment of each joint, as far as they hold the motion,
+/// the efforts of drives and force elements.
 class ReactionPeaks {
  public:
   explicit ReactionPeaks(ForwardDynamics& dynamics);
@@ -20,8 +22,12 @@ class ReactionPeaks {
   void restart(double t, const Eigen::VectorXd& y);
   /// Looks at the integrator's last step, up to a time.
   void look(Integrator& integrator, double until);
-  /// Increasing; one or two per joint, those at the same time once.
+  /// Increasing, those at the same time once.
   std::vector<double> times() const;
+  const LoadList& list() const { return list_; }
+  /// By vector of the list: squares, and when [s].
+  const Eigen::VectorXd& largest() const { return largest_; }
+  const Eigen::VectorXd& at() const { return at_; }
 
  private:
   struct Sample {
@@ -35,9 +41,10 @@ class ReactionPeaks {
               double to);
 
   ForwardDynamics& dynamics_;
+  LoadList list_;
   Sample before_, last_, next_;
   bool has_before_ = false;
-  Eigen::VectorXd largest_, at_, state_, rate_, values_;
+  Eigen::VectorXd largest_, at_, state_, rate_, loads_, values_;
 };
 
 }  // namespace clevis::mechanism

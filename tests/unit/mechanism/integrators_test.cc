@@ -230,10 +230,13 @@ TEST(ReactionPeaks, PendulumAtTheBottom) {
   SimulationSettings s = settings(1.0, 3, 1e-9, IntegratorChoice::kAuto);
   s.at_peaks = true;
   const Motion motion = simulate(testing::simple_pendulum(1.0), s);
-  ASSERT_EQ(motion.instants.size(), 4u);
+  const auto bottom =
+      std::ranges::max_element(motion.instants, {}, [](const Instant& i) {
+        return i.joints[0].f_W.norm();
+      });
   // a quarter of the period
-  EXPECT_NEAR(motion.instants[2].t, 0.25 * 2.367841947576237, 1e-5);
-  EXPECT_NEAR(motion.instants[2].joints[0].f_W.norm(), 29.43, 1e-7);
+  EXPECT_NEAR(bottom->t, 0.25 * 2.367841947576237, 1e-5);
+  EXPECT_NEAR(bottom->joints[0].f_W.norm(), 29.43, 1e-7);
 }
 
 // Lever that hits a stop of 1e6 N m/rad: the blow of 3 ms is not missed. With

@@ -37,7 +37,8 @@ def main():
         shown = [float(t) for t in re.findall(
             'timestep="([^"]*)"', (Path(folder) / "AB.pvd").read_text())]
     mechanism = result["mechanism"]
-    expect("instants", mechanism["instants"], 21, 0)
+    expect("instants", mechanism["instants"], len(forces), 0)
+    expect("uniform and more", mechanism["instants"] > 21, True, 0)
     expect("left out", mechanism["instants_left_out"], 1, 0)
     expect("change points", len(mechanism["change_points"]), 1, 0)
     # half-way of the cylinder's stroke, by the closed form of the links
@@ -45,7 +46,7 @@ def main():
     for word in ("change point at", "left out of the parts' loads: 1 instant"):
         expect(f"table: {word}", word in run.stdout, True, 0)
     expect("reactions at the point are told", 1.0 in forces, True, 0)
-    expect("frames without it", len(shown), 20, 0)
+    expect("frames", 10 <= len(shown) < len(forces), True, 0)
     expect("frame at the point", 1.0 in shown, False, 0)
     # AB shears out at B, where the largest force of the other instants presses;
     # clevis takes the eye's outline from the chords of its cells

@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "mechanism/simulate.h"
+#include "support/reference_motions.h"
+
+namespace clevis::mechanism {
+namespace {
+
+SimulationSettings at_peaks(double duration, int instants) {
+  SimulationSettings s;
+  s.duration = duration;
+  s.instants = instants;
+  s.tolerance = 1e-9;
+  s.at_peaks = true;
+  return s;
+}
+
+double largest_effort(const Motion& motion, std::size_t element) {
+  double largest = 0.0;
+  for (const Instant& i : motion.instants) {
+    largest = std::max(largest, std::abs(i.elements[element].effort));
+  }
+  return largest;
+}
+
+/// The instants of the pair that stand on both sides of an event, or those
+/// around it if there is no such pair.
+std::pair<const Instant*, const Instant*> sides(const Motion& motion,
+                                                double event) {
+  const auto after =
+      std::ranges::find_if(motion.instants, [&](const Instant& i) {
+        return i.t > event + 1e-9;
+      });
+  return {&*(after - 1), &*after};
+}
+
+// 1 kg at 1 m/s against 1e8 N/m: 1e4 N for 0.3 ms, between two instants.
+TEST(Sampling, BlowOnAStiffStop) {
+  const Motion motion =
+      simulate(testing::against_a_wall({.stiffness = 1e8}), at_peaks(0.4, 5));
+  EXPECT_NEAR(largest_effort(motion, 1), 1e4, 1.0);
+  // loads change little from instant to instant while they are large
+  for (std::size_t i = 1; i < motion.instants.size(); ++i) {
+    const double a = motion.instants[i - 1].elements[1].effort;
+    const double b = motion.instants[i].elements[1].effort;
+    if (std::max(a, b) > 0.95e4) EXPECT_LT(std::abs(b - a), 0.0051e4);
+  }
+}
+
+// Friction falls from 1.5 N to 1 N when the mass breaks loose at 7.5 s.
+TEST(Sampling, BothSidesOfASlip) {
+  const Motion motion = simulate(
+      testing::pulled({.breakaway = 1.5, .kinetic = 1.0}), at_peaks(10.0, 6));
+  const auto [before, after] = sides(motion, 7.5);
+  EXPECT_NEAR(before->t, 7.5, 1e-8);
+  EXPECT_NEAR(after->t, 7.5, 1e-7);
+  EXPECT_NEAR(std::abs(before->elements[1].effort), 1.5, 1e-7);
+  EXPECT_NEAR(std::abs(after->elements[1].effort), 1.0, 1e-7);
+  EXPECT_NEAR(largest_effort(motion, 0), 1.519615242271, 1e-5);
+}
+
+MechanismDefinition driven_into_a_spring() {
+  MechanismDefinition m = testing::sliders({1.0});
+  DriveDefinition drive;
+  drive.joint = 0;
+  drive.law = DriveLaw::kSine;
+  drive.amplitude = 0.1;
+  drive.frequency = 1.0;
+  m.drives = {drive};
+  m.elements = {testing::on_joint(
+      0,
+      StopLaw{.lower = {}, .upper = 0.05, .contact = {.stiffness = 1000.0}})};
+  return m;
+}
+
+TEST(Sampling, DrivenIntoAStop) {
+  const Motion motion = simulate(driven_into_a_spring(), at_peaks(1.0, 9));
+  EXPECT_NEAR(largest_effort(motion, 0), 50.0, 1e-6);
+  for (const double touch : {1.0 / 12.0, 5.0 / 12.0}) {
+    const auto next =
+        std::ranges::find_if(motion.instants, [&](const Instant& i) {
+          return i.t > touch;
+        });
+    EXPECT_NEAR(next->t, touch, 5e-9);
+    EXPECT_NEAR((next - 1)->t, touch, 5e-9);
+    EXPECT_NE(next->elements[0].effort == 0.0,
+              (next - 1)->elements[0].effort == 0.0);
+  }
+}
+
+// A smooth motion keeps its instants but for the maxima between them.
+TEST(Sampling, OfASmoothDrivenMotion) {
+  MechanismDefinition m = driven_into_a_spring();
+  m.elements.clear();
+  const Motion motion = simulate(m, at_peaks(1.0, 102));
+  EXPECT_LT(motion.instants.size(), 108u);
+  double largest = 0.0;
+  for (const Instant& i : motion.instants) {
+    largest = std::max(largest, std::abs(i.drives[0].effort));
+  }
+  EXPECT_NEAR(largest, 0.1 * 4.0 * M_PI * M_PI, 1e-6);
+}
+
+// A drive that starts with a jump in acceleration: both sides are there.
+TEST(Sampling, BothSidesOfADrivesBend) {
+  MechanismDefinition m = driven_into_a_spring();
+  m.elements.clear();
+  DriveDefinition& drive = m.drives[0];
+  drive.law = DriveLaw::kTable;
+  drive.table = interpolating_spline({0.0, 1.0, 2.0}, {0.0, 0.1, 0.0},
+                                     SplineEnds::kClamped);
+  drive.start = 0.35;
+  const Motion motion = simulate(m, at_peaks(3.0, 31));
+  const auto next = std::ranges::find_if(motion.instants, [](const Instant& i) {
+    return i.t > 0.35;
+  });
+  EXPECT_NEAR((next - 1)->drives[0].effort, 0.0, 1e-9);
+  EXPECT_GT(std::abs(next->drives[0].effort), 0.1);
+  EXPECT_LT(next->t - (next - 1)->t, 2e-8);
+}
+
+}  // namespace
+}  // namespace clevis::mechanism
