@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -103,6 +104,24 @@ void require_elastic_links(StrictTable& root, const Scene& scene) {
       "Give bodies their `part`, or joints their `compliance`.");
 }
 
+/// Gas that communicates once in a motion does not move it; what does a million
+/// times takes hours.
+/// @throws Error S006.
+void require_sensible_steps(const Scene& scene) {
+  constexpr double kFewest = 10.0, kMost = 1e6;
+  for (const auto& element : scene.mechanism.elements) {
+    const auto* gas = mechanism::gas_law(element);
+    if (gas == nullptr || !gas->is_coupled()) continue;
+    const double exchanges = scene.simulation.duration / gas->step;
+    if (kFewest <= exchanges && exchanges <= kMost) continue;
+    throw Error("S006", std::get<mechanism::LineElement>(element).place,
+                fmt::format("gas_cylinder \"{}\" communicates {:.3g} times in "
+                            "the motion, by the `step` of its coupling",
+                            mechanism::name_of(element), exchanges),
+                "Give a step from a millionth to a tenth of the duration.");
+  }
+}
+
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& file) {
@@ -134,6 +153,7 @@ Scene read_scene(const std::filesystem::path& file) {
   if (scene.has_mechanism) {
     scene.simulation = read_simulation(root.table("simulation"));
     require_elastic_links(root, scene);
+    require_sensible_steps(scene);
     scene.bearings = read_bearings(root, scene.mechanism.joints, names);
   }
   if (root.has("accuracy")) {
