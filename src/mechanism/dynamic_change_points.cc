@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "mechanism/body_motion.h"
 #include "mechanism/drive_law.h"
+#include "mechanism/driven_motion.h"
 
 namespace clevis::mechanism {
 
@@ -106,12 +107,7 @@ std::optional<DynamicChangePoints::OnBranch> DynamicChangePoints::on_branch(
 
 std::vector<ChangePoint> DynamicChangePoints::among(
     const std::vector<Instant>& instants) && {
-  for (ChangePoint& point : points_) {
-    const auto after =
-        std::ranges::upper_bound(instants, point.t, {}, &Instant::t);
-    if (after != instants.begin()) point.t_before = std::prev(after)->t;
-    if (after != instants.end()) point.t_after = after->t;
-  }
+  put_between(instants, points_);
   return std::move(points_);
 }
 
