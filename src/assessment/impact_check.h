@@ -17,18 +17,4 @@ std::vector<ImpactResult> compute_impacts(PartJob& job);
 void finish_impacts(const PartJob& job, std::vector<ImpactResult> impacts,
                     PartResult& result);
 
-/// Largest answer of a mode without damping to a half-sine pulse over the
-/// answer to its largest value at rest, by the pulse's duration over the
-/// mode's period.
-double half_sine_amplification(double duration_over_period);
-
-/// The same of a pulse whose force rises sooner than it falls: at least that of
-/// a force that rises evenly and stays, 1 + T/(π t_rise), at most 2.
-double pulse_amplification(double duration_over_period,
-                           double rise_over_period);
-
-/// What the impacts of the mechanism ask of a part: the duration of each over
-/// the part's first period, free or held.
-void judge_paces(const PartJob& job, PartResult& result);
-
 }  // namespace clevis::assessment

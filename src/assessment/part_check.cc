@@ -10,6 +10,7 @@
 #include "assessment/beam_comparison.h"
 #include "assessment/degree_ladder.h"
 #include "assessment/impact_check.h"
+#include "assessment/load_pace.h"
 #include "assessment/model_choice.h"
 #include "assessment/model_error.h"
 #include "assessment/revolution_model.h"

@@ -1,0 +1,70 @@
+#include "assessment/load_pace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "elasticity/eigenmodes.h"
+
+namespace clevis::assessment {
+
+double half_sine_amplification(double r) {
+  constexpr double kPi = std::numbers::pi;
+  if (!(r > 0.0)) return 0.0;
+  // a mode of period 1 under sin(π t/r) up to r; then it swings freely
+  const double a = 0.5 / r;  // ratio of frequencies
+  if (std::abs(a - 1.0) < 1e-9) return 0.5 * kPi;
+  const double scale = 1.0 / (1.0 - a * a);
+  const auto at = [&](double t) {
+    return scale * (std::sin(kPi * t / r) - a * std::sin(2.0 * kPi * t));
+  };
+  double largest = 0.0;
+  constexpr int kTimes = 20000;
+  for (int i = 0; i <= kTimes; ++i) {
+    largest = std::max(largest, std::abs(at(r * i / kTimes)));
+  }
+  const double rate = scale * (kPi / r * std::cos(kPi) -
+                               2.0 * kPi * a * std::cos(2.0 * kPi * r));
+  return std::max(largest, std::hypot(at(r), rate / (2.0 * kPi)));
+}
+
+double pulse_amplification(double duration_over_period,
+                           double rise_over_period) {
+  constexpr double kLopsided = 0.4;  // of the duration; of a half sine 0.5
+  const double half_sine = half_sine_amplification(duration_over_period);
+  if (rise_over_period > kLopsided * duration_over_period ||
+      duration_over_period < 0.5) {
+    return half_sine;
+  }
+  const double step =
+      1.0 + std::min(1.0, 1.0 / (std::numbers::pi * rise_over_period));
+  return std::max(half_sine, step);
+}
+
+void judge_paces(const PartJob& job, PartResult& result) {
+  if (job.impact_loads.empty()) return;
+  constexpr double kSlow = 0.10, kShort = 0.25;
+  const loads::LoadHistory none;
+  result.first_period = elasticity::first_period<3>(
+      {job.mesh, job.part.material, none, {}, job.part.name},
+      job.mesh.shape == mesh::CellShape::kSimplex ? 1 : 2);
+  for (const ImpactLoad& load : job.impact_loads) {
+    LoadPace pace;
+    pace.impact = load.name;
+    pace.duration = load.duration;
+    pace.rise_time = load.rise_time;
+    pace.ratio = load.duration / result.first_period;
+    pace.amplification =
+        pulse_amplification(pace.ratio, load.rise_time / result.first_period);
+    pace.treatment =
+        pace.ratio < kShort
+            ? "beam impact: over before the part gives way, the loads of the "
+              "instants are an upper bound"
+        : pace.amplification <= 1.0 + kSlow
+            ? "quasi-static: the loads of the instants suffice"
+            : "dynamic elements: the loads of the instants may be exceeded";
+    result.paces.push_back(pace);
+  }
+}
+
+}  // namespace clevis::assessment

@@ -1,0 +1,113 @@
+#include "assessment/struck_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "base/stopwatch.h"
+#include "stress/stress_history.h"
+#include "stress/zone_mask.h"
+
+namespace clevis::assessment {
+namespace {
+
+using dynamics::Route;
+
+constexpr int kSubdivisions = 2;
+constexpr double kTimeTolerance = 3e-3;
+constexpr double kDirectTolerance = 3e-2;  // it only checks the other route
+constexpr int kSamples = 1200;
+
+/// Largest von Mises outside the singular zones.
+double judged_stress(const elasticity::DisplacementBasis<3>& basis,
+                     const PartJob& job,
+                     const std::vector<stress::SingularZone>& zones) {
+  const auto history =
+      stress::stress_history<3>(basis, job.part.material, kSubdivisions);
+  const auto zone_of =
+      stress::zone_of_points<3>(basis.discretization, kSubdivisions, zones);
+  return stress::peak_outside(history, zone_of,
+                              std::vector<bool>(zones.size(), true), 3)
+      .value;
+}
+
+/// By how much the stress may be higher between the samples: a third of what
+/// every second sample loses [1].
+double sampling_error(const elasticity::DisplacementBasis<3>& basis,
+                      const PartJob& job,
+                      const std::vector<stress::SingularZone>& zones,
+                      double stress) {
+  elasticity::DisplacementBasis<3> half;
+  half.discretization = basis.discretization;
+  half.columns = basis.columns;
+  const Eigen::Index count = (basis.coefficients.cols() + 1) / 2;
+  half.coefficients.resize(basis.coefficients.rows(), count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    half.coefficients.col(i) = basis.coefficients.col(2 * i);
+  }
+  half.strain_energy.setZero(count);
+  return (1.0 - judged_stress(half, job, zones) / stress) / 3.0;
+}
+
+}  // namespace
+
+const loads::GroupGeometry& group_of(const PartJob& job,
+                                     const std::string& name) {
+  const auto found =
+      std::ranges::find(job.groups, name, &loads::GroupGeometry::name);
+  if (found != job.groups.end()) return *found;
+  throw Error("M003", "part " + job.part.name,
+              fmt::format("the mesh has no group \"{}\"", name),
+              "Name a physical group of the mesh.");
+}
+
+/// The blow as a static case of a force along its direction.
+part::LoadCaseDefinition static_case(const PartJob& job,
+                                     const ImpactJob& impact, double force) {
+  part::LoadCaseDefinition load_case;
+  load_case.name = impact.strike.name;
+  load_case.traction[impact.strike.group] =
+      force / group_of(job, impact.strike.group).area * impact.strike.direction;
+  load_case.fixed = impact.fixed;
+  return load_case;
+}
+
+/// F_eq: what at rest deflects a spring without mass as the blow does.
+double equivalent_force(const loads::Strike& strike, double stiffness) {
+  return strike.force +
+         std::sqrt(strike.force * strike.force +
+                   stiffness * strike.mass * strike.speed * strike.speed);
+}
+
+StruckRun run_struck(const PartJob& job, const ImpactJob& impact,
+                     const std::vector<stress::SingularZone>& zones, int degree,
+                     Route route) {
+  const auto unit = loads::case_loads(job.part, static_case(job, impact, 1.0),
+                                      job.groups, job.mass);
+  const elasticity::ElasticProblem<3> problem{job.mesh, job.part.material, unit,
+                                              impact.fixed, job.part.name};
+  dynamics::StrikeOptions options;
+  options.route = route;
+  options.tolerance =
+      route == Route::kDirect ? kDirectTolerance : kTimeTolerance;
+  options.samples = kSamples;
+  Stopwatch watch;
+  StruckRun found{.response = elasticity::solve_strike<3>(
+                      problem, impact.strike, degree, options)};
+  found.stress = judged_stress(found.response.basis, job, zones);
+  found.seconds = watch.lap();
+  found.sampling_error =
+      sampling_error(found.response.basis, job, zones, found.stress);
+  watch.lap();
+  found.static_stress =
+      judged_stress(elasticity::solve<3>(problem, degree), job, zones);
+  found.static_seconds = watch.lap();
+  found.factor = found.stress /
+                 (found.static_stress *
+                  equivalent_force(impact.strike, found.response.stiffness));
+  return found;
+}
+
+}  // namespace clevis::assessment

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assessment/part_check.h"
+#include "dynamics/strike.h"
+#include "elasticity/strike_response.h"
+#include "stress/singular_zone.h"
+
+namespace clevis::assessment {
+
+/// @throws Error M003 if the mesh has no group of that name.
+const loads::GroupGeometry& group_of(const PartJob& job,
+                                     const std::string& name);
+
+/// The blow as a static case of a force [N] along its direction.
+part::LoadCaseDefinition static_case(const PartJob& job,
+                                     const ImpactJob& impact, double force);
+
+/// F_eq: what at rest deflects a spring without mass as the blow does [N].
+/// @param stiffness  of the struck face [N/m].
+double equivalent_force(const loads::Strike& strike, double stiffness);
+
+/// One blow by one route and degree.
+struct StruckRun {
+  elasticity::StrikeResponse<3> response;
+  double stress{};          ///< [Pa]
+  double static_stress{};   ///< by the static force of 1 N [Pa]
+  double sampling_error{};  ///< of the stress [1]
+  double factor{};          ///< of F_eq, with the elements' stiffness [1]
+  double seconds{}, static_seconds{};
+
+  /// Of the steps, the shapes and the samples [1].
+  double error_in_time() const {
+    return response.solution.error() + sampling_error;
+  }
+};
+
+/// The blow in time, and the static force beside it.
+/// @param zones  left out where the stress is judged.
+/// @throws Error of solve_strike().
+StruckRun run_struck(const PartJob& job, const ImpactJob& impact,
+                     const std::vector<stress::SingularZone>& zones, int degree,
+                     dynamics::Route route);
+
+}  // namespace clevis::assessment
