@@ -1,5 +1,8 @@
 #include "dynamics/excited_shapes.h"
 
+#include <cmath>
+#include <vector>
+
 #include <Eigen/Eigenvalues>
 
 namespace clevis::dynamics {
@@ -29,15 +32,32 @@ ReducedModel ExcitedShapes::model(int shapes) {
     space_->extend();
     ++solves_;
   }
+  return excited();
+}
+
+ReducedModel ExcitedShapes::excited() const {
   const MatrixXd basis = space_->basis();
   const MatrixXd stiffness = basis.transpose() * system_.stiffness(basis);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(
       0.5 * (stiffness + stiffness.transpose()));
+  const VectorXd load =
+      modes.eigenvectors().transpose() * (basis.transpose() * load_);
+  // Round-off brings shapes into the space that the load does not excite, slow
+  // ones first.
+  constexpr double kNothing = 1e-9;
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < load.size(); ++i) {
+    if (std::abs(load[i]) > kNothing * load.cwiseAbs().maxCoeff()) {
+      kept.push_back(i);
+    }
+  }
   ReducedModel result;
-  result.shapes.resize(system_.size, rigid_.cols() + basis.cols());
-  result.shapes << rigid_, basis * modes.eigenvectors();
+  const auto count = static_cast<Eigen::Index>(kept.size());
+  result.shapes.resize(system_.size, rigid_.cols() + count);
+  result.shapes << rigid_,
+      basis * MatrixXd(modes.eigenvectors()(Eigen::all, kept));
   result.squares = VectorXd::Zero(result.shapes.cols());
-  result.squares.tail(basis.cols()) = modes.eigenvalues();
+  result.squares.tail(count) = modes.eigenvalues()(kept);
   result.contact = result.shapes.transpose() * load_;
   return result;
 }

@@ -31,10 +31,16 @@ class ExcitedShapes {
   double compliance() const { return compliance_; }
   int solves() const { return solves_; }
 
-  /// With so many elastic shapes, or all that there are.
+  /// With so many elastic shapes, or all that there are, less those that
+  /// round-off brought in and the load does not excite.
   ReducedModel model(int shapes);
 
+  /// The last model has all that the load can excite.
+  bool is_complete() const { return space_->is_closed(); }
+
  private:
+  ReducedModel excited() const;
+
   const LinearSystem& system_;
   Eigen::VectorXd load_;
   Eigen::MatrixXd rigid_;

@@ -13,16 +13,27 @@ namespace clevis::dynamics {
 
 /// How the struck body moves in time.
 enum class Route {
-  kAuto,    ///< modal, direct where modes do not suffice
-  kDirect,  ///< all equations by the midpoint rule
+  kAuto,    ///< modal, damped where the shapes do not suffice
+  kDirect,  ///< all equations by the midpoint rule, or the damping scheme
   kModal,   ///< shapes of a space that the contact excites, each exactly
+};
+
+/// Whether the integration in time takes out waves that are too short for
+/// shapes or mesh: behind a front they ring, and a scheme that keeps the energy
+/// keeps them for ever.
+enum class Damping {
+  kAuto,    ///< for ideal steps, and where undamped shapes do not settle
+  kNone,    ///< the energy is kept
+  kFronts,  ///< always
 };
 
 struct StrikeOptions {
   Route route = Route::kAuto;
+  Damping damping = Damping::kAuto;
   double tolerance = 1e-3;  ///< of the contact's displacement and impulse [1]
   int samples = 400;        ///< instants after t = 0
   int fewest_modes = 24, most_modes = 480;
+  int front_modes = 181;  ///< fewest that a front needs
   int most_direct_steps = 50000;
   int most_modal_steps = 400000;
 };
@@ -39,10 +50,13 @@ struct StrikeSolution {
   double time_error{};       ///< estimated, of what `difference` compares [1]
   double mode_error{};       ///< likewise
   double shape_frequency{};  ///< highest of the shapes [Hz]
+  /// Step of the damping scheme, 0: the energy was kept. Stresses are those of
+  /// a front that takes about so long [s].
+  double damping_time{};
   double contact_compliance{};  ///< static, of the body alone [m/N]
   std::string reason;           ///< why this route
   /// The contact was infinitely stiff: a spring of 1000 times the body's own
-  /// stiffness was put in its place; the stress grows with every refinement.
+  /// stiffness was put in its place.
   bool is_ideal = false;
   bool within_tolerance = false;
 

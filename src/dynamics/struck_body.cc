@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "dynamics/damped_scheme.h"
+
 namespace clevis::dynamics {
 namespace {
 
@@ -82,8 +84,11 @@ double sinc(double x) {
 
 class ModalBody : public StruckBody {
  public:
-  ModalBody(const VectorXd& squares, const VectorXd& contact)
-      : squares_(squares.array().max(0.0)), c_(contact) {
+  ModalBody(const VectorXd& squares, const VectorXd& contact,
+            double damping_time)
+      : squares_(squares.array().max(0.0)),
+        c_(contact),
+        damping_time_(damping_time) {
     rest();
   }
 
@@ -94,6 +99,7 @@ class ModalBody : public StruckBody {
     turned_ = squares_ * sine_over_;
     by_force_ = phase.unaryExpr(&half_versine) * step * step * c_;
     by_force_speed_ = sine_over_ * c_;
+    if (damping_time_ > 0.0) damp(step);
   }
 
   double compliance() const override { return (c_ * by_force_).sum(); }
@@ -122,7 +128,23 @@ class ModalBody : public StruckBody {
   }
 
  private:
+  void damp(double step) {
+    constexpr double kExact = 1e-2;  // R is the exponential to round-off
+    for (Index i = 0; i < squares_.size(); ++i) {
+      const double omega = std::sqrt(squares_[i]);
+      if (omega * damping_time_ < kExact) continue;
+      const auto factor = DampedScheme::amplification(omega * damping_time_,
+                                                      step / damping_time_);
+      cosine_[i] = factor.real();
+      sine_over_[i] = factor.imag() / omega;
+      turned_[i] = factor.imag() * omega;
+      by_force_[i] = (1.0 - factor.real()) / squares_[i] * c_[i];
+      by_force_speed_[i] = sine_over_[i] * c_[i];
+    }
+  }
+
   ArrayXd squares_, c_;
+  double damping_time_;
   ArrayXd cosine_, sine_over_, turned_;  ///< cos ωh, sin ωh/ω, ω sin ωh
   ArrayXd by_force_, by_force_speed_;    ///< of a unit force over a step
   ArrayXd q_, v_, free_;
@@ -136,8 +158,9 @@ std::unique_ptr<StruckBody> direct_body(const LinearSystem& system,
 }
 
 std::unique_ptr<StruckBody> modal_body(const VectorXd& squares,
-                                       const VectorXd& contact) {
-  return std::make_unique<ModalBody>(squares, contact);
+                                       const VectorXd& contact,
+                                       double damping_time) {
+  return std::make_unique<ModalBody>(squares, contact, damping_time);
 }
 
 }  // namespace clevis::dynamics

@@ -10,7 +10,8 @@ namespace clevis::dynamics {
 
 /// A body under a force along its contact vector c, which is constant over
 /// each step; it begins at rest. Its energy is that of its scheme exactly:
-/// what the force does over the way of the contact, y = cᵀu.
+/// what the force does over the way of the contact, y = cᵀu, less what a
+/// damping scheme takes.
 class StruckBody {
  public:
   virtual ~StruckBody() = default;
@@ -37,11 +38,20 @@ class StruckBody {
 std::unique_ptr<StruckBody> direct_body(const LinearSystem& system,
                                         const Eigen::VectorXd& contact);
 
+/// By the damping scheme, four solves a step: waves too short for the step
+/// die out, those that it resolves stay.
+/// @param system, contact  outlive the body.
+std::unique_ptr<StruckBody> damped_body(const LinearSystem& system,
+                                        const Eigen::VectorXd& contact);
+
 /// Coordinates q'' + ω² q = c P of M-orthonormal shapes, each propagated
-/// exactly.
+/// exactly; or, with a damping time h, as the damping scheme does with steps h,
+/// whatever the body's own step is.
 /// @param squares  ω² [1/s²].
 /// @param contact  c in the coordinates.
+/// @param damping_time  0: none [s].
 std::unique_ptr<StruckBody> modal_body(const Eigen::VectorXd& squares,
-                                       const Eigen::VectorXd& contact);
+                                       const Eigen::VectorXd& contact,
+                                       double damping_time = 0.0);
 
 }  // namespace clevis::dynamics

@@ -4,6 +4,7 @@
 #include "dynamics/strike.h"
 
 #include <cmath>
+#include <complex>
 #include <cstdio>
 #include <limits>
 #include <numbers>
@@ -14,6 +15,8 @@
 
 #include "base/errors.h"
 #include "dynamics/contact_law.h"
+#include "dynamics/damped_scheme.h"
+#include "dynamics/excited_shapes.h"
 #include "support/dense_system.h"
 #include "support/rod_peak.h"
 
@@ -315,6 +318,55 @@ TEST(Strike, RoutesAgreeOnAFreeBeam) {
   // Momentum: what the striker lost the beam has.
   EXPECT_NEAR(modal.run.impulse.tail(1).value(),
               0.02 * (0.5 - modal.run.speed.tail(1).value()), 1e-12);
+}
+
+/// R of the damping scheme: fourth order, no growth, nothing left at infinity.
+TEST(DampedScheme, IsOfFourthOrderAndLStable) {
+  using dynamics::DampedScheme;
+  double error = 0.0;
+  for (const double phase : {0.2, 0.1}) {
+    const auto exact = std::polar(1.0, phase);
+    const double now = std::abs(DampedScheme::amplification(phase) - exact);
+    if (error > 0.0) {
+      EXPECT_NEAR(std::log2(error / now), 5.0, 0.1);
+    }
+    error = now;
+  }
+  for (double phase = 1e-3; phase < 1e6; phase *= 1.1) {
+    EXPECT_LE(std::abs(DampedScheme::amplification(phase)), 1.0 + 1e-12);
+    const auto half = DampedScheme::amplification(phase, 0.5);
+    EXPECT_LT(std::abs(half * half - DampedScheme::amplification(phase)),
+              1e-12);
+  }
+  EXPECT_LT(std::abs(DampedScheme::amplification(1e6)), 1e-5);
+}
+
+/// Shapes and equations damp alike; energy only falls; of a free body momentum
+/// stays.
+TEST(Strike, DampedRoutesAgree) {
+  const support::EulerBeam beam{0.1, 100.0, 0.5, 6};
+  auto system = support::dense_system(beam.stiffness(), beam.mass());
+  system.rigid = MatrixXd::Zero(14, 2);
+  for (int node = 0; node <= 6; ++node) {
+    system.rigid(2 * node, 0) = 1.0;
+    system.rigid(2 * node, 1) = 0.1 * node / 6.0;
+    system.rigid(2 * node + 1, 1) = 1.0;
+  }
+  system.low_square = 1e5;
+  const VectorXd contact = VectorXd::Unit(14, 12);
+  const auto strike = strike_of(0.02, 0.5, {1e6, 1.0, false}, 1e-3);
+  const double step = 1e-3 / 400;
+  const auto direct = dynamics::damped_body(system, contact);
+  const auto by_steps = dynamics::run_strike(*direct, strike, 1e-3, 400, 1);
+  dynamics::ExcitedShapes shapes(system, contact);
+  const auto model = shapes.model(12);
+  const auto modal = dynamics::modal_body(model.squares, model.contact, step);
+  const auto by_shapes = dynamics::run_strike(*modal, strike, 1e-3, 400, 1);
+  EXPECT_LT(dynamics::difference(by_steps, by_shapes), 1e-8);
+  EXPECT_NEAR(by_steps.energy_error, by_shapes.energy_error, 1e-8);
+  EXPECT_GT(by_steps.energy_error, 1e-6);
+  EXPECT_NEAR(by_steps.impulse.tail(1).value(),
+              0.02 * (0.5 - by_steps.speed.tail(1).value()), 1e-12);
 }
 
 TEST(Strike, RefusesWhatIsNoStrike) {
