@@ -154,7 +154,7 @@ Instant DrivenMotion::instant(const ClosedConfiguration& at, double t) const {
   put_forces(frame_, system_, at.placed,
              balance_with_friction(forces_, at.x.size(), balance), result);
   result.elements = forces_.states();
-  require_unique_loads(definition_, result.joints);
+  require_unique_loads(definition_, forces_, result.joints);
   return result;
 }
 

@@ -94,6 +94,7 @@ class DynamicRun {
   void add_instant(double t, VectorXd& y);
   void note_energy(const VectorXd& y);
   void require_energy_balance() const;
+  void require_resisting_friction();
 
   const MechanismDefinition& definition_;
   const SimulationSettings& settings_;
@@ -206,7 +207,7 @@ void DynamicRun::pass(const EventFinder::Event& event) {
   ForceModel& forces = dynamics_.forces();
   const std::vector<int> before = forces.modes();
   forces.pass_event(event.index);
-  dynamics_.project(t, y_);
+  dynamics_.rest_or_turn(t, y_, static_cast<std::size_t>(event.index / 2));
   dynamics_.settle(t, y_);
   dynamics_.project(t, y_);
   dynamics_.accept(t);
@@ -250,6 +251,20 @@ void DynamicRun::require_energy_balance() const {
               "forces of a wrong order of size");
 }
 
+/// Friction at rest holds, friction that slips resists.
+void DynamicRun::require_resisting_friction() {
+  if (dynamics_.forces().empty()) return;
+  dynamics_.evaluate_forces(integrator_.t(), y_);
+  const std::size_t k = dynamics_.forces().line_against_its_mode();
+  if (k == dynamics_.forces().size()) return;
+  throw Error("K012", std::get<LineElement>(definition_.elements[k]).place,
+              fmt::format("at t = {:.9g} s friction {} moves its line instead "
+                          "of resisting: the integration failed",
+                          integrator_.t(), name_of(definition_.elements[k])),
+              "ask for a stricter tolerance, or give the friction model = "
+              "\"regularized\"");
+}
+
 void DynamicRun::add_instant(double t, VectorXd& y) {
   const double gap = dynamics_.project(t, y);
   dynamics_.rate(t, y, slope_);
@@ -278,7 +293,7 @@ void DynamicRun::add_instant(double t, VectorXd& y) {
   mark_what_friction_leaves_open(frame_, system, placed, dynamics_.forces(),
                                  instant);
   instant.is_change_point = is_change_point;
-  require_unique_loads(definition_, instant.joints);
+  require_unique_loads(definition_, dynamics_.forces(), instant.joints);
   instant.closure_error = gap;
   motion_.instants.push_back(std::move(instant));
 }
@@ -342,6 +357,7 @@ Motion DynamicRun::run() {
     dynamics_.note_speed(y_);
     integrator_.correct(y_);
     note_energy(y_);
+    require_resisting_friction();
     if (integrator_.t() == limit && limit < settings_.duration) {
       dynamics_.communicate(limit, y_);
       restart(limit);

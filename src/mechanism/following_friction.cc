@@ -194,10 +194,13 @@ Equilibrium::Solution balance_with_friction(
 }
 
 void require_unique_loads(const MechanismDefinition& definition,
+                          const ForceModel& forces,
                           const std::vector<JointReaction>& joints) {
-  for (const ForceElement& element : definition.elements) {
+  for (std::size_t k = 0; k < definition.elements.size(); ++k) {
+    const ForceElement& element = definition.elements[k];
     const int followed = followed_joint(element);
-    if (followed < 0) continue;
+    const bool slides = std::abs(forces.element(k).modes[0]) == 1;
+    if (followed < 0 || !slides) continue;
     const auto j = static_cast<std::size_t>(followed);
     const auto& unique = joints[j].unique_components;
     if (unique[0] && unique[1]) continue;

@@ -1,6 +1,7 @@
 #include "mechanism/force_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -200,6 +201,19 @@ void ForceModel::set_load(std::size_t k, double load) {
   if (sticks(k)) return;
   act_along(e, load * e.per_load + e.own_effort);
   e.power = e.effort * e.rate;
+}
+
+std::size_t ForceModel::line_against_its_mode() const {
+  constexpr double kTimesSlack = 10.0;
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    const ActingElement& e = elements_[k];
+    if (!is_dry(k)) continue;
+    const int mode = e.modes[0];
+    const double against =
+        std::abs(mode) == 1 ? -mode * e.rate : std::abs(e.rate);
+    if (against > kTimesSlack * e.slack) return k;
+  }
+  return elements_.size();
 }
 
 void ForceModel::hold_tangents(const double* internal) {

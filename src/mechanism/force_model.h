@@ -68,6 +68,10 @@ class ForceModel {
   /// Gives friction that follows a reaction its load, and with it, unless it
   /// sticks, its effort.
   void set_load(std::size_t k, double load);
+  /// Dry friction that moves against its mode by more than speeds may err, as
+  /// of evaluate(): at rest it moves, or slips with its own force. size() if
+  /// there is none.
+  std::size_t line_against_its_mode() const;
   void set_mode(std::size_t k, int mode) { elements_[k].modes[0] = mode; }
 
   /// See OdeSystem. @param internal  of the last evaluate().

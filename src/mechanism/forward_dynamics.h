@@ -57,6 +57,9 @@ class ForwardDynamics : public OdeSystem {
   void choose_modes(double t, const Eigen::VectorXd& y);
   /// Decides what sticks of what does not move, by the forces at hand.
   void settle(double t, const Eigen::VectorXd& y);
+  /// Element k has just come to rest: takes its last speed from the motion if
+  /// only that goes; else, as a dependent line at a dead centre, it turns.
+  void rest_or_turn(double t, Eigen::VectorXd& y, std::size_t k);
   void event_values(double t, const Eigen::VectorXd& y,
                     Eigen::VectorXd& values);
   ForceModel& forces() { return forces_; }
@@ -129,10 +132,14 @@ class ForwardDynamics : public OdeSystem {
   /// Acceleration along a lever per force along it, were the body free.
   double free_response(int slot, const Twist& lever) const;
   void rest_what_hardly_moves();
+  double rate_ahead(double t, const Eigen::VectorXd& y, std::size_t k);
+  int way_of_dependent_line(double t, const Eigen::VectorXd& y, std::size_t k);
+  bool free_what_cannot_stick(double t, const Eigen::VectorXd& y);
   bool release_worst();
   bool judge_lines_at_their_most(double t, const Eigen::VectorXd& y);
   double line_acceleration(std::size_t k) const;
   double free_acceleration(std::size_t k) const;
+  double acceleration_size() const;
   double correct_positions(double t, Eigen::VectorXd& y);
   void move(Eigen::VectorXd& y, const Eigen::VectorXd& change) const;
 
@@ -172,7 +179,7 @@ class ForwardDynamics : public OdeSystem {
 
   // workspace
   int rows_{};  ///< of the system and of force elements
-  Eigen::VectorXd scratch_;
+  Eigen::VectorXd scratch_, before_rest_;
   Configuration x_;
   std::vector<PlacedJoint> placed_;
   std::vector<Twist> twists_, wrenches_;

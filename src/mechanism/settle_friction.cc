@@ -10,6 +10,9 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr double kRoundOff = 1e-9;
+// Coming to rest costs a motion the last speed of a line, an error: so many
+// times what steps may err by.
+constexpr double kTimesError = 1e3;
 
 }  // namespace
 
@@ -33,6 +36,80 @@ void ForwardDynamics::rest_what_hardly_moves() {
       forces_.set_mode(k, 0);
     }
   }
+}
+
+void ForwardDynamics::rest_or_turn(double t, VectorXd& y, std::size_t k) {
+  if (!forces_.is_dry(k) || forces_.element(k).modes[0] != 0) return;
+  before_rest_ = y;
+  project(t, y);
+  scratch_ = y - before_rest_;
+  const double change =
+      scratch_.segment(positions_, system_.columns()).lpNorm<Eigen::Infinity>();
+  if (change <= kTimesError * tolerance_ * speed_) return;
+  y = before_rest_;
+  forces_.set_mode(k, kLetGo);
+  rate(t, y, scratch_);
+  forces_.set_mode(k, line_acceleration(k) > 0.0 ? 1 : -1);
+}
+
+/// Size of accelerations, free bodies' among them, of which round-off is a
+/// part [m/s²].
+double ForwardDynamics::acceleration_size() const {
+  const double speed = u_.lpNorm<Eigen::Infinity>();
+  double size =
+      acceleration_.lpNorm<Eigen::Infinity>() + speed * speed / length_;
+  for (std::size_t i = 1; i < bodies_.size(); ++i) {
+    const double turning = bodies_[i].turn_factor.squaredNorm() / length_;
+    size = std::max({size, wrenches_[i].v.norm() / bodies_[i].mass,
+                     wrenches_[i].w.norm() * turning});
+  }
+  return size;
+}
+
+/// Speed of a line where the motion leads a little later, over the largest:
+/// by its velocities, from rest by its accelerations.
+double ForwardDynamics::rate_ahead(double t, const VectorXd& y, std::size_t k) {
+  constexpr double kWay = 1e-4;  // of the length: well beyond kRankThreshold
+  const bool moves = u_.lpNorm<Eigen::Infinity>() > kRoundOff * speed_;
+  change_ = moves ? u_ : acceleration_;
+  const double size = change_.lpNorm<Eigen::Infinity>();
+  if (!(size > kRoundOff * (moves ? speed_ : acceleration_size()))) return 0.0;
+  const double part = kWay * length_ / size;
+  VectorXd ahead = y;
+  ahead.segment(positions_, system_.columns()) =
+      change_.head(system_.columns());
+  change_ *= part;
+  move(ahead, change_);
+  const double then = moves ? t + part : t;
+  project(then, ahead);
+  evaluate_forces(then, ahead);
+  return (forces_.is_angle(k) ? length_ : 1.0) * forces_.element(k).rate / size;
+}
+
+/// Where a sticking line goes whose row the others imply: it cannot hold
+/// anything, as a slider at its dead centre. @return 0: the others hold it.
+int ForwardDynamics::way_of_dependent_line(double t, const VectorXd& y,
+                                           std::size_t k) {
+  const double a = line_acceleration(k);
+  if (std::abs(a) > kRoundOff * acceleration_size()) return a > 0.0 ? 1 : -1;
+  constexpr double kMoves = 1e-6;
+  const double ahead = rate_ahead(t, y, k);
+  return ahead > kMoves ? 1 : ahead < -kMoves ? -1 : 0;
+}
+
+/// @return whether there was a sticking line that can hold nothing.
+bool ForwardDynamics::free_what_cannot_stick(double t, const VectorXd& y) {
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (!forces_.sticks(k)) continue;
+    const int rank = mass_.rank();
+    forces_.set_mode(k, kLetGo);
+    rate(t, y, scratch_);
+    const int way = mass_.rank() == rank ? way_of_dependent_line(t, y, k) : 0;
+    forces_.set_mode(k, way);
+    rate(t, y, scratch_);
+    if (way != 0) return true;
+  }
+  return false;
 }
 
 /// The sticking line that asks most of its friction gives its most instead, if
@@ -105,7 +182,9 @@ void ForwardDynamics::settle(double t, const VectorXd& y) {
   const std::size_t most = 6 * forces_.size() + 2;
   for (std::size_t tries = 0; tries < most; ++tries) {
     rate(t, y, scratch_);
-    if (!release_worst() && !judge_lines_at_their_most(t, y)) return;
+    if (!free_what_cannot_stick(t, y) && !release_worst() &&
+        !judge_lines_at_their_most(t, y))
+      return;
   }
 }
 
