@@ -8,9 +8,6 @@
 namespace clevis::mechanism {
 namespace {
 
-// Beyond the round-off by which settling lets efforts exceed their breakaway.
-constexpr double kAboveBreakaway = 1.0 + 2e-9;
-
 const StopLaw* stop_law(const ForceElement& element) {
   const auto* line = std::get_if<LineElement>(&element);
   return line ? std::get_if<StopLaw>(&line->law) : nullptr;
@@ -83,10 +80,7 @@ double event_value(const ActingElement& e, int end) {
   const auto at = static_cast<std::size_t>(end);
   if (const FrictionLaw* friction = switched_friction(*e.definition)) {
     if (end == 1) return 1.0;
-    if (sticks(e)) {
-      return kAboveBreakaway * e.load * friction->breakaway -
-             std::abs(e.effort);
-    }
+    if (sticks(e)) return e.load * friction->breakaway - std::abs(e.effort);
     if (std::abs(e.modes[0]) == 2) return 1.0;
     const bool bristles = friction->model == FrictionModel::kLuGre;
     return e.modes[0] * e.rate + (bristles ? e.slack : 0.0);

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "base/errors.h"
 #include "mechanism/forward_dynamics.h"
 
 namespace clevis::mechanism {
@@ -13,6 +16,16 @@ constexpr double kRoundOff = 1e-9;
 // Coming to rest costs a motion the last speed of a line, an error: so many
 // times what steps may err by.
 constexpr double kTimesError = 1e3;
+
+/// @throws Error K011, always.
+[[noreturn]] void refuse_wedge(double t) {
+  throw Error("K011", "mechanism",
+              fmt::format("at t = {:.9g} s dry friction wedges: whichever "
+                          "joints rest or slip, one asks for the contrary",
+                          t),
+              "reduce the friction, or give it model = \"regularized\"; rigid "
+              "bodies have no answer here");
+}
 
 }  // namespace
 
@@ -183,9 +196,11 @@ void ForwardDynamics::settle(double t, const VectorXd& y) {
   for (std::size_t tries = 0; tries < most; ++tries) {
     rate(t, y, scratch_);
     if (!free_what_cannot_stick(t, y) && !release_worst() &&
-        !judge_lines_at_their_most(t, y))
+        !judge_lines_at_their_most(t, y)) {
       return;
+    }
   }
+  refuse_wedge(t);
 }
 
 }  // namespace clevis::mechanism
