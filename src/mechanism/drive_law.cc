@@ -1,13 +1,23 @@
 #include "mechanism/drive_law.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace clevis::mechanism {
 namespace {
 
-DriveTarget sine(const DriveDefinition& drive, double t) {
-  if (t < drive.start) return {.position = drive.from};
+/// Whether t is before a law's start; at the start itself as the side says.
+bool before(double t, double start, BendSide side) {
+  return t < start || (t == start && side == BendSide::kBefore);
+}
+
+bool behind(double t, double end, BendSide side) {
+  return t > end || (t == end && side == BendSide::kBehind);
+}
+
+DriveTarget sine(const DriveDefinition& drive, double t, BendSide side) {
+  if (before(t, drive.start, side)) return {.position = drive.from};
   const double omega = 2.0 * std::numbers::pi * drive.frequency;
   const double phase = omega * (t - drive.start);
   const double a = drive.amplitude;
@@ -16,17 +26,51 @@ DriveTarget sine(const DriveDefinition& drive, double t) {
           .acceleration = -a * omega * omega * std::sin(phase)};
 }
 
+/// Where a law starts and ends.
+std::vector<double> bends(const DriveDefinition& drive) {
+  switch (drive.law) {
+    case DriveLaw::kConstant:
+      return {};
+    case DriveLaw::kSine:
+      return {drive.start};
+    case DriveLaw::kTable:
+      return {drive.start + drive.table.times.front(),
+              drive.start + drive.table.times.back()};
+    default:
+      return {drive.start, drive.start + drive.duration};
+  }
+}
+
+/// Round-off of rates is a part of it. Sines know their rates exactly.
+double mean_speed(const DriveDefinition& drive) {
+  if (drive.law == DriveLaw::kSine) return 0.0;
+  if (drive.law != DriveLaw::kTable) {
+    return std::abs(drive.to - drive.from) / drive.duration;
+  }
+  const CubicSpline& table = drive.table;
+  const auto [least, most] = std::ranges::minmax(table.values);
+  return (most - least) / (table.times.back() - table.times.front());
+}
+
 }  // namespace
 
-DriveTarget drive_target(const DriveDefinition& drive, double t) {
+DriveTarget drive_target(const DriveDefinition& drive, double t,
+                         BendSide side) {
   if (drive.law == DriveLaw::kConstant) return {.position = drive.from};
-  if (drive.law == DriveLaw::kSine) return sine(drive, t);
+  if (drive.law == DriveLaw::kSine) return sine(drive, t, side);
   if (drive.law == DriveLaw::kTable) {
-    const CubicSpline::Point point = drive.table.at(t - drive.start);
+    const CubicSpline& table = drive.table;
+    if (before(t, drive.start + table.times.front(), side)) {
+      return {.position = table.values.front()};
+    }
+    if (behind(t, drive.start + table.times.back(), side)) {
+      return {.position = table.values.back()};
+    }
+    const CubicSpline::Point point = table.at(t - drive.start);
     return {point.value, point.rate, point.acceleration};
   }
-  if (t < drive.start) return {.position = drive.from};
-  if (t > drive.start + drive.duration || drive.duration <= 0.0) {
+  if (before(t, drive.start, side)) return {.position = drive.from};
+  if (behind(t, drive.start + drive.duration, side) || drive.duration <= 0.0) {
     return {.position = drive.to};
   }
   const double stroke = drive.to - drive.from;
@@ -41,6 +85,24 @@ DriveTarget drive_target(const DriveDefinition& drive, double t) {
           .rate = stroke * s_rate * 30.0 * s * s * r * r,
           .acceleration =
               stroke * s_rate * s_rate * 60.0 * s * r * (1.0 - 2.0 * s)};
+}
+
+std::vector<DriveJump> drive_jumps(const MechanismDefinition& definition,
+                                   double duration) {
+  constexpr double kRoundOff = 1e-9;  // of a spline's slopes at its ends
+  std::vector<DriveJump> jumps;
+  for (std::size_t k = 0; k < definition.drives.size(); ++k) {
+    const DriveDefinition& drive = definition.drives[k];
+    for (const double t : bends(drive)) {
+      if (!(t > 0.0 && t < duration)) continue;
+      const double first = drive_target(drive, t, BendSide::kBefore).rate;
+      const double then = drive_target(drive, t, BendSide::kBehind).rate;
+      if (std::abs(then - first) <= kRoundOff * mean_speed(drive)) continue;
+      jumps.push_back({t, static_cast<int>(k), first, then});
+    }
+  }
+  std::ranges::sort(jumps, {}, &DriveJump::t);
+  return jumps;
 }
 
 }  // namespace clevis::mechanism

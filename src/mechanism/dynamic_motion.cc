@@ -11,6 +11,7 @@
 
 #include "base/errors.h"
 #include "mechanism/body_motion.h"
+#include "mechanism/drive_law.h"
 #include "mechanism/driven_sampling.h"
 #include "mechanism/dynamic_change_points.h"
 #include "mechanism/equilibrium.h"
@@ -85,6 +86,7 @@ class DynamicRun {
   void find_breaks();
   double next_break() const;
   void pass(const EventFinder::Event& event);
+  void pass_bend(double t);
   void restart(double t);
   void guard_against_accumulation(double t);
   void require_few(const StepCounts& counts) const;
@@ -113,6 +115,7 @@ class DynamicRun {
   std::vector<double> wanted_;
   int two_sided_ = 0;
   VectorXd event_values_;
+  std::vector<DriveJump> jumps_;
   std::vector<double> breaks_;  ///< times at which drives or tables bend
   int crowded_events_ = 0;
   double last_event_ = -1.0;
@@ -146,6 +149,7 @@ void DynamicRun::start() {
 
 void DynamicRun::find_breaks() {
   breaks_ = dynamics_.forces().kink_times();
+  jumps_ = drive_jumps(definition_, settings_.duration);
   for (const DriveDefinition& drive : definition_.drives) {
     breaks_.push_back(drive.start);
     breaks_.push_back(drive.start + drive.duration);
@@ -214,6 +218,16 @@ void DynamicRun::pass(const EventFinder::Event& event) {
   impacts_.pass(t, y_, before);
   for (MotionEvent& change : forces.changes(event.index, t, before)) {
     motion_.events.push_back(std::move(change));
+  }
+  restart(t);
+}
+
+/// A time at which laws of drives or tables bend, or gas communicates.
+void DynamicRun::pass_bend(double t) {
+  dynamics_.communicate(t, y_);
+  dynamics_.enter_piece(t);
+  if (std::ranges::find(jumps_, t, &DriveJump::t) != jumps_.end()) {
+    dynamics_.jump(t, y_);
   }
   restart(t);
 }
@@ -359,8 +373,7 @@ Motion DynamicRun::run() {
     note_energy(y_);
     require_resisting_friction();
     if (integrator_.t() == limit && limit < settings_.duration) {
-      dynamics_.communicate(limit, y_);
-      restart(limit);
+      pass_bend(limit);
     }
   }
   require_energy_balance();

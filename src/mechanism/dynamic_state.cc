@@ -98,9 +98,23 @@ void ForwardDynamics::communicate(double t, const VectorXd& y) {
   forces_.communicate(t);
 }
 
+void ForwardDynamics::jump(double t, VectorXd& y) {
+  const double before = kinetic_energy(y);
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (forces_.is_dry(k)) forces_.set_mode(k, kLetGo);
+  }
+  project(t, y);
+  y[work_index()] += kinetic_energy(y) - before;
+  choose_modes(t, y);
+  project(t, y);
+  accept(t);
+}
+
 void ForwardDynamics::set_targets(double t) {
+  const BendSide side =
+      t > piece_start_ ? BendSide::kBefore : BendSide::kBehind;
   for (std::size_t k = 0; k < drives_.size(); ++k) {
-    const DriveTarget target = drive_target(drives_[k], t);
+    const DriveTarget target = drive_target(drives_[k], t, side);
     const Index row = system_.joint_rows() + static_cast<Index>(k);
     const double scale = system_.scale(system_.row_list()[index(row)]);
     targets_[static_cast<Index>(k)] = target.position;

@@ -8,6 +8,10 @@
 namespace clevis::mechanism {
 namespace {
 
+// Friction turns late by so much of the slack, so that the turned mode does not
+// find itself behind its own event.
+constexpr double kOfSlack = 1e-3;
+
 const StopLaw* stop_law(const ForceElement& element) {
   const auto* line = std::get_if<LineElement>(&element);
   return line ? std::get_if<StopLaw>(&line->law) : nullptr;
@@ -83,7 +87,7 @@ double event_value(const ActingElement& e, int end) {
     if (sticks(e)) return e.load * friction->breakaway - std::abs(e.effort);
     if (std::abs(e.modes[0]) == 2) return 1.0;
     const bool bristles = friction->model == FrictionModel::kLuGre;
-    return e.modes[0] * e.rate + (bristles ? e.slack : 0.0);
+    return e.modes[0] * e.rate + (bristles ? 1.0 : kOfSlack) * e.slack;
   }
   if (const TableLaw* table = position_table(*e.definition)) {
     return way_left(*table, e.modes[0], end, e.q);

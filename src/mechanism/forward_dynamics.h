@@ -77,6 +77,13 @@ class ForwardDynamics : public OdeSystem {
   /// turns go on from there.
   void accept(double t);
 
+  /// Drives follow from now on, at t itself too, what their laws say behind a
+  /// bend at t.
+  void enter_piece(double t) { piece_start_ = t; }
+  /// Where drives jump: velocities change by the impulse that this takes,
+  /// which does the work that is gained; dry friction has no part in it.
+  void jump(double t, Eigen::VectorXd& y);
+
   /// When force elements communicate with the mechanism next [s].
   double next_communication() const { return forces_.next_communication(); }
   /// Lets those do so whose time it is.
@@ -174,6 +181,7 @@ class ForwardDynamics : public OdeSystem {
   };
   std::vector<Turn> turns_;  ///< by joint, at accepted_at_
   double accepted_at_{};
+  double piece_start_{};  ///< of the drives' laws [s]
   std::vector<Load> loads_;
   Eigen::Vector3d gravity_;
 

@@ -115,6 +115,14 @@ struct Impact {
   double impulse{};                ///< [N s] or [N m s]
 };
 
+/// A drive that changes its speed in no time: rigid bodies answer with an
+/// impulse, which no finite force tells.
+struct DriveJump {
+  double t{};  ///< [s]
+  int drive{};
+  double before{}, behind{};  ///< [m/s] or [rad/s]
+};
+
 struct Instant {
   double t{};  ///< [s]
   std::vector<BodyState> bodies;
@@ -157,6 +165,7 @@ struct Motion {
   std::vector<Instant> instants;
   std::vector<ChangePoint> change_points;
   std::vector<MotionEvent> events;
+  std::vector<DriveJump> drive_jumps;
   std::vector<Impact> impacts;  ///< of integrated motions, as they begin
   std::optional<IntegrationSummary> integration;  ///< of integrated motions
 };

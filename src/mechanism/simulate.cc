@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "mechanism/closed_joints.h"
+#include "mechanism/drive_law.h"
 #include "mechanism/driven_motion.h"
 #include "mechanism/dynamic_motion.h"
 #include "mechanism/force_model.h"
@@ -61,10 +62,11 @@ bool is_dynamic(const MechanismDefinition& definition,
 Motion simulate(const MechanismDefinition& definition,
                 const SimulationSettings& settings) {
   require_mass(definition);
-  if (is_dynamic(definition, settings)) {
-    return integrate_motion(definition, settings);
-  }
-  return DrivenMotion(definition, settings).run(settings);
+  Motion motion = is_dynamic(definition, settings)
+                      ? integrate_motion(definition, settings)
+                      : DrivenMotion(definition, settings).run(settings);
+  motion.drive_jumps = drive_jumps(definition, settings.duration);
+  return motion;
 }
 
 }  // namespace clevis::mechanism

@@ -147,7 +147,8 @@ std::string mechanism_line(const MechanismSummary& mechanism) {
              mechanism.mobility, mechanism.redundant_constraints,
              mechanism.instants, millimetres(mechanism.max_closure_error),
              mechanism.max_power_balance_error) +
-         not_unique_line(mechanism) + change_point_lines(mechanism);
+         not_unique_line(mechanism) + change_point_lines(mechanism) +
+         drive_jump_lines(mechanism.drive_jumps);
 }
 
 std::string last_line(const CheckReport& report, Colour colour) {

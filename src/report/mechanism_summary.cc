@@ -72,6 +72,7 @@ MechanismSummary summarise(const mechanism::MechanismDefinition& definition,
     summary.instants_left_out += instant.is_change_point ? 1 : 0;
   }
   summary.impacts = named_impacts(definition, motion);
+  summary.drive_jumps = named_drive_jumps(definition, motion);
   for (const auto& point : motion.change_points) {
     summary.change_points.push_back(passed(definition, point));
   }

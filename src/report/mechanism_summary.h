@@ -6,6 +6,7 @@
 #include "mechanism/definition.h"
 #include "mechanism/motion.h"
 #include "mechanism/structure.h"
+#include "report/drive_jump_output.h"
 #include "report/impact_output.h"
 
 namespace clevis::report {
@@ -64,6 +65,7 @@ struct MechanismSummary {
   std::vector<DrivePeak> drives;
   std::vector<PassedChangePoint> change_points{};
   std::vector<NamedImpact> impacts{};
+  std::vector<NamedDriveJump> drive_jumps{};
   /// Instants just at one: their loads balance in the deflected position only
   /// and take no part in those of the parts.
   int instants_left_out{};

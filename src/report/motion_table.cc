@@ -115,7 +115,8 @@ std::string quality_text(const MotionReport& report,
         run->rejected, run->evaluations, run->energy_error,
         run->relative_energy_error);
   }
-  return text + change_point_text(report);
+  return text + change_point_text(report) +
+         drive_jump_lines(named_drive_jumps(report.definition, report.motion));
 }
 
 std::string reactions_text(const MotionReport& report,

@@ -46,6 +46,7 @@ ordered_json mechanism_json(const MechanismSummary& mechanism) {
           {"reactions_not_unique", mechanism.not_unique},
           {"instants", mechanism.instants},
           {"change_points", change_points},
+          {"drive_jumps", drive_jumps_json(mechanism.drive_jumps)},
           {"instants_left_out", mechanism.instants_left_out},
           {"impacts", impacts_json(mechanism.impacts)},
           {"max_closure_error_mm", millimetres(mechanism.max_closure_error)},
