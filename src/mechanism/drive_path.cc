@@ -11,9 +11,9 @@
 namespace clevis::mechanism {
 namespace {
 
-constexpr double kFarthest = 0.2;   // [rad], or of the length
-constexpr double kMost = 30'000.0;  // steps, but as many as instants
-constexpr double kTiny = 1e-12;     // of a time: no shorter steps
+constexpr double kFarthest = 0.2;    // [rad], or of the length
+constexpr double kMost = 300'000.0;  // steps, but as many as instants
+constexpr double kTiny = 1e-12;      // of a time: no shorter steps
 
 }  // namespace
 
