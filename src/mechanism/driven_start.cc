@@ -20,13 +20,18 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-[[noreturn]] void refuse_initial(const std::string& place,
+[[noreturn]] void refuse_initial(const MechanismDefinition& definition,
+                                 const std::string& place,
                                  std::string_view what, double miss) {
+  const bool locked = definition.drives.empty();
   throw Error("K007", place,
-              fmt::format("the drives fix the motion, and its {} at the start "
-                          "is another than this one by {:.4g} mm{}",
+              fmt::format("{} fix the motion, and its {} at the start is "
+                          "another than this one by {:.4g} mm{}",
+                          locked ? "joints and couplings alone" : "the drives",
                           what, 1e3 * miss, what == "velocity" ? "/s" : ""),
-              "leave this [[initial]] out, or change the drive");
+              locked ? "leave this [[initial]] out, or look for couplings or "
+                       "joints that contradict one another"
+                     : "leave this [[initial]] out, or change the drive");
 }
 
 }  // namespace
@@ -54,7 +59,7 @@ void DrivenMotion::require_agreement(const ClosedConfiguration& at) const {
     const double miss =
         std::abs(probe.residual(probe.place(at.x), position).tail(1)[0]);
     if (miss > kAgrees * frame_.length) {
-      refuse_initial(initial.place, "position", miss);
+      refuse_initial(definition_, initial.place, "position", miss);
     }
   }
   if (!at.factor.full_column_rank()) return;
@@ -71,7 +76,8 @@ void DrivenMotion::require_agreement(const ClosedConfiguration& at) const {
     const double miss = (wanted.rows.middleRows(row, rows) * v -
                          wanted.rates.segment(row, rows))
                             .lpNorm<Eigen::Infinity>();
-    if (miss > kAgrees * size) refuse_initial(place, "velocity", miss);
+    if (miss > kAgrees * size)
+      refuse_initial(definition_, place, "velocity", miss);
     row += rows;
   };
   for (const InitialJointState& initial : definition_.initial_joints) {

@@ -123,7 +123,8 @@ void require_driven(const MechanismDefinition& definition,
                             drives, mobility.joints, why),
                 names.size() == 1
                     ? std::string("drive another joint, and look for joints "
-                                  "that coincide")
+                                  "that coincide, or nearly do: then put them "
+                                  "on one axis")
                     : fmt::format("remove {} of these drives",
                                   std::max(1, drives - mobility.joints +
                                                   mobility.with_drives)));

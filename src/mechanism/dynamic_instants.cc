@@ -1,0 +1,89 @@
+// Instants of an integrated motion: when, and what they hold.
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "mechanism/body_motion.h"
+#include "mechanism/driven_sampling.h"
+#include "mechanism/dynamic_run.h"
+#include "mechanism/following_friction.h"
+#include "mechanism/held_lines.h"
+#include "mechanism/jacobian_factor.h"
+
+namespace clevis::mechanism {
+namespace {
+
+using Eigen::VectorXd;
+
+// Instants on both sides of more events than this would only crowd.
+constexpr int kMostTwoSided = 1000;
+
+}  // namespace
+
+/// Instants that the loads of the last step call for.
+void DynamicRun::add_wanted(double until) {
+  wanted_.clear();
+  sampler_->look(integrator_, until,
+                 std::span(sample_times_).subspan(next_sample_), wanted_);
+  add_times(wanted_, settings_.duration, sample_times_);
+}
+
+/// Instants just before and behind a time at which loads may jump. That
+/// before is at the time itself where the modes change only then.
+void DynamicRun::want_sides(double t) {
+  const double side = kSides * settings_.duration;
+  if (t < side || t + side > settings_.duration ||
+      two_sided_++ >= kMostTwoSided) {
+    return;
+  }
+  add_times({t, t + side}, settings_.duration, sample_times_);
+}
+
+void DynamicRun::add_instant(double t, VectorXd& y) {
+  const double gap = dynamics_.project(t, y);
+  dynamics_.rate(t, y, slope_);
+  note_energy(y);
+  const ConstraintSystem& system = dynamics_.system();
+  const auto placed = system.place(dynamics_.configuration());
+  auto accelerations = system.twists(dynamics_.accelerations());
+  JacobianFactor factor;
+  factor.compute(system.jacobian(placed));
+  const bool is_change_point = factor.rank() < change_points_.rank();
+  std::optional<Equilibrium::Solution> forces;
+  if (is_change_point) {
+    if (auto found = change_points_.on_branch(t, y)) {
+      accelerations = std::move(found->accelerations);
+      forces = std::move(found->forces);
+    }
+  }
+  if (!forces) {
+    std::vector<Twist> applied(dynamics_.twists().size());
+    dynamics_.forces().add_to(applied);
+    forces = equilibrium_.solve(dynamics_.configuration(), placed, factor,
+                                dynamics_.twists(), accelerations, applied);
+  }
+  Instant instant = motion_at(definition_, frame_, dynamics_, t, accelerations);
+  put_forces(frame_, system, placed, std::move(*forces), instant);
+  mark_what_friction_leaves_open(frame_, system, placed, dynamics_.forces(),
+                                 instant);
+  instant.is_change_point = is_change_point;
+  require_unique_loads(definition_, dynamics_.forces(), instant.joints);
+  instant.closure_error = gap;
+  motion_.instants.push_back(std::move(instant));
+}
+
+void DynamicRun::sample_until(double t) {
+  while (next_sample_ < sample_times_.size() &&
+         sample_times_[next_sample_] <= t) {
+    const double at = sample_times_[next_sample_++];
+    if (at >= integrator_.t()) {
+      sample_ = integrator_.y();
+    } else {
+      integrator_.state_at(at, sample_);
+    }
+    add_instant(at, sample_);
+  }
+}
+
+}  // namespace clevis::mechanism

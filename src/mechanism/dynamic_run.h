@@ -1,0 +1,84 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mechanism/definition.h"
+#include "mechanism/dynamic_change_points.h"
+#include "mechanism/equilibrium.h"
+#include "mechanism/event_finder.h"
+#include "mechanism/forward_dynamics.h"
+#include "mechanism/impact_watch.h"
+#include "mechanism/load_sampler.h"
+#include "mechanism/motion.h"
+#include "mechanism/reaction_peaks.h"
+#include "mechanism/solving_frame.h"
+#include "mechanism/switching_integrator.h"
+
+namespace clevis::mechanism {
+
+/// One run: integrates and samples.
+class DynamicRun {
+ public:
+  /// @param others  instants besides the uniform ones.
+  DynamicRun(const MechanismDefinition& definition,
+             const SimulationSettings& settings,
+             const std::vector<double>& others = {});
+
+  Motion run();
+  /// Lets the run look for the largest reactions.
+  void watch() { peaks_.emplace(dynamics_); }
+  const ReactionPeaks& peaks() const { return *peaks_; }
+  /// Lets the run add instants so that large loads change little between
+  /// them, and on both sides of events.
+  /// @param largest  as ReactionPeaks found them.
+  void refine(const Eigen::VectorXd& largest) {
+    sampler_.emplace(dynamics_, largest);
+  }
+
+ private:
+  void start();
+  void find_breaks();
+  double next_break() const;
+  void pass(const EventFinder::Event& event);
+  void pass_bend(double t);
+  void restart(double t);
+  void guard_against_accumulation(double t);
+  void require_few(const StepCounts& counts) const;
+  bool is_beside_change_point();
+  [[noreturn]] void refuse_stuck();
+  void sample_until(double t);
+  void add_wanted(double until);
+  void want_sides(double t);
+  void add_instant(double t, Eigen::VectorXd& y);
+  void note_energy(const Eigen::VectorXd& y);
+  void require_energy_balance() const;
+  void require_resisting_friction();
+
+  const MechanismDefinition& definition_;
+  const SimulationSettings& settings_;
+  SolvingFrame frame_;
+  ForwardDynamics dynamics_;
+  Equilibrium equilibrium_;
+  DynamicChangePoints change_points_;
+  SwitchingIntegrator integrator_;
+  EventFinder events_;
+  ImpactWatch impacts_;
+  std::vector<double> sample_times_;
+  Eigen::VectorXd y_, sample_, slope_;
+  std::size_t next_sample_ = 0;
+  std::optional<ReactionPeaks> peaks_;
+  std::optional<LoadSampler> sampler_;
+  std::vector<double> wanted_;
+  int two_sided_ = 0;
+  Eigen::VectorXd event_values_;
+  std::vector<DriveJump> jumps_;
+  std::vector<double> breaks_;  ///< times at which drives or tables bend
+  int crowded_events_ = 0;
+  double last_event_ = -1.0;
+  double energy_start_{}, energy_error_{}, largest_energy_{};
+  double largest_load_{};  ///< force on a body [N]
+  Motion motion_;
+};
+
+}  // namespace clevis::mechanism
