@@ -33,7 +33,8 @@ std::optional<double> DrivenMotion::singular_between(const Moment& from,
                                                      const Moment& to,
                                                      int& halvings) const {
   const auto remains = [](const Moment& a, const Moment& b) {
-    return a.weakest.u.dot(b.at.jacobian * a.weakest.v) > 0.5 * a.weakest.sigma;
+    const JacobianFactor::Weakest w = a.at.factor.weakest();
+    return w.u.dot(b.at.jacobian * w.v) > 0.5 * w.sigma;
   };
   const bool same_sign =
       from.at.factor.determinant_sign() == to.at.factor.determinant_sign();

@@ -16,15 +16,21 @@ constexpr double kShortestStep = 0x1p-40;
 }  // namespace
 
 ClosedConfiguration Continuation::close(Configuration x,
-                                        const VectorXd& targets) const {
+                                        const VectorXd& targets,
+                                        const JacobianFactor* near) const {
   ClosedConfiguration closed;
   closed.x = std::move(x);
   closed.targets = targets;
   closed.placed = system_.place(closed.x);
-  closed.jacobian = system_.jacobian(closed.placed);
-  closed.factor.compute(closed.jacobian);
   closed.gap = largest_gap(system_.residual(closed.placed, targets));
+  add_jacobian(closed, near);
   return closed;
+}
+
+void Continuation::add_jacobian(ClosedConfiguration& closed,
+                                const JacobianFactor* near) const {
+  closed.jacobian = system_.jacobian(closed.placed);
+  closed.factor.compute(closed.jacobian, near);
 }
 
 Configuration Continuation::predict(const ClosedConfiguration& from,
@@ -42,31 +48,32 @@ Configuration Continuation::predict(const ClosedConfiguration& from,
   return x;
 }
 
-bool Continuation::correct(Configuration& x, const VectorXd& targets,
+bool Continuation::correct(ClosedConfiguration& to,
                            const JacobianFactor& nearby) const {
+  constexpr int kMost = 12;
   const double length = system_.scale({JointRow::Kind::kRotation});
   const double round_off = 3e-14 * length;
   JacobianFactor own;
   const JacobianFactor* factor = &nearby;
   bool fresh = false;  // the last step was Newton's own
   double last = 0.0;
-  for (int i = 0; i < 12; ++i) {
-    const auto placed = system_.place(x);
-    const VectorXd c = system_.residual(placed, targets);
-    const double gap = largest_gap(c);
-    if (gap <= round_off) return true;
-    if (!(gap < length)) return false;
-    const bool slow = i > 0 && gap > 0.1 * last;
+  for (int i = 0;; ++i) {
+    to.placed = system_.place(to.x);
+    const VectorXd c = system_.residual(to.placed, to.targets);
+    to.gap = largest_gap(c);
+    if (to.gap <= round_off) return true;
+    if (!(to.gap < length)) return false;
+    if (i == kMost) return to.gap <= tolerance_;
+    const bool slow = i > 0 && to.gap > 0.1 * last;
     if (slow) {
-      if (gap < tolerance_ && fresh) return true;  // all it can do
-      own.compute(system_.jacobian(placed));
+      if (to.gap < tolerance_ && fresh) return true;  // all it can do
+      own.compute(system_.jacobian(to.placed), &nearby);
       factor = &own;
     }
     fresh = slow;
-    last = gap;
-    system_.move(x, -factor->solve(c));
+    last = to.gap;
+    system_.move(to.x, -factor->solve(c));
   }
-  return largest_gap(system_.residual(system_.place(x), targets)) <= tolerance_;
 }
 
 bool Continuation::step(const ClosedConfiguration& from,
@@ -74,10 +81,10 @@ bool Continuation::step(const ClosedConfiguration& from,
                         ClosedConfiguration& to) const {
   const VectorXd change = targets - from.targets;
   const Configuration predicted = predict(from, change);
-  Configuration x = predicted;
-  if (!correct(x, targets, from.factor)) return false;
-  to = close(std::move(x), targets);
-  if (!(to.gap <= tolerance_)) return false;
+  to.x = predicted;
+  to.targets = targets;
+  if (!correct(to, from.factor) || !(to.gap <= tolerance_)) return false;
+  add_jacobian(to, &from.factor);
   const double length = system_.scale({JointRow::Kind::kRotation});
   const double allowed =
       std::max(kSmallMiss * system_.distance(from.x, to.x), 1e-10 * length);
@@ -89,25 +96,30 @@ bool Continuation::step(const ClosedConfiguration& from,
 
 Continuation::Reached Continuation::follow(const ClosedConfiguration& from,
                                            const VectorXd& targets) const {
-  Reached reached{from, 0.0};
+  Reached reached{{}, 0.0};
   const VectorXd start = from.targets;
   double length = 1.0;
+  const ClosedConfiguration* at = &from;  // until a step is done
   ClosedConfiguration next;
   while (reached.part < 1.0) {
     const double end = std::min(1.0, reached.part + length);
     const bool last = end == 1.0;
     const VectorXd way =
         last ? targets : VectorXd(start + end * (targets - start));
-    const bool accepted = step(reached.at, way, next);
+    const bool accepted = step(*at, way, next);
     // an inner point without full rank cannot be left: go round it
     if (accepted && (last || next.factor.full_column_rank())) {
       std::swap(reached.at, next);
+      at = &reached.at;
       reached.part = end;
       length *= 2.0;
       continue;
     }
     length *= accepted ? 0.7 : 0.5;
-    if (length < kShortestStep) return reached;
+    if (length < kShortestStep) {
+      if (at == &from) reached.at = from;
+      return reached;
+    }
   }
   return reached;
 }

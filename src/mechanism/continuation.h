@@ -32,8 +32,9 @@ class Continuation {
       : system_(system), tolerance_(tolerance) {}
 
   /// Jacobian and gap at a configuration that is closed.
-  ClosedConfiguration close(Configuration x,
-                            const Eigen::VectorXd& targets) const;
+  /// @param near  of a configuration nearby, or null.
+  ClosedConfiguration close(Configuration x, const Eigen::VectorXd& targets,
+                            const JacobianFactor* near = nullptr) const;
 
   struct Reached {
     ClosedConfiguration at;
@@ -46,8 +47,11 @@ class Continuation {
  private:
   Configuration predict(const ClosedConfiguration& from,
                         const Eigen::VectorXd& change) const;
-  bool correct(Configuration& x, const Eigen::VectorXd& targets,
-               const JacobianFactor& nearby) const;
+  /// Newton's method from to.x to to.targets. @return whether it closed, with
+  /// all but the Jacobian filled.
+  bool correct(ClosedConfiguration& to, const JacobianFactor& nearby) const;
+  void add_jacobian(ClosedConfiguration& closed,
+                    const JacobianFactor* near) const;
   bool step(const ClosedConfiguration& from, const Eigen::VectorXd& targets,
             ClosedConfiguration& to) const;
 

@@ -243,7 +243,9 @@ Motion DrivenMotion::run_at(const std::vector<double>& times,
       advance(last, singular, t, settings.at_singularity, motion);
     }
     // else between a start at a change point and a little beyond it
-    const ClosedConfiguration at = last.t == t ? last.at : follow(last, t);
+    ClosedConfiguration singular_there;
+    if (last.t != t) singular_there = follow(last, t);
+    const ClosedConfiguration& at = last.t == t ? last.at : singular_there;
     if (at.factor.full_column_rank()) {
       motion.instants.push_back(instant(at, t));
       if (before && before->t < t) {

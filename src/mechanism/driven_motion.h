@@ -65,12 +65,9 @@ class DrivenMotion {
   Instant instant(const ClosedConfiguration& at, double t) const;
   struct Moment {
     Moment(ClosedConfiguration configuration, double time)
-        : at(std::move(configuration)), t(time) {
-      if (at.factor.full_column_rank()) weakest = at.factor.weakest();
-    }
+        : at(std::move(configuration)), t(time) {}
     ClosedConfiguration at;
     double t{};
-    JacobianFactor::Weakest weakest{};
   };
   ClosedConfiguration follow(const Moment& from, double t) const;
   [[noreturn]] void stop(const Moment& from, Continuation::Reached reached,

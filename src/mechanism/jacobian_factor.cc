@@ -9,10 +9,10 @@ using Eigen::VectorXd;
 
 namespace {
 
-// LU serves down to this reciprocal condition number (in the 1-norm, at most
-// `columns` times below that of the 2-norm); the rank is judged below it.
+// LU serves down to this part of the Frobenius norm for the smallest singular
+// value; the rank is judged below it.
 constexpr double kSafeCondition = 1e-3;
-// Of pivots over the largest: rcond() of an exactly singular LU means nothing.
+// Of pivots over the largest: an exactly singular LU solves nothing.
 constexpr double kNoPivot = 1e-12;
 
 int positive_rank(const VectorXd& singular_values) {
@@ -23,23 +23,20 @@ int positive_rank(const VectorXd& singular_values) {
 
 }  // namespace
 
-void JacobianFactor::compute(const MatrixXd& J) {
+void JacobianFactor::compute(const MatrixXd& J, const JacobianFactor* near) {
   rows_ = static_cast<int>(J.rows());
   columns_ = static_cast<int>(J.cols());
   determinant_sign_ = 0;
   regular_ = false;
   if (J.rows() == J.cols() && J.cols() > 0) {
     lu_.compute(J);
-    const auto pivots = lu_.matrixLU().diagonal().cwiseAbs();
-    regular_ = pivots.minCoeff() > kNoPivot * pivots.maxCoeff() &&
-               lu_.rcond() > kSafeCondition;
-    int sign = static_cast<int>(lu_.permutationP().determinant());
-    for (int i = 0; i < columns_; ++i) {
-      const double pivot = lu_.matrixLU()(i, i);
-      sign = pivot > 0.0 ? sign : (pivot < 0.0 ? -sign : 0);
-    }
-    determinant_sign_ = sign;
+    determinant_sign_ = lu_.determinant_sign();
     rank_ = columns_;
+    regular_ = lu_.smallest_pivot() > kNoPivot * lu_.largest_pivot();
+    if (regular_) {
+      weakest_ = find_weakest(near);
+      regular_ = weakest_.sigma > kSafeCondition * J.norm();
+    }
     if (regular_) return;
   }
   orthogonal_.setThreshold(kRankThreshold);
@@ -54,15 +51,21 @@ VectorXd JacobianFactor::solve(const VectorXd& b) const {
 }
 
 VectorXd JacobianFactor::solve_transposed(const VectorXd& f) const {
-  if (regular_) return lu_.transpose().solve(f);
+  if (regular_) return lu_.solve_transposed(f);
   return orthogonal_.transpose().solve(f);
 }
 
-JacobianFactor::Weakest JacobianFactor::weakest() const {
-  // inverse iteration, from a vector without symmetry
+/// Inverse iteration, from the vector nearby or one without symmetry. A part of
+/// the latter is always there: another value may have become the smallest.
+JacobianFactor::Weakest JacobianFactor::find_weakest(
+    const JacobianFactor* near) const {
+  constexpr double kPart = 0.1;
   Weakest w;
-  w.v = VectorXd::LinSpaced(columns_, 1.0, 2.0);
-  for (int i = 0; i < 3; ++i) {
+  w.v = VectorXd::LinSpaced(columns_, 1.0, 2.0).normalized();
+  const bool is_known =
+      near != nullptr && near->regular_ && near->columns_ == columns_;
+  if (is_known) w.v = kPart * w.v + near->weakest_.v;
+  for (int i = 0; i < (is_known ? 1 : 3); ++i) {
     w.v.normalize();
     w.u = solve_transposed(w.v);
     w.u.normalize();
@@ -71,6 +74,10 @@ JacobianFactor::Weakest JacobianFactor::weakest() const {
   w.sigma = 1.0 / w.v.norm();
   w.v *= w.sigma;
   return w;
+}
+
+JacobianFactor::Weakest JacobianFactor::weakest() const {
+  return regular_ ? weakest_ : find_weakest(nullptr);
 }
 
 MatrixXd JacobianFactor::left_null_space() const {

@@ -3,8 +3,9 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <Eigen/QR>
+
+#include "mechanism/small_lu.h"
 
 namespace clevis::mechanism {
 
@@ -18,15 +19,17 @@ inline constexpr double kRankThreshold = 3e-5;
 /// decomposition truncated at kRankThreshold.
 class JacobianFactor {
  public:
-  void compute(const Eigen::MatrixXd& J);
+  /// @param near  the factor of a matrix nearby, whose weakest() is a first
+  ///   guess; or null.
+  void compute(const Eigen::MatrixXd& J, const JacobianFactor* near = nullptr);
 
   int rank() const { return rank_; }
   bool full_column_rank() const { return rank_ == columns_; }
   /// Sign of det J; 0 if J is not square or not regular.
   int determinant_sign() const { return determinant_sign_; }
 
-  /// Singular vectors of the smallest singular value, J v = sigma u, about;
-  /// of full column rank only.
+  /// Singular vectors of the smallest singular value, J v = sigma u, about,
+  /// and sigma from above; of full column rank only.
   struct Weakest {
     double sigma{};
     Eigen::VectorXd u, v;
@@ -42,9 +45,12 @@ class JacobianFactor {
   Eigen::MatrixXd left_null_space() const;
 
  private:
+  Weakest find_weakest(const JacobianFactor* near) const;
+
   bool regular_ = false;
   int rank_{}, rows_{}, columns_{}, determinant_sign_{};
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  SmallLu lu_;
+  Weakest weakest_;  ///< if regular
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> orthogonal_;
 };
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numbers>
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -115,7 +116,8 @@ std::string forces_csv(const MotionReport& report) {
   }
   text += "\n";
   const auto add = [&text](double value) {
-    fmt::format_to(std::back_inserter(text), ",{:.12g}", value + 0.0);
+    fmt::format_to(std::back_inserter(text), FMT_COMPILE(",{:.12g}"),
+                   value + 0.0);
   };
   for (const auto& instant : report.motion.instants) {
     fmt::format_to(std::back_inserter(text), "{:.12g}", instant.t);

@@ -2,6 +2,7 @@
 #include <string>
 
 #include <Eigen/Geometry>
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include "mechanism/joint_types.h"
@@ -20,7 +21,8 @@ using Text = fmt::memory_buffer;
 
 void add(Text& text, double value) {
   // + 0.0 turns −0 into 0
-  fmt::format_to(std::back_inserter(text), ",{:.12g}", value + 0.0);
+  fmt::format_to(std::back_inserter(text), FMT_COMPILE(",{:.12g}"),
+                 value + 0.0);
 }
 
 void add(Text& text, const Vector3d& value) {
