@@ -1,4 +1,6 @@
 // Instants of an integrated motion: when, and what they hold.
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
@@ -73,6 +75,31 @@ void DynamicRun::add_instant(double t, VectorXd& y) {
   motion_.instants.push_back(std::move(instant));
 }
 
+/// Whether a state within the last step has another energy than the steps have.
+bool DynamicRun::misses_energy(double t, VectorXd& y) {
+  dynamics_.project(t, y);
+  const double kinetic = dynamics_.kinetic_energy(y);
+  const double work = y[dynamics_.work_index()];
+  const double largest = std::max({largest_energy_, kinetic, std::abs(work)});
+  return std::abs(kinetic - energy_start_ - work) >
+         energy_error_ + settings_.tolerance * largest;
+}
+
+/// State within the last step: by dense output, but beside a change point or in
+/// an impact, where that may be rough, by steps of its own.
+void DynamicRun::state_at(double t, VectorXd& y) {
+  integrator_.state_at(t, y);
+  if (!misses_energy(t, y)) return;
+  const double start = integrator_.t_start();
+  integrator_.state_at(start, y);
+  dynamics_.project(start, y);
+  resampler_.restart(start, y, t - start);
+  while (resampler_.t() < t) {
+    if (!resampler_.step(t)) return integrator_.state_at(t, y);
+  }
+  y = resampler_.y();
+}
+
 void DynamicRun::sample_until(double t) {
   while (next_sample_ < sample_times_.size() &&
          sample_times_[next_sample_] <= t) {
@@ -80,7 +107,7 @@ void DynamicRun::sample_until(double t) {
     if (at >= integrator_.t()) {
       sample_ = integrator_.y();
     } else {
-      integrator_.state_at(at, sample_);
+      state_at(at, sample_);
     }
     add_instant(at, sample_);
   }

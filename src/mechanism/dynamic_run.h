@@ -48,6 +48,8 @@ class DynamicRun {
   bool is_beside_change_point();
   [[noreturn]] void refuse_stuck();
   void sample_until(double t);
+  void state_at(double t, Eigen::VectorXd& y);
+  bool misses_energy(double t, Eigen::VectorXd& y);
   void add_wanted(double until);
   void want_sides(double t);
   void add_instant(double t, Eigen::VectorXd& y);
@@ -62,6 +64,7 @@ class DynamicRun {
   Equilibrium equilibrium_;
   DynamicChangePoints change_points_;
   SwitchingIntegrator integrator_;
+  SwitchingIntegrator resampler_;  ///< where dense output is too rough
   EventFinder events_;
   ImpactWatch impacts_;
   std::vector<double> sample_times_;

@@ -181,6 +181,16 @@ def tolerances():
                     2.0 * tolerance + 2e-9, 1e-8)
 
 
+def instants():
+    """Instants within steps beside a change point, where dense output may be
+    rough."""
+    _, _, document, motion = simulate(
+        windows(0.3, 3 * [-2.0], 10.0, 1001, 1e-7))
+    note("instants within steps", f"{len(motion)}, ten change points",
+         document["motion"]["integration"]["relative_energy_error"], 1e-7,
+         "energy, relative")
+
+
 def starts():
     case = "start at a change point"
     for name, turn, count in (("0 deg", 0.0, 1), ("180 deg", -math.pi, 3)):
@@ -297,7 +307,7 @@ def write(folder):
     (folder / "hard_motions.md").write_text("\n".join(lines) + "\n")
 
 
-for part in (tolerances, starts, masses, wall, friction, refusals):
+for part in (tolerances, instants, starts, masses, wall, friction, refusals):
     part()
 if len(sys.argv) > 3:
     write(Path(sys.argv[3]))

@@ -120,7 +120,7 @@ def check_row(clevis, geometry, folder, row):
     result, _, events = runs.simulate(
         clevis, geometry / f"gas_cylinder/{scene}.toml", folder)
     # also at the instants inside the stop's impacts
-    runs.check_energy(scene, result, 1e-6)
+    runs.check_energy(scene, result, 1e-7)
     met = next(t for t, _, what in events if what == "press" and t > 0.01)
     fine, _, fine_events = runs.simulate(
         clevis, runs.changed(geometry / f"gas_cylinder/{scene}.toml", folder,
