@@ -16,14 +16,11 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Combinations of the columns of `rest` that are its left singular vectors
-/// with singular values above kClear of the largest: what the Gram matrix,
-/// which squares the condition, resolves.
-MatrixXd clear_combinations(const MatrixXd& rest, double tolerance) {
+/// How many of the eigenvalues of a Gram matrix, which ascend, to leave out:
+/// those of singular values below kClear of the largest, which the Gram matrix,
+/// squaring the condition, does not resolve, and those within the tolerance.
+Index count_of_unclear(const VectorXd& lambda, double tolerance) {
   constexpr double kClear = 1e-4;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(
-      transposed_product(rest, rest));
-  const VectorXd& lambda = eigen.eigenvalues();  // ascending
   const Index count = lambda.size();
   Index dropped = 0;
   double sum = 0.0;
@@ -33,7 +30,17 @@ MatrixXd clear_combinations(const MatrixXd& rest, double tolerance) {
     if (!unclear && sum > tolerance * tolerance) break;
     ++dropped;
   }
-  MatrixXd directions = eigen.eigenvectors().rightCols(count - dropped);
+  return dropped;
+}
+
+/// Combinations of the columns of `rest` that are its clear left singular
+/// vectors.
+MatrixXd clear_combinations(const MatrixXd& rest, double tolerance) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(
+      transposed_product(rest, rest));
+  const VectorXd& lambda = eigen.eigenvalues();
+  const Index dropped = count_of_unclear(lambda, tolerance);
+  MatrixXd directions = eigen.eigenvectors().rightCols(lambda.size() - dropped);
   for (Index k = 0; k < directions.cols(); ++k) {
     directions.col(k) /= std::sqrt(lambda[dropped + k]);
   }
@@ -41,6 +48,14 @@ MatrixXd clear_combinations(const MatrixXd& rest, double tolerance) {
 }
 
 MatrixXd clear_directions(const MatrixXd& rest, double tolerance) {
+  if (rest.rows() < rest.cols()) {  // the smaller Gram matrix has them itself
+    const MatrixXd turned = rest.transpose();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(
+        transposed_product(turned, turned));
+    const VectorXd& lambda = eigen.eigenvalues();
+    return eigen.eigenvectors().rightCols(lambda.size() -
+                                          count_of_unclear(lambda, tolerance));
+  }
   return product(rest, clear_combinations(rest, tolerance));
 }
 
