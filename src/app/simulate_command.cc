@@ -17,11 +17,12 @@
 namespace clevis::app {
 namespace {
 
-/// Contacts and stops act between uniform instants: what they do there must
-/// be seen.
-bool has_contacts(const mechanism::MechanismDefinition& definition) {
+/// Contacts, stops and motors act between uniform instants: what they do there
+/// must be seen.
+bool acts_quickly(const mechanism::MechanismDefinition& definition) {
   return std::ranges::any_of(definition.elements, [](const auto& element) {
-    return mechanism::contact_law(element) != nullptr;
+    return mechanism::contact_law(element) != nullptr ||
+           mechanism::motor_law(element) != nullptr;
   });
 }
 
@@ -43,7 +44,7 @@ ExitCode simulate_command(const Options& options) {
   report.definition = scene.mechanism;
   report.structure = mechanism::analyse_structure(scene.mechanism);
   mechanism::SimulationSettings settings = scene.simulation;
-  settings.at_peaks = has_contacts(scene.mechanism);
+  settings.at_peaks = acts_quickly(scene.mechanism);
   report.motion = mechanism::simulate(scene.mechanism, settings);
   if (scene.slide_lever) {
     report.slide_lever = compare_slide_lever(scene, report.motion);

@@ -54,8 +54,8 @@ void ReactionPeaks::look(Integrator& integrator, double until) {
       const double middle = last_.values[i];
       const double fall = middle - std::min(before_.values[i], next_.values[i]);
       // at rest nothing falls, and nothing is missed
-      if (middle < 0.98 * largest_[i] || middle < before_.values[i] ||
-          middle < next_.values[i] || fall < kFlat * largest_[i]) {
+      if (middle < before_.values[i] || middle < next_.values[i] ||
+          fall <= kFlat * largest_[i] || !may_exceed(i)) {
         continue;
       }
       refine(integrator, i, std::max(before_.t, start), next_.t);
@@ -65,6 +65,22 @@ void ReactionPeaks::look(Integrator& integrator, double until) {
     std::swap(last_, next_);
     has_before_ = true;
   }
+}
+
+/// Whether a maximum about the middle one of three samples may be the largest
+/// so far: by three times what the parabola through them rises above it.
+bool ReactionPeaks::may_exceed(Index i) const {
+  constexpr double kSafety = 3.0;
+  const double left = last_.t - before_.t, right = next_.t - last_.t;
+  const double middle = last_.values[i];
+  const double a = (before_.values[i] - middle) / left;
+  const double b = (next_.values[i] - middle) / right;
+  // middle + slope s + curvature s²
+  const double curvature = (a + b) / (left + right);
+  const double slope = b - curvature * right;
+  if (!(curvature < 0.0)) return true;
+  const double rise = -0.25 * slope * slope / curvature;
+  return middle + kSafety * rise > largest_[i];
 }
 
 void ReactionPeaks::refine(Integrator& integrator, Index which, double from,

@@ -36,6 +36,7 @@ class ReactionPeaks {
   };
   void measure(double t, const Eigen::VectorXd& y, Eigen::VectorXd& values);
   void note(const Sample& sample);
+  bool may_exceed(Eigen::Index which) const;
   /// Narrows a maximum down between two times of the last step.
   void refine(Integrator& integrator, Eigen::Index which, double from,
               double to);
