@@ -124,7 +124,15 @@ std::vector<assessment::ImpactLoad> impact_loads(
     const double end = motion.instants.back().t;
     loads.push_back({.name = fmt::format("{} at {:.6g} s", name, impact->t),
                      .duration = impact->duration.value_or(end - impact->t),
-                     .rise_time = impact->peak_at - impact->t});
+                     .rise_time = impact->peak_at - impact->t,
+                     .touches = {}});
+    constexpr double kAsHard = 0.1;
+    for (const Impact& other : motion.impacts) {
+      if (other.element == impact->element && other.end == impact->end &&
+          other.peak_force >= kAsHard * impact->peak_force) {
+        loads.back().touches.push_back(other.t);
+      }
+    }
   }
   return loads;
 }

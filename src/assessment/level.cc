@@ -14,17 +14,6 @@
 namespace clevis::assessment {
 namespace {
 
-/// Surfaces of the first two seats that the deflection refers to.
-std::vector<std::string> reference_groups(const LoadSet& set) {
-  std::vector<std::string> groups;
-  for (const auto& seat : set.history.seats) {
-    if (seat.kind == loads::SeatKind::kBearing && groups.size() < 2) {
-      groups.push_back(seat.group);
-    }
-  }
-  return groups;
-}
-
 /// Value of one probe of a case.
 template <int dim>
 double probe_value(const PartJob& job, const Level<dim>& level,
@@ -65,6 +54,16 @@ std::vector<double> probe_values(const PartJob& job, const Level<dim>& level) {
 }
 
 }  // namespace
+
+std::vector<std::string> reference_groups(const LoadSet& set) {
+  std::vector<std::string> groups;
+  for (const auto& seat : set.history.seats) {
+    if (seat.kind == loads::SeatKind::kBearing && groups.size() < 2) {
+      groups.push_back(seat.group);
+    }
+  }
+  return groups;
+}
 
 template <int dim>
 Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "assessment/part_check.h"
@@ -23,6 +24,9 @@ struct Level {
 
   const stress::StressHistory& history() const { return histories[set]; }
 };
+
+/// Surfaces of the first two seats, which deflections refer to.
+std::vector<std::string> reference_groups(const LoadSet& set);
 
 /// Solves load sets of a part with one degree of a rung; displacements
 /// relative to its pins.

@@ -7,6 +7,11 @@
 #include "elasticity/eigenmodes.h"
 
 namespace clevis::assessment {
+namespace {
+
+constexpr double kSlow = 0.10, kShort = 0.25;
+
+}  // namespace
 
 double half_sine_amplification(double r) {
   constexpr double kPi = std::numbers::pi;
@@ -41,9 +46,12 @@ double pulse_amplification(double duration_over_period,
   return std::max(half_sine, step);
 }
 
+bool wants_elements_in_time(const LoadPace& pace) {
+  return pace.ratio >= kShort && pace.amplification > 1.0 + kSlow;
+}
+
 void judge_paces(const PartJob& job, PartResult& result) {
   if (job.impact_loads.empty()) return;
-  constexpr double kSlow = 0.10, kShort = 0.25;
   const loads::LoadHistory none;
   result.first_period = elasticity::first_period<3>(
       {job.mesh, job.part.material, none, {}, job.part.name},
@@ -57,12 +65,12 @@ void judge_paces(const PartJob& job, PartResult& result) {
     pace.amplification =
         pulse_amplification(pace.ratio, load.rise_time / result.first_period);
     pace.treatment =
-        pace.ratio < kShort
+        wants_elements_in_time(pace)
+            ? "dynamic elements: the loads of the instants may be exceeded"
+        : pace.ratio < kShort
             ? "beam impact: over before the part gives way, the loads of the "
               "instants are an upper bound"
-        : pace.amplification <= 1.0 + kSlow
-            ? "quasi-static: the loads of the instants suffice"
-            : "dynamic elements: the loads of the instants may be exceeded";
+            : "quasi-static: the loads of the instants suffice";
     result.paces.push_back(pace);
   }
 }

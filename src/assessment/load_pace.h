@@ -14,6 +14,10 @@ double half_sine_amplification(double duration_over_period);
 double pulse_amplification(double duration_over_period,
                            double rise_over_period);
 
+/// Whether the loads of the instants may be exceeded: the force neither rises
+/// and falls slowly nor is over before the part gives way.
+bool wants_elements_in_time(const LoadPace& pace);
+
 /// What the impacts of the mechanism ask of a part: the duration of each over
 /// the part's first period, free or held.
 void judge_paces(const PartJob& job, PartResult& result);

@@ -17,6 +17,7 @@
 #include "assessment/rung.h"
 #include "assessment/rung_result.h"
 #include "assessment/verdict.h"
+#include "assessment/vibration_check.h"
 #include "base/stopwatch.h"
 
 namespace clevis::assessment {
@@ -228,6 +229,7 @@ PartAssessment check_part(const PartJob& given) {
   result.beam = compare_with_beam(job, result);
   finish_impacts(job, std::move(impacts), result);
   judge_paces(job, result);
+  check_vibration(job, result);
   judge(job.part, result);
   result.seconds.total = watch.lap();
   return assessment;

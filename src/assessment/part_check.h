@@ -37,6 +37,9 @@ struct ImpactLoad {
   std::string name;
   double duration{};   ///< [s]
   double rise_time{};  ///< until its largest force [s]
+  /// This one's and those of all impacts of the same contact or end of a stop
+  /// that are at least a tenth as hard [s].
+  std::vector<double> touches;
 };
 
 enum class ModelChoice { kAuto, kPlaneStress, kLayered, kRevolution, kSolid };

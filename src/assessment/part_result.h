@@ -111,6 +111,29 @@ struct LoadPace {
   std::string treatment;   ///< "quasi-static", …
 };
 
+/// What vibration makes of the peak over the motion of a part's body.
+struct VibrationResult {
+  double ratio{};       ///< dynamic over quasi-static peak; 0: not computed [1]
+  std::string failure;  ///< why it could not be, though it was wanted
+  double peak{}, band_low{}, band_high{};  ///< that is judged [Pa]
+  /// Of the ratio: the last degree's change, the last doubling of the shapes',
+  /// between samples, between the instants of the loads [1].
+  double degree_error{}, shape_error{}, sampling_error{}, path_error{};
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]
+  std::string group;
+  double time{};        ///< of the dynamic peak [s]
+  double from{}, to{};  ///< looked at closely [s]
+  double deflection{};  ///< relative to the pins [m]
+  std::string model;    ///< "plane stress, p = 4"
+  int shapes{};
+  double lowest_frequency{}, highest_frequency{};  ///< of them [Hz]
+  double seconds{};
+
+  double error() const {
+    return degree_error + shape_error + sampling_error + path_error;
+  }
+};
+
 struct PartSeconds {
   double mesh{}, assemble{}, factor{}, solve{}, recover{}, write{}, total{};
 };
@@ -150,6 +173,7 @@ struct PartResult {
   double first_period{};  ///< of the free or held part [s]; 0: not asked for
   std::vector<ImpactResult> impacts;
   std::vector<LoadPace> paces;
+  VibrationResult vibration;
 };
 
 }  // namespace clevis::assessment

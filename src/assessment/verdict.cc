@@ -45,8 +45,19 @@ bool is_singular_only(const part::PartDefinition& part,
          result.peak_outside.band_low <= allowed;
 }
 
+/// The peak that decides: with vibration where that was computed.
+PeakStress governing_peak(const PartResult& result) {
+  PeakStress peak = judged_peak(result);
+  if (result.vibration.ratio == 0.0) return peak;
+  peak.value = result.vibration.peak;
+  peak.band_low = result.vibration.band_low;
+  peak.band_high = result.vibration.band_high;
+  peak.group = result.vibration.group;
+  return peak;
+}
+
 bool judge_stress(const part::PartDefinition& part, PartResult& result) {
-  const PeakStress& peak = judged_peak(result);
+  const PeakStress peak = governing_peak(result);
   const double wanted = part.limits.safety_factor.value_or(1.0);
   const double allowed = part.material.yield_strength / wanted;
   const bool fails_anyway =
@@ -91,14 +102,27 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
           : fmt::format("yield strength {:.4g} MPa", allowed / kMega);
   if (peak.band_low > allowed) {
     set(result, PartVerdict::kFail,
-        fmt::format("peak {:.4g} MPa exceeds {}", peak.value / kMega, limit));
+        fmt::format("peak {:.4g} MPa{} exceeds {}", peak.value / kMega,
+                    result.vibration.ratio > 0.0 ? " with vibration" : "",
+                    limit));
     return false;
   }
   if (peak.band_high > allowed) {
+    const bool vibrates = result.vibration.ratio > 0.0;
     set(result, PartVerdict::kNotJudged,
-        fmt::format("{} lies inside the band of the peak, [{:.4g}, {:.4g}] "
-                    "MPa: tighten --tolerance",
-                    limit, peak.band_low / kMega, peak.band_high / kMega));
+        fmt::format("{} lies inside the band of the peak{}, [{:.4g}, {:.4g}] "
+                    "MPa: {}",
+                    limit, vibrates ? " with vibration" : "",
+                    peak.band_low / kMega, peak.band_high / kMega,
+                    vibrates ? "give the part its damping, or mesh finer"
+                             : "tighten --tolerance"));
+    return false;
+  }
+  if (!result.vibration.failure.empty()) {
+    set(result, PartVerdict::kNotJudged,
+        fmt::format("its vibration after impacts could not be computed ({}), "
+                    "without it the peak is {:.4g} MPa",
+                    result.vibration.failure, peak.value / kMega));
     return false;
   }
   return true;

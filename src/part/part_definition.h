@@ -103,6 +103,7 @@ struct PartDefinition {
   std::vector<DriveSeat> drive_seats;
   std::vector<ForceSeat> force_seats;
   Limits limits;
+  double damping{};  ///< of its vibrations, over the critical [1]
   std::vector<LoadCaseDefinition> cases;
   std::vector<ImpactDefinition> impacts;
   std::string place;  ///< file:line:column of the part's table

@@ -80,6 +80,30 @@ std::string paces_text(const PartResult& part) {
   return text;
 }
 
+/// What vibration makes of the peak.
+std::string vibration_text(const PartResult& part) {
+  const assessment::VibrationResult& v = part.vibration;
+  if (!v.failure.empty()) {
+    return printable(fmt::format("{} with vibration: not computed: {}\n",
+                                 part.name, v.failure));
+  }
+  if (v.ratio == 0.0) return "";
+  return fmt::format(
+      "{} with vibration: {:#.5g} [{:#.5g}, {:#.5g}] MPa at {} ({:.1f}, "
+      "{:.1f}, "
+      "{:.1f}), t = {:.6g} s, {:.3f} of the quasi-static peak\n"
+      "  {}, {} shapes of {:.4g} to {:.4g} kHz, {:.6g} s to {:.6g} s; error "
+      "{:.2g} % (degree {:.2g}, shapes {:.2g}, samples {:.2g}, instants "
+      "{:.2g}); {:.2f} s\n",
+      printable(part.name), megapascals(v.peak), megapascals(v.band_low),
+      megapascals(v.band_high), v.group, millimetres(v.at.x()),
+      millimetres(v.at.y()), millimetres(v.at.z()), v.time, v.ratio, v.model,
+      v.shapes, v.lowest_frequency / 1e3, v.highest_frequency / 1e3, v.from,
+      v.to, kPercent * v.error(), kPercent * v.degree_error,
+      kPercent * v.shape_error, kPercent * v.sampling_error,
+      kPercent * v.path_error, v.seconds);
+}
+
 ordered_json row_json(const ImpactRow& row) {
   ordered_json json = {{"model", row.model}};
   json["stress_MPa"] =
@@ -104,6 +128,7 @@ std::string part_impacts_text(const PartResult& part, Colour colour) {
     text += "\n" + head_of(part, impact) + table_of(impact, colour);
   }
   if (!part.paces.empty()) text += "\n" + paces_text(part);
+  text += vibration_text(part);
   return text;
 }
 
@@ -149,6 +174,30 @@ ordered_json load_paces_json(const PartResult& part) {
                     {"treatment", pace.treatment}});
   }
   return list;
+}
+
+ordered_json vibration_json(const PartResult& part) {
+  const assessment::VibrationResult& v = part.vibration;
+  if (!v.failure.empty()) return {{"failure", v.failure}};
+  if (v.ratio == 0.0) return {};
+  const Eigen::Vector3d at = millimetres(v.at);
+  return {{"ratio", v.ratio},
+          {"peak_MPa", megapascals(v.peak)},
+          {"band_MPa", {megapascals(v.band_low), megapascals(v.band_high)}},
+          {"at_mm", {at.x(), at.y(), at.z()}},
+          {"group", v.group},
+          {"instant_s", v.time},
+          {"from_s", v.from},
+          {"to_s", v.to},
+          {"model", v.model},
+          {"shapes", v.shapes},
+          {"lowest_frequency_hz", v.lowest_frequency},
+          {"highest_frequency_hz", v.highest_frequency},
+          {"degree_error_percent", kPercent * v.degree_error},
+          {"shape_error_percent", kPercent * v.shape_error},
+          {"sampling_error_percent", kPercent * v.sampling_error},
+          {"instants_error_percent", kPercent * v.path_error},
+          {"seconds", v.seconds}};
 }
 
 BeamImpactSummary beam_impact(const PartResult& part) {

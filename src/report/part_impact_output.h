@@ -16,6 +16,8 @@ std::string part_impacts_text(const assessment::PartResult& part,
 
 nlohmann::ordered_json part_impacts_json(const assessment::PartResult& part);
 nlohmann::ordered_json load_paces_json(const assessment::PartResult& part);
+/// Null where the loads of the instants suffice.
+nlohmann::ordered_json vibration_json(const assessment::PartResult& part);
 
 /// Stress by the corrected beam-theory impact model, the largest of the blows
 /// [Pa], and its factor over the static stress; 0: it says nothing.

@@ -52,13 +52,19 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImpactResult, name, source, mass, speed,
                                    safety_factor, reason, rows)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LoadPace, impact, duration, rise_time, ratio,
                                    amplification, treatment)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VibrationResult, ratio, failure, peak,
+                                   band_low, band_high, degree_error,
+                                   shape_error, sampling_error, path_error, at,
+                                   group, time, from, to, deflection, model,
+                                   shapes, lowest_frequency, highest_frequency,
+                                   seconds)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartSeconds, mesh, assemble, factor, solve,
                                    recover, write, total)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     PartResult, name, verdict, why, model, stopped_because, dofs, cells,
     load_columns, peak, singular_zones, peak_outside, safety_factor, deflection,
     deflection_at, deflection_instant, strain_energy, strain_energy_error, beam,
-    self_checks, probes, seconds, mass, first_period, impacts, paces)
+    self_checks, probes, seconds, mass, first_period, impacts, paces, vibration)
 
 }  // namespace clevis::assessment
 

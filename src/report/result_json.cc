@@ -172,6 +172,7 @@ ordered_json part_json(const CheckReport& report, const PartResult& part) {
                        {"beam", beam_json(part.beam, beam_impact(part))},
                        {"impacts", part_impacts_json(part)},
                        {"load_paces", load_paces_json(part)},
+                       {"vibration", vibration_json(part)},
                        {"self_checks",
                         {{"equilibrium", checks.equilibrium},
                          {"residual", checks.residual},

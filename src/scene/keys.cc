@@ -182,9 +182,9 @@ constexpr Key kMarker[] = {"name", "body", "point"};
 constexpr Key kSimulation[] = {"duration", "instants",   "tolerance",
                                "motion",   "integrator", "at_singularity",
                                "links"};
-constexpr Key kPart[] = {"name",      "geometry", "mesh", "length_unit",
-                         "thickness", "material", "pins", "drives",
-                         "forces",    "limits",   "case"};
+constexpr Key kPart[] = {"name",      "geometry", "mesh",    "length_unit",
+                         "thickness", "material", "pins",    "drives",
+                         "forces",    "limits",   "damping", "case"};
 constexpr Key kPartDrives[] = {"face", "pressurized"};
 constexpr Key kPartForces[] = {"face", "pressurized", "chamber"};
 constexpr Key kLimits[] = {"safety_factor", "deflection", "singular_zones"};

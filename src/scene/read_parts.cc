@@ -73,6 +73,10 @@ part::PartDefinition read_part(StrictTable& table, const Names& names,
   part.material = materials[static_cast<std::size_t>(
       names.materials.find(material.name(), material))];
   if (table.has("limits")) part.limits = read_limits(table.table("limits"));
+  if (const auto damping = table.find("damping")) {
+    constexpr double kLargestDamping = 0.5;
+    part.damping = damping->number(0.0, kLargestDamping);
+  }
   NameIndex cases("case");
   for (StrictTable& entry : table.tables("case")) {
     const Value name = entry["name"];

@@ -1,0 +1,156 @@
+// Vibration of a part after impacts against the wave in a bar. Source:
+// docs/theory.md, "Vibration under a load history".
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "assessment/load_pace.h"
+#include "assessment/part_check.h"
+#include "assessment/vibration_times.h"
+#include "mesh/mass_properties.h"
+#include "support/structured_mesh.h"
+
+namespace clevis::assessment {
+namespace {
+
+using Eigen::Vector3d;
+
+/// No lateral contraction: waves along the bar keep their shape.
+const part::Material kCork{"cork", 70e9, 0.0, 2700.0, 300e6};
+const Vector3d kSize(0.3, 0.02, 0.01);
+constexpr double kPull = 40e6;  // [Pa]
+
+double transit() {
+  return kSize.x() * std::sqrt(kCork.density / kCork.youngs_modulus);
+}
+
+loads::InstantLoad pulled(double time, double share) {
+  loads::InstantLoad instant;
+  instant.time = time;
+  instant.label = "t";
+  for (const auto& [name, side] : {std::pair{"x0", -1.0}, {"x1", 1.0}}) {
+    loads::SurfaceLoad load;
+    load.group = name;
+    load.traction.x() = side * share * kPull;
+    load.resultant.force = kSize.y() * kSize.z() * load.traction;
+    load.total = load.resultant.force.norm();
+    instant.surface_loads.push_back(load);
+  }
+  return instant;
+}
+
+/// A free bar that is pulled at both ends, by what rises evenly from t = 0 and
+/// stays.
+PartJob bar(double rise) {
+  PartJob job;
+  job.part.name = "bar";
+  job.part.material = kCork;
+  job.mesh = support::structured_mesh<3>(
+      {20, 1, 1}, 1, [](const Vector3d& x) -> Vector3d {
+        return kSize.cwiseProduct(x - Vector3d(0.0, 0.5, 0.5));
+      });
+  job.mass = mesh::mass_properties(job.mesh, kCork.density);
+  LoadSet set;
+  const double end = 20.0 * transit(), side = 1e-9 * transit();
+  for (const auto& [t, share] :
+       std::vector<std::pair<double, double>>{{-transit(), 0.0},
+                                              {-side, 0.0},
+                                              {0.0, 0.0},
+                                              {rise, 1.0},
+                                              {rise + side, 1.0},
+                                              {end, 1.0}}) {
+    set.history.instants.push_back(pulled(t, share));
+  }
+  job.load_sets.push_back(set);
+  job.impact_loads.push_back(
+      {.name = "touch", .duration = end, .rise_time = rise, .touches = {0.0}});
+  return job;
+}
+
+// Waves from both ends meet in the middle: twice the pull where it rises within
+// a transit.
+void expect_doubled(ModelChoice model, const std::string& name) {
+  PartJob job = bar(0.8 * transit());
+  job.model = model;
+  const PartResult result = check_part(job).result;
+  EXPECT_NEAR(result.peak.value, kPull, 1e-6 * kPull);
+  const VibrationResult& found = result.vibration;
+  EXPECT_EQ(found.model, name);
+  EXPECT_NEAR(found.ratio, 2.0, 0.02);
+  EXPECT_LE(found.band_low, 2.0 * kPull);
+  EXPECT_GE(found.band_high, 2.0 * kPull);
+  EXPECT_LT(found.error(), 0.05);
+  EXPECT_LT(found.lowest_frequency, 0.5 / transit());  // bending's are lower
+  EXPECT_GT(found.highest_frequency, 10.0 / transit());
+  EXPECT_NEAR(result.safety_factor, 300e6 / found.peak, 1e-9);
+}
+
+TEST(Vibration, WavesFromBothEndsOfAPlateDouble) {
+  expect_doubled(ModelChoice::kAuto, "plane stress, p = 4");
+}
+
+TEST(Vibration, WavesFromBothEndsOfASolidDouble) {
+  expect_doubled(ModelChoice::kSolid, "3-D, p = 3");
+}
+
+TEST(Vibration, DecidesTheVerdict) {
+  PartJob job = bar(0.8 * transit());
+  job.part.limits.safety_factor = 5.0;  // 7.5 at rest, 3.75 in the wave
+  const PartResult result = check_part(job).result;
+  EXPECT_EQ(result.verdict, PartVerdict::kFail);
+  EXPECT_NE(result.why.find("with vibration"), std::string::npos) << result.why;
+  job.impact_loads.clear();
+  const PartResult still = check_part(job).result;
+  EXPECT_NE(still.verdict, PartVerdict::kFail);
+  EXPECT_NEAR(still.safety_factor, 7.5, 1e-6);
+}
+
+TEST(Vibration, SlowLoadsAreNotComputedInTime) {
+  PartJob job = bar(1000.0 * transit());
+  auto& instants = job.load_sets[0].history.instants;
+  instants.back().time = 2000.0 * transit();
+  job.impact_loads[0].duration = 2000.0 * transit();
+  const PartResult result = check_part(job).result;
+  ASSERT_EQ(result.paces.size(), 1U);
+  EXPECT_FALSE(wants_elements_in_time(result.paces[0]));
+  EXPECT_EQ(result.vibration.ratio, 0.0);
+}
+
+TEST(Vibration, DampingLowersIt) {
+  PartJob job = bar(0.8 * transit());
+  const double without = check_part(job).result.vibration.ratio;
+  job.part.damping = 0.05;
+  const double with = check_part(job).result.vibration.ratio;
+  EXPECT_LT(with, without - 0.05);
+  EXPECT_GT(with, 1.5);
+}
+
+TEST(VibrationWindows, MeetAndJoin) {
+  PartJob job;
+  PartResult result;
+  result.first_period = 1.0;
+  job.impact_loads.push_back(
+      {.name = "a", .duration = 2.0, .rise_time = 0.1, .touches = {3.0, 40.0}});
+  job.impact_loads.push_back(
+      {.name = "b", .duration = 500.0, .rise_time = 0.1, .touches = {9.0}});
+  job.impact_loads.push_back(
+      {.name = "slow", .duration = 90.0, .rise_time = 45.0, .touches = {1.0}});
+  for (const double ratio : {2.0, 500.0, 90.0}) {
+    result.paces.push_back({.ratio = ratio, .amplification = 2.0});
+  }
+  result.paces[2].amplification = 1.0;
+  const auto windows = vibration_windows(job, result);
+  ASSERT_EQ(windows.size(), 2U);
+  EXPECT_EQ(windows[0].from, 3.0);
+  EXPECT_EQ(windows[0].to, 24.0);  // ten periods pressed, five after
+  EXPECT_EQ(windows[1].from, 40.0);
+  EXPECT_EQ(windows[1].to, 47.0);
+  const auto times = times_within(windows, 1e-6, 280);
+  EXPECT_NEAR(static_cast<double>(times.size()), 282.0, 2.0);
+  EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
+}
+
+}  // namespace
+}  // namespace clevis::assessment
