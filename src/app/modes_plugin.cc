@@ -49,7 +49,8 @@ std::vector<SolverTask> tasks_of(const LoadedScene& loaded,
     for (const auto& request : modes_requests(
              part, loaded.body_of(name) != mechanism::kGround, options.modes,
              options.tolerance.value_or(kTolerance))) {
-      tasks.push_back({"modes of " + name, [&part, request, folder] {
+      tasks.push_back({fmt::format("modes of {}, {}", name, request.supports),
+                       [&part, request, folder] {
                          return part_modes(part, request, folder).dump();
                        }});
     }
@@ -57,10 +58,11 @@ std::vector<SolverTask> tasks_of(const LoadedScene& loaded,
   return tasks;
 }
 
-std::string table_of(const ordered_json& parts) {
+std::string table_of(const ordered_json& parts, const ordered_json& failures) {
   using enum report::Align;
   report::TextTable table({{"part"},
                            {"supports"},
+                           {"model"},
                            {"mode", kRight},
                            {"Hz", kRight},
                            {"change", kRight},
@@ -80,6 +82,7 @@ std::string table_of(const ordered_json& parts) {
       table.add_row(
           {{part["part"]},
            {part["supports"]},
+           {part["model"]},
            {std::to_string(mode["mode"].get<int>())},
            {fmt::format("{:.5g}", mode["frequency_hz"].get<double>())},
            {fmt::format("{:.1g} %", 100.0 * mode["change"].get<double>())},
@@ -94,7 +97,22 @@ std::string table_of(const ordered_json& parts) {
                     part["equations"].get<int>(), part["seconds"].get<double>(),
                     part["converged"].get<bool>() ? "" : "; not settled"));
   }
+  for (const auto& failure : failures) {
+    table.add_note(fmt::format("{}: not computed: {} {}",
+                               failure["what"].get<std::string>(),
+                               failure["problem"].get<std::string>(),
+                               failure["remedy"].get<std::string>()));
+  }
   return table.text(report::colour_of(STDOUT_FILENO));
+}
+
+ordered_json failure_of(const SolverTask& task, const Error& error) {
+  return {{"what", task.what},
+          {"code", error.code()},
+          {"place", error.place()},
+          {"problem", error.problem()},
+          {"remedy", error.remedy()},
+          {"exit_code", static_cast<int>(error.exit_code())}};
 }
 
 ExitCode run_modes(const Options& options) {
@@ -103,30 +121,37 @@ ExitCode run_modes(const Options& options) {
   require_known(loaded, options);
   const fs::path folder =
       options.out.empty() ? output_folder(options) / "modes" : options.out;
-  const auto answers = run_solver_tasks(tasks_of(loaded, options, folder));
+  const auto tasks = tasks_of(loaded, options, folder);
+  const auto answers = run_solver_tasks(tasks);
   report::remove_unfinished(folder);
   ordered_json parts = ordered_json::array();
-  bool complete = true;
-  for (const auto& answer : answers) {
-    if (answer.error) throw *answer.error;
-    if (answer.text) {
-      parts.push_back(ordered_json::parse(*answer.text));
+  ordered_json failures = ordered_json::array();
+  ExitCode outcome = ExitCode::kPass;
+  for (std::size_t t = 0; t < tasks.size(); ++t) {
+    if (answers[t].text) {
+      parts.push_back(ordered_json::parse(*answers[t].text));
+    } else if (answers[t].error) {
+      if (failures.empty()) outcome = answers[t].error->exit_code();
+      failures.push_back(failure_of(tasks[t], *answers[t].error));
     } else {
-      complete = false;
+      outcome = kInterruptedExit;
     }
   }
-  const std::string document = report::json_text({{"schema", 1},
-                                                  {"version", CLEVIS_VERSION},
-                                                  {"scene", loaded.scene.name},
-                                                  {"complete", complete},
-                                                  {"parts", parts}});
+  const std::string document =
+      report::json_text({{"schema", 1},
+                         {"version", CLEVIS_VERSION},
+                         {"scene", loaded.scene.name},
+                         {"complete", outcome != kInterruptedExit},
+                         {"parts", parts},
+                         {"failures", failures}});
   report::write_file(folder / "modes.json", document);
   if (options.json) {
     std::cout << document;
   } else {
-    std::cout << table_of(parts) << "\nfiles: " << folder.string() << "\n";
+    std::cout << table_of(parts, failures) << "\nfiles: " << folder.string()
+              << "\n";
   }
-  return complete ? ExitCode::kPass : kInterruptedExit;
+  return outcome;
 }
 
 }  // namespace

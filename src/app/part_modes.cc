@@ -9,6 +9,7 @@
 
 #include "base/stopwatch.h"
 #include "elasticity/eigenmodes.h"
+#include "mesh/mesh_reader.h"
 #include "report/atomic_file.h"
 #include "stress/field_output.h"
 #include "stress/stress_history.h"
@@ -25,23 +26,26 @@ constexpr int kSubdivisions = 2;
 
 /// Modes of the degree at which they settled, with the relative change of each
 /// from the degree before.
+template <int dim>
 struct Climbed {
-  Eigenmodes<3> modes;
+  Eigenmodes<dim> modes;
   Eigen::VectorXd change;  ///< [1]; 0 of rigid modes
   int degree{};
   bool settled = false;
 };
 
-Climbed climb(const LoadedPart& part, const ModesRequest& request) {
+template <int dim>
+Climbed<dim> climb(const mesh::PartMesh<dim>& mesh,
+                   const part::PartDefinition& part,
+                   const ModesRequest& request) {
   static const loads::LoadHistory kNoLoads;
-  const elasticity::ElasticProblem<3> problem{
-      part.mesh, part.definition.material, kNoLoads, request.fixed,
-      part.definition.name};
-  const int highest = part.mesh.shape == mesh::CellShape::kTensor ? 4 : 2;
-  Climbed result;
+  const elasticity::ElasticProblem<dim> problem{mesh, part.material, kNoLoads,
+                                                request.fixed, part.name};
+  const int highest = mesh.shape == mesh::CellShape::kTensor ? 4 : 2;
+  Climbed<dim> result;
   const int first = highest > 2 ? 2 : 1;  // degree 1 locks
   for (int degree = first; degree <= highest; ++degree) {
-    auto modes = elasticity::eigenmodes<3>(problem, degree, request.count);
+    auto modes = elasticity::eigenmodes<dim>(problem, degree, request.count);
     const Eigen::Index n = modes.frequencies.size();
     result.change = Eigen::VectorXd::Zero(n);
     const bool has_before = result.modes.frequencies.size() == n;
@@ -58,71 +62,105 @@ Climbed climb(const LoadedPart& part, const ModesRequest& request) {
   return result;
 }
 
-std::string write_shape(const LoadedPart& part, const ModesRequest& request,
-                        const Eigenmodes<3>& modes, Eigen::Index mode,
+template <int dim>
+std::string write_shape(const part::PartDefinition& part,
+                        const ModesRequest& request,
+                        const Eigenmodes<dim>& modes, Eigen::Index mode,
                         const fs::path& folder) {
-  elasticity::DisplacementBasis<3> basis;
+  elasticity::DisplacementBasis<dim> basis;
   basis.discretization = modes.discretization;
   basis.columns = modes.shapes.col(mode);
   double largest = 0.0;
-  for (Eigen::Index row = 0; row < basis.columns.rows(); row += 3) {
-    largest = std::max(largest, basis.columns.col(0).segment<3>(row).norm());
+  for (Eigen::Index row = 0; row < basis.columns.rows(); row += dim) {
+    largest = std::max(largest,
+                       basis.columns.col(0).template segment<dim>(row).norm());
   }
   basis.coefficients = Eigen::MatrixXd::Constant(1, 1, kAmplitude / largest);
-  const auto field = stress::instant_field<3>(basis, part.definition.material,
-                                              kSubdivisions, 0);
+  const auto field =
+      stress::instant_field<dim>(basis, part.material, kSubdivisions, 0);
   std::ostringstream text;
-  stress::write_vtu<3>(text, part.mesh.shape, field, {},
-                       stress::CellOrder::kLagrange);
+  stress::write_vtu<dim>(text, modes.discretization.shape, field, {},
+                         stress::CellOrder::kLagrange);
   const std::string set =
       request.number > 1 ? fmt::format("_{}", request.number) : "";
   const std::string name =
-      fmt::format("{}{}_mode_{}.vtu", part.definition.name, set, mode + 1);
+      fmt::format("{}{}_mode_{}.vtu", part.name, set, mode + 1);
   report::write_file(folder / name, text.view());
   return name;
+}
+
+template <int dim>
+ordered_json modes_of(const mesh::PartMesh<dim>& mesh, const char* model,
+                      const part::PartDefinition& part,
+                      const ModesRequest& request, const fs::path& folder) {
+  Stopwatch watch;
+  const auto climbed = climb<dim>(mesh, part, request);
+  const Eigenmodes<dim>& modes = climbed.modes;
+  ordered_json rows = ordered_json::array();
+  for (Eigen::Index k = 0; k < modes.frequencies.size(); ++k) {
+    const bool rigid = k < modes.rigid;
+    ordered_json row{
+        {"mode", k + 1},
+        {"kind", rigid ? "rigid" : "elastic"},
+        {"frequency_hz", modes.frequencies[k]},
+        {"change", climbed.change[k]},
+        {"participation_x", modes.participation(k, 0)},
+        {"participation_y", modes.participation(k, 1)},
+        {"participation_z", dim == 3 ? modes.participation(k, dim - 1) : 0.0},
+        {"residual", modes.residual[k]}};
+    if (!rigid) row["file"] = write_shape<dim>(part, request, modes, k, folder);
+    rows.push_back(std::move(row));
+  }
+  return {{"part", part.name},
+          {"supports", request.supports},
+          {"model", model},
+          {"mass_kg", modes.mass},
+          {"degree", climbed.degree},
+          {"equations", modes.equations},
+          {"converged", climbed.settled},
+          {"seconds", watch.lap()},
+          {"modes", std::move(rows)}};
+}
+
+/// Supports that leave a plate free to leave its plane: it vibrates in it.
+bool holds_the_plane_only(const ModesRequest& request) {
+  return !request.fixed.empty() &&
+         std::ranges::none_of(request.fixed, [](const auto& entry) {
+           return entry.second[2];
+         });
 }
 
 }  // namespace
 
 ordered_json part_modes(const LoadedPart& part, const ModesRequest& request,
                         const fs::path& folder) {
-  Stopwatch watch;
-  const Climbed climbed = climb(part, request);
-  const Eigenmodes<3>& modes = climbed.modes;
-  ordered_json rows = ordered_json::array();
-  for (Eigen::Index k = 0; k < modes.frequencies.size(); ++k) {
-    const bool rigid = k < modes.rigid;
-    ordered_json row{{"mode", k + 1},
-                     {"kind", rigid ? "rigid" : "elastic"},
-                     {"frequency_hz", modes.frequencies[k]},
-                     {"change", climbed.change[k]},
-                     {"participation_x", modes.participation(k, 0)},
-                     {"participation_y", modes.participation(k, 1)},
-                     {"participation_z", modes.participation(k, 2)},
-                     {"residual", modes.residual[k]}};
-    if (!rigid) row["file"] = write_shape(part, request, modes, k, folder);
-    rows.push_back(std::move(row));
+  if (holds_the_plane_only(request)) {
+    if (const auto plate = mesh::plate_mid_plane(part.mesh)) {
+      return modes_of<2>(*plate, "plane stress", part.definition, request,
+                         folder);
+    }
   }
-  return {{"part", part.definition.name}, {"supports", request.supports},
-          {"mass_kg", modes.mass},        {"degree", climbed.degree},
-          {"equations", modes.equations}, {"converged", climbed.settled},
-          {"seconds", watch.lap()},       {"modes", std::move(rows)}};
+  return modes_of<3>(part.mesh, "3-D", part.definition, request, folder);
 }
 
 std::vector<ModesRequest> modes_requests(const LoadedPart& part, bool moves,
                                          int count, double tolerance) {
   std::vector<ModesRequest> requests;
-  if (moves || part.definition.cases.empty()) {
-    requests.push_back({"free", 1, {}, count, tolerance});
+  const auto add = [&](const std::string& name, const auto& fixed) {
+    const auto same = std::ranges::find(requests, fixed, &ModesRequest::fixed);
+    if (same != requests.end()) return;
+    requests.push_back({fixed.empty() ? "free" : name,
+                        static_cast<int>(requests.size()) + 1, fixed, count,
+                        tolerance});
+  };
+  const part::PartDefinition& given = part.definition;
+  if (moves || (given.cases.empty() && given.impacts.empty())) {
+    add("free", decltype(ModesRequest::fixed){});
   }
-  for (const auto& load_case : part.definition.cases) {
-    const auto same =
-        std::ranges::find(requests, load_case.fixed, &ModesRequest::fixed);
-    if (same != requests.end()) continue;
-    requests.push_back({load_case.fixed.empty() ? "free" : load_case.name,
-                        static_cast<int>(requests.size()) + 1, load_case.fixed,
-                        count, tolerance});
+  for (const auto& load_case : given.cases) {
+    add(load_case.name, load_case.fixed);
   }
+  for (const auto& impact : given.impacts) add(impact.name, impact.fixed);
   return requests;
 }
 

@@ -14,7 +14,7 @@ namespace clevis::app {
 
 /// Vibrations of a part that are asked for.
 struct ModesRequest {
-  std::string supports;  ///< "free", or the case that holds the part
+  std::string supports;  ///< "free", or the case or blow that holds the part
   int number{};          ///< of its set of supports, for names of files
   std::map<std::string, std::array<bool, 3>> fixed;
   int count{};         ///< of modes, rigid ones of a free part counted in
@@ -23,7 +23,8 @@ struct ModesRequest {
 
 /// Climbs degrees until the frequencies settle; writes NAME_mode_N.vtu (of the
 /// second set of supports NAME_2_mode_N.vtu)
-/// of every elastic mode.
+/// of every elastic mode. A plate whose supports hold nothing across its plane
+/// vibrates in it, by plane stress.
 /// @return the entry of modes.json.
 /// @throws Error of elasticity::eigenmodes, I002.
 nlohmann::ordered_json part_modes(const LoadedPart& part,
@@ -31,7 +32,7 @@ nlohmann::ordered_json part_modes(const LoadedPart& part,
                                   const std::filesystem::path& folder);
 
 /// What can be asked of a part: free if a body of the mechanism carries it or
-/// it has no case, and each case's supports once.
+/// nothing holds it, and the supports of each case and blow once.
 std::vector<ModesRequest> modes_requests(const LoadedPart& part, bool moves,
                                          int count, double tolerance);
 
