@@ -8,6 +8,7 @@
 #include "app/error_text.h"
 #include "app/link_compliance.h"
 #include "app/part_jobs.h"
+#include "assessment/impact_check.h"
 #include "loads/part_loads.h"
 #include "mechanism/simulate.h"
 #include "report/progress.h"
@@ -45,16 +46,6 @@ SolverAnswer decode(const WorkerOutcome& outcome, const SolverTask& task) {
   return {std::nullopt, decode_error(content)};
 }
 
-/// @throws Error S010 for a part that only [[impact]] loads.
-void require_cases(const std::vector<assessment::PartJob>& jobs) {
-  for (const auto& job : jobs) {
-    if (!job.load_sets.empty()) continue;
-    throw Error("S010", job.part.place,
-                fmt::format("only [[impact]] loads part \"{}\"", job.part.name),
-                "Run clevis check, or name other parts with --part.");
-  }
-}
-
 }  // namespace
 
 SolverJobs load_solver_jobs(const Options& options) {
@@ -69,7 +60,11 @@ SolverJobs load_solver_jobs(const Options& options) {
   }
   result.jobs = part_jobs(result.loaded, motion, options.parts,
                           scene.peak_stress_tolerance);
-  require_cases(result.jobs);
+  // Of a blow the static load that stresses the part as much, as a case.
+  for (auto& job : result.jobs) {
+    assessment::compute_impacts(job);
+    job.impacts.clear();
+  }
   return result;
 }
 

@@ -23,7 +23,8 @@ struct SolverJobs {
   std::vector<assessment::PartJob> jobs;
 };
 
-/// Reads the scene, moves its mechanism and loads its parts.
+/// Reads the scene, moves its mechanism and loads its parts; a blow is computed
+/// in time and becomes the static load that stresses the part as much.
 /// @throws Error as load_scene, simulate and part_jobs.
 SolverJobs load_solver_jobs(const Options& options);
 
