@@ -42,6 +42,36 @@ const Impact& hardest_of(const MechanismDefinition& definition,
       "and speed.");
 }
 
+/// What contacts and stops of a driven motion do, by its instants: these stand
+/// on both sides of each touch and where forces are largest.
+std::vector<Impact> presses(const MechanismDefinition& definition,
+                            const Motion& motion) {
+  std::vector<Impact> found;
+  for (std::size_t e = 0; e < definition.elements.size(); ++e) {
+    if (contact_law(definition.elements[e]) == nullptr) continue;
+    bool pressed = false;
+    double before = motion.instants.front().t;
+    for (const auto& instant : motion.instants) {
+      const double effort = instant.elements[e].effort;
+      if (effort != 0.0 && !pressed) {
+        found.push_back({});
+        found.back().element = static_cast<int>(e);
+        found.back().end = effort > 0.0 ? 0 : 1;  // a stop's upper end pulls
+        found.back().t = before;
+      } else if (effort == 0.0 && pressed) {
+        found.back().duration = instant.t - found.back().t;
+      }
+      pressed = effort != 0.0;
+      if (pressed && std::abs(effort) > found.back().peak_force) {
+        found.back().peak_force = std::abs(effort);
+        found.back().peak_at = instant.t;
+      }
+      before = instant.t;
+    }
+  }
+  return found;
+}
+
 void require_group(const std::string& name,
                    const std::vector<loads::GroupGeometry>& groups,
                    const part::ImpactDefinition& impact) {
@@ -101,8 +131,10 @@ std::vector<assessment::ImpactJob> impact_jobs(
 
 std::vector<assessment::ImpactLoad> impact_loads(
     const MechanismDefinition& definition, const Motion& motion) {
+  const std::vector<Impact> impacts =
+      motion.integration ? motion.impacts : presses(definition, motion);
   std::map<std::pair<int, int>, const Impact*> hardest;
-  for (const Impact& impact : motion.impacts) {
+  for (const Impact& impact : impacts) {
     const Impact*& known = hardest[{impact.element, impact.end}];
     if (known == nullptr || impact.peak_force > known->peak_force) {
       known = &impact;
@@ -127,7 +159,7 @@ std::vector<assessment::ImpactLoad> impact_loads(
                      .rise_time = impact->peak_at - impact->t,
                      .touches = {}});
     constexpr double kAsHard = 0.1;
-    for (const Impact& other : motion.impacts) {
+    for (const Impact& other : impacts) {
       if (other.element == impact->element && other.end == impact->end &&
           other.peak_force >= kAsHard * impact->peak_force) {
         loads.back().touches.push_back(other.t);

@@ -18,7 +18,8 @@ std::vector<assessment::ImpactJob> impact_jobs(
     const std::vector<loads::GroupGeometry>& groups);
 
 /// The hardest impact of each contact and end of a stop, but those below a
-/// hundredth of the hardest of all.
+/// hundredth of the hardest of all; of a driven motion, which has no record of
+/// impacts, by the forces at its instants.
 std::vector<assessment::ImpactLoad> impact_loads(
     const mechanism::MechanismDefinition& definition,
     const mechanism::Motion& motion);

@@ -114,6 +114,7 @@ struct LoadPace {
 /// What vibration makes of the peak over the motion of a part's body.
 struct VibrationResult {
   double ratio{};       ///< dynamic over quasi-static peak; 0: not computed [1]
+  bool governs{};       ///< a case of the part does not stress it more
   std::string failure;  ///< why it could not be, though it was wanted
   double peak{}, band_low{}, band_high{};  ///< that is judged [Pa]
   /// Of the ratio: the last degree's change, the last doubling of the shapes',

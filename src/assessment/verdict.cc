@@ -48,7 +48,7 @@ bool is_singular_only(const part::PartDefinition& part,
 /// The peak that decides: with vibration where that was computed.
 PeakStress governing_peak(const PartResult& result) {
   PeakStress peak = judged_peak(result);
-  if (result.vibration.ratio == 0.0) return peak;
+  if (!result.vibration.governs) return peak;
   peak.value = result.vibration.peak;
   peak.band_low = result.vibration.band_low;
   peak.band_high = result.vibration.band_high;
@@ -103,12 +103,11 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
   if (peak.band_low > allowed) {
     set(result, PartVerdict::kFail,
         fmt::format("peak {:.4g} MPa{} exceeds {}", peak.value / kMega,
-                    result.vibration.ratio > 0.0 ? " with vibration" : "",
-                    limit));
+                    result.vibration.governs ? " with vibration" : "", limit));
     return false;
   }
   if (peak.band_high > allowed) {
-    const bool vibrates = result.vibration.ratio > 0.0;
+    const bool vibrates = result.vibration.governs;
     set(result, PartVerdict::kNotJudged,
         fmt::format("{} lies inside the band of the peak{}, [{:.4g}, {:.4g}] "
                     "MPa: {}",

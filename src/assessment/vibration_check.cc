@@ -52,7 +52,8 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   VibratingModel<dim> high(job, mesh, set, highest, windows);
   if (!(high.still() > 0.0)) return {};  // the zones are all that is loaded
   auto found = high.answer(count, high.path());
-  result.ratio = found.peak.value / high.still();
+  result.peak = found.peak.value;
+  result.ratio = result.peak / high.still();
   result.degree_error = change(low_ratio, result.ratio);
   result.sampling_error = found.sampling_error;
   result.at = found.at;
@@ -68,12 +69,42 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   return result;
 }
 
+/// Whether the checked peak is one of the motion, not of a case.
+bool is_of_motion(const PeakStress& peak, const LoadSet& set) {
+  return std::ranges::any_of(set.history.instants, [&](const auto& instant) {
+    return instant.label == peak.label && instant.time == peak.instant;
+  });
+}
+
+/// Puts the dynamic peak on the ladder's, or where a case has that beside it.
+void judge_vibration(const PartJob& job, const LoadSet& set, PartResult& result,
+                     VibrationResult& found) {
+  const PeakStress& still = judged_peak(result);
+  const double error = found.error();
+  const bool of_motion = is_of_motion(still, set);
+  if (of_motion) {
+    found.peak = found.ratio * still.value;
+    found.band_low = found.ratio * still.band_low;
+    found.band_high = found.ratio * still.band_high;
+  } else {
+    found.band_low = found.band_high = found.peak;
+  }
+  found.band_low -= error * found.peak;
+  found.band_high += error * found.peak;
+  found.governs = of_motion || found.band_high > still.value;
+  result.deflection = job.part.cases.empty()
+                          ? found.deflection
+                          : std::max(result.deflection, found.deflection);
+  if (found.governs) {
+    result.safety_factor = job.part.material.yield_strength / found.peak;
+  }
+}
+
 }  // namespace
 
 void check_vibration(const PartJob& job, PartResult& result) {
   auto windows = vibration_windows(job, result);
-  const PeakStress& still = judged_peak(result);
-  if (windows.empty() || !(still.value > 0.0)) return;
+  if (windows.empty() || !(judged_peak(result).value > 0.0)) return;
   Stopwatch watch;
   PartJob moving = job;
   moving.load_sets = {motion_loads(job)};
@@ -90,14 +121,7 @@ void check_vibration(const PartJob& job, PartResult& result) {
   found.from = windows.front().from;
   found.to = windows.back().to;
   found.seconds = watch.lap();
-  if (found.ratio > 0.0) {
-    const double error = found.error();
-    found.peak = found.ratio * still.value;
-    found.band_low = found.ratio * still.band_low - error * found.peak;
-    found.band_high = found.ratio * still.band_high + error * found.peak;
-    result.deflection = found.deflection;
-    result.safety_factor = job.part.material.yield_strength / found.peak;
-  }
+  if (found.ratio > 0.0) judge_vibration(job, set, result, found);
   result.vibration = std::move(found);
 }
 

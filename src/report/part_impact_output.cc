@@ -182,6 +182,7 @@ ordered_json vibration_json(const PartResult& part) {
   if (v.ratio == 0.0) return {};
   const Eigen::Vector3d at = millimetres(v.at);
   return {{"ratio", v.ratio},
+          {"governs", v.governs},
           {"peak_MPa", megapascals(v.peak)},
           {"band_MPa", {megapascals(v.band_low), megapascals(v.band_high)}},
           {"at_mm", {at.x(), at.y(), at.z()}},

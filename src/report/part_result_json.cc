@@ -52,8 +52,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImpactResult, name, source, mass, speed,
                                    safety_factor, reason, rows)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LoadPace, impact, duration, rise_time, ratio,
                                    amplification, treatment)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VibrationResult, ratio, failure, peak,
-                                   band_low, band_high, degree_error,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VibrationResult, ratio, governs, failure,
+                                   peak, band_low, band_high, degree_error,
                                    shape_error, sampling_error, path_error, at,
                                    group, time, from, to, deflection, model,
                                    shapes, lowest_frequency, highest_frequency,
