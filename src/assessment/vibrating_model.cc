@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/load_answer.h"
 #include "stress/stress_history.h"
 
 namespace clevis::assessment {
@@ -89,8 +88,8 @@ stress::PartialPeak VibratingModel<dim>::peak_of(const Basis& basis) const {
 }
 
 template <int dim>
-stress::PartialPeak VibratingModel<dim>::peak_of_many(
-    const Basis& basis, double& sampling_error) const {
+std::vector<int> VibratingModel<dim>::cells_near_peak(
+    const Basis& basis) const {
   constexpr Index kSixth = 6;
   constexpr double kNear = 0.75;
   const auto zone_of = stress::zone_of_points<dim>(basis.discretization,
@@ -105,12 +104,23 @@ stress::PartialPeak VibratingModel<dim>::peak_of_many(
       cells.push_back(static_cast<int>(c));
     }
   }
-  const Basis near = within<dim>(cells, basis);
-  stress::PartialPeak peak = peak_of(near);
-  sampling_error =
-      (1.0 - peak_of(every<dim>(2, near)).value / peak.value) / 3.0;
-  peak.at.cell = cells[static_cast<std::size_t>(peak.at.cell)];
-  return peak;
+  return cells;
+}
+
+template <int dim>
+elasticity::DisplacementBasis<dim> VibratingModel<dim>::basis_of(
+    const typename elasticity::LoadVibration<dim>::Shapes& shapes,
+    const dynamics::LoadAnswer& moving) const {
+  const auto& still = part_.statics();
+  Basis basis;
+  basis.discretization = still.discretization;
+  basis.columns.resize(still.columns.rows(),
+                       still.columns.cols() + shapes.columns.cols());
+  basis.columns << still.columns, shapes.columns;
+  basis.coefficients.resize(basis.columns.cols(), moving.time.size());
+  basis.coefficients << moving.path, moving.added;
+  basis.strain_energy = VectorXd::Zero(moving.time.size());
+  return basis;
 }
 
 template <int dim>
@@ -122,24 +132,30 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(
   found.shapes = static_cast<int>(hertz.size());
   found.lowest = hertz.minCoeff();
   found.highest = hertz.maxCoeff();
-  const auto moving = dynamics::answer_to(
-      path, shapes.participation, shapes.squares, job_.part.damping,
-      times_within(windows_, 1.0 / (kPerPeriod * found.lowest), kTimes));
-  Basis& basis = found.basis;
-  const auto& still = part_.statics();
-  basis.discretization = still.discretization;
-  basis.columns.resize(still.columns.rows(),
-                       still.columns.cols() + found.shapes);
-  basis.columns << still.columns, shapes.columns;
-  basis.coefficients.resize(basis.columns.cols(), moving.time.size());
-  basis.coefficients << moving.path, moving.added;
-  basis.strain_energy = VectorXd::Zero(moving.time.size());
-  found.peak = peak_of_many(basis, found.sampling_error);
+  const auto answer_at = [&](const VectorXd& times) {
+    return dynamics::answer_to(path, shapes.participation, shapes.squares,
+                               job_.part.damping, times);
+  };
+  const VectorXd even =
+      times_within(windows_, 1.0 / (kPerPeriod * found.lowest), kTimes);
+  auto moving = answer_at(even);
+  found.basis = basis_of(shapes, moving);
+  const std::vector<int> cells = cells_near_peak(found.basis);
+  const auto looked = stress::stress_history<dim>(
+      within<dim>(cells, found.basis), job_.part.material, kSubdivisions<dim>);
+  moving = answer_at(
+      with_times_near_peaks(even, moving.time, looked.peak, windows_));
+  found.basis = basis_of(shapes, moving);
+  const Basis near = within<dim>(cells, found.basis);
+  found.peak = peak_of(near);
+  found.sampling_error =
+      (1.0 - peak_of(every<dim>(2, near)).value / found.peak.value) / 3.0;
+  found.peak.at.cell = cells[static_cast<std::size_t>(found.peak.at.cell)];
   found.time = moving.time[found.peak.instant];
-  found.at = stress::position<dim>(basis.discretization, found.peak.at,
+  found.at = stress::position<dim>(found.basis.discretization, found.peak.at,
                                    kSubdivisions<dim>);
-  found.group = stress::surface_group<dim>(basis.discretization, found.peak.at,
-                                           kSubdivisions<dim>);
+  found.group = stress::surface_group<dim>(found.basis.discretization,
+                                           found.peak.at, kSubdivisions<dim>);
   return found;
 }
 

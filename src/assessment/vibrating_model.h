@@ -7,6 +7,7 @@
 
 #include "assessment/part_check.h"
 #include "assessment/vibration_times.h"
+#include "dynamics/load_answer.h"
 #include "dynamics/load_path.h"
 #include "elasticity/load_vibration.h"
 #include "stress/singular_zone.h"
@@ -51,10 +52,10 @@ class VibratingModel {
 
   dynamics::LoadPath make_path() const;
   stress::PartialPeak peak_of(const Basis& basis) const;
-  /// The same by every sixth time first, then by all in the cells that come
-  /// near it.
-  stress::PartialPeak peak_of_many(const Basis& basis,
-                                   double& sampling_error) const;
+  /// Cells that come near the peak, by every sixth time.
+  std::vector<int> cells_near_peak(const Basis& basis) const;
+  Basis basis_of(const typename elasticity::LoadVibration<dim>::Shapes& shapes,
+                 const dynamics::LoadAnswer& moving) const;
 
   const PartJob& job_;
   const LoadSet& set_;

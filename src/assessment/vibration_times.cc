@@ -63,6 +63,37 @@ Eigen::VectorXd times_within(const std::vector<VibrationWindow>& windows,
       times.data(), static_cast<Eigen::Index>(times.size()));
 }
 
+Eigen::VectorXd with_times_near_peaks(
+    const Eigen::VectorXd& even, const Eigen::VectorXd& time,
+    const Eigen::VectorXd& peak, const std::vector<VibrationWindow>& windows) {
+  constexpr std::size_t kLargest = 60;
+  constexpr int kBetween = 8;
+  std::vector<Eigen::Index> order;
+  for (Eigen::Index i = 1; i + 1 < time.size(); ++i) {
+    const bool tops = peak[i] >= peak[i - 1] && peak[i] >= peak[i + 1];
+    if (tops && std::ranges::any_of(windows, [&](const auto& window) {
+          return time[i] >= window.from && time[i] <= window.to;
+        })) {
+      order.push_back(i);
+    }
+  }
+  std::ranges::sort(order, std::ranges::greater{}, [&](Eigen::Index i) {
+    return peak[i];
+  });
+  if (order.size() > kLargest) order.resize(kLargest);
+  std::vector<double> times(even.begin(), even.end());
+  for (const Eigen::Index i : order) {
+    for (const Eigen::Index j : {i - 1, i}) {
+      for (int k = 1; k < kBetween; ++k) {
+        times.push_back(time[j] + k * (time[j + 1] - time[j]) / kBetween);
+      }
+    }
+  }
+  std::ranges::sort(times);
+  return Eigen::Map<const Eigen::VectorXd>(
+      times.data(), static_cast<Eigen::Index>(times.size()));
+}
+
 LoadSet motion_loads(const PartJob& job) {
   LoadSet set = job.load_sets.front();
   auto& instants = set.history.instants;

@@ -29,6 +29,13 @@ std::vector<Eigen::Index> instants_within(
 Eigen::VectorXd times_within(const std::vector<VibrationWindow>& windows,
                              double step, int most);
 
+/// These times, and more beside the sixty highest of those in the windows at
+/// which the peak stress tops its neighbours'; rising.
+/// @param time, peak  of all times that were looked at [s], [Pa].
+Eigen::VectorXd with_times_near_peaks(
+    const Eigen::VectorXd& even, const Eigen::VectorXd& time,
+    const Eigen::VectorXd& peak, const std::vector<VibrationWindow>& windows);
+
 /// The loads over the motion of the part's body, without its cases.
 LoadSet motion_loads(const PartJob& job);
 

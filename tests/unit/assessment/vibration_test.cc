@@ -110,7 +110,7 @@ TEST(Vibration, DecidesTheVerdict) {
 // The ratio is of the motion's peak: a case keeps its own.
 TEST(Vibration, CaseThatStressesMoreKeepsItsPeak) {
   PartJob job = bar(0.8 * transit());
-  job.part.cases.push_back({.name = "hard"});
+  job.part.cases.emplace_back().name = "hard";
   auto& instants = job.load_sets[0].history.instants;
   for (const double share : {1.5, 3.0}) {
     instants.push_back(pulled(0.0, share));
@@ -154,7 +154,9 @@ TEST(VibrationWindows, MeetAndJoin) {
   job.impact_loads.push_back(
       {.name = "slow", .duration = 90.0, .rise_time = 45.0, .touches = {1.0}});
   for (const double ratio : {2.0, 500.0, 90.0}) {
-    result.paces.push_back({.ratio = ratio, .amplification = 2.0});
+    LoadPace& pace = result.paces.emplace_back();
+    pace.ratio = ratio;
+    pace.amplification = 2.0;
   }
   result.paces[2].amplification = 1.0;
   const auto windows = vibration_windows(job, result);
