@@ -149,6 +149,35 @@ TEST(LoadAnswer, SlowLoadsAreQuasiStatic) {
   EXPECT_LT(found.added.cwiseAbs().maxCoeff(), 1e-3);
 }
 
+// q'' + 2 ζ ω q' + ω² q = ω² x on the path's own cubics, by small steps of
+// Heun's rule.
+TEST(LoadAnswer, DampedCubicsAgainstSmallSteps) {
+  const double zeta = 0.3, omega = 2.0 * kPi;
+  const auto path =
+      path_of({{0.0, 0.0}, {0.0, 0.3}, {0.7, 1.0}, {1.1, 1.2}, {1.9, -0.4}});
+  const auto found = dynamics::answer_to(path, MatrixXd::Ones(1, 1),
+                                         VectorXd::Constant(1, omega * omega),
+                                         zeta, VectorXd(0));
+  constexpr int kSteps = 20000;
+  double q = 0.0, v = 0.0;
+  for (Index i = 1; i + 1 < path.size(); ++i) {
+    const MatrixXd a = path.cubic(i);
+    const double h = (path.time()[i + 1] - path.time()[i]) / kSteps;
+    const auto push = [&](double t, double q_t, double v_t) {
+      const double x =
+          path.values()(0, i) + t * (a(0, 0) + t * (a(0, 1) + t * a(0, 2)));
+      return omega * omega * (x - q_t) - 2.0 * zeta * omega * v_t;
+    };
+    for (int k = 0; k < kSteps; ++k) {
+      const double first = push(k * h, q, v);
+      const double second = push((k + 1) * h, q + h * v, v + h * first);
+      q += h * (v + 0.5 * h * first);
+      v += 0.5 * h * (first + second);
+    }
+    EXPECT_NEAR(found.path(0, i + 1) + found.added(0, i + 1), q, 1e-6);
+  }
+}
+
 // A damper drags on a load that rises evenly: w' of the load is not zero.
 TEST(LoadAnswer, DampedRampLagsBehind) {
   const double zeta = 0.2, rise = 30.0;
