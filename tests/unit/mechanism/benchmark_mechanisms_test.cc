@@ -87,6 +87,16 @@ TEST(Bricard, KeepsItsClosedFormAndItsEnergy) {
   EXPECT_LT(motion.integration->energy_error, 1e-7);
 }
 
+TEST(Bricard, FollowsItsOwnEquations) {
+  testing::BricardEquations equations;
+  const Motion motion = simulate(testing::bricard(), settings(2.0, 5, 1e-9));
+  for (const Instant& at : motion.instants) {
+    if (at.t > 0.0) equations.advance(0.5, 500);
+    EXPECT_LT(equations.gap(), 1e-12);
+    EXPECT_LT((at.bodies[3].pose.p_WL - equations.corner()).norm(), 1e-8);
+  }
+}
+
 /// Kinetic energy at unit rate of the first angle and potential energy of
 /// Bricard's mechanism, from its poses: masses of the bars as in the scene.
 double potential(const MechanismDefinition& m, const Instant& at) {
