@@ -21,11 +21,6 @@ MatrixXd beside(const MatrixXd& left, const MatrixXd& right) {
   return result;
 }
 
-/// Of the columns' norms in M.
-double largest_square(const LinearSystem& system, const MatrixXd& block) {
-  return block.cwiseProduct(system.mass(block)).colwise().sum().maxCoeff();
-}
-
 }  // namespace
 
 BlockKrylov::BlockKrylov(const LinearSystem& system, BlockOperator solve,
@@ -36,24 +31,18 @@ BlockKrylov::BlockKrylov(const LinearSystem& system, BlockOperator solve,
       basis_(system.size, 0),
       projection_(0, 0) {
   MatrixXd block = start;
-  const double scale = largest_square(system, block);
-  orthogonalise(block);
-  MatrixXd triangle;
-  append(split(block, scale, triangle));
+  double scale = 0.0;
+  orthogonalise(block, &scale);
+  append(block, scale);
 }
 
-void BlockKrylov::append(const MatrixXd& block) {
-  if (columns_ + block.cols() > basis_.cols()) {
-    basis_.conservativeResize(Eigen::NoChange, 2 * (columns_ + block.cols()));
-  }
-  basis_.middleCols(columns_, block.cols()) = block;
-  columns_ += block.cols();
-}
-
-MatrixXd BlockKrylov::orthogonalise(MatrixXd& block) const {
+MatrixXd BlockKrylov::orthogonalise(MatrixXd& block, double* scale) const {
   MatrixXd components = MatrixXd::Zero(columns_, block.cols());
   for (int pass = 0; pass < 2; ++pass) {
     const MatrixXd weighted = system_.mass(block);
+    if (pass == 0 && scale != nullptr) {
+      *scale = block.cwiseProduct(weighted).colwise().sum().maxCoeff();
+    }
     if (deflated_.cols() > 0) {
       block -= deflated_ * (deflated_.transpose() * weighted);
     }
@@ -66,45 +55,53 @@ MatrixXd BlockKrylov::orthogonalise(MatrixXd& block) const {
   return components;
 }
 
-MatrixXd BlockKrylov::split(const MatrixXd& block, double scale,
-                            MatrixXd& triangle) const {
+MatrixXd BlockKrylov::append(const MatrixXd& block, double scale) {
   // Gram-Schmidt with pivots: the largest rest is next.
   MatrixXd rest = block;
   MatrixXd weighted_rest = system_.mass(rest);
   MatrixXd columns(block.rows(), 0);
-  MatrixXd weighted(block.rows(), 0);
-  triangle = MatrixXd::Zero(0, block.cols());
+  MatrixXd triangle = MatrixXd::Zero(0, block.cols());
+  weighted_.resize(block.rows(), 0);
   for (Index k = 0; k < block.cols(); ++k) {
     Index at = 0;
     const double square =
         rest.cwiseProduct(weighted_rest).colwise().sum().maxCoeff(&at);
     if (!(square > kNothing * kNothing * scale)) break;
     MatrixXd column = rest.col(at) / std::sqrt(square);
-    // Once more against the space and the columns before: what is small
-    // carries the round-off of what was large.
-    orthogonalise(column);
-    column -= columns * (weighted.transpose() * column);
-    MatrixXd image = system_.mass(column);
-    const double norm = std::sqrt(column.cwiseProduct(image).sum());
-    column /= norm;
-    image /= norm;
+    MatrixXd image = weighted_rest.col(at) / std::sqrt(square);
+    if (k > 0) {
+      // Once more against the space and the columns before: what is small
+      // carries the round-off of what was large.
+      orthogonalise(column, nullptr);
+      column -= columns * (weighted_.transpose() * column);
+      image = system_.mass(column);
+      const double norm = std::sqrt(column.cwiseProduct(image).sum());
+      column /= norm;
+      image /= norm;
+    }
     triangle.conservativeResize(k + 1, Eigen::NoChange);
     triangle.row(k) = image.transpose() * rest;
     rest -= column * triangle.row(k);
     weighted_rest -= image * triangle.row(k);
     columns = beside(columns, column);
-    weighted = beside(weighted, image);
+    weighted_ = beside(weighted_, image);
   }
-  return columns;
+  if (columns_ + columns.cols() > basis_.cols()) {
+    basis_.conservativeResize(Eigen::NoChange,
+                              2 * (columns_ + columns.cols()));
+  }
+  basis_.middleCols(columns_, columns.cols()) = columns;
+  columns_ += columns.cols();
+  return triangle;
 }
 
 void BlockKrylov::extend() {
   if (is_closed()) return;
   const Index before = done_;
   const Index width = columns_ - done_;
-  MatrixXd image = solve_(system_.mass(basis_.middleCols(before, width)));
-  const double scale = largest_square(system_, image);
-  const MatrixXd components = orthogonalise(image);  // all of the space
+  MatrixXd image = solve_(weighted_);
+  double scale = 0.0;
+  const MatrixXd components = orthogonalise(image, &scale);  // all of the space
   done_ = columns_;
   if (done_ > projection_.cols()) {
     projection_.conservativeResize(2 * done_, 2 * done_);
@@ -112,8 +109,7 @@ void BlockKrylov::extend() {
   projection_.block(0, before, done_, width) = components;
   projection_.block(before, 0, width, before) =
       components.topRows(before).transpose();
-  MatrixXd triangle;
-  append(split(image, scale, triangle));
+  const MatrixXd triangle = append(image, scale);
   overhang_ = MatrixXd::Zero(triangle.rows(), done_);
   overhang_.rightCols(width) = triangle;
 }

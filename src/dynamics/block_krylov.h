@@ -39,22 +39,24 @@ class BlockKrylov {
   RitzValues ritz_values() const;
 
   /// The first `size()` vectors of the space.
-  Eigen::MatrixXd basis() const { return basis_.leftCols(done_); }
+  auto basis() const { return basis_.leftCols(done_); }
 
  private:
-  void append(const Eigen::MatrixXd& block);
   /// Takes out of `block` what lies in the space; returns the components.
-  Eigen::MatrixXd orthogonalise(Eigen::MatrixXd& block) const;
-  /// M-orthonormal columns that span the block's; block = columns · triangle.
+  /// @param scale  gets the largest square of a column in M, before; or null.
+  Eigen::MatrixXd orthogonalise(Eigen::MatrixXd& block, double* scale) const;
+  /// M-orthonormal columns that span the block's, which are the next of the
+  /// space.
   /// @param scale  square of what the block was before it was orthogonalised:
   ///   what is 1e-11 of it is round-off.
-  Eigen::MatrixXd split(const Eigen::MatrixXd& block, double scale,
-                        Eigen::MatrixXd& triangle) const;
+  /// @return T with block = columns · T.
+  Eigen::MatrixXd append(const Eigen::MatrixXd& block, double scale);
 
   const LinearSystem& system_;
   BlockOperator solve_;
   Eigen::MatrixXd deflated_;
   Eigen::MatrixXd basis_;       ///< with room for more
+  Eigen::MatrixXd weighted_;    ///< M times the block that is next
   Eigen::Index columns_ = 0;    ///< of basis_, with the block that is next
   Eigen::Index done_ = 0;       ///< of basis_, that T was applied to
   Eigen::MatrixXd projection_;  ///< basisᵀ M T basis, with room for more

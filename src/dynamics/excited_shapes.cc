@@ -32,14 +32,27 @@ ReducedModel ExcitedShapes::model(int shapes) {
     space_->extend();
     ++solves_;
   }
+  project();
   return excited();
 }
 
+void ExcitedShapes::project() {
+  const auto basis = space_->basis();
+  const Eigen::Index before = stiffness_.cols();
+  const Eigen::Index added = basis.cols() - before;
+  if (added == 0) return;
+  const MatrixXd image = system_.stiffness(basis.rightCols(added));
+  const MatrixXd components = basis.transpose() * image;
+  stiffness_.conservativeResize(basis.cols(), basis.cols());
+  stiffness_.rightCols(added) = components;
+  stiffness_.bottomLeftCorner(added, before) =
+      components.topRows(before).transpose();
+}
+
 ReducedModel ExcitedShapes::excited() const {
-  const MatrixXd basis = space_->basis();
-  const MatrixXd stiffness = basis.transpose() * system_.stiffness(basis);
+  const auto basis = space_->basis();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(
-      0.5 * (stiffness + stiffness.transpose()));
+      0.5 * (stiffness_ + stiffness_.transpose()));
   const VectorXd load =
       modes.eigenvectors().transpose() * (basis.transpose() * load_);
   // Round-off brings shapes into the space that the load does not excite, slow

@@ -39,12 +39,15 @@ class ExcitedShapes {
   bool is_complete() const { return space_->is_closed(); }
 
  private:
+  /// K on the vectors that the space has got since the last time.
+  void project();
   ReducedModel excited() const;
 
   const LinearSystem& system_;
   Eigen::VectorXd load_;
   Eigen::MatrixXd rigid_;
   std::unique_ptr<BlockKrylov> space_;
+  Eigen::MatrixXd stiffness_;  ///< K on the space
   double compliance_{};
   int solves_ = 1;
 };
