@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "assessment/front_refinement.h"
 #include "assessment/impact_rows.h"
 #include "assessment/struck_run.h"
 #include "assessment/verdict.h"
@@ -17,7 +18,8 @@ namespace {
 
 using dynamics::Route;
 
-// Blows of a part up to which every one is computed by both routes.
+// Blows of a part up to which every one that is not hard is computed by both
+// routes.
 constexpr std::size_t kCrossChecked = 4;
 
 void note_motion(const StruckRun& best, ImpactResult& impact) {
@@ -37,25 +39,34 @@ struct Computed {
   double force{};  ///< static, that stresses as much [N]
 };
 
-Computed compute(const PartJob& job, const ImpactJob& impact) {
+Computed compute(const PartJob& job, const ImpactJob& impact,
+                 StruckFaces& faces) {
   const bool simplex = job.mesh.shape == mesh::CellShape::kSimplex;
   const int low = simplex ? 1 : 2, high = low + 1;
   const auto zones =
       stress::singular_zones<3>(job.mesh, job.part.material, impact.fixed);
-  const StruckRun coarse = run_struck(job, impact, zones, low, Route::kAuto);
+  const StruckRun coarse =
+      run_struck(job, impact, zones, low, Route::kAuto, faces);
   std::optional<StruckRun> direct;
-  if (job.impacts.size() <= kCrossChecked) {
-    direct = run_struck(job, impact, zones, low, Route::kDirect);
+  if (job.impacts.size() <= kCrossChecked && !is_hard(coarse)) {
+    direct = run_struck(job, impact, zones, low, Route::kDirect, faces);
   }
-  const StruckRun fine = run_struck(job, impact, zones, high, Route::kAuto);
+  const StruckRun fine =
+      run_struck(job, impact, zones, high, Route::kAuto, faces);
   Computed found;
   ImpactResult& result = found.result;
+  if (is_hard(fine)) {
+    result.refinement =
+        refine_front(job, impact, zones, high,
+                     fine.response.solution.contact_stiffness, faces);
+  }
   result.name = impact.strike.name;
   result.source = impact.source;
   result.mass = impact.strike.mass;
   result.speed = impact.strike.speed;
   result.force = impact.strike.force;
-  result.stiffness = impact.strike.contact.stiffness;
+  result.stiffness = fine.response.solution.contact_stiffness;
+  result.is_ideal = fine.response.solution.is_ideal;
   result.exponent = impact.strike.contact.exponent;
   result.part_mass = fine.response.mass;
   const auto unit = loads::case_loads(job.part, static_case(job, impact, 1.0),
@@ -111,8 +122,9 @@ Computed compute(const PartJob& job, const ImpactJob& impact) {
 
 std::vector<ImpactResult> compute_impacts(PartJob& job) {
   std::vector<ImpactResult> impacts;
+  StruckFaces faces;
   for (const ImpactJob& impact : job.impacts) {
-    Computed found = compute(job, impact);
+    Computed found = compute(job, impact, faces);
     const auto load_case = static_case(job, impact, found.force);
     job.load_sets.push_back(
         {loads::case_loads(job.part, load_case, job.groups, job.mass),
@@ -138,7 +150,14 @@ void finish_impacts(const PartJob& job, std::vector<ImpactResult> impacts,
     }
     impact.safety_factor = job.part.material.yield_strength / impact.stress;
   }
+  const bool unsettled =
+      std::ranges::any_of(impacts, [](const ImpactResult& i) {
+        return !i.refinement.settles;
+      });
   for (PeakStress* peak : {&result.peak, &result.peak_outside}) {
+    if (unsettled && peak->verdict == PeakVerdict::kConverged) {
+      peak->verdict = PeakVerdict::kNotConverged;
+    }
     peak->band_low -= worst * peak->value;
     peak->band_high += worst * peak->value;
     peak->model_error += worst * peak->value;

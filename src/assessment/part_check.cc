@@ -215,6 +215,21 @@ PartAssessment climb(const PartJob& job) {
 
 }  // namespace
 
+namespace {
+
+void explain_unsettled(PartResult& result) {
+  if (result.verdict != PartVerdict::kNotJudged) return;
+  for (const ImpactResult& impact : result.impacts) {
+    if (impact.refinement.settles) continue;
+    result.why = "the stress of impact " + impact.name +
+                 " does not settle with refinement: give the contact its "
+                 "stiffness; the deflection holds";
+    return;
+  }
+}
+
+}  // namespace
+
 PartAssessment check_part(const PartJob& given) {
   Stopwatch watch;
   PartJob job = given;
@@ -231,6 +246,7 @@ PartAssessment check_part(const PartJob& given) {
   judge_paces(job, result);
   check_vibration(job, result);
   judge(job.part, result);
+  explain_unsettled(result);
   result.seconds.total = watch.lap();
   return assessment;
 }

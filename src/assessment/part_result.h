@@ -82,12 +82,21 @@ struct ImpactRow {
   std::string remark{};  ///< "unsafe by 12 %: …"
 };
 
+/// What a hard blow's stress does with ever shorter fronts.
+struct FrontRefinement {
+  std::vector<double> fronts;      ///< that waves are damped below [s]
+  std::vector<double> stress;      ///< judged, by each [Pa]
+  std::vector<double> deflection;  ///< of the struck face [m]
+  bool settles = true;             ///< the stress
+};
+
 /// A blow on a part by all models.
 struct ImpactResult {
   std::string name;
   std::string source;                   ///< "given", "contact touch"
   double mass{}, speed{}, force{};      ///< of the striker [kg], [m/s], [N]
   double stiffness{}, exponent = 1.0;   ///< of the contact
+  bool is_ideal = false;                ///< that spring stands for none
   double part_mass{};                   ///< [kg]
   double first_period{};                ///< of the part [s]
   double load_duration{}, rise_time{};  ///< of the contact's force [s]
@@ -98,6 +107,7 @@ struct ImpactResult {
   double deflection{};                       ///< [m]
   double safety_factor{};                    ///< yield / stress
   std::string reason;                        ///< of the route in time
+  FrontRefinement refinement;                ///< empty: the blow is soft
   std::vector<ImpactRow> rows;
 };
 

@@ -18,20 +18,6 @@ using dynamics::Route;
 constexpr int kSubdivisions = 2;
 constexpr double kTimeTolerance = 3e-3;
 constexpr double kDirectTolerance = 3e-2;  // it only checks the other route
-constexpr int kSamples = 1200;
-
-/// Largest von Mises outside the singular zones.
-double judged_stress(const elasticity::DisplacementBasis<3>& basis,
-                     const PartJob& job,
-                     const std::vector<stress::SingularZone>& zones) {
-  const auto history =
-      stress::stress_history<3>(basis, job.part.material, kSubdivisions);
-  const auto zone_of =
-      stress::zone_of_points<3>(basis.discretization, kSubdivisions, zones);
-  return stress::peak_outside(history, zone_of,
-                              std::vector<bool>(zones.size(), true), 3)
-      .value;
-}
 
 /// By how much the stress may be higher between the samples: a third of what
 /// every second sample loses [1].
@@ -51,7 +37,47 @@ double sampling_error(const elasticity::DisplacementBasis<3>& basis,
   return (1.0 - judged_stress(half, job, zones) / stress) / 3.0;
 }
 
+/// What a face's matrices depend on beside the part and the degree.
+std::string face_key(const ImpactJob& impact) {
+  const auto& d = impact.strike.direction;
+  std::string key = fmt::format("{}|{:a}|{:a}|{:a}", impact.strike.group, d.x(),
+                                d.y(), d.z());
+  for (const auto& [group, held] : impact.fixed) {
+    key += fmt::format("|{}|{}{}{}", group, held[0], held[1], held[2]);
+  }
+  return key;
+}
+
 }  // namespace
+
+elasticity::StruckFace<3>& StruckFaces::get(const PartJob& job,
+                                            const ImpactJob& impact,
+                                            int degree) {
+  Entry& entry = of_degree_[degree];
+  const std::string key = face_key(impact);
+  if (!entry.face || entry.key != key) {
+    entry.face.reset();
+    const loads::LoadHistory none;
+    entry.face = std::make_unique<elasticity::StruckFace<3>>(
+        elasticity::ElasticProblem<3>{job.mesh, job.part.material, none,
+                                      impact.fixed, job.part.name},
+        impact.strike.group, impact.strike.direction, degree);
+    entry.key = key;
+  }
+  return *entry.face;
+}
+
+double judged_stress(const elasticity::DisplacementBasis<3>& basis,
+                     const PartJob& job,
+                     const std::vector<stress::SingularZone>& zones) {
+  const auto history =
+      stress::stress_history<3>(basis, job.part.material, kSubdivisions);
+  const auto zone_of =
+      stress::zone_of_points<3>(basis.discretization, kSubdivisions, zones);
+  return stress::peak_outside(history, zone_of,
+                              std::vector<bool>(zones.size(), true), 3)
+      .value;
+}
 
 const loads::GroupGeometry& group_of(const PartJob& job,
                                      const std::string& name) {
@@ -83,7 +109,7 @@ double equivalent_force(const loads::Strike& strike, double stiffness) {
 
 StruckRun run_struck(const PartJob& job, const ImpactJob& impact,
                      const std::vector<stress::SingularZone>& zones, int degree,
-                     Route route) {
+                     Route route, StruckFaces& faces) {
   const auto unit = loads::case_loads(job.part, static_case(job, impact, 1.0),
                                       job.groups, job.mass);
   const elasticity::ElasticProblem<3> problem{job.mesh, job.part.material, unit,
@@ -92,10 +118,10 @@ StruckRun run_struck(const PartJob& job, const ImpactJob& impact,
   options.route = route;
   options.tolerance =
       route == Route::kDirect ? kDirectTolerance : kTimeTolerance;
-  options.samples = kSamples;
+  options.samples = kBlowSamples;
   Stopwatch watch;
-  StruckRun found{.response = elasticity::solve_strike<3>(
-                      problem, impact.strike, degree, options)};
+  StruckRun found{
+      .response = faces.get(job, impact, degree).solve(impact.strike, options)};
   found.stress = judged_stress(found.response.basis, job, zones);
   found.seconds = watch.lap();
   found.sampling_error =

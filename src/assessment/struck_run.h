@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +11,9 @@
 #include "stress/singular_zone.h"
 
 namespace clevis::assessment {
+
+/// Instants at which blows are judged.
+constexpr int kBlowSamples = 1200;
 
 /// @throws Error M003 if the mesh has no group of that name.
 const loads::GroupGeometry& group_of(const PartJob& job,
@@ -21,6 +26,21 @@ part::LoadCaseDefinition static_case(const PartJob& job,
 /// F_eq: what at rest deflects a spring without mass as the blow does [N].
 /// @param stiffness  of the struck face [N/m].
 double equivalent_force(const loads::Strike& strike, double stiffness);
+
+/// The struck faces of a part, of each degree that of the last blow: blows on
+/// one face share matrices and shapes.
+class StruckFaces {
+ public:
+  elasticity::StruckFace<3>& get(const PartJob& job, const ImpactJob& impact,
+                                 int degree);
+
+ private:
+  struct Entry {
+    std::string key;
+    std::unique_ptr<elasticity::StruckFace<3>> face;
+  };
+  std::map<int, Entry> of_degree_;
+};
 
 /// One blow by one route and degree.
 struct StruckRun {
@@ -39,9 +59,14 @@ struct StruckRun {
 
 /// The blow in time, and the static force beside it.
 /// @param zones  left out where the stress is judged.
-/// @throws Error of solve_strike().
+/// @throws Error of StruckFace.
 StruckRun run_struck(const PartJob& job, const ImpactJob& impact,
                      const std::vector<stress::SingularZone>& zones, int degree,
-                     dynamics::Route route);
+                     dynamics::Route route, StruckFaces& faces);
+
+/// Largest von Mises outside the singular zones [Pa].
+double judged_stress(const elasticity::DisplacementBasis<3>& basis,
+                     const PartJob& job,
+                     const std::vector<stress::SingularZone>& zones);
 
 }  // namespace clevis::assessment

@@ -87,8 +87,7 @@ MatrixXd BlockKrylov::append(const MatrixXd& block, double scale) {
     weighted_ = beside(weighted_, image);
   }
   if (columns_ + columns.cols() > basis_.cols()) {
-    basis_.conservativeResize(Eigen::NoChange,
-                              2 * (columns_ + columns.cols()));
+    basis_.conservativeResize(Eigen::NoChange, 2 * (columns_ + columns.cols()));
   }
   basis_.middleCols(columns_, columns.cols()) = columns;
   columns_ += columns.cols();

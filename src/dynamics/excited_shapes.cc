@@ -1,5 +1,6 @@
 #include "dynamics/excited_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -27,15 +28,6 @@ ExcitedShapes::ExcitedShapes(const LinearSystem& system, const VectorXd& load)
   space_ = std::make_unique<BlockKrylov>(system, solve, answer, rigid_);
 }
 
-ReducedModel ExcitedShapes::model(int shapes) {
-  while (space_->size() < shapes && !space_->is_closed()) {
-    space_->extend();
-    ++solves_;
-  }
-  project();
-  return excited();
-}
-
 void ExcitedShapes::project() {
   const auto basis = space_->basis();
   const Eigen::Index before = stiffness_.cols();
@@ -49,29 +41,42 @@ void ExcitedShapes::project() {
       components.topRows(before).transpose();
 }
 
-ReducedModel ExcitedShapes::excited() const {
-  const auto basis = space_->basis();
+ReducedModel ExcitedShapes::model(int vectors) {
+  while (space_->size() < vectors && !space_->is_closed()) {
+    space_->extend();
+    ++solves_;
+  }
+  project();
+  const Eigen::Index n = std::min<Eigen::Index>(vectors, space_->size());
+  const MatrixXd stiffness = stiffness_.topLeftCorner(n, n);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(
-      0.5 * (stiffness_ + stiffness_.transpose()));
-  const VectorXd load =
-      modes.eigenvectors().transpose() * (basis.transpose() * load_);
+      0.5 * (stiffness + stiffness.transpose()));
+  const VectorXd load = modes.eigenvectors().transpose() *
+                        (space_->basis().leftCols(n).transpose() * load_);
   // Round-off brings shapes into the space that the load does not excite, slow
   // ones first.
   constexpr double kNothing = 1e-9;
   std::vector<Eigen::Index> kept;
-  for (Eigen::Index i = 0; i < load.size(); ++i) {
+  for (Eigen::Index i = 0; i < n; ++i) {
     if (std::abs(load[i]) > kNothing * load.cwiseAbs().maxCoeff()) {
       kept.push_back(i);
     }
   }
   ReducedModel result;
   const auto count = static_cast<Eigen::Index>(kept.size());
-  result.shapes.resize(system_.size, rigid_.cols() + count);
-  result.shapes << rigid_,
-      basis * MatrixXd(modes.eigenvectors()(Eigen::all, kept));
-  result.squares = VectorXd::Zero(result.shapes.cols());
+  result.in_space = modes.eigenvectors()(Eigen::all, kept);
+  result.squares = VectorXd::Zero(rigid_.cols() + count);
   result.squares.tail(count) = modes.eigenvalues()(kept);
-  result.contact = result.shapes.transpose() * load_;
+  result.contact.resize(rigid_.cols() + count);
+  result.contact << rigid_.transpose() * load_, VectorXd(load(kept));
+  result.is_complete = space_->is_closed() && n == space_->size();
+  return result;
+}
+
+MatrixXd ExcitedShapes::shapes(const ReducedModel& model) const {
+  MatrixXd result(system_.size, model.squares.size());
+  result << rigid_,
+      space_->basis().leftCols(model.in_space.rows()) * model.in_space;
   return result;
 }
 

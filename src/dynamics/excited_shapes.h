@@ -9,11 +9,13 @@
 
 namespace clevis::dynamics {
 
-/// K and M on a space, in the space's own modes.
+/// K and M on a space, in the space's own modes, rigid ones first.
 struct ReducedModel {
-  Eigen::MatrixXd shapes;   ///< M-orthonormal, size × modes
-  Eigen::VectorXd squares;  ///< ω² [1/s²]
-  Eigen::VectorXd contact;  ///< shapesᵀ c
+  Eigen::VectorXd squares;   ///< ω² [1/s²]
+  Eigen::VectorXd contact;   ///< of each mode with c
+  Eigen::MatrixXd in_space;  ///< elastic modes in the space's vectors
+  /// The space has all that the load can excite.
+  bool is_complete = false;
 };
 
 /// The rigid motions and the space that (K + s M)⁻¹ M makes of the static
@@ -31,17 +33,16 @@ class ExcitedShapes {
   double compliance() const { return compliance_; }
   int solves() const { return solves_; }
 
-  /// With so many elastic shapes, or all that there are, less those that
-  /// round-off brought in and the load does not excite.
-  ReducedModel model(int shapes);
+  /// By the first `vectors` of the space, or all that there are, less those
+  /// modes that round-off brought in and the load does not excite.
+  ReducedModel model(int vectors);
 
-  /// The last model has all that the load can excite.
-  bool is_complete() const { return space_->is_closed(); }
+  /// Its modes, M-orthonormal; size × modes.
+  Eigen::MatrixXd shapes(const ReducedModel& model) const;
 
  private:
   /// K on the vectors that the space has got since the last time.
   void project();
-  ReducedModel excited() const;
 
   const LinearSystem& system_;
   Eigen::VectorXd load_;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "dynamics/damped_scheme.h"
 #include "dynamics/excited_shapes.h"
 #include "dynamics/strike_steps.h"
 
@@ -60,18 +61,21 @@ double damping_time(const ReducedModel& model, Eigen::Index rigid) {
 class Solver {
  public:
   Solver(const LinearSystem& system, const VectorXd& contact,
-         const loads::Strike& strike, const StrikeOptions& options)
+         ExcitedShapes& shapes, const loads::Strike& strike,
+         const StrikeOptions& options)
       : system_(system),
         contact_(contact),
         strike_(strike),
         options_(options),
-        shapes_(system, contact) {
+        shapes_(shapes),
+        solves_before_(shapes.solves()) {
     solution_.contact_compliance = shapes_.compliance();
     if (!std::isfinite(strike_.contact.stiffness)) {
       solution_.is_ideal = true;
       strike_.contact.exponent = 1.0;
       strike_.contact.stiffness = kIdealStiffness / shapes_.compliance();
     }
+    solution_.contact_stiffness = strike_.contact.stiffness;
     const auto model = shapes_.model(options.fewest_modes);
     duration_ = strike_duration(strike_, shapes_.compliance(),
                                 first_elastic(model, system.rigid.cols()));
@@ -85,8 +89,13 @@ class Solver {
     const std::string fronts =
         solution_.is_ideal ? "an ideal step makes fronts: " : "";
     if (options_.route == Route::kDirect) {
-      damped ? direct_damped() : direct();
       solution_.reason = fronts + "direct was asked for";
+      if (!damped && options_.damping == Damping::kAuto && needs_damping()) {
+        solution_.reason += "; the rise of its force would take too many steps";
+        direct_damped();
+      } else {
+        damped ? direct_damped() : direct();
+      }
       return std::move(solution_);
     }
     damped ? modal_damped() : modal();
@@ -123,15 +132,15 @@ class Solver {
         solution_.solves);
   }
 
-  void take_modal(Refined&& refined, ReducedModel&& model) {
+  void take_modal(Refined&& refined, const ReducedModel& model) {
     solution_.is_modal = true;
     solution_.modes = static_cast<int>(model.squares.size());
     solution_.shape_frequency =
         std::sqrt(model.squares.maxCoeff()) / (2.0 * std::numbers::pi);
-    solution_.columns = std::move(model.shapes);
+    solution_.columns = shapes_.shapes(model);
     solution_.time_error = refined.error;
     solution_.steps = refined.steps;
-    solution_.solves = shapes_.solves();
+    solution_.solves = shapes_.solves() - solves_before_ + 1;
     solution_.within_tolerance =
         solution_.mode_error < 0.5 * options_.tolerance && refined.settled;
     direct_steps_ = refined.all_steps;
@@ -142,37 +151,54 @@ class Solver {
     std::optional<Refined> before;
     int shapes = options_.fewest_modes;
     for (;; shapes = shapes * 3 / 2) {
-      ReducedModel model = shapes_.model(shapes);
+      const ReducedModel model = shapes_.model(shapes);
       const auto body = modal_body(model.squares, model.contact);
       Refined now = refine_steps(*body, strike_, plan(stride_));
       stride_ = std::max(stride_, now.steps / options_.samples / 2);
       solution_.mode_error = before ? difference(before->run, now.run) : 1.0;
-      if (shapes_.is_complete()) solution_.mode_error = 0.0;
+      if (model.is_complete) solution_.mode_error = 0.0;
       const bool settled = solution_.mode_error < 0.5 * options_.tolerance;
       before = std::move(now);
       if (!settled && shapes * 3 / 2 <= options_.most_modes) continue;
-      take_modal(std::move(*before), std::move(model));
+      take_modal(std::move(*before), model);
       break;
     }
   }
 
   /// Two models, the smaller one for the error.
   void modal_damped() {
-    const int most = std::max(options_.front_modes * 3 / 2, solution_.modes);
+    const int most = std::max(options_.front_modes, solution_.modes);
     std::optional<StrikeRun> before;
     for (const int shapes : {most * 2 / 3, most}) {
-      ReducedModel model = shapes_.model(shapes);
+      const ReducedModel model = shapes_.model(shapes);
       const double time = damping_time(model, system_.rigid.cols());
       const auto body = modal_body(model.squares, model.contact, time);
       StepPlan steps = plan(stride_for(time));
       steps.carry_rise = false;
       Refined now = refine_steps(*body, strike_, steps);
       solution_.mode_error =
-          before && !shapes_.is_complete() ? difference(*before, now.run) : 0.0;
+          before && !model.is_complete ? difference(*before, now.run) : 0.0;
       before = now.run;
       solution_.damping_time = time;
-      take_modal(std::move(now), std::move(model));
+      take_modal(std::move(now), model);
     }
+  }
+
+  /// Whether steps that carry the rise of the force cost more solves than those
+  /// of the damping scheme, halved runs counted.
+  bool needs_damping() const {
+    const auto model = shapes_.model(options_.front_modes * 2 / 3);
+    const auto body = modal_body(model.squares, model.contact);
+    StrikeRun run;
+    int steps = options_.samples;
+    for (; steps <= options_.most_direct_steps; steps *= 2) {
+      run.step = duration_ / steps;
+      body->set_step(run.step);
+      if (carries_rise(*body, strike_, run, steps, true)) break;
+    }
+    const int damped = options_.samples *
+                       stride_for(damping_time(model, system_.rigid.cols()));
+    return 2.0 * steps > 1.5 * DampedScheme::kStages * damped;
   }
 
   int stride_for(double step) const {
@@ -190,7 +216,7 @@ class Solver {
 
   /// One step size, that of the damping; twice as long ones for the error.
   void direct_damped() {
-    const auto model = shapes_.model(options_.front_modes);
+    const auto model = shapes_.model(options_.front_modes * 2 / 3);
     const int stride = stride_for(damping_time(model, system_.rigid.cols()));
     const int half = (stride + 1) / 2;
     const auto body = damped_body(system_, contact_);
@@ -217,7 +243,8 @@ class Solver {
   const VectorXd& contact_;
   loads::Strike strike_;
   StrikeOptions options_;
-  ExcitedShapes shapes_;
+  ExcitedShapes& shapes_;
+  int solves_before_;
   double duration_{};
   int stride_ = 1;
   int direct_steps_{};
@@ -231,7 +258,16 @@ StrikeSolution solve_strike(const LinearSystem& system, const VectorXd& contact,
                             const StrikeOptions& options,
                             const std::string& place) {
   require(strike, place);
-  return Solver(system, contact, strike, options).solve();
+  ExcitedShapes shapes(system, contact);
+  return Solver(system, contact, shapes, strike, options).solve();
+}
+
+StrikeSolution solve_strike(const LinearSystem& system, const VectorXd& contact,
+                            ExcitedShapes& shapes, const loads::Strike& strike,
+                            const StrikeOptions& options,
+                            const std::string& place) {
+  require(strike, place);
+  return Solver(system, contact, shapes, strike, options).solve();
 }
 
 bool grows_with_refinement(const std::vector<double>& values) {

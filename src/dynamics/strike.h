@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "dynamics/excited_shapes.h"
 #include "dynamics/linear_system.h"
 #include "dynamics/strike_run.h"
 #include "loads/strike.h"
@@ -33,7 +34,7 @@ struct StrikeOptions {
   double tolerance = 1e-3;  ///< of the contact's displacement and impulse [1]
   int samples = 400;        ///< instants after t = 0
   int fewest_modes = 24, most_modes = 480;
-  int front_modes = 181;  ///< fewest that a front needs
+  int front_modes = 271;  ///< where fronts are damped, at the least
   int most_direct_steps = 50000;
   int most_modal_steps = 400000;
 };
@@ -55,6 +56,7 @@ struct StrikeSolution {
   double damping_time{};
   double contact_compliance{};  ///< static, of the body alone [m/N]
   std::string reason;           ///< why this route
+  double contact_stiffness{};   ///< of the spring that was computed
   /// The contact was infinitely stiff: a spring of 1000 times the body's own
   /// stiffness was put in its place.
   bool is_ideal = false;
@@ -69,6 +71,14 @@ struct StrikeSolution {
 StrikeSolution solve_strike(const LinearSystem& system,
                             const Eigen::VectorXd& contact,
                             const loads::Strike& strike,
+                            const StrikeOptions& options,
+                            const std::string& place);
+
+/// The same on shapes that are there, of `system` and `contact`: those of
+/// strikes before are not made again.
+StrikeSolution solve_strike(const LinearSystem& system,
+                            const Eigen::VectorXd& contact,
+                            ExcitedShapes& shapes, const loads::Strike& strike,
                             const StrikeOptions& options,
                             const std::string& place);
 

@@ -34,19 +34,44 @@ void require_direction(const loads::Strike& strike, const std::string& place) {
 }  // namespace
 
 template <int dim>
-StrikeResponse<dim> solve_strike(const ElasticProblem<dim>& problem,
-                                 const loads::Strike& strike, int degree,
-                                 const dynamics::StrikeOptions& options) {
-  const std::string place = "part " + problem.name;
-  require_direction<dim>(strike, place);
+struct StruckFace<dim>::Model {
+  Model(const ElasticProblem<dim>& problem, const std::string& group,
+        const Eigen::Vector3d& direction, int degree)
+      : place("part " + problem.name),
+        part(vibrating_part(problem, degree)),
+        contact(unit_load(part, group, direction, place)),
+        shapes(part.system, contact) {}
+
+  std::string place;
+  VibratingPart<dim> part;
+  Eigen::VectorXd contact;
+  dynamics::ExcitedShapes shapes;
+  double seconds{};  ///< of the matrices, until the first strike
+};
+
+template <int dim>
+StruckFace<dim>::StruckFace(const ElasticProblem<dim>& problem,
+                            const std::string& group,
+                            const Eigen::Vector3d& direction, int degree) {
   Stopwatch watch;
+  model_ = std::make_unique<Model>(problem, group, direction, degree);
+  model_->seconds = watch.lap();
+}
+
+template <int dim>
+StruckFace<dim>::~StruckFace() = default;
+
+template <int dim>
+StrikeResponse<dim> StruckFace<dim>::solve(
+    const loads::Strike& strike, const dynamics::StrikeOptions& options) {
+  require_direction<dim>(strike, model_->place);
+  Stopwatch watch;
+  const auto& part = model_->part;
   StrikeResponse<dim> response;
-  auto part = vibrating_part(problem, degree);
-  const Eigen::VectorXd contact =
-      unit_load(part, strike.group, strike.direction, place);
-  response.assemble_seconds = watch.lap();
+  response.assemble_seconds = std::exchange(model_->seconds, 0.0);
   response.solution =
-      dynamics::solve_strike(part.system, contact, strike, options, place);
+      dynamics::solve_strike(part.system, model_->contact, model_->shapes,
+                             strike, options, model_->place);
   auto& solution = response.solution;
   DisplacementBasis<dim>& basis = response.basis;
   if (solution.is_modal) {
@@ -66,10 +91,21 @@ StrikeResponse<dim> solve_strike(const ElasticProblem<dim>& problem,
   basis.seconds = {response.assemble_seconds, 0.0, response.solve_seconds};
   response.stiffness = 1.0 / solution.contact_compliance;
   response.mass = part.mass;
-  basis.discretization = std::move(part.discretization);
+  basis.discretization = part.discretization;
   return response;
 }
 
+template <int dim>
+StrikeResponse<dim> solve_strike(const ElasticProblem<dim>& problem,
+                                 const loads::Strike& strike, int degree,
+                                 const dynamics::StrikeOptions& options) {
+  require_direction<dim>(strike, "part " + problem.name);
+  return StruckFace<dim>(problem, strike.group, strike.direction, degree)
+      .solve(strike, options);
+}
+
+template class StruckFace<2>;
+template class StruckFace<3>;
 template StrikeResponse<2> solve_strike<2>(const ElasticProblem<2>&,
                                            const loads::Strike&, int,
                                            const dynamics::StrikeOptions&);

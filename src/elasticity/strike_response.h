@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include <Eigen/Core>
@@ -26,6 +27,32 @@ struct StrikeResponse {
   double assemble_seconds{}, solve_seconds{};
 
   const dynamics::StrikeRun& motion() const { return solution.run; }
+};
+
+/// A part and the face that is struck, for any number of strikes: matrices are
+/// made once, and shapes of strikes before are there for the next.
+template <int dim>
+class StruckFace {
+ public:
+  /// @param problem    its loads are not asked for, its mesh is copied.
+  /// @param group      physical group that is struck.
+  /// @param direction  of the strikers, unit, in L.
+  /// @param degree     of the displacement, 1…4 (simplices 1…2).
+  /// @throws Error F001, F002, F004, M003, M005.
+  StruckFace(const ElasticProblem<dim>& problem, const std::string& group,
+             const Eigen::Vector3d& direction, int degree);
+  ~StruckFace();
+  StruckFace(const StruckFace&) = delete;
+  StruckFace& operator=(const StruckFace&) = delete;
+
+  /// @param strike  on this face, along this direction.
+  /// @throws Error F002, F006.
+  StrikeResponse<dim> solve(const loads::Strike& strike,
+                            const dynamics::StrikeOptions& options);
+
+ private:
+  struct Model;
+  std::unique_ptr<Model> model_;
 };
 
 /// @param problem  its loads are not asked for: the strike is the only load,

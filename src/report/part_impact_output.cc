@@ -24,10 +24,11 @@ std::string or_dash(double value, const char* format) {
 std::string head_of(const PartResult& part, const ImpactResult& impact) {
   return printable(fmt::format(
              "impact {} on {} ({}): {:.4g} kg at {:.5g} m/s, pushed by {:.4g} "
-             "N, contact {:.4g} N/m{}",
+             "N, {}{:.4g} N/m{}",
              impact.name, part.name, impact.source, impact.mass, impact.speed,
-             impact.force, impact.stiffness,
-             impact.exponent == 1.0 ? "" : "^1.5")) +
+             impact.force,
+             impact.is_ideal ? "ideal step, computed with " : "contact ",
+             impact.stiffness, impact.exponent == 1.0 ? "" : "^1.5")) +
          fmt::format(
              "\n  mass ratio {:.3g}; load for {:.4g} ms, {:.3g} first periods "
              "of {:.4g} "
@@ -37,6 +38,29 @@ std::string head_of(const PartResult& part, const ImpactResult& impact) {
              impact.load_duration / impact.first_period,
              impact.first_period / kMillisecond, impact.peak_force,
              impact.rise_time / kMillisecond);
+}
+
+/// "stress 330, 345, 361 MPa with fronts of 8, 4, 2 us: …"; empty for soft
+/// blows.
+std::string refinement_of(const ImpactResult& impact) {
+  const auto& tried = impact.refinement;
+  if (tried.stress.empty()) return "";
+  const auto list = [](const std::vector<double>& values, double unit,
+                       const char* format) {
+    std::string text;
+    for (const double value : values) {
+      if (!text.empty()) text += ", ";
+      text += fmt::format(fmt::runtime(format), value / unit);
+    }
+    return text;
+  };
+  return fmt::format(
+      "stress {} MPa with fronts of {} us, {}; deflection {} mm",
+      list(tried.stress, 1e6, "{:.4g}"), list(tried.fronts, 1e-6, "{:.3g}"),
+      tried.settles ? "settles"
+                    : "DOES NOT SETTLE: compare deflections, or give the "
+                      "contact its stiffness",
+      list(tried.deflection, 1e-3, "{:.4g}"));
 }
 
 std::string table_of(const ImpactResult& impact, Colour colour) {
@@ -63,6 +87,8 @@ std::string table_of(const ImpactResult& impact, Colour colour) {
       "stress {:#.4g} [{:#.4g}, {:#.4g}] MPa, safety {:#.4g}; in time: {}",
       megapascals(impact.stress), megapascals(impact.band_low),
       megapascals(impact.band_high), impact.safety_factor, impact.reason));
+  const std::string refinement = refinement_of(impact);
+  if (!refinement.empty()) table.add_note(refinement);
   return table.text(colour);
 }
 
@@ -120,6 +146,17 @@ ordered_json row_json(const ImpactRow& row) {
   return json;
 }
 
+ordered_json refinement_json(const assessment::FrontRefinement& tried) {
+  if (tried.stress.empty()) return {};
+  ordered_json steps = ordered_json::array();
+  for (std::size_t i = 0; i < tried.stress.size(); ++i) {
+    steps.push_back({{"front_s", tried.fronts[i]},
+                     {"stress_MPa", megapascals(tried.stress[i])},
+                     {"deflection_mm", millimetres(tried.deflection[i])}});
+  }
+  return {{"stress_settles", tried.settles}, {"steps", steps}};
+}
+
 }  // namespace
 
 std::string part_impacts_text(const PartResult& part, Colour colour) {
@@ -145,6 +182,7 @@ ordered_json part_impacts_json(const PartResult& part) {
          {"pushing_N", i.force},
          {"contact_stiffness", i.stiffness},
          {"contact_exponent", i.exponent},
+         {"ideal_step", i.is_ideal},
          {"mass_ratio", i.mass / i.part_mass},
          {"first_period_s", i.first_period},
          {"load_duration_s", i.load_duration},
@@ -157,6 +195,7 @@ ordered_json part_impacts_json(const PartResult& part) {
          {"deflection_mm", millimetres(i.deflection)},
          {"safety_factor", i.safety_factor},
          {"reason", i.reason},
+         {"refinement", refinement_json(i.refinement)},
          {"models", rows}});
   }
   return list;

@@ -44,12 +44,15 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProbeResult, name, quantity, value, band_low,
                                    band_high)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImpactRow, model, stress, nominal,
                                    deflection, error, seconds, ratio, remark)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrontRefinement, fronts, stress, deflection,
+                                   settles)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImpactResult, name, source, mass, speed,
-                                   force, stiffness, exponent, part_mass,
-                                   first_period, load_duration, rise_time,
-                                   peak_force, beam_factor, dynamic_factor,
-                                   stress, band_low, band_high, deflection,
-                                   safety_factor, reason, rows)
+                                   force, stiffness, exponent, is_ideal,
+                                   part_mass, first_period, load_duration,
+                                   rise_time, peak_force, beam_factor,
+                                   dynamic_factor, stress, band_low, band_high,
+                                   deflection, safety_factor, reason,
+                                   refinement, rows)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LoadPace, impact, duration, rise_time, ratio,
                                    amplification, treatment)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VibrationResult, ratio, governs, failure,

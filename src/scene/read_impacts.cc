@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -50,8 +51,8 @@ void read_striker(StrictTable& table,
   }
 }
 
-/// A linear spring, or Hertz's for a ball of the part's material on a flat
-/// face: 4/3 E/(2 (1 − ν²)) √R.
+/// Nothing (an ideal velocity step), a linear spring, or Hertz's for a ball of
+/// the part's material on a flat face: 4/3 E/(2 (1 − ν²)) √R.
 void read_spring(StrictTable& table, const part::Material& material,
                  ImpactDefinition& impact) {
   if (const auto radius = table.find("ball_radius")) {
@@ -62,7 +63,10 @@ void read_spring(StrictTable& table, const part::Material& material,
     impact.exponent = 1.5;
     return;
   }
-  impact.stiffness = table["stiffness"].positive(Dimension::kStiffness);
+  const Value stiffness = table["stiffness"];
+  impact.stiffness = stiffness.text() == "ideal"
+                         ? std::numeric_limits<double>::infinity()
+                         : stiffness.positive(Dimension::kStiffness);
 }
 
 }  // namespace
