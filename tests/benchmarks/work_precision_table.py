@@ -36,9 +36,10 @@ INTRODUCTION = """\
 `results/studies/make work_precision` makes this anew: clevis, and beside it in the same run Simbody 3.7 and MuJoCo 2.2.2 where
 they are installed (`apt-get install libsimbody-dev libmujoco-dev`).
 
-- `cpu` is the least processor time of several runs in three rounds on one thread, from a busy machine: short ones 30 % more or
-  less. clevis: the whole `simulate()` with assembly, reactions and output; the others: the motion alone, without building the
-  system, but with reactions at each output; both are as Debian builds them.
+- `cpu` is the least processor time of several runs in three rounds on one thread, from a busy machine: 30 % more or less, short
+  runs by where a process lies in memory more (MuJoCo's pendulum of 1000 steps: 1.6 or 2.6 ms). clevis: the whole `simulate()` with
+  assembly, reactions and output; the others: the motion alone, without building the system, but with reactions at each output;
+  both are as Debian builds them.
 - `setting`: what a scene asks for as `tolerance`; Simbody's accuracy (but for `defaults` with constraints to a thousandth of it,
   projected every step); MuJoCo's step. `evaluations` are of accelerations; Simbody counts realizations.
 - MuJoCo closes loops by *soft* constraints, springs and dampers: `2h` is as stiff as it allows (`solref = "2h 1"`, `solimp`
@@ -48,6 +49,7 @@ they are installed (`apt-get install libsimbody-dev libmujoco-dev`).
   clevis prints kinetic energy less all work over every step; of the others it is the change of their own energy at the outputs,
   where it is conserved. Gap: largest error of a loop's constraints. Reactions are not known for the slider-crank and the governor,
   and not unique in Bricard's mechanism.
+- Simbody's runs through change points hang on round-off: another processor or BLAS gives other steps and errors.
 - A method's list ends where a run takes more than 3 s (clevis), 10 s (Simbody) or some hundred thousand evaluations (MuJoCo).
   Friction and the wall have no equal in the other two.
 """
