@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mechanism/forward_dynamics.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 
@@ -170,6 +171,27 @@ TEST(DeadCentreFriction, JointsThatHoldTogetherNeedNoUniqueReactions) {
   const Instant& end = motion.instants.back();
   EXPECT_LT(end.bodies[0].w_WL.norm(), 1e-12);
   EXPECT_FALSE(end.elements[0].unique);
+}
+
+// What ends a motion with K012.
+TEST(DeadCentreFriction, LineAgainstItsModeIsFound) {
+  MechanismDefinition m = testing::sliders({2.0});
+  FrictionLaw law;
+  law.kinetic = law.breakaway = 1.0;
+  m.elements = {on_joint(0, law)};
+  const SolvingFrame frame = frame_at_centres(m);
+  ForwardDynamics dynamics(m, frame, 1e-8, 1.0);
+  Eigen::VectorXd y = dynamics.start(frame.placement);
+  y[dynamics.velocity_index()] = -0.3;
+  dynamics.choose_modes(0.0, y);
+  dynamics.note_speed(y);
+  dynamics.evaluate_forces(0.0, y);
+  EXPECT_EQ(dynamics.forces().element(0).modes[0], -1);
+  EXPECT_EQ(dynamics.forces().line_against_its_mode(), 1u);  // none
+  for (const int wrong : {0, 1, 2}) {
+    dynamics.forces().set_mode(0, wrong);
+    EXPECT_EQ(dynamics.forces().line_against_its_mode(), 0u) << wrong;
+  }
 }
 
 }  // namespace
