@@ -10,16 +10,17 @@
 
 namespace clevis::mechanism {
 
-/// Mode of friction that is left out for a moment.
+/// Mode of friction that is left out: for a moment, or at rest while joints and
+/// drives alone carry its line.
 inline constexpr int kLetGo = 3;
 
 /// A force element placed in a mechanism, and what it does in a state.
 ///
 /// Laws with kinks are followed piece by piece: a mode says which piece
 /// holds. Friction: 0 sticks, ±1 slips in that sense, ±2 gives its most against
-/// that sense while other friction still holds the line. Contacts and stops: 0
-/// open, 1 pressing, 2 deep but without force; a stop has one such mode per
-/// end. Tables over positions: the piece, see piece_effort().
+/// that sense while other friction still holds the line, 3 kLetGo. Contacts and
+/// stops: 0 open, 1 pressing, 2 deep but without force; a stop has one such
+/// mode per end. Tables over positions: the piece, see piece_effort().
 struct ActingElement {
   const ForceElement* definition{};
   JointModel line;  ///< J: its ends; a contact's plane (a) and centre (b)
@@ -32,6 +33,8 @@ struct ActingElement {
   /// Speed below which speeds tell nothing: bristles turn late by that, and no
   /// law is regularised by less.
   double slack{};
+  /// Speed beyond which a line that rests without a row of its own slips.
+  double leaving{};
   /// Friction at the state of hold_tangent(); acts instead of the law.
   struct Tangent {
     bool holds = false;

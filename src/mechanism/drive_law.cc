@@ -66,7 +66,8 @@ DriveTarget drive_target(const DriveDefinition& drive, double t,
     if (behind(t, drive.start + table.times.back(), side)) {
       return {.position = table.values.back()};
     }
-    const CubicSpline::Point point = table.at(t - drive.start);
+    const CubicSpline::Point point = table.at(
+        std::clamp(t - drive.start, table.times.front(), table.times.back()));
     return {point.value, point.rate, point.acceleration};
   }
   if (before(t, drive.start, side)) return {.position = drive.from};

@@ -98,7 +98,7 @@ void DynamicRun::pass(const EventFinder::Event& event) {
   guard_against_accumulation(t);
   if (sampler_) want_sides(t);
   sample_until(t);
-  integrator_.state_at(t, y_);
+  state_at(t, y_);
   dynamics_.project(t, y_);  // what stuck rests, without round-off
   dynamics_.event_values(t, y_, event_values_);
   ForceModel& forces = dynamics_.forces();

@@ -132,7 +132,9 @@ void ForwardDynamics::note_speed(const VectorXd& y) {
   speed_ = std::max({slowest_, speed_, speed, speed_ > 0.0 ? 0.0 : reached});
   // well above what steps may err by
   const double slack = 10.0 * tolerance_ * speed_;
-  forces_.set_slack(slack, slack / length_, slowest_ / length_);
+  // clearly beyond what counts as rest
+  const double leaving = std::max(1e-3 * slack, 1e-8 * speed_);
+  forces_.set_slack(slack, leaving, length_, slowest_ / length_);
   lowest_pivot_ = std::min(lowest_pivot_, mass_.smallest_pivot());
 }
 

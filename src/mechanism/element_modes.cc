@@ -85,7 +85,7 @@ double event_value(const ActingElement& e, int end) {
   if (const FrictionLaw* friction = switched_friction(*e.definition)) {
     if (end == 1) return 1.0;
     if (sticks(e)) return e.load * friction->breakaway - std::abs(e.effort);
-    if (std::abs(e.modes[0]) == 2) return 1.0;
+    if (std::abs(e.modes[0]) >= 2) return e.leaving - std::abs(e.rate);
     const bool bristles = friction->model == FrictionModel::kLuGre;
     return e.modes[0] * e.rate + (bristles ? 1.0 : kOfSlack) * e.slack;
   }
@@ -105,6 +105,8 @@ void pass_event(ActingElement& e, int end) {
       mode = -mode;
     } else if (mode == 0) {
       mode = e.effort > 0.0 ? -2 : 2;
+    } else if (std::abs(mode) >= 2) {
+      mode = e.rate > 0.0 ? 1 : -1;
     } else {
       mode = 0;
     }

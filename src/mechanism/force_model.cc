@@ -209,8 +209,8 @@ std::size_t ForceModel::line_against_its_mode() const {
     const ActingElement& e = elements_[k];
     if (!is_dry(k)) continue;
     const int mode = e.modes[0];
-    const double against =
-        std::abs(mode) == 1 ? -mode * e.rate : std::abs(e.rate);
+    if (mode == kLetGo || std::abs(mode) == 2) continue;  // an event ends it
+    const double against = mode == 0 ? std::abs(e.rate) : -mode * e.rate;
     if (against > kTimesSlack * e.slack) return k;
   }
   return elements_.size();
@@ -224,9 +224,12 @@ void ForceModel::release_tangents() {
   for (ActingElement& e : elements_) e.tangent.holds = false;
 }
 
-void ForceModel::set_slack(double speed, double turn, double per_second) {
+void ForceModel::set_slack(double slack, double leaving, double length,
+                           double per_second) {
   for (ActingElement& e : elements_) {
-    e.slack = e.row.is_angle() ? turn : speed;
+    const double arm = e.row.is_angle() ? length : 1.0;
+    e.slack = slack / arm;
+    e.leaving = leaving / arm;
     const FrictionLaw* law = switched_friction(*e.definition);
     if (law == nullptr || law->model != FrictionModel::kLuGre) continue;
     const double deflection = law->breakaway / law->bristle_stiffness;

@@ -77,11 +77,11 @@ class ForceModel {
   /// See OdeSystem. @param internal  of the last evaluate().
   void hold_tangents(const double* internal);
   void release_tangents();
-  /// @param speed, turn  below which speeds tell nothing, of lines that slide
-  ///   and that turn [m/s], [rad/s].
+  /// @param slack, leaving  see ActingElement [m/s], of turns over the length.
   /// @param per_second  bristles creep by this part of their deflection at
   ///   most [1/s].
-  void set_slack(double speed, double turn, double per_second);
+  void set_slack(double slack, double leaving, double length,
+                 double per_second);
 
   /// Two per element: positive while its modes hold, as of evaluate() and
   /// set_row_effort().

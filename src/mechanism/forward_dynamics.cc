@@ -194,6 +194,7 @@ void ForwardDynamics::rate(double t, const VectorXd& y, VectorXd& rate) {
     gamma_[row++] = -row_scale(k) * forces_.line_bias(k, twists_);
   }
   mass_.accelerate(gamma_, Q_, acceleration_, lambda_);
+  if (mass_.rank() < rows_) share_among_sticking();
   double power = following_.empty()
                      ? 0.0
                      : following_.solve(forces_, mass_, acceleration_, lambda_);

@@ -138,9 +138,12 @@ class ForwardDynamics : public OdeSystem {
   void put_lever(int slot, const Twist& lever, Eigen::VectorXd& force) const;
   /// Acceleration along a lever per force along it, were the body free.
   double free_response(int slot, const Twist& lever) const;
+  /// Where sticking lines depend on one another: the multipliers at which the
+  /// sum of squares of their efforts over their breakaways is least.
+  void share_among_sticking();
   void rest_what_hardly_moves();
-  double rate_ahead(double t, const Eigen::VectorXd& y, std::size_t k);
-  int way_of_dependent_line(double t, const Eigen::VectorXd& y, std::size_t k);
+  bool is_carried(double t, const Eigen::VectorXd& y, std::size_t k);
+  int mode_of_dependent_line(double t, const Eigen::VectorXd& y, std::size_t k);
   bool free_what_cannot_stick(double t, const Eigen::VectorXd& y);
   bool release_worst();
   bool judge_lines_at_their_most(double t, const Eigen::VectorXd& y);

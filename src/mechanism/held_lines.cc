@@ -17,7 +17,7 @@ std::vector<std::size_t> held_lines(const ForceModel& forces) {
   std::vector<std::size_t> held;
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const int mode = forces.element(k).modes[0];
-    if (forces.is_dry(k) && (mode == 0 || std::abs(mode) == 2)) {
+    if (forces.is_dry(k) && (mode == 0 || std::abs(mode) >= 2)) {
       held.push_back(k);
     }
   }

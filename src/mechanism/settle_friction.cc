@@ -1,13 +1,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include "base/errors.h"
 #include "mechanism/forward_dynamics.h"
+#include "mechanism/jacobian_factor.h"
 
 namespace clevis::mechanism {
 
+using Eigen::Index;
 using Eigen::VectorXd;
 
 namespace {
@@ -16,6 +19,8 @@ constexpr double kRoundOff = 1e-9;
 // Coming to rest costs a motion the last speed of a line, an error: so many
 // times what steps may err by.
 constexpr double kTimesError = 1e3;
+// A carried line that is accelerated by this part of speed² over length turns.
+constexpr double kClearTurn = 1e-2;
 
 /// @throws Error K011, always.
 [[noreturn]] void refuse_wedge(double t) {
@@ -79,35 +84,37 @@ double ForwardDynamics::acceleration_size() const {
   return size;
 }
 
-/// Speed of a line where the motion leads a little later, over the largest:
-/// by its velocities, from rest by its accelerations.
-double ForwardDynamics::rate_ahead(double t, const VectorXd& y, std::size_t k) {
-  constexpr double kWay = 1e-4;  // of the length: well beyond kRankThreshold
-  const bool moves = u_.lpNorm<Eigen::Infinity>() > kRoundOff * speed_;
-  change_ = moves ? u_ : acceleration_;
-  const double size = change_.lpNorm<Eigen::Infinity>();
-  if (!(size > kRoundOff * (moves ? speed_ : acceleration_size()))) return 0.0;
-  const double part = kWay * length_ / size;
-  VectorXd ahead = y;
-  ahead.segment(positions_, system_.columns()) =
-      change_.head(system_.columns());
-  change_ *= part;
-  move(ahead, change_);
-  const double then = moves ? t + part : t;
-  project(then, ahead);
-  evaluate_forces(then, ahead);
-  return (forces_.is_angle(k) ? length_ : 1.0) * forces_.element(k).rate / size;
+/// Whether joints and drives alone fix the speed of a line; the last rate() is
+/// then that without what sticks.
+bool ForwardDynamics::is_carried(double t, const VectorXd& y, std::size_t k) {
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    if (i != k && forces_.sticks(i)) others.push_back(i);
+  }
+  for (const std::size_t i : others) forces_.set_mode(i, kLetGo);
+  forces_.set_mode(k, 0);
+  rate(t, y, scratch_);
+  const int with = mass_.rank();
+  forces_.set_mode(k, kLetGo);
+  rate(t, y, scratch_);
+  const int without = mass_.rank();
+  for (const std::size_t i : others) forces_.set_mode(i, 0);
+  return with == without;
 }
 
-/// Where a sticking line goes whose row the others imply: it cannot hold
-/// anything, as a slider at its dead centre. @return 0: the others hold it.
-int ForwardDynamics::way_of_dependent_line(double t, const VectorXd& y,
-                                           std::size_t k) {
-  const double a = line_acceleration(k);
-  if (std::abs(a) > kRoundOff * acceleration_size()) return a > 0.0 ? 1 : -1;
-  constexpr double kMoves = 1e-6;
-  const double ahead = rate_ahead(t, y, k);
-  return ahead > kMoves ? 1 : ahead < -kMoves ? -1 : 0;
+/// Mode of a sticking line whose row the others imply, which is let go. If they
+/// move it, it slips; if joints and drives carry it, as a slider at its dead
+/// centre or a driven joint at rest, it holds nothing until it moves.
+int ForwardDynamics::mode_of_dependent_line(double t, const VectorXd& y,
+                                            std::size_t k) {
+  const double beside_others = line_acceleration(k);
+  const double size = acceleration_size();
+  const bool carried = is_carried(t, y, k);
+  const double a = carried ? line_acceleration(k) : beside_others;
+  // slower, it is left to the event of leaving rest
+  const double clear = carried ? kClearTurn * speed_ * speed_ / length_ : 0.0;
+  if (std::abs(a) > std::max(kRoundOff * size, clear)) return a > 0.0 ? 1 : -1;
+  return carried ? kLetGo : 0;
 }
 
 /// @return whether there was a sticking line that can hold nothing.
@@ -117,10 +124,10 @@ bool ForwardDynamics::free_what_cannot_stick(double t, const VectorXd& y) {
     const int rank = mass_.rank();
     forces_.set_mode(k, kLetGo);
     rate(t, y, scratch_);
-    const int way = mass_.rank() == rank ? way_of_dependent_line(t, y, k) : 0;
-    forces_.set_mode(k, way);
+    const int mode = mass_.rank() == rank ? mode_of_dependent_line(t, y, k) : 0;
+    forces_.set_mode(k, mode);
     rate(t, y, scratch_);
-    if (way != 0) return true;
+    if (mode != 0) return true;
   }
   return false;
 }
@@ -143,6 +150,34 @@ bool ForwardDynamics::release_worst() {
   if (which == forces_.size()) return false;
   forces_.set_mode(which, forces_.element(which).effort > 0.0 ? -2 : 2);
   return true;
+}
+
+void ForwardDynamics::share_among_sticking() {
+  Index row = system_.rows(), count = 0;
+  VectorXd ratio = VectorXd::Zero(rows_);
+  VectorXd weight = VectorXd::Zero(rows_);
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (!forces_.brings_row(k)) continue;
+    const double most = forces_.sticks(k) ? forces_.breakaway(k) : 0.0;
+    if (most > 0.0) {
+      weight[row] = row_scale(k) / most;
+      ++count;
+    }
+    ++row;
+  }
+  if (count == 0) return;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> rows;
+  rows.setThreshold(kRankThreshold);
+  rows.compute(J_.topRows(rows_));
+  const Index open = rows_ - rows.rank();
+  if (open == 0) return;
+  Eigen::MatrixXd free = Eigen::MatrixXd::Zero(rows_, open);
+  free.bottomRows(open).setIdentity();
+  free.applyOnTheLeft(rows.householderQ());
+  ratio = weight.cwiseProduct(lambda_.head(rows_));
+  const Eigen::MatrixXd shares = weight.asDiagonal() * free;
+  lambda_.head(rows_) -=
+      free * shares.completeOrthogonalDecomposition().solve(ratio);
 }
 
 /// Acceleration of a line [m/s²], turns times length, as of rate().
@@ -175,7 +210,8 @@ bool ForwardDynamics::judge_lines_at_their_most(double t, const VectorXd& y) {
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     const int mode = forces_.element(k).modes[0];
     if (!forces_.is_dry(k) || std::abs(mode) != 2) continue;
-    const double round_off = kRoundOff * free_acceleration(k);
+    const double round_off =
+        kRoundOff * std::max(free_acceleration(k), acceleration_size());
     const double a = line_acceleration(k);
     forces_.set_mode(k, kLetGo);
     rate(t, y, scratch_);
