@@ -252,10 +252,15 @@ void communicate(ActingElement& e, double t) {
 
 void evaluate(ActingElement& e, double t, const Configuration& x,
               const std::vector<Twist>& twists, const double* internal) {
-  e.placed = PlacedJoint(e.line, x[index(e.line.a)], x[index(e.line.b)],
-                         e.q_start + e.rate_start * (t - e.t_start));
   const Twist& a = twists[index(e.line.a)];
   const Twist& b = twists[index(e.line.b)];
+  double near = e.q_start;
+  if (e.line.counts_turns) {  // by the mean of both rates
+    const Eigen::Vector3d axis =
+        x[index(e.line.a)].R * e.line.frame_a.R_LJ.col(2);
+    near += 0.5 * (e.rate_start + axis.dot(b.w - a.w)) * (t - e.t_start);
+  }
+  e.placed = PlacedJoint(e.line, x[index(e.line.a)], x[index(e.line.b)], near);
   if (const auto* line = std::get_if<LineElement>(e.definition)) {
     evaluate_line(e, *line, t, a, b, internal);
   } else if (const auto* c = std::get_if<ContactElement>(e.definition)) {

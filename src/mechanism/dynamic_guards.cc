@@ -54,6 +54,17 @@ void DynamicRun::require_energy_balance() const {
               "forces of a wrong order of size");
 }
 
+void DynamicRun::require_closed(double t, double gap) const {
+  constexpr double kClosed = 1e-6;
+  if (gap <= std::max(kClosed, settings_.tolerance) * frame_.length) return;
+  throw Error("K012", "mechanism",
+              fmt::format("at t = {:.9g} s joints or drives gape by {:.3g} mm: "
+                          "the integration failed",
+                          t, 1e3 * gap),
+              "ask for a stricter tolerance, and look for drives or joints "
+              "that contradict one another");
+}
+
 /// Friction at rest holds, friction that slips resists.
 void DynamicRun::require_resisting_friction() {
   if (dynamics_.forces().empty()) return;

@@ -44,6 +44,7 @@ void DynamicRun::want_sides(double t) {
 
 void DynamicRun::add_instant(double t, VectorXd& y) {
   const double gap = dynamics_.project(t, y);
+  require_closed(t, gap);
   dynamics_.rate(t, y, slope_);
   note_energy(y);
   const ConstraintSystem& system = dynamics_.system();

@@ -63,7 +63,7 @@ void DynamicRun::start() {
   dynamics_.communicate(0.0, y_);
   dynamics_.choose_modes(0.0, y_);
   dynamics_.project(0.0, y_);
-  dynamics_.accept(0.0);
+  dynamics_.accept(0.0, y_);
   slope_.setZero(y_.size());
   sample_ = y_;
   dynamics_.rate(0.0, y_, slope_);
@@ -107,7 +107,7 @@ void DynamicRun::pass(const EventFinder::Event& event) {
   dynamics_.rest_or_turn(t, y_, static_cast<std::size_t>(event.index / 2));
   dynamics_.settle(t, y_);
   dynamics_.project(t, y_);
-  dynamics_.accept(t);
+  dynamics_.accept(t, y_);
   impacts_.pass(t, y_, before);
   for (MotionEvent& change : forces.changes(event.index, t, before)) {
     motion_.events.push_back(std::move(change));
@@ -129,7 +129,7 @@ void DynamicRun::restart(double t) {
   events_.start(t, y_);
   if (peaks_) peaks_->restart(t, y_);
   if (sampler_) sampler_->restart(t, y_);
-  integrator_.restart(t, y_, 0.0);
+  integrator_.restart(t, y_, dynamics_.first_step(t, y_));
 }
 
 Motion DynamicRun::run() {
@@ -155,8 +155,8 @@ Motion DynamicRun::run() {
     }
     sample_until(integrator_.t());
     y_ = integrator_.y();
-    dynamics_.project(integrator_.t(), y_);
-    dynamics_.accept(integrator_.t());
+    require_closed(integrator_.t(), dynamics_.project(integrator_.t(), y_));
+    dynamics_.accept(integrator_.t(), y_);
     dynamics_.note_speed(y_);
     integrator_.correct(y_);
     note_energy(y_);

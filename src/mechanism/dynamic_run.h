@@ -55,6 +55,7 @@ class DynamicRun {
   void add_instant(double t, Eigen::VectorXd& y);
   void note_energy(const Eigen::VectorXd& y);
   void require_energy_balance() const;
+  void require_closed(double t, double gap) const;
   void require_resisting_friction();
 
   const MechanismDefinition& definition_;

@@ -27,7 +27,7 @@ std::size_t index(Index i) {
 
 VectorXd ForwardDynamics::start(const Configuration& x) {
   for (std::size_t j = 0; j < turns_.size(); ++j) {
-    turns_[j] = {x.angle(j), 0.0};
+    turns_[j] = {x.angle(j), 0.0, 0.0};
   }
   VectorXd y = VectorXd::Zero(size());
   for (std::size_t i = 1; i < x.size(); ++i) {
@@ -43,6 +43,9 @@ VectorXd ForwardDynamics::start(const Configuration& x) {
     }
   }
   forces_.start_internal(x, y.data() + internal_index());
+  for (std::size_t j = 0; planar_ && j < turns_.size(); ++j) {
+    turns_[j].plane_angle = plane_angle(frame_.joints[j], y);
+  }
   return y;
 }
 
@@ -73,22 +76,51 @@ void ForwardDynamics::place(double t, const VectorXd& y) {
                      bodies_[i].turn_root * x_[i].R.transpose());
     }
   }
-  // near the last accepted state's, so that no trial miscounts the turns
-  for (std::size_t j = 0; j < turns_.size(); ++j) {
-    if (!frame_.joints[j].counts_turns) continue;
-    x_.angles[j] = turns_[j].angle + turns_[j].rate * (t - accepted_at_);
-  }
+  count_turns(t, y);
   system_.place(x_, placed_);
 }
 
-void ForwardDynamics::accept(double t) {
+/// Angles near the true ones, which say how often a joint has turned: in the
+/// plane the bodies' own angles tell, in space the rates since the last
+/// accepted state.
+void ForwardDynamics::count_turns(double t, const VectorXd& y) {
+  for (std::size_t j = 0; j < turns_.size(); ++j) {
+    const JointModel& joint = frame_.joints[j];
+    if (!joint.counts_turns) continue;
+    x_.angles[j] = turns_[j].angle + turned_since(j, t, y);
+  }
+}
+
+double ForwardDynamics::turned_since(std::size_t j, double t,
+                                     const VectorXd& y) const {
+  const JointModel& joint = frame_.joints[j];
+  const Turn& turn = turns_[j];
+  if (planar_) return plane_angle(joint, y) - turn.plane_angle;
+  const Vector3d w = twists_[index(joint.b)].w - twists_[index(joint.a)].w;
+  const Vector3d axis = x_[index(joint.a)].R * joint.frame_a.R_LJ.col(2);
+  return 0.5 * (turn.rate + axis.dot(w)) * (t - accepted_at_);
+}
+
+/// Angle of b against a about the joint's axis, from the unknowns.
+double ForwardDynamics::plane_angle(const JointModel& joint,
+                                    const VectorXd& y) const {
+  const auto angle = [&](int slot) {
+    return slot == 0 ? 0.0 : y[3 * (slot - 1) + 2] / length_;
+  };
+  const Vector3d axis =
+      frame_.placement[index(joint.a)].R * joint.frame_a.R_LJ.col(2);
+  return axis.z() * (angle(joint.b) - angle(joint.a));
+}
+
+void ForwardDynamics::accept(double t, const VectorXd& y) {
   accepted_at_ = t;
   forces_.accept(t);
   for (std::size_t j = 0; j < turns_.size(); ++j) {
     const JointModel& joint = frame_.joints[j];
     if (!joint.counts_turns) continue;
     const Vector3d w = twists_[index(joint.b)].w - twists_[index(joint.a)].w;
-    turns_[j] = {placed_[j].turned(), placed_[j].axes_a.col(2).dot(w)};
+    turns_[j] = {placed_[j].turned(), placed_[j].axes_a.col(2).dot(w),
+                 planar_ ? plane_angle(joint, y) : 0.0};
   }
 }
 
@@ -107,7 +139,7 @@ void ForwardDynamics::jump(double t, VectorXd& y) {
   y[work_index()] += kinetic_energy(y) - before;
   choose_modes(t, y);
   project(t, y);
-  accept(t);
+  accept(t, y);
 }
 
 void ForwardDynamics::set_targets(double t) {

@@ -57,6 +57,12 @@ void pass_contact(ActingElement& e, const ContactLaw& law, std::size_t end) {
 
 }  // namespace
 
+double stribeck_zone(const ActingElement& e) {
+  constexpr double kTimesSpeed = 6.0;  // exp(−36) is round-off
+  const FrictionLaw* law = switched_friction(*e.definition);
+  return law == nullptr ? 0.0 : kTimesSpeed * law->stribeck_speed;
+}
+
 bool sticks(const ActingElement& e) {
   const FrictionLaw* law = switched_friction(*e.definition);
   return law != nullptr && law->model == FrictionModel::kCoulomb &&
@@ -66,6 +72,7 @@ bool sticks(const ActingElement& e) {
 void choose_modes(ActingElement& e) {
   if (const FrictionLaw* law = switched_friction(*e.definition)) {
     e.modes[0] = e.rate > 0.0 ? 1 : e.rate < 0.0 ? -1 : 0;
+    e.modes[1] = std::abs(e.rate) < stribeck_zone(e) ? 1 : 0;
     if (law->model == FrictionModel::kLuGre && e.modes[0] == 0) {
       e.modes[0] = 1;
     }
@@ -83,7 +90,15 @@ void choose_modes(ActingElement& e) {
 double event_value(const ActingElement& e, int end) {
   const auto at = static_cast<std::size_t>(end);
   if (const FrictionLaw* friction = switched_friction(*e.definition)) {
-    if (end == 1) return 1.0;
+    if (end == 1) {
+      const double zone = stribeck_zone(e);
+      if (zone <= 0.0) return 1.0;
+      // with its sign, so that no step over the zone and zero hides both
+      const bool slips = std::abs(e.modes[0]) == 1;
+      const double inside =
+          zone - (slips ? e.modes[0] * e.rate : std::abs(e.rate));
+      return e.modes[1] == 1 ? inside : -inside;
+    }
     if (sticks(e)) return e.load * friction->breakaway - std::abs(e.effort);
     if (std::abs(e.modes[0]) >= 2) return e.leaving - std::abs(e.rate);
     const bool bristles = friction->model == FrictionModel::kLuGre;
@@ -100,6 +115,10 @@ double event_value(const ActingElement& e, int end) {
 void pass_event(ActingElement& e, int end) {
   const auto at = static_cast<std::size_t>(end);
   if (const FrictionLaw* law = switched_friction(*e.definition)) {
+    if (end == 1) {
+      e.modes[1] = 1 - e.modes[1];
+      return;
+    }
     int& mode = e.modes[0];
     if (law->model == FrictionModel::kLuGre) {
       mode = -mode;
@@ -124,6 +143,7 @@ const char* name_of_change(const ActingElement& e, int end, int mode_before) {
     return mode_before == 1 ? "release" : nullptr;  // else force was 0 before
   }
   if (position_table(*e.definition) != nullptr) return nullptr;
+  if (end == 1) return nullptr;  // of friction: in or out of Stribeck's zone
   const auto slips = [](int m) {
     return std::abs(m) == 1;
   };

@@ -7,6 +7,10 @@ namespace clevis::mechanism {
 /// Whether friction holds the line, as a constraint.
 bool sticks(const ActingElement& e);
 
+/// Speed below which Stribeck's term of friction counts; 0 without one. A step
+/// that passes it must be short, as nothing else tells of a peak so narrow.
+double stribeck_zone(const ActingElement& e);
+
 /// Sets the modes that the state alone suggests; friction at rest sticks.
 void choose_modes(ActingElement& e);
 

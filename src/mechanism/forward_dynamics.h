@@ -62,6 +62,8 @@ class ForwardDynamics : public OdeSystem {
   void rest_or_turn(double t, Eigen::VectorXd& y, std::size_t k);
   void event_values(double t, const Eigen::VectorXd& y,
                     Eigen::VectorXd& values);
+  /// A step that does not leap over what forces do next [s]; 0: any.
+  double first_step(double t, const Eigen::VectorXd& y);
   ForceModel& forces() { return forces_; }
   const ForceModel& forces() const { return forces_; }
   /// The forces alone, without what they make of the motion.
@@ -73,9 +75,9 @@ class ForwardDynamics : public OdeSystem {
   /// constraints at time t. @return the largest gap that is left [m].
   double project(double t, Eigen::VectorXd& y);
 
-  /// The state of the last project() is part of the motion: angles that count
-  /// turns go on from there.
-  void accept(double t);
+  /// The state of the last project(), y, is part of the motion: angles that
+  /// count turns go on from there.
+  void accept(double t, const Eigen::VectorXd& y);
 
   /// Drives follow from now on, at t itself too, what their laws say behind a
   /// bend at t.
@@ -127,6 +129,9 @@ class ForwardDynamics : public OdeSystem {
  private:
   void place(double t, const Eigen::VectorXd& y);
   void set_targets(double t);
+  void count_turns(double t, const Eigen::VectorXd& y);
+  double turned_since(std::size_t j, double t, const Eigen::VectorXd& y) const;
+  double plane_angle(const JointModel& joint, const Eigen::VectorXd& y) const;
   void factor();
   void add_loads(double t, const Eigen::VectorXd& y);
   /// Constant scale of the row that element k brings.
@@ -181,6 +186,7 @@ class ForwardDynamics : public OdeSystem {
   std::vector<Body> bodies_;  ///< by slot
   struct Turn {
     double angle{}, rate{};  ///< [rad], [rad/s]
+    double plane_angle{};    ///< planar, see plane_angle() [rad]
   };
   std::vector<Turn> turns_;  ///< by joint, at accepted_at_
   double accepted_at_{};

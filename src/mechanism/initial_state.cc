@@ -4,6 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+
 #include "mechanism/assembly.h"
 #include "mechanism/closed_joints.h"
 #include "mechanism/drive_law.h"
@@ -60,9 +63,56 @@ Configuration assembled(const MechanismDefinition& definition,
   return result.x;
 }
 
+/// M v about the bodies' centres of mass, in the unknowns of the system.
+VectorXd momentum(const MechanismDefinition& definition,
+                  const SolvingFrame& frame, const Configuration& x,
+                  const VectorXd& v) {
+  VectorXd result = v;
+  const auto count = static_cast<Index>(definition.bodies.size());
+  const Index n = v.size() / count;
+  for (Index i = 0; i < count; ++i) {
+    const auto body = static_cast<std::size_t>(i);
+    const part::MassProperties& mass = definition.bodies[body].mass_properties;
+    const Eigen::Matrix3d& R = x[body + 1].R;
+    const Eigen::Matrix3d inertia =
+        R * mass.inertia_LCm * R.transpose() / (frame.length * frame.length);
+    auto part = result.segment(n * i, n);
+    if (n == 3) {
+      part.head<2>() *= mass.mass;
+      part[2] *= inertia(2, 2);
+    } else {
+      part.head<3>() *= mass.mass;
+      part.tail<3>() = (inertia * part.tail<3>()).eval();
+    }
+  }
+  return result;
+}
+
+/// What J leaves open of v is chosen so that the kinetic energy of v − guess is
+/// least.
+void settle_open_velocities(const MechanismDefinition& definition,
+                            const SolvingFrame& frame, const Configuration& x,
+                            const MatrixXd& J, const VectorXd& guess,
+                            VectorXd& v) {
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> rows;
+  rows.setThreshold(kRankThreshold);
+  rows.compute(J);
+  const Index open = J.cols() - rows.rank();
+  if (open == 0) return;
+  const MatrixXd Z = rows.matrixZ();
+  const MatrixXd N = rows.colsPermutation() * Z.bottomRows(open).transpose();
+  MatrixXd MN(N.rows(), open);
+  for (Index k = 0; k < open; ++k) {
+    MN.col(k) = momentum(definition, frame, x, N.col(k));
+  }
+  v -= N * (N.transpose() * MN).ldlt().solve(MN.transpose() * (v - guess));
+}
+
 /// Velocities where the joints leave as much freedom as everywhere: rates of
-/// joints and drives exactly, those of bodies as near as the joints allow.
+/// joints and drives exactly, those of bodies as near as the joints allow, and
+/// those that nothing gives as an impulse from rest leaves them.
 VectorXd regular_velocities(const MechanismDefinition& definition,
+                            const SolvingFrame& frame,
                             const ConstraintSystem& joints,
                             const Configuration& x, const WantedRates& wanted) {
   Index of_bodies = 0;
@@ -85,6 +135,7 @@ VectorXd regular_velocities(const MechanismDefinition& definition,
   JacobianFactor factor;
   factor.compute(J);
   VectorXd v = guess + factor.solve(rates - J * guess);
+  settle_open_velocities(definition, frame, x, J, guess, v);
   const VectorXd left = J * v - rates;
   const double size = std::max(rates.lpNorm<Eigen::Infinity>(),
                                guess.lpNorm<Eigen::Infinity>());
@@ -112,7 +163,8 @@ InitialState initial_state(const MechanismDefinition& definition,
   const int open =
       joints.columns() - numerical_rank(joints.jacobian(joints.place(state.x)));
   if (open <= freedom.joints) {
-    state.velocities = regular_velocities(definition, joints, state.x, wanted);
+    state.velocities =
+        regular_velocities(definition, frame, joints, state.x, wanted);
     return state;
   }
   SingularStart start = singular_start(definition, frame, joints, state.x,

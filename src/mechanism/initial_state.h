@@ -17,7 +17,10 @@ struct InitialState {
 
 /// Assembles the mechanism with the joints' initial coordinates, near the
 /// placement, and finds the velocities: those of `initial_joints` and of the
-/// drives exactly, those of `initial_bodies` as near as the joints allow.
+/// drives exactly, those of `initial_bodies` as near as the joints allow by the
+/// kinetic energy of the difference, of other bodies' as from rest: what drives
+/// that move at the start do to the rest is an impulse.
+/// @param frame      frame_at_centres().
 /// @param system     with the drives.
 /// @param tolerance  [m].
 /// @throws Error K001, K003, K007.

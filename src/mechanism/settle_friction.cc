@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "mechanism/element_modes.h"
 #include "mechanism/forward_dynamics.h"
 #include "mechanism/jacobian_factor.h"
 
@@ -223,6 +224,23 @@ bool ForwardDynamics::judge_lines_at_their_most(double t, const VectorXd& y) {
     if (!is_held) return true;
   }
   return false;
+}
+
+double ForwardDynamics::first_step(double t, const VectorXd& y) {
+  constexpr double kPart = 0.05, kLong = 0.01;
+  const double duration = length_ / slowest_;
+  double step = 0.0;
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    const ActingElement& e = forces_.element(k);
+    const double zone = stribeck_zone(e);
+    if (!(zone > 0.0) || e.modes[1] != 1 || std::abs(e.modes[0]) != 1) continue;
+    rate(t, y, scratch_);
+    const double a = std::abs(line_acceleration(k)) / row_scale(k);
+    const double through = kPart * zone / std::max(a, 1e-300);
+    if (through > kLong * duration) continue;
+    step = step > 0.0 ? std::min(step, through) : through;
+  }
+  return step;
 }
 
 void ForwardDynamics::settle(double t, const VectorXd& y) {

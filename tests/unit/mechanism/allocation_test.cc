@@ -41,7 +41,7 @@ long allocations_of_steps(const MechanismDefinition& definition,
       initial.velocities;
   dynamics.project(0.0, y);
   dynamics.choose_modes(0.0, y);
-  dynamics.accept(0.0);
+  dynamics.accept(0.0, y);
   SwitchingIntegrator integrator(dynamics, choice);
   integrator.restart(0.0, y, 0.0);
   long before = 0;
@@ -50,7 +50,7 @@ long allocations_of_steps(const MechanismDefinition& definition,
     EXPECT_TRUE(integrator.step(1e9));
     y = integrator.y();
     dynamics.project(integrator.t(), y);
-    dynamics.accept(integrator.t());
+    dynamics.accept(integrator.t(), y);
     integrator.correct(y);
   }
   return allocations - before;

@@ -173,6 +173,122 @@ TEST(DeadCentreFriction, JointsThatHoldTogetherNeedNoUniqueReactions) {
   EXPECT_FALSE(end.elements[0].unique);
 }
 
+/// A moment about the crank's pin that grows by 3 N m/s.
+LineElement growing_moment() {
+  TableLaw law;
+  law.times = {0.0, 1.0};
+  law.efforts = {0.0, 3.0};
+  return on_joint(0, law);
+}
+
+// Truth: virtual work. Each line holds its breakaway times its lever.
+TEST(DeadCentreFriction, LinesOfOneFreedomLetGoTogether) {
+  for (const double degrees : {20.0, 75.0, 150.0, 175.0}) {
+    for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+      const double angle = degrees * M_PI / 180.0, step = 1e-6;
+      MechanismDefinition m = slider_crank(angle, 0.0, 0.0);
+      const auto lean = [](double q) {
+        return -std::asin(kCrank * std::sin(q) / kRod);
+      };
+      const auto slope = [&](const auto& f) {
+        return std::abs(f(angle + step) - f(angle - step)) / (2.0 * step);
+      };
+      const double lean_slope = slope(lean);
+      const bool opposite = std::cos(angle) > 0.0;  // the rod leans back
+      const double levers[] = {1.0,
+                               opposite ? 1.0 + lean_slope : 1.0 - lean_slope,
+                               lean_slope, slope(slider_at)};
+      const double most[] = {0.05, 0.05, 0.05, 2.0};
+      double capacity = 0.0;
+      for (int j = 0; j < 4; ++j) {
+        FrictionLaw law;
+        law.kinetic = law.breakaway = most[j];
+        m.elements.emplace_back(on_joint(j, law));
+        capacity += most[j] * std::abs(levers[j]);
+      }
+      m.elements.emplace_back(growing_moment());
+      const Motion motion = simulate(m, settings(0.3, tolerance));
+      ASSERT_FALSE(motion.events.empty()) << degrees;
+      EXPECT_EQ(motion.events[0].what, "slip");
+      EXPECT_NEAR(3.0 * motion.events[0].t, capacity, 1e-6)
+          << degrees << " " << tolerance;
+    }
+  }
+}
+
+// At its dead centre the slider holds nothing.
+TEST(DeadCentreFriction, SliderAtItsDeadCentreHoldsNothing) {
+  for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+    MechanismDefinition m = slider_crank(0.0, 0.0, 0.0);
+    FrictionLaw pin, slider;
+    pin.kinetic = pin.breakaway = 0.05;
+    slider.kinetic = slider.breakaway = 2.0;
+    m.elements = {on_joint(1, pin), on_joint(3, slider), growing_moment()};
+    const Motion motion = simulate(m, settings(0.1, tolerance));
+    ASSERT_FALSE(motion.events.empty());
+    EXPECT_EQ(motion.events[0].element, 0);
+    EXPECT_NEAR(3.0 * motion.events[0].t, 0.05 * (1.0 + kCrank / kRod), 1e-6);
+    EXPECT_GT(motion.instants.back().bodies[0].w_WL.z(), 0.1);
+  }
+}
+
+// Dry friction on the driven joint and on one that the drive carries: it rests
+// until the drive starts, gently or not, and the drive pays for it.
+TEST(DeadCentreFriction, DrivenJointsSlipWhenTheirDriveStarts) {
+  for (const auto law : {DriveLaw::kQuintic, DriveLaw::kRamp}) {
+    for (const double tolerance : {1e-4, 1e-8}) {
+      MechanismDefinition m = slider_crank(0.7, 0.0, 0.0);
+      m.initial_joints.clear();
+      FrictionLaw friction;
+      friction.kinetic = friction.breakaway = 0.4;
+      m.elements = {on_joint(0, friction), on_joint(3, friction)};
+      DriveDefinition drive;
+      drive.joint = 0;
+      drive.law = law;
+      drive.from = 0.7;
+      drive.to = 1.7;
+      drive.start = 0.2;
+      drive.duration = 0.5;
+      m.drives = {drive};
+      SimulationSettings s = settings(1.0, tolerance);
+      s.motion = MotionKind::kDynamic;
+      const Motion motion = simulate(m, s);
+      const auto turned = [](const Instant& at) {
+        const Eigen::Matrix3d& R = at.bodies[0].pose.R_WL;
+        return std::atan2(R(1, 0), R(0, 0));
+      };
+      EXPECT_NEAR(turned(motion.instants[20]), 0.7, 1e-9);
+      EXPECT_NEAR(turned(motion.instants[45]), 1.2, 1e-9);
+      EXPECT_NEAR(turned(motion.instants[100]), 1.7, 1e-9);
+      EXPECT_EQ(motion.instants[45].elements[0].effort, -0.4);
+      EXPECT_EQ(motion.instants[45].elements[1].effort, 0.4);
+      EXPECT_LT(motion.integration->relative_energy_error, tolerance);
+    }
+  }
+}
+
+// A peak of friction that is narrow in time is not stepped over.
+TEST(DeadCentreFriction, NarrowStribeckPeakIsSeen) {
+  const auto end = [](double tolerance) {
+    MechanismDefinition m = testing::sliders({1.0});
+    FrictionLaw law;
+    law.kinetic = 1.0;
+    law.breakaway = 3.0;
+    law.stribeck_speed = 0.005;
+    m.elements = {on_joint(0, SpringLaw{.stiffness = 100.0}), on_joint(0, law)};
+    m.initial_joints = {
+        {.joint = 0, .position = 0.3, .rate = 0.0, .place = "initial"}};
+    return simulate(m, settings(3.0, tolerance))
+        .instants.back()
+        .bodies[0]
+        .pose.p_WL.x();
+  };
+  const double exact = end(1e-12);
+  for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+    EXPECT_NEAR(end(tolerance), exact, tolerance);
+  }
+}
+
 // What ends a motion with K012.
 TEST(DeadCentreFriction, LineAgainstItsModeIsFound) {
   MechanismDefinition m = testing::sliders({2.0});

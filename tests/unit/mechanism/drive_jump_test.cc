@@ -140,5 +140,51 @@ TEST(DriveJump, FrictionAtRestLetsGo) {
   EXPECT_LT(motion.integration->relative_energy_error, 1e-8);
 }
 
+// A drive that moves from the start on strikes what hangs on it at rest, as one
+// that jumps does; how far it goes later is no matter.
+TEST(DriveJump, StartAtSpeedIsAnImpulseToo) {
+  for (const double stroke : {0.2, 7.0}) {
+    MechanismDefinition m = double_bar();
+    m.drives[0].start = 0.0;
+    m.drives[0].to = stroke * kW;
+    m.drives[0].duration = stroke;
+    SimulationSettings s;
+    s.duration = 0.1;
+    s.instants = 3;
+    s.tolerance = 1e-9;
+    const Motion motion = simulate(m, s);
+    EXPECT_NEAR(motion.instants[0].bodies[1].w_WL.z(),
+                -kMass * kC * kLength * kW / kAboutPin * std::cos(0.4), 1e-12);
+  }
+}
+
+// A rack that its drive carries on by more than half a turn in one step.
+TEST(DriveJump, RackCountsItsTurnsInLongSteps) {
+  MechanismDefinition m = testing::sliders({1.0});
+  m.bodies.push_back(testing::uniform_bar("wheel", {0.0, 0.5, 0.0}, 0.0, 0.1));
+  m.joints.push_back(testing::pin("W", kGround, 1, 0.0, 0.5));
+  m.couplings.push_back({.name = "rack",
+                         .joint_1 = 0,
+                         .joint_2 = 1,
+                         .ratio = 0.05,
+                         .place = "rack"});
+  DriveDefinition drive;
+  drive.joint = 0;
+  drive.law = DriveLaw::kQuintic;
+  drive.start = 0.2;
+  drive.duration = 0.1;
+  drive.to = -0.5;  // ten radians of the wheel
+  m.drives = {drive};
+  SimulationSettings s;
+  s.motion = MotionKind::kDynamic;
+  s.duration = 1.0;
+  s.instants = 51;
+  s.tolerance = 1e-8;
+  const Motion motion = simulate(m, s);
+  for (const Instant& at : motion.instants) {
+    EXPECT_LT(at.closure_error, 1e-9) << at.t;
+  }
+}
+
 }  // namespace
 }  // namespace clevis::mechanism
