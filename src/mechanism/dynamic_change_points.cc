@@ -49,8 +49,13 @@ void DynamicChangePoints::start(const InitialState& initial,
 }
 
 void DynamicChangePoints::look(Integrator& integrator, double until) {
+  if (!has_loops_) return;  // the rows of a tree never depend on one another
   const auto jacobian = [&](double t, MatrixXd& J) {
-    integrator.interpolate(t, state_);
+    if (t == integrator.t()) {
+      state_ = integrator.y();  // without the cost of dense output
+    } else {
+      integrator.interpolate(t, state_);
+    }
     dynamics_.jacobian(t, state_, J);
   };
   for (const double t : watch_->look(jacobian, until)) {

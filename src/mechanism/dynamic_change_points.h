@@ -30,7 +30,9 @@ class DynamicChangePoints {
         settings_(settings),
         frame_(frame),
         dynamics_(dynamics),
-        equilibrium_(equilibrium) {}
+        equilibrium_(equilibrium),
+        has_loops_(definition.joints.size() + definition.couplings.size() >
+                   definition.bodies.size()) {}
 
   /// @throws Error K005 if the motion starts at one and must stop there.
   void start(const InitialState& initial, const Eigen::VectorXd& y);
@@ -60,6 +62,7 @@ class DynamicChangePoints {
   const SolvingFrame& frame_;
   ForwardDynamics& dynamics_;
   const Equilibrium& equilibrium_;
+  bool has_loops_;
   int freedom_{}, rank_{};
   std::optional<RankWatch> watch_;
   std::vector<ChangePoint> points_;

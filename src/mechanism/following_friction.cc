@@ -193,6 +193,19 @@ Equilibrium::Solution balance_with_friction(
               "another joint");
 }
 
+namespace {
+
+bool some_friction_rests(const ForceModel& forces) {
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    if (forces.is_dry(k) && std::abs(forces.element(k).modes[0]) != 1) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 void require_unique_loads(const MechanismDefinition& definition,
                           const ForceModel& forces,
                           const std::vector<JointReaction>& joints) {
@@ -204,12 +217,17 @@ void require_unique_loads(const MechanismDefinition& definition,
     const auto j = static_cast<std::size_t>(followed);
     const auto& unique = joints[j].unique_components;
     if (unique[0] && unique[1]) continue;
+    const bool rests = some_friction_rests(forces);
     throw Error("K011", std::get<LineElement>(element).place,
                 fmt::format("friction {} follows the reaction of joint {}, "
-                            "which equilibrium leaves open",
-                            name_of(element), definition.joints[j].name),
-                "remove redundant constraints (dimension = \"planar\" if the "
-                "mechanism moves in a plane), or give the friction itself");
+                            "which equilibrium leaves open{}",
+                            name_of(element), definition.joints[j].name,
+                            rests ? ": friction at rest shares it" : ""),
+                rests
+                    ? "give the friction itself, or model = \"regularized\""
+                    : "remove redundant constraints (dimension = \"planar\" if "
+                      "the mechanism moves in a plane), or give the friction "
+                      "itself");
   }
 }
 
