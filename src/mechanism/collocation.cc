@@ -29,7 +29,7 @@ constexpr double kTInverse[3][3] = {
     {-4.1787185915519047273, -0.32768282076106238708, 0.47662355450055045196},
     {-0.50287263494578687595, 2.5719269498556054292, -0.59603920482822492497}};
 
-constexpr double kConverged = 0.01;
+constexpr double kConverged = 0.003;
 
 void transform(const double (&matrix)[3][3], const Collocation::Stages& from,
                Collocation::Stages& to) {

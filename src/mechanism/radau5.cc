@@ -13,8 +13,9 @@ namespace {
 constexpr double kSafe = 0.9;
 // |h λ| below which DOP853 would be stable at the same steps.
 constexpr double kEasy = 2.0;
-// Newton that contracts better needs no new Jacobian.
-constexpr double kGoodContraction = 1e-3;
+// Newton that contracts better needs no new Jacobian, which costs as many
+// evaluations as there are states; a step of Newton costs three.
+constexpr double kGoodContraction = 0.1;
 
 }  // namespace
 
