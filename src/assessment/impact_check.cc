@@ -39,6 +39,17 @@ struct Computed {
   double force{};  ///< static, that stresses as much [N]
 };
 
+/// Whether a duration that was given ends while the striker presses and the
+/// worst may be to come.
+bool ends_too_soon(const loads::Strike& strike,
+                   const dynamics::StrikeRun& run) {
+  constexpr double kLate = 0.9;
+  if (!strike.duration || run.release_time >= 0.0) return false;
+  const double late = kLate * *strike.duration;
+  return strike.force == 0.0 || run.peak_contact_time > late ||
+         run.peak_force_time > late;
+}
+
 Computed compute(const PartJob& job, const ImpactJob& impact,
                  StruckFaces& faces) {
   const bool simplex = job.mesh.shape == mesh::CellShape::kSimplex;
@@ -74,6 +85,7 @@ Computed compute(const PartJob& job, const ImpactJob& impact,
   result.first_period = elasticity::first_period<3>(
       {job.mesh, job.part.material, unit, impact.fixed, job.part.name}, low);
   note_motion(fine, result);
+  result.is_cut = ends_too_soon(impact.strike, fine.response.motion());
   const double stiffness = fine.response.stiffness;
   const double force = equivalent_force(impact.strike, stiffness);
   found.force = fine.factor * force;
@@ -152,7 +164,7 @@ void finish_impacts(const PartJob& job, std::vector<ImpactResult> impacts,
   }
   const bool unsettled =
       std::ranges::any_of(impacts, [](const ImpactResult& i) {
-        return !i.refinement.settles;
+        return !i.refinement.settles || i.is_cut;
       });
   for (PeakStress* peak : {&result.peak, &result.peak_outside}) {
     if (unsettled && peak->verdict == PeakVerdict::kConverged) {

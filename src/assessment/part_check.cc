@@ -220,6 +220,12 @@ namespace {
 void explain_unsettled(PartResult& result) {
   if (result.verdict != PartVerdict::kNotJudged) return;
   for (const ImpactResult& impact : result.impacts) {
+    if (impact.is_cut) {
+      result.why = "the duration of impact " + impact.name +
+                   " ends while the striker still presses, its peak may come "
+                   "later: give a longer one, or leave the key out";
+      return;
+    }
     if (impact.refinement.settles) continue;
     result.why = "the stress of impact " + impact.name +
                  " does not settle with refinement: give the contact its "

@@ -93,12 +93,13 @@ struct FrontRefinement {
 /// A blow on a part by all models.
 struct ImpactResult {
   std::string name;
-  std::string source;                   ///< "given", "contact touch"
-  double mass{}, speed{}, force{};      ///< of the striker [kg], [m/s], [N]
-  double stiffness{}, exponent = 1.0;   ///< of the contact
-  bool is_ideal = false;                ///< that spring stands for none
-  double part_mass{};                   ///< [kg]
-  double first_period{};                ///< of the part [s]
+  std::string source;                  ///< "given", "contact touch"
+  double mass{}, speed{}, force{};     ///< of the striker [kg], [m/s], [N]
+  double stiffness{}, exponent = 1.0;  ///< of the contact
+  bool is_ideal = false;               ///< that spring stands for none
+  bool is_cut = false;    ///< its given duration ends while the striker presses
+  double part_mass{};     ///< [kg]
+  double first_period{};  ///< of the part [s]
   double load_duration{}, rise_time{};  ///< of the contact's force [s]
   double peak_force{};                  ///< of the contact [N]
   double beam_factor{};                 ///< of the corrected beam; 0: none [1]

@@ -6,6 +6,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "base/errors.h"
+
 namespace clevis::dynamics {
 
 using Eigen::MatrixXd;
@@ -25,6 +27,12 @@ ExcitedShapes::ExcitedShapes(const LinearSystem& system, const VectorXd& load)
   }
   const MatrixXd answer = solve(straining);
   compliance_ = load.dot(answer.col(0));
+  if (!(compliance_ > 0.0)) {
+    throw Error("F006", "strike",
+                "what is struck cannot move in the direction of the blow: the "
+                "part's supports hold it",
+                "strike a face that gives way, or change `fixed`");
+  }
   space_ = std::make_unique<BlockKrylov>(system, solve, answer, rigid_);
 }
 
