@@ -22,6 +22,17 @@ using dynamics::Route;
 // routes.
 constexpr std::size_t kCrossChecked = 4;
 
+/// @param space  error of the elements [1].
+void note_deflection(const StruckRun& best, double space,
+                     ImpactResult& impact) {
+  impact.deflection = best.deflection.value;
+  impact.deflection_at = best.deflection.at;
+  impact.deflection_time = best.response.motion().time[best.deflection.instant];
+  impact.deflection_error =
+      best.deflection_sampling +
+      (space + best.response.solution.error()) * best.deflection.value;
+}
+
 void note_motion(const StruckRun& best, ImpactResult& impact) {
   const auto& run = best.response.motion();
   impact.peak_force = run.peak_force;
@@ -29,7 +40,6 @@ void note_motion(const StruckRun& best, ImpactResult& impact) {
   impact.load_duration = run.release_time >= 0.0
                              ? run.release_time
                              : run.time[run.time.size() - 1];
-  impact.deflection = run.peak_contact;
   impact.dynamic_factor = best.factor;
   impact.reason = best.response.solution.reason;
 }
@@ -85,6 +95,9 @@ Computed compute(const PartJob& job, const ImpactJob& impact,
   result.first_period = elasticity::first_period<3>(
       {job.mesh, job.part.material, unit, impact.fixed, job.part.name}, low);
   note_motion(fine, result);
+  note_deflection(
+      fine, std::abs(coarse.deflection.value / fine.deflection.value - 1.0),
+      result);
   result.is_cut = ends_too_soon(impact.strike, fine.response.motion());
   const double stiffness = fine.response.stiffness;
   const double force = equivalent_force(impact.strike, stiffness);
@@ -106,7 +119,8 @@ Computed compute(const PartJob& job, const ImpactJob& impact,
       {.model = fmt::format("static elements x factor, p = {}", high),
        .stress = force * fine.static_stress,
        .nominal = bar ? force * bar->bar.stress_per_force : 0.0,
-       .deflection = force / stiffness,
+       .face = force / stiffness,
+       .deflection = force * fine.static_deflection,
        .error = std::abs(coarse.static_stress / fine.static_stress - 1.0),
        .seconds = fine.static_seconds});
   const double coarse_error = std::abs(coarse.stress / fine.stress - 1.0);
@@ -120,7 +134,8 @@ Computed compute(const PartJob& job, const ImpactJob& impact,
       struck_row(fine, high, nominal(fine), space + fine.error_in_time()));
   for (ImpactRow& row : result.rows) {
     row.ratio = bar ? row.nominal / nominal(fine) : row.stress / fine.stress;
-    row.remark = remark_on(row, result, result.deflection, stiffness);
+    row.remark =
+        remark_on(row, result, fine.response.motion().peak_contact, stiffness);
   }
   result.rows.back().remark = "judged";
   // for finish_impacts(): the factor's own error
@@ -145,6 +160,24 @@ std::vector<ImpactResult> compute_impacts(PartJob& job) {
   }
   return impacts;
 }
+
+namespace {
+
+/// That of the blows in time; beside loads at rest the larger.
+void take_deflection(const PartJob& job,
+                     const std::vector<ImpactResult>& impacts,
+                     PartResult& result) {
+  const ImpactResult& worst =
+      *std::ranges::max_element(impacts, {}, &ImpactResult::deflection);
+  const bool only_blows = job.load_sets.size() == impacts.size();
+  if (!only_blows && result.deflection > worst.deflection) return;
+  result.deflection = worst.deflection;
+  result.deflection_error = worst.deflection_error;
+  result.deflection_at = worst.deflection_at;
+  result.deflection_instant = worst.deflection_time;
+}
+
+}  // namespace
 
 void finish_impacts(const PartJob& job, std::vector<ImpactResult> impacts,
                     PartResult& result) {
@@ -176,10 +209,7 @@ void finish_impacts(const PartJob& job, std::vector<ImpactResult> impacts,
   }
   if (!impacts.empty()) {
     result.first_period = impacts.front().first_period;
-    result.deflection = std::max(
-        result.deflection,
-        std::ranges::max_element(impacts, {}, &ImpactResult::deflection)
-            ->deflection);
+    take_deflection(job, impacts, result);
   }
   result.impacts = std::move(impacts);
 }

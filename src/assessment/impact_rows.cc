@@ -40,7 +40,7 @@ void add_beam_rows(const beam::BarOfPart& bar, const loads::Strike& strike,
     const beam::BarImpact found = compute();
     rows.push_back({.model = model,
                     .nominal = found.stress,
-                    .deflection = found.deflection,
+                    .face = found.deflection,
                     .seconds = watch.lap()});
   };
   add(kPublished, [&] {
@@ -71,21 +71,22 @@ ImpactRow struck_row(const StruckRun& run, int degree, double nominal,
                                degree),
           .stress = run.stress,
           .nominal = nominal,
-          .deflection = run.response.motion().peak_contact,
+          .face = run.response.motion().peak_contact,
+          .deflection = run.deflection.value,
           .error = error,
           .seconds = run.seconds};
 }
 
 std::string remark_on(const ImpactRow& row, const ImpactResult& impact,
-                      double deflection, double part_stiffness) {
+                      double face, double part_stiffness) {
   constexpr double kEqual = 0.02, kClose = 0.10;
   const double off = row.ratio - 1.0;
   std::string text = std::abs(off) < kEqual ? "agrees"
                      : off < 0.0            ? "unsafe by " + percent(off)
                                             : "safe by " + percent(off);
-  const double bent = row.deflection / deflection;
+  const double bent = row.face / face;
   if (bent > 1.0 + kClose || bent < 1.0 - kClose) {
-    text += fmt::format(", deflection {:.2f} times", bent);
+    text += fmt::format(", face moves {:.2f} times", bent);
   }
   if (row.model == kPublished) {
     return text + ": twice the speed on a third of the stiffness";

@@ -26,9 +26,9 @@ ImpactRow struck_row(const StruckRun& run, int degree, double nominal,
                      double error);
 
 /// Which side of the judged model a model is on, and why.
-/// @param deflection  of the judged model [m].
+/// @param face  way of the struck face by the judged model [m].
 /// @param part_stiffness  of the struck face [N/m].
 std::string remark_on(const ImpactRow& row, const ImpactResult& impact,
-                      double deflection, double part_stiffness);
+                      double face, double part_stiffness);
 
 }  // namespace clevis::assessment

@@ -75,7 +75,8 @@ struct ImpactRow {
   std::string model;    ///< "beam, corrected", "dynamic FE, modal, p = 3"
   double stress{};      ///< where the part is judged [Pa]; 0: it says nothing
   double nominal{};     ///< in the root section, by the bending moment [Pa]
-  double deflection{};  ///< of the struck face, along the blow [m]
+  double face{};        ///< way of the struck face, along the blow [m]
+  double deflection{};  ///< largest of the part; 0: it says nothing [m]
   double error = -1.0;  ///< estimated, of the stress; negative: not known [1]
   double seconds{};
   double ratio{};        ///< nominal stress over that of the dynamic FE [1]
@@ -105,10 +106,13 @@ struct ImpactResult {
   double beam_factor{};                 ///< of the corrected beam; 0: none [1]
   double dynamic_factor{};              ///< dynamic over static FE [1]
   double stress{}, band_low{}, band_high{};  ///< by the dynamic FE [Pa]
-  double deflection{};                       ///< [m]
-  double safety_factor{};                    ///< yield / stress
-  std::string reason;                        ///< of the route in time
-  FrontRefinement refinement;                ///< empty: the blow is soft
+  double deflection{};        ///< largest of the part over all times [m]
+  double deflection_error{};  ///< estimated [m]
+  Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();  ///< in L [m]
+  double deflection_time{};                                 ///< [s]
+  double safety_factor{};                                   ///< yield / stress
+  std::string reason;          ///< of the route in time
+  FrontRefinement refinement;  ///< empty: the blow is soft
   std::vector<ImpactRow> rows;
 };
 
@@ -169,8 +173,9 @@ struct PartResult {
   /// Where a zone governs: the peak away from those that do; else with an
   /// empty sequence.
   PeakStress peak_outside;
-  double safety_factor{};  ///< yield / peak
-  double deflection{};     ///< relative to its pins [m]
+  double safety_factor{};     ///< yield / peak
+  double deflection{};        ///< relative to its pins [m]
+  double deflection_error{};  ///< of blows, estimated; 0: not known [m]
   Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();
   double deflection_instant{};  ///< [s]
   double strain_energy{};       ///< largest over the instants [J]

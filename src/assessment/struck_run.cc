@@ -19,12 +19,8 @@ constexpr int kSubdivisions = 2;
 constexpr double kTimeTolerance = 3e-3;
 constexpr double kDirectTolerance = 3e-2;  // it only checks the other route
 
-/// By how much the stress may be higher between the samples: a third of what
-/// every second sample loses [1].
-double sampling_error(const elasticity::DisplacementBasis<3>& basis,
-                      const PartJob& job,
-                      const std::vector<stress::SingularZone>& zones,
-                      double stress) {
+elasticity::DisplacementBasis<3> every_second(
+    const elasticity::DisplacementBasis<3>& basis) {
   elasticity::DisplacementBasis<3> half;
   half.discretization = basis.discretization;
   half.columns = basis.columns;
@@ -34,7 +30,7 @@ double sampling_error(const elasticity::DisplacementBasis<3>& basis,
     half.coefficients.col(i) = basis.coefficients.col(2 * i);
   }
   half.strain_energy.setZero(count);
-  return (1.0 - judged_stress(half, job, zones) / stress) / 3.0;
+  return half;
 }
 
 /// What a face's matrices depend on beside the part and the degree.
@@ -124,11 +120,18 @@ StruckRun run_struck(const PartJob& job, const ImpactJob& impact,
       .response = faces.get(job, impact, degree).solve(impact.strike, options)};
   found.stress = judged_stress(found.response.basis, job, zones);
   found.seconds = watch.lap();
+  found.deflection = stress::largest_deflection<3>(found.response.basis);
+  // between the samples: a third of what every second one loses
+  const auto half = every_second(found.response.basis);
   found.sampling_error =
-      sampling_error(found.response.basis, job, zones, found.stress);
+      (1.0 - judged_stress(half, job, zones) / found.stress) / 3.0;
+  found.deflection_sampling =
+      (found.deflection.value - stress::largest_deflection<3>(half).value) /
+      3.0;
   watch.lap();
-  found.static_stress =
-      judged_stress(elasticity::solve<3>(problem, degree), job, zones);
+  const auto at_rest = elasticity::solve<3>(problem, degree);
+  found.static_stress = judged_stress(at_rest, job, zones);
+  found.static_deflection = stress::largest_deflection<3>(at_rest).value;
   found.static_seconds = watch.lap();
   found.factor = found.stress /
                  (found.static_stress *

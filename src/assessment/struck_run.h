@@ -8,6 +8,7 @@
 #include "assessment/part_check.h"
 #include "dynamics/strike.h"
 #include "elasticity/strike_response.h"
+#include "stress/deflection.h"
 #include "stress/singular_zone.h"
 
 namespace clevis::assessment {
@@ -45,10 +46,13 @@ class StruckFaces {
 /// One blow by one route and degree.
 struct StruckRun {
   elasticity::StrikeResponse<3> response;
-  double stress{};          ///< [Pa]
-  double static_stress{};   ///< by the static force of 1 N [Pa]
-  double sampling_error{};  ///< of the stress [1]
-  double factor{};          ///< of F_eq, with the elements' stiffness [1]
+  double stress{};                ///< [Pa]
+  double static_stress{};         ///< by the static force of 1 N [Pa]
+  double sampling_error{};        ///< of the stress [1]
+  stress::Deflection deflection;  ///< largest over part and times
+  double deflection_sampling{};   ///< what lies between the samples [m]
+  double static_deflection{};     ///< by the static force of 1 N [m]
+  double factor{};                ///< of F_eq, with the elements' stiffness [1]
   double seconds{}, static_seconds{};
 
   /// Of the steps, the shapes and the samples [1].

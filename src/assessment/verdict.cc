@@ -139,8 +139,17 @@ bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
 }
 
 bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
-  if (!part.limits.deflection || result.deflection <= *part.limits.deflection) {
-    return true;
+  if (!part.limits.deflection) return true;
+  const double low = result.deflection - result.deflection_error;
+  const double high = result.deflection + result.deflection_error;
+  if (high <= *part.limits.deflection) return true;
+  if (low <= *part.limits.deflection) {
+    set(result, PartVerdict::kNotJudged,
+        fmt::format("{:.4g} mm lies inside the band of the deflection, "
+                    "[{:.4g}, {:.4g}] mm: mesh finer",
+                    *part.limits.deflection / kMilli, low / kMilli,
+                    high / kMilli));
+    return false;
   }
   set(result, PartVerdict::kFail,
       fmt::format("deflection {:.4g} mm exceeds {:.4g} mm",

@@ -70,7 +70,8 @@ JunitCase deflection_case(const PartResult& part, const part::Limits& limits) {
       .message = fmt::format("deflection {:.6g} mm, no limit set", deflection),
       .seconds = 0.0};
   if (limits.deflection) {
-    test.status = status_of_limit(part.deflection > *limits.deflection, part);
+    test.status = status_of_limit(
+        part.deflection - part.deflection_error > *limits.deflection, part);
     test.message = fmt::format(
         "deflection {:.6g} mm, at most {:.6g} mm allowed{}", deflection,
         millimetres(*limits.deflection), reason(test.status, part));

@@ -68,6 +68,7 @@ std::string table_of(const ImpactResult& impact, Colour colour) {
                    {"stress MPa", Align::kRight},
                    {"root MPa", Align::kRight},
                    {"/judged", Align::kRight},
+                   {"face mm", Align::kRight},
                    {"defl. mm", Align::kRight},
                    {"error %", Align::kRight},
                    {"s", Align::kRight},
@@ -78,7 +79,8 @@ std::string table_of(const ImpactResult& impact, Colour colour) {
          {or_dash(megapascals(row.stress), "{:.1f}")},
          {or_dash(megapascals(row.nominal), "{:.1f}")},
          {fmt::format("{:.3f}", row.ratio)},
-         {fmt::format("{:.4f}", millimetres(row.deflection))},
+         {fmt::format("{:.4f}", millimetres(row.face))},
+         {or_dash(millimetres(row.deflection), "{:.4f}")},
          {row.error < 0.0 ? "-" : fmt::format("{:.2g}", kPercent * row.error)},
          {fmt::format("{:.2g}", row.seconds)},
          {row.remark}});
@@ -138,7 +140,10 @@ ordered_json row_json(const ImpactRow& row) {
                                 ? ordered_json(megapascals(row.nominal))
                                 : ordered_json();
   json["ratio"] = row.ratio;
-  json["deflection_mm"] = millimetres(row.deflection);
+  json["face_deflection_mm"] = millimetres(row.face);
+  json["deflection_mm"] = row.deflection > 0.0
+                              ? ordered_json(millimetres(row.deflection))
+                              : ordered_json();
   json["error_percent"] =
       row.error < 0.0 ? ordered_json() : ordered_json(kPercent * row.error);
   json["seconds"] = row.seconds;
@@ -193,6 +198,9 @@ ordered_json part_impacts_json(const PartResult& part) {
          {"stress_MPa", megapascals(i.stress)},
          {"band_MPa", {megapascals(i.band_low), megapascals(i.band_high)}},
          {"deflection_mm", millimetres(i.deflection)},
+         {"deflection_band_mm",
+          {millimetres(i.deflection - i.deflection_error),
+           millimetres(i.deflection + i.deflection_error)}},
          {"safety_factor", i.safety_factor},
          {"reason", i.reason},
          {"refinement", refinement_json(i.refinement)},

@@ -42,7 +42,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SelfChecks, equilibrium, residual, energy,
                                    compression, reported_peak_is_field_maximum)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProbeResult, name, quantity, value, band_low,
                                    band_high)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImpactRow, model, stress, nominal,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImpactRow, model, stress, nominal, face,
                                    deflection, error, seconds, ratio, remark)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrontRefinement, fronts, stress, deflection,
                                    settles)
@@ -51,7 +51,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImpactResult, name, source, mass, speed,
                                    part_mass, first_period, load_duration,
                                    rise_time, peak_force, beam_factor,
                                    dynamic_factor, stress, band_low, band_high,
-                                   deflection, safety_factor, reason,
+                                   deflection, deflection_error, deflection_at,
+                                   deflection_time, safety_factor, reason,
                                    refinement, rows)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LoadPace, impact, duration, rise_time, ratio,
                                    amplification, treatment)
@@ -63,11 +64,14 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VibrationResult, ratio, governs, failure,
                                    seconds)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartSeconds, mesh, assemble, factor, solve,
                                    recover, write, total)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    PartResult, name, verdict, why, model, stopped_because, dofs, cells,
-    load_columns, peak, singular_zones, peak_outside, safety_factor, deflection,
-    deflection_at, deflection_instant, strain_energy, strain_energy_error, beam,
-    self_checks, probes, seconds, mass, first_period, impacts, paces, vibration)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartResult, name, verdict, why, model,
+                                   stopped_because, dofs, cells, load_columns,
+                                   peak, singular_zones, peak_outside,
+                                   safety_factor, deflection, deflection_error,
+                                   deflection_at, deflection_instant,
+                                   strain_energy, strain_energy_error, beam,
+                                   self_checks, probes, seconds, mass,
+                                   first_period, impacts, paces, vibration)
 
 }  // namespace clevis::assessment
 
