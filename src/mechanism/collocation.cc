@@ -31,6 +31,20 @@ constexpr double kTInverse[3][3] = {
 
 constexpr double kConverged = 0.003;
 
+/// Of the method's matrix.
+Eigen::Matrix3d inverse_matrix() {
+  Eigen::Matrix3d T, T_inverse, middle;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      T(i, j) = kT[i][j];
+      T_inverse(i, j) = kTInverse[i][j];
+    }
+  }
+  middle << kReal, 0.0, 0.0, 0.0, kAlpha, -kBeta, 0.0, kBeta, kAlpha;
+  return T * middle * T_inverse;
+}
+const Eigen::Matrix3d kInverse = inverse_matrix();
+
 void transform(const double (&matrix)[3][3], const Collocation::Stages& from,
                Collocation::Stages& to) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -51,47 +65,53 @@ double weighted_norm(const VectorXd& error, const VectorXd& weights) {
 
 Collocation::Collocation(OdeSystem& system) : system_(system) {
   const Index n = system.size();
-  J_.setZero(n, n);
-  real_matrix_.setZero(n, n);
-  complex_matrix_.setZero(n, n);
-  real_ = Eigen::PartialPivLU<Eigen::MatrixXd>(n);
-  complex_ = Eigen::PartialPivLU<Eigen::MatrixXcd>(n);
+  T_.setZero(n, n);
+  B_.setZero(n, n);
   for (Stages* stages : {&z_, &w_, &f_}) {
     for (VectorXd& v : *stages) v.setZero(n);
   }
   for (VectorXd* v : {&point_, &scratch_, &direction_}) v->setZero(n);
   complex_scratch_.setZero(n);
-  complex_solution_.setZero(n);
 }
 
-void Collocation::linearise(double t, const VectorXd& y,
-                            const VectorXd& slope) {
+void Collocation::linearise(double t, const VectorXd& y, const VectorXd& slope,
+                            Axes axes) {
+  axes_ = axes;
   const double root = std::sqrt(std::numeric_limits<double>::epsilon());
-  system_.scales(y, scratch_);
   system_.hold_tangents(t, y);
-  point_ = y;
-  for (Index j = 0; j < y.size(); ++j) {
-    if (scratch_[j] == 0.0) {  // nothing depends on it
-      J_.col(j).setZero();
-      continue;
-    }
-    const double step = root * std::max(std::abs(y[j]), scratch_[j]);
-    point_[j] = y[j] + step;
+  tangents_ = system_.tangents(t, y, T_);
+  const auto T = T_.leftCols(tangents_);
+  for (Index j = 0; j < tangents_; ++j) {
+    point_ = y + root * T_.col(j);
     system_.rate(t, point_, f_[0]);
-    ++evaluations_;
-    J_.col(j) = (f_[0] - slope) / (point_[j] - y[j]);
-    point_[j] = y[j];
+    B_.col(j) = (f_[0] - slope) / root;
   }
+  evaluations_ += tangents_;
   system_.release_tangents();
+  for (Index j = 0; j < tangents_; ++j) {
+    to_axes(y, T_.col(j));
+    to_axes(y, B_.col(j));
+  }
+  gram_.noalias() = T.transpose() * T;
+  gram_factor_.compute(gram_);
+  to_tangents_ = gram_factor_.solve(T.transpose());
+  reduced_.noalias() = to_tangents_ * B_.leftCols(tangents_);
   h_ = 0.0;
+}
+
+void Collocation::to_axes(const VectorXd& y, Eigen::Ref<VectorXd> v) const {
+  if (axes_ == Axes::kMoving) system_.to_axes(y, v);
+}
+
+void Collocation::from_axes(const VectorXd& y, Eigen::Ref<VectorXd> v) const {
+  if (axes_ == Axes::kMoving) system_.from_axes(y, v);
 }
 
 bool Collocation::factor(double h) {
   const std::complex<double> pair(kAlpha / h, kBeta / h);
-  real_matrix_ = -J_;
+  real_matrix_ = -reduced_;
   real_matrix_.diagonal().array() += kReal / h;
-  complex_matrix_.real() = -J_;
-  complex_matrix_.imag().setZero();
+  complex_matrix_ = -reduced_;
   complex_matrix_.diagonal().array() += pair;
   if (!real_matrix_.allFinite()) return false;
   real_.compute(real_matrix_);
@@ -101,28 +121,35 @@ bool Collocation::factor(double h) {
   return true;
 }
 
-void Collocation::newton_step(double h) {
+/// Takes the rates in f_, leaves the changes there.
+void Collocation::newton_step(const VectorXd& y, double h) {
   const std::complex<double> pair(kAlpha / h, kBeta / h);
-  // z_ is free here: T⁻¹ f
-  transform(kTInverse, f_, z_);
-  scratch_ = z_[0] - (kReal / h) * w_[0];
-  point_ = real_.solve(scratch_);
-  f_[0] = point_;
-  complex_scratch_.real() = z_[1];
-  complex_scratch_.imag() = z_[2];
-  for (Index j = 0; j < complex_scratch_.size(); ++j) {
-    complex_scratch_[j] -= pair * std::complex<double>(w_[1][j], w_[2][j]);
+  const auto B = B_.leftCols(tangents_);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) f_[i] -= (kInverse(i, j) / h) * z_[j];
+    point_ = y + z_[i];
+    to_axes(point_, f_[i]);
   }
-  complex_solution_ = complex_.solve(complex_scratch_);
-  f_[1] = complex_solution_.real();
-  f_[2] = complex_solution_.imag();
-  for (std::size_t i = 0; i < 3; ++i) w_[i] += f_[i];
-  transform(kT, w_, z_);
+  transform(kTInverse, f_, w_);
+  filter_in_axes(w_[0]);
+  complex_scratch_.real() = w_[1];
+  complex_scratch_.imag() = w_[2];
+  complex_along_.noalias() = to_tangents_ * complex_scratch_;
+  complex_along_ = complex_.solve(complex_along_);
+  complex_scratch_.noalias() += B * complex_along_;
+  complex_scratch_ /= pair;
+  w_[1] = complex_scratch_.real();
+  w_[2] = complex_scratch_.imag();
+  transform(kT, w_, f_);
+  for (std::size_t i = 0; i < 3; ++i) {
+    point_ = y + z_[i];
+    from_axes(point_, f_[i]);
+    z_[i] += f_[i];
+  }
 }
 
 bool Collocation::solve(double t, const VectorXd& y, double h,
                         const VectorXd& weights) {
-  transform(kTInverse, z_, w_);
   const double c[3] = {kC1, kC2, 1.0};
   double last = 0.0;
   contraction_ = 0.0;
@@ -132,7 +159,7 @@ bool Collocation::solve(double t, const VectorXd& y, double h,
       system_.rate(t + c[i] * h, point_, f_[i]);
     }
     evaluations_ += 3;
-    newton_step(h);
+    newton_step(y, h);
     double size = 0.0;
     for (const VectorXd& change : f_) {
       size += std::pow(weighted_norm(change, weights), 2);
@@ -156,9 +183,17 @@ bool Collocation::solve(double t, const VectorXd& y, double h,
   return false;
 }
 
-void Collocation::filter(VectorXd& v) {
-  scratch_ = v;
-  v = real_.solve(scratch_);
+void Collocation::filter(const VectorXd& y, VectorXd& v) {
+  to_axes(y, v);
+  filter_in_axes(v);
+  from_axes(y, v);
+}
+
+void Collocation::filter_in_axes(VectorXd& v) {
+  along_.noalias() = to_tangents_ * v;
+  along_ = real_.solve(along_);
+  v.noalias() += B_.leftCols(tangents_) * along_;
+  v *= h_ / kReal;
 }
 
 void Collocation::embedded(double h, VectorXd& sum) const {
@@ -168,6 +203,11 @@ void Collocation::embedded(double h, VectorXd& sum) const {
   sum = (kE1 / h) * z_[0] + (kE2 / h) * z_[1] + (kE3 / h) * z_[2];
 }
 
+void Collocation::apply_jacobian(const VectorXd& v, VectorXd& result) {
+  along_.noalias() = to_tangents_ * v;
+  result.noalias() = B_.leftCols(tangents_) * along_;
+}
+
 double Collocation::largest_eigenvalue() {
   // the mean growth over some powers: a pair of eigenvalues turns the vector
   constexpr int kBefore = 6, kPowers = 8;
@@ -175,7 +215,7 @@ double Collocation::largest_eigenvalue() {
   double growth = 0.0;
   for (int i = 0; i < kBefore + kPowers; ++i) {
     direction_ /= direction_.norm();
-    scratch_.noalias() = J_ * direction_;
+    apply_jacobian(direction_, scratch_);
     const double size = scratch_.norm();
     if (!(size > 0.0)) return 0.0;
     if (i >= kBefore) growth += std::log(size);
@@ -190,7 +230,7 @@ double Collocation::stiffness() {
   double growth = 0.0;
   for (int i = 0; i < kPowers; ++i) {
     direction_ /= direction_.norm();
-    scratch_.noalias() = J_ * direction_;
+    apply_jacobian(direction_, scratch_);
     growth = scratch_.norm();
     if (!(growth > 0.0)) return 0.0;
     direction_ = scratch_;

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <complex>
+#include <cstdint>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
 
@@ -13,16 +15,22 @@ namespace clevis::mechanism {
 /// The three stages of Radau IIA of order 5 over one step: z_i = y(t + c_i h)
 /// − y(t), c = (4 − √6)/10, (4 + √6)/10, 1. Simplified Newton in the
 /// coordinates w = T⁻¹ z in which the method's matrix is a real eigenvalue and
-/// a complex pair (Hairer, Wanner 1996, IV.8).
+/// a complex pair (Hairer, Wanner 1996, IV.8); along the tangents of the
+/// system alone, each stage in axes of its own.
 class Collocation {
  public:
   explicit Collocation(OdeSystem& system);
 
   using Stages = std::array<Eigen::VectorXd, 3>;
 
-  /// Jacobian of the rate at (t, y), by differences that hold_tangents().
+  /// Of the derivative of the rate: those of the state, or those that go along
+  /// with it.
+  enum class Axes : std::uint8_t { kFixed, kMoving };
+
+  /// Derivative of the rate at (t, y) along the system's tangents(), by
+  /// differences that hold_tangents().
   void linearise(double t, const Eigen::VectorXd& y,
-                 const Eigen::VectorXd& slope);
+                 const Eigen::VectorXd& slope, Axes axes);
   /// Decomposes for a step h. @return false if that fails.
   bool factor(double h);
   bool is_factored_for(double h) const { return h == h_; }
@@ -36,8 +44,8 @@ class Collocation {
   Stages& stages() { return z_; }
   int iterations() const { return iterations_; }  ///< of the last solve()
   double contraction() const { return contraction_; }
-  /// v ← (γ₀/h − J)⁻¹ v.
-  void filter(Eigen::VectorXd& v);
+  /// v ← (γ₀/h − J)⁻¹ v at y.
+  void filter(const Eigen::VectorXd& y, Eigen::VectorXd& v);
   /// Stages' part of the embedded error, over h.
   void embedded(double h, Eigen::VectorXd& sum) const;
   /// Largest growth of a vector by J in a few power iterations [1/s].
@@ -52,20 +60,28 @@ class Collocation {
   static const double kC1, kC2;
 
  private:
-  void newton_step(double h);
+  void newton_step(const Eigen::VectorXd& y, double h);
+  void filter_in_axes(Eigen::VectorXd& v);
+  void to_axes(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> v) const;
+  void from_axes(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> v) const;
+  void apply_jacobian(const Eigen::VectorXd& v, Eigen::VectorXd& result);
 
   OdeSystem& system_;
+  Axes axes_ = Axes::kFixed;
   double h_ = 0.0;  ///< of the factors
   int iterations_{};
   double contraction_{};
   long evaluations_{}, factorisations_{};
-  Eigen::MatrixXd J_, real_matrix_;
+  // J ≈ B T⁺, T the tangents: (γ − J)⁻¹ = (1 + B (γ − T⁺ B)⁻¹ T⁺) / γ
+  Eigen::Index tangents_{};  ///< columns of T and B that count
+  Eigen::MatrixXd T_, B_, gram_, to_tangents_, reduced_, real_matrix_;
   Eigen::MatrixXcd complex_matrix_;
+  Eigen::LDLT<Eigen::MatrixXd> gram_factor_;
   Eigen::PartialPivLU<Eigen::MatrixXd> real_;
   Eigen::PartialPivLU<Eigen::MatrixXcd> complex_;
   Stages z_, w_, f_;
-  Eigen::VectorXd point_, scratch_, direction_;
-  Eigen::VectorXcd complex_scratch_, complex_solution_;
+  Eigen::VectorXd point_, scratch_, direction_, along_;
+  Eigen::VectorXcd complex_scratch_, complex_along_;
 };
 
 /// Root mean square of error times weights.

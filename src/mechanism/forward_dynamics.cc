@@ -210,11 +210,8 @@ void ForwardDynamics::rate(double t, const VectorXd& y, VectorXd& rate) {
     if (planar_) continue;
     const auto at = static_cast<Index>(7 * (i - 1));
     rate.segment<3>(at) = twists_[i].v;
-    // q' = ½ (0, w) q
-    const Eigen::Vector4d q = y.segment<4>(at + 3);  // x, y, z, w
-    const Vector3d half = 0.5 * twists_[i].w;
-    rate.segment<3>(at + 3) = q.w() * half + half.cross(q.head<3>());
-    rate[at + 6] = -half.dot(q.head<3>());
+    rate.segment<4>(at + 3) =
+        quaternion_rate(y.segment<4>(at + 3), 0.5 * twists_[i].w);
   }
   if (planar_) rate.head(positions_) = u_.head(positions_);
   rate.segment(positions_, system_.columns()) =

@@ -18,6 +18,15 @@ namespace clevis::mechanism {
 /// its centre of mass, so that the mass matrix is block diagonal.
 SolvingFrame frame_at_centres(const MechanismDefinition& definition);
 
+/// q' = (0, half) q of a quaternion x, y, z, w that turns at twice that rate.
+inline Eigen::Vector4d quaternion_rate(const Eigen::Vector4d& q,
+                                       const Eigen::Vector3d& half) {
+  Eigen::Vector4d rate;
+  rate.head<3>() = q.w() * half + half.cross(q.head<3>());
+  rate.w() = -half.dot(q.head<3>());
+  return rate;
+}
+
 /// What two bodies weigh at their contact, along its normal; see Impact.
 struct ContactInertia {
   double mass_a{}, mass_b{}, mass{};
@@ -46,6 +55,19 @@ class ForwardDynamics : public OdeSystem {
                      Eigen::VectorXd& weights) const override;
   void scales(const Eigen::VectorXd& y, Eigen::VectorXd& scales) const override;
 
+  /// What joints and drives leave open of positions and of velocities, and
+  /// internal states.
+  Eigen::Index tangents(double t, const Eigen::VectorXd& y,
+                        Eigen::MatrixXd& T) override;
+  /// Axes of each body.
+  void to_axes(const Eigen::VectorXd& y,
+               Eigen::Ref<Eigen::VectorXd> v) const override {
+    turn(y, v, true);
+  }
+  void from_axes(const Eigen::VectorXd& y,
+                 Eigen::Ref<Eigen::VectorXd> v) const override {
+    turn(y, v, false);
+  }
   void hold_tangents(double t, const Eigen::VectorXd& y) override;
   void release_tangents() override { forces_.release_tangents(); }
   /// The last rate() is not finite, as friction that follows a reaction jams.
@@ -157,6 +179,12 @@ class ForwardDynamics : public OdeSystem {
   double acceleration_size() const;
   double correct_positions(double t, Eigen::VectorXd& y);
   void move(Eigen::VectorXd& y, const Eigen::VectorXd& change) const;
+  void turn(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> v,
+            bool to_bodies) const;
+  void open_velocities(Eigen::MatrixXd& N);
+  void put_displacement(const Eigen::VectorXd& y,
+                        const Eigen::Ref<const Eigen::VectorXd>& unknowns,
+                        Eigen::Ref<Eigen::VectorXd> change) const;
 
   struct Body {
     double mass{};
@@ -195,6 +223,9 @@ class ForwardDynamics : public OdeSystem {
   Eigen::Vector3d gravity_;
 
   // workspace
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> row_space_;  ///< of tangents()
+  Eigen::RowVectorXd row_workspace_;
+  Eigen::MatrixXd open_;
   int rows_{};  ///< of the system and of force elements
   Eigen::VectorXd scratch_, before_rest_;
   Configuration x_;

@@ -21,6 +21,25 @@ class OdeSystem {
   /// By component, a size that is large for it; 0 where no rate depends on it.
   virtual void scales(const Eigen::VectorXd& y,
                       Eigen::VectorXd& scales) const = 0;
+  /// Directions T in which states go on from (t, y), n × n, of which the first
+  /// columns count; each as long as its states are large. What the rate does
+  /// along others need not be known to solve for states implicitly.
+  /// @return how many count.
+  virtual Eigen::Index tangents(double /*t*/, const Eigen::VectorXd& y,
+                                Eigen::MatrixXd& T) {
+    Eigen::VectorXd size(y.size());
+    scales(y, size);
+    T = y.cwiseAbs().cwiseMax(size).asDiagonal();
+    return y.size();
+  }
+  /// Turns a change v of the state, or a rate, into axes that go along with
+  /// y. Where parts act on one another, the derivative of the rate hardly
+  /// changes in these as y goes on; where they touch what is at rest, it does
+  /// not in the axes of v.
+  virtual void to_axes(const Eigen::VectorXd& /*y*/,
+                       Eigen::Ref<Eigen::VectorXd> /*v*/) const {}
+  virtual void from_axes(const Eigen::VectorXd& /*y*/,
+                         Eigen::Ref<Eigen::VectorXd> /*v*/) const {}
   /// From now on laws that bend within a small change of the state act by
   /// their tangents at (t, y): differences of rate() over steps of any length
   /// tell its derivative. Until release_tangents().

@@ -16,6 +16,10 @@ constexpr double kEasy = 2.0;
 // Newton that contracts better needs no new Jacobian, which costs as many
 // evaluations as there are states; a step of Newton costs three.
 constexpr double kGoodContraction = 0.1;
+// A step with which Newton failed is tried again after some shorter ones only.
+constexpr double kShorter = 0.5, kLonger = 1.25;
+// How fast axes that did worse become worth another trial.
+constexpr double kForget = 0.9;
 
 }  // namespace
 
@@ -28,6 +32,13 @@ Radau5::Radau5(OdeSystem& system) : system_(system), collocation_(system) {
   for (VectorXd& d : dense_) d.setZero(n);
 }
 
+Collocation::Axes Radau5::AxesChoice::choose() {
+  const std::size_t other = 1 - at;
+  slowness[other] *= kForget;
+  if (slowness[other] < slowness[at]) at = other;
+  return at == 0 ? Collocation::Axes::kFixed : Collocation::Axes::kMoving;
+}
+
 void Radau5::count() {
   counts_.evaluations = collocation_.evaluations();
   counts_.factorisations = collocation_.factorisations();
@@ -37,11 +48,13 @@ void Radau5::restart(double t, const VectorXd& y, double step) {
   t_ = t_start_ = t;
   y_ = y_start_ = y;
   system_.rate(t, y_, slope_);
+  stale_slope_ = false;
   system_.error_weights(y_, weights_);
   has_past_ = false;
   refresh_ = true;
   easy_steps_ = 0;
   h_ = step;
+  longest_ = std::numeric_limits<double>::infinity();
   if (h_ > 0.0) return;
   // an Euler step that would move by a hundredth of the scale
   system_.scales(y_, scratch_);
@@ -73,13 +86,13 @@ void Radau5::guess_stages(double h) {
 double Radau5::error(double h, bool careful) {
   collocation_.embedded(h, embedded_);
   scratch_ = embedded_ + slope_;
-  collocation_.filter(scratch_);
+  collocation_.filter(y_, scratch_);
   double err = weighted_norm(scratch_, weights_);
   if (err >= 1.0 && careful) {
     scratch_ += y_;
     system_.rate(t_, scratch_, trial_slope_);
     scratch_ = embedded_ + trial_slope_;
-    collocation_.filter(scratch_);
+    collocation_.filter(y_, scratch_);
     err = weighted_norm(scratch_, weights_);
   }
   return std::max(err, 1e-10);
@@ -89,7 +102,9 @@ double Radau5::error(double h, bool careful) {
 double Radau5::attempt(double h, bool careful) {
   constexpr double kFailed = std::numeric_limits<double>::infinity();
   if (refresh_) {
-    collocation_.linearise(t_, y_, slope_);
+    if (stale_slope_) system_.rate(t_, y_, slope_);
+    stale_slope_ = false;
+    collocation_.linearise(t_, y_, slope_, axes_.choose());
     refresh_ = false;
     fresh_jacobian_ = true;
   }
@@ -97,7 +112,9 @@ double Radau5::attempt(double h, bool careful) {
     return kFailed;
   }
   guess_stages(h);
-  if (!collocation_.solve(t_, y_, h, weights_)) return kFailed;
+  const bool solved = collocation_.solve(t_, y_, h, weights_);
+  if (fresh_jacobian_) axes_.note(collocation_.contraction(), h);
+  if (!solved) return kFailed;
   const double err = error(h, careful);
   return std::isfinite(err) ? err : kFailed;
 }
@@ -133,9 +150,11 @@ void Radau5::accept(double h, double err, double limit, bool rejected) {
   dense_[0] = y_;
   t_ = t_ + h >= limit ? limit : t_ + h;
   system_.rate(t_, y_, slope_);
+  stale_slope_ = false;
   system_.error_weights(y_, weights_);
   if (rejected) quotient = std::max(quotient, 1.0);
-  const double next = h / quotient;
+  const double next = std::min(h / quotient, longest_);
+  longest_ *= kLonger;
   const bool slow = collocation_.contraction() > kGoodContraction;
   refresh_ = slow;
   fresh_jacobian_ = false;
@@ -168,8 +187,10 @@ bool Radau5::step(double limit) {
       h_ = h / std::clamp(std::pow(err, 0.25) / kSafe, 1.1, 5.0);
       if (!has_past_) h_ = 0.1 * h;
     } else {
-      h_ = 0.5 * h;
-      if (!fresh_jacobian_) {
+      h_ = kShorter * h;
+      if (fresh_jacobian_) {
+        longest_ = h_;
+      } else {
         refresh_ = true;
         h_ = h;
       }
@@ -210,7 +231,7 @@ void Radau5::state_at(double t, VectorXd& y) {
 
 double Radau5::largest_eigenvalue(double t, const VectorXd& y) {
   system_.rate(t, y, trial_slope_);
-  collocation_.linearise(t, y, trial_slope_);
+  collocation_.linearise(t, y, trial_slope_, Collocation::Axes::kFixed);
   refresh_ = true;
   count();
   return collocation_.largest_eigenvalue();
@@ -220,6 +241,7 @@ void Radau5::correct(const VectorXd& y) {
   scratch_ = y - y_;
   const bool matters = weighted_norm(scratch_, weights_) > 0.01;
   y_ = y;
+  stale_slope_ = !matters;
   if (matters) system_.rate(t_, y_, slope_);
 }
 

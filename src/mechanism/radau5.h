@@ -30,6 +30,15 @@ class Radau5 : public Integrator {
  private:
   static constexpr int kEasySteps = 10;
 
+  /// Which axes Newton does better in, by what each did last.
+  struct AxesChoice {
+    std::array<double, 2> slowness{};  ///< contraction over step [1/s]
+    std::size_t at = 0;
+
+    void note(double contraction, double h) { slowness[at] = contraction / h; }
+    Collocation::Axes choose();
+  };
+
   void guess_stages(double h);
   double attempt(double h, bool careful);
   double error(double h, bool careful);
@@ -40,7 +49,10 @@ class Radau5 : public Integrator {
   OdeSystem& system_;
   Collocation collocation_;
   double t_start_{}, t_{}, h_{}, last_h_{}, last_error_{};
+  double longest_{};  ///< with which Newton is trusted to converge [s]
   bool has_past_ = false, fresh_jacobian_ = false, refresh_ = true;
+  bool stale_slope_ = false;  ///< y_ was corrected since by very little
+  AxesChoice axes_;
   int easy_steps_{};
   Eigen::VectorXd y_start_, y_, weights_, slope_, trial_slope_, scratch_,
       embedded_;

@@ -6,6 +6,7 @@
 #include "mechanism/forward_dynamics.h"
 #include "mechanism/initial_state.h"
 #include "mechanism/switching_integrator.h"
+#include "support/benchmark_mechanisms.h"
 #include "support/reference_motions.h"
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
@@ -83,6 +84,13 @@ MechanismDefinition on_a_motor() {
   MechanismDefinition m = testing::simple_pendulum(0.5);
   m.elements = {testing::on_joint(0, law)};
   return m;
+}
+
+// Its steps need new Jacobians.
+TEST(Allocation, NoneInAStepThatLinearises) {
+  EXPECT_EQ(allocations_of_steps(testing::governor(),
+                                 IntegratorChoice::kImplicit, 30, 100),
+            0);
 }
 
 TEST(Allocation, NoneInAStep) {

@@ -44,7 +44,7 @@ TEST(Collocation, IsRadauIIAOfOrderFive) {
     VectorXd y = VectorXd::Ones(1), slope(1), weights(1);
     decay.rate(0.0, y, slope);
     weights.setConstant(1e13);
-    collocation.linearise(0.0, y, slope);
+    collocation.linearise(0.0, y, slope, Collocation::Axes::kFixed);
     ASSERT_TRUE(collocation.factor(1.0));
     ASSERT_TRUE(collocation.solve(0.0, y, 1.0, weights)) << z;
     const double known = (1.0 + z * (0.4 + z / 20.0)) /
