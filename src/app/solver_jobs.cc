@@ -62,7 +62,7 @@ SolverJobs load_solver_jobs(const Options& options) {
                           scene.peak_stress_tolerance);
   // Of a blow the static load that stresses the part as much, as a case.
   for (auto& job : result.jobs) {
-    assessment::compute_impacts(job);
+    assessment::add_blows_at_rest(job);
     job.impacts.clear();
   }
   return result;

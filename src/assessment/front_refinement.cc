@@ -4,17 +4,19 @@
 
 namespace clevis::assessment {
 
-bool is_hard(const StruckRun& run) {
+template <int dim>
+bool is_hard(const StruckRun<dim>& run) {
   constexpr int kManyShapes = 100;
   const auto& solution = run.response.solution;
   return solution.is_ideal || solution.damping_time > 0.0 ||
          solution.modes > kManyShapes;
 }
 
+template <int dim>
 FrontRefinement refine_front(const PartJob& job, const ImpactJob& impact,
                              const std::vector<stress::SingularZone>& zones,
                              int degree, double ideal_spring,
-                             StruckFaces& faces) {
+                             StruckFaces<dim>& faces) {
   constexpr double kTolerance = 3e-2, kStiffer = 4.0;
   dynamics::StrikeOptions options;
   options.route = dynamics::Route::kModal;
@@ -39,5 +41,14 @@ FrontRefinement refine_front(const PartJob& job, const ImpactJob& impact,
   found.settles = !dynamics::grows_with_refinement(found.stress);
   return found;
 }
+
+template bool is_hard<2>(const StruckRun<2>&);
+template bool is_hard<3>(const StruckRun<3>&);
+template FrontRefinement refine_front<2>(
+    const PartJob&, const ImpactJob&, const std::vector<stress::SingularZone>&,
+    int, double, StruckFaces<2>&);
+template FrontRefinement refine_front<3>(
+    const PartJob&, const ImpactJob&, const std::vector<stress::SingularZone>&,
+    int, double, StruckFaces<3>&);
 
 }  // namespace clevis::assessment

@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "assessment/blow_ladder.h"
 #include "assessment/front_refinement.h"
 #include "assessment/impact_rows.h"
+#include "assessment/model_band.h"
+#include "assessment/model_choice.h"
+#include "assessment/model_error.h"
 #include "assessment/struck_run.h"
 #include "assessment/verdict.h"
+#include "base/errors.h"
 #include "elasticity/eigenmodes.h"
 
 namespace clevis::assessment {
@@ -21,9 +27,11 @@ using dynamics::Route;
 // Blows of a part up to which every one that is not hard is computed by both
 // routes.
 constexpr std::size_t kCrossChecked = 4;
+constexpr double kMostSolves = 2e7;  // some seconds
 
 /// @param space  error of the elements [1].
-void note_deflection(const StruckRun& best, double space,
+template <int dim>
+void note_deflection(const StruckRun<dim>& best, double space,
                      ImpactResult& impact) {
   impact.deflection = best.deflection.value;
   impact.deflection_at = best.deflection.at;
@@ -33,7 +41,8 @@ void note_deflection(const StruckRun& best, double space,
       (space + best.response.solution.error()) * best.deflection.value;
 }
 
-void note_motion(const StruckRun& best, ImpactResult& impact) {
+template <int dim>
+void note_motion(const StruckRun<dim>& best, ImpactResult& impact) {
   const auto& run = best.response.motion();
   impact.peak_force = run.peak_force;
   impact.rise_time = run.peak_force_time;
@@ -46,8 +55,16 @@ void note_motion(const StruckRun& best, ImpactResult& impact) {
 
 struct Computed {
   ImpactResult result;
-  double force{};  ///< static, that stresses as much [N]
+  double force{};      ///< static, that stresses as much [N]
+  double stiffness{};  ///< of the struck face [N/m]
+  BlowTimes times;
 };
+
+/// Unknowns times steps that all equations would take.
+template <int dim>
+double solves_of(const StruckRun<dim>& run) {
+  return double(run.response.basis.equations) * run.response.solution.steps;
+}
 
 /// Whether a duration that was given ends while the striker presses and the
 /// worst may be to come.
@@ -60,19 +77,21 @@ bool ends_too_soon(const loads::Strike& strike,
          run.peak_force_time > late;
 }
 
+template <int dim>
 Computed compute(const PartJob& job, const ImpactJob& impact,
-                 StruckFaces& faces) {
+                 StruckFaces<dim>& faces) {
   const bool simplex = job.mesh.shape == mesh::CellShape::kSimplex;
   const int low = simplex ? 1 : 2, high = low + 1;
-  const auto zones =
-      stress::singular_zones<3>(job.mesh, job.part.material, impact.fixed);
-  const StruckRun coarse =
+  const auto zones = stress::singular_zones<dim>(
+      faces.mesh(), job.part.material, impact.fixed);
+  const StruckRun<dim> coarse =
       run_struck(job, impact, zones, low, Route::kAuto, faces);
-  std::optional<StruckRun> direct;
-  if (job.impacts.size() <= kCrossChecked && !is_hard(coarse)) {
+  std::optional<StruckRun<dim>> direct;
+  const bool is_long = solves_of(coarse) > kMostSolves;
+  if (job.impacts.size() <= kCrossChecked && !is_hard(coarse) && !is_long) {
     direct = run_struck(job, impact, zones, low, Route::kDirect, faces);
   }
-  const StruckRun fine =
+  const StruckRun<dim> fine =
       run_struck(job, impact, zones, high, Route::kAuto, faces);
   Computed found;
   ImpactResult& result = found.result;
@@ -92,9 +111,11 @@ Computed compute(const PartJob& job, const ImpactJob& impact,
   result.part_mass = fine.response.mass;
   const auto unit = loads::case_loads(job.part, static_case(job, impact, 1.0),
                                       job.groups, job.mass);
-  result.first_period = elasticity::first_period<3>(
-      {job.mesh, job.part.material, unit, impact.fixed, job.part.name}, low);
+  result.first_period = elasticity::first_period<dim>(
+      {faces.mesh(), job.part.material, unit, impact.fixed, job.part.name},
+      low);
   note_motion(fine, result);
+  if (is_long) result.reason += ", and is left out as a check";
   note_deflection(
       fine, std::abs(coarse.deflection.value / fine.deflection.value - 1.0),
       result);
@@ -110,7 +131,7 @@ Computed compute(const PartJob& job, const ImpactJob& impact,
   }
   // stress over that at rest, times beam theory's at rest: what a strain
   // gauge away from the clamp makes of the root's moment
-  const auto nominal = [&](const StruckRun& run) {
+  const auto nominal = [&](const StruckRun<dim>& run) {
     return bar ? run.stress / run.static_stress * bar->bar.stress_per_force
                : 0.0;
   };
@@ -132,69 +153,155 @@ Computed compute(const PartJob& job, const ImpactJob& impact,
                                    coarse_error + coarse.error_in_time()));
   result.rows.push_back(
       struck_row(fine, high, nominal(fine), space + fine.error_in_time()));
-  for (ImpactRow& row : result.rows) {
-    row.ratio = bar ? row.nominal / nominal(fine) : row.stress / fine.stress;
-    row.remark =
-        remark_on(row, result, fine.response.motion().peak_contact, stiffness);
-  }
-  result.rows.back().remark = "judged";
-  // for finish_impacts(): the factor's own error
   result.stress = fine.stress;
   result.band_low = fine.stress * (1.0 - result.rows.back().error);
   result.band_high = fine.stress * (1.0 + result.rows.back().error);
+  found.stiffness = stiffness;
+  found.times = {fine.response.motion().time, fine.telling,
+                 fine.response.solution.error()};
   return found;
 }
 
-}  // namespace
-
-std::vector<ImpactResult> compute_impacts(PartJob& job) {
-  std::vector<ImpactResult> impacts;
-  StruckFaces faces;
-  for (const ImpactJob& impact : job.impacts) {
-    Computed found = compute(job, impact, faces);
-    const auto load_case = static_case(job, impact, found.force);
-    job.load_sets.push_back(
-        {loads::case_loads(job.part, load_case, job.groups, job.mass),
-         impact.fixed});
-    impacts.push_back(std::move(found.result));
-  }
-  return impacts;
-}
-
-namespace {
-
-/// That of the blows in time; beside loads at rest the larger.
-void take_deflection(const PartJob& job,
-                     const std::vector<ImpactResult>& impacts,
-                     PartResult& result) {
-  const ImpactResult& worst =
-      *std::ranges::max_element(impacts, {}, &ImpactResult::deflection);
-  const bool only_blows = job.load_sets.size() == impacts.size();
-  if (!only_blows && result.deflection > worst.deflection) return;
-  result.deflection = worst.deflection;
-  result.deflection_error = worst.deflection_error;
-  result.deflection_at = worst.deflection_at;
-  result.deflection_instant = worst.deflection_time;
-}
-
-}  // namespace
-
-void finish_impacts(const PartJob& job, std::vector<ImpactResult> impacts,
-                    PartResult& result) {
-  const bool only_blow = impacts.size() == 1 && job.load_sets.size() == 1;
-  double worst = 0.0;
-  for (ImpactResult& impact : impacts) {
-    const double error = impact.rows.back().error;
-    worst = std::max(worst, error);
-    if (only_blow) {
-      // the ladder's stress has its own band; the factor's error comes on top
-      const PeakStress& judged = judged_peak(result);
-      impact.stress = judged.value;
-      impact.band_low = judged.band_low - error * judged.value;
-      impact.band_high = judged.band_high + error * judged.value;
+/// Plane stress where the blow suits it, else 3-D; what blows on one face share
+/// is kept.
+class BlowModels {
+ public:
+  explicit BlowModels(const PartJob& job) : job_(job), solid_(job.mesh) {
+    if (job.model == ModelChoice::kLayered ||
+        job.model == ModelChoice::kRevolution) {
+      throw Error("F005", "part " + job.part.name,
+                  "a blow is computed by plane stress or in 3-D",
+                  "leave --model out");
     }
-    impact.safety_factor = job.part.material.yield_strength / impact.stress;
+    for (const ImpactJob& impact : job.impacts) {
+      blows_.push_back(compute_one(impact));
+    }
   }
+
+  std::vector<Computed>& blows() { return blows_; }
+
+  PartAssessment climb(std::size_t index) {
+    const ImpactJob& impact = job_.impacts[index];
+    const BlowTimes& times = blows_[index].times;
+    const auto plate = plate_for(impact);
+    if (!plate) return climb_blow<3>(job_, impact, times, 0.0, solid_);
+    StruckFaces<2> faces(plate->mesh);
+    const PartJob rest = at_rest(impact, blows_[index].force);
+    return climb_blow<2>(
+        job_, impact, times,
+        plane_stress_error(rest, plate->quadrangles, rest.load_sets), faces);
+  }
+
+  LoadSet load_at_rest(std::size_t index) const {
+    return at_rest(job_.impacts[index], blows_[index].force).load_sets[0];
+  }
+
+ private:
+  PartJob at_rest(const ImpactJob& impact, double force) const {
+    PartJob rest = job_;
+    const auto load_case = static_case(job_, impact, force);
+    rest.load_sets = {
+        {loads::case_loads(job_.part, load_case, job_.groups, job_.mass),
+         impact.fixed}};
+    return rest;
+  }
+
+  std::optional<PlateModel> plate_for(const ImpactJob& impact) const {
+    auto plate = plate_model(at_rest(impact, 1.0));
+    if (plate && !plate->suits_plane_stress) plate.reset();
+    return plate;
+  }
+
+  Computed compute_one(const ImpactJob& impact) {
+    const auto plate = plate_for(impact);
+    if (!plate) return compute<3>(job_, impact, solid_);
+    StruckFaces<2> faces(plate->mesh);
+    return compute<2>(job_, impact, faces);
+  }
+
+  const PartJob& job_;
+  StruckFaces<3> solid_;
+  std::vector<Computed> blows_;
+};
+
+/// Puts what the climbed degrees say in place of the last run's.
+void take_assessment(const PartAssessment& climbed, ImpactResult& impact) {
+  const PartResult& part = climbed.result;
+  const PeakStress& judged = judged_peak(part);
+  ImpactRow& row = impact.rows.back();
+  impact.stress = row.stress = judged.value;
+  impact.band_low = judged.band_low;
+  impact.band_high = judged.band_high;
+  row.error = std::max(judged.band_high - judged.value,
+                       judged.value - judged.band_low) /
+              judged.value;
+  row.model = row.model.substr(0, row.model.rfind(',')) +
+              part.model.substr(part.model.rfind(','));
+  row.seconds = part.seconds.assemble + part.seconds.factor +
+                part.seconds.solve + part.seconds.recover;
+  const double change = std::abs(part.deflection - impact.deflection);
+  impact.deflection_error = std::max(impact.deflection_error, change);
+  impact.deflection = row.deflection = part.deflection;
+  impact.deflection_at = part.deflection_at;
+  impact.deflection_time = part.deflection_instant;
+}
+
+/// The models beside the judged one, the last.
+/// @param stiffness  of the struck face [N/m].
+void compare_rows(double stiffness, ImpactResult& impact) {
+  const ImpactRow judged = impact.rows.back();
+  for (ImpactRow& row : impact.rows) {
+    row.ratio = judged.nominal > 0.0 ? row.nominal / judged.nominal
+                                     : row.stress / judged.stress;
+    row.remark = remark_on(row, impact, judged.face, stiffness);
+  }
+  impact.rows.back().remark = "judged";
+}
+
+/// Whether another blow may stress or deflect the part more, so that this one
+/// is told by its own two degrees.
+bool is_outdone(const ImpactResult& blow, const std::vector<Computed>& all) {
+  constexpr double kClearly = 0.9;
+  return std::ranges::any_of(all, [&](const Computed& other) {
+    return blow.band_high < kClearly * other.result.band_low &&
+           blow.deflection < kClearly * other.result.deflection;
+  });
+}
+
+}  // namespace
+
+CheckedBlows check_blows(const PartJob& job) {
+  CheckedBlows found;
+  if (job.impacts.empty()) return found;
+  BlowModels models(job);
+  for (std::size_t i = 0; i < models.blows().size(); ++i) {
+    found.at_rest.push_back(models.load_at_rest(i));
+    ImpactResult impact = models.blows()[i].result;
+    if (!is_outdone(impact, models.blows())) {
+      PartAssessment climbed = models.climb(i);
+      take_assessment(climbed, impact);
+      climbed.result.deflection_error = impact.deflection_error;
+      found.assessment = found.assessment ? join(std::move(*found.assessment),
+                                                 std::move(climbed))
+                                          : std::move(climbed);
+    }
+    compare_rows(models.blows()[i].stiffness, impact);
+    impact.safety_factor = job.part.material.yield_strength / impact.stress;
+    found.impacts.push_back(std::move(impact));
+  }
+  return found;
+}
+
+void add_blows_at_rest(PartJob& job) {
+  if (job.impacts.empty()) return;
+  const PartJob given = job;
+  BlowModels models(given);
+  for (std::size_t i = 0; i < models.blows().size(); ++i) {
+    job.load_sets.push_back(models.load_at_rest(i));
+  }
+}
+
+void finish_impacts(std::vector<ImpactResult> impacts, PartResult& result) {
   const bool unsettled =
       std::ranges::any_of(impacts, [](const ImpactResult& i) {
         return !i.refinement.settles || i.is_cut;
@@ -203,14 +310,8 @@ void finish_impacts(const PartJob& job, std::vector<ImpactResult> impacts,
     if (unsettled && peak->verdict == PeakVerdict::kConverged) {
       peak->verdict = PeakVerdict::kNotConverged;
     }
-    peak->band_low -= worst * peak->value;
-    peak->band_high += worst * peak->value;
-    peak->model_error += worst * peak->value;
   }
-  if (!impacts.empty()) {
-    result.first_period = impacts.front().first_period;
-    take_deflection(job, impacts, result);
-  }
+  if (!impacts.empty()) result.first_period = impacts.front().first_period;
   result.impacts = std::move(impacts);
 }
 

@@ -1,20 +1,32 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "assessment/part_check.h"
 
 namespace clevis::assessment {
 
-/// Computes the blows on a part in time and gives the job, for each, the static
-/// load that stresses the part as much: static elements times the dynamic
-/// factor, so that the check of that load is the check of the blow. The factor
-/// compares the largest stress of both outside the singular zones.
-/// @return one per blow; finish_impacts() completes them.
-/// @throws Error of solve_strike().
-std::vector<ImpactResult> compute_impacts(PartJob& job);
+/// The blows on a part, in time.
+struct CheckedBlows {
+  std::vector<ImpactResult> impacts;
+  /// Of the blows that may stress or deflect the part most; empty: none.
+  std::optional<PartAssessment> assessment;
+  std::vector<LoadSet> at_rest;  ///< what stresses the part as much, each
+};
 
-/// Stress, band and safety of the blows from the checked part, whose band gets
-/// the error of the dynamic factors too; the rows of the other models beside.
-void finish_impacts(const PartJob& job, std::vector<ImpactResult> impacts,
-                    PartResult& result);
+/// Computes the blows by all models and climbs the degrees with those that may
+/// govern: plates struck in their plane by plane stress, else in 3-D.
+/// @throws Error F005 for a --model that has no answer in time; of
+///   solve_strike().
+CheckedBlows check_blows(const PartJob& job);
+
+/// The static loads that stress the part as its blows do, as load sets: for
+/// models that know no time.
+/// @throws Error as check_blows().
+void add_blows_at_rest(PartJob& job);
+
+/// Puts the blows into the part's result.
+void finish_impacts(std::vector<ImpactResult> impacts, PartResult& result);
 
 }  // namespace clevis::assessment

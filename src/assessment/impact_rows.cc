@@ -61,7 +61,8 @@ double beam_factor(const beam::BarOfPart& bar, const loads::Strike& strike) {
       .factor.value_or(0.0);
 }
 
-ImpactRow struck_row(const StruckRun& run, int degree, double nominal,
+template <int dim>
+ImpactRow struck_row(const StruckRun<dim>& run, int degree, double nominal,
                      double error) {
   const auto& solution = run.response.solution;
   return {.model = fmt::format("dynamic elements, {}, p = {}",
@@ -109,5 +110,8 @@ std::string remark_on(const ImpactRow& row, const ImpactResult& impact,
   }
   return text;
 }
+
+template ImpactRow struck_row<2>(const StruckRun<2>&, int, double, double);
+template ImpactRow struck_row<3>(const StruckRun<3>&, int, double, double);
 
 }  // namespace clevis::assessment

@@ -22,7 +22,8 @@ double beam_factor(const beam::BarOfPart& bar, const loads::Strike& strike);
 
 /// What elements in time say.
 /// @param nominal  by beam theory's section [Pa]. @param error  [1].
-ImpactRow struck_row(const StruckRun& run, int degree, double nominal,
+template <int dim>
+ImpactRow struck_row(const StruckRun<dim>& run, int degree, double nominal,
                      double error);
 
 /// Which side of the judged model a model is on, and why.

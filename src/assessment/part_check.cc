@@ -11,6 +11,7 @@
 #include "assessment/degree_ladder.h"
 #include "assessment/impact_check.h"
 #include "assessment/load_pace.h"
+#include "assessment/model_band.h"
 #include "assessment/model_choice.h"
 #include "assessment/model_error.h"
 #include "assessment/revolution_model.h"
@@ -32,38 +33,6 @@ PartAssessment run_rung(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   return assess<dim>(job, rung, ladder, seconds);
 }
 
-void widen(double tolerance, double model_error, PeakStress& peak) {
-  peak.discretization_error =
-      std::max(peak.band_high - peak.value, peak.value - peak.band_low);
-  peak.model_error = model_error * peak.value;
-  peak.band_low -= peak.model_error;
-  peak.band_high += peak.model_error;
-  const double half_width = peak.discretization_error + peak.model_error;
-  if (peak.verdict == PeakVerdict::kConverged && model_error > 0.0 &&
-      half_width > tolerance * peak.value) {
-    peak.verdict = PeakVerdict::kNotConverged;
-  }
-}
-
-/// Widens the judged peak's band by the model's error and says what the rung
-/// has achieved.
-void add_model_error(double tolerance, double model_error, PartResult& result) {
-  const bool is_outside = !result.peak_outside.sequence.empty();
-  widen(tolerance, is_outside ? 0.0 : model_error, result.peak);
-  if (is_outside) widen(tolerance, model_error, result.peak_outside);
-  const PeakStress& peak = is_outside ? result.peak_outside : result.peak;
-  const auto percent = [&](double error) {
-    return peak.value > 0.0 ? 100.0 * error / peak.value : 0.0;
-  };
-  result.stopped_because = fmt::format(
-      "{}: {:.2g} % discretisation + {:.2g} % model, {:.3g} % wanted",
-      peak.verdict != PeakVerdict::kConverged ? "highest degree done"
-      : is_outside ? "within tolerance away from the singular zones"
-                   : "within tolerance",
-      percent(peak.discretization_error), percent(peak.model_error),
-      100.0 * tolerance);
-}
-
 bool is_held(const PartJob& job) {
   return std::ranges::any_of(job.load_sets, [](const LoadSet& set) {
     return !set.fixed.empty();
@@ -79,13 +48,6 @@ bool is_settled(const PartJob& job, const PartResult& result) {
   return is_held(job) &&
          (!job.part.limits.exclude_singular_zones ||
           result.peak_outside.verdict == PeakVerdict::kConverged);
-}
-
-void add_seconds(const PartSeconds& earlier, PartSeconds& seconds) {
-  seconds.assemble += earlier.assemble;
-  seconds.factor += earlier.factor;
-  seconds.solve += earlier.solve;
-  seconds.recover += earlier.recover;
 }
 
 /// Nothing if a higher rung is there and the error of the model alone is above
@@ -213,9 +175,15 @@ PartAssessment climb(const PartJob& job) {
   return assessment;
 }
 
-}  // namespace
-
-namespace {
+/// What loads at rest and in motion do to the part, and its blows.
+PartAssessment climb_all(const PartJob& job, CheckedBlows& blows) {
+  if (job.load_sets.empty() && blows.assessment) {
+    return std::move(*blows.assessment);
+  }
+  PartAssessment found = climb(job);
+  return blows.assessment ? join(std::move(found), std::move(*blows.assessment))
+                          : std::move(found);
+}
 
 void explain_unsettled(PartResult& result) {
   if (result.verdict != PartVerdict::kNotJudged) return;
@@ -238,9 +206,11 @@ void explain_unsettled(PartResult& result) {
 
 PartAssessment check_part(const PartJob& given) {
   Stopwatch watch;
-  PartJob job = given;
-  auto impacts = compute_impacts(job);
-  PartAssessment assessment = climb(job);
+  CheckedBlows blows = check_blows(given);
+  PartAssessment assessment = climb_all(given, blows);
+  PartJob job = given;  // with the blows as loads at rest, for beam theory
+  job.load_sets.insert(job.load_sets.end(), blows.at_rest.begin(),
+                       blows.at_rest.end());
   PartResult& result = assessment.result;
   result.name = job.part.name;
   result.mass = job.mass.mass;
@@ -248,7 +218,7 @@ PartAssessment check_part(const PartJob& given) {
   result.safety_factor =
       judged > 0.0 ? job.part.material.yield_strength / judged : 0.0;
   result.beam = compare_with_beam(job, result);
-  finish_impacts(job, std::move(impacts), result);
+  finish_impacts(std::move(blows.impacts), result);
   judge_paces(job, result);
   check_vibration(job, result);
   judge(job.part, result);

@@ -19,18 +19,66 @@ constexpr int kSubdivisions = 2;
 constexpr double kTimeTolerance = 3e-3;
 constexpr double kDirectTolerance = 3e-2;  // it only checks the other route
 
-elasticity::DisplacementBasis<3> every_second(
-    const elasticity::DisplacementBasis<3>& basis) {
-  elasticity::DisplacementBasis<3> half;
-  half.discretization = basis.discretization;
-  half.columns = basis.columns;
-  const Eigen::Index count = (basis.coefficients.cols() + 1) / 2;
-  half.coefficients.resize(basis.coefficients.rows(), count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    half.coefficients.col(i) = basis.coefficients.col(2 * i);
+template <int dim>
+elasticity::DisplacementBasis<dim> every_second(
+    const elasticity::DisplacementBasis<dim>& basis) {
+  std::vector<int> samples;
+  for (int i = 0; i < basis.coefficients.cols(); i += 2) samples.push_back(i);
+  return at_samples(basis, samples);
+}
+
+/// Stresses of a run on the lattice, and where they count.
+struct Lattice {
+  stress::StressHistory history;
+  Eigen::MatrixXi zone_of;
+  stress::PartialPeak peak;  ///< outside the zones
+};
+
+template <int dim>
+Lattice look_at(const elasticity::DisplacementBasis<dim>& basis,
+                const PartJob& job,
+                const std::vector<stress::SingularZone>& zones) {
+  Lattice found;
+  found.history =
+      stress::stress_history<dim>(basis, job.part.material, kSubdivisions);
+  found.zone_of =
+      stress::zone_of_points<dim>(basis.discretization, kSubdivisions, zones);
+  found.peak = stress::peak_outside(found.history, found.zone_of,
+                                    std::vector<bool>(zones.size(), true), dim);
+  return found;
+}
+
+/// The samples beside those at which points of high stress have their worst,
+/// beside the largest stress of all and the largest deflection; between them
+/// every twelfth.
+std::vector<int> telling_samples(const Lattice& found, int deflects) {
+  constexpr double kHigh = 0.8;
+  constexpr int kBeside = 3, kElse = 12;
+  const auto count = static_cast<int>(found.history.peak.size());
+  std::vector<bool> kept(static_cast<std::size_t>(count), false);
+  const auto keep = [&](int at) {
+    for (int i = std::max(0, at - kBeside);
+         i <= std::min(count - 1, at + kBeside); ++i) {
+      kept[static_cast<std::size_t>(i)] = true;
+    }
+  };
+  for (Eigen::Index c = 0; c < found.zone_of.cols(); ++c) {
+    for (Eigen::Index q = 0; q < found.zone_of.rows(); ++q) {
+      if (found.zone_of(q, c) < 0 &&
+          found.history.worst(q, c) >= kHigh * found.peak.value) {
+        keep(found.history.worst_instant(q, c));
+      }
+    }
   }
-  half.strain_energy.setZero(count);
-  return half;
+  keep(found.history.peak_instant);
+  keep(deflects);
+  std::vector<int> samples;
+  for (int i = 0; i < count; ++i) {
+    if (kept[static_cast<std::size_t>(i)] || i % kElse == 0) {
+      samples.push_back(i);
+    }
+  }
+  return samples;
 }
 
 /// What a face's matrices depend on beside the part and the degree.
@@ -46,33 +94,53 @@ std::string face_key(const ImpactJob& impact) {
 
 }  // namespace
 
-elasticity::StruckFace<3>& StruckFaces::get(const PartJob& job,
-                                            const ImpactJob& impact,
-                                            int degree) {
+dynamics::StrikeOptions strike_options(Route route) {
+  dynamics::StrikeOptions options;
+  options.route = route;
+  options.tolerance =
+      route == Route::kDirect ? kDirectTolerance : kTimeTolerance;
+  options.samples = kBlowSamples;
+  return options;
+}
+
+template <int dim>
+elasticity::StruckFace<dim>& StruckFaces<dim>::get(const PartJob& job,
+                                                   const ImpactJob& impact,
+                                                   int degree) {
   Entry& entry = of_degree_[degree];
   const std::string key = face_key(impact);
   if (!entry.face || entry.key != key) {
     entry.face.reset();
     const loads::LoadHistory none;
-    entry.face = std::make_unique<elasticity::StruckFace<3>>(
-        elasticity::ElasticProblem<3>{job.mesh, job.part.material, none,
-                                      impact.fixed, job.part.name},
+    entry.face = std::make_unique<elasticity::StruckFace<dim>>(
+        elasticity::ElasticProblem<dim>{mesh_, job.part.material, none,
+                                        impact.fixed, job.part.name},
         impact.strike.group, impact.strike.direction, degree);
     entry.key = key;
   }
   return *entry.face;
 }
 
-double judged_stress(const elasticity::DisplacementBasis<3>& basis,
+template <int dim>
+elasticity::DisplacementBasis<dim> at_samples(
+    const elasticity::DisplacementBasis<dim>& basis,
+    const std::vector<int>& samples) {
+  elasticity::DisplacementBasis<dim> some;
+  some.discretization = basis.discretization;
+  some.equations = basis.equations;
+  some.columns = basis.columns;
+  some.coefficients = basis.coefficients(Eigen::all, samples);
+  some.strain_energy = basis.strain_energy(samples);
+  some.checks = basis.checks;
+  some.seconds = basis.seconds;
+  return some;
+}
+
+template <int dim>
+double judged_stress(const elasticity::DisplacementBasis<dim>& basis,
                      const PartJob& job,
                      const std::vector<stress::SingularZone>& zones) {
-  const auto history =
-      stress::stress_history<3>(basis, job.part.material, kSubdivisions);
-  const auto zone_of =
-      stress::zone_of_points<3>(basis.discretization, kSubdivisions, zones);
-  return stress::peak_outside(history, zone_of,
-                              std::vector<bool>(zones.size(), true), 3)
-      .value;
+  return look_at(basis, job, zones).peak.value;
 }
 
 const loads::GroupGeometry& group_of(const PartJob& job,
@@ -103,40 +171,54 @@ double equivalent_force(const loads::Strike& strike, double stiffness) {
                    stiffness * strike.mass * strike.speed * strike.speed);
 }
 
-StruckRun run_struck(const PartJob& job, const ImpactJob& impact,
-                     const std::vector<stress::SingularZone>& zones, int degree,
-                     Route route, StruckFaces& faces) {
+template <int dim>
+StruckRun<dim> run_struck(const PartJob& job, const ImpactJob& impact,
+                          const std::vector<stress::SingularZone>& zones,
+                          int degree, Route route, StruckFaces<dim>& faces) {
   const auto unit = loads::case_loads(job.part, static_case(job, impact, 1.0),
                                       job.groups, job.mass);
-  const elasticity::ElasticProblem<3> problem{job.mesh, job.part.material, unit,
-                                              impact.fixed, job.part.name};
-  dynamics::StrikeOptions options;
-  options.route = route;
-  options.tolerance =
-      route == Route::kDirect ? kDirectTolerance : kTimeTolerance;
-  options.samples = kBlowSamples;
+  const elasticity::ElasticProblem<dim> problem{
+      faces.mesh(), job.part.material, unit, impact.fixed, job.part.name};
   Stopwatch watch;
-  StruckRun found{
-      .response = faces.get(job, impact, degree).solve(impact.strike, options)};
-  found.stress = judged_stress(found.response.basis, job, zones);
+  StruckRun<dim> found;
+  found.response = faces.get(job, impact, degree)
+                       .solve(impact.strike, strike_options(route));
+  const auto& basis = found.response.basis;
+  const Lattice looked = look_at(basis, job, zones);
+  found.stress = looked.peak.value;
   found.seconds = watch.lap();
-  found.deflection = stress::largest_deflection<3>(found.response.basis);
+  found.deflection = stress::largest_deflection<dim>(basis);
+  found.telling = telling_samples(looked, found.deflection.instant);
   // between the samples: a third of what every second one loses
-  const auto half = every_second(found.response.basis);
+  const auto half = every_second(basis);
   found.sampling_error =
       (1.0 - judged_stress(half, job, zones) / found.stress) / 3.0;
   found.deflection_sampling =
-      (found.deflection.value - stress::largest_deflection<3>(half).value) /
+      (found.deflection.value - stress::largest_deflection<dim>(half).value) /
       3.0;
   watch.lap();
-  const auto at_rest = elasticity::solve<3>(problem, degree);
+  const auto at_rest = elasticity::solve<dim>(problem, degree);
   found.static_stress = judged_stress(at_rest, job, zones);
-  found.static_deflection = stress::largest_deflection<3>(at_rest).value;
+  found.static_deflection = stress::largest_deflection<dim>(at_rest).value;
   found.static_seconds = watch.lap();
   found.factor = found.stress /
                  (found.static_stress *
                   equivalent_force(impact.strike, found.response.stiffness));
   return found;
 }
+
+#define CLEVIS_INSTANTIATE(dim)                                            \
+  template class StruckFaces<dim>;                                         \
+  template elasticity::DisplacementBasis<dim> at_samples<dim>(             \
+      const elasticity::DisplacementBasis<dim>&, const std::vector<int>&); \
+  template double judged_stress<dim>(                                      \
+      const elasticity::DisplacementBasis<dim>&, const PartJob&,           \
+      const std::vector<stress::SingularZone>&);                           \
+  template StruckRun<dim> run_struck<dim>(                                 \
+      const PartJob&, const ImpactJob&,                                    \
+      const std::vector<stress::SingularZone>&, int, Route,                \
+      StruckFaces<dim>&);
+CLEVIS_INSTANTIATE(2)
+CLEVIS_INSTANTIATE(3)
 
 }  // namespace clevis::assessment

@@ -16,6 +16,9 @@ namespace clevis::assessment {
 /// Instants at which blows are judged.
 constexpr int kBlowSamples = 1200;
 
+/// How blows are integrated.
+dynamics::StrikeOptions strike_options(dynamics::Route route);
+
 /// @throws Error M003 if the mesh has no group of that name.
 const loads::GroupGeometry& group_of(const PartJob& job,
                                      const std::string& name);
@@ -30,25 +33,33 @@ double equivalent_force(const loads::Strike& strike, double stiffness);
 
 /// The struck faces of a part, of each degree that of the last blow: blows on
 /// one face share matrices and shapes.
+template <int dim>
 class StruckFaces {
  public:
-  elasticity::StruckFace<3>& get(const PartJob& job, const ImpactJob& impact,
-                                 int degree);
+  /// @param mesh  outlives the object: the part's, or a plate's mid-plane.
+  explicit StruckFaces(const mesh::PartMesh<dim>& mesh) : mesh_(mesh) {}
+
+  const mesh::PartMesh<dim>& mesh() const { return mesh_; }
+  elasticity::StruckFace<dim>& get(const PartJob& job, const ImpactJob& impact,
+                                   int degree);
 
  private:
   struct Entry {
     std::string key;
-    std::unique_ptr<elasticity::StruckFace<3>> face;
+    std::unique_ptr<elasticity::StruckFace<dim>> face;
   };
+  const mesh::PartMesh<dim>& mesh_;
   std::map<int, Entry> of_degree_;
 };
 
 /// One blow by one route and degree.
+template <int dim>
 struct StruckRun {
-  elasticity::StrikeResponse<3> response;
+  elasticity::StrikeResponse<dim> response;
   double stress{};                ///< [Pa]
   double static_stress{};         ///< by the static force of 1 N [Pa]
   double sampling_error{};        ///< of the stress [1]
+  std::vector<int> telling;       ///< samples at which peaks may stand, rising
   stress::Deflection deflection;  ///< largest over part and times
   double deflection_sampling{};   ///< what lies between the samples [m]
   double static_deflection{};     ///< by the static force of 1 N [m]
@@ -61,15 +72,24 @@ struct StruckRun {
   }
 };
 
+/// The samples of a basis at these instants.
+template <int dim>
+elasticity::DisplacementBasis<dim> at_samples(
+    const elasticity::DisplacementBasis<dim>& basis,
+    const std::vector<int>& samples);
+
 /// The blow in time, and the static force beside it.
 /// @param zones  left out where the stress is judged.
 /// @throws Error of StruckFace.
-StruckRun run_struck(const PartJob& job, const ImpactJob& impact,
-                     const std::vector<stress::SingularZone>& zones, int degree,
-                     dynamics::Route route, StruckFaces& faces);
+template <int dim>
+StruckRun<dim> run_struck(const PartJob& job, const ImpactJob& impact,
+                          const std::vector<stress::SingularZone>& zones,
+                          int degree, dynamics::Route route,
+                          StruckFaces<dim>& faces);
 
 /// Largest von Mises outside the singular zones [Pa].
-double judged_stress(const elasticity::DisplacementBasis<3>& basis,
+template <int dim>
+double judged_stress(const elasticity::DisplacementBasis<dim>& basis,
                      const PartJob& job,
                      const std::vector<stress::SingularZone>& zones);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -106,40 +107,52 @@ struct EulerBeam {
   double shear_stiffness = 0.0;  // κ G A, 0: infinite [N]
   double rotary_inertia = 0.0;   // ρ I [kg m]
 
+  // Height of element e over that the figures above are of.
+  std::function<double(int)> height = [](int) {
+    return 1.0;
+  };
+
   Eigen::MatrixXd stiffness() const {
     const double h = length / elements;
-    const double s = shear_stiffness > 0.0
-                         ? 12.0 * bending_stiffness / (shear_stiffness * h * h)
-                         : 0.0;
-    Eigen::Matrix4d k;
-    k << 12, 6 * h, -12, 6 * h,                           //
-        6 * h, (4 + s) * h * h, -6 * h, (2 - s) * h * h,  //
-        -12, -6 * h, 12, -6 * h,                          //
-        6 * h, (2 - s) * h * h, -6 * h, (4 + s) * h * h;
-    return assemble(k * bending_stiffness / (h * h * h * (1 + s)));
+    return assemble([&](int e) {
+      const double d = height(e);
+      const double bending = bending_stiffness * d * d * d;
+      const double s = shear_stiffness > 0.0
+                           ? 12.0 * bending / (shear_stiffness * d * h * h)
+                           : 0.0;
+      Eigen::Matrix4d k;
+      k << 12, 6 * h, -12, 6 * h,                           //
+          6 * h, (4 + s) * h * h, -6 * h, (2 - s) * h * h,  //
+          -12, -6 * h, 12, -6 * h,                          //
+          6 * h, (2 - s) * h * h, -6 * h, (4 + s) * h * h;
+      return Eigen::Matrix4d(k * bending / (h * h * h * (1 + s)));
+    });
   }
   Eigen::MatrixXd mass() const {
     const double h = length / elements;
-    Eigen::Matrix4d m;
+    Eigen::Matrix4d m, turning;
     m << 156, 22 * h, 54, -13 * h,              //
         22 * h, 4 * h * h, 13 * h, -3 * h * h,  //
         54, 13 * h, 156, -22 * h,               //
         -13 * h, -3 * h * h, -22 * h, 4 * h * h;
-    Eigen::Matrix4d turning;
     turning << 36, 3 * h, -36, 3 * h,      //
         3 * h, 4 * h * h, -3 * h, -h * h,  //
         -36, -3 * h, 36, -3 * h,           //
         3 * h, -h * h, -3 * h, 4 * h * h;
-    return assemble(m * mass_per_length * h / 420.0 +
-                    turning * rotary_inertia / (30.0 * h));
+    return assemble([&](int e) {
+      const double d = height(e);
+      return Eigen::Matrix4d(m * mass_per_length * d * h / 420.0 +
+                             turning * rotary_inertia * d * d * d / (30.0 * h));
+    });
   }
 
  private:
-  Eigen::MatrixXd assemble(const Eigen::Matrix4d& element) const {
+  template <class Element>
+  Eigen::MatrixXd assemble(const Element& element) const {
     Eigen::MatrixXd all =
         Eigen::MatrixXd::Zero(2 * elements + 2, 2 * elements + 2);
     for (int e = 0; e < elements; ++e) {
-      all.block<4, 4>(2 * e, 2 * e) += element;
+      all.block<4, 4>(2 * e, 2 * e) += element(e);
     }
     return all;
   }

@@ -1,0 +1,95 @@
+#include "assessment/blow_ladder.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "assessment/degree_ladder.h"
+#include "assessment/model_band.h"
+#include "assessment/rung_result.h"
+
+namespace clevis::assessment {
+namespace {
+
+/// The telling samples as the instants of a history, without loads: these are
+/// in the answer.
+LoadSet instants_of(const ImpactJob& impact, const BlowTimes& times) {
+  LoadSet set;
+  set.fixed = impact.fixed;
+  for (const int i : times.telling) {
+    loads::InstantLoad instant;
+    instant.label = impact.strike.name;
+    instant.time = times.time[i];
+    set.history.instants.push_back(instant);
+  }
+  return set;
+}
+
+template <int dim>
+Rung<dim> rung_of(const mesh::PartMesh<dim>& mesh) {
+  if constexpr (dim == 2) {
+    Rung<2> rung = plane_stress_rung(mesh);
+    rung.looks_nearby = false;  // that is for loads at rest
+    return rung;
+  } else {
+    return solid_rung(mesh);
+  }
+}
+
+void judge_band(PeakStress& peak) {
+  constexpr double kWide = 0.1;
+  const double half =
+      std::max(peak.band_high - peak.value, peak.value - peak.band_low);
+  if (peak.verdict == PeakVerdict::kNotConverged &&
+      half <= kWide * peak.value) {
+    peak.verdict = PeakVerdict::kConverged;
+  }
+}
+
+void add_time_error(double error, PeakStress& peak) {
+  peak.band_low -= error * peak.value;
+  peak.band_high += error * peak.value;
+  peak.model_error += error * peak.value;
+}
+
+}  // namespace
+
+template <int dim>
+PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
+                          const BlowTimes& times, double model_error,
+                          StruckFaces<dim>& faces) {
+  PartJob blow = job;
+  blow.load_sets = {instants_of(impact, times)};
+  ImpactJob timed = impact;
+  timed.strike.duration = times.time[times.time.size() - 1];
+  std::optional<StruckFaces<dim>> graded;
+  Rung<dim> rung = rung_of<dim>(faces.mesh());
+  rung.model_error = model_error;
+  rung.solve = [&](const elasticity::ElasticProblem<dim>& problem, int degree) {
+    const bool is_graded =
+        problem.mesh.cells.size() != faces.mesh().cells.size();
+    if (is_graded && !graded) graded.emplace(problem.mesh);
+    auto& face = (is_graded ? *graded : faces).get(blow, timed, degree);
+    const auto response =
+        face.solve(timed.strike, strike_options(dynamics::Route::kAuto));
+    return at_samples(response.basis, times.telling);
+  };
+  PartSeconds seconds;
+  const auto ladder = climb_degrees<dim>(blow, faces.mesh(), rung, {}, seconds);
+  PartAssessment found = assess<dim>(blow, rung, ladder, seconds);
+  add_model_error(job.tolerance, model_error, found.result);
+  for (PeakStress* peak : {&found.result.peak, &found.result.peak_outside}) {
+    judge_band(*peak);
+    add_time_error(times.error, *peak);
+  }
+  return found;
+}
+
+template PartAssessment climb_blow<2>(const PartJob&, const ImpactJob&,
+                                      const BlowTimes&, double,
+                                      StruckFaces<2>&);
+template PartAssessment climb_blow<3>(const PartJob&, const ImpactJob&,
+                                      const BlowTimes&, double,
+                                      StruckFaces<3>&);
+
+}  // namespace clevis::assessment

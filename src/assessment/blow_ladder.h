@@ -1,0 +1,28 @@
+#pragma once
+
+#include "assessment/struck_run.h"
+
+namespace clevis::assessment {
+
+/// When a blow is looked at.
+struct BlowTimes {
+  Eigen::VectorXd time;      ///< of all samples [s]
+  std::vector<int> telling;  ///< those at which peaks may stand, rising
+  double error{};            ///< of steps and shapes [1]
+};
+
+/// Climbs the degrees with a blow in time, as check_part() does with loads at
+/// rest: each degree moves on its own, peaks are those over all points and the
+/// telling samples, the fields those of the instants. The band has the error
+/// of steps and shapes.
+///
+/// What the highest degree leaves may be above the tolerance, as waves ask for
+/// more than loads at rest: up to a tenth the band is judged.
+/// @param model_error  of plane stress [1].
+/// @throws Error of StruckFace.
+template <int dim>
+PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
+                          const BlowTimes& times, double model_error,
+                          StruckFaces<dim>& faces);
+
+}  // namespace clevis::assessment
