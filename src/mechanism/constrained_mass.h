@@ -6,16 +6,18 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 
+#include "mechanism/normal_cholesky.h"
+
 namespace clevis::mechanism {
 
 /// Mass matrix M of free bodies with constraint rows J:
 ///
 ///     M a = Q + Jᵀ λ,   J a = γ,
 ///
-/// solved by Cholesky of W Wᵀ, W = J M^(−1/2) with rows scaled to length 1,
-/// where its rows are clearly independent. Where they are not, a complete
-/// orthogonal decomposition of J truncated at kRankThreshold splits a into
-/// what the rows fix and what the null space leaves to the forces: that
+/// solved by NormalCholesky of W = J M^(−1/2) where its rows are clearly
+/// independent, or some clearly depend on the others. Where that is not clear,
+/// a complete orthogonal decomposition of J truncated at kRankThreshold splits
+/// a into what the rows fix and what the null space leaves to the forces: that
 /// depends on the geometry only, not on the masses. Rows beyond the rank are
 /// left out: near a change point they would act as constraints with arbitrary
 /// multipliers.
@@ -53,16 +55,13 @@ class ConstrainedMass {
   long orthogonal_factorisations() const { return orthogonal_count_; }
 
  private:
-  bool cholesky_in_order();
-  bool pivoted_cholesky();
+  void fill_rows(const Eigen::MatrixXd& J);
   void orthogonal(const Eigen::MatrixXd& J);
   /// v + N z with Nᵀ (M (v + N z) − forces) = 0, N the null space.
   Eigen::VectorXd completed(const Eigen::VectorXd& v,
                             const Eigen::VectorXd& forces) const;
   void apply_factor(Eigen::VectorXd& v) const;             // v ← F v
   void apply_factor_transposed(Eigen::VectorXd& v) const;  // v ← Fᵀ v
-  /// x_ ← (W Wᵀ)⁻¹ hat_rows_, by the Cholesky factor.
-  void solve_normal();
 
   struct Factor {
     Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
@@ -76,9 +75,7 @@ class ConstrainedMass {
   bool was_reduced_ = false;
   long orthogonal_count_{};
   std::vector<Factor> factors_;
-  std::vector<int> order_;
-  Eigen::MatrixXd Wt_;  ///< columns: rows of W
-  Eigen::MatrixXd S_, L_;
+  NormalCholesky normal_;
   Eigen::VectorXd scale_, x_, hat_rows_, hat_;
   // of the orthogonal way, which may allocate
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition_;

@@ -40,6 +40,7 @@ void DynamicChangePoints::start(const InitialState& initial,
   freedom_ = initial.freedom;
   rank_ = initial.rank;
   state_ = rate_ = y;
+  last_speed_ = dynamics_.turning_speed(y);
   const ConstraintSystem& system = dynamics_.system();
   watch_.emplace(system.rows(), system.columns(), rank_, settings_.tolerance);
   const auto jacobian = [&](double t, MatrixXd& J) {
@@ -58,7 +59,12 @@ void DynamicChangePoints::look(Integrator& integrator, double until) {
     }
     dynamics_.jacobian(t, state_, J);
   };
-  for (const double t : watch_->look(jacobian, until)) {
+  // by the speeds at both ends, which may be passed in between
+  constexpr double kPassed = 2.0;
+  const double speed = dynamics_.turning_speed(integrator.y());
+  const double fastest = kPassed * std::max(speed, last_speed_);
+  last_speed_ = speed;
+  for (const double t : watch_->look(jacobian, until, fastest)) {
     integrator.state_at(t, state_);
     note(t, state_);
   }

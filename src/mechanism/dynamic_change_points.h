@@ -64,6 +64,7 @@ class DynamicChangePoints {
   const Equilibrium& equilibrium_;
   bool has_loops_;
   int freedom_{}, rank_{};
+  double last_speed_{};  ///< ForwardDynamics::turning_speed() [1/s]
   std::optional<RankWatch> watch_;
   std::vector<ChangePoint> points_;
   Eigen::VectorXd state_, rate_;

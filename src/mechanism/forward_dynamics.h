@@ -141,6 +141,11 @@ class ForwardDynamics : public OdeSystem {
   std::optional<BranchMotion> branch_motion(double t, const Eigen::VectorXd& y,
                                             int freedom);
   double kinetic_energy(const Eigen::VectorXd& y);
+  /// Largest speed of an unknown over the length [1/s].
+  double turning_speed(const Eigen::VectorXd& y) const {
+    return y.segment(positions_, system_.columns()).lpNorm<Eigen::Infinity>() /
+           length_;
+  }
   /// Force on a body as of the last rate(), joints left out [N].
   double largest_load() const;
   const ConstraintSystem& system() const { return system_; }

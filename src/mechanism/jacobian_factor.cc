@@ -93,7 +93,7 @@ RowDependence row_dependence(const MatrixXd& J) {
   const auto rows = static_cast<std::size_t>(J.rows());
   result.dependent.assign(rows, false);
   if (J.size() == 0) return result;
-  const Eigen::JacobiSVD<MatrixXd> svd(J, Eigen::ComputeFullU);
+  const Eigen::BDCSVD<MatrixXd> svd(J, Eigen::ComputeFullU);
   result.rank = positive_rank(svd.singularValues());
   const auto left_null = svd.matrixU().rightCols(J.rows() - result.rank);
   for (std::size_t i = 0; i < rows; ++i) {
@@ -104,9 +104,16 @@ RowDependence row_dependence(const MatrixXd& J) {
   return result;
 }
 
+MatrixXd null_space(const MatrixXd& J) {
+  if (J.rows() == 0) return MatrixXd::Identity(J.cols(), J.cols());
+  const Eigen::BDCSVD<MatrixXd> svd(J, Eigen::ComputeFullV);
+  return svd.matrixV().rightCols(J.cols() -
+                                 positive_rank(svd.singularValues()));
+}
+
 int numerical_rank(const MatrixXd& J) {
   if (J.size() == 0) return 0;
-  const Eigen::JacobiSVD<MatrixXd> svd(J);
+  const Eigen::BDCSVD<MatrixXd> svd(J);
   return positive_rank(svd.singularValues());
 }
 

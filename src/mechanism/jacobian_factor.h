@@ -62,6 +62,9 @@ struct RowDependence {
 };
 RowDependence row_dependence(const Eigen::MatrixXd& J);
 
+/// Orthonormal columns N with J N = 0, by singular values.
+Eigen::MatrixXd null_space(const Eigen::MatrixXd& J);
+
 /// Rank by singular values.
 int numerical_rank(const Eigen::MatrixXd& J);
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/SVD>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,12 +16,6 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-MatrixXd null_space(const MatrixXd& J) {
-  if (J.rows() == 0) return MatrixXd::Identity(J.cols(), J.cols());
-  const Eigen::JacobiSVD<MatrixXd> svd(J, Eigen::ComputeFullV);
-  return svd.matrixV().rightCols(J.cols() - numerical_rank(J));
-}
 
 /// A closed configuration a little away along what the joints leave free.
 /// @param which  of some directions: where branches meet, one may lead along a

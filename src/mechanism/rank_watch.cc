@@ -26,6 +26,8 @@ constexpr double kNear = 0.5;   // sizes beside a zero
 // Two zeros in a row leave the directions as they were: where one may have
 // been reached, parts of at most this are looked at.
 constexpr double kLongest = 0.125;
+// Rows are chosen anew when the smallest size is this part of what it was.
+constexpr double kWorn = 0.5;
 
 }  // namespace
 
@@ -86,6 +88,7 @@ bool RankWatch::start(const Jacobian& jacobian, double t) {
   choose_rows(jacobian, t);
   measure(jacobian, t, last_);
   started_ = regular(last_);
+  chosen_size_ = rank_ > 0 ? last_.sizes.minCoeff() : 1.0;
   return false;
 }
 
@@ -136,7 +139,8 @@ void RankWatch::find_zeros(const Jacobian& jacobian, const Frame& from,
   }
 }
 
-const std::vector<double>& RankWatch::look(const Jacobian& jacobian, double t) {
+const std::vector<double>& RankWatch::look(const Jacobian& jacobian, double t,
+                                           double fastest) {
   zeros_.clear();
   if (rank_ == 0 || !(t > last_.t)) return zeros_;
   if (!started_) {
@@ -146,10 +150,14 @@ const std::vector<double>& RankWatch::look(const Jacobian& jacobian, double t) {
   }
   measure(jacobian, t, ahead_[0]);
   if (!regular(ahead_[0])) return zeros_;  // judged from farther on
-  measure(jacobian, 0.5 * (last_.t + t), ahead_[1]);
+  std::size_t count = 1;
+  // directions may turn round and back between
+  const double left = last_.sizes.minCoeff() + ahead_[0].sizes.minCoeff();
+  if (left < fastest * (t - last_.t)) {
+    measure(jacobian, 0.5 * (last_.t + t), ahead_[count++]);
+  }
   const double shortest = std::ldexp(t - last_.t, -static_cast<int>(kHalvings));
   const double longest = kLongest * (t - last_.t);
-  std::size_t count = 2;
   while (count > 0) {
     Frame& next = ahead_[count - 1];
     Index flipped = -1;
@@ -167,9 +175,10 @@ const std::vector<double>& RankWatch::look(const Jacobian& jacobian, double t) {
     --count;
   }
   std::ranges::sort(zeros_);
-  if (J_.rows() > rank_) {  // others may be the clearer ones by now
-    choose_rows(jacobian, t);
+  if (J_.rows() > rank_ && last_.sizes.minCoeff() < kWorn * chosen_size_) {
+    choose_rows(jacobian, t);  // others may be the clearer ones by now
     measure(jacobian, t, last_);
+    chosen_size_ = last_.sizes.minCoeff();
   }
   return zeros_;
 }

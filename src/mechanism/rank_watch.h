@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -30,7 +31,11 @@ class RankWatch {
   bool start(const Jacobian& jacobian, double t);
 
   /// Looks from the last time to t. @return the zeros between, in order.
-  const std::vector<double>& look(const Jacobian& jacobian, double t);
+  /// @param fastest  bound of the change of rows of length 1, about [1/s]:
+  ///   what it cannot have made zero is not looked for.
+  const std::vector<double>& look(
+      const Jacobian& jacobian, double t,
+      double fastest = std::numeric_limits<double>::infinity());
 
  private:
   struct Frame {
@@ -48,7 +53,7 @@ class RankWatch {
   void find_zeros(const Jacobian& jacobian, const Frame& from, const Frame& to);
 
   int rank_;
-  double zero_;
+  double zero_, chosen_size_ = 1.0;
   bool started_ = false;
   Eigen::MatrixXd J_;
   std::vector<Eigen::Index> order_;  ///< rows that count
