@@ -47,7 +47,7 @@ void judge_band(PeakStress& peak) {
 }
 
 void add_time_error(double error, PeakStress& peak) {
-  peak.band_low -= error * peak.value;
+  peak.band_low = std::max(0.0, peak.band_low - error * peak.value);
   peak.band_high += error * peak.value;
   peak.model_error += error * peak.value;
 }
@@ -70,8 +70,8 @@ PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
         problem.mesh.cells.size() != faces.mesh().cells.size();
     if (is_graded && !graded) graded.emplace(problem.mesh);
     auto& face = (is_graded ? *graded : faces).get(blow, timed, degree);
-    const auto response =
-        face.solve(timed.strike, strike_options(dynamics::Route::kAuto));
+    const auto response = face.solve(
+        timed.strike, strike_options(dynamics::Route::kAuto, times.samples()));
     return at_samples(response.basis, times.telling);
   };
   PartSeconds seconds;
@@ -81,6 +81,7 @@ PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
   for (PeakStress* peak : {&found.result.peak, &found.result.peak_outside}) {
     judge_band(*peak);
     add_time_error(times.error, *peak);
+    peak->band_high += (times.later - 1.0) * peak->value;
   }
   return found;
 }

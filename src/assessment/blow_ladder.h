@@ -9,6 +9,9 @@ struct BlowTimes {
   Eigen::VectorXd time;      ///< of all samples [s]
   std::vector<int> telling;  ///< those at which peaks may stand, rising
   double error{};            ///< of steps and shapes [1]
+  double later = 1.0;  ///< largest stress after them over that at them [1]
+
+  int samples() const { return static_cast<int>(time.size()) - 1; }
 };
 
 /// Climbs the degrees with a blow in time, as check_part() does with loads at

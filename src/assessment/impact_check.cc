@@ -11,6 +11,7 @@
 #include "assessment/blow_ladder.h"
 #include "assessment/front_refinement.h"
 #include "assessment/impact_rows.h"
+#include "assessment/later_peaks.h"
 #include "assessment/model_band.h"
 #include "assessment/model_choice.h"
 #include "assessment/model_error.h"
@@ -29,16 +30,26 @@ using dynamics::Route;
 constexpr std::size_t kCrossChecked = 4;
 constexpr double kMostSolves = 2e7;  // some seconds
 
+/// A band about the deflection, what comes later above it.
+/// @param error  of the deflection [m].
+void take_deflection(double value, double error, ImpactResult& impact) {
+  impact.deflection = value;
+  impact.deflection_low = value - error;
+  impact.deflection_high =
+      value + error + (impact.later_deflection - 1.0) * value;
+}
+
 /// @param space  error of the elements [1].
 template <int dim>
 void note_deflection(const StruckRun<dim>& best, double space,
                      ImpactResult& impact) {
-  impact.deflection = best.deflection.value;
   impact.deflection_at = best.deflection.at;
   impact.deflection_time = best.response.motion().time[best.deflection.instant];
-  impact.deflection_error =
+  take_deflection(
+      best.deflection.value,
       best.deflection_sampling +
-      (space + best.response.solution.error()) * best.deflection.value;
+          (space + best.response.solution.error()) * best.deflection.value,
+      impact);
 }
 
 template <int dim>
@@ -77,15 +88,52 @@ bool ends_too_soon(const loads::Strike& strike,
          run.peak_force_time > late;
 }
 
+/// The blow for as long as its peaks need, where no duration is given and its
+/// course can be told.
+/// @param run  of the default or given duration; becomes that of the blow.
 template <int dim>
-Computed compute(const PartJob& job, const ImpactJob& impact,
+ImpactJob lengthened(const PartJob& job, const ImpactJob& given,
+                     const std::vector<stress::SingularZone>& zones, int degree,
+                     StruckFaces<dim>& faces, StruckRun<dim>& run,
+                     ImpactResult& result) {
+  constexpr double kTold = 0.05;
+  const auto later =
+      look_later(job, given, zones, degree, run, result.first_period, faces);
+  result.looked_for = later.looked_for;
+  ImpactJob impact = given;
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < later.spans.size(); ++i) {
+    ImpactJob longer = given;
+    longer.strike.duration = later.spans[i].duration;
+    longer.samples = given.samples << i;
+    auto more = run_struck(job, longer, zones, degree, Route::kAuto, faces);
+    if (more.response.solution.error() > kTold) break;
+    run = std::move(more);
+    impact = longer;
+    last = i;
+  }
+  result.later_stress = later.spans[last].stress;
+  result.later_deflection = later.spans[last].deflection;
+  return impact;
+}
+
+template <int dim>
+Computed compute(const PartJob& job, const ImpactJob& given,
                  StruckFaces<dim>& faces) {
   const bool simplex = job.mesh.shape == mesh::CellShape::kSimplex;
   const int low = simplex ? 1 : 2, high = low + 1;
-  const auto zones = stress::singular_zones<dim>(
-      faces.mesh(), job.part.material, impact.fixed);
-  const StruckRun<dim> coarse =
-      run_struck(job, impact, zones, low, Route::kAuto, faces);
+  const auto zones =
+      stress::singular_zones<dim>(faces.mesh(), job.part.material, given.fixed);
+  Computed found;
+  ImpactResult& result = found.result;
+  const auto unit = loads::case_loads(job.part, static_case(job, given, 1.0),
+                                      job.groups, job.mass);
+  result.first_period = elasticity::first_period<dim>(
+      {faces.mesh(), job.part.material, unit, given.fixed, job.part.name}, low);
+  StruckRun<dim> coarse =
+      run_struck(job, given, zones, low, Route::kAuto, faces);
+  const ImpactJob impact =
+      lengthened(job, given, zones, low, faces, coarse, result);
   std::optional<StruckRun<dim>> direct;
   const bool is_long = solves_of(coarse) > kMostSolves;
   if (job.impacts.size() <= kCrossChecked && !is_hard(coarse) && !is_long) {
@@ -93,8 +141,6 @@ Computed compute(const PartJob& job, const ImpactJob& impact,
   }
   const StruckRun<dim> fine =
       run_struck(job, impact, zones, high, Route::kAuto, faces);
-  Computed found;
-  ImpactResult& result = found.result;
   if (is_hard(fine)) {
     result.refinement =
         refine_front(job, impact, zones, high,
@@ -109,17 +155,12 @@ Computed compute(const PartJob& job, const ImpactJob& impact,
   result.is_ideal = fine.response.solution.is_ideal;
   result.exponent = impact.strike.contact.exponent;
   result.part_mass = fine.response.mass;
-  const auto unit = loads::case_loads(job.part, static_case(job, impact, 1.0),
-                                      job.groups, job.mass);
-  result.first_period = elasticity::first_period<dim>(
-      {faces.mesh(), job.part.material, unit, impact.fixed, job.part.name},
-      low);
   note_motion(fine, result);
   if (is_long) result.reason += ", and is left out as a check";
   note_deflection(
       fine, std::abs(coarse.deflection.value / fine.deflection.value - 1.0),
       result);
-  result.is_cut = ends_too_soon(impact.strike, fine.response.motion());
+  result.is_cut = ends_too_soon(given.strike, fine.response.motion());
   const double stiffness = fine.response.stiffness;
   const double force = equivalent_force(impact.strike, stiffness);
   found.force = fine.factor * force;
@@ -158,7 +199,7 @@ Computed compute(const PartJob& job, const ImpactJob& impact,
   result.band_high = fine.stress * (1.0 + result.rows.back().error);
   found.stiffness = stiffness;
   found.times = {fine.response.motion().time, fine.telling,
-                 fine.response.solution.error()};
+                 fine.response.solution.error(), result.later_stress};
   return found;
 }
 
@@ -235,13 +276,16 @@ void take_assessment(const PartAssessment& climbed, ImpactResult& impact) {
   row.error = std::max(judged.band_high - judged.value,
                        judged.value - judged.band_low) /
               judged.value;
-  row.model = row.model.substr(0, row.model.rfind(',')) +
-              part.model.substr(part.model.rfind(','));
+  row.model =
+      fmt::format("{}, p = {}", row.model.substr(0, row.model.rfind(',')),
+                  part.peak.sequence.back().degree);
   row.seconds = part.seconds.assemble + part.seconds.factor +
                 part.seconds.solve + part.seconds.recover;
-  const double change = std::abs(part.deflection - impact.deflection);
-  impact.deflection_error = std::max(impact.deflection_error, change);
-  impact.deflection = row.deflection = part.deflection;
+  take_deflection(part.deflection,
+                  std::max(impact.deflection - impact.deflection_low,
+                           std::abs(part.deflection - impact.deflection)),
+                  impact);
+  row.deflection = part.deflection;
   impact.deflection_at = part.deflection_at;
   impact.deflection_time = part.deflection_instant;
 }
@@ -280,7 +324,8 @@ CheckedBlows check_blows(const PartJob& job) {
     if (!is_outdone(impact, models.blows())) {
       PartAssessment climbed = models.climb(i);
       take_assessment(climbed, impact);
-      climbed.result.deflection_error = impact.deflection_error;
+      climbed.result.deflection_low = impact.deflection_low;
+      climbed.result.deflection_high = impact.deflection_high;
       found.assessment = found.assessment ? join(std::move(*found.assessment),
                                                  std::move(climbed))
                                           : std::move(climbed);

@@ -85,7 +85,8 @@ PartAssessment join(PartAssessment first, PartAssessment second) {
   result.strain_energy = std::max(result.strain_energy, other.strain_energy);
   if (other.deflection > result.deflection) {
     result.deflection = other.deflection;
-    result.deflection_error = other.deflection_error;
+    result.deflection_low = other.deflection_low;
+    result.deflection_high = other.deflection_high;
     result.deflection_at = other.deflection_at;
     result.deflection_instant = other.deflection_instant;
   }

@@ -30,6 +30,7 @@ struct ImpactJob {
   loads::Strike strike;
   std::map<std::string, std::array<bool, 3>> fixed;
   std::string source;  ///< "given", "contact touch"
+  int samples = 1200;  ///< instants at which it is judged
 };
 
 /// An impact somewhere in the mechanism, as it loads the part.

@@ -98,6 +98,10 @@ struct ImpactResult {
   double mass{}, speed{}, force{};     ///< of the striker [kg], [m/s], [N]
   double stiffness{}, exponent = 1.0;  ///< of the contact
   bool is_ideal = false;               ///< that spring stands for none
+  double looked_for{};                 ///< later peaks, until then [s]
+  /// Largest after the time that is judged over the largest in it, by few
+  /// shapes; in the bands [1].
+  double later_stress = 1.0, later_deflection = 1.0;
   bool is_cut = false;    ///< its given duration ends while the striker presses
   double part_mass{};     ///< [kg]
   double first_period{};  ///< of the part [s]
@@ -106,8 +110,8 @@ struct ImpactResult {
   double beam_factor{};                 ///< of the corrected beam; 0: none [1]
   double dynamic_factor{};              ///< dynamic over static FE [1]
   double stress{}, band_low{}, band_high{};  ///< by the dynamic FE [Pa]
-  double deflection{};        ///< largest of the part over all times [m]
-  double deflection_error{};  ///< estimated [m]
+  double deflection{};  ///< largest of the part over all times [m]
+  double deflection_low{}, deflection_high{};               ///< its band [m]
   Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();  ///< in L [m]
   double deflection_time{};                                 ///< [s]
   double safety_factor{};                                   ///< yield / stress
@@ -173,9 +177,10 @@ struct PartResult {
   /// Where a zone governs: the peak away from those that do; else with an
   /// empty sequence.
   PeakStress peak_outside;
-  double safety_factor{};     ///< yield / peak
-  double deflection{};        ///< relative to its pins [m]
-  double deflection_error{};  ///< of blows, estimated; 0: not known [m]
+  double safety_factor{};  ///< yield / peak
+  double deflection{};     ///< relative to its pins [m]
+  /// Its band where a blow or vibration makes it; both 0: not known [m].
+  double deflection_low{}, deflection_high{};
   Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();
   double deflection_instant{};  ///< [s]
   double strain_energy{};       ///< largest over the instants [J]

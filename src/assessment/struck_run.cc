@@ -94,12 +94,12 @@ std::string face_key(const ImpactJob& impact) {
 
 }  // namespace
 
-dynamics::StrikeOptions strike_options(Route route) {
+dynamics::StrikeOptions strike_options(Route route, int samples) {
   dynamics::StrikeOptions options;
   options.route = route;
   options.tolerance =
       route == Route::kDirect ? kDirectTolerance : kTimeTolerance;
-  options.samples = kBlowSamples;
+  options.samples = samples;
   return options;
 }
 
@@ -181,8 +181,9 @@ StruckRun<dim> run_struck(const PartJob& job, const ImpactJob& impact,
       faces.mesh(), job.part.material, unit, impact.fixed, job.part.name};
   Stopwatch watch;
   StruckRun<dim> found;
-  found.response = faces.get(job, impact, degree)
-                       .solve(impact.strike, strike_options(route));
+  found.response =
+      faces.get(job, impact, degree)
+          .solve(impact.strike, strike_options(route, impact.samples));
   const auto& basis = found.response.basis;
   const Lattice looked = look_at(basis, job, zones);
   found.stress = looked.peak.value;

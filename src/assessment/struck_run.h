@@ -13,11 +13,12 @@
 
 namespace clevis::assessment {
 
-/// Instants at which blows are judged.
+/// Instants at which blows of the default duration are judged.
 constexpr int kBlowSamples = 1200;
 
 /// How blows are integrated.
-dynamics::StrikeOptions strike_options(dynamics::Route route);
+/// @param samples  instants at which they are judged.
+dynamics::StrikeOptions strike_options(dynamics::Route route, int samples);
 
 /// @throws Error M003 if the mesh has no group of that name.
 const loads::GroupGeometry& group_of(const PartJob& job,

@@ -140,8 +140,9 @@ bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
 
 bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
   if (!part.limits.deflection) return true;
-  const double low = result.deflection - result.deflection_error;
-  const double high = result.deflection + result.deflection_error;
+  const bool has_band = result.deflection_high > 0.0;
+  const double low = has_band ? result.deflection_low : result.deflection;
+  const double high = has_band ? result.deflection_high : result.deflection;
   if (high <= *part.limits.deflection) return true;
   if (low <= *part.limits.deflection) {
     set(result, PartVerdict::kNotJudged,

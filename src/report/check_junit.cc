@@ -71,7 +71,9 @@ JunitCase deflection_case(const PartResult& part, const part::Limits& limits) {
       .seconds = 0.0};
   if (limits.deflection) {
     test.status = status_of_limit(
-        part.deflection - part.deflection_error > *limits.deflection, part);
+        (part.deflection_low > 0.0 ? part.deflection_low : part.deflection) >
+            *limits.deflection,
+        part);
     test.message = fmt::format(
         "deflection {:.6g} mm, at most {:.6g} mm allowed{}", deflection,
         millimetres(*limits.deflection), reason(test.status, part));

@@ -63,6 +63,18 @@ std::string refinement_of(const ImpactResult& impact) {
       list(tried.deflection, 1e-3, "{:.4g}"));
 }
 
+/// Empty where nothing larger comes.
+std::string later_peaks_of(const ImpactResult& impact) {
+  if (impact.later_stress <= 1.0 && impact.later_deflection <= 1.0) return "";
+  return fmt::format(
+      "later, within {:.4g} ms, stress comes to {:.3g} times, deflection to "
+      "{:.3g} times these (by few shapes, in the bands){}",
+      impact.looked_for / kMillisecond, impact.later_stress,
+      impact.later_deflection,
+      impact.force > 0.0 ? ": a force presses on, give the part its damping"
+                         : "");
+}
+
 std::string table_of(const ImpactResult& impact, Colour colour) {
   TextTable table({{"model"},
                    {"stress MPa", Align::kRight},
@@ -89,6 +101,8 @@ std::string table_of(const ImpactResult& impact, Colour colour) {
       "stress {:#.4g} [{:#.4g}, {:#.4g}] MPa, safety {:#.4g}; in time: {}",
       megapascals(impact.stress), megapascals(impact.band_low),
       megapascals(impact.band_high), impact.safety_factor, impact.reason));
+  const std::string later = later_peaks_of(impact);
+  if (!later.empty()) table.add_note(later);
   const std::string refinement = refinement_of(impact);
   if (!refinement.empty()) table.add_note(refinement);
   return table.text(colour);
@@ -199,8 +213,10 @@ ordered_json part_impacts_json(const PartResult& part) {
          {"band_MPa", {megapascals(i.band_low), megapascals(i.band_high)}},
          {"deflection_mm", millimetres(i.deflection)},
          {"deflection_band_mm",
-          {millimetres(i.deflection - i.deflection_error),
-           millimetres(i.deflection + i.deflection_error)}},
+          {millimetres(i.deflection_low), millimetres(i.deflection_high)}},
+         {"looked_for_s", i.looked_for},
+         {"later_stress_ratio", i.later_stress},
+         {"later_deflection_ratio", i.later_deflection},
          {"safety_factor", i.safety_factor},
          {"reason", i.reason},
          {"refinement", refinement_json(i.refinement)},

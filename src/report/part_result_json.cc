@@ -46,14 +46,13 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImpactRow, model, stress, nominal, face,
                                    deflection, error, seconds, ratio, remark)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrontRefinement, fronts, stress, deflection,
                                    settles)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImpactResult, name, source, mass, speed,
-                                   force, stiffness, exponent, is_ideal,
-                                   part_mass, first_period, load_duration,
-                                   rise_time, peak_force, beam_factor,
-                                   dynamic_factor, stress, band_low, band_high,
-                                   deflection, deflection_error, deflection_at,
-                                   deflection_time, safety_factor, reason,
-                                   refinement, rows)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    ImpactResult, name, source, mass, speed, force, stiffness, exponent,
+    is_ideal, part_mass, first_period, looked_for, later_stress,
+    later_deflection, load_duration, rise_time, peak_force, beam_factor,
+    dynamic_factor, stress, band_low, band_high, deflection, deflection_low,
+    deflection_high, deflection_at, deflection_time, safety_factor, reason,
+    refinement, rows)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LoadPace, impact, duration, rise_time, ratio,
                                    amplification, treatment)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VibrationResult, ratio, governs, failure,
@@ -64,14 +63,12 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VibrationResult, ratio, governs, failure,
                                    seconds)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartSeconds, mesh, assemble, factor, solve,
                                    recover, write, total)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartResult, name, verdict, why, model,
-                                   stopped_because, dofs, cells, load_columns,
-                                   peak, singular_zones, peak_outside,
-                                   safety_factor, deflection, deflection_error,
-                                   deflection_at, deflection_instant,
-                                   strain_energy, strain_energy_error, beam,
-                                   self_checks, probes, seconds, mass,
-                                   first_period, impacts, paces, vibration)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    PartResult, name, verdict, why, model, stopped_because, dofs, cells,
+    load_columns, peak, singular_zones, peak_outside, safety_factor, deflection,
+    deflection_low, deflection_high, deflection_at, deflection_instant,
+    strain_energy, strain_energy_error, beam, self_checks, probes, seconds,
+    mass, first_period, impacts, paces, vibration)
 
 }  // namespace clevis::assessment
 
