@@ -121,6 +121,8 @@ void DynamicRun::pass_bend(double t) {
   dynamics_.enter_piece(t);
   if (std::ranges::find(jumps_, t, &DriveJump::t) != jumps_.end()) {
     dynamics_.jump(t, y_);
+  } else {
+    dynamics_.settle(t, y_);  // what rests may have to yield to a drive
   }
   restart(t);
 }

@@ -173,6 +173,10 @@ class ForwardDynamics : public OdeSystem {
   /// Where sticking lines depend on one another: the multipliers at which the
   /// sum of squares of their efforts over their breakaways is least.
   void share_among_sticking();
+  Eigen::MatrixXd open_multipliers() const;
+  Eigen::VectorXd beginning_of_drives(double t) const;
+  bool yield_one_of_several(double t, const Eigen::VectorXd& y);
+  int first_at_its_most(const Eigen::VectorXd& push, std::size_t& first) const;
   void rest_what_hardly_moves();
   bool is_carried(double t, const Eigen::VectorXd& y, std::size_t k);
   int mode_of_dependent_line(double t, const Eigen::VectorXd& y, std::size_t k);

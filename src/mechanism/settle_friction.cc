@@ -1,13 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include "base/errors.h"
 #include "mechanism/element_modes.h"
 #include "mechanism/forward_dynamics.h"
-#include "mechanism/jacobian_factor.h"
 
 namespace clevis::mechanism {
 
@@ -20,8 +18,6 @@ constexpr double kRoundOff = 1e-9;
 // Coming to rest costs a motion the last speed of a line, an error: so many
 // times what steps may err by.
 constexpr double kTimesError = 1e3;
-// A carried line that is accelerated by this part of speed² over length turns.
-constexpr double kClearTurn = 1e-2;
 
 /// @throws Error K011, always.
 [[noreturn]] void refuse_wedge(double t) {
@@ -85,54 +81,6 @@ double ForwardDynamics::acceleration_size() const {
   return size;
 }
 
-/// Whether joints and drives alone fix the speed of a line; the last rate() is
-/// then that without what sticks.
-bool ForwardDynamics::is_carried(double t, const VectorXd& y, std::size_t k) {
-  std::vector<std::size_t> others;
-  for (std::size_t i = 0; i < forces_.size(); ++i) {
-    if (i != k && forces_.sticks(i)) others.push_back(i);
-  }
-  for (const std::size_t i : others) forces_.set_mode(i, kLetGo);
-  forces_.set_mode(k, 0);
-  rate(t, y, scratch_);
-  const int with = mass_.rank();
-  forces_.set_mode(k, kLetGo);
-  rate(t, y, scratch_);
-  const int without = mass_.rank();
-  for (const std::size_t i : others) forces_.set_mode(i, 0);
-  return with == without;
-}
-
-/// Mode of a sticking line whose row the others imply, which is let go. If they
-/// move it, it slips; if joints and drives carry it, as a slider at its dead
-/// centre or a driven joint at rest, it holds nothing until it moves.
-int ForwardDynamics::mode_of_dependent_line(double t, const VectorXd& y,
-                                            std::size_t k) {
-  const double beside_others = line_acceleration(k);
-  const double size = acceleration_size();
-  const bool carried = is_carried(t, y, k);
-  const double a = carried ? line_acceleration(k) : beside_others;
-  // slower, it is left to the event of leaving rest
-  const double clear = carried ? kClearTurn * speed_ * speed_ / length_ : 0.0;
-  if (std::abs(a) > std::max(kRoundOff * size, clear)) return a > 0.0 ? 1 : -1;
-  return carried ? kLetGo : 0;
-}
-
-/// @return whether there was a sticking line that can hold nothing.
-bool ForwardDynamics::free_what_cannot_stick(double t, const VectorXd& y) {
-  for (std::size_t k = 0; k < forces_.size(); ++k) {
-    if (!forces_.sticks(k)) continue;
-    const int rank = mass_.rank();
-    forces_.set_mode(k, kLetGo);
-    rate(t, y, scratch_);
-    const int mode = mass_.rank() == rank ? mode_of_dependent_line(t, y, k) : 0;
-    forces_.set_mode(k, mode);
-    rate(t, y, scratch_);
-    if (mode != 0) return true;
-  }
-  return false;
-}
-
 /// The sticking line that asks most of its friction gives its most instead, if
 /// that is less. @return whether there was one.
 bool ForwardDynamics::release_worst() {
@@ -151,34 +99,6 @@ bool ForwardDynamics::release_worst() {
   if (which == forces_.size()) return false;
   forces_.set_mode(which, forces_.element(which).effort > 0.0 ? -2 : 2);
   return true;
-}
-
-void ForwardDynamics::share_among_sticking() {
-  Index row = system_.rows(), count = 0;
-  VectorXd ratio = VectorXd::Zero(rows_);
-  VectorXd weight = VectorXd::Zero(rows_);
-  for (std::size_t k = 0; k < forces_.size(); ++k) {
-    if (!forces_.brings_row(k)) continue;
-    const double most = forces_.sticks(k) ? forces_.breakaway(k) : 0.0;
-    if (most > 0.0) {
-      weight[row] = row_scale(k) / most;
-      ++count;
-    }
-    ++row;
-  }
-  if (count == 0) return;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> rows;
-  rows.setThreshold(kRankThreshold);
-  rows.compute(J_.topRows(rows_));
-  const Index open = rows_ - rows.rank();
-  if (open == 0) return;
-  Eigen::MatrixXd free = Eigen::MatrixXd::Zero(rows_, open);
-  free.bottomRows(open).setIdentity();
-  free.applyOnTheLeft(rows.householderQ());
-  ratio = weight.cwiseProduct(lambda_.head(rows_));
-  const Eigen::MatrixXd shares = weight.asDiagonal() * free;
-  lambda_.head(rows_) -=
-      free * shares.completeOrthogonalDecomposition().solve(ratio);
 }
 
 /// Acceleration of a line [m/s²], turns times length, as of rate().
@@ -249,8 +169,8 @@ void ForwardDynamics::settle(double t, const VectorXd& y) {
   const std::size_t most = 6 * forces_.size() + 2;
   for (std::size_t tries = 0; tries < most; ++tries) {
     rate(t, y, scratch_);
-    if (!free_what_cannot_stick(t, y) && !release_worst() &&
-        !judge_lines_at_their_most(t, y)) {
+    if (!yield_one_of_several(t, y) && !free_what_cannot_stick(t, y) &&
+        !release_worst() && !judge_lines_at_their_most(t, y)) {
       return;
     }
   }
