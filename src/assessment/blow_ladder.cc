@@ -46,10 +46,12 @@ void judge_band(PeakStress& peak) {
   }
 }
 
-void add_time_error(double error, PeakStress& peak) {
-  peak.band_low = std::max(0.0, peak.band_low - error * peak.value);
-  peak.band_high += error * peak.value;
-  peak.model_error += error * peak.value;
+void add_time_error(const BlowTimes& times, PeakStress& peak) {
+  const double below = times.error + times.below;
+  const double above = times.error + times.above;
+  peak.band_low = std::max(0.0, peak.band_low - below * peak.value);
+  peak.band_high += (above + times.later - 1.0) * peak.value;
+  peak.model_error += std::max(below, above) * peak.value;
 }
 
 }  // namespace
@@ -62,6 +64,8 @@ PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
   blow.load_sets = {instants_of(impact, times)};
   ImpactJob timed = impact;
   timed.strike.duration = times.time[times.time.size() - 1];
+  timed.samples = times.samples();
+  timed.front = times.front;
   std::optional<StruckFaces<dim>> graded;
   Rung<dim> rung = rung_of<dim>(faces.mesh());
   rung.model_error = model_error;
@@ -70,8 +74,8 @@ PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
         problem.mesh.cells.size() != faces.mesh().cells.size();
     if (is_graded && !graded) graded.emplace(problem.mesh);
     auto& face = (is_graded ? *graded : faces).get(blow, timed, degree);
-    const auto response = face.solve(
-        timed.strike, strike_options(dynamics::Route::kAuto, times.samples()));
+    const auto response =
+        face.solve(timed.strike, strike_options(dynamics::Route::kAuto, timed));
     return at_samples(response.basis, times.telling);
   };
   PartSeconds seconds;
@@ -80,8 +84,7 @@ PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
   add_model_error(job.tolerance, model_error, found.result);
   for (PeakStress* peak : {&found.result.peak, &found.result.peak_outside}) {
     judge_band(*peak);
-    add_time_error(times.error, *peak);
-    peak->band_high += (times.later - 1.0) * peak->value;
+    add_time_error(times, *peak);
   }
   return found;
 }

@@ -9,6 +9,8 @@ struct BlowTimes {
   Eigen::VectorXd time;      ///< of all samples [s]
   std::vector<int> telling;  ///< those at which peaks may stand, rising
   double error{};            ///< of steps and shapes [1]
+  double front{};            ///< that is kept, of all degrees [s]
+  double below{}, above{};   ///< error of the front [1]
   double later = 1.0;  ///< largest stress after them over that at them [1]
 
   int samples() const { return static_cast<int>(time.size()) - 1; }
@@ -17,7 +19,7 @@ struct BlowTimes {
 /// Climbs the degrees with a blow in time, as check_part() does with loads at
 /// rest: each degree moves on its own, peaks are those over all points and the
 /// telling samples, the fields those of the instants. The band has the error
-/// of steps and shapes.
+/// of steps, shapes and front.
 ///
 /// What the highest degree leaves may be above the tolerance, as waves ask for
 /// more than loads at rest: up to a tenth the band is judged.

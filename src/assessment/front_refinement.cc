@@ -1,54 +1,141 @@
 #include "assessment/front_refinement.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace clevis::assessment {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Largest value within so many samples to either side.
+VectorXd highest_near(const VectorXd& values, Index window) {
+  VectorXd result(values.size());
+  for (Index i = 0; i < values.size(); ++i) {
+    const Index first = std::max<Index>(0, i - window);
+    const Index last = std::min(values.size() - 1, i + window);
+    result[i] = values.segment(first, last - first + 1).maxCoeff();
+  }
+  return result;
+}
+
+constexpr double kFastest = 2.0;  // cusps lose in proportion to the front
+
+/// What is left of an error whose last two changes are given.
+double left_over(double change, double before, double slowest) {
+  if (change == 0.0) return 0.0;
+  const double falls = std::clamp(std::abs(before / change), slowest, kFastest);
+  return std::abs(change) / (falls - 1.0);
+}
+
+}  // namespace
+
+template <int dim>
+double front_of_mesh(const mesh::PartMesh<dim>& mesh,
+                     const part::Material& material, int degree) {
+  const bool simplex = mesh.shape == mesh::CellShape::kSimplex;
+  double longest = 0.0;
+  for (const auto& cell : mesh.cells) {
+    for (unsigned i = 0; i < cell.size(); ++i) {
+      for (unsigned j = 0; j < i; ++j) {
+        if (!simplex && !std::has_single_bit(i ^ j)) continue;  // no edge
+        longest = std::max(
+            longest, (mesh.vertices[cell[i]] - mesh.vertices[cell[j]]).norm());
+      }
+    }
+  }
+  return longest / degree *
+         std::sqrt(material.density / material.youngs_modulus);
+}
+
+template <int dim>
+bool makes_fronts(const StruckRun<dim>& run) {
+  constexpr double kNoticed = 1e-6;
+  return run.response.motion().energy_error > kNoticed;
+}
 
 template <int dim>
 bool is_hard(const StruckRun<dim>& run) {
   constexpr int kManyShapes = 100;
+  constexpr double kMuch = 1e-3;
   const auto& solution = run.response.solution;
-  return solution.is_ideal || solution.damping_time > 0.0 ||
-         solution.modes > kManyShapes;
+  return solution.is_ideal || solution.modes > kManyShapes ||
+         solution.run.energy_error > kMuch;
+}
+
+double slowest_fall(double rise) {
+  constexpr double kSoft = 1.7;  // of cusps, 2 in the end
+  const double last = std::sqrt(rise + 1.0) - std::sqrt(rise);
+  return std::min(kSoft,
+                  1.0 + (std::sqrt(rise + 2.0) - std::sqrt(rise + 1.0)) / last);
+}
+
+FrontError front_error(const VectorXd& one, const VectorXd& two,
+                       const VectorXd& four, int window, double slowest) {
+  constexpr double kOvershoot = 0.1;
+  const VectorXd a = highest_near(one, window), b = highest_near(two, window),
+                 c = highest_near(four, window);
+  const double peak = a.maxCoeff();
+  FrontError error;
+  for (Index i = 0; i < a.size(); ++i) {
+    const double left = left_over(a[i] - b[i], b[i] - c[i], slowest);
+    error.above = std::max(error.above, (a[i] + left) / peak - 1.0);
+    if (a[i] == peak && a[i] < b[i]) {
+      error.below = std::max(error.below, left / peak);
+    }
+  }
+  error.below = std::max(error.below, kOvershoot * error.above);
+  return error;
 }
 
 template <int dim>
 FrontRefinement refine_front(const PartJob& job, const ImpactJob& impact,
                              const std::vector<stress::SingularZone>& zones,
-                             int degree, double ideal_spring,
+                             int degree, const StruckRun<dim>& judged,
                              StruckFaces<dim>& faces) {
-  constexpr double kTolerance = 3e-2, kStiffer = 4.0;
-  dynamics::StrikeOptions options;
-  options.route = dynamics::Route::kModal;
-  options.damping = dynamics::Damping::kFronts;
-  options.tolerance = kTolerance;
-  options.samples = kBlowSamples;
-  FrontRefinement found;
+  constexpr double kSettled = 0.05;
+  const double front = judged.response.solution.damping_time;
   auto& face = faces.get(job, impact, degree);
-  loads::Strike strike = impact.strike;
-  double stiffness = ideal_spring;
-  for (const int vectors : {64, 128, 256}) {
-    options.front_modes = vectors;
-    if (!std::isfinite(impact.strike.contact.stiffness)) {
-      strike.contact.stiffness = stiffness;
-      stiffness *= kStiffer;
-    }
-    const auto response = face.solve(strike, options);
+  FrontRefinement found;
+  std::vector<VectorXd> peaks;
+  const auto add = [&](const elasticity::StrikeResponse<dim>& response) {
+    peaks.push_back(judged_peaks(response.basis, job, zones));
     found.fronts.push_back(response.solution.damping_time);
-    found.stress.push_back(judged_stress(response.basis, job, zones));
-    found.deflection.push_back(response.motion().peak_contact);
+    found.stress.push_back(peaks.back().maxCoeff());
+    found.deflection.push_back(
+        stress::largest_deflection<dim>(response.basis).value);
+  };
+  for (const double times : {4.0, 2.0}) {
+    ImpactJob longer = impact;
+    longer.front = times * front;
+    add(face.solve(impact.strike,
+                   strike_options(dynamics::Route::kModal, longer)));
   }
-  found.settles = !dynamics::grows_with_refinement(found.stress);
+  add(judged.response);
+  const auto& time = judged.response.motion().time;
+  const auto window =
+      static_cast<int>(std::ceil(4.0 * front / (time[1] - time[0])));
+  const FrontError error =
+      front_error(peaks[2], peaks[1], peaks[0], window,
+                  slowest_fall(judged.response.solution.rise_time / front));
+  found.below = error.below;
+  found.above = error.above;
+  found.settles = error.below + error.above < kSettled;
   return found;
 }
 
-template bool is_hard<2>(const StruckRun<2>&);
-template bool is_hard<3>(const StruckRun<3>&);
-template FrontRefinement refine_front<2>(
-    const PartJob&, const ImpactJob&, const std::vector<stress::SingularZone>&,
-    int, double, StruckFaces<2>&);
-template FrontRefinement refine_front<3>(
-    const PartJob&, const ImpactJob&, const std::vector<stress::SingularZone>&,
-    int, double, StruckFaces<3>&);
+#define CLEVIS_INSTANTIATE(dim)                                             \
+  template double front_of_mesh<dim>(const mesh::PartMesh<dim>&,            \
+                                     const part::Material&, int);           \
+  template bool makes_fronts<dim>(const StruckRun<dim>&);                   \
+  template bool is_hard<dim>(const StruckRun<dim>&);                        \
+  template FrontRefinement refine_front<dim>(                               \
+      const PartJob&, const ImpactJob&,                                     \
+      const std::vector<stress::SingularZone>&, int, const StruckRun<dim>&, \
+      StruckFaces<dim>&);
+CLEVIS_INSTANTIATE(2)
+CLEVIS_INSTANTIATE(3)
 
 }  // namespace clevis::assessment

@@ -130,10 +130,13 @@ Computed compute(const PartJob& job, const ImpactJob& given,
                                       job.groups, job.mass);
   result.first_period = elasticity::first_period<dim>(
       {faces.mesh(), job.part.material, unit, given.fixed, job.part.name}, low);
+  const double front = front_of_mesh(faces.mesh(), job.part.material, high);
+  ImpactJob impact = given;
+  impact.front = 2.0 * front;
   StruckRun<dim> coarse =
-      run_struck(job, given, zones, low, Route::kAuto, faces);
-  const ImpactJob impact =
-      lengthened(job, given, zones, low, faces, coarse, result);
+      run_struck(job, impact, zones, low, Route::kAuto, faces);
+  impact = lengthened(job, impact, zones, low, faces, coarse, result);
+  impact.front = front;
   std::optional<StruckRun<dim>> direct;
   const bool is_long = solves_of(coarse) > kMostSolves;
   if (job.impacts.size() <= kCrossChecked && !is_hard(coarse) && !is_long) {
@@ -141,10 +144,10 @@ Computed compute(const PartJob& job, const ImpactJob& given,
   }
   const StruckRun<dim> fine =
       run_struck(job, impact, zones, high, Route::kAuto, faces);
-  if (is_hard(fine)) {
-    result.refinement =
-        refine_front(job, impact, zones, high,
-                     fine.response.solution.contact_stiffness, faces);
+  double same_front = fine.stress;  // as that of `coarse`
+  if (makes_fronts(fine)) {
+    result.refinement = refine_front(job, impact, zones, high, fine, faces);
+    same_front = result.refinement.stress[1];
   }
   result.name = impact.strike.name;
   result.source = impact.source;
@@ -176,7 +179,8 @@ Computed compute(const PartJob& job, const ImpactJob& given,
     return bar ? run.stress / run.static_stress * bar->bar.stress_per_force
                : 0.0;
   };
-  const double space = std::abs(coarse.factor / fine.factor - 1.0);
+  const double space =
+      std::abs(coarse.factor / fine.factor * fine.stress / same_front - 1.0);
   result.rows.push_back(
       {.model = fmt::format("static elements x factor, p = {}", high),
        .stress = force * fine.static_stress,
@@ -192,14 +196,21 @@ Computed compute(const PartJob& job, const ImpactJob& given,
   }
   result.rows.push_back(struck_row(coarse, low, nominal(coarse),
                                    coarse_error + coarse.error_in_time()));
-  result.rows.push_back(
-      struck_row(fine, high, nominal(fine), space + fine.error_in_time()));
+  const double error = space + fine.error_in_time();
+  const auto& fronts = result.refinement;
+  result.rows.push_back(struck_row(
+      fine, high, nominal(fine), error + std::max(fronts.below, fronts.above)));
   result.stress = fine.stress;
-  result.band_low = fine.stress * (1.0 - result.rows.back().error);
-  result.band_high = fine.stress * (1.0 + result.rows.back().error);
+  result.band_low = fine.stress * (1.0 - error - fronts.below);
+  result.band_high = fine.stress * (1.0 + error + fronts.above);
   found.stiffness = stiffness;
-  found.times = {fine.response.motion().time, fine.telling,
-                 fine.response.solution.error(), result.later_stress};
+  found.times = {.time = fine.response.motion().time,
+                 .telling = fine.telling,
+                 .error = fine.response.solution.error(),
+                 .front = front,
+                 .below = fronts.below,
+                 .above = fronts.above,
+                 .later = result.later_stress};
   return found;
 }
 

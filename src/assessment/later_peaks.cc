@@ -43,10 +43,11 @@ double default_duration(const ImpactJob& impact, double contact_stiffness,
   return dynamics::strike_duration(strike, 1.0 / part_stiffness, omega * omega);
 }
 
-dynamics::StrikeOptions few_shapes(int samples) {
+dynamics::StrikeOptions few_shapes(int samples, double front) {
   dynamics::StrikeOptions options;
   options.route = dynamics::Route::kModal;
-  options.damping = dynamics::Damping::kNone;
+  options.damping = dynamics::Damping::kFronts;
+  options.front_time = front;
   options.tolerance = 0.1;
   options.most_modes = options.fewest_modes * 3 / 2;
   options.samples = samples;
@@ -84,9 +85,10 @@ LaterPeaks look_later(const PartJob& job, const ImpactJob& impact,
   ImpactJob followed = impact;
   followed.strike.duration = found.looked_for;
   const int samples = longer * kSamplesPerDuration;
-  const auto basis = faces.get(job, impact, degree)
-                         .solve(followed.strike, few_shapes(samples))
-                         .basis;
+  const auto basis =
+      faces.get(job, impact, degree)
+          .solve(followed.strike, few_shapes(samples, impact.front))
+          .basis;
   const auto sample_at = [&](double t) {
     return std::min(
         samples, static_cast<int>(std::ceil(t / found.looked_for * samples)));

@@ -196,8 +196,9 @@ void explain_unsettled(PartResult& result) {
     }
     if (impact.refinement.settles) continue;
     result.why = "the stress of impact " + impact.name +
-                 " does not settle with refinement: give the contact its "
-                 "stiffness; the deflection holds";
+                 " does not settle, its front is shorter than the mesh "
+                 "carries: mesh finer along the wave's way, or give the "
+                 "contact its stiffness";
     return;
   }
 }

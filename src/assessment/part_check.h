@@ -31,6 +31,8 @@ struct ImpactJob {
   std::map<std::string, std::array<bool, 3>> fixed;
   std::string source;  ///< "given", "contact touch"
   int samples = 1200;  ///< instants at which it is judged
+  double front =
+      0.0;  ///< waves that take less are damped, but not by steps [s]
 };
 
 /// An impact somewhere in the mechanism, as it loads the part.

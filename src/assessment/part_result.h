@@ -83,11 +83,13 @@ struct ImpactRow {
   std::string remark{};  ///< "unsafe by 12 %: …"
 };
 
-/// What a hard blow's stress does with ever shorter fronts.
+/// What a blow's stress does with ever shorter fronts, the last as short as the
+/// mesh carries.
 struct FrontRefinement {
   std::vector<double> fronts;      ///< that waves are damped below [s]
   std::vector<double> stress;      ///< judged, by each [Pa]
-  std::vector<double> deflection;  ///< of the struck face [m]
+  std::vector<double> deflection;  ///< largest of the part [m]
+  double below{}, above{};         ///< error left of the last stress [1]
   bool settles = true;             ///< the stress
 };
 

@@ -94,12 +94,16 @@ std::string face_key(const ImpactJob& impact) {
 
 }  // namespace
 
-dynamics::StrikeOptions strike_options(Route route, int samples) {
+dynamics::StrikeOptions strike_options(Route route, const ImpactJob& impact) {
   dynamics::StrikeOptions options;
   options.route = route;
   options.tolerance =
       route == Route::kDirect ? kDirectTolerance : kTimeTolerance;
-  options.samples = samples;
+  options.samples = impact.samples;
+  if (route != Route::kDirect && impact.front > 0.0) {
+    options.damping = dynamics::Damping::kFronts;
+    options.front_time = impact.front;
+  }
   return options;
 }
 
@@ -143,6 +147,15 @@ double judged_stress(const elasticity::DisplacementBasis<dim>& basis,
   return look_at(basis, job, zones).peak.value;
 }
 
+template <int dim>
+Eigen::VectorXd judged_peaks(const elasticity::DisplacementBasis<dim>& basis,
+                             const PartJob& job,
+                             const std::vector<stress::SingularZone>& zones) {
+  return stress::peaks_outside<dim>(
+      basis, job.part.material, kSubdivisions,
+      stress::zone_of_points<dim>(basis.discretization, kSubdivisions, zones));
+}
+
 const loads::GroupGeometry& group_of(const PartJob& job,
                                      const std::string& name) {
   const auto found =
@@ -181,9 +194,8 @@ StruckRun<dim> run_struck(const PartJob& job, const ImpactJob& impact,
       faces.mesh(), job.part.material, unit, impact.fixed, job.part.name};
   Stopwatch watch;
   StruckRun<dim> found;
-  found.response =
-      faces.get(job, impact, degree)
-          .solve(impact.strike, strike_options(route, impact.samples));
+  found.response = faces.get(job, impact, degree)
+                       .solve(impact.strike, strike_options(route, impact));
   const auto& basis = found.response.basis;
   const Lattice looked = look_at(basis, job, zones);
   found.stress = looked.peak.value;
@@ -213,6 +225,9 @@ StruckRun<dim> run_struck(const PartJob& job, const ImpactJob& impact,
   template elasticity::DisplacementBasis<dim> at_samples<dim>(             \
       const elasticity::DisplacementBasis<dim>&, const std::vector<int>&); \
   template double judged_stress<dim>(                                      \
+      const elasticity::DisplacementBasis<dim>&, const PartJob&,           \
+      const std::vector<stress::SingularZone>&);                           \
+  template Eigen::VectorXd judged_peaks<dim>(                              \
       const elasticity::DisplacementBasis<dim>&, const PartJob&,           \
       const std::vector<stress::SingularZone>&);                           \
   template StruckRun<dim> run_struck<dim>(                                 \

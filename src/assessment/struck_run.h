@@ -17,8 +17,8 @@ namespace clevis::assessment {
 constexpr int kBlowSamples = 1200;
 
 /// How blows are integrated.
-/// @param samples  instants at which they are judged.
-dynamics::StrikeOptions strike_options(dynamics::Route route, int samples);
+dynamics::StrikeOptions strike_options(dynamics::Route route,
+                                       const ImpactJob& impact);
 
 /// @throws Error M003 if the mesh has no group of that name.
 const loads::GroupGeometry& group_of(const PartJob& job,
@@ -87,6 +87,12 @@ StruckRun<dim> run_struck(const PartJob& job, const ImpactJob& impact,
                           const std::vector<stress::SingularZone>& zones,
                           int degree, dynamics::Route route,
                           StruckFaces<dim>& faces);
+
+/// Largest von Mises of each sample outside the singular zones [Pa].
+template <int dim>
+Eigen::VectorXd judged_peaks(const elasticity::DisplacementBasis<dim>& basis,
+                             const PartJob& job,
+                             const std::vector<stress::SingularZone>& zones);
 
 /// Largest von Mises outside the singular zones [Pa].
 template <int dim>

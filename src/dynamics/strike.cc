@@ -147,13 +147,23 @@ class Solver {
     solution_.run = std::move(refined.run);
   }
 
-  void modal() {
+  /// Ever more shapes until they settle.
+  /// @param front_time  waves shorter than it are damped; 0: none [s].
+  void modal(double front_time = 0.0) {
     std::optional<Refined> before;
     int shapes = options_.fewest_modes;
+    solution_.damping_time = front_time;
     for (;; shapes = shapes * 3 / 2) {
       const ReducedModel model = shapes_.model(shapes);
-      const auto body = modal_body(model.squares, model.contact);
-      Refined now = refine_steps(*body, strike_, plan(stride_));
+      const auto body = modal_body(model.squares, model.contact, front_time);
+      StepPlan steps = plan(stride_);
+      solution_.rise_time = rise_time(*modal_body(model.squares, model.contact),
+                                      strike_, duration_);
+      if (solution_.rise_time < front_time) {
+        steps.carry_rise = false;
+        steps.stride = stride_for(front_time);
+      }
+      Refined now = refine_steps(*body, strike_, steps);
       stride_ = std::max(stride_, now.steps / options_.samples / 2);
       solution_.mode_error = before ? difference(before->run, now.run) : 1.0;
       if (model.is_complete) solution_.mode_error = 0.0;
@@ -167,6 +177,10 @@ class Solver {
 
   /// Two models, the smaller one for the error.
   void modal_damped() {
+    if (options_.front_time > 0.0) {
+      modal(options_.front_time);
+      return;
+    }
     const int most = std::max(options_.front_modes, solution_.modes);
     std::optional<StrikeRun> before;
     for (const int shapes : {most * 2 / 3, most}) {

@@ -35,6 +35,9 @@ struct StrikeOptions {
   int samples = 400;        ///< instants after t = 0
   int fewest_modes = 24, most_modes = 480;
   int front_modes = 271;  ///< where fronts are damped, at the least
+  /// Of the fronts that the modal route keeps: the shapes must then settle
+  /// under that damping; 0: as short as front_modes shapes allow [s].
+  double front_time = 0.0;
   int most_direct_steps = 50000;
   int most_modal_steps = 400000;
 };
@@ -54,6 +57,7 @@ struct StrikeSolution {
   /// Step of the damping scheme, 0: the energy was kept. Stresses are those of
   /// a front that takes about so long [s].
   double damping_time{};
+  double rise_time{};           ///< of the contact force, modal route [s]
   double contact_compliance{};  ///< static, of the body alone [m/N]
   std::string reason;           ///< why this route
   double contact_stiffness{};   ///< of the spring that was computed

@@ -75,6 +75,21 @@ bool carries_rise(const StruckBody& body, const loads::Strike& strike,
          (!is_direct || std::pow(change, 3) * steps / 12.0 < kDelay);
 }
 
+double rise_time(StruckBody& body, const loads::Strike& strike,
+                 double longest) {
+  constexpr double kShortest = 1e-7, kExact = 1.01;
+  const double stiffness = stiffest(strike);
+  double low = kShortest * longest, high = longest;
+  while (high > kExact * low) {
+    const double time = std::sqrt(low * high);
+    body.set_step(time);
+    const double turned =
+        stiffness * (body.compliance() + time * time / (2.0 * strike.mass));
+    (turned > 1.0 ? high : low) = time;
+  }
+  return high;
+}
+
 Refined refine_steps(StruckBody& body, const loads::Strike& strike,
                      const StepPlan& plan) {
   Refined result;

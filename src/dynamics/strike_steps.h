@@ -25,6 +25,11 @@ int contact_stride(const loads::Strike& strike, double duration, int samples);
 bool carries_rise(const StruckBody& body, const loads::Strike& strike,
                   const StrikeRun& run, int steps, bool is_direct);
 
+/// Time in which the contact force rises against a body at rest, until its own
+/// doing turns it: of a rod Z/k, Z = A √(E ρ), of a light striker √(2 m/k) [s].
+/// @param longest  that is looked at [s].
+double rise_time(StruckBody& body, const loads::Strike& strike, double longest);
+
 /// The last of the runs with ever halved steps.
 struct Refined {
   StrikeRun run;

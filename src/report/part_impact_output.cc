@@ -40,11 +40,12 @@ std::string head_of(const PartResult& part, const ImpactResult& impact) {
              impact.rise_time / kMillisecond);
 }
 
-/// "stress 330, 345, 361 MPa with fronts of 8, 4, 2 us: …"; empty for soft
-/// blows.
+/// "stress 330, 345, 361 MPa with fronts of 8, 4, 2 us: …"; empty for blows
+/// whose fronts the mesh carries.
 std::string refinement_of(const ImpactResult& impact) {
+  constexpr double kTold = 1e-3;
   const auto& tried = impact.refinement;
-  if (tried.stress.empty()) return "";
+  if (tried.below + tried.above < kTold) return "";
   const auto list = [](const std::vector<double>& values, double unit,
                        const char* format) {
     std::string text;
@@ -55,11 +56,13 @@ std::string refinement_of(const ImpactResult& impact) {
     return text;
   };
   return fmt::format(
-      "stress {} MPa with fronts of {} us, {}; deflection {} mm",
+      "stress {} MPa with fronts of {} us, the last that the mesh carries: "
+      "{:.2g} % more and {:.2g} % less are left, {}; deflection {} mm",
       list(tried.stress, 1e6, "{:.4g}"), list(tried.fronts, 1e-6, "{:.3g}"),
+      kPercent * tried.above, kPercent * tried.below,
       tried.settles ? "settles"
-                    : "DOES NOT SETTLE: compare deflections, or give the "
-                      "contact its stiffness",
+                    : "DOES NOT SETTLE: mesh finer along the wave's way, "
+                      "compare deflections, or give the contact its stiffness",
       list(tried.deflection, 1e-3, "{:.4g}"));
 }
 
@@ -173,7 +176,10 @@ ordered_json refinement_json(const assessment::FrontRefinement& tried) {
                      {"stress_MPa", megapascals(tried.stress[i])},
                      {"deflection_mm", millimetres(tried.deflection[i])}});
   }
-  return {{"stress_settles", tried.settles}, {"steps", steps}};
+  return {{"stress_settles", tried.settles},
+          {"left_above_percent", kPercent * tried.above},
+          {"left_below_percent", kPercent * tried.below},
+          {"steps", steps}};
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProbeResult, name, quantity, value, band_low,
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImpactRow, model, stress, nominal, face,
                                    deflection, error, seconds, ratio, remark)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrontRefinement, fronts, stress, deflection,
-                                   settles)
+                                   below, above, settles)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     ImpactResult, name, source, mass, speed, force, stiffness, exponent,
     is_ideal, part_mass, first_period, looked_for, later_stress,

@@ -144,6 +144,29 @@ StressHistory stress_history(const elasticity::DisplacementBasis<dim>& basis,
 }
 
 template <int dim>
+Eigen::VectorXd peaks_outside(const elasticity::DisplacementBasis<dim>& basis,
+                              const part::Material& material, int subdivisions,
+                              const Eigen::MatrixXi& zone_of) {
+  const auto& discretization = basis.discretization;
+  const auto points =
+      elasticity::lattice<dim>(discretization.shape, subdivisions);
+  const CellField<dim> cell_field(discretization, material, points);
+  Eigen::VectorXd peak = Eigen::VectorXd::Zero(basis.coefficients.cols());
+  for (int c = 0; c < discretization.cells(); ++c) {
+    ArrayXXd squared = von_mises_squared<dim>(
+        elasticity::product(
+            cell_field.stress(static_cast<std::size_t>(c), basis.columns),
+            basis.coefficients),
+        points.cols());
+    for (Index q = 0; q < points.cols(); ++q) {
+      if (zone_of(q, c) >= 0) squared.row(q).setZero();
+    }
+    peak = peak.cwiseMax(squared.colwise().maxCoeff().matrix().transpose());
+  }
+  return peak.cwiseSqrt();
+}
+
+template <int dim>
 InstantField instant_field(const elasticity::DisplacementBasis<dim>& basis,
                            const part::Material& material, int subdivisions,
                            int instant) {
@@ -261,6 +284,9 @@ std::string surface_group(const elasticity::Discretization<dim>& discretization,
 #define CLEVIS_INSTANTIATE(dim)                                               \
   template StressHistory stress_history<dim>(                                 \
       const elasticity::DisplacementBasis<dim>&, const part::Material&, int); \
+  template Eigen::VectorXd peaks_outside<dim>(                                \
+      const elasticity::DisplacementBasis<dim>&, const part::Material&, int,  \
+      const Eigen::MatrixXi&);                                                \
   template InstantField instant_field<dim>(                                   \
       const elasticity::DisplacementBasis<dim>&, const part::Material&, int,  \
       int);                                                                   \

@@ -43,6 +43,13 @@ template <int dim>
 StressHistory stress_history(const elasticity::DisplacementBasis<dim>& basis,
                              const part::Material& material, int subdivisions);
 
+/// Largest von Mises of each instant outside of all zones [Pa].
+/// @param zone_of  of zone_of_points: points × cells, −1 outside.
+template <int dim>
+Eigen::VectorXd peaks_outside(const elasticity::DisplacementBasis<dim>& basis,
+                              const part::Material& material, int subdivisions,
+                              const Eigen::MatrixXi& zone_of);
+
 /// Displacement and stress at the lattice points of all cells at one instant.
 struct InstantField {
   int subdivisions{};

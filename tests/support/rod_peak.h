@@ -8,14 +8,15 @@
 namespace clevis::support {
 
 /// Largest stress at the held end of a rod that a rigid mass strikes at its
-/// free end, over v √(E ρ), within 3.1 of the times that a wave takes through
-/// it: d'Alembert with a contact spring between. The wave g that leaves the
-/// struck end under the force P fulfils P/Z = g(t) + g(t − 2), Z = A √(E ρ).
+/// free end, over v √(E ρ): d'Alembert with a contact spring between. The wave
+/// g that leaves the struck end under the force P fulfils P/Z = g(t) + g(t −
+/// 2), Z = A √(E ρ).
 /// @param striker  its mass over the rod's [1].
 /// @param rise     Z/k over the wave's time through the rod [1].
-inline double rod_peak(double striker, double rise) {
-  const double h = 0.02 * rise;
-  const auto steps = static_cast<std::size_t>(2.1 / h);
+/// @param until    looked at, over that time [1].
+inline double rod_peak(double striker, double rise, double until = 3.1) {
+  const double h = std::min(0.02 * rise, 1e-3);
+  const auto steps = static_cast<std::size_t>((until - 1.0) / h);
   const auto delay = static_cast<std::size_t>(std::lround(2.0 / h));
   std::vector<double> g(steps, 0.0);
   double speed = 1.0, approach = 0.0, peak = 0.0;
