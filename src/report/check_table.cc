@@ -98,7 +98,7 @@ void add_reasons(TextTable& table, const PartResult& part) {
   if (part.peak.verdict != PeakVerdict::kConverged) {
     table.add_note(fmt::format("peak: {}", text(part.peak.verdict)));
   }
-  if (part.verdict != PartVerdict::kPass && !part.why.empty()) {
+  if (!part.why.empty()) {
     table.add_note(fmt::format("{}: {}", text(part.verdict), part.why));
   }
   if (!part.beam.reason.empty()) {

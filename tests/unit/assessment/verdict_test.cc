@@ -80,6 +80,41 @@ TEST(Verdict, SingularPartIsJudgedAwayFromItsZoneOnlyIfAsked) {
   EXPECT_EQ(judged(part, unsettled).verdict, PartVerdict::kNotJudged);
 }
 
+/// A blow that stresses the part as judged, with that nominal stress at the
+/// root.
+PartResult with_blow(double nominal) {
+  PartResult result = with_zone(145e6, 150e6, 155e6);
+  ImpactResult blow;
+  blow.name = "hammer";
+  blow.stress = 150e6;
+  blow.band_low = 145e6;
+  blow.band_high = 155e6;
+  blow.rows.push_back({.model = "dynamic elements", .nominal = nominal});
+  result.impacts.push_back(blow);
+  return result;
+}
+
+TEST(Verdict, ZoneLeftOutDoesNotHideTheNominalStress) {
+  auto part = steel_part();
+  part.limits.exclude_singular_zones = true;
+  const PartResult failed = judged(part, with_blow(220e6));
+  EXPECT_EQ(failed.verdict, PartVerdict::kFail);
+  EXPECT_NE(failed.why.find("220 [212.7, 227.3] MPa"), std::string::npos)
+      << failed.why;
+  EXPECT_EQ(judged(part, with_blow(198e6)).verdict, PartVerdict::kNotJudged);
+  const PartResult passed = judged(part, with_blow(190e6));
+  EXPECT_EQ(passed.verdict, PartVerdict::kPass);
+  EXPECT_NE(passed.why.find("190 MPa"), std::string::npos) << passed.why;
+
+  PartResult at_rest = with_zone(145e6, 150e6, 155e6);
+  EXPECT_NE(judged(part, at_rest).why.find("may be higher"), std::string::npos);
+  at_rest.beam.governing = "axial + bending, C-B at 30 mm";
+  at_rest.beam.peak_stress = 210e6;
+  EXPECT_EQ(judged(part, at_rest).verdict, PartVerdict::kFail);
+  at_rest.beam.governing = "lug shear-out, bore_B";
+  EXPECT_EQ(judged(part, at_rest).verdict, PartVerdict::kPass);
+}
+
 TEST(Verdict, SingularPartFailsByItsStressElsewhere) {
   part::PartDefinition part = steel_part();
   EXPECT_EQ(judged(part, with_zone(201e6, 202e6, 203e6)).verdict,
