@@ -74,8 +74,8 @@ PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
         problem.mesh.cells.size() != faces.mesh().cells.size();
     if (is_graded && !graded) graded.emplace(problem.mesh);
     auto& face = (is_graded ? *graded : faces).get(blow, timed, degree);
-    const auto response =
-        face.solve(timed.strike, strike_options(dynamics::Route::kAuto, timed));
+    const auto response = face.solve(
+        timed.strike, strike_options(job, dynamics::Route::kAuto, timed));
     return at_samples(response.basis, times.telling);
   };
   PartSeconds seconds;

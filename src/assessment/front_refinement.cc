@@ -111,7 +111,7 @@ FrontRefinement refine_front(const PartJob& job, const ImpactJob& impact,
     ImpactJob longer = impact;
     longer.front = times * front;
     add(face.solve(impact.strike,
-                   strike_options(dynamics::Route::kModal, longer)));
+                   strike_options(job, dynamics::Route::kModal, longer)));
   }
   add(judged.response);
   const auto& time = judged.response.motion().time;

@@ -139,7 +139,8 @@ Computed compute(const PartJob& job, const ImpactJob& given,
   impact.front = front;
   std::optional<StruckRun<dim>> direct;
   const bool is_long = solves_of(coarse) > kMostSolves;
-  if (job.impacts.size() <= kCrossChecked && !is_hard(coarse) && !is_long) {
+  if (job.impacts.size() <= kCrossChecked && !is_hard(coarse) && !is_long &&
+      job.part.damping == 0.0) {
     direct = run_struck(job, impact, zones, low, Route::kDirect, faces);
   }
   const StruckRun<dim> fine =
@@ -221,7 +222,7 @@ class BlowModels {
   explicit BlowModels(const PartJob& job) : job_(job), solid_(job.mesh) {
     if (job.model == ModelChoice::kLayered ||
         job.model == ModelChoice::kRevolution) {
-      throw Error("F005", "part " + job.part.name,
+      throw Error("F005", fmt::format("part {}", job.part.name),
                   "a blow is computed by plane stress or in 3-D",
                   "leave --model out");
     }

@@ -43,7 +43,7 @@ double default_duration(const ImpactJob& impact, double contact_stiffness,
   return dynamics::strike_duration(strike, 1.0 / part_stiffness, omega * omega);
 }
 
-dynamics::StrikeOptions few_shapes(int samples, double front) {
+dynamics::StrikeOptions few_shapes(double damping, int samples, double front) {
   dynamics::StrikeOptions options;
   options.route = dynamics::Route::kModal;
   options.damping = dynamics::Damping::kFronts;
@@ -51,6 +51,7 @@ dynamics::StrikeOptions few_shapes(int samples, double front) {
   options.tolerance = 0.1;
   options.most_modes = options.fewest_modes * 3 / 2;
   options.samples = samples;
+  options.modal_damping = damping;
   return options;
 }
 
@@ -87,7 +88,8 @@ LaterPeaks look_later(const PartJob& job, const ImpactJob& impact,
   const int samples = longer * kSamplesPerDuration;
   const auto basis =
       faces.get(job, impact, degree)
-          .solve(followed.strike, few_shapes(samples, impact.front))
+          .solve(followed.strike,
+                 few_shapes(job.part.damping, samples, impact.front))
           .basis;
   const auto sample_at = [&](double t) {
     return std::min(

@@ -94,12 +94,14 @@ std::string face_key(const ImpactJob& impact) {
 
 }  // namespace
 
-dynamics::StrikeOptions strike_options(Route route, const ImpactJob& impact) {
+dynamics::StrikeOptions strike_options(const PartJob& job, Route route,
+                                       const ImpactJob& impact) {
   dynamics::StrikeOptions options;
   options.route = route;
   options.tolerance =
       route == Route::kDirect ? kDirectTolerance : kTimeTolerance;
   options.samples = impact.samples;
+  options.modal_damping = job.part.damping;
   if (route != Route::kDirect && impact.front > 0.0) {
     options.damping = dynamics::Damping::kFronts;
     options.front_time = impact.front;
@@ -194,8 +196,9 @@ StruckRun<dim> run_struck(const PartJob& job, const ImpactJob& impact,
       faces.mesh(), job.part.material, unit, impact.fixed, job.part.name};
   Stopwatch watch;
   StruckRun<dim> found;
-  found.response = faces.get(job, impact, degree)
-                       .solve(impact.strike, strike_options(route, impact));
+  found.response =
+      faces.get(job, impact, degree)
+          .solve(impact.strike, strike_options(job, route, impact));
   const auto& basis = found.response.basis;
   const Lattice looked = look_at(basis, job, zones);
   found.stress = looked.peak.value;

@@ -17,7 +17,8 @@ namespace clevis::assessment {
 constexpr int kBlowSamples = 1200;
 
 /// How blows are integrated.
-dynamics::StrikeOptions strike_options(dynamics::Route route,
+dynamics::StrikeOptions strike_options(const PartJob& job,
+                                       dynamics::Route route,
                                        const ImpactJob& impact);
 
 /// @throws Error M003 if the mesh has no group of that name.

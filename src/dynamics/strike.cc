@@ -89,6 +89,10 @@ class Solver {
     const std::string fronts =
         solution_.is_ideal ? "an ideal step makes fronts: " : "";
     if (options_.route == Route::kDirect) {
+      if (options_.modal_damping > 0.0) {
+        throw Error("F006", "strike", "the direct route has no modal damping",
+                    "take the modal route, or no damping");
+      }
       solution_.reason = fronts + "direct was asked for";
       if (!damped && options_.damping == Damping::kAuto && needs_damping()) {
         solution_.reason += "; the rise of its force would take too many steps";
@@ -155,7 +159,8 @@ class Solver {
     solution_.damping_time = front_time;
     for (;; shapes = shapes * 3 / 2) {
       const ReducedModel model = shapes_.model(shapes);
-      const auto body = modal_body(model.squares, model.contact, front_time);
+      const auto body = modal_body(model.squares, model.contact, front_time,
+                                   options_.modal_damping);
       StepPlan steps = plan(stride_);
       solution_.rise_time = rise_time(*modal_body(model.squares, model.contact),
                                       strike_, duration_);
@@ -186,7 +191,8 @@ class Solver {
     for (const int shapes : {most * 2 / 3, most}) {
       const ReducedModel model = shapes_.model(shapes);
       const double time = damping_time(model, system_.rigid.cols());
-      const auto body = modal_body(model.squares, model.contact, time);
+      const auto body = modal_body(model.squares, model.contact, time,
+                                   options_.modal_damping);
       StepPlan steps = plan(stride_for(time));
       steps.carry_rise = false;
       Refined now = refine_steps(*body, strike_, steps);

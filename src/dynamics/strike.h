@@ -40,6 +40,8 @@ struct StrikeOptions {
   double front_time = 0.0;
   int most_direct_steps = 50000;
   int most_modal_steps = 400000;
+  /// Of each mode, over the critical; the direct route has none [1].
+  double modal_damping = 0.0;
 };
 
 /// Answer of a body to a strike: u(t_i) = columns · coefficients of the i-th

@@ -85,10 +85,11 @@ double sinc(double x) {
 class ModalBody : public StruckBody {
  public:
   ModalBody(const VectorXd& squares, const VectorXd& contact,
-            double damping_time)
+            double damping_time, double damping)
       : squares_(squares.array().max(0.0)),
         c_(contact),
-        damping_time_(damping_time) {
+        damping_time_(damping_time),
+        damping_(damping) {
     rest();
   }
 
@@ -99,6 +100,8 @@ class ModalBody : public StruckBody {
     turned_ = squares_ * sine_over_;
     by_force_ = phase.unaryExpr(&half_versine) * step * step * c_;
     by_force_speed_ = sine_over_ * c_;
+    turned_cosine_ = cosine_;
+    if (damping_ > 0.0) lose(step);
     if (damping_time_ > 0.0) damp(step);
   }
 
@@ -110,7 +113,7 @@ class ModalBody : public StruckBody {
   }
 
   void advance(double force) override {
-    v_ = cosine_ * v_ - turned_ * q_ + by_force_speed_ * force;
+    v_ = turned_cosine_ * v_ - turned_ * q_ + by_force_speed_ * force;
     q_ = free_ + by_force_ * force;
   }
 
@@ -128,14 +131,41 @@ class ModalBody : public StruckBody {
   }
 
  private:
+  /// The exact answer with damping, of what is no rigid motion.
+  void lose(double step) {
+    constexpr double kShort = 1e-3;  // by a series, without cancellation
+    const double root = std::sqrt(1.0 - damping_ * damping_);
+    for (Index i = 0; i < squares_.size(); ++i) {
+      const double omega = std::sqrt(squares_[i]);
+      if (!(omega > 0.0)) continue;
+      const double x = omega * step, left = std::exp(-damping_ * x);
+      const double sine = left * std::sin(root * x) / root;
+      const double cosine = left * std::cos(root * x);
+      cosine_[i] = cosine + damping_ * sine;
+      turned_cosine_[i] = cosine - damping_ * sine;
+      sine_over_[i] = sine / omega;
+      turned_[i] = sine * omega;
+      by_force_[i] =
+          c_[i] * (x < kShort
+                       ? step * step *
+                             (0.5 - damping_ * x / 3.0 +
+                              (4.0 * damping_ * damping_ - 1.0) * x * x / 24.0)
+                       : (1.0 - cosine_[i]) / squares_[i]);
+      by_force_speed_[i] = sine_over_[i] * c_[i];
+    }
+  }
+
+  /// What the material loses beside is taken as a factor: waves that the
+  /// scheme damps lose more by it.
   void damp(double step) {
     constexpr double kExact = 1e-2;  // R is the exponential to round-off
     for (Index i = 0; i < squares_.size(); ++i) {
       const double omega = std::sqrt(squares_[i]);
       if (omega * damping_time_ < kExact) continue;
       const auto factor = DampedScheme::amplification(omega * damping_time_,
-                                                      step / damping_time_);
-      cosine_[i] = factor.real();
+                                                      step / damping_time_) *
+                          std::exp(-damping_ * omega * step);
+      cosine_[i] = turned_cosine_[i] = factor.real();
       sine_over_[i] = factor.imag() / omega;
       turned_[i] = factor.imag() * omega;
       by_force_[i] = (1.0 - factor.real()) / squares_[i] * c_[i];
@@ -144,8 +174,9 @@ class ModalBody : public StruckBody {
   }
 
   ArrayXd squares_, c_;
-  double damping_time_;
+  double damping_time_, damping_;
   ArrayXd cosine_, sine_over_, turned_;  ///< cos ωh, sin ωh/ω, ω sin ωh
+  ArrayXd turned_cosine_;                ///< cos ωh of the speed
   ArrayXd by_force_, by_force_speed_;    ///< of a unit force over a step
   ArrayXd q_, v_, free_;
 };
@@ -159,8 +190,8 @@ std::unique_ptr<StruckBody> direct_body(const LinearSystem& system,
 
 std::unique_ptr<StruckBody> modal_body(const VectorXd& squares,
                                        const VectorXd& contact,
-                                       double damping_time) {
-  return std::make_unique<ModalBody>(squares, contact, damping_time);
+                                       double damping_time, double damping) {
+  return std::make_unique<ModalBody>(squares, contact, damping_time, damping);
 }
 
 }  // namespace clevis::dynamics

@@ -50,8 +50,11 @@ std::unique_ptr<StruckBody> damped_body(const LinearSystem& system,
 /// @param squares  ω² [1/s²].
 /// @param contact  c in the coordinates.
 /// @param damping_time  0: none [s].
+/// @param damping  of each, q'' + 2 ζ ω q' + ω² q = c P, over the critical,
+///   below 1 [1].
 std::unique_ptr<StruckBody> modal_body(const Eigen::VectorXd& squares,
                                        const Eigen::VectorXd& contact,
-                                       double damping_time = 0.0);
+                                       double damping_time = 0.0,
+                                       double damping = 0.0);
 
 }  // namespace clevis::dynamics

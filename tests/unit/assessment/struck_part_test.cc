@@ -194,5 +194,20 @@ TEST(StruckPart, IsFollowedWhileAForcePresses) {
   EXPECT_EQ(result.verdict, PartVerdict::kNotJudged);
 }
 
+// Damping takes the late bounces away, and of the first swing a little.
+TEST(StruckPart, LosesByItsDamping) {
+  PartJob job = bar();
+  job.impacts = {blow("patch", 0.01, 0.5)};
+  job.impacts[0].strike.force = 10.0;
+  job.part.damping = 0.05;
+  const double early = timoshenko(job.impacts[0].strike, 1.0).stress;
+  const PartResult result = check_part(job).result;
+  const PeakStress& judged = judged_peak(result);
+  EXPECT_LT(judged.value, early);
+  EXPECT_GT(judged.value, 0.7 * early);
+  EXPECT_EQ(result.impacts[0].later_stress, 1.0);
+  EXPECT_EQ(result.impacts[0].later_deflection, 1.0);
+}
+
 }  // namespace
 }  // namespace clevis::assessment

@@ -322,6 +322,29 @@ TEST(Strike, RoutesAgreeOnAFreeBeam) {
 }
 
 /// R of the damping scheme: fourth order, no growth, nothing left at infinity.
+// One mode under a constant force, by steps of any length: the closed form.
+TEST(ModalBody, DampedModeUnderAConstantForce) {
+  const double omega = 300.0, zeta = 0.2, contact = 0.7, force = 5.0;
+  const double root = std::sqrt(1.0 - zeta * zeta), end = 0.02;
+  const double fall = std::exp(-zeta * omega * end);
+  const double phase = root * omega * end;
+  const double shown =
+      contact * contact * force / (omega * omega) *
+      (1.0 - fall * (std::cos(phase) + zeta / root * std::sin(phase)));
+  const auto body =
+      dynamics::modal_body(VectorXd::Constant(1, omega * omega),
+                           VectorXd::Constant(1, contact), 0.0, zeta);
+  for (const int steps : {1, 7, 100000}) {
+    body->rest();
+    body->set_step(end / steps);
+    for (int i = 0; i < steps; ++i) {
+      body->free_contact();
+      body->advance(force);
+    }
+    EXPECT_NEAR(body->contact(), shown, 1e-10 * shown) << steps;
+  }
+}
+
 TEST(DampedScheme, IsOfFourthOrderAndLStable) {
   using dynamics::DampedScheme;
   double error = 0.0;
