@@ -128,8 +128,9 @@ Computed compute(const PartJob& job, const ImpactJob& given,
   ImpactResult& result = found.result;
   const auto unit = loads::case_loads(job.part, static_case(job, given, 1.0),
                                       job.groups, job.mass);
-  result.first_period = elasticity::first_period<dim>(
-      {faces.mesh(), job.part.material, unit, given.fixed, job.part.name}, low);
+  result.first_period = elasticity::period_along<dim>(
+      {faces.mesh(), job.part.material, unit, given.fixed, job.part.name}, low,
+      given.strike.direction);
   const double front = front_of_mesh(faces.mesh(), job.part.material, high);
   ImpactJob impact = given;
   impact.front = 2.0 * front;
@@ -170,6 +171,7 @@ Computed compute(const PartJob& job, const ImpactJob& given,
   found.force = fine.factor * force;
 
   const auto bar = bar_of(job, impact);
+  result.is_axial = bar && bar->is_rod;
   if (bar) {
     add_beam_rows(*bar, impact.strike, result.rows);
     result.beam_factor = beam_factor(*bar, impact.strike);

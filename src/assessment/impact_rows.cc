@@ -93,10 +93,11 @@ std::string remark_on(const ImpactRow& row, const ImpactResult& impact,
     return text + ": twice the speed on a third of the stiffness";
   }
   if (off < -kEqual) {
-    text += fmt::format(
-        ": higher modes, mass ratio {:.2g}, load for {:.2g} first periods",
-        impact.mass / impact.part_mass,
-        impact.load_duration / impact.first_period);
+    text +=
+        fmt::format(": {}, mass ratio {:.2g}, load for {:.2g} periods",
+                    impact.is_axial ? "waves along the rod" : "higher modes",
+                    impact.mass / impact.part_mass,
+                    impact.load_duration / impact.first_period);
   } else if (off > kEqual && impact.exponent == 1.0 &&
              impact.stiffness < 10.0 * part_stiffness) {
     text += fmt::format(

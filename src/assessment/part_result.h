@@ -106,7 +106,8 @@ struct ImpactResult {
   double later_stress = 1.0, later_deflection = 1.0;
   bool is_cut = false;    ///< its given duration ends while the striker presses
   double part_mass{};     ///< [kg]
-  double first_period{};  ///< of the part [s]
+  double first_period{};  ///< of the part's vibration along the blow [s]
+  bool is_axial = false;  ///< along a rod
   double load_duration{}, rise_time{};  ///< of the contact's force [s]
   double peak_force{};                  ///< of the contact [N]
   double beam_factor{};                 ///< of the corrected beam; 0: none [1]

@@ -99,7 +99,7 @@ std::optional<BarImpact> ejector_impact(const EjectorDefinition& ejector,
 std::optional<double> strength_condition(const EjectorDefinition& e,
                                          Formula formula) {
   const EjectorDrive drive = ejector_drive(e, Formula::kPublished);
-  if (!drive.pusher_speed) return std::nullopt;
+  if (!drive.pusher_speed || !(drive.pusher_force > 0.0)) return std::nullopt;
   const BarSection section = round_section(e.diameter);
   // 4 E I m CB² [..]/(J_C F² h³), [..] twice the energy
   double under_root =

@@ -42,7 +42,8 @@ std::optional<BarImpact> ejector_impact(
 /// (6) with the numbers put in: stress [Pa]. As printed J_C stands twice
 /// (I-6), so that a dimension of 1/(kg m²) is left and SI numbers are taken
 /// for what they are; corrected it is ejector_impact() with V = 2 V_B and
-/// y_st = h³/(E I) for both. None if the bracket is not positive.
+/// y_st = h³/(E I) for both. None if the bracket is not positive, or nothing
+/// pushes at the blow: F stands under the root and before it.
 std::optional<double> strength_condition(
     const machine::EjectorDefinition& ejector, Formula formula);
 

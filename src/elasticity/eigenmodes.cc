@@ -50,9 +50,23 @@ double first_period(const ElasticProblem<dim>& problem, int degree) {
   return 1.0 / modes.frequencies[rigid];
 }
 
+template <int dim>
+double period_along(const ElasticProblem<dim>& problem, int degree,
+                    const Eigen::Vector3d& direction) {
+  constexpr int kModes = 16;
+  const auto modes = eigenmodes(problem, degree, kModes);
+  Eigen::Index along = 0;
+  (modes.participation * direction.head<dim>().cwiseAbs2()).maxCoeff(&along);
+  return 1.0 / modes.frequencies[along];
+}
+
 template Eigenmodes<2> eigenmodes<2>(const ElasticProblem<2>&, int, int);
 template Eigenmodes<3> eigenmodes<3>(const ElasticProblem<3>&, int, int);
 template double first_period<2>(const ElasticProblem<2>&, int);
 template double first_period<3>(const ElasticProblem<3>&, int);
+template double period_along<2>(const ElasticProblem<2>&, int,
+                                const Eigen::Vector3d&);
+template double period_along<3>(const ElasticProblem<3>&, int,
+                                const Eigen::Vector3d&);
 
 }  // namespace clevis::elasticity

@@ -39,4 +39,12 @@ Eigenmodes<dim> eigenmodes(const ElasticProblem<dim>& problem, int degree,
 template <int dim>
 double first_period(const ElasticProblem<dim>& problem, int degree);
 
+/// Of a held part the period of that among the lowest sixteen vibrations in
+/// which most of the mass moves along a direction [s]: bending for a blow
+/// across a bar, stretching for one along it.
+/// @param direction  unit, in L; only its square counts.
+template <int dim>
+double period_along(const ElasticProblem<dim>& problem, int degree,
+                    const Eigen::Vector3d& direction);
+
 }  // namespace clevis::elasticity

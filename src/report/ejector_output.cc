@@ -31,9 +31,11 @@ std::string or_any(const std::optional<double>& value, double unit,
   return fmt::format("{:.4g} {}", *value / unit, name);
 }
 
-std::string stress_text(const std::optional<double>& stress) {
-  return stress ? fmt::format("{:.1f} MPa", *stress / kMegapascal)
-                : std::string("none, the pusher does not arrive");
+std::string stress_text(const std::optional<double>& stress,
+                        const EjectorDrive& drive) {
+  if (stress) return fmt::format("{:.1f} MPa", *stress / kMegapascal);
+  return drive.pusher_speed ? "none, the spring holds the pusher back"
+                            : "none, the pusher does not arrive";
 }
 
 std::string one_text(const EjectorResult& r, Colour colour) {
@@ -67,7 +69,8 @@ std::string one_text(const EjectorResult& r, Colour colour) {
       "formula (6): {}; as printed, with J_C twice: {}\n"
       "largest for {:.4g} MPa: magnet force {}, travel {}, magnet's range {}, "
       "speed {:.4g} m/s\n",
-      stress_text(r.condition_corrected), stress_text(r.condition_published),
+      stress_text(r.condition_corrected, r.published),
+      stress_text(r.condition_published, r.published),
       r.limits.stress / kMegapascal, or_any(r.limits.magnet_force, 1.0, "N"),
       or_any(r.limits.travel, kMillimetre, "mm"),
       or_any(r.limits.range, kMillimetre, "mm"), r.limits.speed);

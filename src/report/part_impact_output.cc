@@ -30,9 +30,8 @@ std::string head_of(const PartResult& part, const ImpactResult& impact) {
              impact.is_ideal ? "ideal step, computed with " : "contact ",
              impact.stiffness, impact.exponent == 1.0 ? "" : "^1.5")) +
          fmt::format(
-             "\n  mass ratio {:.3g}; load for {:.4g} ms, {:.3g} first periods "
-             "of {:.4g} "
-             "ms; peak {:.4g} N after {:.3g} ms\n",
+             "\n  mass ratio {:.3g}; load for {:.4g} ms, {:.3g} periods "
+             "of {:.4g} ms along the blow; peak {:.4g} N after {:.3g} ms\n",
              impact.mass / impact.part_mass,
              impact.load_duration / kMillisecond,
              impact.load_duration / impact.first_period,

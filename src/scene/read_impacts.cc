@@ -40,7 +40,7 @@ void read_striker(StrictTable& table,
   }
   impact.mass = table["mass"].positive(Dimension::kMass);
   const Value speed = table["speed"];
-  impact.speed = speed.positive(Dimension::kVelocity);
+  impact.speed = speed.quantity(Dimension::kVelocity);
   constexpr double kSound = 5000.0;  // [m/s], in steel
   if (impact.speed > 0.1 * kSound) {
     throw speed.refusal("S011", "is beyond what stays elastic",
@@ -49,6 +49,10 @@ void read_striker(StrictTable& table,
   if (const auto force = table.find("force")) {
     impact.force = force->quantity(Dimension::kForce);
   }
+  if (impact.speed > 0.0 || (impact.speed == 0.0 && impact.force > 0.0)) return;
+  throw speed.refusal("S011", "brings no striker to the part",
+                      "Give a speed above zero, or zero with a force that "
+                      "presses.");
 }
 
 /// Nothing (an ideal velocity step), a linear spring, or Hertz's for a ball of

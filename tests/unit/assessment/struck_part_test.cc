@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "assessment/part_check.h"
+#include "base/errors.h"
 #include "dynamics/strike.h"
 #include "support/dense_system.h"
 #include "support/plate_job.h"
@@ -207,6 +208,55 @@ TEST(StruckPart, LosesByItsDamping) {
   EXPECT_GT(judged.value, 0.7 * early);
   EXPECT_EQ(result.impacts[0].later_stress, 1.0);
   EXPECT_EQ(result.impacts[0].later_deflection, 1.0);
+}
+
+// A time that ends while the striker presses leaves the worst out.
+TEST(StruckPart, IsNotJudgedWhereItsTimeIsCut) {
+  PartJob job = bar();
+  job.impacts = {blow("patch", 0.2, 0.1)};
+  job.impacts[0].strike.duration = 5e-4;
+  const PartResult cut = check_part(job).result;
+  EXPECT_TRUE(cut.impacts[0].is_cut);
+  EXPECT_EQ(cut.verdict, PartVerdict::kNotJudged);
+  EXPECT_NE(cut.why.find("still presses"), std::string::npos) << cut.why;
+  EXPECT_GT(cut.impacts[0].later_stress, 1.1);
+  job.impacts[0].strike.duration.reset();
+  const PartResult whole = check_part(job).result;
+  EXPECT_FALSE(whole.impacts[0].is_cut);
+  EXPECT_EQ(whole.verdict, PartVerdict::kPass) << whole.why;
+}
+
+TEST(StruckPart, IsRefusedOnAHeldFace) {
+  PartJob job = bar();
+  job.impacts = {blow("x0", 0.2, 0.1)};
+  try {
+    check_part(job);
+    FAIL() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), "F006");
+  }
+}
+
+// 4 l/c of a rod that stretches, not its bending's.
+TEST(StruckPart, PeriodIsThatAlongTheBlow) {
+  PartJob job = bar();
+  job.impacts = {blow("x1", 0.2, 0.1)};
+  job.impacts[0].strike.direction = -Vector3d::UnitX();
+  const PartResult result = check_part(job).result;
+  const double stretching = 4.0 * kLength / std::sqrt(210e9 / 7850.0);
+  EXPECT_NEAR(result.impacts[0].first_period, stretching, 0.01 * stretching);
+  EXPECT_TRUE(result.impacts[0].is_axial);
+}
+
+// A force put on at once: twice its static stress and way.
+TEST(StruckPart, ForceWithoutSpeed) {
+  PartJob job = bar();
+  job.impacts = {blow("x1", 5.0, 0.0)};
+  job.impacts[0].strike.force = 10.0;
+  const PartResult result = check_part(job).result;
+  const double at_rest =
+      10.0 * std::pow(kLength, 3) / (3.0 * 210e9 * std::pow(kSide, 4) / 12.0);
+  EXPECT_NEAR(result.deflection, 2.0 * at_rest, 0.03 * 2.0 * at_rest);
 }
 
 }  // namespace
