@@ -59,7 +59,8 @@ bool improve(const ConstraintSystem& system, const VectorXd& targets,
 }  // namespace
 
 Assembled assemble(const ConstraintSystem& system, Configuration guess,
-                   const VectorXd& targets, double tolerance) {
+                   const VectorXd& targets, double tolerance,
+                   double rank_threshold) {
   Trial best =
       try_step(system, guess, targets, VectorXd::Zero(system.columns()));
   const double longest_step = 0.3 * system.scale({JointRow::Kind::kRotation});
@@ -68,7 +69,7 @@ Assembled assemble(const ConstraintSystem& system, Configuration guess,
     const double gap = largest_gap(best.residual);
     if (gap < kRoundOff * longest_step) break;
     const MatrixXd J = system.jacobian(system.place(best.x));
-    factor.compute(J);
+    factor.compute(J, nullptr, rank_threshold);
     VectorXd step = -factor.solve(best.residual);
     const double size = step.size() > 0 ? step.cwiseAbs().maxCoeff() : 0.0;
     if (size > longest_step) step *= longest_step / size;

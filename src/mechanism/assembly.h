@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "mechanism/constraint_system.h"
+#include "mechanism/jacobian_factor.h"
 
 namespace clevis::mechanism {
 
@@ -18,8 +19,10 @@ struct Assembled {
 /// Configuration nearest to `guess` that satisfies the rows of the system:
 /// damped Gauss–Newton with steps of minimal norm and limited length.
 /// @param tolerance  of the residual [m].
+/// @param rank_threshold  SolvingFrame::rank_threshold().
 Assembled assemble(const ConstraintSystem& system, Configuration guess,
-                   const Eigen::VectorXd& targets, double tolerance);
+                   const Eigen::VectorXd& targets, double tolerance,
+                   double rank_threshold = kRankThreshold);
 
 /// "B by 12.3 mm, cylinder (drive) by 4 mm": rows that stay open.
 std::string open_joints(const MechanismDefinition& definition,

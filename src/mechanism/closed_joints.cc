@@ -23,8 +23,8 @@ Configuration closed_joints(const MechanismDefinition& definition,
   const ConstraintSystem joints(
       frame, {}, frame.planar ? Motions::kInPlane : Motions::kSpatial,
       ConstraintSystem::Drives::kNone);
-  const Assembled assembled =
-      assemble(joints, frame.placement, VectorXd(), tolerance);
+  const Assembled assembled = assemble(joints, frame.placement, VectorXd(),
+                                       tolerance, frame.rank_threshold());
   if (!assembled.closed) {
     refuse_open(open_joints(definition, joints, assembled.residual, tolerance),
                 "all joints");

@@ -22,8 +22,9 @@ constexpr double kReturnFactor = 2.0;
 
 }  // namespace
 
-ConstrainedMass::ConstrainedMass(int columns, int most_rows)
-    : columns_(columns),
+ConstrainedMass::ConstrainedMass(int columns, int most_rows, double threshold)
+    : threshold_(threshold),
+      columns_(columns),
       factors_(static_cast<std::size_t>(columns / 3)),
       normal_(columns, most_rows),
       scale_(VectorXd::Ones(most_rows)),
@@ -85,8 +86,8 @@ void ConstrainedMass::fill_rows(const MatrixXd& J) {
 void ConstrainedMass::orthogonal(const MatrixXd& J) {
   ++orthogonal_count_;
   truncated_ = true;
-  decomposition_.setThreshold(was_reduced_ ? kReturnFactor * kRankThreshold
-                                           : kRankThreshold);
+  decomposition_.setThreshold(was_reduced_ ? kReturnFactor * threshold_
+                                           : threshold_);
   decomposition_.compute(J);
   rank_ = geometric_rank_ = static_cast<int>(decomposition_.rank());
   reduced_ = rank_ < rows_;

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 
+#include "mechanism/jacobian_factor.h"
 #include "mechanism/normal_cholesky.h"
 
 namespace clevis::mechanism {
@@ -24,7 +25,9 @@ namespace clevis::mechanism {
 class ConstrainedMass {
  public:
   /// @param columns  a multiple of 3.
-  ConstrainedMass(int columns, int most_rows);
+  /// @param threshold  SolvingFrame::rank_threshold().
+  ConstrainedMass(int columns, int most_rows,
+                  double threshold = kRankThreshold);
 
   /// The k-th 3 × 3 block of F, M^(−1) = F Fᵀ; all others are zero.
   void set_diagonal(int k, const Eigen::Vector3d& diagonal) {
@@ -68,6 +71,7 @@ class ConstrainedMass {
     Eigen::Matrix3d inverse = Eigen::Matrix3d::Identity();
     bool diagonal = true;
   };
+  double threshold_;
   int columns_, rows_{}, rank_{}, geometric_rank_ = -1;
   double smallest_pivot_ = 1.0;
   bool truncated_ = false;

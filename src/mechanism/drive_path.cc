@@ -17,11 +17,12 @@ constexpr double kTiny = 1e-12;      // of a time: no shorter steps
 
 }  // namespace
 
-DrivePath::DrivePath(const MechanismDefinition& definition, double length)
+DrivePath::DrivePath(const MechanismDefinition& definition,
+                     const SolvingFrame& frame)
     : definition_(definition),
-      length_(length),
+      length_(frame.length),
       // without loops nothing can be passed
-      has_loops_(definition.joints.size() > definition.bodies.size()) {}
+      has_loops_(!frame.is_tree) {}
 
 void DrivePath::refuse(double duration) const {
   throw Error("K008", "mechanism",

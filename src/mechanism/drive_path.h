@@ -12,7 +12,7 @@ namespace clevis::mechanism {
 class DrivePath {
  public:
   /// @param length  of the links' order [m].
-  DrivePath(const MechanismDefinition& definition, double length);
+  DrivePath(const MechanismDefinition& definition, const SolvingFrame& frame);
 
   /// @throws Error K008 if a motion would take hours to follow.
   void require_few_steps(double duration, int instants) const;

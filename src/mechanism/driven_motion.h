@@ -34,7 +34,7 @@ class DrivenMotion {
                 frame_.planar ? Motions::kInPlane : Motions::kSpatial,
                 ConstraintSystem::Drives::kAll),
         joints_(frame_, {}, system_.motions(), ConstraintSystem::Drives::kNone),
-        path_(definition, frame_.length),
+        path_(definition, frame_),
         tolerance_(settings.tolerance * frame_.length),
         forces_(definition, frame_),
         continuation_(system_, tolerance_),

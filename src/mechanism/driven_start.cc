@@ -94,8 +94,8 @@ ClosedConfiguration DrivenMotion::start() const {
                  mobility(frame_, system_,
                           closed_joints(definition_, frame_, tolerance_)));
   const VectorXd targets = drive_positions(definition_, 0.0);
-  const Assembled assembled =
-      assemble(system_, frame_.placement, targets, tolerance_);
+  const Assembled assembled = assemble(system_, frame_.placement, targets,
+                                       tolerance_, frame_.rank_threshold());
   if (!assembled.closed) {
     refuse_open(
         open_joints(definition_, system_, assembled.residual, tolerance_),
@@ -174,7 +174,8 @@ DrivenMotion::Moment DrivenMotion::leave(const SingularStart& start,
   Configuration x = point.x;
   system_.move(x, step);
   const VectorXd targets = drive_positions(definition_, far);
-  const Assembled assembled = assemble(system_, x, targets, tolerance_);
+  const Assembled assembled =
+      assemble(system_, x, targets, tolerance_, frame_.rank_threshold());
   const double size = system_.distance(point.x, x);
   ClosedConfiguration closed = continuation_.close(assembled.x, targets);
   if (!assembled.closed || !closed.factor.full_column_rank() ||

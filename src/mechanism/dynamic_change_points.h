@@ -31,8 +31,7 @@ class DynamicChangePoints {
         frame_(frame),
         dynamics_(dynamics),
         equilibrium_(equilibrium),
-        has_loops_(definition.joints.size() + definition.couplings.size() >
-                   definition.bodies.size()) {}
+        has_loops_(!frame.is_tree || !frame.couplings.empty()) {}
 
   /// @throws Error K005 if the motion starts at one and must stop there.
   void start(const InitialState& initial, const Eigen::VectorXd& y);

@@ -51,7 +51,7 @@ void DynamicRun::add_instant(double t, VectorXd& y) {
   const auto placed = system.place(dynamics_.configuration());
   auto accelerations = system.twists(dynamics_.accelerations());
   JacobianFactor factor;
-  factor.compute(system.jacobian(placed));
+  factor.compute(system.jacobian(placed), nullptr, frame_.rank_threshold());
   const bool is_change_point = factor.rank() < change_points_.rank();
   std::optional<Equilibrium::Solution> forces;
   if (is_change_point) {

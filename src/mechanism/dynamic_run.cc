@@ -18,10 +18,9 @@ using Eigen::VectorXd;
 constexpr double kLocalPart = 0.01;
 constexpr double kStrictest = 1e-14, kStrictestOfLoops = 1e-11;
 
-double step_tolerance(const MechanismDefinition& definition, double tolerance) {
-  const bool loops = definition.joints.size() > definition.bodies.size();
+double step_tolerance(const SolvingFrame& frame, double tolerance) {
   return std::max(kLocalPart * tolerance,
-                  loops ? kStrictestOfLoops : kStrictest);
+                  frame.is_tree ? kStrictest : kStrictestOfLoops);
 }
 
 std::vector<double> sample_times(const SimulationSettings& settings,
@@ -39,8 +38,7 @@ DynamicRun::DynamicRun(const MechanismDefinition& definition,
     : definition_(definition),
       settings_(settings),
       frame_(frame_at_centres(definition)),
-      dynamics_(definition, frame_,
-                step_tolerance(definition, settings.tolerance),
+      dynamics_(definition, frame_, step_tolerance(frame_, settings.tolerance),
                 settings.duration),
       equilibrium_(definition, frame_, dynamics_.system()),
       change_points_(definition, settings, frame_, dynamics_, equilibrium_),

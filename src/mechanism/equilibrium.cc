@@ -169,7 +169,7 @@ void Equilibrium::solve_out_of_plane(Solution& solution,
   required[0] = Twist{};
   const MatrixXd J = out_of_plane_.jacobian(placed);
   JacobianFactor factor;
-  factor.compute(J);
+  factor.compute(J, nullptr, frame_.rank_threshold());
   const SharedReactions shared =
       share_reactions(frame_, out_of_plane_, placed, factor,
                       out_of_plane_.wrench_vector(required));
@@ -184,7 +184,7 @@ std::optional<Equilibrium::Solution> Equilibrium::solve_in_space(
   const VectorXd f = in_space_.wrench_vector(required);
   const MatrixXd J = in_space_.jacobian(placed);
   JacobianFactor factor;
-  factor.compute(J);
+  factor.compute(J, nullptr, frame_.rank_threshold());
   const SharedReactions shared =
       share_reactions(frame_, in_space_, placed, factor, f);
   const VectorXd left = J.transpose() * shared.lambda - f;
@@ -235,6 +235,7 @@ Equilibrium::Solution Equilibrium::solve(
   } else {
     shared.lambda = factor.solve_transposed(f);
   }
+  if (!factor.is_regular()) balance_nearly_dependent(placed, f, shared);
   Solution solution = empty_solution(placed);
   add(solution, placed, system_, shared.lambda);
   add_efforts(solution, system_, shared.lambda);
@@ -243,6 +244,28 @@ Equilibrium::Solution Equilibrium::solve(
     solve_out_of_plane(solution, placed, required);
   }
   return solution;
+}
+
+/// Rows that are nearly dependent count after all where the loads cannot be
+/// held without them, as long as that takes no boundless reactions.
+void Equilibrium::balance_nearly_dependent(
+    const std::vector<PlacedJoint>& placed, const VectorXd& f,
+    SharedReactions& shared) const {
+  constexpr double kInBalance = 1e-7, kBoundless = 1e7;
+  constexpr double kRoundOff = 1e-12;
+  const MatrixXd J = system_.jacobian(placed);
+  const auto left = [&](const VectorXd& lambda) {
+    return VectorXd(J.transpose() * lambda - f).norm();
+  };
+  if (left(shared.lambda) <= kInBalance * f.norm()) return;
+  JacobianFactor factor;
+  factor.compute(J, nullptr, kRoundOff);
+  SharedReactions balanced =
+      share_reactions(frame_, system_, placed, factor, f);
+  if (left(balanced.lambda) <= kInBalance * f.norm() &&
+      balanced.lambda.norm() <= kBoundless * f.norm()) {
+    shared = std::move(balanced);
+  }
 }
 
 std::optional<Equilibrium::Solution> Equilibrium::solve_compliant(

@@ -50,6 +50,9 @@ class Equilibrium {
                                        const std::vector<Twist>& twists,
                                        const std::vector<Twist>& accelerations,
                                        std::span<const Twist> applied) const;
+  void balance_nearly_dependent(const std::vector<PlacedJoint>& placed,
+                                const Eigen::VectorXd& f,
+                                SharedReactions& shared) const;
   void add(Solution& solution, const std::vector<PlacedJoint>& placed,
            const ConstraintSystem& rows, const Eigen::VectorXd& lambda) const;
   /// Whether anything loads the parts across the plane of motion: loads with

@@ -52,8 +52,8 @@ Configuration assembled(const MechanismDefinition& definition,
   const Prescribed wanted = prescribed(definition);
   const ConstraintSystem system(frame, wanted.drives, motions,
                                 ConstraintSystem::Drives::kAll);
-  const Assembled result =
-      assemble(system, frame.placement, wanted.values, tolerance);
+  const Assembled result = assemble(system, frame.placement, wanted.values,
+                                    tolerance, frame.rank_threshold());
   if (!result.closed) {
     MechanismDefinition with_initial = definition;
     with_initial.drives = wanted.drives;

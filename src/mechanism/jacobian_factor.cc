@@ -23,7 +23,8 @@ int positive_rank(const VectorXd& singular_values) {
 
 }  // namespace
 
-void JacobianFactor::compute(const MatrixXd& J, const JacobianFactor* near) {
+void JacobianFactor::compute(const MatrixXd& J, const JacobianFactor* near,
+                             double threshold) {
   rows_ = static_cast<int>(J.rows());
   columns_ = static_cast<int>(J.cols());
   determinant_sign_ = 0;
@@ -39,7 +40,7 @@ void JacobianFactor::compute(const MatrixXd& J, const JacobianFactor* near) {
     }
     if (regular_) return;
   }
-  orthogonal_.setThreshold(kRankThreshold);
+  orthogonal_.setThreshold(threshold);
   orthogonal_.compute(J);
   rank_ = static_cast<int>(orthogonal_.rank());
   if (rank_ < columns_) determinant_sign_ = 0;

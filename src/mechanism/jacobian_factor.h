@@ -21,7 +21,11 @@ class JacobianFactor {
  public:
   /// @param near  the factor of a matrix nearby, whose weakest() is a first
   ///   guess; or null.
-  void compute(const Eigen::MatrixXd& J, const JacobianFactor* near = nullptr);
+  /// @param threshold  part of the largest singular value that counts as zero.
+  void compute(const Eigen::MatrixXd& J, const JacobianFactor* near = nullptr,
+               double threshold = kRankThreshold);
+  /// By LU.
+  bool is_regular() const { return regular_; }
 
   int rank() const { return rank_; }
   bool full_column_rank() const { return rank_ == columns_; }

@@ -34,8 +34,8 @@ Configuration neighbour(const SolvingFrame& frame, const Configuration& closed,
   }
   Configuration moved = closed;
   joints.move(moved, 0.02 * frame.length / mix.norm() * (freedom * mix));
-  const Assembled back =
-      assemble(joints, std::move(moved), VectorXd(), 1e-10 * frame.length);
+  const Assembled back = assemble(joints, std::move(moved), VectorXd(),
+                                  1e-10 * frame.length, frame.rank_threshold());
   return back.closed ? back.x : closed;
 }
 

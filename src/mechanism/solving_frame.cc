@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
 
+#include "mechanism/jacobian_factor.h"
+#include "mechanism/joint_types.h"
 #include "mechanism/plane.h"
 
 namespace clevis::mechanism {
@@ -60,6 +63,25 @@ JointModel joint_model(const JointDefinition& joint, const Matrix3d& R_WP,
   return model;
 }
 
+/// Whether no joint closes a loop.
+bool forms_tree(const SolvingFrame& frame) {
+  std::vector<int> group(frame.placement.size());
+  std::iota(group.begin(), group.end(), 0);
+  for (const JointModel& joint : frame.joints) {
+    const int a = group[index(joint.a)], b = group[index(joint.b)];
+    if (a == b) return false;
+    std::ranges::replace(group, b, a);
+  }
+  return true;
+}
+
+bool slides(const MechanismDefinition& definition,
+            const InitialJointState& initial) {
+  DriveDefinition coordinate;
+  coordinate.joint = initial.joint;
+  return !drives_angle(definition, coordinate);
+}
+
 double link_length(const MechanismDefinition& definition,
                    const SolvingFrame& frame) {
   double length = 0.0;
@@ -75,13 +97,18 @@ double link_length(const MechanismDefinition& definition,
       length = std::max(length, std::abs(x));
     }
   }
-  if (length > 0.0) return length;
+  double farthest = 0.0;
+  for (const InitialJointState& initial : definition.initial_joints) {
+    if (!initial.position || !slides(definition, initial)) continue;
+    farthest = std::max(farthest, std::abs(*initial.position));
+  }
+  if (length > 0.0) return std::max(length, farthest);
   for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
     length = std::max(
         length,
         (definition.bodies[i].mass_properties.p_LCm - frame.p_LM[i]).norm());
   }
-  return length > 0.0 ? length : 1.0;
+  return std::max(length > 0.0 ? length : 1.0, farthest);
 }
 
 /// Shifts the bodies of a planar mechanism along the normal until the joints
@@ -195,6 +222,7 @@ SolvingFrame::SolvingFrame(const MechanismDefinition& given) {
   }
   length = link_length(definition, *this);
   placement.resize(definition.bodies.size() + 1);
+  is_tree = forms_tree(*this);
   for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
     const Pose& pose = definition.bodies[i].placement;
     BodyPlacement& body = placement[i + 1];
@@ -209,6 +237,11 @@ SolvingFrame::SolvingFrame(const MechanismDefinition& given) {
   for (const CouplingDefinition& coupling : definition.couplings) {
     couplings.push_back(coupling_model(coupling, *this));
   }
+}
+
+double SolvingFrame::rank_threshold() const {
+  constexpr double kOfTrees = 1e-12;
+  return is_tree ? kOfTrees : kRankThreshold;
 }
 
 }  // namespace clevis::mechanism

@@ -46,6 +46,7 @@ struct SolvingFrame {
   explicit SolvingFrame(const MechanismDefinition& definition);
 
   bool planar{};
+  bool is_tree{};  ///< no joint closes a loop
   Eigen::Matrix3d R_WP = Eigen::Matrix3d::Identity();
   /// Lengths of the links' order [m]: turns are measured as turn × length.
   double length{};
@@ -54,6 +55,12 @@ struct SolvingFrame {
   std::vector<CouplingModel> couplings;
   std::vector<ElasticLink> links;  ///< those that are not rigid
   Configuration placement;         ///< as the user gave it, out of plane closed
+
+  /// Part of the largest singular value of the joints' rows that counts as
+  /// zero. The rows of a tree never depend on one another, unless couplings or
+  /// drives repeat themselves; but they are far from one length where a slide
+  /// leads far away.
+  double rank_threshold() const;
 };
 
 }  // namespace clevis::mechanism
