@@ -155,20 +155,23 @@ class ModalBody : public StruckBody {
     }
   }
 
-  /// What the material loses beside is taken as a factor: waves that the
-  /// scheme damps lose more by it.
+  /// The scheme's factor for the damped frequency, with what damping leaves.
   void damp(double step) {
     constexpr double kExact = 1e-2;  // R is the exponential to round-off
+    const double root = std::sqrt(1.0 - damping_ * damping_);
     for (Index i = 0; i < squares_.size(); ++i) {
       const double omega = std::sqrt(squares_[i]);
       if (omega * damping_time_ < kExact) continue;
-      const auto factor = DampedScheme::amplification(omega * damping_time_,
-                                                      step / damping_time_) *
-                          std::exp(-damping_ * omega * step);
-      cosine_[i] = turned_cosine_[i] = factor.real();
-      sine_over_[i] = factor.imag() / omega;
-      turned_[i] = factor.imag() * omega;
-      by_force_[i] = (1.0 - factor.real()) / squares_[i] * c_[i];
+      const auto factor =
+          DampedScheme::amplification(root * omega * damping_time_,
+                                      step / damping_time_) *
+          std::exp(-damping_ * omega * step);
+      const double sine = factor.imag() / root;
+      cosine_[i] = factor.real() + damping_ * sine;
+      turned_cosine_[i] = factor.real() - damping_ * sine;
+      sine_over_[i] = sine / omega;
+      turned_[i] = sine * omega;
+      by_force_[i] = (1.0 - cosine_[i]) / squares_[i] * c_[i];
       by_force_speed_[i] = sine_over_[i] * c_[i];
     }
   }
