@@ -21,14 +21,15 @@ namespace clevis::mechanism {
 
 using Eigen::VectorXd;
 
-std::string DrivenMotion::drives_at(const VectorXd& targets, int digits) const {
+std::string drives_at(const MechanismDefinition& definition,
+                      const VectorXd& targets, int digits) {
   std::string text;
-  for (std::size_t i = 0; i < definition_.drives.size(); ++i) {
-    const DriveDefinition& drive = definition_.drives[i];
-    const std::string name = drive_name(definition_, drive);
+  for (std::size_t i = 0; i < definition.drives.size(); ++i) {
+    const DriveDefinition& drive = definition.drives[i];
+    const std::string name = drive_name(definition, drive);
     const double q = targets[static_cast<Eigen::Index>(i)];
     text += text.empty() ? "" : ", ";
-    text += drives_angle(definition_, drive)
+    text += drives_angle(definition, drive)
                 ? fmt::format("{} at {:.{}g} deg", name,
                               q * 180.0 / std::numbers::pi, digits)
                 : fmt::format("{} at {:.{}g} mm", name, 1e3 * q, digits);
@@ -41,7 +42,7 @@ void DrivenMotion::refuse_change_point(const ClosedConfiguration& at,
   throw Error("K005", "mechanism",
               fmt::format("at t = {:.6g} s ({}) the constraint Jacobian loses "
                           "rank: {} of {}",
-                          t, drives_at(at.targets),
+                          t, drives_at(definition_, at.targets, 6),
                           std::min(at.factor.rank(), system_.columns() - 1),
                           system_.columns()),
               "choose instants, lengths or a range of the drive that avoid "
@@ -88,7 +89,7 @@ void DrivenMotion::stop(const Moment& from, Continuation::Reached reached,
       "K004", "mechanism",
       fmt::format("at t = {:.9g} s the mechanism stops at {}: beyond it "
                   "no position continues the motion",
-                  before, drives_at(end, 11)),
+                  before, drives_at(definition_, end, 11)),
       "reduce the range of the drive, or correct the lengths");
 }
 

@@ -18,6 +18,11 @@ namespace clevis::mechanism {
 Eigen::VectorXd drive_positions(const MechanismDefinition& definition,
                                 double t);
 
+/// "crank at 10 deg, cylinder at 3.5 mm". @param targets  by drive [m] or
+/// [rad].
+std::string drives_at(const MechanismDefinition& definition,
+                      const Eigen::VectorXd& targets, int digits);
+
 /// Sets the instants before and behind each point.
 void put_between(const std::vector<Instant>& instants,
                  std::vector<ChangePoint>& points);
@@ -50,7 +55,6 @@ class DrivenMotion {
   void require_agreement(const ClosedConfiguration& at) const;
   [[noreturn]] void refuse_change_point(const ClosedConfiguration& at,
                                         double t) const;
-  std::string drives_at(const Eigen::VectorXd& targets, int digits = 6) const;
   /// Velocities and accelerations of M by slot.
   struct Rates {
     std::vector<Twist> twists, accelerations;

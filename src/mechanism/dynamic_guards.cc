@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "mechanism/drive_law.h"
+#include "mechanism/driven_motion.h"
 #include "mechanism/dynamic_run.h"
 #include "mechanism/following_friction.h"
 
@@ -20,6 +22,7 @@ void DynamicRun::guard_against_accumulation(double t) {
   crowded_events_ = t - last_event_ < crowd ? crowded_events_ + 1 : 0;
   last_event_ = t;
   if (crowded_events_ < kMost) return;
+  refuse_dead_end();
   throw Error("K008", "mechanism",
               fmt::format("at t = {:.9g} s events of contact or friction "
                           "follow one another without end",
@@ -54,9 +57,10 @@ void DynamicRun::require_energy_balance() const {
               "forces of a wrong order of size");
 }
 
-void DynamicRun::require_closed(double t, double gap) const {
+void DynamicRun::require_closed(double t, double gap) {
   constexpr double kClosed = 1e-6;
   if (gap <= std::max(kClosed, settings_.tolerance) * frame_.length) return;
+  refuse_dead_end();
   throw Error("K012", "mechanism",
               fmt::format("at t = {:.9g} s joints or drives gape by {:.3g} mm: "
                           "the integration failed",
@@ -80,18 +84,52 @@ void DynamicRun::require_resisting_friction() {
 }
 
 bool DynamicRun::is_beside_change_point() {
+  return weakest_rows().beside;
+}
+
+/// The combination of rows that is nearest to vanishing.
+DynamicRun::WeakestRows DynamicRun::weakest_rows() {
   constexpr double kBeside = 1e-2;  // of the largest singular value
   const ConstraintSystem& system = dynamics_.system();
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(system.rows(), system.columns());
   dynamics_.jacobian(integrator_.t(), integrator_.y(), J);
-  if (change_points_.rank() < 1) return false;
-  const VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues();
-  return values[change_points_.rank() - 1] < kBeside * values[0];
+  const int rank = change_points_.rank();
+  if (rank < 1) return {};
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU);
+  const VectorXd& values = svd.singularValues();
+  return {values[rank - 1] < kBeside * values[0], svd.matrixU().col(rank - 1)};
+}
+
+/// Where what drives go on to do meets rows that fade, no position leads on.
+/// @throws Error K004 there.
+void DynamicRun::refuse_dead_end() {
+  constexpr double kPart = 0.1;
+  const WeakestRows weakest = weakest_rows();
+  if (!weakest.beside || definition_.drives.empty()) return;
+  const ConstraintSystem& system = dynamics_.system();
+  const auto count = static_cast<Eigen::Index>(definition_.drives.size());
+  const double t = integrator_.t();
+  VectorXd rates(count), positions(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const auto row = static_cast<std::size_t>(system.joint_rows()) + i;
+    const DriveTarget target = drive_target(definition_.drives[i], t);
+    rates[k] = system.scale(system.row_list()[row]) * target.rate;
+    positions[k] = target.position;
+  }
+  const double against = weakest.row.tail(count).dot(rates);
+  if (!(std::abs(against) > kPart * rates.norm())) return;
+  throw Error("K004", "mechanism",
+              fmt::format("at t = {:.6g} s the mechanism stops at {}: beyond "
+                          "it no position continues the motion",
+                          t, drives_at(definition_, positions, 6)),
+              "reduce the range of the drive, or correct the lengths");
 }
 
 /// No step is short enough.
 void DynamicRun::refuse_stuck() {
   if (dynamics_.jams()) refuse_jam(integrator_.t());
+  refuse_dead_end();
   const bool beside = is_beside_change_point();
   throw Error(
       "K008", "mechanism",

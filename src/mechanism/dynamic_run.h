@@ -45,7 +45,13 @@ class DynamicRun {
   void restart(double t);
   void guard_against_accumulation(double t);
   void require_few(const StepCounts& counts) const;
+  struct WeakestRows {
+    bool beside = false;  ///< a change point
+    Eigen::VectorXd row;  ///< combination of J's rows, of length 1
+  };
+  WeakestRows weakest_rows();
   bool is_beside_change_point();
+  void refuse_dead_end();
   [[noreturn]] void refuse_stuck();
   void sample_until(double t);
   void state_at(double t, Eigen::VectorXd& y);
@@ -55,7 +61,7 @@ class DynamicRun {
   void add_instant(double t, Eigen::VectorXd& y);
   void note_energy(const Eigen::VectorXd& y);
   void require_energy_balance() const;
-  void require_closed(double t, double gap) const;
+  void require_closed(double t, double gap);
   void require_resisting_friction();
 
   const MechanismDefinition& definition_;

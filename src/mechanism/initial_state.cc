@@ -6,7 +6,9 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
+#include <fmt/format.h>
 
+#include "base/errors.h"
 #include "mechanism/assembly.h"
 #include "mechanism/closed_joints.h"
 #include "mechanism/drive_law.h"
@@ -46,10 +48,32 @@ Prescribed prescribed(const MechanismDefinition& definition) {
   return all;
 }
 
+/// @throws Error K007 if a joint's position is given twice.
+void require_one_position_each(const MechanismDefinition& definition,
+                               const Prescribed& wanted) {
+  const std::vector<DriveDefinition>& all = wanted.drives;
+  for (std::size_t i = definition.drives.size(); i < all.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const auto a = static_cast<Index>(i), b = static_cast<Index>(k);
+      if (all[k].joint != all[i].joint || all[k].coordinate != 0 ||
+          wanted.values[a] == wanted.values[b]) {
+        continue;
+      }
+      const std::size_t joint = static_cast<std::size_t>(all[i].joint);
+      throw Error("K007", all[i].place,
+                  fmt::format("the initial position of joint {} contradicts "
+                              "that of {}",
+                              definition.joints[joint].name, all[k].place),
+                  "give it once");
+    }
+  }
+}
+
 Configuration assembled(const MechanismDefinition& definition,
                         const SolvingFrame& frame, Motions motions,
                         double tolerance) {
   const Prescribed wanted = prescribed(definition);
+  require_one_position_each(definition, wanted);
   const ConstraintSystem system(frame, wanted.drives, motions,
                                 ConstraintSystem::Drives::kAll);
   const Assembled result = assemble(system, frame.placement, wanted.values,

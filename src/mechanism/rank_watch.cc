@@ -17,6 +17,8 @@ using Eigen::MatrixXd;
 namespace {
 
 constexpr std::size_t kHalvings = 40;
+// Of one step; rows that fade in the noise of a dead end are never clear.
+constexpr int kMostLooks = 1000;
 // Below this a vector's direction is not known well; beyond a zero it grows.
 constexpr double kClear = 1e-4;
 // A zero found to round-off of the states in between.
@@ -156,6 +158,7 @@ const std::vector<double>& RankWatch::look(const Jacobian& jacobian, double t,
   if (left < fastest * (t - last_.t)) {
     measure(jacobian, 0.5 * (last_.t + t), ahead_[count++]);
   }
+  int looks = 0;
   const double shortest = std::ldexp(t - last_.t, -static_cast<int>(kHalvings));
   const double longest = kLongest * (t - last_.t);
   while (count > 0) {
@@ -165,7 +168,7 @@ const std::vector<double>& RankWatch::look(const Jacobian& jacobian, double t,
     const double part = next.t - last_.t;
     const bool halve = (change == Change::kUnclear && part > shortest) ||
                        (change == Change::kReach && part > longest);
-    if (halve && count < ahead_.size()) {
+    if (halve && count < ahead_.size() && looks++ < kMostLooks) {
       measure(jacobian, 0.5 * (last_.t + next.t), ahead_[count]);
       ++count;
       continue;

@@ -1,7 +1,9 @@
 // Change points that integrated motions pass.
 #include <cmath>
 #include <numbers>
+#include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
@@ -111,6 +113,34 @@ TEST(DynamicChangePoint, CompliantForcesInLine) {
   EXPECT_LT(at.bodies[0].alpha_WL.norm(), 1e-7);
   EXPECT_LT(at.bodies[1].alpha_WL.norm(), 1e-7);
   EXPECT_NEAR(at.bodies[1].a_WLo.x(), -1.0, 1e-6);
+}
+
+// Coupler and rocker stretched: the crank's end is 2.2 m from the rocker's pin.
+TEST(DynamicChangePoint, DriveMeetsADeadEnd) {
+  constexpr double kFrom = 1.0, kTo = 2.0;
+  MechanismDefinition m = four_bar(
+      {.ground = 2.0, .crank = 1.5, .coupler = 1.0, .rocker = 1.2}, kFrom);
+  m.bodies.push_back(
+      testing::uniform_bar("pendulum", m.bodies[2].placement.p_WL, -1.0, 0.3));
+  m.joints.push_back(testing::pin("P", 2, 3, 0.0, 0.0));
+  for (const DriveLaw law : {DriveLaw::kRamp, DriveLaw::kQuintic}) {
+    m.drives[0].law = law;
+    m.drives[0].from = kFrom;
+    m.drives[0].to = kTo;
+    m.drives[0].duration = 1.0;
+    try {
+      simulate(m, {.duration = 1.0});
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), "K004");
+      const double end = std::acos((2.25 + 4.0 - 4.84) / 6.0);
+      EXPECT_NE(
+          std::string(error.what())
+              .find(fmt::format(" at {:.4f}", end * 180.0 / std::numbers::pi)),
+          std::string::npos)
+          << error.what();
+    }
+  }
 }
 
 TEST(DynamicChangePoint, CloseIsNotThere) {
