@@ -59,8 +59,13 @@ void ForwardDynamics::share_among_sticking() {
   if (free.cols() == 0) return;
   ratio = weight.cwiseProduct(lambda_.head(rows_));
   const MatrixXd shares = weight.asDiagonal() * free;
-  lambda_.head(rows_) -=
-      free * shares.completeOrthogonalDecomposition().solve(ratio);
+  // combinations of joints' rows alone, which are redundant, have no part
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> sharing(shares.rows(),
+                                                           shares.cols());
+  sharing.setThreshold(kTakesPart * weight.maxCoeff() /
+                       std::max(shares.norm(), 1e-300));
+  sharing.compute(shares);
+  lambda_.head(rows_) -= free * sharing.solve(ratio);
 }
 
 /// By row, how drives begin to move, at once or within a moment; else 0.

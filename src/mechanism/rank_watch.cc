@@ -22,14 +22,14 @@ constexpr int kMostLooks = 1000;
 // Below this a vector's direction is not known well; beyond a zero it grows.
 constexpr double kClear = 1e-4;
 // A zero found to round-off of the states in between.
-constexpr double kZero = 1e-5;
+constexpr double kZero = 3e-5;
+// What corrections beside a zero may move, at the border of steps.
+constexpr double kBorder = 1e-3, kJump = 1e-2;
 constexpr double kAgree = 0.5;  // cosine
 constexpr double kNear = 0.5;   // sizes beside a zero
 // Two zeros in a row leave the directions as they were: where one may have
 // been reached, parts of at most this are looked at.
 constexpr double kLongest = 0.125;
-// Rows are chosen anew when the smallest size is this part of what it was.
-constexpr double kWorn = 0.5;
 
 }  // namespace
 
@@ -90,7 +90,6 @@ bool RankWatch::start(const Jacobian& jacobian, double t) {
   choose_rows(jacobian, t);
   measure(jacobian, t, last_);
   started_ = regular(last_);
-  chosen_size_ = rank_ > 0 ? last_.sizes.minCoeff() : 1.0;
   return false;
 }
 
@@ -128,10 +127,14 @@ void RankWatch::find_zeros(const Jacobian& jacobian, const Frame& from,
     };
     const double t =
         brent_root(signed_size, from.t, from.sizes[i], to.t, -to.sizes[i]);
+    const double size = std::abs(signed_size(t));
+    // zero between states of one time: before and behind their correction
+    const bool in_jump = t - from.t < kBorder * (to.t - from.t) &&
+                         std::max(from.sizes[i], size) < kJump;
     // a vector that only passes close by turns round without being zero
-    if (std::abs(signed_size(t)) > zero_) continue;
+    if (size > zero_ && !in_jump) continue;
     // nor do rows that others can stand in for
-    if (J_.rows() > rank_ && numerical_rank(J_) == rank_) continue;
+    if (!in_jump && J_.rows() > rank_ && numerical_rank(J_) == rank_) continue;
     // of loops that lose rank together, zeros differ by the states' error
     const bool is_known = std::ranges::any_of(zeros_, [&](double other) {
       measure(jacobian, 0.5 * (other + t), probe_);
@@ -178,10 +181,9 @@ const std::vector<double>& RankWatch::look(const Jacobian& jacobian, double t,
     --count;
   }
   std::ranges::sort(zeros_);
-  if (J_.rows() > rank_ && last_.sizes.minCoeff() < kWorn * chosen_size_) {
-    choose_rows(jacobian, t);  // others may be the clearer ones by now
+  if (J_.rows() > rank_) {  // others may be the clearer ones by now
+    choose_rows(jacobian, t);
     measure(jacobian, t, last_);
-    chosen_size_ = last_.sizes.minCoeff();
   }
   return zeros_;
 }

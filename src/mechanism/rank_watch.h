@@ -53,7 +53,7 @@ class RankWatch {
   void find_zeros(const Jacobian& jacobian, const Frame& from, const Frame& to);
 
   int rank_;
-  double zero_, chosen_size_ = 1.0;
+  double zero_;
   bool started_ = false;
   Eigen::MatrixXd J_;
   std::vector<Eigen::Index> order_;  ///< rows that count

@@ -69,6 +69,33 @@ TEST(YieldingFriction, BlockStaysWithTheStrongerOfTwo) {
   }
 }
 
+// Two rails at 0.4 m guide one carriage: their rows depend on one another, in
+// which friction along them has no part.
+TEST(YieldingFriction, RedundantGuidesHoldNoMoreThanTheirFriction) {
+  for (const auto dimension :
+       {SpaceDimension::kPlanar, SpaceDimension::kSpatial}) {
+    for (const double friction : {5.0, 60.0}) {
+      MechanismDefinition m = testing::sliders({10.0});
+      m.dimension = dimension;
+      m.gravity_W = {9.81, 0.0, 0.0};
+      m.joints.push_back(m.joints[0]);
+      m.joints[1].name = "second";
+      for (JointFrame* frame : {&m.joints[1].frame_a, &m.joints[1].frame_b}) {
+        frame->p_LJ.y() += 0.4;
+      }
+      m.elements = {on_joint(0, coulomb(friction)),
+                    on_joint(1, coulomb(friction))};
+      const Motion motion =
+          simulate(m, {.duration = 1.0, .instants = 3, .tolerance = 1e-8});
+      const double a = std::max(0.0, 9.81 - 2.0 * friction / 10.0);
+      EXPECT_NEAR(motion.instants.back().bodies[0].pose.p_WL.x(), 0.5 * a,
+                  1e-7);
+      const double holds = a > 0.0 ? friction : 0.5 * 98.1;
+      EXPECT_NEAR(std::abs(motion.instants[0].elements[0].effort), holds, 1e-6);
+    }
+  }
+}
+
 /// Five bars of 1 kg, the first driven, friction in two joints: of the second
 /// bar on the first, of the fifth on the ground.
 MechanismDefinition five_bar(double strong, double weak) {

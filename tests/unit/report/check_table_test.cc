@@ -56,6 +56,7 @@ TEST(CheckTable, PartTakesOneLineWithAllItsFigures) {
   CheckReport report = sample_report();
   report.parts.resize(1);
   report.parts[0].beam.reason.clear();
+  report.parts[0].why.clear();
   report.parts[0].probes.clear();
   const auto lines = lines_of(check_table(report, Colour::kNone));
   ASSERT_EQ(lines.size(), 7u);
