@@ -71,6 +71,13 @@ Collocation::Collocation(OdeSystem& system) : system_(system) {
     for (VectorXd& v : *stages) v.setZero(n);
   }
   for (VectorXd* v : {&point_, &scratch_, &direction_}) v->setZero(n);
+  const Index efforts = system.efforts();
+  for (Stages* stages : {&phi_, &kept_, &rho_}) {
+    for (VectorXd& v : *stages) v.setZero(efforts);
+  }
+  phi_start_.setZero(efforts);
+  G_.setZero(n, efforts);
+  L_.setZero(efforts, n);
   complex_scratch_.setZero(n);
 }
 
@@ -79,15 +86,22 @@ void Collocation::linearise(double t, const VectorXd& y, const VectorXd& slope,
   axes_ = axes;
   const double root = std::sqrt(std::numeric_limits<double>::epsilon());
   system_.hold_tangents(t, y);
+  system_.efforts_by_law(phi_start_);
   tangents_ = system_.tangents(t, y, T_);
   const auto T = T_.leftCols(tangents_);
   for (Index j = 0; j < tangents_; ++j) {
     point_ = y + root * T_.col(j);
     system_.rate(t, point_, f_[0]);
     B_.col(j) = (f_[0] - slope) / root;
+    system_.efforts_by_law(rho_[0]);
+    L_.col(j) = (rho_[0] - phi_start_) / root;
   }
   evaluations_ += tangents_;
   system_.release_tangents();
+  for (Index k = 0; k < G_.cols(); ++k) {
+    system_.effort_response(k, G_.col(k));
+    to_axes(y, G_.col(k));
+  }
   for (Index j = 0; j < tangents_; ++j) {
     to_axes(y, T_.col(j));
     to_axes(y, B_.col(j));
@@ -129,6 +143,7 @@ void Collocation::newton_step(const VectorXd& y, double h) {
     for (std::size_t j = 0; j < 3; ++j) f_[i] -= (kInverse(i, j) / h) * z_[j];
     point_ = y + z_[i];
     to_axes(point_, f_[i]);
+    f_[i].noalias() += G_ * rho_[i];
   }
   transform(kTInverse, f_, w_);
   filter_in_axes(w_[0]);
@@ -142,9 +157,30 @@ void Collocation::newton_step(const VectorXd& y, double h) {
   w_[2] = complex_scratch_.imag();
   transform(kT, w_, f_);
   for (std::size_t i = 0; i < 3; ++i) {
+    along_.noalias() = to_tangents_ * f_[i];
+    phi_[i] += rho_[i];
+    phi_[i].noalias() += L_.leftCols(tangents_) * along_;
     point_ = y + z_[i];
     from_axes(point_, f_[i]);
     z_[i] += f_[i];
+  }
+}
+
+void Collocation::guess_efforts() {
+  for (VectorXd& phi : phi_) phi = phi_start_;
+}
+
+void Collocation::guess_efforts(const std::array<double, 3>& s) {
+  const double c[3] = {kC1, kC2, 1.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    phi_[i].setZero();
+    for (std::size_t j = 0; j < 3; ++j) {
+      double weight = 1.0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (k != j) weight *= (s[i] - c[k]) / (c[j] - c[k]);
+      }
+      phi_[i] += weight * kept_[j];
+    }
   }
 }
 
@@ -156,8 +192,12 @@ bool Collocation::solve(double t, const VectorXd& y, double h,
   for (iterations_ = 1; iterations_ <= kMostIterations; ++iterations_) {
     for (std::size_t i = 0; i < 3; ++i) {
       point_ = y + z_[i];
+      system_.hold_efforts(&phi_[i]);
       system_.rate(t + c[i] * h, point_, f_[i]);
+      system_.efforts_by_law(rho_[i]);
+      rho_[i] -= phi_[i];
     }
+    system_.hold_efforts(nullptr);
     evaluations_ += 3;
     newton_step(y, h);
     double size = 0.0;

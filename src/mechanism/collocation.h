@@ -42,6 +42,12 @@ class Collocation {
              const Eigen::VectorXd& weights);
 
   Stages& stages() { return z_; }
+  /// Efforts at the stages as at the start, or as the polynomial through those
+  /// of keep_efforts() goes on. @param s  time in steps of keep_efforts() since
+  ///   their start.
+  void guess_efforts();
+  void guess_efforts(const std::array<double, 3>& s);
+  void keep_efforts() { kept_ = phi_; }
   int iterations() const { return iterations_; }  ///< of the last solve()
   double contraction() const { return contraction_; }
   /// v ← (γ₀/h − J)⁻¹ v at y.
@@ -80,6 +86,11 @@ class Collocation {
   Eigen::PartialPivLU<Eigen::MatrixXd> real_;
   Eigen::PartialPivLU<Eigen::MatrixXcd> complex_;
   Stages z_, w_, f_;
+  // Efforts are unknowns beside z, so that Newton does not multiply what it
+  // misjudges of a direction by the stiffness of what acts along it
+  Stages phi_, kept_, rho_;  ///< by stage; what their laws say less phi
+  Eigen::VectorXd phi_start_;
+  Eigen::MatrixXd G_, L_;  ///< rates by efforts; efforts by tangents
   Eigen::VectorXd point_, scratch_, direction_, along_;
   Eigen::VectorXcd complex_scratch_, complex_along_;
 };

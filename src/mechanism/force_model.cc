@@ -195,6 +195,26 @@ double ForceModel::breakaway(std::size_t k) const {
          switched_friction(*elements_[k].definition)->breakaway;
 }
 
+std::vector<std::size_t> ForceModel::with_smooth_efforts() const {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    const auto* line = std::get_if<LineElement>(elements_[k].definition);
+    if (line == nullptr) continue;
+    const bool smooth = std::holds_alternative<SpringLaw>(line->law) ||
+                        std::holds_alternative<StopLaw>(line->law) ||
+                        std::holds_alternative<ServoLaw>(line->law) ||
+                        std::holds_alternative<GasCylinderLaw>(line->law);
+    if (smooth) found.push_back(k);
+  }
+  return found;
+}
+
+void ForceModel::set_effort(std::size_t k, double effort) {
+  ActingElement& e = elements_[k];
+  act_along(e, effort);
+  e.power = e.effort * e.rate;
+}
+
 void ForceModel::set_load(std::size_t k, double load) {
   ActingElement& e = elements_[k];
   e.load = load;

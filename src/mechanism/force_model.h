@@ -65,6 +65,10 @@ class ForceModel {
   /// what its rotor needs.
   void set_row_effort(std::size_t k, double effort);
   double breakaway(std::size_t k) const;
+  /// Lines whose effort is a smooth function of states alone.
+  std::vector<std::size_t> with_smooth_efforts() const;
+  /// Gives such a line an effort in place of its law's.
+  void set_effort(std::size_t k, double effort);
   /// Gives friction that follows a reaction its load, and with it, unless it
   /// sticks, its effort.
   void set_load(std::size_t k, double load);

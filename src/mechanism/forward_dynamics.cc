@@ -123,6 +123,10 @@ ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
     v->setZero(most);
   }
   scratch_.setZero(size());
+  stiff_ = forces_.with_smooth_efforts();
+  by_law_.setZero(efforts());
+  response_.setZero(columns_);
+  response_rows_.setZero(most);
   targets_.setZero(static_cast<Index>(drives_.size()));
 }
 
@@ -159,6 +163,7 @@ void ForwardDynamics::add_loads(double t, const VectorXd& y) {
     wrenches_[i].v = bodies_[i].mass * gravity_;
     wrenches_[i].w.setZero();
   }
+  take_efforts();
   forces_.add_to(wrenches_);
   for (const Load& load : loads_) {
     Twist& wrench = wrenches_[index(load.slot)];
@@ -226,7 +231,30 @@ void ForwardDynamics::rate(double t, const VectorXd& y, VectorXd& rate) {
 void ForwardDynamics::hold_tangents(double t, const VectorXd& y) {
   place(t, y);
   forces_.evaluate(t, x_, twists_, y.data() + internal_index());
+  take_efforts();
   forces_.hold_tangents(y.data() + internal_index());
+}
+
+/// Notes what laws say, lets given efforts act.
+void ForwardDynamics::take_efforts() {
+  for (std::size_t i = 0; i < stiff_.size(); ++i) {
+    const auto at = static_cast<Index>(i);
+    by_law_[at] = forces_.element(stiff_[i]).effort;
+    if (given_ != nullptr) forces_.set_effort(stiff_[i], (*given_)[at]);
+  }
+}
+
+void ForwardDynamics::effort_response(Index k, Eigen::Ref<VectorXd> rate) {
+  const ActingElement& e = forces_.element(stiff_[index(k)]);
+  residual_.setZero();
+  change_.setZero();
+  put_lever(e.line.a, e.levers.a, change_);
+  put_lever(e.line.b, e.levers.b, change_);
+  mass_.accelerate(residual_, change_, response_, response_rows_);
+  rate.setZero();
+  rate.segment(positions_, system_.columns()) =
+      response_.head(system_.columns());
+  rate[work_index()] = e.rate;
 }
 
 double ForwardDynamics::largest_load() const {

@@ -70,6 +70,16 @@ class ForwardDynamics : public OdeSystem {
   }
   void hold_tangents(double t, const Eigen::VectorXd& y) override;
   void release_tangents() override { forces_.release_tangents(); }
+  /// Of springs, stops, servos and gas along lines.
+  Eigen::Index efforts() const override {
+    return static_cast<Eigen::Index>(stiff_.size());
+  }
+  void hold_efforts(const Eigen::VectorXd* given) override { given_ = given; }
+  void efforts_by_law(Eigen::VectorXd& efforts) const override {
+    efforts = by_law_;
+  }
+  void effort_response(Eigen::Index k,
+                       Eigen::Ref<Eigen::VectorXd> rate) override;
   /// The last rate() is not finite, as friction that follows a reaction jams.
   bool jams() const { return following_.jams(); }
 
@@ -161,6 +171,7 @@ class ForwardDynamics : public OdeSystem {
   double plane_angle(const JointModel& joint, const Eigen::VectorXd& y) const;
   void factor();
   void add_loads(double t, const Eigen::VectorXd& y);
+  void take_efforts();
   /// Constant scale of the row that element k brings.
   double row_scale(std::size_t k) const {
     return forces_.is_angle(k) ? length_ : 1.0;
@@ -231,6 +242,10 @@ class ForwardDynamics : public OdeSystem {
   std::vector<Load> loads_;
   Eigen::Vector3d gravity_;
 
+  std::vector<std::size_t> stiff_;          ///< elements of efforts()
+  const Eigen::VectorXd* given_ = nullptr;  ///< see hold_efforts()
+  Eigen::VectorXd by_law_;
+
   // workspace
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> row_space_;  ///< of tangents()
   Eigen::RowVectorXd row_workspace_;
@@ -242,7 +257,7 @@ class ForwardDynamics : public OdeSystem {
   std::vector<Twist> twists_, wrenches_;
   Eigen::MatrixXd J_;
   Eigen::VectorXd u_, targets_, target_rates_, target_seconds_, residual_,
-      gamma_, Q_, acceleration_, lambda_, change_;
+      gamma_, Q_, acceleration_, lambda_, change_, response_, response_rows_;
 };
 
 }  // namespace clevis::mechanism

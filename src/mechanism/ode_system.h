@@ -45,6 +45,16 @@ class OdeSystem {
   /// tell its derivative. Until release_tangents().
   virtual void hold_tangents(double /*t*/, const Eigen::VectorXd& /*y*/) {}
   virtual void release_tangents() {}
+
+  /// Efforts in which rates are linear and which states tell by stiff laws.
+  virtual Eigen::Index efforts() const { return 0; }
+  /// From now on these act, whatever their laws say; nullptr: as these say.
+  virtual void hold_efforts(const Eigen::VectorXd* /*given*/) {}
+  /// What the laws say, as of the last rate() or hold_tangents().
+  virtual void efforts_by_law(Eigen::VectorXd& /*efforts*/) const {}
+  /// Derivative of the rate by effort k, as of the last rate().
+  virtual void effort_response(Eigen::Index /*k*/,
+                               Eigen::Ref<Eigen::VectorXd> /*rate*/) {}
 };
 
 /// What an integrator has done so far.

@@ -71,10 +71,14 @@ void Radau5::guess_stages(double h) {
   Collocation::Stages& z = collocation_.stages();
   if (!has_past_) {
     for (VectorXd& stage : z) stage.setZero();
+    collocation_.guess_efforts();
     return;
   }
   // the last polynomial goes on
   const double c[3] = {Collocation::kC1, Collocation::kC2, 1.0};
+  std::array<double, 3> since{};
+  for (std::size_t i = 0; i < 3; ++i) since[i] = 1.0 + c[i] * h / last_h_;
+  collocation_.guess_efforts(since);
   for (std::size_t i = 0; i < 3; ++i) {
     const double s = c[i] * h / last_h_;
     z[i] = s * (dense_[1] +
@@ -139,6 +143,7 @@ void Radau5::accept(double h, double err, double limit, bool rejected) {
   }
   last_error_ = std::max(1e-2, err);
   last_h_ = h;
+  collocation_.keep_efforts();
   has_past_ = true;
   dense_[1] = (z[1] - z[2]) / (c2 - 1.0);
   scratch_ = (z[0] - z[1]) / (c1 - c2);
@@ -220,6 +225,9 @@ void Radau5::state_at(double t, VectorXd& y) {
   if (!(h > 0.0)) return;
   Collocation::Stages& z = collocation_.stages();
   const double c[3] = {Collocation::kC1, Collocation::kC2, 1.0};
+  std::array<double, 3> since{};
+  for (std::size_t i = 0; i < 3; ++i) since[i] = c[i] * h / (t_ - t_start_);
+  collocation_.guess_efforts(since);
   for (std::size_t i = 0; i < 3; ++i) {
     interpolate(t_start_ + c[i] * h, z[i]);
     z[i] -= y_start_;
