@@ -75,33 +75,62 @@ Collocation::Collocation(OdeSystem& system) : system_(system) {
   for (Stages* stages : {&phi_, &kept_, &rho_}) {
     for (VectorXd& v : *stages) v.setZero(efforts);
   }
-  phi_start_.setZero(efforts);
+  phi_now_.setZero(efforts);
+  phi_beyond_.setZero(efforts);
   G_.setZero(n, efforts);
   L_.setZero(efforts, n);
   complex_scratch_.setZero(n);
+}
+
+void Collocation::start(double t, const VectorXd& y, VectorXd& slope) {
+  system_.rate(t, y, slope);
+  system_.efforts_by_law(phi_now_);
+}
+
+void Collocation::slope(double t, const VectorXd& y, VectorXd& slope) {
+  system_.hold_efforts(&phi_now_);
+  system_.rate(t, y, slope);
+  system_.hold_efforts(nullptr);
+}
+
+void Collocation::slope_beyond(double t, const VectorXd& y, const VectorXd& v,
+                               VectorXd& slope) {
+  point_ = v;
+  to_axes(y, point_);
+  along_.noalias() = to_tangents_ * point_;
+  phi_beyond_ = phi_now_;
+  phi_beyond_.noalias() += L_.leftCols(tangents_) * along_;
+  point_ = y + v;
+  system_.hold_efforts(&phi_beyond_);
+  system_.rate(t, point_, slope);
+  system_.hold_efforts(nullptr);
 }
 
 void Collocation::linearise(double t, const VectorXd& y, const VectorXd& slope,
                             Axes axes) {
   axes_ = axes;
   const double root = std::sqrt(std::numeric_limits<double>::epsilon());
-  system_.hold_tangents(t, y);
-  system_.efforts_by_law(phi_start_);
   tangents_ = system_.tangents(t, y, T_);
+  system_.hold_tangents(t, y);
   const auto T = T_.leftCols(tangents_);
+  system_.efforts_by_law(phi_beyond_);
+  // what efforts do is added exactly: differences by them would drown the rest
+  system_.hold_efforts(&phi_now_);
   for (Index j = 0; j < tangents_; ++j) {
     point_ = y + root * T_.col(j);
     system_.rate(t, point_, f_[0]);
     B_.col(j) = (f_[0] - slope) / root;
     system_.efforts_by_law(rho_[0]);
-    L_.col(j) = (rho_[0] - phi_start_) / root;
+    L_.col(j) = (rho_[0] - phi_beyond_) / root;
   }
   evaluations_ += tangents_;
-  system_.release_tangents();
   for (Index k = 0; k < G_.cols(); ++k) {
     system_.effort_response(k, G_.col(k));
-    to_axes(y, G_.col(k));
   }
+  B_.leftCols(tangents_).noalias() += G_ * L_.leftCols(tangents_);
+  system_.hold_efforts(nullptr);
+  system_.release_tangents();
+  for (Index k = 0; k < G_.cols(); ++k) to_axes(y, G_.col(k));
   for (Index j = 0; j < tangents_; ++j) {
     to_axes(y, T_.col(j));
     to_axes(y, B_.col(j));
@@ -167,7 +196,7 @@ void Collocation::newton_step(const VectorXd& y, double h) {
 }
 
 void Collocation::guess_efforts() {
-  for (VectorXd& phi : phi_) phi = phi_start_;
+  for (VectorXd& phi : phi_) phi = phi_now_;
 }
 
 void Collocation::guess_efforts(const std::array<double, 3>& s) {

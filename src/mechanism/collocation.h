@@ -27,8 +27,15 @@ class Collocation {
   /// with it.
   enum class Axes : std::uint8_t { kFixed, kMoving };
 
+  /// The rate at (t, y) as the laws of efforts say; these hold from then on.
+  void start(double t, const Eigen::VectorXd& y, Eigen::VectorXd& slope);
+  /// The rate at (t, y) under the efforts that hold; v: and what the
+  /// derivative adds to them as the state goes on by v.
+  void slope(double t, const Eigen::VectorXd& y, Eigen::VectorXd& slope);
+  void slope_beyond(double t, const Eigen::VectorXd& y,
+                    const Eigen::VectorXd& v, Eigen::VectorXd& slope);
   /// Derivative of the rate at (t, y) along the system's tangents(), by
-  /// differences that hold_tangents().
+  /// differences that hold_tangents(). @param slope  of slope().
   void linearise(double t, const Eigen::VectorXd& y,
                  const Eigen::VectorXd& slope, Axes axes);
   /// Decomposes for a step h. @return false if that fails.
@@ -42,12 +49,16 @@ class Collocation {
              const Eigen::VectorXd& weights);
 
   Stages& stages() { return z_; }
-  /// Efforts at the stages as at the start, or as the polynomial through those
-  /// of keep_efforts() goes on. @param s  time in steps of keep_efforts() since
-  ///   their start.
+  /// Efforts at the stages: those that hold, or as the polynomial through
+  /// the ones of the last accept() goes on. @param s  time since the start of
+  ///   its step, in such steps.
   void guess_efforts();
   void guess_efforts(const std::array<double, 3>& s);
-  void keep_efforts() { kept_ = phi_; }
+  /// The stages are part of the motion: their last efforts hold from now on.
+  void accept() {
+    kept_ = phi_;
+    phi_now_ = phi_[2];
+  }
   int iterations() const { return iterations_; }  ///< of the last solve()
   double contraction() const { return contraction_; }
   /// v ← (γ₀/h − J)⁻¹ v at y.
@@ -89,7 +100,7 @@ class Collocation {
   // Efforts are unknowns beside z, so that Newton does not multiply what it
   // misjudges of a direction by the stiffness of what acts along it
   Stages phi_, kept_, rho_;  ///< by stage; what their laws say less phi
-  Eigen::VectorXd phi_start_;
+  Eigen::VectorXd phi_now_, phi_beyond_;
   Eigen::MatrixXd G_, L_;  ///< rates by efforts; efforts by tangents
   Eigen::VectorXd point_, scratch_, direction_, along_;
   Eigen::VectorXcd complex_scratch_, complex_along_;

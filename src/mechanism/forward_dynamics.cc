@@ -254,7 +254,11 @@ void ForwardDynamics::effort_response(Index k, Eigen::Ref<VectorXd> rate) {
   rate.setZero();
   rate.segment(positions_, system_.columns()) =
       response_.head(system_.columns());
-  rate[work_index()] = e.rate;
+  double power = e.rate;
+  for (Index i = system_.joint_rows(); i < system_.rows(); ++i) {
+    power += response_rows_[i] * target_rates_[i];
+  }
+  rate[work_index()] = power;
 }
 
 double ForwardDynamics::largest_load() const {

@@ -47,7 +47,7 @@ void Radau5::count() {
 void Radau5::restart(double t, const VectorXd& y, double step) {
   t_ = t_start_ = t;
   y_ = y_start_ = y;
-  system_.rate(t, y_, slope_);
+  collocation_.start(t, y_, slope_);
   stale_slope_ = false;
   system_.error_weights(y_, weights_);
   has_past_ = false;
@@ -93,8 +93,7 @@ double Radau5::error(double h, bool careful) {
   collocation_.filter(y_, scratch_);
   double err = weighted_norm(scratch_, weights_);
   if (err >= 1.0 && careful) {
-    scratch_ += y_;
-    system_.rate(t_, scratch_, trial_slope_);
+    collocation_.slope_beyond(t_, y_, scratch_, trial_slope_);
     scratch_ = embedded_ + trial_slope_;
     collocation_.filter(y_, scratch_);
     err = weighted_norm(scratch_, weights_);
@@ -106,7 +105,7 @@ double Radau5::error(double h, bool careful) {
 double Radau5::attempt(double h, bool careful) {
   constexpr double kFailed = std::numeric_limits<double>::infinity();
   if (refresh_) {
-    if (stale_slope_) system_.rate(t_, y_, slope_);
+    if (stale_slope_) collocation_.slope(t_, y_, slope_);
     stale_slope_ = false;
     collocation_.linearise(t_, y_, slope_, axes_.choose());
     refresh_ = false;
@@ -143,7 +142,7 @@ void Radau5::accept(double h, double err, double limit, bool rejected) {
   }
   last_error_ = std::max(1e-2, err);
   last_h_ = h;
-  collocation_.keep_efforts();
+  collocation_.accept();
   has_past_ = true;
   dense_[1] = (z[1] - z[2]) / (c2 - 1.0);
   scratch_ = (z[0] - z[1]) / (c1 - c2);
@@ -154,7 +153,7 @@ void Radau5::accept(double h, double err, double limit, bool rejected) {
   y_ += z[2];
   dense_[0] = y_;
   t_ = t_ + h >= limit ? limit : t_ + h;
-  system_.rate(t_, y_, slope_);
+  collocation_.slope(t_, y_, slope_);
   stale_slope_ = false;
   system_.error_weights(y_, weights_);
   if (rejected) quotient = std::max(quotient, 1.0);
@@ -238,7 +237,7 @@ void Radau5::state_at(double t, VectorXd& y) {
 }
 
 double Radau5::largest_eigenvalue(double t, const VectorXd& y) {
-  system_.rate(t, y, trial_slope_);
+  collocation_.start(t, y, trial_slope_);
   collocation_.linearise(t, y, trial_slope_, Collocation::Axes::kFixed);
   refresh_ = true;
   count();
@@ -250,7 +249,7 @@ void Radau5::correct(const VectorXd& y) {
   const bool matters = weighted_norm(scratch_, weights_) > 0.01;
   y_ = y;
   stale_slope_ = !matters;
-  if (matters) system_.rate(t_, y_, slope_);
+  if (matters) collocation_.slope(t_, y_, slope_);
 }
 
 }  // namespace clevis::mechanism

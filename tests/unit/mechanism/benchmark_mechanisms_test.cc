@@ -41,6 +41,21 @@ TEST(Governor, FollowsItsOwnEquations) {
   EXPECT_LT(motion.integration->evaluations, 70000);
 }
 
+// Newton's iterations must not know how stiff the springs are that turn with
+// the arms: steps then end at a turn of (stiffness)^(-1/3).
+TEST(Governor, StiffnessDoesNotEndNewtonsIterations) {
+  for (const double stiffer : {1.0, 1e3}) {
+    testing::Governor values;
+    values.stiffness *= stiffer;
+    values.damping *= stiffer;
+    SimulationSettings s = settings(2.0, 2, 1e-4);
+    s.integrator = IntegratorChoice::kImplicit;
+    const Motion motion = simulate(testing::governor(values), s);
+    EXPECT_LT(motion.integration->rejected, 10) << stiffer;
+    EXPECT_LT(motion.integration->evaluations, 2000) << stiffer;
+  }
+}
+
 /// The turn of hinge i: of bar i against the bar before it, about z, from the
 /// right angle of the start.
 double turn(const MechanismDefinition& m, const Instant& at, std::size_t i) {
