@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "assessment/degree_ladder.h"
 #include "assessment/model_band.h"
 #include "assessment/rung_result.h"
@@ -46,6 +48,15 @@ void judge_band(PeakStress& peak) {
   }
 }
 
+/// @param impact  name of the blow.
+void add_time_error(const BlowTimes& times, const std::string& impact,
+                    HeldStress& held) {
+  held.band_low -= (times.error + times.root_below) * held.value;
+  held.band_high +=
+      (times.error + times.root_above + times.later - 1.0) * held.value;
+  held.label = fmt::format("impact {}", impact);
+}
+
 void add_time_error(const BlowTimes& times, PeakStress& peak) {
   const double below = times.error + times.below;
   const double above = times.error + times.above;
@@ -86,6 +97,7 @@ PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
     judge_band(*peak);
     add_time_error(times, *peak);
   }
+  add_time_error(times, impact.strike.name, found.result.held);
   return found;
 }
 

@@ -11,6 +11,7 @@ struct BlowTimes {
   double error{};            ///< of steps and shapes [1]
   double front{};            ///< that is kept, of all degrees [s]
   double below{}, above{};   ///< error of the front [1]
+  double root_below{}, root_above{};  ///< in the held sections [1]
   double later = 1.0;  ///< largest stress after them over that at them [1]
 
   int samples() const { return static_cast<int>(time.size()) - 1; }

@@ -56,6 +56,7 @@ class Climb {
                                      degree, seconds_);
     ladder_.sequence.push_back(ladder_.level.member);
     ladder_.probes.push_back(ladder_.level.probes);
+    ladder_.held.push_back(ladder_.level.held);
     ladder_.zones.take(ladder_.level);
     const double tolerance = job_.tolerance - rung_.model_error;
     ladder_.band =
@@ -73,6 +74,7 @@ class Climb {
   void drop() {
     ladder_.sequence.pop_back();
     ladder_.probes.pop_back();
+    ladder_.held.pop_back();
   }
   bool is_within() const {
     const auto& judged =

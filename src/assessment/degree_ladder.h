@@ -21,6 +21,7 @@ struct DegreeLadder {
   Level<dim> level;
   std::vector<SequenceMember> sequence;
   std::vector<std::vector<double>> probes;  ///< per degree
+  std::vector<HeldStress> held;             ///< per degree
   stress::Band band;
   stress::Band outer_band;  ///< away from zones; only if one governs
 };

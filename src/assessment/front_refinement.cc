@@ -99,9 +99,10 @@ FrontRefinement refine_front(const PartJob& job, const ImpactJob& impact,
   const double front = judged.response.solution.damping_time;
   auto& face = faces.get(job, impact, degree);
   FrontRefinement found;
-  std::vector<VectorXd> peaks;
+  std::vector<VectorXd> peaks, roots;
   const auto add = [&](const elasticity::StrikeResponse<dim>& response) {
     peaks.push_back(judged_peaks(response.basis, job, zones));
+    roots.push_back(held_peak(response.basis, job, impact).of_sample);
     found.fronts.push_back(response.solution.damping_time);
     found.stress.push_back(peaks.back().maxCoeff());
     found.deflection.push_back(
@@ -117,11 +118,18 @@ FrontRefinement refine_front(const PartJob& job, const ImpactJob& impact,
   const auto& time = judged.response.motion().time;
   const auto window =
       static_cast<int>(std::ceil(4.0 * front / (time[1] - time[0])));
+  const double slowest =
+      slowest_fall(judged.response.solution.rise_time / front);
   const FrontError error =
-      front_error(peaks[2], peaks[1], peaks[0], window,
-                  slowest_fall(judged.response.solution.rise_time / front));
+      front_error(peaks[2], peaks[1], peaks[0], window, slowest);
   found.below = error.below;
   found.above = error.above;
+  if (roots[2].size() > 0) {
+    const FrontError of_root =
+        front_error(roots[2], roots[1], roots[0], window, slowest);
+    found.root_below = of_root.below;
+    found.root_above = of_root.above;
+  }
   found.settles = error.below + error.above < kSettled;
   return found;
 }

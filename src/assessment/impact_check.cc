@@ -52,6 +52,24 @@ void note_deflection(const StruckRun<dim>& best, double space,
       impact);
 }
 
+/// The held sections' nominal stress of a blow whose degrees are not climbed.
+/// @param coarse  of a lower degree.
+template <int dim>
+HeldStress held_stress(const StruckRun<dim>& best, const StruckRun<dim>& coarse,
+                       const ImpactResult& impact) {
+  const double value = best.root.value;
+  if (value == 0.0) return {};
+  const auto& fronts = impact.refinement;
+  const double error =
+      std::abs(coarse.root.value / value - 1.0) + best.error_in_time();
+  return {value,
+          value * (1.0 - error - fronts.root_below),
+          value * (impact.later_stress + error + fronts.root_above),
+          best.root.group,
+          best.response.motion().time[best.root.sample],
+          fmt::format("impact {}", impact.name)};
+}
+
 template <int dim>
 void note_motion(const StruckRun<dim>& best, ImpactResult& impact) {
   const auto& run = best.response.motion();
@@ -176,33 +194,28 @@ Computed compute(const PartJob& job, const ImpactJob& given,
     add_beam_rows(*bar, impact.strike, result.rows);
     result.beam_factor = beam_factor(*bar, impact.strike);
   }
-  // stress over that at rest, times beam theory's at rest: what a strain
-  // gauge away from the clamp makes of the root's moment
-  const auto nominal = [&](const StruckRun<dim>& run) {
-    return bar ? run.stress / run.static_stress * bar->bar.stress_per_force
-               : 0.0;
-  };
+  result.root = held_stress(fine, coarse, result);
   const double space =
       std::abs(coarse.factor / fine.factor * fine.stress / same_front - 1.0);
   result.rows.push_back(
       {.model = fmt::format("static elements x factor, p = {}", high),
        .stress = force * fine.static_stress,
-       .nominal = bar ? force * bar->bar.stress_per_force : 0.0,
+       .nominal = force * fine.static_root,
        .face = force / stiffness,
        .deflection = force * fine.static_deflection,
        .error = std::abs(coarse.static_stress / fine.static_stress - 1.0),
        .seconds = fine.static_seconds});
   const double coarse_error = std::abs(coarse.stress / fine.stress - 1.0);
   if (direct) {
-    result.rows.push_back(struck_row(*direct, low, nominal(*direct),
-                                     coarse_error + direct->error_in_time()));
+    result.rows.push_back(
+        struck_row(*direct, low, coarse_error + direct->error_in_time()));
   }
-  result.rows.push_back(struck_row(coarse, low, nominal(coarse),
-                                   coarse_error + coarse.error_in_time()));
+  result.rows.push_back(
+      struck_row(coarse, low, coarse_error + coarse.error_in_time()));
   const double error = space + fine.error_in_time();
   const auto& fronts = result.refinement;
-  result.rows.push_back(struck_row(
-      fine, high, nominal(fine), error + std::max(fronts.below, fronts.above)));
+  result.rows.push_back(
+      struck_row(fine, high, error + std::max(fronts.below, fronts.above)));
   result.stress = fine.stress;
   result.band_low = fine.stress * (1.0 - error - fronts.below);
   result.band_high = fine.stress * (1.0 + error + fronts.above);
@@ -213,6 +226,8 @@ Computed compute(const PartJob& job, const ImpactJob& given,
                  .front = front,
                  .below = fronts.below,
                  .above = fronts.above,
+                 .root_below = fronts.root_below,
+                 .root_above = fronts.root_above,
                  .later = result.later_stress};
   return found;
 }
@@ -300,6 +315,8 @@ void take_assessment(const PartAssessment& climbed, ImpactResult& impact) {
                            std::abs(part.deflection - impact.deflection)),
                   impact);
   row.deflection = part.deflection;
+  impact.root = part.held;
+  row.nominal = part.held.value;
   impact.deflection_at = part.deflection_at;
   impact.deflection_time = part.deflection_instant;
 }
@@ -309,8 +326,9 @@ void take_assessment(const PartAssessment& climbed, ImpactResult& impact) {
 void compare_rows(double stiffness, ImpactResult& impact) {
   const ImpactRow judged = impact.rows.back();
   for (ImpactRow& row : impact.rows) {
-    row.ratio = judged.nominal > 0.0 ? row.nominal / judged.nominal
-                                     : row.stress / judged.stress;
+    row.ratio = judged.nominal > 0.0
+                    ? row.nominal / judged.nominal
+                    : std::max(row.stress, row.nominal) / judged.stress;
     row.remark = remark_on(row, impact, judged.face, stiffness);
   }
   impact.rows.back().remark = "judged";

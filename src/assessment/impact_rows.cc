@@ -62,8 +62,7 @@ double beam_factor(const beam::BarOfPart& bar, const loads::Strike& strike) {
 }
 
 template <int dim>
-ImpactRow struck_row(const StruckRun<dim>& run, int degree, double nominal,
-                     double error) {
+ImpactRow struck_row(const StruckRun<dim>& run, int degree, double error) {
   const auto& solution = run.response.solution;
   return {.model = fmt::format("dynamic elements, {}, p = {}",
                                solution.is_modal
@@ -71,7 +70,7 @@ ImpactRow struck_row(const StruckRun<dim>& run, int degree, double nominal,
                                    : fmt::format("{} steps", solution.steps),
                                degree),
           .stress = run.stress,
-          .nominal = nominal,
+          .nominal = run.root.value,
           .face = run.response.motion().peak_contact,
           .deflection = run.deflection.value,
           .error = error,
@@ -112,7 +111,7 @@ std::string remark_on(const ImpactRow& row, const ImpactResult& impact,
   return text;
 }
 
-template ImpactRow struck_row<2>(const StruckRun<2>&, int, double, double);
-template ImpactRow struck_row<3>(const StruckRun<3>&, int, double, double);
+template ImpactRow struck_row<2>(const StruckRun<2>&, int, double);
+template ImpactRow struck_row<3>(const StruckRun<3>&, int, double);
 
 }  // namespace clevis::assessment

@@ -21,10 +21,9 @@ void add_beam_rows(const beam::BarOfPart& bar, const loads::Strike& strike,
 double beam_factor(const beam::BarOfPart& bar, const loads::Strike& strike);
 
 /// What elements in time say.
-/// @param nominal  by beam theory's section [Pa]. @param error  [1].
+/// @param error  of the stress [1].
 template <int dim>
-ImpactRow struck_row(const StruckRun<dim>& run, int degree, double nominal,
-                     double error);
+ImpactRow struck_row(const StruckRun<dim>& run, int degree, double error);
 
 /// Which side of the judged model a model is on, and why.
 /// @param face  way of the struck face by the judged model [m].

@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "base/stopwatch.h"
 #include "stress/deflection.h"
+#include "stress/held_face.h"
 #include "stress/peak_zoom.h"
 
 namespace clevis::assessment {
@@ -53,6 +54,20 @@ std::vector<double> probe_values(const PartJob& job, const Level<dim>& level) {
   return values;
 }
 
+template <int dim>
+void note_held(const PartJob& job, const LoadSet& set,
+               const elasticity::DisplacementBasis<dim>& basis,
+               HeldStress& held) {
+  for (const auto& face :
+       stress::held_faces<dim>(basis, job.part.material, set.fixed)) {
+    Eigen::Index at = 0;
+    const double value = face.nominal.maxCoeff(&at);
+    if (value <= held.value) continue;
+    const auto& instant = set.history.instants[static_cast<std::size_t>(at)];
+    held = {value, value, value, face.group, instant.time, instant.label};
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> reference_groups(const LoadSet& set) {
@@ -83,6 +98,7 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
       stress::remove_rigid_motion<dim>(*basis, reference_groups(set));
     }
     Stopwatch watch;
+    note_held<dim>(job, set, *basis, level.held);
     auto history = stress::stress_history<dim>(*basis, job.part.material,
                                                rung.subdivisions);
     seconds.recover += watch.lap();

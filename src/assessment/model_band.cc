@@ -82,6 +82,7 @@ PartAssessment join(PartAssessment first, PartAssessment second) {
   add_checks(other.self_checks, result.self_checks);
   add_seconds(other.seconds, result.seconds);
   result.load_columns += other.load_columns;
+  if (other.held.band_high > result.held.band_high) result.held = other.held;
   result.strain_energy = std::max(result.strain_energy, other.strain_energy);
   if (other.deflection > result.deflection) {
     result.deflection = other.deflection;

@@ -70,11 +70,21 @@ struct ProbeResult {
   double value{}, band_low{}, band_high{};  ///< SI
 };
 
+/// Largest nominal stress of a plane face that holds the part, as the section
+/// of a bar (stress::held_faces), over the instants.
+struct HeldStress {
+  double value{};                  ///< [Pa]; 0: no plane face holds the part
+  double band_low{}, band_high{};  ///< [Pa]
+  std::string group;
+  double instant{};   ///< [s]
+  std::string label;  ///< "t = 1.25 s" or the case
+};
+
 /// What one model says of a blow.
 struct ImpactRow {
   std::string model;    ///< "beam, corrected", "dynamic FE, modal, p = 3"
   double stress{};      ///< where the part is judged [Pa]; 0: it says nothing
-  double nominal{};     ///< in the root section, by the bending moment [Pa]
+  double nominal{};     ///< of the root section [Pa]; 0: it says nothing
   double face{};        ///< way of the struck face, along the blow [m]
   double deflection{};  ///< largest of the part; 0: it says nothing [m]
   double error = -1.0;  ///< estimated, of the stress; negative: not known [1]
@@ -90,7 +100,9 @@ struct FrontRefinement {
   std::vector<double> stress;      ///< judged, by each [Pa]
   std::vector<double> deflection;  ///< largest of the part [m]
   double below{}, above{};         ///< error left of the last stress [1]
-  bool settles = true;             ///< the stress
+  /// Likewise of the nominal stress of the held faces [1].
+  double root_below{}, root_above{};
+  bool settles = true;  ///< the stress
 };
 
 /// A blow on a part by all models.
@@ -113,6 +125,7 @@ struct ImpactResult {
   double beam_factor{};                 ///< of the corrected beam; 0: none [1]
   double dynamic_factor{};              ///< dynamic over static FE [1]
   double stress{}, band_low{}, band_high{};  ///< by the dynamic FE [Pa]
+  HeldStress root;                           ///< of the held faces
   double deflection{};  ///< largest of the part over all times [m]
   double deflection_low{}, deflection_high{};               ///< its band [m]
   Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();  ///< in L [m]
@@ -180,6 +193,7 @@ struct PartResult {
   /// Where a zone governs: the peak away from those that do; else with an
   /// empty sequence.
   PeakStress peak_outside;
+  HeldStress held;
   double safety_factor{};  ///< yield / peak
   double deflection{};     ///< relative to its pins [m]
   /// Its band where a blow or vibration makes it; both 0: not known [m].

@@ -196,6 +196,18 @@ double energy_error(const std::vector<SequenceMember>& sequence) {
   return values.size() < 3 ? kUnknown : stress::strain_energy_error(values);
 }
 
+/// The last degree's, the last change on both sides.
+HeldStress held_stress(const std::vector<HeldStress>& degrees) {
+  HeldStress held = degrees.back();
+  if (degrees.size() > 1) {
+    const double change =
+        std::abs(held.value - degrees[degrees.size() - 2].value);
+    held.band_low -= change;
+    held.band_high += change;
+  }
+  return held;
+}
+
 /// Each probe with the band of its own sequence.
 void fill_probes(const PartJob& job, const std::vector<SequenceMember>& degrees,
                  const std::vector<std::vector<double>>& values,
@@ -237,6 +249,7 @@ PartAssessment assess(const PartJob& job, const Rung<dim>& rung,
                  {level.set, history.peak_at, history.peak_instant},
                  result.peak);
   fill_zones<dim>(job, level, ladder.zones, ladder.outer_band, result);
+  result.held = held_stress(ladder.held);
   fill_checks<dim>(level, result.self_checks);
   fill_probes(job, ladder.sequence, ladder.probes, result.probes);
   settle_even_pressure(check_reported_peak<dim>(job, level, result),

@@ -49,9 +49,10 @@ Lattice look_at(const elasticity::DisplacementBasis<dim>& basis,
 }
 
 /// The samples beside those at which points of high stress have their worst,
-/// beside the largest stress of all and the largest deflection; between them
-/// every twelfth.
-std::vector<int> telling_samples(const Lattice& found, int deflects) {
+/// beside the largest stress of all and those given; between them every
+/// twelfth.
+std::vector<int> telling_samples(const Lattice& found,
+                                 const std::vector<int>& more) {
   constexpr double kHigh = 0.8;
   constexpr int kBeside = 3, kElse = 12;
   const auto count = static_cast<int>(found.history.peak.size());
@@ -71,7 +72,7 @@ std::vector<int> telling_samples(const Lattice& found, int deflects) {
     }
   }
   keep(found.history.peak_instant);
-  keep(deflects);
+  for (const int at : more) keep(at);
   std::vector<int> samples;
   for (int i = 0; i < count; ++i) {
     if (kept[static_cast<std::size_t>(i)] || i % kElse == 0) {
@@ -187,6 +188,24 @@ double equivalent_force(const loads::Strike& strike, double stiffness) {
 }
 
 template <int dim>
+HeldPeak held_peak(const elasticity::DisplacementBasis<dim>& basis,
+                   const PartJob& job, const ImpactJob& impact) {
+  HeldPeak peak;
+  for (const auto& face :
+       stress::held_faces<dim>(basis, job.part.material, impact.fixed)) {
+    if (peak.of_sample.size() == 0) peak.of_sample = face.nominal;
+    peak.of_sample = peak.of_sample.cwiseMax(face.nominal);
+    Eigen::Index at = 0;
+    const double value = face.nominal.maxCoeff(&at);
+    if (value <= peak.value) continue;
+    peak.value = value;
+    peak.sample = static_cast<int>(at);
+    peak.group = face.group;
+  }
+  return peak;
+}
+
+template <int dim>
 StruckRun<dim> run_struck(const PartJob& job, const ImpactJob& impact,
                           const std::vector<stress::SingularZone>& zones,
                           int degree, Route route, StruckFaces<dim>& faces) {
@@ -204,7 +223,9 @@ StruckRun<dim> run_struck(const PartJob& job, const ImpactJob& impact,
   found.stress = looked.peak.value;
   found.seconds = watch.lap();
   found.deflection = stress::largest_deflection<dim>(basis);
-  found.telling = telling_samples(looked, found.deflection.instant);
+  found.root = held_peak(basis, job, impact);
+  found.telling =
+      telling_samples(looked, {found.deflection.instant, found.root.sample});
   // between the samples: a third of what every second one loses
   const auto half = every_second(basis);
   found.sampling_error =
@@ -215,6 +236,7 @@ StruckRun<dim> run_struck(const PartJob& job, const ImpactJob& impact,
   watch.lap();
   const auto at_rest = elasticity::solve<dim>(problem, degree);
   found.static_stress = judged_stress(at_rest, job, zones);
+  found.static_root = held_peak(at_rest, job, impact).value;
   found.static_deflection = stress::largest_deflection<dim>(at_rest).value;
   found.static_seconds = watch.lap();
   found.factor = found.stress /
@@ -223,19 +245,21 @@ StruckRun<dim> run_struck(const PartJob& job, const ImpactJob& impact,
   return found;
 }
 
-#define CLEVIS_INSTANTIATE(dim)                                            \
-  template class StruckFaces<dim>;                                         \
-  template elasticity::DisplacementBasis<dim> at_samples<dim>(             \
-      const elasticity::DisplacementBasis<dim>&, const std::vector<int>&); \
-  template double judged_stress<dim>(                                      \
-      const elasticity::DisplacementBasis<dim>&, const PartJob&,           \
-      const std::vector<stress::SingularZone>&);                           \
-  template Eigen::VectorXd judged_peaks<dim>(                              \
-      const elasticity::DisplacementBasis<dim>&, const PartJob&,           \
-      const std::vector<stress::SingularZone>&);                           \
-  template StruckRun<dim> run_struck<dim>(                                 \
-      const PartJob&, const ImpactJob&,                                    \
-      const std::vector<stress::SingularZone>&, int, Route,                \
+#define CLEVIS_INSTANTIATE(dim)                                               \
+  template class StruckFaces<dim>;                                            \
+  template HeldPeak held_peak<dim>(const elasticity::DisplacementBasis<dim>&, \
+                                   const PartJob&, const ImpactJob&);         \
+  template elasticity::DisplacementBasis<dim> at_samples<dim>(                \
+      const elasticity::DisplacementBasis<dim>&, const std::vector<int>&);    \
+  template double judged_stress<dim>(                                         \
+      const elasticity::DisplacementBasis<dim>&, const PartJob&,              \
+      const std::vector<stress::SingularZone>&);                              \
+  template Eigen::VectorXd judged_peaks<dim>(                                 \
+      const elasticity::DisplacementBasis<dim>&, const PartJob&,              \
+      const std::vector<stress::SingularZone>&);                              \
+  template StruckRun<dim> run_struck<dim>(                                    \
+      const PartJob&, const ImpactJob&,                                       \
+      const std::vector<stress::SingularZone>&, int, Route,                   \
       StruckFaces<dim>&);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)

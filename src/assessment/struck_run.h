@@ -9,6 +9,7 @@
 #include "dynamics/strike.h"
 #include "elasticity/strike_response.h"
 #include "stress/deflection.h"
+#include "stress/held_face.h"
 #include "stress/singular_zone.h"
 
 namespace clevis::assessment {
@@ -54,12 +55,26 @@ class StruckFaces {
   std::map<int, Entry> of_degree_;
 };
 
+/// Largest nominal stress of the plane faces that hold the part.
+struct HeldPeak {
+  Eigen::VectorXd of_sample;  ///< [Pa]; empty: there is no such face
+  double value{};             ///< [Pa]
+  int sample{};
+  std::string group;
+};
+
+template <int dim>
+HeldPeak held_peak(const elasticity::DisplacementBasis<dim>& basis,
+                   const PartJob& job, const ImpactJob& impact);
+
 /// One blow by one route and degree.
 template <int dim>
 struct StruckRun {
   elasticity::StrikeResponse<dim> response;
-  double stress{};                ///< [Pa]
-  double static_stress{};         ///< by the static force of 1 N [Pa]
+  double stress{};         ///< [Pa]
+  double static_stress{};  ///< by the static force of 1 N [Pa]
+  HeldPeak root;
+  double static_root{};           ///< by the static force of 1 N [Pa]
   double sampling_error{};        ///< of the stress [1]
   std::vector<int> telling;       ///< samples at which peaks may stand, rising
   stress::Deflection deflection;  ///< largest over part and times

@@ -133,29 +133,24 @@ bool leaves_zones_out(const part::PartDefinition& part,
          &judged_peak(result) != &result.peak;
 }
 
-/// What beam theory says of a section that may lie in a zone left out.
+/// The nominal stress of a section that may lie in a zone left out.
 struct Nominal {
   double low{}, value{}, high{};  ///< [Pa]; 0: unknown
-  std::string what;               ///< "root section of impact blow"
+  std::string what;               ///< "section root, impact blow"
 };
 
-/// The largest of the sections' nominal stresses, of the blows with the bands
-/// of their stress in time. Formulas of lugs are none of a section.
+/// The largest of the held faces' and of beam theory's sections. Formulas of
+/// lugs are none of a section.
 Nominal largest_nominal(const PartResult& result) {
   Nominal largest;
   if (result.beam.governing.starts_with("axial + bending")) {
     const double stress = result.beam.peak_stress;
     largest = {stress, stress, stress, result.beam.governing};
   }
-  for (const ImpactResult& impact : result.impacts) {
-    if (impact.rows.empty() || impact.stress == 0.0) continue;
-    const double nominal = impact.rows.back().nominal;
-    if (nominal <= largest.value) continue;
-    const double scale = nominal / impact.stress;
-    largest = {scale * impact.band_low, nominal, scale * impact.band_high,
-               "root section of impact " + impact.name};
-  }
-  return largest;
+  const HeldStress& held = result.held;
+  if (held.band_high <= largest.high) return largest;
+  return {held.band_low, held.value, held.band_high,
+          fmt::format("section {}, {}", held.group, held.label)};
 }
 
 /// Where a zone is left out, the nominal stress of the section stands for what
@@ -165,9 +160,7 @@ bool judge_nominal(const part::PartDefinition& part, PartResult& result) {
   const Nominal nominal = largest_nominal(result);
   const double allowed =
       part.material.yield_strength / part.limits.safety_factor.value_or(1.0);
-  if (nominal.value <= judged_peak(result).value || nominal.high <= allowed) {
-    return true;
-  }
+  if (nominal.high <= allowed) return true;
   const bool fails = nominal.low > allowed;
   set(result, fails ? PartVerdict::kFail : PartVerdict::kNotJudged,
       fmt::format("nominal stress {:.4g} [{:.4g}, {:.4g}] MPa ({}), hidden by "

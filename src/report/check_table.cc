@@ -82,6 +82,7 @@ void add_zones(TextTable& table, const PartResult& part) {
     line += fmt::format(", radius {:#.3g} mm", millimetres(zone.radius));
     table.add_note(zone.governs ? line : line + ", does not govern");
   }
+  if (part.held.value > 0.0) table.add_note(held_section_text(part.held));
   const assessment::PeakStress& outside = part.peak_outside;
   if (outside.sequence.empty()) return;
   table.add_note(fmt::format(

@@ -103,6 +103,7 @@ std::string table_of(const ImpactResult& impact, Colour colour) {
       "stress {:#.4g} [{:#.4g}, {:#.4g}] MPa, safety {:#.4g}; in time: {}",
       megapascals(impact.stress), megapascals(impact.band_low),
       megapascals(impact.band_high), impact.safety_factor, impact.reason));
+  if (impact.root.value > 0.0) table.add_note(held_section_text(impact.root));
   const std::string later = later_peaks_of(impact);
   if (!later.empty()) table.add_note(later);
   const std::string refinement = refinement_of(impact);
@@ -216,6 +217,7 @@ ordered_json part_impacts_json(const PartResult& part) {
          {"dynamic_factor", i.dynamic_factor},
          {"stress_MPa", megapascals(i.stress)},
          {"band_MPa", {megapascals(i.band_low), megapascals(i.band_high)}},
+         {"held_section", held_section_json(i.root)},
          {"deflection_mm", millimetres(i.deflection)},
          {"deflection_band_mm",
           {millimetres(i.deflection_low), millimetres(i.deflection_high)}},
@@ -267,6 +269,25 @@ ordered_json vibration_json(const PartResult& part) {
           {"sampling_error_percent", kPercent * v.sampling_error},
           {"instants_error_percent", kPercent * v.path_error},
           {"seconds", v.seconds}};
+}
+
+std::string held_section_text(const assessment::HeldStress& held) {
+  return fmt::format(
+      "section {}, by its support's force and moment: {:#.5g} [{:#.5g}, "
+      "{:#.5g}] MPa at {:.4g} ms",
+      printable(held.group), megapascals(held.value),
+      megapascals(held.band_low), megapascals(held.band_high),
+      held.instant / kMillisecond);
+}
+
+ordered_json held_section_json(const assessment::HeldStress& held) {
+  if (held.value == 0.0) return {};
+  return {
+      {"group", held.group},
+      {"nominal_stress_MPa", megapascals(held.value)},
+      {"band_MPa", {megapascals(held.band_low), megapascals(held.band_high)}},
+      {"instant_s", held.instant},
+      {"instant", held.label}};
 }
 
 BeamImpactSummary beam_impact(const PartResult& part) {

@@ -42,17 +42,20 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SelfChecks, equilibrium, residual, energy,
                                    compression, reported_peak_is_field_maximum)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProbeResult, name, quantity, value, band_low,
                                    band_high)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HeldStress, value, band_low, band_high,
+                                   group, instant, label)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImpactRow, model, stress, nominal, face,
                                    deflection, error, seconds, ratio, remark)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrontRefinement, fronts, stress, deflection,
-                                   below, above, settles)
+                                   below, above, root_below, root_above,
+                                   settles)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     ImpactResult, name, source, mass, speed, force, stiffness, exponent,
     is_ideal, part_mass, first_period, looked_for, later_stress,
     later_deflection, load_duration, rise_time, peak_force, beam_factor,
-    dynamic_factor, stress, band_low, band_high, deflection, deflection_low,
-    deflection_high, deflection_at, deflection_time, safety_factor, reason,
-    refinement, rows)
+    dynamic_factor, stress, band_low, band_high, root, deflection,
+    deflection_low, deflection_high, deflection_at, deflection_time,
+    safety_factor, reason, refinement, rows)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LoadPace, impact, duration, rise_time, ratio,
                                    amplification, treatment)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VibrationResult, ratio, governs, failure,
@@ -65,10 +68,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartSeconds, mesh, assemble, factor, solve,
                                    recover, write, total)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     PartResult, name, verdict, why, model, stopped_because, dofs, cells,
-    load_columns, peak, singular_zones, peak_outside, safety_factor, deflection,
-    deflection_low, deflection_high, deflection_at, deflection_instant,
-    strain_energy, strain_energy_error, beam, self_checks, probes, seconds,
-    mass, first_period, impacts, paces, vibration)
+    load_columns, peak, singular_zones, peak_outside, held, safety_factor,
+    deflection, deflection_low, deflection_high, deflection_at,
+    deflection_instant, strain_energy, strain_energy_error, beam, self_checks,
+    probes, seconds, mass, first_period, impacts, paces, vibration)
 
 }  // namespace clevis::assessment
 

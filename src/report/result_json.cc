@@ -162,6 +162,7 @@ ordered_json part_json(const CheckReport& report, const PartResult& part) {
                        {"mass_kg", part.mass},
                        {"peak_von_mises", peak_json(part.peak)},
                        {"singular_zones", zones_json(part.singular_zones)},
+                       {"held_section", held_section_json(part.held)},
                        {"safety_factor", part.safety_factor},
                        {"deflection_mm", millimetres(part.deflection)},
                        {"deflection_at_mm", vector_mm(part.deflection_at)},

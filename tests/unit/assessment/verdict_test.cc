@@ -89,8 +89,10 @@ PartResult with_blow(double nominal) {
   blow.stress = 150e6;
   blow.band_low = 145e6;
   blow.band_high = 155e6;
-  blow.rows.push_back({.model = "dynamic elements", .nominal = nominal});
   result.impacts.push_back(blow);
+  result.held = {
+      nominal, nominal * 145.0 / 150.0, nominal * 155.0 / 150.0, "root",
+      0.0,     "impact hammer"};
   return result;
 }
 
