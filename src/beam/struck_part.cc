@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kUniform = 0.02;
 constexpr double kAligned = 1e-3;  // [rad]
+constexpr int kFine = 12;          // parts of a cell: a round bar to 0.1 %
 
 bool is_uniform(const mesh::PartMesh<3>& mesh, const Vector3d& root,
                 const Vector3d& axis, double length, double area) {
@@ -37,7 +38,7 @@ std::optional<BarOfPart> bar_of_part(const mesh::PartMesh<3>& mesh,
   const double along = std::abs(axis.dot(direction));
   const bool is_rod = along > 1.0 - kAligned;
   if (!is_rod && along > kAligned) return std::nullopt;
-  const auto middle = mesh::cut(mesh, root + 0.5 * length * axis, axis);
+  const auto middle = mesh::cut(mesh, root + 0.5 * length * axis, axis, kFine);
   if (middle.pieces != 1 ||
       !is_uniform(mesh, root, axis, length, middle.area)) {
     return std::nullopt;

@@ -20,9 +20,6 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
-/// Subdivisions of a cell per direction.
-constexpr int kParts = 4;
-
 /// The six tetrahedra of a cube around its diagonal, by corner bits.
 constexpr std::array<std::array<int, 4>, 6> kTetrahedra = {{{0, 1, 3, 7},
                                                             {0, 1, 5, 7},
@@ -127,48 +124,50 @@ struct Subdivision {
   }
 };
 
-Index grid_index(const std::array<int, 3>& i) {
-  return i[0] + (kParts + 1) * (i[1] + Index(kParts + 1) * i[2]);
+Index grid_index(int parts, const std::array<int, 3>& i) {
+  return i[0] + (parts + 1) * (i[1] + Index(parts + 1) * i[2]);
 }
 
-Subdivision subdivide_hexahedron(int degree) {
-  constexpr int kRow = kParts + 1;
+Subdivision subdivide_hexahedron(int degree, int parts) {
+  const int row = parts + 1;
   Subdivision result;
-  result.to_even = lagrange(gauss_lobatto(degree),
-                            Eigen::VectorXd::LinSpaced(kRow, 0.0, 1.0))
-                       .value;
-  for (int cube = 0; cube < kParts * kParts * kParts; ++cube) {
+  result.to_even =
+      lagrange(gauss_lobatto(degree), Eigen::VectorXd::LinSpaced(row, 0.0, 1.0))
+          .value;
+  for (int cube = 0; cube < parts * parts * parts; ++cube) {
     for (const auto& tetrahedron : kTetrahedra) {
       auto& corners = result.tetrahedra.emplace_back();
       for (std::size_t v = 0; v < 4; ++v) {
         const int bits = tetrahedron[v];
-        corners[v] = grid_index({cube % kParts + (bits & 1),
-                                 cube / kParts % kParts + (bits >> 1 & 1),
-                                 cube / (kParts * kParts) + (bits >> 2 & 1)});
+        corners[v] =
+            grid_index(parts, {cube % parts + (bits & 1),
+                               cube / parts % parts + (bits >> 1 & 1),
+                               cube / (parts * parts) + (bits >> 2 & 1)});
       }
     }
   }
   for (std::size_t face = 0; face < 6; ++face) {
     auto& on = result.faces.emplace_back();
-    for (int q = 0; q < kRow * kRow; ++q) {
+    for (int q = 0; q < row * row; ++q) {
       std::array<int, 3> i{};
-      i[face / 2] = int(face % 2) * kParts;
-      i[(face / 2 + 1) % 3] = q % kRow;
-      i[(face / 2 + 2) % 3] = q / kRow;
-      on.push_back(grid_index(i));
+      i[face / 2] = int(face % 2) * parts;
+      i[(face / 2 + 1) % 3] = q % row;
+      i[(face / 2 + 2) % 3] = q / row;
+      on.push_back(grid_index(parts, i));
     }
   }
-  for (std::size_t j = 0; j < kRow; ++j) {
-    for (std::size_t i = 0; i < kParts; ++i) {
-      result.lines.emplace_back(i + kRow * j, i + 1 + kRow * j);
-      result.lines.emplace_back(j + kRow * i, j + kRow * (i + 1));
+  const auto ends = std::size_t(row);
+  for (std::size_t j = 0; j < ends; ++j) {
+    for (std::size_t i = 0; i + 1 < ends; ++i) {
+      result.lines.emplace_back(i + ends * j, i + 1 + ends * j);
+      result.lines.emplace_back(j + ends * i, j + ends * (i + 1));
     }
   }
   return result;
 }
 
-Subdivision subdivide_tetrahedron(int degree) {
-  const int parts = degree == 1 ? 1 : kParts;
+Subdivision subdivide_tetrahedron(int degree, int finest) {
+  const int parts = degree == 1 ? 1 : finest;
   Subdivision result;
   const auto lattice = simplex_lattice<3>(parts);
   SimplexPoints<3> even(3, Index(lattice.size()));
@@ -243,11 +242,12 @@ int count_pieces(const PartMesh<3>& mesh, const std::vector<Matrix3Xd>& cut,
 }  // namespace
 
 Section cut(const PartMesh<3>& mesh, const Vector3d& point,
-            const Vector3d& normal) {
+            const Vector3d& normal, int parts) {
   const Plane plane{point, normal.normalized()};
-  const Subdivision subdivision = mesh.shape == CellShape::kTensor
-                                      ? subdivide_hexahedron(mesh.degree)
-                                      : subdivide_tetrahedron(mesh.degree);
+  const Subdivision subdivision =
+      mesh.shape == CellShape::kTensor
+          ? subdivide_hexahedron(mesh.degree, parts)
+          : subdivide_tetrahedron(mesh.degree, parts);
   Section section;
   Sum sum(plane);
   std::vector<Matrix3Xd> cut_cells(mesh.cells.size());  // empty: not cut

@@ -57,6 +57,10 @@ TEST(Section, RingAcrossItsAxis) {
     far = std::max(far, r);
   }
   EXPECT_NEAR(far, 20e-3, 1e-8);
+  const Section fine =
+      cut(read("ring.msh"), {3e-3, 4e-3, 4.1e-3}, Vector3d::UnitZ(), 12);
+  EXPECT_NEAR(fine.area, area, 3e-3 / 9.0 * area);
+  EXPECT_NEAR(fine.second_moment(0, 0), second, 5e-3 / 9.0 * second);
 }
 
 TEST(Section, ABoreSplitsAPlateInTwo) {
