@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace clevis::mechanism {
 
@@ -11,52 +12,18 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Of the inverse of the method's matrix: the real eigenvalue, the pair.
-const double kReal = 30.0 / (6.0 + std::cbrt(81.0) - std::cbrt(9.0));
-const double kAlpha0 = (12.0 - std::cbrt(81.0) + std::cbrt(9.0)) / 60.0;
-const double kBeta0 =
-    (std::cbrt(81.0) + std::cbrt(9.0)) * std::sqrt(3.0) / 60.0;
-const double kNorm = kAlpha0 * kAlpha0 + kBeta0 * kBeta0;
-const double kAlpha = kAlpha0 / kNorm, kBeta = kBeta0 / kNorm;
-
-constexpr double kT[3][3] = {
-    {9.1232394870892942792e-02, -0.14125529502095420843,
-     -3.0029194105147424492e-02},
-    {0.24171793270710701896, 0.20412935229379993199, 0.38294211275726193779},
-    {0.96604818261509293619, 1.0, 0.0}};
-constexpr double kTInverse[3][3] = {
-    {4.3255798900631553510, 0.33919925181580986954, 0.54177053993587487119},
-    {-4.1787185915519047273, -0.32768282076106238708, 0.47662355450055045196},
-    {-0.50287263494578687595, 2.5719269498556054292, -0.59603920482822492497}};
-
 constexpr double kConverged = 0.003;
 
-/// Of the method's matrix.
-Eigen::Matrix3d inverse_matrix() {
-  Eigen::Matrix3d T, T_inverse, middle;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      T(i, j) = kT[i][j];
-      T_inverse(i, j) = kTInverse[i][j];
-    }
-  }
-  middle << kReal, 0.0, 0.0, 0.0, kAlpha, -kBeta, 0.0, kBeta, kAlpha;
-  return T * middle * T_inverse;
-}
-const Eigen::Matrix3d kInverse = inverse_matrix();
-
-void transform(const double (&matrix)[3][3], const Collocation::Stages& from,
-               Collocation::Stages& to) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    to[i] = matrix[i][0] * from[0] + matrix[i][1] * from[1] +
-            matrix[i][2] * from[2];
+/// to = table from, for the first `count` ones.
+void transform(const RadauMethod::Table& table, std::size_t count,
+               const Collocation::Stages& from, Collocation::Stages& to) {
+  for (std::size_t i = 0; i < count; ++i) {
+    to[i] = table[i][0] * from[0];
+    for (std::size_t j = 1; j < count; ++j) to[i] += table[i][j] * from[j];
   }
 }
 
 }  // namespace
-
-const double Collocation::kC1 = (4.0 - std::sqrt(6.0)) / 10.0;
-const double Collocation::kC2 = (4.0 + std::sqrt(6.0)) / 10.0;
 
 double weighted_norm(const VectorXd& error, const VectorXd& weights) {
   const auto n = static_cast<double>(error.size());
@@ -80,6 +47,11 @@ Collocation::Collocation(OdeSystem& system) : system_(system) {
   G_.setZero(n, efforts);
   L_.setZero(efforts, n);
   complex_scratch_.setZero(n);
+}
+
+void Collocation::use(const RadauMethod& method) {
+  if (method_ != &method) h_ = 0.0;
+  method_ = &method;
 }
 
 void Collocation::start(double t, const VectorXd& y, VectorXd& slope) {
@@ -151,41 +123,49 @@ void Collocation::from_axes(const VectorXd& y, Eigen::Ref<VectorXd> v) const {
 }
 
 bool Collocation::factor(double h) {
-  const std::complex<double> pair(kAlpha / h, kBeta / h);
-  real_matrix_ = -reduced_;
-  real_matrix_.diagonal().array() += kReal / h;
-  complex_matrix_ = -reduced_;
-  complex_matrix_.diagonal().array() += pair;
-  if (!real_matrix_.allFinite()) return false;
-  real_.compute(real_matrix_);
-  complex_.compute(complex_matrix_);
+  if (!reduced_.allFinite() || !(h > 0.0)) return false;
+  matrix_ = -reduced_;
+  matrix_.diagonal().array() += method_->real / h;
+  real_.compute(matrix_);
+  for (std::size_t k = 0; k < pairs(); ++k) {
+    complex_matrix_ = -reduced_;
+    complex_matrix_.diagonal().array() += method_->pairs[k] / h;
+    complex_[k].compute(complex_matrix_);
+  }
   ++factorisations_;
   h_ = h;
   return true;
 }
 
+/// Of w_, those of the pair.
+void Collocation::filter_pair(std::size_t pair, double h) {
+  VectorXd& u = w_[1 + 2 * pair];
+  VectorXd& v = w_[2 + 2 * pair];
+  complex_scratch_.real() = u;
+  complex_scratch_.imag() = v;
+  complex_along_.noalias() = to_tangents_ * complex_scratch_;
+  complex_along_ = complex_[pair].solve(complex_along_);
+  complex_scratch_.noalias() += B_.leftCols(tangents_) * complex_along_;
+  complex_scratch_ *= h / method_->pairs[pair];
+  u = complex_scratch_.real();
+  v = complex_scratch_.imag();
+}
+
 /// Takes the rates in f_, leaves the changes there.
 void Collocation::newton_step(const VectorXd& y, double h) {
-  const std::complex<double> pair(kAlpha / h, kBeta / h);
-  const auto B = B_.leftCols(tangents_);
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) f_[i] -= (kInverse(i, j) / h) * z_[j];
+  for (std::size_t i = 0; i < count(); ++i) {
+    for (std::size_t j = 0; j < count(); ++j) {
+      f_[i] -= (method_->inverse[i][j] / h) * z_[j];
+    }
     point_ = y + z_[i];
     to_axes(point_, f_[i]);
     f_[i].noalias() += G_ * rho_[i];
   }
-  transform(kTInverse, f_, w_);
+  transform(method_->T_inverse, count(), f_, w_);
   filter_in_axes(w_[0]);
-  complex_scratch_.real() = w_[1];
-  complex_scratch_.imag() = w_[2];
-  complex_along_.noalias() = to_tangents_ * complex_scratch_;
-  complex_along_ = complex_.solve(complex_along_);
-  complex_scratch_.noalias() += B * complex_along_;
-  complex_scratch_ /= pair;
-  w_[1] = complex_scratch_.real();
-  w_[2] = complex_scratch_.imag();
-  transform(kT, w_, f_);
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t k = 0; k < pairs(); ++k) filter_pair(k, h);
+  transform(method_->T, count(), w_, f_);
+  for (std::size_t i = 0; i < count(); ++i) {
     along_.noalias() = to_tangents_ * f_[i];
     phi_[i] += rho_[i];
     phi_[i].noalias() += L_.leftCols(tangents_) * along_;
@@ -195,51 +175,52 @@ void Collocation::newton_step(const VectorXd& y, double h) {
   }
 }
 
+void Collocation::accept() {
+  std::swap(kept_, phi_);
+  kept_method_ = method_;
+  phi_now_ = kept_[count() - 1];
+}
+
 void Collocation::guess_efforts() {
   for (VectorXd& phi : phi_) phi = phi_now_;
 }
 
-void Collocation::guess_efforts(const std::array<double, 3>& s) {
-  const double c[3] = {kC1, kC2, 1.0};
-  for (std::size_t i = 0; i < 3; ++i) {
+void Collocation::guess_efforts(const RadauMethod::Weights& s) {
+  for (std::size_t i = 0; i < count(); ++i) {
+    const RadauMethod::Weights weights = kept_method_->through_stages(s[i]);
     phi_[i].setZero();
-    for (std::size_t j = 0; j < 3; ++j) {
-      double weight = 1.0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (k != j) weight *= (s[i] - c[k]) / (c[j] - c[k]);
-      }
-      phi_[i] += weight * kept_[j];
+    for (std::size_t j = 0; j < kept_method_->count(); ++j) {
+      phi_[i] += weights[j] * kept_[j];
     }
   }
 }
 
 bool Collocation::solve(double t, const VectorXd& y, double h,
                         const VectorXd& weights) {
-  const double c[3] = {kC1, kC2, 1.0};
   double last = 0.0;
   contraction_ = 0.0;
-  for (iterations_ = 1; iterations_ <= kMostIterations; ++iterations_) {
-    for (std::size_t i = 0; i < 3; ++i) {
+  for (iterations_ = 1; iterations_ <= most_iterations(); ++iterations_) {
+    for (std::size_t i = 0; i < count(); ++i) {
       point_ = y + z_[i];
       system_.hold_efforts(&phi_[i]);
-      system_.rate(t + c[i] * h, point_, f_[i]);
+      system_.rate(t + method_->c[i] * h, point_, f_[i]);
       system_.efforts_by_law(rho_[i]);
       rho_[i] -= phi_[i];
     }
     system_.hold_efforts(nullptr);
-    evaluations_ += 3;
+    evaluations_ += method_->stages;
     newton_step(y, h);
     double size = 0.0;
-    for (const VectorXd& change : f_) {
-      size += std::pow(weighted_norm(change, weights), 2);
+    for (std::size_t i = 0; i < count(); ++i) {
+      size += std::pow(weighted_norm(f_[i], weights), 2);
     }
-    size = std::sqrt(size / 3.0);
+    size = std::sqrt(size / method_->stages);
     if (!std::isfinite(size)) return false;
     if (iterations_ > 1) {
       const double ratio = size / last;
       contraction_ = iterations_ == 2 ? ratio : std::sqrt(ratio * contraction_);
       if (contraction_ >= 0.99) return false;
-      const double left = kMostIterations - iterations_;
+      const double left = most_iterations() - iterations_;
       const double reachable =
           size * std::pow(contraction_, left) / (1.0 - contraction_);
       if (reachable > kConverged * 10.0) return false;
@@ -262,14 +243,14 @@ void Collocation::filter_in_axes(VectorXd& v) {
   along_.noalias() = to_tangents_ * v;
   along_ = real_.solve(along_);
   v.noalias() += B_.leftCols(tangents_) * along_;
-  v *= h_ / kReal;
+  v *= h_ / method_->real;
 }
 
 void Collocation::embedded(double h, VectorXd& sum) const {
-  static const double kE1 = -(13.0 + 7.0 * std::sqrt(6.0)) / 3.0;
-  static const double kE2 = (-13.0 + 7.0 * std::sqrt(6.0)) / 3.0;
-  constexpr double kE3 = -1.0 / 3.0;
-  sum = (kE1 / h) * z_[0] + (kE2 / h) * z_[1] + (kE3 / h) * z_[2];
+  sum = (method_->error[0] / h) * z_[0];
+  for (std::size_t i = 1; i < count(); ++i) {
+    sum += (method_->error[i] / h) * z_[i];
+  }
 }
 
 void Collocation::apply_jacobian(const VectorXd& v, VectorXd& result) {

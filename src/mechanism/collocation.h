@@ -9,19 +9,23 @@
 #include <Eigen/LU>
 
 #include "mechanism/ode_system.h"
+#include "mechanism/radau_method.h"
 
 namespace clevis::mechanism {
 
-/// The three stages of Radau IIA of order 5 over one step: z_i = y(t + c_i h)
-/// − y(t), c = (4 − √6)/10, (4 + √6)/10, 1. Simplified Newton in the
-/// coordinates w = T⁻¹ z in which the method's matrix is a real eigenvalue and
-/// a complex pair (Hairer, Wanner 1996, IV.8); along the tangents of the
-/// system alone, each stage in axes of its own.
+/// The stages z_i of Radau IIA over one step; see RadauMethod. Simplified
+/// Newton in the coordinates w = T⁻¹ z in which the method's matrix is a real
+/// eigenvalue and complex pairs (Hairer, Wanner 1996, IV.8); along the tangents
+/// of the system alone, each stage in axes of its own.
 class Collocation {
  public:
   explicit Collocation(OdeSystem& system);
 
-  using Stages = std::array<Eigen::VectorXd, 3>;
+  /// Those of the method count.
+  using Stages = std::array<Eigen::VectorXd, RadauMethod::kMostStages>;
+
+  void use(const RadauMethod& method);
+  const RadauMethod& method() const { return *method_; }
 
   /// Of the derivative of the rate: those of the state, or those that go along
   /// with it.
@@ -53,12 +57,9 @@ class Collocation {
   /// the ones of the last accept() goes on. @param s  time since the start of
   ///   its step, in such steps.
   void guess_efforts();
-  void guess_efforts(const std::array<double, 3>& s);
+  void guess_efforts(const RadauMethod::Weights& s);
   /// The stages are part of the motion: their last efforts hold from now on.
-  void accept() {
-    kept_ = phi_;
-    phi_now_ = phi_[2];
-  }
+  void accept();
   int iterations() const { return iterations_; }  ///< of the last solve()
   double contraction() const { return contraction_; }
   /// v ← (γ₀/h − J)⁻¹ v at y.
@@ -73,17 +74,21 @@ class Collocation {
   long evaluations() const { return evaluations_; }
   long factorisations() const { return factorisations_; }
 
-  static constexpr int kMostIterations = 8;
-  static const double kC1, kC2;
+  int most_iterations() const { return 2 + 2 * method_->stages; }
 
  private:
+  std::size_t count() const { return method_->count(); }
+  std::size_t pairs() const { return count() / 2; }
   void newton_step(const Eigen::VectorXd& y, double h);
+  void filter_pair(std::size_t pair, double h);
   void filter_in_axes(Eigen::VectorXd& v);
   void to_axes(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> v) const;
   void from_axes(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> v) const;
   void apply_jacobian(const Eigen::VectorXd& v, Eigen::VectorXd& result);
 
   OdeSystem& system_;
+  const RadauMethod* method_ = &radau_method(3);
+  const RadauMethod* kept_method_ = method_;  ///< of kept_
   Axes axes_ = Axes::kFixed;
   double h_ = 0.0;  ///< of the factors
   int iterations_{};
@@ -91,11 +96,11 @@ class Collocation {
   long evaluations_{}, factorisations_{};
   // J ≈ B T⁺, T the tangents: (γ − J)⁻¹ = (1 + B (γ − T⁺ B)⁻¹ T⁺) / γ
   Eigen::Index tangents_{};  ///< columns of T and B that count
-  Eigen::MatrixXd T_, B_, gram_, to_tangents_, reduced_, real_matrix_;
+  Eigen::MatrixXd T_, B_, gram_, to_tangents_, reduced_, matrix_;
   Eigen::MatrixXcd complex_matrix_;
   Eigen::LDLT<Eigen::MatrixXd> gram_factor_;
   Eigen::PartialPivLU<Eigen::MatrixXd> real_;
-  Eigen::PartialPivLU<Eigen::MatrixXcd> complex_;
+  std::array<Eigen::PartialPivLU<Eigen::MatrixXcd>, 3> complex_;
   Stages z_, w_, f_;
   // Efforts are unknowns beside z, so that Newton does not multiply what it
   // misjudges of a direction by the stiffness of what acts along it

@@ -4,7 +4,7 @@
 
 #include "mechanism/definition.h"
 #include "mechanism/dop853.h"
-#include "mechanism/radau5.h"
+#include "mechanism/radau.h"
 
 namespace clevis::mechanism {
 
@@ -40,7 +40,7 @@ class SwitchingIntegrator : public Integrator {
   void count();
 
   Dop853 explicit_;
-  Radau5 implicit_;
+  Radau implicit_;
   Integrator* active_;
   bool may_change_;
   long since_change_ = 0;  ///< steps

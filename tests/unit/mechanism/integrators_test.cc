@@ -7,7 +7,7 @@
 
 #include "mechanism/collocation.h"
 #include "mechanism/dop853.h"
-#include "mechanism/radau5.h"
+#include "mechanism/radau.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 
@@ -36,26 +36,63 @@ class Decay : public OdeSystem {
   double lambda_, tolerance_;
 };
 
-// The stability function, (1 + 2z/5 + z²/20)/(1 − 3z/5 + 3z²/20 − z³/60).
-TEST(Collocation, IsRadauIIAOfOrderFive) {
-  for (const double z : {-1e6, -30.0, -1.0, -0.1, 0.2}) {
-    Decay decay(z, 1e-3);
-    Collocation collocation(decay);
-    VectorXd y = VectorXd::Ones(1), slope(1), weights(1);
-    decay.rate(0.0, y, slope);
-    weights.setConstant(1e13);
-    collocation.linearise(0.0, y, slope, Collocation::Axes::kFixed);
-    ASSERT_TRUE(collocation.factor(1.0));
-    ASSERT_TRUE(collocation.solve(0.0, y, 1.0, weights)) << z;
-    const double known = (1.0 + z * (0.4 + z / 20.0)) /
-                         (1.0 + z * (-0.6 + z * (3.0 / 20.0 - z / 60.0)));
-    EXPECT_NEAR(1.0 + collocation.stages()[2][0], known, 1e-13) << z;
+/// Padé's approximation of e^z with degrees s − 1 over s.
+double pade(int s, double z) {
+  double above = 0.0, below = 0.0, term = 1.0, term_below = 1.0;
+  for (int k = 0; k <= s; ++k) {
+    if (k < s) above += term;
+    below += term_below;
+    term *= (s - 1.0 - k) / (2.0 * s - 1.0 - k) * z / (k + 1.0);
+    term_below *= -(s - k) / (2.0 * s - 1.0 - k) * z / (k + 1.0);
+  }
+  return above / below;
+}
+
+// The stability function of Radau IIA is Padé's.
+TEST(Collocation, IsRadauIIA) {
+  EXPECT_NEAR(pade(3, -1.0), (1.0 - 0.4 + 0.05) / (1.6 + 0.15 + 1.0 / 60.0),
+              1e-15);
+  for (const int stages : {3, 5, 7}) {
+    for (const double z : {-1e6, -30.0, -1.0, -0.1, 0.2}) {
+      Decay decay(z, 1e-3);
+      Collocation collocation(decay);
+      collocation.use(radau_method(stages));
+      VectorXd y = VectorXd::Ones(1), slope(1), weights(1);
+      collocation.start(0.0, y, slope);
+      weights.setConstant(1e13);
+      collocation.linearise(0.0, y, slope, Collocation::Axes::kFixed);
+      ASSERT_TRUE(collocation.factor(1.0));
+      ASSERT_TRUE(collocation.solve(0.0, y, 1.0, weights)) << z;
+      const Collocation::Stages& z_end = collocation.stages();
+      EXPECT_NEAR(1.0 + z_end[collocation.method().count() - 1][0],
+                  pade(stages, z), 1e-13)
+          << stages << " " << z;
+    }
   }
 }
 
-TEST(Radau5, StateWithinAStepIsAsAccurateAsItsEnd) {
+// The difference of the embedded formula, unfiltered: 0 for polynomials of the
+// degree it is exact for, not for one more.
+TEST(RadauMethod, ErrorIsOfItsOrder) {
+  for (const int stages : {3, 5, 7}) {
+    const RadauMethod& method = radau_method(stages);
+    for (int degree = 1; degree <= stages + 1; ++degree) {
+      double error = degree == 1 ? 1.0 : 0.0;  // the slope at the start
+      for (std::size_t i = 0; i < method.count(); ++i) {
+        error += method.error[i] * std::pow(method.c[i], degree);
+      }
+      if (degree <= stages) {
+        EXPECT_NEAR(error, 0.0, 1e-11) << stages << " " << degree;
+      } else {
+        EXPECT_GT(std::abs(error), 1e-4) << stages;
+      }
+    }
+  }
+}
+
+TEST(Radau, StateWithinAStepIsAsAccurateAsItsEnd) {
   Decay decay(-1.0, 1e-8);
-  Radau5 radau(decay);
+  Radau radau(decay);
   VectorXd y = VectorXd::Ones(1);
   radau.restart(0.0, y, 0.0);
   double polynomial = 0.0, exact = 0.0;

@@ -5,20 +5,21 @@
 
 namespace clevis::mechanism {
 
-/// Implicit Runge–Kutta method Radau IIA of order 5, stiffly accurate, with
-/// step control as in RADAU5 (Hairer, Wanner 1996, IV.8).
-class Radau5 : public Integrator {
+/// Implicit Runge–Kutta method Radau IIA, stiffly accurate, of five stages, or
+/// of seven where errors allowed are small, with step control as in RADAU5
+/// (Hairer, Wanner 1996, IV.8).
+class Radau : public Integrator {
  public:
-  explicit Radau5(OdeSystem& system);
+  explicit Radau(OdeSystem& system);
 
   void restart(double t, const Eigen::VectorXd& y, double step) override;
   bool step(double limit) override;
   double t_start() const override { return t_start_; }
   double t() const override { return t_; }
   const Eigen::VectorXd& y() const override { return y_; }
-  /// The collocation polynomial, of order 3.
+  /// The collocation polynomial, of as many orders as there are stages.
   void interpolate(double t, Eigen::VectorXd& y) override;
-  /// A step of its own from t_start(), of order 5.
+  /// A step of its own from t_start(), of the order of steps.
   void state_at(double t, Eigen::VectorXd& y) override;
   void correct(const Eigen::VectorXd& y) override;
   /// Steps are so short that an explicit method would be stable.
@@ -40,6 +41,7 @@ class Radau5 : public Integrator {
   };
 
   void guess_stages(double h);
+  void take_polynomial(double s, Eigen::VectorXd& z) const;
   double attempt(double h, bool careful);
   double error(double h, bool careful);
   void accept(double h, double error, double limit, bool rejected);
@@ -56,7 +58,8 @@ class Radau5 : public Integrator {
   int easy_steps_{};
   Eigen::VectorXd y_start_, y_, weights_, slope_, trial_slope_, scratch_,
       embedded_;
-  std::array<Eigen::VectorXd, 4> dense_;  ///< Newton's form from the end
+  const RadauMethod* last_method_;  ///< of the last step
+  Collocation::Stages dense_;       ///< of the last step
 };
 
 }  // namespace clevis::mechanism

@@ -1,8 +1,9 @@
-#include "mechanism/radau5.h"
+#include "mechanism/radau.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace clevis::mechanism {
 
@@ -20,10 +21,15 @@ constexpr double kGoodContraction = 0.1;
 constexpr double kShorter = 0.5, kLonger = 1.25;
 // How fast axes that did worse become worth another trial.
 constexpr double kForget = 0.9;
+// Seven stages pay where steps may err by less than this part of the scale.
+constexpr double kFine = 2e-9;
 
 }  // namespace
 
-Radau5::Radau5(OdeSystem& system) : system_(system), collocation_(system) {
+Radau::Radau(OdeSystem& system)
+    : system_(system),
+      collocation_(system),
+      last_method_(&collocation_.method()) {
   const int n = system.size();
   for (VectorXd* v : {&y_start_, &y_, &weights_, &slope_, &trial_slope_,
                       &scratch_, &embedded_}) {
@@ -32,24 +38,27 @@ Radau5::Radau5(OdeSystem& system) : system_(system), collocation_(system) {
   for (VectorXd& d : dense_) d.setZero(n);
 }
 
-Collocation::Axes Radau5::AxesChoice::choose() {
+Collocation::Axes Radau::AxesChoice::choose() {
   const std::size_t other = 1 - at;
   slowness[other] *= kForget;
   if (slowness[other] < slowness[at]) at = other;
   return at == 0 ? Collocation::Axes::kFixed : Collocation::Axes::kMoving;
 }
 
-void Radau5::count() {
+void Radau::count() {
   counts_.evaluations = collocation_.evaluations();
   counts_.factorisations = collocation_.factorisations();
 }
 
-void Radau5::restart(double t, const VectorXd& y, double step) {
+void Radau::restart(double t, const VectorXd& y, double step) {
   t_ = t_start_ = t;
   y_ = y_start_ = y;
   collocation_.start(t, y_, slope_);
   stale_slope_ = false;
   system_.error_weights(y_, weights_);
+  system_.scales(y_, scratch_);
+  const double digits = weights_.cwiseProduct(scratch_).maxCoeff();
+  collocation_.use(radau_method(digits > 1.0 / kFine ? 7 : 5));
   has_past_ = false;
   refresh_ = true;
   easy_steps_ = 0;
@@ -67,27 +76,34 @@ void Radau5::restart(double t, const VectorXd& y, double step) {
   h_ = fastest > 0.0 ? 1e-4 / fastest : 1e-4;
 }
 
-void Radau5::guess_stages(double h) {
+/// Of the last step, at s steps since its start: what y has changed by.
+void Radau::take_polynomial(double s, VectorXd& z) const {
+  const RadauMethod::Weights weights = last_method_->at(s);
+  z = weights[0] * dense_[0];
+  for (std::size_t j = 1; j < last_method_->count(); ++j) {
+    z += weights[j] * dense_[j];
+  }
+}
+
+void Radau::guess_stages(double h) {
   Collocation::Stages& z = collocation_.stages();
+  const RadauMethod& method = collocation_.method();
   if (!has_past_) {
-    for (VectorXd& stage : z) stage.setZero();
+    for (std::size_t i = 0; i < method.count(); ++i) z[i].setZero();
     collocation_.guess_efforts();
     return;
   }
   // the last polynomial goes on
-  const double c[3] = {Collocation::kC1, Collocation::kC2, 1.0};
-  std::array<double, 3> since{};
-  for (std::size_t i = 0; i < 3; ++i) since[i] = 1.0 + c[i] * h / last_h_;
-  collocation_.guess_efforts(since);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double s = c[i] * h / last_h_;
-    z[i] = s * (dense_[1] +
-                (s - (Collocation::kC2 - 1.0)) *
-                    (dense_[2] + (s - (Collocation::kC1 - 1.0)) * dense_[3]));
+  RadauMethod::Weights since{};
+  for (std::size_t i = 0; i < method.count(); ++i) {
+    since[i] = 1.0 + method.c[i] * h / last_h_;
+    take_polynomial(since[i], z[i]);
+    z[i] -= dense_[last_method_->count() - 1];
   }
+  collocation_.guess_efforts(since);
 }
 
-double Radau5::error(double h, bool careful) {
+double Radau::error(double h, bool careful) {
   collocation_.embedded(h, embedded_);
   scratch_ = embedded_ + slope_;
   collocation_.filter(y_, scratch_);
@@ -102,7 +118,7 @@ double Radau5::error(double h, bool careful) {
 }
 
 /// Error of a step h over the allowed one; infinite without convergence.
-double Radau5::attempt(double h, bool careful) {
+double Radau::attempt(double h, bool careful) {
   constexpr double kFailed = std::numeric_limits<double>::infinity();
   if (refresh_) {
     if (stale_slope_) collocation_.slope(t_, y_, slope_);
@@ -122,36 +138,32 @@ double Radau5::attempt(double h, bool careful) {
   return std::isfinite(err) ? err : kFailed;
 }
 
-void Radau5::judge_stiffness(double h) {
+void Radau::judge_stiffness(double h) {
   const bool easy = h * collocation_.stiffness() < kEasy;
   easy_steps_ = easy ? easy_steps_ + 1 : 0;
 }
 
-void Radau5::accept(double h, double err, double limit, bool rejected) {
-  const Collocation::Stages& z = collocation_.stages();
-  const double c1 = Collocation::kC1, c2 = Collocation::kC2;
+void Radau::accept(double h, double err, double limit, bool rejected) {
   const double newton = collocation_.iterations();
-  constexpr double kMost = Collocation::kMostIterations;
+  const double most = collocation_.most_iterations();
   const double safe =
-      std::min(kSafe, kSafe * (1.0 + 2.0 * kMost) / (newton + 2.0 * kMost));
-  double quotient = std::clamp(std::pow(err, 0.25) / safe, 0.125, 5.0);
-  if (has_past_) {
+      std::min(kSafe, kSafe * (1.0 + 2.0 * most) / (newton + 2.0 * most));
+  const double power = 1.0 / collocation_.method().order_of_error();
+  double quotient = std::clamp(std::pow(err, power) / safe, 0.125, 5.0);
+  if (has_past_ && last_method_ == &collocation_.method()) {
     const double predicted =
-        last_h_ / h * std::pow(err * err / last_error_, 0.25) / kSafe;
+        last_h_ / h * std::pow(err * err / last_error_, power) / kSafe;
     quotient = std::max(quotient, std::clamp(predicted, 0.125, 5.0));
   }
   last_error_ = std::max(1e-2, err);
   last_h_ = h;
   collocation_.accept();
   has_past_ = true;
-  dense_[1] = (z[1] - z[2]) / (c2 - 1.0);
-  scratch_ = (z[0] - z[1]) / (c1 - c2);
-  dense_[2] = (scratch_ - dense_[1]) / (c1 - 1.0);
-  dense_[3] = dense_[2] - (scratch_ - z[0] / c1) / c2;
+  std::swap(dense_, collocation_.stages());
+  last_method_ = &collocation_.method();
   t_start_ = t_;
   y_start_ = y_;
-  y_ += z[2];
-  dense_[0] = y_;
+  y_ += dense_[last_method_->count() - 1];
   t_ = t_ + h >= limit ? limit : t_ + h;
   collocation_.slope(t_, y_, slope_);
   stale_slope_ = false;
@@ -167,7 +179,7 @@ void Radau5::accept(double h, double err, double limit, bool rejected) {
   h_ = keep ? h : next;
 }
 
-bool Radau5::step(double limit) {
+bool Radau::step(double limit) {
   const double shortest = 16.0 * std::numeric_limits<double>::epsilon() *
                           std::max(std::abs(t_), std::abs(limit));
   bool rejected = false;
@@ -188,7 +200,8 @@ bool Radau5::step(double limit) {
     rejected = true;
     ++counts_.rejected;
     if (std::isfinite(err)) {
-      h_ = h / std::clamp(std::pow(err, 0.25) / kSafe, 1.1, 5.0);
+      const double power = 1.0 / collocation_.method().order_of_error();
+      h_ = h / std::clamp(std::pow(err, power) / kSafe, 1.1, 5.0);
       if (!has_past_) h_ = 0.1 * h;
     } else {
       h_ = kShorter * h;
@@ -206,37 +219,35 @@ bool Radau5::step(double limit) {
   }
 }
 
-void Radau5::interpolate(double t, VectorXd& y) {
-  const double s = (t - t_) / (t_ - t_start_);
-  y = dense_[0] +
-      s * (dense_[1] +
-           (s - (Collocation::kC2 - 1.0)) *
-               (dense_[2] + (s - (Collocation::kC1 - 1.0)) * dense_[3]));
+void Radau::interpolate(double t, VectorXd& y) {
+  take_polynomial((t - t_start_) / (t_ - t_start_), y);
+  y += y_start_;
 }
 
-void Radau5::state_at(double t, VectorXd& y) {
+void Radau::state_at(double t, VectorXd& y) {
   const double h = t - t_start_;
   if (t >= t_) {
-    y = dense_[0];
+    interpolate(t_, y);
     return;
   }
   interpolate(t, y);
   if (!(h > 0.0)) return;
+  const RadauMethod& next = collocation_.method();
+  collocation_.use(*last_method_);
   Collocation::Stages& z = collocation_.stages();
-  const double c[3] = {Collocation::kC1, Collocation::kC2, 1.0};
-  std::array<double, 3> since{};
-  for (std::size_t i = 0; i < 3; ++i) since[i] = c[i] * h / (t_ - t_start_);
-  collocation_.guess_efforts(since);
-  for (std::size_t i = 0; i < 3; ++i) {
-    interpolate(t_start_ + c[i] * h, z[i]);
-    z[i] -= y_start_;
+  RadauMethod::Weights since{};
+  for (std::size_t i = 0; i < last_method_->count(); ++i) {
+    since[i] = last_method_->c[i] * h / (t_ - t_start_);
+    take_polynomial(since[i], z[i]);
   }
+  collocation_.guess_efforts(since);
   const bool solved = collocation_.factor(h) &&
                       collocation_.solve(t_start_, y_start_, h, weights_);
-  if (solved) y = y_start_ + z[2];
+  if (solved) y = y_start_ + z[last_method_->count() - 1];
+  collocation_.use(next);
 }
 
-double Radau5::largest_eigenvalue(double t, const VectorXd& y) {
+double Radau::largest_eigenvalue(double t, const VectorXd& y) {
   collocation_.start(t, y, trial_slope_);
   collocation_.linearise(t, y, trial_slope_, Collocation::Axes::kFixed);
   refresh_ = true;
@@ -244,7 +255,7 @@ double Radau5::largest_eigenvalue(double t, const VectorXd& y) {
   return collocation_.largest_eigenvalue();
 }
 
-void Radau5::correct(const VectorXd& y) {
+void Radau::correct(const VectorXd& y) {
   scratch_ = y - y_;
   const bool matters = weighted_norm(scratch_, weights_) > 0.01;
   y_ = y;
