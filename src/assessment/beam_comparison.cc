@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "assessment/verdict.h"
 #include "beam/beam_estimate.h"
 
@@ -27,6 +29,12 @@ BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
       comparison.buckling_safety = estimate.buckling_safety;
     }
   }
+  // of blows the held section's stress in time is no beam theory
+  if (job.impacts.empty() && result.held.value > comparison.peak_stress) {
+    comparison.peak_stress = result.held.value;
+    comparison.governing = fmt::format(
+        "section {} by its support's force and moment", result.held.group);
+  }
   if (comparison.peak_stress > 0.0) {
     comparison.ratio_fe_to_beam =
         judged_peak(result).value / comparison.peak_stress;
@@ -34,10 +42,15 @@ BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
   const bool held = std::ranges::any_of(job.load_sets, [](const LoadSet& set) {
     return !set.fixed.empty();
   });
-  comparison.reason =
-      held ? "supports by `fixed` have reactions that beam theory does not see "
-             "here: it covers lug formulas only"
-           : explain_ratio(judged_peak(result), comparison);
+  if (comparison.peak_stress > 0.0 || !held) {
+    comparison.reason = explain_ratio(judged_peak(result), comparison);
+  } else {
+    comparison.reason =
+        job.impacts.empty()
+            ? "the supports by `fixed` are no plane sections, and no formula "
+              "of lugs applies"
+            : "the beam models of a blow stand in its own table";
+  }
   return comparison;
 }
 

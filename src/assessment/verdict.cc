@@ -228,12 +228,20 @@ const PeakStress& judged_peak(const PartResult& result) {
                                               : result.peak_outside;
 }
 
+// What one limit cannot tell another may: a part fails by any of them.
 void judge(const part::PartDefinition& part, PartResult& result) {
-  if (!judge_stress(part, result) || !judge_nominal(part, result) ||
-      !judge_buckling(part, result) || !judge_deflection(part, result)) {
-    return;
+  std::string open;
+  for (const auto holds :
+       {judge_stress, judge_nominal, judge_buckling, judge_deflection}) {
+    if (holds(part, result)) continue;
+    if (result.verdict == PartVerdict::kFail) return;
+    if (open.empty()) open = result.why;
   }
-  set(result, PartVerdict::kPass, left_out(part, result));
+  if (open.empty()) {
+    set(result, PartVerdict::kPass, left_out(part, result));
+  } else {
+    set(result, PartVerdict::kNotJudged, open);
+  }
 }
 
 std::string explain_ratio(const PeakStress& peak, const BeamComparison& beam) {
@@ -252,7 +260,7 @@ std::string explain_ratio(const PeakStress& peak, const BeamComparison& beam) {
           "\"{}\"",
           group, ratio, beam.governing);
     }
-    if (group.starts_with("round_")) {
+    if (group.starts_with("round_") || group.starts_with("fillet")) {
       return fmt::format(
           "the change of section at {} concentrates the stress by {:.2f}",
           group, ratio);

@@ -63,6 +63,39 @@ TEST(PartCheck, SolidAndPlaneModelAgreeWhereBothAreExact) {
   EXPECT_NEAR(result.peak.value, 10e6, 1.0);
 }
 
+// Clamped at x0 and bent at x1: beam theory's section is the held one.
+TEST(PartCheck, HeldSectionIsBeamTheorys) {
+  PartJob job = pulled_bar();
+  job.part.limits.exclude_singular_zones = true;
+  LoadSet& set = job.load_sets[0];
+  set.fixed = {{"x0", {true, true, true}}};
+  auto& loads = set.history.instants[0].surface_loads;
+  loads.erase(loads.begin());
+  loads[0].traction = Vector3d(0.0, 5e6, 0.0);
+  loads[0].resultant.force = 0.01 * 0.004 * loads[0].traction;
+  loads[0].resultant.moment =
+      Vector3d(0.06, 0.005, 0.002).cross(loads[0].resultant.force);
+  const double bent = 6.0 * 200.0 * 0.06 / (0.004 * 0.01 * 0.01);
+  const auto check = [&](double allowed, double tolerance = 0.05) {
+    job.tolerance = tolerance;
+    job.part.limits.safety_factor = 300e6 / allowed;
+    return check_part(job).result;
+  };
+  const PartResult result = check(1.01 * bent);
+  EXPECT_NEAR(result.held.value, bent, 1e-6 * bent);
+  EXPECT_LT(result.held.band_high - result.held.band_low, 1e-6 * bent);
+  EXPECT_EQ(result.held.label, "pull");
+  EXPECT_EQ(result.beam.peak_stress, result.held.value);
+  EXPECT_LT(judged_peak(result).band_high, bent);
+  EXPECT_EQ(result.verdict, PartVerdict::kPass) << result.why;
+  const PartResult failed = check(0.99 * bent);
+  EXPECT_EQ(failed.verdict, PartVerdict::kFail);
+  EXPECT_TRUE(failed.why.starts_with("nominal stress")) << failed.why;
+  // though the elements have not settled beside the edge
+  EXPECT_EQ(check(0.99 * bent, 1e-3).verdict, PartVerdict::kFail);
+  EXPECT_EQ(check(1.01 * bent, 1e-3).verdict, PartVerdict::kNotJudged);
+}
+
 TEST(PartCheck, EvenPressureIsNoStress) {
   PartJob job = pulled_bar();
   auto& loads = job.load_sets[0].history.instants[0].surface_loads;

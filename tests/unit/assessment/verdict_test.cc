@@ -126,6 +126,19 @@ TEST(Verdict, SingularPartFailsByItsStressElsewhere) {
             PartVerdict::kFail);
 }
 
+TEST(Verdict, OneLimitFailsWhereAnotherCannotBeJudged) {
+  part::PartDefinition part = steel_part();
+  part.limits.deflection = 1e-3;
+  PartResult open = with_zone(149e6, 150e6, 151e6);
+  open.deflection = 0.9e-3;
+  EXPECT_EQ(judged(part, open).verdict, PartVerdict::kNotJudged);
+  EXPECT_NE(judged(part, open).why.find("notch"), std::string::npos);
+  open.deflection = 1.1e-3;
+  const PartResult failed = judged(part, open);
+  EXPECT_EQ(failed.verdict, PartVerdict::kFail);
+  EXPECT_TRUE(failed.why.starts_with("deflection")) << failed.why;
+}
+
 TEST(Verdict, PartWithoutAnyStressIsNotJudged) {
   const PartResult result = judged(steel_part(), converged(0.0, 0.0, 0.0));
   EXPECT_EQ(result.verdict, PartVerdict::kNotJudged);
