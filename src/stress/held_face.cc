@@ -1,11 +1,8 @@
 #include "stress/held_face.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "elasticity/dense_product.h"
@@ -13,61 +10,15 @@
 #include "elasticity/stiffness.h"
 #include "elasticity/supports.h"
 #include "stress/cell_field.h"
+#include "stress/plane_section.h"
 
 namespace clevis::stress {
 namespace {
 
 using Eigen::Index;
-using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
-
-/// A plane face as the section of a bar.
-struct Section {
-  Vector3d centroid, normal;  ///< [m]; outward
-  double area{};              ///< [m²]
-  Matrix3d flexibility;  ///< inverse, in the plane, of ∫ r rᵀ dA [1/m⁴]
-  double polar{};        ///< ∫ r² dA [m⁴]
-};
-
-/// Inverse of the second moments in the directions that the face has.
-Matrix3d inverse_in_plane(const Matrix3d& moments) {
-  constexpr double kNone = 1e-9;
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(moments);
-  Vector3d inverse = Vector3d::Zero();
-  for (int k = 0; k < 3; ++k) {
-    if (axes.eigenvalues()[k] > kNone * axes.eigenvalues()[2]) {
-      inverse[k] = 1.0 / axes.eigenvalues()[k];
-    }
-  }
-  return axes.eigenvectors() * inverse.asDiagonal() *
-         axes.eigenvectors().transpose();
-}
-
-/// None if the faces of the group are not in one plane.
-std::optional<Section> section_of(const elasticity::GroupTrace& trace) {
-  constexpr double kPlane = 1e-6;
-  const Matrix3Xd& points = trace.quadrature.points;
-  const Eigen::VectorXd& weights = trace.quadrature.weights;
-  if (weights.size() == 0) return std::nullopt;
-  Section section;
-  section.area = weights.sum();
-  section.centroid = points * weights / section.area;
-  section.normal = (trace.outward * weights).normalized();
-  const Matrix3Xd arms = points.colwise() - section.centroid;
-  const double size = arms.colwise().norm().maxCoeff();
-  const Eigen::RowVectorXd along = section.normal.transpose() * arms;
-  const bool is_plane =
-      along.cwiseAbs().maxCoeff() <= kPlane * size &&
-      (trace.outward.colwise() - section.normal).colwise().norm().maxCoeff() <=
-          kPlane;
-  if (!is_plane) return std::nullopt;
-  const Matrix3d moments = arms * weights.asDiagonal() * arms.transpose();
-  section.polar = moments.trace();
-  section.flexibility = inverse_in_plane(moments);
-  return section;
-}
 
 /// ∫ σ ∇N dV of cells.
 template <int dim>
@@ -154,28 +105,6 @@ Resultants reactions(const elasticity::DisplacementBasis<dim>& basis,
   return sum;
 }
 
-/// Largest von Mises of the section's states per instant [Pa].
-Eigen::VectorXd nominal_stress(const Section& section, const Matrix3Xd& force,
-                               const Matrix3Xd& moment, const Matrix3Xd& at) {
-  const Matrix3Xd arms = at.colwise() - section.centroid;
-  const Eigen::ArrayXd far = arms.colwise().norm().transpose().array();
-  Eigen::VectorXd nominal(force.cols());
-  for (Index i = 0; i < force.cols(); ++i) {
-    const Vector3d n = section.normal, f = force.col(i), m = moment.col(i);
-    const double axial = f.dot(n) / section.area;
-    const double shear = (f - f.dot(n) * n).norm() / section.area;
-    const Vector3d slope = section.flexibility * n.cross(m);
-    const Eigen::ArrayXd bent =
-        axial + (slope.transpose() * arms).transpose().array();
-    const double twist = m.dot(n) / section.polar;
-    const double at_nodes =
-        (bent.square() + 3.0 * (twist * far).square()).maxCoeff();
-    nominal[i] =
-        std::sqrt(std::max(at_nodes, axial * axial + 3.0 * shear * shear));
-  }
-  return nominal;
-}
-
 }  // namespace
 
 template <int dim>
@@ -192,7 +121,7 @@ std::vector<HeldFace> held_faces(
     if (held == fixed.end()) continue;
     elasticity::FaceTables<dim> tables;
     const auto section =
-        section_of(elasticity::group_trace(discretization, g, tables));
+        plane_section(elasticity::group_trace(discretization, g, tables));
     if (!section) continue;
     const auto nodes = elasticity::group_nodes<dim>(discretization, g);
     Matrix3Xd at = Matrix3Xd::Constant(3, static_cast<Index>(nodes.size()),
