@@ -39,7 +39,8 @@ void DynamicChangePoints::start(const InitialState& initial,
                                 const VectorXd& y) {
   freedom_ = initial.freedom;
   rank_ = initial.rank;
-  state_ = rate_ = y;
+  state_ = y;
+  restart(y);
   last_speed_ = dynamics_.turning_speed(y);
   const ConstraintSystem& system = dynamics_.system();
   watch_.emplace(system.rows(), system.columns(), rank_, settings_.tolerance);
@@ -49,23 +50,38 @@ void DynamicChangePoints::start(const InitialState& initial,
   if (watch_->start(jacobian, 0.0)) note(0.0, state_);
 }
 
-void DynamicChangePoints::look(Integrator& integrator, double until) {
+void DynamicChangePoints::look(Integrator& integrator, double until,
+                               const VectorXd& end) {
   if (!has_loops_) return;  // the rows of a tree never depend on one another
+  path_.follow(integrator, until, end);
   const auto jacobian = [&](double t, MatrixXd& J) {
-    if (t == integrator.t()) {
-      state_ = integrator.y();  // without the cost of dense output
-    } else {
-      integrator.interpolate(t, state_);
-    }
-    dynamics_.jacobian(t, state_, J);
+    dynamics_.jacobian(t, path_.state_at(t), J);
   };
   // by the speeds at both ends, which may be passed in between
   constexpr double kPassed = 2.0;
-  const double speed = dynamics_.turning_speed(integrator.y());
+  const double speed = dynamics_.turning_speed(end);
   const double fastest = kPassed * std::max(speed, last_speed_);
   last_speed_ = speed;
-  for (const double t : watch_->look(jacobian, until, fastest)) {
-    integrator.state_at(t, state_);
+  note_all(watch_->look(jacobian, until, fastest));
+  const std::vector<double>& awaited = watch_->awaited();
+  std::erase_if(candidates_, [&](const Candidate& candidate) {
+    return std::ranges::find(awaited, candidate.t) == awaited.end();
+  });
+  for (const double t : awaited) {
+    if (std::ranges::find(candidates_, t, &Candidate::t) == candidates_.end()) {
+      candidates_.push_back({t, path_.state_at(t)});
+    }
+  }
+}
+
+void DynamicChangePoints::finish() {
+  if (has_loops_) note_all(watch_->finish());
+}
+
+void DynamicChangePoints::note_all(const std::vector<double>& zeros) {
+  for (const double t : zeros) {
+    const auto known = std::ranges::find(candidates_, t, &Candidate::t);
+    state_ = known == candidates_.end() ? path_.state_at(t) : known->state;
     note(t, state_);
   }
 }

@@ -10,6 +10,7 @@
 #include "mechanism/initial_state.h"
 #include "mechanism/motion.h"
 #include "mechanism/rank_watch.h"
+#include "mechanism/watched_path.h"
 
 namespace clevis::mechanism {
 
@@ -31,13 +32,19 @@ class DynamicChangePoints {
         frame_(frame),
         dynamics_(dynamics),
         equilibrium_(equilibrium),
-        has_loops_(!frame.is_tree || !frame.couplings.empty()) {}
+        has_loops_(!frame.is_tree || !frame.couplings.empty()),
+        path_(dynamics) {}
 
   /// @throws Error K005 if the motion starts at one and must stop there.
   void start(const InitialState& initial, const Eigen::VectorXd& y);
   /// Looks from the last time to `until` in the integrator's last step.
+  /// @param end  the state there as the motion goes on from it, corrected.
   /// @throws Error K005.
-  void look(Integrator& integrator, double until);
+  void look(Integrator& integrator, double until, const Eigen::VectorXd& end);
+  /// The motion ends.
+  void finish();
+  /// The motion goes on from y.
+  void restart(const Eigen::VectorXd& y) { path_.restart(y); }
 
   /// Rank of the Jacobian at general positions.
   int rank() const { return rank_; }
@@ -54,6 +61,7 @@ class DynamicChangePoints {
   std::vector<ChangePoint> among(const std::vector<Instant>& instants) &&;
 
  private:
+  void note_all(const std::vector<double>& zeros);
   void note(double t, Eigen::VectorXd& y);
 
   const MechanismDefinition& definition_;
@@ -65,8 +73,14 @@ class DynamicChangePoints {
   int freedom_{}, rank_{};
   double last_speed_{};  ///< ForwardDynamics::turning_speed() [1/s]
   std::optional<RankWatch> watch_;
+  struct Candidate {
+    double t{};
+    Eigen::VectorXd state;
+  };
+  std::vector<Candidate> candidates_;  ///< that the watch awaits
   std::vector<ChangePoint> points_;
-  Eigen::VectorXd state_, rate_;
+  WatchedPath path_;
+  Eigen::VectorXd state_;
 };
 
 }  // namespace clevis::mechanism

@@ -98,6 +98,7 @@ void DynamicRun::pass(const EventFinder::Event& event) {
   sample_until(t);
   state_at(t, y_);
   dynamics_.project(t, y_);  // what stuck rests, without round-off
+  change_points_.look(integrator_, t, y_);
   dynamics_.event_values(t, y_, event_values_);
   ForceModel& forces = dynamics_.forces();
   const std::vector<int> before = forces.modes();
@@ -129,6 +130,7 @@ void DynamicRun::restart(double t) {
   events_.start(t, y_);
   if (peaks_) peaks_->restart(t, y_);
   if (sampler_) sampler_->restart(t, y_);
+  change_points_.restart(y_);
   integrator_.restart(t, y_, dynamics_.first_step(t, y_));
 }
 
@@ -145,8 +147,6 @@ Motion DynamicRun::run() {
     if (peaks_) {
       peaks_->look(integrator_, event.index < 0 ? integrator_.t() : event.t);
     }
-    change_points_.look(integrator_,
-                        event.index < 0 ? integrator_.t() : event.t);
     impacts_.look(integrator_, event.index < 0 ? integrator_.t() : event.t);
     if (sampler_) add_wanted(event.index < 0 ? integrator_.t() : event.t);
     if (event.index >= 0) {
@@ -158,6 +158,7 @@ Motion DynamicRun::run() {
     require_closed(integrator_.t(), dynamics_.project(integrator_.t(), y_));
     dynamics_.accept(integrator_.t(), y_);
     dynamics_.note_speed(y_);
+    change_points_.look(integrator_, integrator_.t(), y_);
     integrator_.correct(y_);
     note_energy(y_);
     require_resisting_friction();
@@ -165,6 +166,7 @@ Motion DynamicRun::run() {
       pass_bend(limit);
     }
   }
+  change_points_.finish();
   require_energy_balance();
   const StepCounts& counts = integrator_.counts();
   motion_.integration = IntegrationSummary{

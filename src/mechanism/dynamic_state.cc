@@ -80,6 +80,17 @@ void ForwardDynamics::place(double t, const VectorXd& y) {
   system_.place(x_, placed_);
 }
 
+void ForwardDynamics::put_position_rates(const VectorXd& y,
+                                         VectorXd& rates) const {
+  if (planar_) rates.head(positions_) = u_.head(positions_);
+  for (std::size_t i = 1; i < x_.size() && !planar_; ++i) {
+    const auto at = static_cast<Index>(7 * (i - 1));
+    rates.segment<3>(at) = twists_[i].v;
+    rates.segment<4>(at + 3) =
+        quaternion_rate(y.segment<4>(at + 3), 0.5 * twists_[i].w);
+  }
+}
+
 /// Angles near the true ones, which say how often a joint has turned: in the
 /// plane the bodies' own angles tell, in space the rates since the last
 /// accepted state.
@@ -225,6 +236,14 @@ double ForwardDynamics::correct_positions(double t, VectorXd& y) {
     // the factor at hand serves unless the gap was large
     if (gap > 1e-6 * length_) factor();
   }
+}
+
+double ForwardDynamics::gap(double t, const VectorXd& y) {
+  place(t, y);
+  set_targets(t);
+  if (system_.rows() == 0) return 0.0;
+  system_.residual(placed_, targets_, residual_);
+  return residual_.head(system_.rows()).lpNorm<Eigen::Infinity>();
 }
 
 double ForwardDynamics::project(double t, VectorXd& y) {

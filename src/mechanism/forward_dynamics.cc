@@ -213,13 +213,8 @@ void ForwardDynamics::rate(double t, const VectorXd& y, VectorXd& rate) {
   for (std::size_t i = 1; i < x_.size(); ++i) {
     power +=
         wrenches_[i].v.dot(twists_[i].v) + wrenches_[i].w.dot(twists_[i].w);
-    if (planar_) continue;
-    const auto at = static_cast<Index>(7 * (i - 1));
-    rate.segment<3>(at) = twists_[i].v;
-    rate.segment<4>(at + 3) =
-        quaternion_rate(y.segment<4>(at + 3), 0.5 * twists_[i].w);
   }
-  if (planar_) rate.head(positions_) = u_.head(positions_);
+  put_position_rates(y, rate);
   rate.segment(positions_, system_.columns()) =
       acceleration_.head(system_.columns());
   for (Index i = system_.joint_rows(); i < system_.rows(); ++i) {

@@ -151,6 +151,14 @@ class ForwardDynamics : public OdeSystem {
   std::optional<BranchMotion> branch_motion(double t, const Eigen::VectorXd& y,
                                             int freedom);
   double kinetic_energy(const Eigen::VectorXd& y);
+  /// Fills the rates of the positions alone.
+  void position_rates(double t, const Eigen::VectorXd& y,
+                      Eigen::VectorXd& rates) {
+    place(t, y);
+    put_position_rates(y, rates);
+  }
+  /// Largest gap of joints and drives [m], turns × length.
+  double gap(double t, const Eigen::VectorXd& y);
   /// Largest speed of an unknown over the length [1/s].
   double turning_speed(const Eigen::VectorXd& y) const {
     return y.segment(positions_, system_.columns()).lpNorm<Eigen::Infinity>() /
@@ -165,6 +173,8 @@ class ForwardDynamics : public OdeSystem {
 
  private:
   void place(double t, const Eigen::VectorXd& y);
+  void put_position_rates(const Eigen::VectorXd& y,
+                          Eigen::VectorXd& rates) const;
   void set_targets(double t);
   void count_turns(double t, const Eigen::VectorXd& y);
   double turned_since(std::size_t j, double t, const Eigen::VectorXd& y) const;

@@ -1,13 +1,15 @@
 // Change points that integrated motions pass.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
-#include "mechanism/rank_watch.h"
 #include "mechanism/simulate.h"
 #include "support/four_bar.h"
 #include "support/free_linkages.h"
@@ -161,44 +163,118 @@ TEST(DynamicChangePoint, IsFoundAmongRedundantConstraints) {
   EXPECT_NEAR(motion.change_points[0].t, 0.5, 1e-8);
 }
 
-// Rows cos t, sin t and a fixed one: dependent where cos t = 0; by steps of
-// half a turn and more.
-TEST(RankWatch, FindsZerosOfLongSteps) {
-  const auto jacobian = [](double t, Eigen::MatrixXd& J) {
-    J << std::cos(t), std::sin(t), 0.0, 1.0;
-  };
-  for (const double step : {0.1, 1.0, 2.0, 3.0}) {
-    RankWatch watch(2, 2, 2);
-    EXPECT_FALSE(watch.start(jacobian, 0.0));
-    std::vector<double> found;
-    for (double t = step; t < 30.0; t += step) {
-      for (const double zero : watch.look(jacobian, t)) found.push_back(zero);
+/// Windows of equal cranks without weight, coasting or turned by a moment.
+struct Parallelograms {
+  double crank{}, base{}, angle{}, rate{};
+  double acceleration{};  ///< [rad/s²]
+  double tolerance{};
+  int windows = 1;
+  bool spatial = false;
+};
+
+MechanismDefinition linkage(const Parallelograms& p) {
+  MechanismDefinition m;
+  if (p.spatial) m.dimension = SpaceDimension::kSpatial;
+  const Vector3d arm =
+      p.crank * Vector3d(std::cos(p.angle), std::sin(p.angle), 0.0);
+  const int n = p.windows;
+  double inertia = 0.0;  // of the cranks, then of what they carry around
+  for (int k = 0; k <= n; ++k) {
+    const Vector3d foot(k * p.base, 0.0, 0.0);
+    m.bodies.push_back(testing::uniform_bar("crank", foot, p.angle, p.crank));
+    inertia += p.crank * p.crank / 3.0;
+  }
+  for (int k = 0; k < n; ++k) {
+    m.bodies.push_back(testing::uniform_bar(
+        "bar", Vector3d(k * p.base, 0.0, 0.0) + arm, 0.0, p.base));
+    inertia += p.crank * p.crank;
+  }
+  for (int k = 0; k <= n; ++k) {
+    m.joints.push_back(testing::pin("A", kGround, k, k * p.base, 0.0));
+  }
+  for (int k = 0; k < n; ++k) {
+    m.joints.push_back(testing::pin("B", k, n + 1 + k, p.crank, 0.0));
+    m.joints.push_back(testing::pin("C", n + 1 + k, k + 1, p.base, p.crank));
+  }
+  m.initial_joints = {
+      {.joint = 0, .position = {}, .rate = p.rate, .place = "initial"}};
+  if (p.acceleration != 0.0) {
+    m.forces.push_back(
+        {.body = 0, .t_W = {0.0, 0.0, p.acceleration * inertia}});
+  }
+  return m;
+}
+
+/// When the cranks stand in the line of their feet.
+std::vector<double> passes(const Parallelograms& p, double duration) {
+  std::vector<double> times;
+  for (int k = -100; k <= 100; ++k) {
+    const double way = k * std::numbers::pi - p.angle;
+    if (p.acceleration == 0.0) {
+      times.push_back(way / p.rate);
+      continue;
     }
-    ASSERT_GE(found.size(), 8u) << step;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      EXPECT_NEAR(found[i], (static_cast<double>(i) + 0.5) * std::numbers::pi,
-                  1e-12);
-    }
+    const double square = p.rate * p.rate + 2.0 * p.acceleration * way;
+    if (square < 0.0) continue;
+    times.push_back((-p.rate + std::sqrt(square)) / p.acceleration);
+    times.push_back((-p.rate - std::sqrt(square)) / p.acceleration);
+  }
+  std::erase_if(times, [&](double t) {
+    return t <= 0.0 || t >= duration;
+  });
+  std::ranges::sort(times);
+  return times;
+}
+
+void expect_every_pass(const Parallelograms& p) {
+  constexpr double kDuration = 2.0;
+  const Motion motion = simulate(
+      linkage(p),
+      {.duration = kDuration, .instants = 5, .tolerance = p.tolerance});
+  const std::vector<double> times = passes(p, kDuration);
+  ASSERT_EQ(motion.change_points.size(), times.size())
+      << p.angle << " " << p.rate << " " << p.tolerance;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    EXPECT_NEAR(motion.change_points[i].t, times[i], p.tolerance) << p.rate;
   }
 }
 
-// There and back within one step: the directions end as they began.
-TEST(RankWatch, FindsAShortExcursion) {
-  const auto jacobian = [](double t, Eigen::MatrixXd& J) {
-    J << 1.0, 1.01 - std::sin(t) * 1.02, 1.0, 0.0;
+// Scenes whose steps end beside a change point, or whose dense output is wrong
+// there by a hundred times the tolerance.
+TEST(DynamicChangePoint, EveryPassOfParallelogramsIsListedOnce) {
+  constexpr double kHalf = 0.5 * std::numbers::pi;
+  const Parallelograms all[] = {
+      {1.0, 1.0, kHalf, 1.0, 0.0, 1e-4},
+      {1.0, 1.0, kHalf, 1.0, 0.0, 1e-5},
+      {1.0, 1.0, kHalf, -6.0, 0.0, 1e-3},
+      {1.0, 1.0, -2.2176532294535525, -8.80915707810213, -12.912, 1e-6},
+      {1.0, 2.0, 2.0629086705056174, -9.783022929616289, 0.0, 1e-4},
+      {0.5, 0.3, -1.526038907910043, 22.400739604064146, 0.0, 1e-5},
+      {1.0, 2.0, -2.7488297678127735, 36.95012644959753, 0.0, 1e-3},
+      {1.0, 1.0, 2.356266551823995, 17.416657982485912, -31.35577047481337,
+       1e-5},
+      {0.1, 1.0, 0.8975818400312701, -1.46367392057364, 0.0, 1e-6, 1, true},
+      {0.5, 1.0, -0.8795826164541545, 29.085179240900217, 0.0, 1e-4, 1, true},
+      {1.0, 0.3, -2.28587665755735, -30.721931137255936, 0.0, 1e-6, 2},
+      {1.0, 0.3, -2.4529303522384964, -6.461707069488, 0.0, 1e-6, 2},
+      {0.5, 1.0, -1.2538642981171502, 27.731716430521757, -30.995172037481822,
+       1e-4, 2},
+      {0.5, 0.3, -0.13838580144457868, -11.37873945289035, 0.0, 1e-5, 2, true},
   };
-  RankWatch watch(2, 2, 2);
-  EXPECT_FALSE(watch.start(jacobian, 0.0));
-  EXPECT_EQ(watch.look(jacobian, 3.0).size(), 2u);
-}
-
-TEST(RankWatch, SaysIfItStartsThere) {
-  const auto jacobian = [](double t, Eigen::MatrixXd& J) {
-    J << 1.0, t, 1.0, 0.0;
+  for (const Parallelograms& p : all) expect_every_pass(p);
+  std::mt19937 random(4);
+  const auto draw = [&](double from, double to) {
+    return from + (to - from) * static_cast<double>(random()) / 4294967295.0;
   };
-  RankWatch watch(2, 2, 2);
-  EXPECT_TRUE(watch.start(jacobian, 0.0));
-  EXPECT_TRUE(watch.look(jacobian, 1.0).empty());
+  for (int k = 0; k < 24; ++k) {
+    expect_every_pass({.crank = draw(0.3, 1.0),
+                       .base = draw(0.3, 2.0),
+                       .angle = draw(-3.0, 3.0),
+                       .rate = std::pow(10.0, draw(0.0, 1.6)),
+                       .acceleration = k % 2 == 0 ? 0.0 : draw(-40.0, 40.0),
+                       .tolerance = std::pow(10.0, -3 - k % 4),
+                       .spatial = k % 3 == 0});
+  }
 }
 
 }  // namespace
