@@ -4,6 +4,9 @@
 #include <bit>
 #include <cmath>
 
+#include "assessment/impact_rows.h"
+#include "assessment/sampled_peak.h"
+
 namespace clevis::assessment {
 namespace {
 
@@ -21,6 +24,8 @@ VectorXd highest_near(const VectorXd& values, Index window) {
   return result;
 }
 
+constexpr double kSettled = 0.05;
+constexpr int kMoreShapes = 2;    // a cusp's top settles after its impulse
 constexpr double kFastest = 2.0;  // cusps lose in proportion to the front
 
 /// What is left of an error whose last two changes are given.
@@ -28,6 +33,31 @@ double left_over(double change, double before, double slowest) {
   if (change == 0.0) return 0.0;
   const double falls = std::clamp(std::abs(before / change), slowest, kFastest);
   return std::abs(change) / (falls - 1.0);
+}
+
+struct Left {
+  double below{}, above{};
+};
+
+/// What `error` and a cusp between the samples leave of a judged value.
+/// @param curve  by the same fronts and more shapes.
+Left left_of(const FrontError& error, const VectorXd& curve, double judged) {
+  const double scale = curve.maxCoeff() / judged;
+  return {std::max(error.below, 1.0 - scale * (1.0 - error.below)),
+          std::max(0.0, scale * (1.0 + error.above) - 1.0) +
+              rise_between_samples(curve) / judged};
+}
+
+/// @param peaks  of each sample, by the fronts.
+void name_rival(const std::vector<VectorXd>& peaks, double time, Index at,
+                Index window, FrontRefinement& found) {
+  std::vector<double> stress;
+  for (const VectorXd& by_front : peaks) {
+    stress.push_back(highest_near(by_front, window)[at]);
+  }
+  if (stress.back() == found.stress.back()) return;
+  found.rival_time = time;
+  found.rival = stress;
 }
 
 }  // namespace
@@ -81,7 +111,11 @@ FrontError front_error(const VectorXd& one, const VectorXd& two,
   FrontError error;
   for (Index i = 0; i < a.size(); ++i) {
     const double left = left_over(a[i] - b[i], b[i] - c[i], slowest);
-    error.above = std::max(error.above, (a[i] + left) / peak - 1.0);
+    const double above = (a[i] + left) / peak - 1.0;
+    if (above > error.above) {
+      error.above = above;
+      error.at = i;
+    }
     if (a[i] == peak && a[i] < b[i]) {
       error.below = std::max(error.below, left / peak);
     }
@@ -91,11 +125,18 @@ FrontError front_error(const VectorXd& one, const VectorXd& two,
 }
 
 template <int dim>
+double stress_of_lost_energy(const StruckRun<dim>& run) {
+  const auto& solution = run.response.solution;
+  const double carried =
+      std::min(1.0, 2.0 * solution.damping_time / solution.rise_time);
+  return carried * std::sqrt(solution.run.energy_error) / run.factor;
+}
+
+template <int dim>
 FrontRefinement refine_front(const PartJob& job, const ImpactJob& impact,
                              const std::vector<stress::SingularZone>& zones,
                              int degree, const StruckRun<dim>& judged,
                              StruckFaces<dim>& faces) {
-  constexpr double kSettled = 0.05;
   const double front = judged.response.solution.damping_time;
   auto& face = faces.get(job, impact, degree);
   FrontRefinement found;
@@ -108,13 +149,13 @@ FrontRefinement refine_front(const PartJob& job, const ImpactJob& impact,
     found.deflection.push_back(
         stress::largest_deflection<dim>(response.basis).value);
   };
-  for (const double times : {4.0, 2.0}) {
+  for (const double times : {4.0, 2.0, 1.0}) {
     ImpactJob longer = impact;
     longer.front = times * front;
-    add(face.solve(impact.strike,
-                   strike_options(job, dynamics::Route::kModal, longer)));
+    auto options = strike_options(job, dynamics::Route::kModal, longer);
+    if (times == 1.0) options.fewest_modes *= kMoreShapes;
+    add(face.solve(impact.strike, options));
   }
-  add(judged.response);
   const auto& time = judged.response.motion().time;
   const auto window =
       static_cast<int>(std::ceil(4.0 * front / (time[1] - time[0])));
@@ -122,15 +163,24 @@ FrontRefinement refine_front(const PartJob& job, const ImpactJob& impact,
       slowest_fall(judged.response.solution.rise_time / front);
   const FrontError error =
       front_error(peaks[2], peaks[1], peaks[0], window, slowest);
-  found.below = error.below;
-  found.above = error.above;
+  const auto bar = bar_of(job, impact);
+  const double of_energy =
+      bar && bar->is_rod ? 0.0 : stress_of_lost_energy(judged);
+  const Left left = left_of(error, peaks[2], judged.stress);
+  found.below = left.below;
+  found.above = left.above + of_energy;
   if (roots[2].size() > 0) {
-    const FrontError of_root =
-        front_error(roots[2], roots[1], roots[0], window, slowest);
+    const Left of_root =
+        left_of(front_error(roots[2], roots[1], roots[0], window, slowest),
+                roots[2], judged.root.value);
     found.root_below = of_root.below;
-    found.root_above = of_root.above;
+    found.root_above = of_root.above + of_energy;
   }
-  found.settles = error.below + error.above < kSettled;
+  found.settles = found.below + found.above < kSettled;
+  found.degree = degree;
+  if (left.above > of_energy) {
+    name_rival(peaks, time[error.at], error.at, window, found);
+  }
   return found;
 }
 
@@ -139,6 +189,7 @@ FrontRefinement refine_front(const PartJob& job, const ImpactJob& impact,
                                      const part::Material&, int);           \
   template bool makes_fronts<dim>(const StruckRun<dim>&);                   \
   template bool is_hard<dim>(const StruckRun<dim>&);                        \
+  template double stress_of_lost_energy<dim>(const StruckRun<dim>&);        \
   template FrontRefinement refine_front<dim>(                               \
       const PartJob&, const ImpactJob&,                                     \
       const std::vector<stress::SingularZone>&, int, const StruckRun<dim>&, \

@@ -28,6 +28,7 @@ bool is_hard(const StruckRun<dim>& run);
 /// What the length of a front makes of the largest stress.
 struct FrontError {
   double below{}, above{};  ///< of it [1]
+  Eigen::Index at{};        ///< the sample that `above` is of
 };
 
 /// By how much changes fall at the least when the front's length h does by
@@ -49,8 +50,19 @@ double slowest_fall(double rise);
 FrontError front_error(const Eigen::VectorXd& one, const Eigen::VectorXd& two,
                        const Eigen::VectorXd& four, int window, double slowest);
 
-/// The blow with fronts twice and four times as long beside the one that is
-/// judged. Its stress settles if the front leaves it less than 5 % of error.
+/// By how much the energy that the damping of fronts took might stress a bent
+/// part more [1]: its waves run apart, so the law of fronts may fail, and a
+/// striker that bounces makes ever new ones. As strain in the shape at rest the
+/// part ε of the blow's energy stresses √ε times as F_eq does; of contacts that
+/// rise in t_c, more than two fronts h, 2 h/t_c of that is counted, for the
+/// rest is carried.
+template <int dim>
+double stress_of_lost_energy(const StruckRun<dim>& run);
+
+/// The blow with fronts four times, twice and as long as those of the one that
+/// is judged, the last by twice the fewest shapes; what is not along a rod may
+/// have stress_of_lost_energy() more. Its stress settles if less than 5 % of
+/// error are left.
 /// @param judged  by that degree with front_of_mesh().
 /// @throws Error of StruckFace.
 template <int dim>

@@ -132,6 +132,8 @@ ImpactJob lengthened(const PartJob& job, const ImpactJob& given,
   }
   result.later_stress = later.spans[last].stress;
   result.later_deflection = later.spans[last].deflection;
+  result.swing_stress = later.swing_stress;
+  result.swing_deflection = later.swing_deflection;
   return impact;
 }
 
@@ -222,7 +224,7 @@ Computed compute(const PartJob& job, const ImpactJob& given,
   found.stiffness = stiffness;
   found.times = {.time = fine.response.motion().time,
                  .telling = fine.telling,
-                 .error = fine.response.solution.error(),
+                 .error = fine.error_in_time(),
                  .front = front,
                  .below = fronts.below,
                  .above = fronts.above,

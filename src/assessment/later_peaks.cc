@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "assessment/free_swing.h"
 #include "dynamics/strike_steps.h"
 #include "stress/deflection.h"
 
@@ -86,11 +87,11 @@ LaterPeaks look_later(const PartJob& job, const ImpactJob& impact,
   ImpactJob followed = impact;
   followed.strike.duration = found.looked_for;
   const int samples = longer * kSamplesPerDuration;
-  const auto basis =
+  const auto response =
       faces.get(job, impact, degree)
           .solve(followed.strike,
-                 few_shapes(job.part.damping, samples, impact.front))
-          .basis;
+                 few_shapes(job.part.damping, samples, impact.front));
+  const auto& basis = response.basis;
   const auto sample_at = [&](double t) {
     return std::min(
         samples, static_cast<int>(std::ceil(t / found.looked_for * samples)));
@@ -113,6 +114,13 @@ LaterPeaks look_later(const PartJob& job, const ImpactJob& impact,
   for (std::size_t i = 0; i < ends.size(); ++i) {
     found.spans.push_back(until[i].span(ends[i], all));
     if (found.spans.back().holds_all()) break;
+  }
+  const double free_from = response.motion().release_time;
+  if (free_from >= 0.0 && job.part.damping == 0.0) {
+    const FreeSwing swing = largest_swing<dim>(basis, job.part.material, zones,
+                                               sample_at(free_from));
+    found.swing_stress = swing.stress / all.stress;
+    found.swing_deflection = swing.deflection / all.deflection;
   }
   return found;
 }

@@ -21,6 +21,9 @@ struct LaterPeaks {
   /// The given duration; else the default and twice and four times that, as
   /// far as later peaks are larger.
   std::vector<BlowSpan> spans;
+  /// Of a part that swings freely without damping: what it comes to at the
+  /// most, whenever, over the largest until `looked_for`; else 0 [1].
+  double swing_stress{}, swing_deflection{};
 };
 
 /// Follows a blow for twice its default or given duration, where a force goes

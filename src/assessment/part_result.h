@@ -103,6 +103,11 @@ struct FrontRefinement {
   /// Likewise of the nominal stress of the held faces [1].
   double root_below{}, root_above{};
   bool settles = true;  ///< the stress
+  int degree{};         ///< of the elements
+  /// Where `above` is not that of the peak: the time whose stress may outgrow
+  /// it [s], and that stress by each front [Pa]; else empty.
+  double rival_time{};
+  std::vector<double> rival;
 };
 
 /// A blow on a part by all models.
@@ -116,6 +121,9 @@ struct ImpactResult {
   /// Largest after the time that is judged over the largest in it, by few
   /// shapes; in the bands [1].
   double later_stress = 1.0, later_deflection = 1.0;
+  /// What its free swing comes to at the most, whenever, over the largest until
+  /// `looked_for`; 0: the part has damping, or the striker presses on [1].
+  double swing_stress{}, swing_deflection{};
   bool is_cut = false;    ///< its given duration ends while the striker presses
   double part_mass{};     ///< [kg]
   double first_period{};  ///< of the part's vibration along the blow [s]

@@ -1,5 +1,7 @@
 #include "report/part_impact_output.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -54,11 +56,18 @@ std::string refinement_of(const ImpactResult& impact) {
     }
     return text;
   };
+  const std::string rival = tried.rival.empty()
+                                ? ""
+                                : fmt::format(" (for at {:.4g} ms it goes {})",
+                                              tried.rival_time / kMillisecond,
+                                              list(tried.rival, 1e6, "{:.4g}"));
   return fmt::format(
-      "stress {} MPa with fronts of {} us, the last that the mesh carries: "
-      "{:.2g} % more and {:.2g} % less are left, {}; deflection {} mm",
-      list(tried.stress, 1e6, "{:.4g}"), list(tried.fronts, 1e-6, "{:.3g}"),
-      kPercent * tried.above, kPercent * tried.below,
+      "by p = {} stress {} MPa with fronts of {} us, the last that the mesh "
+      "carries: {:.2g} % more{} and {:.2g} % less are left, {}; deflection {} "
+      "mm",
+      tried.degree, list(tried.stress, 1e6, "{:.4g}"),
+      list(tried.fronts, 1e-6, "{:.3g}"), kPercent * tried.above, rival,
+      kPercent * tried.below,
       tried.settles ? "settles"
                     : "DOES NOT SETTLE: mesh finer along the wave's way, "
                       "compare deflections, or give the contact its stiffness",
@@ -75,6 +84,25 @@ std::string later_peaks_of(const ImpactResult& impact) {
       impact.later_deflection,
       impact.force > 0.0 ? ": a force presses on, give the part its damping"
                          : "");
+}
+
+/// What the free swing may come to, over the judged value; 0: no more.
+double swing_over(double swing, double later) {
+  constexpr double kMore = 1.02;
+  return swing > kMore ? swing * later : 0.0;
+}
+
+std::string swing_of(const ImpactResult& impact) {
+  const double stress = swing_over(impact.swing_stress, impact.later_stress);
+  const double way =
+      swing_over(impact.swing_deflection, impact.later_deflection);
+  if (stress == 0.0 && way == 0.0) return "";
+  return fmt::format(
+      "without damping its free swing comes to {:#.4g} MPa and {:#.4g} mm at "
+      "the most, whenever (sum of its shapes), which is not judged: give the "
+      "part its damping",
+      megapascals(impact.stress) * std::max(1.0, stress),
+      millimetres(impact.deflection) * std::max(1.0, way));
 }
 
 std::string table_of(const ImpactResult& impact, Colour colour) {
@@ -106,6 +134,8 @@ std::string table_of(const ImpactResult& impact, Colour colour) {
   if (impact.root.value > 0.0) table.add_note(held_section_text(impact.root));
   const std::string later = later_peaks_of(impact);
   if (!later.empty()) table.add_note(later);
+  const std::string swing = swing_of(impact);
+  if (!swing.empty()) table.add_note(swing);
   const std::string refinement = refinement_of(impact);
   if (!refinement.empty()) table.add_note(refinement);
   return table.text(colour);
@@ -168,6 +198,10 @@ ordered_json row_json(const ImpactRow& row) {
   return json;
 }
 
+ordered_json ratio_or_null(double ratio) {
+  return ratio > 0.0 ? ordered_json(ratio) : ordered_json();
+}
+
 ordered_json refinement_json(const assessment::FrontRefinement& tried) {
   if (tried.stress.empty()) return {};
   ordered_json steps = ordered_json::array();
@@ -176,7 +210,8 @@ ordered_json refinement_json(const assessment::FrontRefinement& tried) {
                      {"stress_MPa", megapascals(tried.stress[i])},
                      {"deflection_mm", millimetres(tried.deflection[i])}});
   }
-  return {{"stress_settles", tried.settles},
+  return {{"degree", tried.degree},
+          {"stress_settles", tried.settles},
           {"left_above_percent", kPercent * tried.above},
           {"left_below_percent", kPercent * tried.below},
           {"steps", steps}};
@@ -224,6 +259,8 @@ ordered_json part_impacts_json(const PartResult& part) {
          {"looked_for_s", i.looked_for},
          {"later_stress_ratio", i.later_stress},
          {"later_deflection_ratio", i.later_deflection},
+         {"free_swing_stress_ratio", ratio_or_null(i.swing_stress)},
+         {"free_swing_deflection_ratio", ratio_or_null(i.swing_deflection)},
          {"safety_factor", i.safety_factor},
          {"reason", i.reason},
          {"refinement", refinement_json(i.refinement)},

@@ -48,13 +48,13 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImpactRow, model, stress, nominal, face,
                                    deflection, error, seconds, ratio, remark)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrontRefinement, fronts, stress, deflection,
                                    below, above, root_below, root_above,
-                                   settles)
+                                   settles, degree, rival_time, rival)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     ImpactResult, name, source, mass, speed, force, stiffness, exponent,
     is_ideal, part_mass, first_period, looked_for, later_stress,
-    later_deflection, load_duration, rise_time, peak_force, beam_factor,
-    dynamic_factor, stress, band_low, band_high, root, deflection,
-    deflection_low, deflection_high, deflection_at, deflection_time,
+    later_deflection, swing_stress, swing_deflection, load_duration, rise_time,
+    peak_force, beam_factor, dynamic_factor, stress, band_low, band_high, root,
+    deflection, deflection_low, deflection_high, deflection_at, deflection_time,
     safety_factor, reason, refinement, rows)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LoadPace, impact, duration, rise_time, ratio,
                                    amplification, treatment)

@@ -1,6 +1,7 @@
 #include "report/result_reader.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@
 #include "base/errors.h"
 #include "report/json_node.h"
 #include "report/json_text.h"
+#include "report/part_impact_reader.h"
 #include "report/result_json.h"
 #include "report/transmission_reader.h"
 
@@ -65,6 +67,7 @@ Subject part_subject(const Node& part) {
   if (beam.has("buckling_safety")) {
     subject.values["buckling_safety"] = beam.at("buckling_safety").number();
   }
+  add_held_section(part, subject);
   return subject;
 }
 
@@ -135,6 +138,9 @@ std::vector<Subject> check_subjects(const Node& document) {
   }
   for (const Node& part : document.at("parts").elements()) {
     subjects.push_back(part_subject(part));
+    for (Subject& subject : impact_subjects(part)) {
+      subjects.push_back(std::move(subject));
+    }
     for (const Node& probe : part.at("probes").elements()) {
       subjects.push_back(probe_subject(part.at("name").text(), probe));
     }

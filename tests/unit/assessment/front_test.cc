@@ -12,6 +12,7 @@
 
 #include "assessment/front_refinement.h"
 #include "assessment/impact_check.h"
+#include "assessment/sampled_peak.h"
 #include "support/plate_job.h"
 #include "support/rod_peak.h"
 #include "support/structured_mesh.h"
@@ -68,6 +69,23 @@ TEST(FrontError, WhatOvershootsIsLeftBelow) {
   EXPECT_NEAR(101.0 * (1.0 - error.below), 100.0, 1e-9);
 }
 
+TEST(SampledPeak, SmoothTopsAndCuspsBetweenSamples) {
+  for (double shift = 0.0; shift < 1.0; shift += 0.05) {
+    VectorXd smooth(41), cusp(41);
+    for (Index i = 0; i <= 40; ++i) {
+      const double x = static_cast<double>(i) - 20.0 - shift;
+      smooth[i] = std::cos(0.1 * x);
+      cusp[i] = 1.0 + (x < 0.0 ? 0.02 * x : -0.03 * x);
+    }
+    const double smooth_left = 1.0 - smooth.maxCoeff();
+    EXPECT_GE(rise_between_samples(smooth) + 3e-6, smooth_left) << shift;
+    EXPECT_LT(rise_between_samples(smooth), 2e-3) << shift;
+    EXPECT_GE(rise_between_samples(cusp) + 1e-12, 1.0 - cusp.maxCoeff())
+        << shift;
+    EXPECT_LT(rise_between_samples(cusp), 0.013) << shift;
+  }
+}
+
 /// A bar along x without Poisson's ratio, held at x0: a rod, of cells that grow
 /// along it by a power.
 PartJob rod(int cells, double power) {
@@ -88,6 +106,19 @@ PartJob rod(int cells, double power) {
     job.groups.push_back(geometry);
   }
   return job;
+}
+
+// A hundredth of the energy lost is a tenth of the stress at rest; half of it
+// where the contact rises in four fronts.
+TEST(LostEnergy, StressesAsItWouldAtRest) {
+  StruckRun<3> run;
+  run.factor = 1.25;
+  run.response.solution.run.energy_error = 0.01;
+  run.response.solution.damping_time = 1e-6;
+  run.response.solution.rise_time = 2e-6;
+  EXPECT_NEAR(stress_of_lost_energy(run), 0.1 / 1.25, 1e-12);
+  run.response.solution.rise_time = 4e-6;
+  EXPECT_NEAR(stress_of_lost_energy(run), 0.05 / 1.25, 1e-12);
 }
 
 /// Mass ratios and rises Z/k over the wave's time through the rod; 0: ideal.

@@ -18,6 +18,7 @@
 #include "dynamics/contact_law.h"
 #include "dynamics/damped_scheme.h"
 #include "dynamics/excited_shapes.h"
+#include "support/damped_blow.h"
 #include "support/dense_system.h"
 #include "support/rod_peak.h"
 
@@ -191,6 +192,41 @@ TEST(Strike, UnilateralContactSpringsOnACantilever) {
   EXPECT_NEAR(over_formula(1e6, 5.4), 0.72, 5e-3);
   EXPECT_NEAR(over_formula(1e6, 20), 0.69, 5e-3);
   EXPECT_NEAR(over_formula(1e6, 100), 0.66, 5e-3);
+}
+
+/// 50 g at 1 m/s: several touches, and modes that lose at unlike paces. Both
+/// without and with the damping of fronts, which leaves these waves alone.
+TEST(Strike, DampedModesAgainstRungeAndKutta) {
+  const StruckCantilever rod;
+  const MatrixXd k = support::without_first(rod.beam.stiffness(), 2);
+  const MatrixXd m = support::without_first(rod.beam.mass(), 2);
+  const VectorXd tip = VectorXd::Unit(2 * rod.elements, 2 * rod.elements - 2);
+  const double h = StruckCantilever::kLength / rod.elements;
+  MatrixXd moment = MatrixXd::Zero(1, 2 * rod.elements);
+  moment(0, 0) = 6.0 * rod.beam.bending_stiffness / (h * h);
+  moment(0, 1) = -2.0 * rod.beam.bending_stiffness / h;
+  const auto system = support::dense_system(k, m);
+  constexpr double kDuration = 1e-3;
+  for (const double damping : {0.01, 0.05, 0.2}) {
+    const auto exact = support::damped_blow(
+        k, m, tip, moment, {0.05, 1.0, 1e7, damping}, kDuration, 16);
+    for (const double front : {0.0, 2e-7}) {
+      auto options = options_of(Route::kModal, 4000);
+      options.modal_damping = damping;
+      options.front_time = front;
+      options.damping =
+          front > 0.0 ? dynamics::Damping::kFronts : dynamics::Damping::kNone;
+      const auto found = dynamics::solve_strike(
+          system, tip, strike_of(0.05, 1.0, {1e7, 1.0, false}, kDuration),
+          options, "test");
+      const VectorXd root =
+          moment(0, 0) * row_of(found, 0) + moment(0, 1) * row_of(found, 1);
+      EXPECT_NEAR(found.run.peak_force / exact.force, 1.0, 2e-3) << damping;
+      EXPECT_NEAR(found.run.peak_contact / exact.way, 1.0, 1e-3) << damping;
+      EXPECT_NEAR(root.cwiseAbs().maxCoeff() / exact.largest[0], 1.0, 2e-3)
+          << damping;
+    }
+  }
 }
 
 /// The tip takes the striker's speed at once: the root moment rises with every
