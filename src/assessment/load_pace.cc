@@ -4,12 +4,24 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
+
 #include "elasticity/eigenmodes.h"
 
 namespace clevis::assessment {
 namespace {
 
 constexpr double kSlow = 0.10, kShort = 0.25;
+
+/// Of a part's first vibration along its longest way: 2 l/√(E/ρ) [s]. What is
+/// over before the part bends may still run along it and meet its like.
+double period_of_waves(const PartJob& job) {
+  Eigen::AlignedBox3d box;
+  for (const auto& vertex : job.mesh.vertices) box.extend(vertex);
+  return 2.0 * box.sizes().maxCoeff() *
+         std::sqrt(job.part.material.density /
+                   job.part.material.youngs_modulus);
+}
 
 }  // namespace
 
@@ -47,7 +59,7 @@ double pulse_amplification(double duration_over_period,
 }
 
 bool wants_elements_in_time(const LoadPace& pace) {
-  return pace.ratio >= kShort && pace.amplification > 1.0 + kSlow;
+  return pace.amplification > 1.0 + kSlow;
 }
 
 void judge_paces(const PartJob& job, PartResult& result) {
@@ -56,14 +68,18 @@ void judge_paces(const PartJob& job, PartResult& result) {
   result.first_period = elasticity::first_period<3>(
       {job.mesh, job.part.material, none, {}, job.part.name},
       job.mesh.shape == mesh::CellShape::kSimplex ? 1 : 2);
+  const double waves = std::min(period_of_waves(job), result.first_period);
   for (const ImpactLoad& load : job.impact_loads) {
     LoadPace pace;
     pace.impact = load.name;
     pace.duration = load.duration;
     pace.rise_time = load.rise_time;
     pace.ratio = load.duration / result.first_period;
-    pace.amplification =
-        pulse_amplification(pace.ratio, load.rise_time / result.first_period);
+    for (const double period : {result.first_period, waves}) {
+      pace.amplification = std::max(
+          pace.amplification,
+          pulse_amplification(load.duration / period, load.rise_time / period));
+    }
     pace.treatment =
         wants_elements_in_time(pace)
             ? "dynamic elements: the loads of the instants may be exceeded"

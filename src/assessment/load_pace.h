@@ -15,7 +15,8 @@ double pulse_amplification(double duration_over_period,
                            double rise_over_period);
 
 /// Whether the loads of the instants may be exceeded: the force neither rises
-/// and falls slowly nor is over before the part gives way.
+/// and falls slowly nor is over before the part gives way or a wave has run
+/// along it.
 bool wants_elements_in_time(const LoadPace& pace);
 
 /// What the impacts of the mechanism ask of a part: the duration of each over
