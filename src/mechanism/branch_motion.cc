@@ -40,6 +40,7 @@ std::optional<ForwardDynamics::BranchMotion> ForwardDynamics::branch_motion(
   const VectorXd z = point->coordinates.transpose() * v;
   const VectorXd curved = point->slopes * z;
   const Index fixed = rows_ - system_.joint_rows();
+  system_.fill_jacobian(placed_, J_);  // not on trees by rate()
   const MatrixXd P = J_.middleRows(system_.joint_rows(), fixed) * G;
   const VectorXd wanted = gamma_.segment(system_.joint_rows(), fixed) -
                           J_.middleRows(system_.joint_rows(), fixed) * curved;

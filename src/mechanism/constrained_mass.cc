@@ -54,6 +54,7 @@ void ConstrainedMass::apply_factor_transposed(VectorXd& v) const {
 }
 
 void ConstrainedMass::factor(const MatrixXd& J, int rows) {
+  on_tree_ = false;
   if (rows != rows_) {
     rows_ = rows;
     normal_.reset(rows);
@@ -72,6 +73,47 @@ void ConstrainedMass::factor(const MatrixXd& J, int rows) {
   rank_ = normal_.rank();
   reduced_ = rank_ < rows_;
   smallest_pivot_ = normal_.smallest_pivot();
+}
+
+void ConstrainedMass::set_tree(std::vector<TreeLink> links, int width) {
+  if (links.empty()) return;
+  tree_.emplace(std::move(links), width);
+  width_ = width;
+}
+
+bool ConstrainedMass::factor_tree() {
+  on_tree_ = tree_->factor();
+  if (!on_tree_) return false;
+  truncated_ = reduced_ = false;
+  rows_ = -1;  // other ways start anew
+  rank_ = tree_->rows();
+  smallest_pivot_ = tree_->smallest_pivot();
+  return true;
+}
+
+void ConstrainedMass::apply_factor_of_body(int body, double* part) const {
+  for (int at = width_ * body; at < width_ * (body + 1); at += 3, part += 3) {
+    const Factor& factor = factors_[static_cast<std::size_t>(at / 3)];
+    const Matrix3d& F = factor.F;
+    const double x = part[0], y = part[1], z = part[2];
+    if (factor.diagonal) {
+      part[0] = F(0, 0) * x;
+      part[1] = F(1, 1) * y;
+      part[2] = F(2, 2) * z;
+      continue;
+    }
+    for (int k = 0; k < 3; ++k) {
+      part[k] = F(0, k) * x + F(1, k) * y + F(2, k) * z;
+    }
+  }
+}
+
+void ConstrainedMass::solve_tree(const VectorXd& gamma, VectorXd& a,
+                                 VectorXd& lambda) {
+  apply_factor_transposed(a);
+  tree_->solve(gamma, a, lambda);
+  if (smallest_pivot_ < kRefinedPivot) tree_->refine(gamma, a, lambda);
+  apply_factor(a);
 }
 
 /// W = J F.
@@ -121,6 +163,11 @@ VectorXd ConstrainedMass::completed(const VectorXd& v,
 void ConstrainedMass::accelerate(const VectorXd& gamma, const VectorXd& Q,
                                  VectorXd& a, VectorXd& lambda) {
   lambda.setZero();
+  if (on_tree_) {
+    a = Q;
+    solve_tree(gamma, a, lambda);
+    return;
+  }
   if (truncated_) {
     a = completed(decomposition_.solve(gamma.head(rows_)), Q);
     lambda.head(rows_) =
@@ -152,6 +199,12 @@ void ConstrainedMass::accelerate(const VectorXd& gamma, const VectorXd& Q,
 }
 
 void ConstrainedMass::correct(const VectorXd& residual, VectorXd& change) {
+  if (on_tree_) {
+    hat_rows_ = -residual;
+    change.setZero();
+    solve_tree(hat_rows_, change, x_);
+    return;
+  }
   if (truncated_) {
     change = completed(decomposition_.solve(-residual.head(rows_)),
                        VectorXd::Zero(columns_));

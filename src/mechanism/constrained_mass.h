@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -8,6 +9,7 @@
 
 #include "mechanism/jacobian_factor.h"
 #include "mechanism/normal_cholesky.h"
+#include "mechanism/tree_mass.h"
 
 namespace clevis::mechanism {
 
@@ -40,6 +42,17 @@ class ConstrainedMass {
     factors_[static_cast<std::size_t>(k)] = {block, inverse, false};
   }
 
+  /// Where J has the rows of a tree alone they need no more than that.
+  /// @param links  of tree_links(), may be empty.
+
+  void set_tree(std::vector<TreeLink> links, int width);
+  TreeMass* tree() { return tree_ ? &*tree_ : nullptr; }
+  /// `part` F of the columns of a body.
+  void apply_factor_of_body(int body, double* part) const;
+  /// The same as factor() with the rows that stand in the tree, each times F.
+  /// @return whether they are clearly independent.
+  bool factor_tree();
+
   /// @param J  its first `rows` rows count.
   void factor(const Eigen::MatrixXd& J, int rows);
 
@@ -58,6 +71,8 @@ class ConstrainedMass {
   long orthogonal_factorisations() const { return orthogonal_count_; }
 
  private:
+  void solve_tree(const Eigen::VectorXd& gamma, Eigen::VectorXd& a,
+                  Eigen::VectorXd& lambda);
   void fill_rows(const Eigen::MatrixXd& J);
   void orthogonal(const Eigen::MatrixXd& J);
   /// v + N z with Nᵀ (M (v + N z) − forces) = 0, N the null space.
@@ -79,6 +94,9 @@ class ConstrainedMass {
   bool was_reduced_ = false;
   long orthogonal_count_{};
   std::vector<Factor> factors_;
+  std::optional<TreeMass> tree_;
+  bool on_tree_ = false;  ///< the last factor()
+  int width_ = 3;
   NormalCholesky normal_;
   Eigen::VectorXd scale_, x_, hat_rows_, hat_;
   // of the orthogonal way, which may allocate

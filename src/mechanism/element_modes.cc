@@ -87,6 +87,12 @@ void choose_modes(ActingElement& e) {
   }
 }
 
+bool may_switch(const ForceElement& definition) {
+  return switched_friction(definition) != nullptr ||
+         position_table(definition) != nullptr ||
+         contact_law(definition) != nullptr;
+}
+
 double event_value(const ActingElement& e, int end) {
   const auto at = static_cast<std::size_t>(end);
   if (const FrictionLaw* friction = switched_friction(*e.definition)) {

@@ -17,6 +17,8 @@ void choose_modes(ActingElement& e);
 /// Function that is positive while mode `end` (0 or 1) holds, as of
 /// evaluate(); 1 where nothing can change.
 double event_value(const ActingElement& e, int end);
+/// Whether it has modes to change between.
+bool may_switch(const ForceElement& definition);
 
 /// Goes on to the mode that follows after event_value() has reached zero.
 /// That friction whose speed vanishes sticks is a guess: the caller judges.

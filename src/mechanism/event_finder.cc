@@ -11,7 +11,7 @@ EventFinder::EventFinder(ForwardDynamics& dynamics) : dynamics_(dynamics) {
 }
 
 void EventFinder::start(double t, const Eigen::VectorXd& y) {
-  if (!dynamics_.forces().empty()) dynamics_.event_values(t, y, values_);
+  if (dynamics_.forces().may_switch()) dynamics_.event_values(t, y, values_);
 }
 
 double EventFinder::value(Integrator& integrator, int event, double t) {
@@ -43,7 +43,7 @@ double EventFinder::root(Integrator& integrator, int event, double left,
 EventFinder::Event EventFinder::find(Integrator& integrator) {
   constexpr int kSamples = 4;
   Event first;
-  if (dynamics_.forces().empty()) return first;
+  if (!dynamics_.forces().may_switch()) return first;
   const double start = integrator.t_start(), end = integrator.t();
   double before = start;
   for (int k = 1; k <= kSamples; ++k) {

@@ -77,6 +77,7 @@ ForceModel::ForceModel(const MechanismDefinition& definition,
                        const SolvingFrame& frame)
     : definitions_(definition.elements) {
   for (const ForceElement& given : definitions_) {
+    may_switch_ = may_switch_ || mechanism::may_switch(given);
     elements_.push_back(acting_element(given, frame, internal_states_));
     if (const auto* line = std::get_if<LineElement>(&given)) {
       elements_.back().q_start = start_of(*line, definition);

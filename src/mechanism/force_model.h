@@ -18,6 +18,8 @@ class ForceModel {
   ForceModel& operator=(const ForceModel&) = delete;
 
   bool empty() const { return elements_.empty(); }
+  /// Whether there are events.
+  bool may_switch() const { return may_switch_; }
   std::size_t size() const { return elements_.size(); }
   int internal_states() const { return internal_states_; }
 
@@ -106,6 +108,7 @@ class ForceModel {
   std::vector<ForceElement> definitions_;
   std::vector<ActingElement> elements_;
   int internal_states_ = 0;
+  bool may_switch_ = false;
   double t_{};  ///< of evaluate()
 };
 

@@ -122,12 +122,21 @@ ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
        {&target_rates_, &target_seconds_, &residual_, &gamma_, &lambda_}) {
     v->setZero(most);
   }
+  mass_.set_tree(links(), planar_ ? 3 : 6);
   scratch_.setZero(size());
   stiff_ = forces_.with_smooth_efforts();
   by_law_.setZero(efforts());
   response_.setZero(columns_);
   response_rows_.setZero(most);
   targets_.setZero(static_cast<Index>(drives_.size()));
+}
+
+std::vector<TreeLink> ForwardDynamics::links() const {
+  std::vector<int> joints;
+  for (const ConstraintSystem::Row& row : system_.row_list()) {
+    joints.push_back(row.joint);
+  }
+  return tree_links(frame_, joints);
 }
 
 /// Mass of the rotors' unknowns.
@@ -142,7 +151,44 @@ void ForwardDynamics::place_rotors() {
   }
 }
 
+/// @return false where the rows are not those of a tree, or not clearly
+///   independent.
+bool ForwardDynamics::factor_tree() {
+  TreeMass* tree = mass_.tree();
+  if (tree == nullptr) return false;
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (forces_.brings_row(k)) return false;
+  }
+  const auto put = [this](const Twist& lever, double scale, int slot,
+                          double* row) {
+    for (int c = 0; c < 3; ++c) {
+      row[c] = scale * lever.v[c];
+      if (!planar_) row[3 + c] = scale / length_ * lever.w[c];
+    }
+    if (planar_) row[2] = scale / length_ * lever.w.z();
+    mass_.apply_factor_of_body(slot - 1, row);
+  };
+  for (const TreeLink& link : tree->links()) {
+    for (const int i : link.rows) {
+      const ConstraintSystem::Row& row = system_.row_list()[index(i)];
+      const JointModel& joint = frame_.joints[index(row.joint)];
+      const PlacedJoint::Levers levers =
+          placed_[index(row.joint)].levers(row.row);
+      const bool b_hangs = joint.b == link.body + 1;
+      const double scale = system_.scale(row);
+      put(b_hangs ? levers.b : levers.a, scale, link.body + 1,
+          tree->of_body(i));
+      if (link.parent < 0) continue;
+      put(b_hangs ? levers.a : levers.b, scale, link.parent + 1,
+          tree->of_parent(i));
+    }
+  }
+  rows_ = system_.rows();
+  return mass_.factor_tree();
+}
+
 void ForwardDynamics::factor() {
+  if (factor_tree()) return;
   system_.fill_jacobian(placed_, J_);
   rows_ = system_.rows();
   for (std::size_t k = 0; k < forces_.size(); ++k) {

@@ -180,12 +180,14 @@ class ForwardDynamics : public OdeSystem {
   double turned_since(std::size_t j, double t, const Eigen::VectorXd& y) const;
   double plane_angle(const JointModel& joint, const Eigen::VectorXd& y) const;
   void factor();
+  bool factor_tree();
   void add_loads(double t, const Eigen::VectorXd& y);
   void take_efforts();
   /// Constant scale of the row that element k brings.
   double row_scale(std::size_t k) const {
     return forces_.is_angle(k) ? length_ : 1.0;
   }
+  std::vector<TreeLink> links() const;
   void place_rotors();
   /// The lever as a force on the unknowns.
   void put_lever(int slot, const Twist& lever, Eigen::VectorXd& force) const;

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mechanism/forward_dynamics.h"
+#include "mechanism/initial_state.h"
 #include "mechanism/joint_types.h"
 #include "mechanism/simulate.h"
 #include "mechanism/structure.h"
@@ -54,6 +56,33 @@ TEST(Governor, StiffnessDoesNotEndNewtonsIterations) {
     EXPECT_LT(motion.integration->rejected, 10) << stiffer;
     EXPECT_LT(motion.integration->evaluations, 2000) << stiffer;
   }
+}
+
+// Body by body, outer ones first, against Cholesky of all rows at once.
+TEST(TreeMass, AgreesWithAllRowsAtOnce) {
+  MechanismDefinition m = testing::governor();
+  const SolvingFrame frame = frame_at_centres(m);
+  ForwardDynamics dynamics(m, frame, 1e-8, 1.0);
+  Eigen::VectorXd y =
+      dynamics.start(initial_state(m, frame, dynamics.system(), 1e-8).x);
+  dynamics.project(0.0, y);
+  Eigen::VectorXd slope(y.size());
+  dynamics.rate(0.0, y, slope);
+  const int rows = dynamics.system().rows();
+  const auto most = static_cast<Eigen::Index>(dynamics.forces().size()) + rows;
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(most, dynamics.system().columns());
+  ConstrainedMass tree = dynamics.mass(), all = dynamics.mass();
+  ASSERT_NE(tree.tree(), nullptr);
+  dynamics.jacobian(0.0, y, J);
+  all.factor(J, rows);
+  Eigen::VectorXd gamma(most), Q(J.cols());
+  for (Eigen::Index i = 0; i < most; ++i) gamma[i] = std::cos(i);
+  for (Eigen::Index i = 0; i < Q.size(); ++i) Q[i] = std::sin(3 * i);
+  Eigen::VectorXd a(J.cols()), of_all(J.cols()), lambda(most), by_all(most);
+  tree.accelerate(gamma, Q, a, lambda);
+  all.accelerate(gamma, Q, of_all, by_all);
+  EXPECT_LT((a - of_all).norm(), 1e-12 * a.norm());
+  EXPECT_LT((lambda - by_all).norm(), 1e-12 * lambda.norm());
 }
 
 /// The turn of hinge i: of bar i against the bar before it, about z, from the
