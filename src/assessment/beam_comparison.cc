@@ -33,7 +33,7 @@ BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
   if (job.impacts.empty() && result.held.value > comparison.peak_stress) {
     comparison.peak_stress = result.held.value;
     comparison.governing = fmt::format(
-        "section {} by its support's force and moment", result.held.group);
+        "section {} by its support's force and moment", result.held.section);
   }
   if (comparison.peak_stress > 0.0) {
     comparison.ratio_fe_to_beam =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "assessment/course_spread.h"
 #include "assessment/struck_run.h"
 
 namespace clevis::assessment {
@@ -12,7 +13,10 @@ struct BlowTimes {
   double front{};            ///< that is kept, of all degrees [s]
   double below{}, above{};   ///< error of the front [1]
   double root_below{}, root_above{};  ///< in the held sections [1]
-  double later = 1.0;  ///< largest stress after them over that at them [1]
+  double later = 1.0,
+         root_later = 1.0;  ///< largest stress after them over that at them [1]
+
+  CourseSpread spread;  ///< holds the bands at the least
 
   int samples() const { return static_cast<int>(time.size()) - 1; }
 };

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "assessment/blow_ladder.h"
+#include "assessment/course_spread.h"
 #include "assessment/front_refinement.h"
 #include "assessment/impact_rows.h"
 #include "assessment/later_peaks.h"
@@ -34,7 +35,7 @@ constexpr double kMostSolves = 2e7;  // some seconds
 /// @param error  of the deflection [m].
 void take_deflection(double value, double error, ImpactResult& impact) {
   impact.deflection = value;
-  impact.deflection_low = value - error;
+  impact.deflection_low = std::max(0.0, value - error);
   impact.deflection_high =
       value + error + (impact.later_deflection - 1.0) * value;
 }
@@ -63,9 +64,9 @@ HeldStress held_stress(const StruckRun<dim>& best, const StruckRun<dim>& coarse,
   const double error =
       std::abs(coarse.root.value / value - 1.0) + best.error_in_time();
   return {value,
-          value * (1.0 - error - fronts.root_below),
-          value * (impact.later_stress + error + fronts.root_above),
-          best.root.group,
+          std::max(0.0, value * (1.0 - error - fronts.root_below)),
+          value * (impact.later_root + error + fronts.root_above),
+          best.root.name,
           best.response.motion().time[best.root.sample],
           fmt::format("impact {}", impact.name)};
 }
@@ -80,6 +81,16 @@ void note_motion(const StruckRun<dim>& best, ImpactResult& impact) {
                              : run.time[run.time.size() - 1];
   impact.dynamic_factor = best.factor;
   impact.reason = best.response.solution.reason;
+}
+
+void take_spread(const CourseSpread& spread, ImpactResult& impact) {
+  impact.spread = spread.largest;
+  widen(spread.stress_low, spread.stress_high, impact.band_low,
+        impact.band_high);
+  widen(spread.root_low, spread.root_high, impact.root.band_low,
+        impact.root.band_high);
+  widen(spread.deflection_low, spread.deflection_high, impact.deflection_low,
+        impact.deflection_high);
 }
 
 struct Computed {
@@ -132,6 +143,7 @@ ImpactJob lengthened(const PartJob& job, const ImpactJob& given,
   }
   result.later_stress = later.spans[last].stress;
   result.later_deflection = later.spans[last].deflection;
+  result.later_root = later.spans[last].root;
   result.swing_stress = later.swing_stress;
   result.swing_deflection = later.swing_deflection;
   return impact;
@@ -197,6 +209,8 @@ Computed compute(const PartJob& job, const ImpactJob& given,
     result.beam_factor = beam_factor(*bar, impact.strike);
   }
   result.root = held_stress(fine, coarse, result);
+  const CourseSpread spread =
+      course_spread(job, impact, zones, low, coarse, fine, faces);
   const double space =
       std::abs(coarse.factor / fine.factor * fine.stress / same_front - 1.0);
   result.rows.push_back(
@@ -221,6 +235,7 @@ Computed compute(const PartJob& job, const ImpactJob& given,
   result.stress = fine.stress;
   result.band_low = fine.stress * (1.0 - error - fronts.below);
   result.band_high = fine.stress * (1.0 + error + fronts.above);
+  if (spread.is_there()) take_spread(spread, result);
   found.stiffness = stiffness;
   found.times = {.time = fine.response.motion().time,
                  .telling = fine.telling,
@@ -230,7 +245,9 @@ Computed compute(const PartJob& job, const ImpactJob& given,
                  .above = fronts.above,
                  .root_below = fronts.root_below,
                  .root_above = fronts.root_above,
-                 .later = result.later_stress};
+                 .later = result.later_stress,
+                 .root_later = result.later_root,
+                 .spread = spread};
   return found;
 }
 
@@ -312,10 +329,14 @@ void take_assessment(const PartAssessment& climbed, ImpactResult& impact) {
                   part.peak.sequence.back().degree);
   row.seconds = part.seconds.assemble + part.seconds.factor +
                 part.seconds.solve + part.seconds.recover;
+  const double low = impact.deflection_low, high = impact.deflection_high;
   take_deflection(part.deflection,
                   std::max(impact.deflection - impact.deflection_low,
                            std::abs(part.deflection - impact.deflection)),
                   impact);
+  if (impact.spread > 0.0) {
+    widen(low, high, impact.deflection_low, impact.deflection_high);
+  }
   row.deflection = part.deflection;
   impact.root = part.held;
   row.nominal = part.held.value;
@@ -327,8 +348,9 @@ void take_assessment(const PartAssessment& climbed, ImpactResult& impact) {
 /// @param stiffness  of the struck face [N/m].
 void compare_rows(double stiffness, ImpactResult& impact) {
   const ImpactRow judged = impact.rows.back();
+  const bool is_bar = impact.beam_factor > 0.0;
   for (ImpactRow& row : impact.rows) {
-    row.ratio = judged.nominal > 0.0
+    row.ratio = is_bar && judged.nominal > 0.0
                     ? row.nominal / judged.nominal
                     : std::max(row.stress, row.nominal) / judged.stress;
     row.remark = remark_on(row, impact, judged.face, stiffness);
@@ -365,8 +387,15 @@ CheckedBlows check_blows(const PartJob& job) {
                                           : std::move(climbed);
     }
     compare_rows(models.blows()[i].stiffness, impact);
-    impact.safety_factor = job.part.material.yield_strength / impact.stress;
+    const double hidden =
+        job.part.limits.exclude_singular_zones ? impact.root.value : 0.0;
+    impact.safety_factor =
+        job.part.material.yield_strength / std::max(impact.stress, hidden);
     found.impacts.push_back(std::move(impact));
+  }
+  for (const ImpactResult& impact : found.impacts) {
+    HeldStress& held = found.assessment->result.held;
+    if (impact.root.band_high > held.band_high) held = impact.root;
   }
   return found;
 }

@@ -17,18 +17,19 @@ constexpr int kExtended = 4;  // beyond, courses of bouncing strikers part
 constexpr double kGrows = 1.01;
 
 struct Peaks {
-  double stress{}, deflection{};
+  double stress{}, deflection{}, root{};
 
   Peaks with(const Peaks& other) const {
     return {std::max(stress, other.stress),
-            std::max(deflection, other.deflection)};
+            std::max(deflection, other.deflection), std::max(root, other.root)};
   }
   BlowSpan span(double duration, const Peaks& all) const {
     if (all.stress <= kGrows * stress &&
-        all.deflection <= kGrows * deflection) {
+        all.deflection <= kGrows * deflection && all.root <= kGrows * root) {
       return {.duration = duration};
     }
-    return {duration, all.stress / stress, all.deflection / deflection};
+    return {duration, all.stress / stress, all.deflection / deflection,
+            root > 0.0 ? all.root / root : 1.0};
   }
 };
 
@@ -58,7 +59,7 @@ dynamics::StrikeOptions few_shapes(double damping, int samples, double front) {
 
 template <int dim>
 Peaks peaks_of(const elasticity::DisplacementBasis<dim>& basis,
-               const PartJob& job,
+               const PartJob& job, const ImpactJob& impact,
                const std::vector<stress::SingularZone>& zones, int from,
                int to) {
   std::vector<int> samples;
@@ -66,7 +67,8 @@ Peaks peaks_of(const elasticity::DisplacementBasis<dim>& basis,
   if (samples.empty()) return {};
   const auto some = at_samples(basis, samples);
   return {judged_stress(some, job, zones),
-          stress::largest_deflection<dim>(some).value};
+          stress::largest_deflection<dim>(some).value,
+          held_peak(some, job, impact).value};
 }
 
 }  // namespace
@@ -105,12 +107,13 @@ LaterPeaks look_later(const PartJob& job, const ImpactJob& impact,
   std::vector<Peaks> until;
   int from = 0;
   for (const double end : ends) {
-    const Peaks here = peaks_of(basis, job, zones, from, sample_at(end) + 1);
+    const Peaks here =
+        peaks_of(basis, job, impact, zones, from, sample_at(end) + 1);
     until.push_back(until.empty() ? here : here.with(until.back()));
     from = sample_at(end) + 1;
   }
   const Peaks all =
-      peaks_of(basis, job, zones, from, samples + 1).with(until.back());
+      peaks_of(basis, job, impact, zones, from, samples + 1).with(until.back());
   for (std::size_t i = 0; i < ends.size(); ++i) {
     found.spans.push_back(until[i].span(ends[i], all));
     if (found.spans.back().holds_all()) break;

@@ -10,9 +10,11 @@ namespace clevis::assessment {
 struct BlowSpan {
   double duration{};  ///< [s]
   /// Largest after it over the largest until then, at least 1 [1].
-  double stress = 1.0, deflection = 1.0;
+  double stress = 1.0, deflection = 1.0, root = 1.0;
 
-  bool holds_all() const { return stress == 1.0 && deflection == 1.0; }
+  bool holds_all() const {
+    return stress == 1.0 && deflection == 1.0 && root == 1.0;
+  }
 };
 
 /// What a blow does after its default duration, by few shapes.

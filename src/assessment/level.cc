@@ -57,14 +57,17 @@ std::vector<double> probe_values(const PartJob& job, const Level<dim>& level) {
 template <int dim>
 void note_held(const PartJob& job, const LoadSet& set,
                const elasticity::DisplacementBasis<dim>& basis,
-               HeldStress& held) {
-  for (const auto& face :
-       stress::held_faces<dim>(basis, job.part.material, set.fixed)) {
+               Level<dim>& level) {
+  HeldStress& held = level.held;
+  for (const auto& face : stress::held_faces<dim>(
+           basis, job.part.material, set.fixed, set.history, job.part.name)) {
+    level.held_sections.insert(level.held_sections.end(), face.groups.begin(),
+                               face.groups.end());
     Eigen::Index at = 0;
     const double value = face.nominal.maxCoeff(&at);
     if (value <= held.value) continue;
     const auto& instant = set.history.instants[static_cast<std::size_t>(at)];
-    held = {value, value, value, face.group, instant.time, instant.label};
+    held = {value, value, value, face.name, instant.time, instant.label};
   }
 }
 
@@ -98,7 +101,7 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
       stress::remove_rigid_motion<dim>(*basis, reference_groups(set));
     }
     Stopwatch watch;
-    note_held<dim>(job, set, *basis, level.held);
+    note_held<dim>(job, set, *basis, level);
     auto history = stress::stress_history<dim>(*basis, job.part.material,
                                                rung.subdivisions);
     seconds.recover += watch.lap();

@@ -20,8 +20,9 @@ struct Level {
   std::vector<stress::StressHistory> histories;  ///< per set
   std::size_t set{};                             ///< the governing one
   SequenceMember member;
-  HeldStress held;             ///< without band
-  std::vector<double> probes;  ///< values, case after case
+  HeldStress held;                         ///< without band
+  std::vector<std::string> held_sections;  ///< groups with plane faces
+  std::vector<double> probes;              ///< values, case after case
 
   const stress::StressHistory& history() const { return histories[set]; }
 };

@@ -195,6 +195,12 @@ void explain_unsettled(PartResult& result) {
       return;
     }
     if (impact.refinement.settles) continue;
+    if (impact.spread > 0.0) {
+      result.why = "the striker of impact " + impact.name +
+                   " bounces, and its course hangs on little things: give the "
+                   "part its damping";
+      return;
+    }
     result.why = "the stress of impact " + impact.name +
                  " does not settle, its front is shorter than the mesh "
                  "carries: mesh finer along the wave's way, or give the "
@@ -215,10 +221,10 @@ PartAssessment check_part(const PartJob& given) {
   PartResult& result = assessment.result;
   result.name = job.part.name;
   result.mass = job.mass.mass;
-  const double judged = judged_peak(result).value;
+  result.beam = compare_with_beam(job, result);
+  const double judged = governing_stress(job.part, result);
   result.safety_factor =
       judged > 0.0 ? job.part.material.yield_strength / judged : 0.0;
-  result.beam = compare_with_beam(job, result);
   finish_impacts(std::move(blows.impacts), result);
   judge_paces(job, result);
   check_vibration(job, result);

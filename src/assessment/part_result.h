@@ -43,6 +43,8 @@ struct ZoneResult {
   double radius{};                               ///< left out around it [m]
   /// Whether its stress rises above the peak elsewhere.
   bool governs{};
+  /// Whether it is the edge of a plane held face, whose section is known.
+  bool has_section{};
 };
 
 /// What beam theory says of the same load history.
@@ -75,9 +77,9 @@ struct ProbeResult {
 struct HeldStress {
   double value{};                  ///< [Pa]; 0: no plane face holds the part
   double band_low{}, band_high{};  ///< [Pa]
-  std::string group;
-  double instant{};   ///< [s]
-  std::string label;  ///< "t = 1.25 s" or the case
+  std::string section;             ///< "root", "left + right"
+  double instant{};                ///< [s]
+  std::string label;               ///< "t = 1.25 s" or the case
 };
 
 /// What one model says of a blow.
@@ -120,7 +122,10 @@ struct ImpactResult {
   double looked_for{};                 ///< later peaks, until then [s]
   /// Largest after the time that is judged over the largest in it, by few
   /// shapes; in the bands [1].
-  double later_stress = 1.0, later_deflection = 1.0;
+  double later_stress = 1.0, later_deflection = 1.0, later_root = 1.0;
+  /// What little things make of a bouncing course, highest over lowest less
+  /// one; in the bands; 0: nothing to speak of [1].
+  double spread{};
   /// What its free swing comes to at the most, whenever, over the largest until
   /// `looked_for`; 0: the part has damping, or the striker presses on [1].
   double swing_stress{}, swing_deflection{};

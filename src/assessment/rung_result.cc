@@ -59,6 +59,12 @@ void fill_zones(const PartJob& job, const Level<dim>& level,
                 const ZoneWatch<dim>& zones, const stress::Band& outer_band,
                 PartResult& result) {
   result.singular_zones = zones.results();
+  for (ZoneResult& zone : result.singular_zones) {
+    zone.has_section =
+        std::ranges::any_of(level.held_sections, [&](const std::string& group) {
+          return zone.name.starts_with("edge of " + group + " at ");
+        });
+  }
   if (!zones.is_singular()) return;
   result.peak.verdict = PeakVerdict::kSingular;
   const OutsidePeak& last = zones.outside().back();

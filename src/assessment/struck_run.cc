@@ -191,8 +191,8 @@ template <int dim>
 HeldPeak held_peak(const elasticity::DisplacementBasis<dim>& basis,
                    const PartJob& job, const ImpactJob& impact) {
   HeldPeak peak;
-  for (const auto& face :
-       stress::held_faces<dim>(basis, job.part.material, impact.fixed)) {
+  for (const auto& face : stress::held_faces<dim>(
+           basis, job.part.material, impact.fixed, {}, job.part.name)) {
     if (peak.of_sample.size() == 0) peak.of_sample = face.nominal;
     peak.of_sample = peak.of_sample.cwiseMax(face.nominal);
     Eigen::Index at = 0;
@@ -200,7 +200,7 @@ HeldPeak held_peak(const elasticity::DisplacementBasis<dim>& basis,
     if (value <= peak.value) continue;
     peak.value = value;
     peak.sample = static_cast<int>(at);
-    peak.group = face.group;
+    peak.name = face.name;
   }
   return peak;
 }

@@ -60,7 +60,7 @@ struct HeldPeak {
   Eigen::VectorXd of_sample;  ///< [Pa]; empty: there is no such face
   double value{};             ///< [Pa]
   int sample{};
-  std::string group;
+  std::string name;
 };
 
 template <int dim>

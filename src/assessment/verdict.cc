@@ -1,5 +1,8 @@
 #include "assessment/verdict.h"
 
+#include <algorithm>
+#include <optional>
+
 #include <fmt/format.h>
 
 namespace clevis::assessment {
@@ -21,12 +24,16 @@ std::string unsettled_remedy(const PeakStress& peak) {
   return "mesh finer there, give more instants, or loosen --tolerance";
 }
 
-/// "edge of root at (0, 0) mm and 1 more" of the zones that govern.
-std::string governing_zones(const PartResult& result) {
+/// "edge of root at (0, 0) mm and 1 more" of the zones that govern, of those
+/// only that are of this kind.
+std::string governing_zones(const PartResult& result,
+                            std::optional<bool> has_section = {}) {
   std::string first;
   int more = 0;
   for (const ZoneResult& zone : result.singular_zones) {
-    if (!zone.governs) continue;
+    if (!zone.governs ||
+        zone.has_section != has_section.value_or(zone.has_section))
+      continue;
     if (first.empty()) {
       first = zone.name;
     } else {
@@ -150,7 +157,7 @@ Nominal largest_nominal(const PartResult& result) {
   const HeldStress& held = result.held;
   if (held.band_high <= largest.high) return largest;
   return {held.band_low, held.value, held.band_high,
-          fmt::format("section {}, {}", held.group, held.label)};
+          fmt::format("section {}, {}", held.section, held.label)};
 }
 
 /// Where a zone is left out, the nominal stress of the section stands for what
@@ -171,22 +178,32 @@ bool judge_nominal(const part::PartDefinition& part, PartResult& result) {
   return false;
 }
 
+/// Of zones whose section is not known.
+std::string without(const std::string& zones) {
+  return fmt::format(
+      "WITHOUT {}: the nominal stress there may be higher than what is judged, "
+      "and no formula of beam theory applies that would say so",
+      zones);
+}
+
 /// What a part that passes without its zones was not held against.
 std::string left_out(const part::PartDefinition& part,
                      const PartResult& result) {
   if (!leaves_zones_out(part, result)) return "";
   const Nominal nominal = largest_nominal(result);
-  const std::string zones = governing_zones(result);
-  if (nominal.value > 0.0) {
-    return fmt::format(
+  if (nominal.value == 0.0) return without(governing_zones(result));
+  const bool is_held = result.held.value > 0.0;  // not a link of beam theory
+  const std::string known = governing_zones(result, is_held);
+  const std::string unknown = is_held ? governing_zones(result, false) : "";
+  std::string text;
+  if (!known.empty()) {
+    text = fmt::format(
         "without {}, where the nominal stress ({}) is {:.4g} MPa and the "
         "corner's own is not judged",
-        zones, nominal.what, nominal.value / kMega);
+        known, nominal.what, nominal.value / kMega);
   }
-  return fmt::format(
-      "WITHOUT {}: the nominal stress there may be higher than what is judged, "
-      "and no formula of beam theory applies that would say so",
-      zones);
+  if (!unknown.empty()) text += (text.empty() ? "" : "; ") + without(unknown);
+  return text;
 }
 
 bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
@@ -222,6 +239,14 @@ bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
 }
 
 }  // namespace
+
+double governing_stress(const part::PartDefinition& part,
+                        const PartResult& result) {
+  const double peak = judged_peak(result).value;
+  return leaves_zones_out(part, result)
+             ? std::max(peak, largest_nominal(result).value)
+             : peak;
+}
 
 const PeakStress& judged_peak(const PartResult& result) {
   return result.peak_outside.sequence.empty() ? result.peak

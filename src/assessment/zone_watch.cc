@@ -157,7 +157,7 @@ std::vector<ZoneResult> ZoneWatch<dim>::results() const {
   for (const Set& set : sets_) {
     for (const Zone& zone : set.zones) {
       results.push_back({zone.zone.name, zone.zone.exponent, zone.exponent,
-                         zone.zone.at, zone.zone.radius, zone.governs});
+                         zone.zone.at, zone.zone.radius, zone.governs, false});
     }
   }
   return results;

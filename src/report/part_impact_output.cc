@@ -76,12 +76,17 @@ std::string refinement_of(const ImpactResult& impact) {
 
 /// Empty where nothing larger comes.
 std::string later_peaks_of(const ImpactResult& impact) {
-  if (impact.later_stress <= 1.0 && impact.later_deflection <= 1.0) return "";
+  if (impact.later_stress <= 1.0 && impact.later_deflection <= 1.0 &&
+      impact.later_root <= 1.0) {
+    return "";
+  }
   return fmt::format(
       "later, within {:.4g} ms, stress comes to {:.3g} times, deflection to "
-      "{:.3g} times these (by few shapes, in the bands){}",
+      "{:.3g}, a held section's stress to {:.3g} times these (by few shapes, "
+      "in "
+      "the bands){}",
       impact.looked_for / kMillisecond, impact.later_stress,
-      impact.later_deflection,
+      impact.later_deflection, impact.later_root,
       impact.force > 0.0 ? ": a force presses on, give the part its damping"
                          : "");
 }
@@ -132,6 +137,13 @@ std::string table_of(const ImpactResult& impact, Colour colour) {
       megapascals(impact.stress), megapascals(impact.band_low),
       megapascals(impact.band_high), impact.safety_factor, impact.reason));
   if (impact.root.value > 0.0) table.add_note(held_section_text(impact.root));
+  if (impact.spread > 0.0) {
+    table.add_note(fmt::format(
+        "the striker bounces, and its course hangs on little things: 2 % of "
+        "its mass change the peaks by {:.2g} %, in the bands{}",
+        kPercent * impact.spread,
+        impact.force > 0.0 ? "; give the part its damping" : ""));
+  }
   const std::string later = later_peaks_of(impact);
   if (!later.empty()) table.add_note(later);
   const std::string swing = swing_of(impact);
@@ -258,6 +270,8 @@ ordered_json part_impacts_json(const PartResult& part) {
           {millimetres(i.deflection_low), millimetres(i.deflection_high)}},
          {"looked_for_s", i.looked_for},
          {"later_stress_ratio", i.later_stress},
+         {"later_section_ratio", i.later_root},
+         {"course_spread_percent", kPercent * i.spread},
          {"later_deflection_ratio", i.later_deflection},
          {"free_swing_stress_ratio", ratio_or_null(i.swing_stress)},
          {"free_swing_deflection_ratio", ratio_or_null(i.swing_deflection)},
@@ -312,7 +326,7 @@ std::string held_section_text(const assessment::HeldStress& held) {
   return fmt::format(
       "section {}, by its support's force and moment: {:#.5g} [{:#.5g}, "
       "{:#.5g}] MPa at {:.4g} ms",
-      printable(held.group), megapascals(held.value),
+      printable(held.section), megapascals(held.value),
       megapascals(held.band_low), megapascals(held.band_high),
       held.instant / kMillisecond);
 }
@@ -320,7 +334,7 @@ std::string held_section_text(const assessment::HeldStress& held) {
 ordered_json held_section_json(const assessment::HeldStress& held) {
   if (held.value == 0.0) return {};
   return {
-      {"group", held.group},
+      {"section", held.section},
       {"nominal_stress_MPa", megapascals(held.value)},
       {"band_MPa", {megapascals(held.band_low), megapascals(held.band_high)}},
       {"instant_s", held.instant},

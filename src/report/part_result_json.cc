@@ -34,7 +34,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeakStress, value, band_low, band_high,
                                    discretization_error, model_error, verdict,
                                    at, group, instant, label, sequence)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ZoneResult, name, exponent,
-                                   exponent_measured, at, radius, governs)
+                                   exponent_measured, at, radius, governs,
+                                   has_section)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BeamComparison, peak_stress, governing,
                                    deflection, buckling_safety,
                                    ratio_fe_to_beam, reason)
@@ -43,7 +44,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SelfChecks, equilibrium, residual, energy,
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProbeResult, name, quantity, value, band_low,
                                    band_high)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HeldStress, value, band_low, band_high,
-                                   group, instant, label)
+                                   section, instant, label)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImpactRow, model, stress, nominal, face,
                                    deflection, error, seconds, ratio, remark)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrontRefinement, fronts, stress, deflection,
@@ -52,10 +53,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrontRefinement, fronts, stress, deflection,
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     ImpactResult, name, source, mass, speed, force, stiffness, exponent,
     is_ideal, part_mass, first_period, looked_for, later_stress,
-    later_deflection, swing_stress, swing_deflection, load_duration, rise_time,
-    peak_force, beam_factor, dynamic_factor, stress, band_low, band_high, root,
-    deflection, deflection_low, deflection_high, deflection_at, deflection_time,
-    safety_factor, reason, refinement, rows)
+    later_deflection, later_root, spread, swing_stress, swing_deflection,
+    load_duration, rise_time, peak_force, beam_factor, dynamic_factor, stress,
+    band_low, band_high, root, deflection, deflection_low, deflection_high,
+    deflection_at, deflection_time, safety_factor, reason, refinement, rows)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LoadPace, impact, duration, rise_time, ratio,
                                    amplification, treatment)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VibrationResult, ratio, governs, failure,

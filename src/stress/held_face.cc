@@ -4,13 +4,14 @@
 #include <utility>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include "elasticity/dense_product.h"
-#include "elasticity/group_trace.h"
+#include "elasticity/load_vectors.h"
 #include "elasticity/stiffness.h"
 #include "elasticity/supports.h"
 #include "stress/cell_field.h"
-#include "stress/plane_section.h"
+#include "stress/held_piece.h"
 
 namespace clevis::stress {
 namespace {
@@ -19,6 +20,8 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
+
+using Fixed = std::map<std::string, std::array<bool, 3>>;
 
 /// ∫ σ ∇N dV of cells.
 template <int dim>
@@ -66,43 +69,79 @@ class NodalForces {
   elasticity::Tabulation geometry_, displacement_;
 };
 
-struct Resultants {
-  Matrix3Xd force, moment;  ///< about a point, 3 × columns
-};
+/// Components that any of the groups holds, per node.
+using HeldNodes = std::map<int, std::array<bool, 3>>;
 
-/// Reactions of the group's held components per basis column.
 template <int dim>
-Resultants reactions(const elasticity::DisplacementBasis<dim>& basis,
-                     const part::Material& material, int group,
-                     const std::array<bool, 3>& held, const Vector3d& about) {
-  const auto& discretization = basis.discretization;
-  const auto positions = elasticity::node_positions(discretization);
-  const auto nodes = elasticity::group_nodes<dim>(discretization, group);
-  const NodalForces<dim> forces_of(discretization, material);
-  Resultants sum{Matrix3Xd::Zero(3, basis.columns.cols()),
-                 Matrix3Xd::Zero(3, basis.columns.cols())};
-  for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
-    const auto& ids = discretization.cell_nodes[c];
-    const auto is_held = [&](int node) {
-      return std::ranges::binary_search(nodes, node);
-    };
-    if (std::ranges::none_of(ids, is_held)) continue;
-    const MatrixXd forces = forces_of.of(c, basis.columns);
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      if (!is_held(ids[i])) continue;
-      Matrix3Xd at_node = Matrix3Xd::Zero(3, basis.columns.cols());
-      for (int a = 0; a < dim; ++a) {
-        if (!held[static_cast<std::size_t>(a)]) continue;
-        at_node.row(a) = forces.row(a * static_cast<Index>(ids.size()) +
-                                    static_cast<Index>(i));
-      }
-      Vector3d arm = Vector3d::Zero();
-      arm.head<dim>() = positions.col(ids[i]) - about.head<dim>();
-      sum.force += at_node;
-      sum.moment += at_node.colwise().cross(-arm);
+HeldNodes held_nodes(const elasticity::Discretization<dim>& discretization,
+                     const Fixed& fixed) {
+  HeldNodes nodes;
+  for (int g = 0; g < static_cast<int>(discretization.groups.size()); ++g) {
+    const auto held =
+        fixed.find(discretization.groups[static_cast<std::size_t>(g)].name);
+    if (held == fixed.end()) continue;
+    for (const int node : elasticity::group_nodes<dim>(discretization, g)) {
+      auto& at = nodes[node];
+      for (std::size_t a = 0; a < 3; ++a) at[a] = at[a] || held->second[a];
     }
   }
-  return sum;
+  return nodes;
+}
+
+/// ∫ σ ∇N dV of the held components less their loads, per held node and basis
+/// column; loads are columns of their own behind.
+template <int dim>
+std::map<int, Matrix3Xd> reactions(
+    const elasticity::DisplacementBasis<dim>& basis,
+    const part::Material& material, const HeldNodes& nodes,
+    const MatrixXd& loads) {
+  const Index rank = basis.columns.cols();
+  std::map<int, Matrix3Xd> found;
+  for (const auto& [node, held] : nodes) {
+    Matrix3Xd& at = found[node];
+    at = Matrix3Xd::Zero(3, rank + loads.cols());
+    for (int a = 0; a < dim; ++a) {
+      if (held[static_cast<std::size_t>(a)]) {
+        at.row(a).tail(loads.cols()) = -loads.row(dim * node + a);
+      }
+    }
+  }
+  const NodalForces<dim> forces_of(basis.discretization, material);
+  const auto& cells = basis.discretization.cell_nodes;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const auto& ids = cells[c];
+    if (std::ranges::none_of(ids, [&](int node) {
+          return nodes.contains(node);
+        })) {
+      continue;
+    }
+    const MatrixXd forces = forces_of.of(c, basis.columns);
+    const auto count = static_cast<Index>(ids.size());
+    for (Index i = 0; i < count; ++i) {
+      const auto node = nodes.find(ids[static_cast<std::size_t>(i)]);
+      if (node == nodes.end()) continue;
+      for (int a = 0; a < dim; ++a) {
+        if (!node->second[static_cast<std::size_t>(a)]) continue;
+        found[node->first].row(a).head(rank) += forces.row(a * count + i);
+      }
+    }
+  }
+  return found;
+}
+
+/// "root", "left + right", "feet at (0, 4, 0) mm" of several.
+std::string name_of(const HeldPiece& piece,
+                    const std::vector<HeldPiece>& pieces) {
+  std::string name;
+  for (const auto& group : piece.groups) {
+    name += (name.empty() ? "" : " + ") + group;
+  }
+  const auto alike =
+      std::ranges::count(pieces, piece.groups, &HeldPiece::groups);
+  if (alike == 1) return name;
+  const Vector3d at = 1e3 * piece.section.centroid;
+  return fmt::format("{} at ({:.4g}, {:.4g}, {:.4g}) mm", name, at.x(), at.y(),
+                     at.z());
 }
 
 }  // namespace
@@ -110,40 +149,53 @@ Resultants reactions(const elasticity::DisplacementBasis<dim>& basis,
 template <int dim>
 std::vector<HeldFace> held_faces(
     const elasticity::DisplacementBasis<dim>& basis,
-    const part::Material& material,
-    const std::map<std::string, std::array<bool, 3>>& fixed) {
+    const part::Material& material, const Fixed& fixed,
+    const loads::LoadHistory& history, const std::string& part_name) {
   const auto& discretization = basis.discretization;
+  const auto pieces = held_pieces<dim>(discretization, fixed);
+  if (pieces.empty()) return {};
+  elasticity::LoadBasis loads;
+  loads.columns.resize(discretization.dofs(), 0);
+  loads.coefficients.resize(0, basis.coefficients.cols());
+  if (!history.instants.empty()) {
+    loads = elasticity::load_columns<dim>(discretization, history,
+                                          material.density, part_name);
+  }
+  const Index rank = basis.columns.cols();
+  MatrixXd coefficients(rank + loads.columns.cols(), basis.coefficients.cols());
+  coefficients << basis.coefficients, loads.coefficients;
+  const auto at_node = reactions<dim>(
+      basis, material, held_nodes<dim>(discretization, fixed), loads.columns);
   const auto positions = elasticity::node_positions(discretization);
   std::vector<HeldFace> faces;
-  for (int g = 0; g < static_cast<int>(discretization.groups.size()); ++g) {
-    const auto& name = discretization.groups[static_cast<std::size_t>(g)].name;
-    const auto held = fixed.find(name);
-    if (held == fixed.end()) continue;
-    elasticity::FaceTables<dim> tables;
-    const auto section =
-        plane_section(elasticity::group_trace(discretization, g, tables));
-    if (!section) continue;
-    const auto nodes = elasticity::group_nodes<dim>(discretization, g);
-    Matrix3Xd at = Matrix3Xd::Constant(3, static_cast<Index>(nodes.size()),
-                                       discretization.mid_plane_z);
-    at.topRows<dim>() = positions(Eigen::all, nodes);
-    const Resultants unit =
-        reactions<dim>(basis, material, g, held->second, section->centroid);
-    HeldFace face{name,
-                  unit.force * basis.coefficients,
-                  unit.moment * basis.coefficients,
+  for (const HeldPiece& piece : pieces) {
+    Matrix3Xd force = Matrix3Xd::Zero(3, coefficients.rows());
+    Matrix3Xd moment = force;
+    for (const int node : piece.nodes) {
+      Vector3d arm = Vector3d::Zero();
+      arm.head<dim>() =
+          positions.col(node) - piece.section.centroid.head<dim>();
+      const Matrix3Xd& reaction = at_node.at(node);
+      force += reaction;
+      moment += reaction.colwise().cross(-arm);
+    }
+    HeldFace face{name_of(piece, pieces),
+                  piece.groups,
+                  force * coefficients,
+                  moment * coefficients,
                   {}};
-    face.nominal = nominal_stress(*section, face.force, face.moment, at);
+    face.nominal =
+        nominal_stress(piece.section, face.force, face.moment, piece.extremes);
     faces.push_back(std::move(face));
   }
   return faces;
 }
 
-template std::vector<HeldFace> held_faces<2>(
-    const elasticity::DisplacementBasis<2>&, const part::Material&,
-    const std::map<std::string, std::array<bool, 3>>&);
-template std::vector<HeldFace> held_faces<3>(
-    const elasticity::DisplacementBasis<3>&, const part::Material&,
-    const std::map<std::string, std::array<bool, 3>>&);
+#define CLEVIS_INSTANTIATE(dim)                                         \
+  template std::vector<HeldFace> held_faces<dim>(                       \
+      const elasticity::DisplacementBasis<dim>&, const part::Material&, \
+      const Fixed&, const loads::LoadHistory&, const std::string&);
+CLEVIS_INSTANTIATE(2)
+CLEVIS_INSTANTIATE(3)
 
 }  // namespace clevis::stress

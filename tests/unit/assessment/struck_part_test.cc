@@ -208,7 +208,7 @@ TEST(StruckPart, RootHasTheMomentOfItsSupportInTime) {
         timoshenko(job.impacts[0].strike, 2.0, false, at_tip);
     job.part.limits.safety_factor = 355e6 / (0.95 * beam.root);
     const PartResult result = check_part(job).result;
-    EXPECT_EQ(result.held.group, "x0");
+    EXPECT_EQ(result.held.section, "x0");
     // Poisson's ratio makes the clamp stiffer than the beam's
     EXPECT_NEAR(result.held.value, beam.root, 0.025 * beam.root)
         << face << mass;
@@ -218,6 +218,47 @@ TEST(StruckPart, RootHasTheMomentOfItsSupportInTime) {
     EXPECT_EQ(result.verdict, PartVerdict::kFail);
     EXPECT_TRUE(result.why.starts_with("nominal stress")) << result.why;
   }
+}
+
+// A blow that stresses the rest of the part less may bend the root more: both
+// count.
+TEST(StruckPart, RootsOfAllBlowsCount) {
+  PartJob job = bar();
+  job.part.material.poissons_ratio = 0.3;
+  ImpactJob light = blow("x1", 0.002, 6.0);
+  light.strike.name = "light";
+  light.strike.contact.stiffness = 3e5;
+  ImpactJob heavy = blow("x1", 0.2, 0.65);
+  heavy.strike.contact.stiffness = 3e5;
+  job.impacts = {light, heavy};
+  const PartResult result = check_part(job).result;
+  const double first = result.impacts[0].root.value;
+  const double second = result.impacts[1].root.value;
+  EXPECT_GT(result.impacts[1].stress, result.impacts[0].stress);
+  EXPECT_GT(first, second);
+  EXPECT_EQ(result.held.value, first);
+  EXPECT_EQ(result.held.label, "impact light");
+}
+
+// A pressed striker that bounces hits the swinging part sooner or later, by
+// little things: one per cent more mass must not leave the band.
+TEST(StruckPart, BandHoldsWhatLittleThingsMakeOfABouncingCourse) {
+  double lowest = 1e300, highest = 0.0;
+  PartResult result;
+  for (const double heavier : {1.0, 0.99}) {
+    PartJob job = bar();
+    job.impacts = {blow("x1", 0.01 * heavier, 2.0)};
+    job.impacts[0].strike.force = 20.0;
+    const PartResult found = check_part(job).result;
+    if (heavier == 1.0) result = found;
+    lowest = std::min(lowest, found.impacts[0].root.value);
+    highest = std::max(highest, found.impacts[0].root.value);
+  }
+  const ImpactResult& impact = result.impacts[0];
+  EXPECT_GT(highest, 1.02 * lowest);
+  EXPECT_GT(impact.spread, 0.02);
+  EXPECT_LE(impact.root.band_low, lowest);
+  EXPECT_GE(impact.root.band_high, highest);
 }
 
 // What a force presses bounces on, and its largest blow comes late. The course

@@ -90,6 +90,7 @@ PartResult with_blow(double nominal) {
   blow.band_low = 145e6;
   blow.band_high = 155e6;
   result.impacts.push_back(blow);
+  for (ZoneResult& zone : result.singular_zones) zone.has_section = true;
   result.held = {
       nominal, nominal * 145.0 / 150.0, nominal * 155.0 / 150.0, "root",
       0.0,     "impact hammer"};
@@ -107,6 +108,14 @@ TEST(Verdict, ZoneLeftOutDoesNotHideTheNominalStress) {
   const PartResult passed = judged(part, with_blow(190e6));
   EXPECT_EQ(passed.verdict, PartVerdict::kPass);
   EXPECT_NE(passed.why.find("190 MPa"), std::string::npos) << passed.why;
+
+  PartResult notched = with_blow(190e6);
+  notched.singular_zones.push_back(notched.singular_zones[0]);
+  notched.singular_zones.back().name = "notch";
+  notched.singular_zones.back().has_section = false;
+  EXPECT_NE(judged(part, notched).why.find("; WITHOUT notch:"),
+            std::string::npos)
+      << judged(part, notched).why;
 
   PartResult at_rest = with_zone(145e6, 150e6, 155e6);
   EXPECT_NE(judged(part, at_rest).why.find("may be higher"), std::string::npos);

@@ -333,7 +333,7 @@ void strike(Part& part) {
   blow.later_stress = blow.later_deflection = 1.05;
   blow.swing_stress = blow.swing_deflection = 1.2;
   blow.safety_factor = 2.0;
-  blow.root.group = "root";
+  blow.root.section = "root";
   blow.root.value = 200e6;
   blow.root.band_low = 198e6;
   blow.root.band_high = 203e6;

@@ -3,6 +3,7 @@
 #include "stress/held_face.h"
 
 #include <cmath>
+#include <functional>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ std::vector<HeldFace> held_by(const mesh::PartMesh<3>& mesh,
   }
   const auto basis =
       elasticity::solve<3>({mesh, material, history, fixed, "bar"}, degree);
-  return held_faces<3>(basis, material, fixed);
+  return held_faces<3>(basis, material, fixed, history, "bar");
 }
 
 // However coarse, and beside an edge without bound: the support's force and
@@ -56,7 +57,7 @@ TEST(HeldFace, BalancesTheLoadOfACantilever) {
                                {{"x0", {true, true, true}}}, degree);
     ASSERT_EQ(faces.size(), 1U);
     const HeldFace& face = faces[0];
-    EXPECT_EQ(face.group, "x0");
+    EXPECT_EQ(face.name, "x0");
     const Vector3d moment = bends.moment + kTip.cross(bends.force);
     EXPECT_LT((face.force.col(0) + bends.force).norm(), 1e-8 * 300.0);
     EXPECT_LT((face.moment.col(0) + moment).norm(), 1e-8 * moment.norm());
@@ -103,6 +104,96 @@ TEST(HeldFace, BothEndsOfAGuidedBar) {
   }
 }
 
+/// Puts faces of a cell into a group of their own, once more.
+void regroup(mesh::PartMesh<3>& mesh, const std::string& from,
+             const std::string& to,
+             const std::function<bool(const Vector3d& centre)>& where) {
+  const auto group = [&](const std::string& name) {
+    for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
+      if (mesh.groups[g].name == name) return static_cast<int>(g);
+    }
+    mesh.groups.push_back({name, {}});
+    return static_cast<int>(mesh.groups.size()) - 1;
+  };
+  const int old = group(from), renamed = group(to);
+  for (auto& face : mesh.boundary) {
+    const auto& points = mesh.cell_points[static_cast<std::size_t>(face.cell)];
+    if (face.group == old && where(points.rowwise().mean())) {
+      face.group = renamed;
+    }
+  }
+}
+
+// Names do not matter: a face in two groups is one section, two feet in one
+// group are two.
+TEST(HeldFace, IsAConnectedPlanePiece) {
+  auto split = bar();
+  regroup(split, "x0", "upper", [](const Vector3d& p) {
+    return p.z() > 0.0;
+  });
+  const loads::Wrench bends{{300.0, -70.0, 40.0}, {0.0, 2.0, -1.0}};
+  const Fixed both{{"x0", {true, true, true}}, {"upper", {true, true, true}}};
+  const auto whole =
+      held_by(bar(), "x1", kTip, {bends}, {{"x0", {true, true, true}}}, 2);
+  const auto halves = held_by(split, "x1", kTip, {bends}, both, 2);
+  ASSERT_EQ(halves.size(), 1U);
+  EXPECT_EQ(halves[0].name, "upper + x0");
+  EXPECT_NEAR(halves[0].nominal[0], whole[0].nominal[0],
+              1e-9 * whole[0].nominal[0]);
+
+  auto feet = support::structured_mesh<3>(
+      {1, 1, 3}, 1, [](const Vector3d& x) -> Vector3d {
+        return kSize.cwiseProduct(x - Vector3d(0.0, 0.5, 0.5));
+      });
+  regroup(feet, "x0", "between", [](const Vector3d& p) {
+    return std::abs(p.z()) < 1e-3;
+  });
+  const auto pads =
+      held_by(feet, "x1", kTip, {bends}, {{"x0", {true, true, true}}}, 2);
+  ASSERT_EQ(pads.size(), 2U);
+  EXPECT_LT((pads[0].force + pads[1].force + bends.force).norm(), 1e-7 * 300.0);
+  EXPECT_EQ(pads[0].name.substr(0, 6), "x0 at ");
+  EXPECT_NE(pads[0].name, pads[1].name);
+}
+
+// Loads that the held nodes share: their part goes straight into the support.
+TEST(HeldFace, HasTheLoadsOfItsOwnNodes) {
+  loads::LoadHistory history;
+  loads::InstantLoad whirls;
+  whirls.rigid.acceleration = Vector3d(2e5, 0.0, 0.0);
+  history.instants = {whirls};
+  const Fixed fixed{{"x0", {true, true, true}}};
+  const auto mesh = bar(1);
+  const auto basis =
+      elasticity::solve<3>({mesh, kSteel, history, fixed, "bar"}, 1);
+  const auto faces = held_faces<3>(basis, kSteel, fixed, history, "bar");
+  const double pulled = 7850.0 * kSize.x() * 2e5;
+  EXPECT_NEAR(faces[0].nominal[0], pulled, 1e-8 * pulled);
+}
+
+// The outermost fibre of a round face lies between its nodes.
+TEST(HeldFace, OfARoundBarInAnyDirection) {
+  support::Annulus ring;
+  ring.inner = 0.004;
+  ring.outer = 0.01;
+  ring.thickness = 0.05;
+  ring.radial = 1;
+  ring.angular = 16;
+  ring.axial = 2;
+  ring.degree = 3;
+  const double inertia = 0.25 * 3.14159265358979 *
+                         (std::pow(ring.outer, 4) - std::pow(ring.inner, 4));
+  for (const double angle : {0.0, 0.1, 0.2, 0.3, 0.3927}) {
+    const Vector3d force(100.0 * std::cos(angle), 100.0 * std::sin(angle), 0.0);
+    const auto faces =
+        held_by(support::ring_mesh<3>(ring), "z1", {0.0, 0.0, ring.thickness},
+                {{force, Vector3d::Zero()}}, {{"z0", {true, true, true}}}, 2);
+    ASSERT_EQ(faces.size(), 1U);
+    const double bent = 100.0 * ring.thickness * ring.outer / inertia;
+    EXPECT_NEAR(faces[0].nominal[0], bent, 1e-3 * bent) << angle;
+  }
+}
+
 TEST(HeldFace, OfAPlateInItsPlane) {
   auto plate = support::structured_mesh<2>(
       {6, 2}, 1, [](const Eigen::Vector2d& x) -> Eigen::Vector2d {
@@ -116,7 +207,7 @@ TEST(HeldFace, OfAPlateInItsPlane) {
   const Fixed fixed{{"x0", {true, true, true}}};
   const auto basis =
       elasticity::solve<2>({plate, kSteel, history, fixed, "plate"}, 2);
-  const auto faces = held_faces<2>(basis, kSteel, fixed);
+  const auto faces = held_faces<2>(basis, kSteel, fixed, history, "plate");
   ASSERT_EQ(faces.size(), 1U);
   const double area = kSize.y() * kSize.z();
   EXPECT_NEAR(faces[0].moment(2, 0), 50.0 * kSize.x(), 1e-8 * 10.0);
