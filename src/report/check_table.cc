@@ -196,7 +196,9 @@ std::string check_table(const CheckReport& report, Colour colour) {
   if (report.mechanism && !report.mechanism->impacts.empty()) {
     all += "\n" + impacts_text(report.mechanism->impacts, colour);
   }
-  all += "\n" + table.text(colour);
+  const bool is_empty = report.parts.empty() && report.failures.empty();
+  all += is_empty ? "\nthe scene has no [[part]], so no stress is judged\n"
+                  : "\n" + table.text(colour);
   for (const PartResult& part : report.parts) {
     all += part_impacts_text(part, colour);
   }
