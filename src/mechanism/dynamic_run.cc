@@ -44,7 +44,7 @@ DynamicRun::DynamicRun(const MechanismDefinition& definition,
       change_points_(definition, settings, frame_, dynamics_, equilibrium_),
       integrator_(dynamics_, settings.integrator),
       resampler_(dynamics_, settings.integrator),
-      events_(dynamics_),
+      events_(dynamics_, definition),
       impacts_(dynamics_),
       sample_times_(sample_times(settings, others)) {}
 

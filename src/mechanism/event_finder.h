@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "mechanism/forward_dynamics.h"
@@ -7,10 +10,14 @@
 
 namespace clevis::mechanism {
 
-/// Finds where the modes of force elements end within a step.
+/// Finds where the modes of force elements end within a step: where their event
+/// functions are negative at a sample, or between samples near to which they
+/// vanish and bend enough to have been negative in between.
 class EventFinder {
  public:
-  explicit EventFinder(ForwardDynamics& dynamics);
+  /// @param definition  of the motion; its sines tell how often to look at
+  ///   what rests.
+  EventFinder(ForwardDynamics& dynamics, const MechanismDefinition& definition);
 
   /// A state from which the modes hold.
   void start(double t, const Eigen::VectorXd& y);
@@ -23,12 +30,40 @@ class EventFinder {
   Event find(Integrator& integrator);
 
  private:
+  static constexpr int kPieces = 4;  ///< of a window
+  static constexpr int kDeepest = 20;
+
+  struct Sample {
+    double t{};
+    Eigen::VectorXd values;
+  };
+
+  int windows(double step) const;
+  Event find_in_window(Integrator& integrator);
+  Event find_between(Integrator& integrator, const Sample& left,
+                     const Sample& right, int depth);
+  Event first_root(Integrator& integrator, const Sample& left,
+                   const Sample& right);
+  bool may_dip(const Sample& left, const Sample& right,
+               const Eigen::VectorXd& bend) const;
+  bool any_negative(const Sample& sample) const;
+  void measure_bends();
+  void look(Integrator& integrator, double t, bool carefully,
+            Eigen::VectorXd& values);
   double value(Integrator& integrator, int event, double t);
-  double root(Integrator& integrator, int event, double left, double at_left,
+  double root(Integrator& integrator, int event, const Sample& left,
               double right);
 
   ForwardDynamics& dynamics_;
-  Eigen::VectorXd values_, next_, all_, state_;
+  bool watches_;         ///< any modes may end
+  double longest_look_;  ///< at what rests [s]
+  int looks_left_{};     ///< between samples, in this step
+  std::array<Sample, kPieces + 1> samples_;
+  /// By depth of halving: how much functions bend over an interval, and the
+  /// sample in its middle.
+  std::array<Eigen::VectorXd, kDeepest + 1> bends_;
+  std::array<Sample, kDeepest> middles_;
+  Eigen::VectorXd floors_, all_, state_;
 };
 
 }  // namespace clevis::mechanism

@@ -154,6 +154,10 @@ bool ForceModel::sticks(std::size_t k) const {
   return mechanism::sticks(elements_[k]);
 }
 
+bool ForceModel::any_sticks() const {
+  return std::ranges::any_of(elements_, mechanism::sticks);
+}
+
 void ForceModel::set_row_effort(std::size_t k, double effort) {
   ActingElement& e = elements_[k];
   const bool turns_rotor = inertia(k) > 0.0;

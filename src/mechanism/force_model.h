@@ -46,6 +46,7 @@ class ForceModel {
 
   /// Sticking friction is a constraint: its row, as levers and bias.
   bool sticks(std::size_t k) const;
+  bool any_sticks() const;
   bool is_angle(std::size_t k) const { return elements_[k].row.is_angle(); }
   const ActingElement& element(std::size_t k) const { return elements_[k]; }
   /// Whether an element brings a row of its own: it sticks, or a rotor turns

@@ -316,4 +316,14 @@ void ForwardDynamics::event_values(double t, const VectorXd& y,
   forces_.event_values(values);
 }
 
+void ForwardDynamics::guard_values(double t, const VectorXd& y,
+                                   VectorXd& values) {
+  if (forces_.any_sticks()) {
+    event_values(t, y, values);
+    return;
+  }
+  evaluate_forces(t, y);
+  forces_.event_values(values);
+}
+
 }  // namespace clevis::mechanism

@@ -94,6 +94,9 @@ class ForwardDynamics : public OdeSystem {
   void rest_or_turn(double t, Eigen::VectorXd& y, std::size_t k);
   void event_values(double t, const Eigen::VectorXd& y,
                     Eigen::VectorXd& values);
+  /// The same; computes no accelerations unless efforts that hold lines count.
+  void guard_values(double t, const Eigen::VectorXd& y,
+                    Eigen::VectorXd& values);
   /// A step that does not leap over what forces do next [s]; 0: any.
   double first_step(double t, const Eigen::VectorXd& y);
   ForceModel& forces() { return forces_; }
@@ -151,6 +154,7 @@ class ForwardDynamics : public OdeSystem {
   std::optional<BranchMotion> branch_motion(double t, const Eigen::VectorXd& y,
                                             int freedom);
   double kinetic_energy(const Eigen::VectorXd& y);
+  double length() const { return length_; }  ///< of the mechanism [m]
   /// Fills the rates of the positions alone.
   void position_rates(double t, const Eigen::VectorXd& y,
                       Eigen::VectorXd& rates) {
