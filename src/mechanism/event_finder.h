@@ -55,7 +55,6 @@ class EventFinder {
               double right);
 
   ForwardDynamics& dynamics_;
-  bool watches_;         ///< any modes may end
   double longest_look_;  ///< at what rests [s]
   int looks_left_{};     ///< between samples, in this step
   std::array<Sample, kPieces + 1> samples_;
