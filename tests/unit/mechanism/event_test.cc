@@ -118,7 +118,7 @@ TEST(Events, RestThatOnlyTimeEnds) {
           on_joint(0, servo),
           on_joint(0, FrictionLaw{.breakaway = 10.0, .kinetic = 8.0})};
       SimulationSettings s =
-          settings(0.3 / frequency, tolerance, IntegratorChoice::kAuto);
+          settings(10.0 / frequency, tolerance, IntegratorChoice::kAuto);
       const Motion motion = simulate(m, s);
       ASSERT_GE(motion.events.size(), 1u) << frequency << ' ' << tolerance;
       EXPECT_EQ(motion.events[0].what, "slip");
