@@ -137,8 +137,8 @@ TEST(Events, RestThatOnlyTimeEnds) {
                   .events.empty());
 }
 
-// v' = −a + b (t − s)², without regard to friction's sense: the speed comes to
-// −dip once, at s + √(a/b), and slides on if nothing holds it there.
+// The speed would come to −dip once a period, without regard to friction's
+// sense; friction that holds more than all loads must keep the slide at rest.
 TEST(Events, SlideThatDipsBelowRest) {
   const double kinetic = 8.0;
   for (const double dip : {1e-2, 1e-3, 1e-4}) {
