@@ -117,10 +117,15 @@ def on_terminal(clevis, environment):
 
 
 def check_output(clevis, checks):
-    checks.expect(b"\x1b[" in on_terminal(clevis, {"NO_COLOR": ""}),
-                  "colour on a terminal")
-    checks.expect(b"\x1b" not in on_terminal(clevis, {"NO_COLOR": "1"}),
-                  "no colour with NO_COLOR")
+    try:
+        on_terminal(clevis, {})
+    except OSError as error:  # a container without /dev/pts
+        print(f"left out: colour on a terminal: {error}")
+    else:
+        checks.expect(b"\x1b[" in on_terminal(clevis, {"NO_COLOR": ""}),
+                      "colour on a terminal")
+        checks.expect(b"\x1b" not in on_terminal(clevis, {"NO_COLOR": "1"}),
+                      "no colour with NO_COLOR")
     checks.expect("\x1b" not in call(clevis, ["explain", "Q1"]).stderr,
                   "no colour into a pipe")
     with open("/dev/full", "w") as full:
