@@ -13,9 +13,9 @@ struct BlowTimes {
   double front{};            ///< that is kept, of all degrees [s]
   double below{}, above{};   ///< error of the front [1]
   double root_below{}, root_above{};  ///< in the held sections [1]
-  double later = 1.0,
-         root_later = 1.0;  ///< largest stress after them over that at them [1]
-
+  /// Largest stress after them over that at them, outside the zones and in the
+  /// held sections [1].
+  double later = 1.0, root_later = 1.0;
   CourseSpread spread;  ///< holds the bands at the least
 
   int samples() const { return static_cast<int>(time.size()) - 1; }
