@@ -57,7 +57,7 @@ double ForwardDynamics::free_response(int slot, const Twist& lever) const {
   const auto at = static_cast<std::size_t>(slot);
   const Eigen::Vector3d turn =
       bodies_[at].turn_factor.transpose() * x_[at].R.transpose() * lever.w;
-  return lever.v.squaredNorm() / bodies_[at].mass +
+  return lever.v.squaredNorm() / applied_.mass(at) +
          turn.squaredNorm() / (length_ * length_);
 }
 

@@ -11,9 +11,9 @@
 #include "mechanism/impact_watch.h"
 #include "mechanism/load_sampler.h"
 #include "mechanism/motion.h"
+#include "mechanism/motion_integrator.h"
 #include "mechanism/reaction_peaks.h"
 #include "mechanism/solving_frame.h"
-#include "mechanism/switching_integrator.h"
 
 namespace clevis::mechanism {
 
@@ -70,8 +70,8 @@ class DynamicRun {
   ForwardDynamics dynamics_;
   Equilibrium equilibrium_;
   DynamicChangePoints change_points_;
-  SwitchingIntegrator integrator_;
-  SwitchingIntegrator resampler_;  ///< where dense output is too rough
+  MotionIntegrator integrator_;
+  MotionIntegrator resampler_;  ///< where dense output is too rough
   EventFinder events_;
   ImpactWatch impacts_;
   std::vector<double> sample_times_;

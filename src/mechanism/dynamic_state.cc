@@ -80,6 +80,31 @@ void ForwardDynamics::place(double t, const VectorXd& y) {
   system_.place(x_, placed_);
 }
 
+void ForwardDynamics::put_body(std::size_t slot, const BodyPlacement& placement,
+                               const Twist& twist, const VectorXd& y_before,
+                               double turned, VectorXd& y) const {
+  const auto i = static_cast<Index>(slot - 1);
+  if (planar_) {
+    y.segment<2>(3 * i) = placement.p.head<2>();
+    y[3 * i + 2] = y_before[3 * i + 2] + length_ * turned;
+    y.segment<2>(positions_ + 3 * i) = twist.v.head<2>();
+    y[positions_ + 3 * i + 2] = length_ * twist.w.z();
+    return;
+  }
+  y.segment<3>(7 * i) = placement.p;
+  y.segment<4>(7 * i + 3) = Eigen::Quaterniond(placement.R).coeffs();
+  y.segment<3>(positions_ + 6 * i) = twist.v;
+  y.segment<3>(positions_ + 6 * i + 3) = length_ * twist.w;
+}
+
+bool ForwardDynamics::has_joints_alone() const {
+  if (!drives_.empty() || !following_.empty()) return false;
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (forces_.brings_row(k)) return false;
+  }
+  return true;
+}
+
 void ForwardDynamics::put_position_rates(const VectorXd& y,
                                          VectorXd& rates) const {
   if (planar_) rates.head(positions_) = u_.head(positions_);
@@ -187,7 +212,7 @@ void ForwardDynamics::scales(const VectorXd& y, VectorXd& scales) const {
     scales.segment<4>(at).setConstant(0.5);  // of quaternions: a turn of 1
   }
   scales.segment(positions_, system_.columns())
-      .setConstant(speed_ > 0.0 ? speed_ : length_);
+      .setConstant(speed_scale());
   forces_.internal_scales(y.data() + internal_index(),
                           scales.data() + internal_index());
   scales[work_index()] = 0.0;
@@ -273,7 +298,7 @@ double ForwardDynamics::kinetic_energy(const VectorXd& y) {
   double energy = 0.0;
   for (std::size_t i = 1; i < x_.size(); ++i) {
     const Vector3d w_L = x_[i].R.transpose() * twists_[i].w;
-    energy += 0.5 * bodies_[i].mass * twists_[i].v.squaredNorm() +
+    energy += 0.5 * applied_.mass(i) * twists_[i].v.squaredNorm() +
               0.5 * w_L.dot(bodies_[i].inertia * w_L);
   }
   for (std::size_t k = 0; k < rotors_.size(); ++k) {

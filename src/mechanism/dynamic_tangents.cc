@@ -26,7 +26,7 @@ Index ForwardDynamics::tangents(double t, const VectorXd& y, MatrixXd& T) {
     put_displacement(y, open, T.col(j).head(positions_));
     T.col(j) *= length_;
     T.col(freedom + j).segment(positions_, columns) =
-        (speed_ > 0.0 ? speed_ : length_) * open;
+        speed_scale() * open;
   }
   scales(y, scratch_);
   Index used = 2 * freedom;

@@ -67,7 +67,8 @@ ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
       system_(frame, definition.drives,
               frame.planar ? Motions::kInPlane : Motions::kSpatial,
               ConstraintSystem::Drives::kAll),
-      forces_(definition, frame),
+      applied_(definition, frame),
+      forces_(applied_.forces()),
       rotors_(rotor_unknowns(forces_, system_.columns())),
       columns_(all_unknowns(rotors_, system_.columns())),
       mass_(static_cast<int>(columns_),
@@ -82,34 +83,25 @@ ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
       positions_(static_cast<Index>(definition.bodies.size()) *
                  (planar_ ? 3 : 7)),
       bodies_(definition.bodies.size() + 1),
-      gravity_(frame.R_WP.transpose() * definition.gravity_W),
       x_(frame.placement),
-      twists_(frame.placement.size()),
-      wrenches_(frame.placement.size()) {
+      twists_(frame.placement.size()) {
   for (std::size_t i = 1; i < bodies_.size(); ++i) {
     const part::MassProperties& given =
         definition.bodies[i - 1].mass_properties;
     Body& body = bodies_[i];
-    body.mass = given.mass;
     body.inertia = given.inertia_LCm;
     body.turn_factor = length_ * inverse_root(given.inertia_LCm);
     body.turn_root = body.turn_factor.inverse();
     body.R_start = frame.placement[i].R;
     body.inertia_z =
         (body.R_start * given.inertia_LCm * body.R_start.transpose())(2, 2);
-    const double root = 1.0 / std::sqrt(body.mass);
+    const double root = 1.0 / std::sqrt(given.mass);
     const int k = static_cast<int>(i) - 1;
     if (planar_) {
       mass_.set_diagonal(k, {root, root, length_ / std::sqrt(body.inertia_z)});
     } else {
       mass_.set_diagonal(2 * k, Vector3d::Constant(root));
     }
-  }
-  for (const ForceDefinition& force : definition.forces) {
-    loads_.push_back({force.body + 1,
-                      force.p_LP - frame.p_LM[index(force.body)],
-                      frame.R_WP.transpose() * force.f_W,
-                      frame.R_WP.transpose() * force.t_W});
   }
   placed_ = system_.place(x_);
   for (const double angle : x_.angles) turns_.push_back({angle, 0.0});
@@ -124,8 +116,6 @@ ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
   }
   mass_.set_tree(links(), planar_ ? 3 : 6);
   scratch_.setZero(size());
-  stiff_ = forces_.with_smooth_efforts();
-  by_law_.setZero(efforts());
   response_.setZero(columns_);
   response_rows_.setZero(most);
   targets_.setZero(static_cast<Index>(drives_.size()));
@@ -204,30 +194,20 @@ void ForwardDynamics::factor() {
 
 /// Wrenches about the centres of mass, and Q of them.
 void ForwardDynamics::add_loads(double t, const VectorXd& y) {
-  forces_.evaluate(t, x_, twists_, y.data() + internal_index());
-  for (std::size_t i = 1; i < wrenches_.size(); ++i) {
-    wrenches_[i].v = bodies_[i].mass * gravity_;
-    wrenches_[i].w.setZero();
-  }
-  take_efforts();
-  forces_.add_to(wrenches_);
-  for (const Load& load : loads_) {
-    Twist& wrench = wrenches_[index(load.slot)];
-    wrench.v += load.f;
-    wrench.w += load.t + (x_[index(load.slot)].R * load.p_CmP).cross(load.f);
-  }
-  for (std::size_t i = 1; i < wrenches_.size(); ++i) {
+  applied_.evaluate(t, x_, twists_, y.data() + internal_index());
+  const std::vector<Twist>& wrenches = applied_.wrenches();
+  for (std::size_t i = 1; i < wrenches.size(); ++i) {
     if (planar_) {
       const auto at = static_cast<Index>(3 * (i - 1));
-      Q_.segment<2>(at) = wrenches_[i].v.head<2>();
-      Q_[at + 2] = wrenches_[i].w.z() / length_;
+      Q_.segment<2>(at) = wrenches[i].v.head<2>();
+      Q_[at + 2] = wrenches[i].w.z() / length_;
     } else {
       const auto at = static_cast<Index>(6 * (i - 1));
       const Matrix3d& R = x_[i].R;
       const Vector3d& w = twists_[i].w;
       const Vector3d spin = R * (bodies_[i].inertia * (R.transpose() * w));
-      Q_.segment<3>(at) = wrenches_[i].v;
-      Q_.segment<3>(at + 3) = (wrenches_[i].w - w.cross(spin)) / length_;
+      Q_.segment<3>(at) = wrenches[i].v;
+      Q_.segment<3>(at + 3) = (wrenches[i].w - w.cross(spin)) / length_;
     }
   }
 }
@@ -256,10 +236,7 @@ void ForwardDynamics::rate(double t, const VectorXd& y, VectorXd& rate) {
     forces_.set_row_effort(k, row_scale(k) * lambda_[row++]);
   }
   forces_.internal_rates(rate.data() + internal_index());
-  for (std::size_t i = 1; i < x_.size(); ++i) {
-    power +=
-        wrenches_[i].v.dot(twists_[i].v) + wrenches_[i].w.dot(twists_[i].w);
-  }
+  power += applied_.power(twists_);
   put_position_rates(y, rate);
   rate.segment(positions_, system_.columns()) =
       acceleration_.head(system_.columns());
@@ -271,22 +248,11 @@ void ForwardDynamics::rate(double t, const VectorXd& y, VectorXd& rate) {
 
 void ForwardDynamics::hold_tangents(double t, const VectorXd& y) {
   place(t, y);
-  forces_.evaluate(t, x_, twists_, y.data() + internal_index());
-  take_efforts();
-  forces_.hold_tangents(y.data() + internal_index());
-}
-
-/// Notes what laws say, lets given efforts act.
-void ForwardDynamics::take_efforts() {
-  for (std::size_t i = 0; i < stiff_.size(); ++i) {
-    const auto at = static_cast<Index>(i);
-    by_law_[at] = forces_.element(stiff_[i]).effort;
-    if (given_ != nullptr) forces_.set_effort(stiff_[i], (*given_)[at]);
-  }
+  applied_.hold_tangents(t, x_, twists_, y.data() + internal_index());
 }
 
 void ForwardDynamics::effort_response(Index k, Eigen::Ref<VectorXd> rate) {
-  const ActingElement& e = forces_.element(stiff_[index(k)]);
+  const ActingElement& e = applied_.element_of_effort(k);
   residual_.setZero();
   change_.setZero();
   put_lever(e.line.a, e.levers.a, change_);
@@ -304,7 +270,7 @@ void ForwardDynamics::effort_response(Index k, Eigen::Ref<VectorXd> rate) {
 
 double ForwardDynamics::largest_load() const {
   double largest = 0.0;
-  for (const Twist& wrench : wrenches_) {
+  for (const Twist& wrench : applied_.wrenches()) {
     largest = std::max(largest, wrench.v.norm() + wrench.w.norm() / length_);
   }
   return largest;

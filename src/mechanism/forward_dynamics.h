@@ -5,11 +5,11 @@
 
 #include <Eigen/Core>
 
+#include "mechanism/applied_loads.h"
 #include "mechanism/constrained_mass.h"
 #include "mechanism/constraint_system.h"
 #include "mechanism/definition.h"
 #include "mechanism/following_friction.h"
-#include "mechanism/force_model.h"
 #include "mechanism/ode_system.h"
 
 namespace clevis::mechanism {
@@ -69,14 +69,14 @@ class ForwardDynamics : public OdeSystem {
     turn(y, v, false);
   }
   void hold_tangents(double t, const Eigen::VectorXd& y) override;
-  void release_tangents() override { forces_.release_tangents(); }
+  void release_tangents() override { applied_.release_tangents(); }
   /// Of springs, stops, servos and gas along lines.
-  Eigen::Index efforts() const override {
-    return static_cast<Eigen::Index>(stiff_.size());
+  Eigen::Index efforts() const override { return applied_.efforts(); }
+  void hold_efforts(const Eigen::VectorXd* given) override {
+    applied_.hold_efforts(given);
   }
-  void hold_efforts(const Eigen::VectorXd* given) override { given_ = given; }
   void efforts_by_law(Eigen::VectorXd& efforts) const override {
-    efforts = by_law_;
+    efforts = applied_.efforts_by_law();
   }
   void effort_response(Eigen::Index k,
                        Eigen::Ref<Eigen::VectorXd> rate) override;
@@ -101,6 +101,7 @@ class ForwardDynamics : public OdeSystem {
   double first_step(double t, const Eigen::VectorXd& y);
   ForceModel& forces() { return forces_; }
   const ForceModel& forces() const { return forces_; }
+  AppliedLoads& applied() { return applied_; }
   /// The forces alone, without what they make of the motion.
   void evaluate_forces(double t, const Eigen::VectorXd& y);
   /// Of a contact or an end of a stop, as of the last rate().
@@ -126,7 +127,17 @@ class ForwardDynamics : public OdeSystem {
   /// Lets those do so whose time it is.
   void communicate(double t, const Eigen::VectorXd& y);
 
-  /// As of the last rate() or project().
+  /// Configuration and twists of a state.
+  void place(double t, const Eigen::VectorXd& y);
+  /// The inverse, for a body. @param turned  planar: since y_before [rad].
+  void put_body(std::size_t slot, const BodyPlacement& placement,
+                const Twist& twist, const Eigen::VectorXd& y_before,
+                double turned, Eigen::VectorXd& y) const;
+  /// Whether nothing but joints, as rows, holds the bodies now.
+  bool has_joints_alone() const;
+  bool is_planar() const { return planar_; }
+
+  /// As of the last place(), rate() or project().
   const Configuration& configuration() const { return x_; }
   /// The same with quaternions, which planar motions do without.
   Configuration whole_configuration() const;
@@ -155,6 +166,9 @@ class ForwardDynamics : public OdeSystem {
                                             int freedom);
   double kinetic_energy(const Eigen::VectorXd& y);
   double length() const { return length_; }  ///< of the mechanism [m]
+  double tolerance() const { return tolerance_; }
+  /// Of unknowns, for scales() [m/s].
+  double speed_scale() const { return speed_ > 0.0 ? speed_ : length_; }
   /// Fills the rates of the positions alone.
   void position_rates(double t, const Eigen::VectorXd& y,
                       Eigen::VectorXd& rates) {
@@ -176,7 +190,6 @@ class ForwardDynamics : public OdeSystem {
   void note_speed(const Eigen::VectorXd& y);
 
  private:
-  void place(double t, const Eigen::VectorXd& y);
   void put_position_rates(const Eigen::VectorXd& y,
                           Eigen::VectorXd& rates) const;
   void set_targets(double t);
@@ -186,7 +199,6 @@ class ForwardDynamics : public OdeSystem {
   void factor();
   bool factor_tree();
   void add_loads(double t, const Eigen::VectorXd& y);
-  void take_efforts();
   /// Constant scale of the row that element k brings.
   double row_scale(std::size_t k) const {
     return forces_.is_angle(k) ? length_ : 1.0;
@@ -223,22 +235,17 @@ class ForwardDynamics : public OdeSystem {
                         Eigen::Ref<Eigen::VectorXd> change) const;
 
   struct Body {
-    double mass{};
     Eigen::Matrix3d inertia;      ///< about Cm, in L
     Eigen::Matrix3d turn_factor;  ///< in L: F with F Fᵀ = length² inertia⁻¹
     Eigen::Matrix3d turn_root;    ///< its inverse
     double inertia_z{};           ///< planar: about the normal
     Eigen::Matrix3d R_start;      ///< planar: orientation at angle zero
   };
-  struct Load {
-    int slot{};
-    Eigen::Vector3d p_CmP, f, t;
-  };
-
   const SolvingFrame& frame_;
   const std::vector<DriveDefinition>& drives_;
   ConstraintSystem system_;
-  ForceModel forces_;
+  AppliedLoads applied_;
+  ForceModel& forces_;                ///< of them
   std::vector<Eigen::Index> rotors_;  ///< by force element: unknown, or −1
   Eigen::Index columns_;              ///< unknowns of bodies, then of rotors
   ConstrainedMass mass_;
@@ -255,12 +262,6 @@ class ForwardDynamics : public OdeSystem {
   std::vector<Turn> turns_;  ///< by joint, at accepted_at_
   double accepted_at_{};
   double piece_start_{};  ///< of the drives' laws [s]
-  std::vector<Load> loads_;
-  Eigen::Vector3d gravity_;
-
-  std::vector<std::size_t> stiff_;          ///< elements of efforts()
-  const Eigen::VectorXd* given_ = nullptr;  ///< see hold_efforts()
-  Eigen::VectorXd by_law_;
 
   // workspace
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> row_space_;  ///< of tangents()
@@ -270,7 +271,7 @@ class ForwardDynamics : public OdeSystem {
   Eigen::VectorXd scratch_, before_rest_;
   Configuration x_;
   std::vector<PlacedJoint> placed_;
-  std::vector<Twist> twists_, wrenches_;
+  std::vector<Twist> twists_;
   Eigen::MatrixXd J_;
   Eigen::VectorXd u_, targets_, target_rates_, target_seconds_, residual_,
       gamma_, Q_, acceleration_, lambda_, change_, response_, response_rows_;

@@ -71,12 +71,13 @@ void ForwardDynamics::rest_or_turn(double t, VectorXd& y, std::size_t k) {
 /// part [m/s²].
 double ForwardDynamics::acceleration_size() const {
   const double speed = u_.lpNorm<Eigen::Infinity>();
+  const std::vector<Twist>& wrenches = applied_.wrenches();
   double size =
       acceleration_.lpNorm<Eigen::Infinity>() + speed * speed / length_;
   for (std::size_t i = 1; i < bodies_.size(); ++i) {
     const double turning = bodies_[i].turn_factor.squaredNorm() / length_;
-    size = std::max({size, wrenches_[i].v.norm() / bodies_[i].mass,
-                     wrenches_[i].w.norm() * turning});
+    size = std::max({size, wrenches[i].v.norm() / applied_.mass(i),
+                     wrenches[i].w.norm() * turning});
   }
   return size;
 }
@@ -114,9 +115,9 @@ double ForwardDynamics::free_acceleration(std::size_t k) const {
   double sum = 0.0;
   const auto add = [&](int slot, const Twist& lever) {
     if (slot == 0) return;
-    const Body& body = bodies_[static_cast<std::size_t>(slot)];
-    sum += lever.v.squaredNorm() / body.mass +
-           lever.w.squaredNorm() * body.turn_factor.squaredNorm() /
+    const auto at = static_cast<std::size_t>(slot);
+    sum += lever.v.squaredNorm() / applied_.mass(at) +
+           lever.w.squaredNorm() * bodies_[at].turn_factor.squaredNorm() /
                (length_ * length_);
   };
   add(e.line.a, e.levers.a);

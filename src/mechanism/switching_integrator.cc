@@ -77,10 +77,4 @@ void SwitchingIntegrator::count() {
              .factorisations = b.factorisations};
 }
 
-std::string SwitchingIntegrator::method() const {
-  const bool both = explicit_steps() > 0 && implicit_steps() > 0;
-  if (both) return "DOP853 and Radau IIA";
-  return implicit_steps() > 0 ? "Radau IIA" : "DOP853";
-}
-
 }  // namespace clevis::mechanism

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "mechanism/definition.h"
 #include "mechanism/dop853.h"
 #include "mechanism/radau.h"
@@ -29,9 +27,6 @@ class SwitchingIntegrator : public Integrator {
   bool wants_change() const override { return false; }
   double next_step() const override { return active_->next_step(); }
 
-  /// "DOP853", "Radau IIA", or both.
-  std::string method() const;
-  long explicit_steps() const { return explicit_.counts().steps; }
   long implicit_steps() const { return implicit_.counts().steps; }
 
  private:

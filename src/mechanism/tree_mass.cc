@@ -65,8 +65,7 @@ void scale(Row& row) {
 
 /// Whether every body hangs on one joint at most that leads to the ground;
 /// puts the body behind each one before it.
-bool order_outwards(const SolvingFrame& frame, std::vector<TreeLink>& links,
-                    std::vector<int>& joints) {
+bool order_outwards(const SolvingFrame& frame, std::vector<TreeLink>& links) {
   const std::size_t bodies = frame.placement.size() - 1;
   std::vector<bool> reached(bodies + 1, false), used(frame.joints.size());
   reached[0] = true;
@@ -79,8 +78,7 @@ bool order_outwards(const SolvingFrame& frame, std::vector<TreeLink>& links,
       if (!reached[static_cast<std::size_t>(a)]) continue;
       if (reached[static_cast<std::size_t>(b)]) return false;  // a loop
       reached[static_cast<std::size_t>(b)] = used[j] = found = true;
-      links.push_back({b - 1, a - 1, {}});
-      joints.push_back(static_cast<int>(j));
+      links.push_back({b - 1, a - 1, static_cast<int>(j), {}});
     }
     return found;
   };
@@ -90,13 +88,10 @@ bool order_outwards(const SolvingFrame& frame, std::vector<TreeLink>& links,
     if (std::ranges::find(reached, false) == reached.end()) break;
     const auto next = std::ranges::find(reached, false) - reached.begin();
     reached[static_cast<std::size_t>(next)] = true;  // hangs on nothing
-    links.push_back({static_cast<int>(next) - 1, -1, {}});
-    joints.push_back(-1);
+    links.push_back({static_cast<int>(next) - 1, -1, -1, {}});
   }
-  return links.size() == bodies &&
-         joints.size() -
-                 static_cast<std::size_t>(std::ranges::count(joints, -1)) ==
-             frame.joints.size();
+  return links.size() == bodies && std::ranges::count(used, true) ==
+                                       std::ssize(frame.joints);
 }
 
 }  // namespace
@@ -104,16 +99,15 @@ bool order_outwards(const SolvingFrame& frame, std::vector<TreeLink>& links,
 std::vector<TreeLink> tree_links(const SolvingFrame& frame,
                                  const std::vector<int>& joint_of_row) {
   std::vector<TreeLink> links;
-  std::vector<int> joints;
-  if (!frame.couplings.empty() || !order_outwards(frame, links, joints)) {
+  if (!frame.couplings.empty() || !order_outwards(frame, links)) {
     return {};
   }
-  for (std::size_t k = 0; k < links.size(); ++k) {
+  for (TreeLink& link : links) {
     for (std::size_t row = 0; row < joint_of_row.size(); ++row) {
-      if (joint_of_row[row] != joints[k]) continue;
-      links[k].rows.push_back(static_cast<int>(row));
+      if (joint_of_row[row] != link.joint) continue;
+      link.rows.push_back(static_cast<int>(row));
     }
-    if (links[k].rows.size() > 6) return {};  // drives contradict the joint
+    if (link.rows.size() > 6) return {};  // drives contradict the joint
   }
   std::ranges::reverse(links);
   return links;

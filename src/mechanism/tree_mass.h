@@ -12,6 +12,7 @@ namespace clevis::mechanism {
 struct TreeLink {
   int body{};       ///< from 0
   int parent = -1;  ///< or ground
+  int joint = -1;   ///< or free
   std::vector<int> rows;
 };
 

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mechanism/joint_coordinates.h"
+
+namespace clevis::mechanism {
+
+/// Accelerations of a tree in the coordinates of its joints, by articulated
+/// inertias from the outer bodies inwards (Featherstone 2008, 7.3), referred
+/// to the centres of mass. None of it allocates.
+class ArticulatedBodies {
+ public:
+  ArticulatedBodies(const MechanismDefinition& definition,
+                    const JointCoordinates& coordinates);
+
+  /// Inertias as of coordinates.place(). @return false where a joint meets no
+  ///   inertia.
+  bool factor(const Configuration& x);
+  /// @param wrenches  by slot, about the centres of mass; @param twists
+  ///   nullptr: what wrenches alone do. @param u_rate  of all joints.
+  void accelerate(const std::vector<Twist>& wrenches, const Configuration& x,
+                  const std::vector<Twist>* twists, double* u_rate);
+
+ private:
+  using Vector3d = Eigen::Vector3d;
+  using Matrix3d = Eigen::Matrix3d;
+  /// Of force (f, t) by acceleration (a, α): f = A a + B α, t = Bᵀ a + C α.
+  struct Inertia {
+    Matrix3d A, B, C;
+
+    Twist times(const Twist& motion) const {
+      return {A * motion.v + B * motion.w,
+              B.transpose() * motion.v + C * motion.w};
+    }
+  };
+  struct Body {
+    double mass{};
+    Matrix3d own;     ///< inertia about the centre of mass, in L
+    Inertia inertia;  ///< with all that hangs on it
+    /// V with V Vᵀ = (I S) (Sᵀ I S)⁻¹ (I S)ᵀ, and the lower triangle of the
+    /// Cholesky factor of Sᵀ I S with the inverse of its diagonal.
+    std::array<Twist, 6> V;
+    Eigen::Matrix<double, 6, 6> L;
+    Eigen::Matrix<double, 6, 1> left;
+    Twist force, acceleration;
+  };
+
+  void place_inertias(const Configuration& x);
+  bool factor_joint(std::size_t k);
+  void add_to_parent(std::size_t k);
+  void sweep_inwards(bool with_bias);
+  void sweep_outwards(bool with_bias, double* u_rate);
+
+  const JointCoordinates& coordinates_;
+  std::vector<Body> bodies_;  ///< by link
+};
+
+}  // namespace clevis::mechanism

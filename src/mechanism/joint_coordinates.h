@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mechanism/joint_motion.h"
+#include "mechanism/solving_frame.h"
+#include "mechanism/tree_mass.h"
+
+namespace clevis::mechanism {
+
+/// Coordinates of the joints of a tree: every body by the joint on which it
+/// hangs, and free ones by their own placement.
+class JointCoordinates {
+ public:
+  struct Link {
+    std::size_t slot{};
+    int parent = -1;  ///< link, or ground
+    int joint = -1;   ///< or free
+    JointMotionKind kind{};
+    bool is_b = true;  ///< of the joint
+    Eigen::Index q{}, u{};  ///< of its first coordinate and velocity
+    int count{};            ///< of velocities
+  };
+  /// What velocities u of its joint do to a body, at its centre of mass: with
+  /// `shift` from the parent's, and for accelerations a and turning α of the
+  /// parent,
+  ///
+  ///     a_body = a + α × shift + Σ S_j u̇_j + bias.
+  struct Motion {
+    std::array<Twist, 6> S;
+    Twist bias;
+    Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  };
+
+  /// @param frame  referred to centres of mass; outlives the result.
+  /// @return nothing unless the mechanism is a tree whose joints all have
+  ///   coordinates.
+  static std::optional<JointCoordinates> of(const SolvingFrame& frame);
+
+  Eigen::Index coordinates() const { return coordinates_; }
+  Eigen::Index velocities() const { return velocities_; }
+  const std::vector<Link>& links() const { return links_; }  ///< inner first
+  const std::vector<Motion>& motions() const { return motions_; }
+
+  /// Places the bodies and fills motions(). @param q, u  of all joints.
+  void place(const double* q, const double* u, Configuration& x,
+             std::vector<Twist>& twists);
+  /// The inverse, on the nearest coordinates: what gapes is left out.
+  void read(const Configuration& x, const std::vector<Twist>& twists, double* q,
+            double* u) const;
+  /// Rates of the coordinates.
+  void rates(const double* q, const double* u, double* rates) const;
+
+ private:
+  explicit JointCoordinates(const SolvingFrame& frame) : frame_(&frame) {}
+  bool add(const TreeLink& link);
+  std::size_t parent_slot(const Link& link) const {
+    return link.parent < 0 ? 0
+                           : links_[static_cast<std::size_t>(link.parent)].slot;
+  }
+  JointModel model(const Link& link) const;
+
+  const SolvingFrame* frame_;
+  Eigen::Index coordinates_{}, velocities_{};
+  std::vector<Link> links_;
+  std::vector<JointModel> models_;  ///< by link
+  std::vector<Motion> motions_;
+};
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,82 @@
+#include "mechanism/motion_integrator.h"
+
+namespace clevis::mechanism {
+
+using Eigen::VectorXd;
+
+MotionIntegrator::MotionIntegrator(const MechanismDefinition& definition,
+                                   const SolvingFrame& frame,
+                                   ForwardDynamics& dynamics,
+                                   IntegratorChoice choice)
+    : dynamics_(dynamics),
+      bodies_(dynamics, choice),
+      coordinates_(JointCoordinates::of(frame)),
+      active_(&bodies_),
+      y_(VectorXd::Zero(dynamics.size())) {
+  if (!coordinates_) return;
+  tree_.emplace(definition, dynamics, *coordinates_);
+  joints_.emplace(*tree_, choice);
+  z_.setZero(tree_->size());
+}
+
+void MotionIntegrator::restart(double t, const VectorXd& y, double step) {
+  active_ = joints_ && dynamics_.has_joints_alone() ? &*joints_ : &bodies_;
+  if (in_joints()) {
+    tree_->start(t, y, z_);
+    y_ = y;
+    active_->restart(t, z_, step);
+  } else {
+    active_->restart(t, y, step);
+  }
+  count();
+}
+
+bool MotionIntegrator::step(double limit) {
+  const bool done = active_->step(limit);
+  if (done && in_joints()) tree_->expand(active_->y(), y_);
+  count();
+  return done;
+}
+
+void MotionIntegrator::interpolate(double t, VectorXd& y) {
+  if (!in_joints()) return active_->interpolate(t, y);
+  active_->interpolate(t, z_);
+  tree_->expand(z_, y);
+}
+
+void MotionIntegrator::state_at(double t, VectorXd& y) {
+  if (!in_joints()) return active_->state_at(t, y);
+  active_->state_at(t, z_);
+  tree_->expand(z_, y);
+}
+
+void MotionIntegrator::correct(const VectorXd& y) {
+  if (!in_joints()) return active_->correct(y);
+  z_ = active_->y();
+  tree_->read(active_->t(), y, z_);
+  y_ = y;
+  active_->correct(z_);
+}
+
+void MotionIntegrator::count() {
+  counts_ = bodies_.counts();
+  if (!joints_) return;
+  const StepCounts& more = joints_->counts();
+  counts_.steps += more.steps;
+  counts_.rejected += more.rejected;
+  counts_.evaluations += more.evaluations;
+  counts_.factorisations += more.factorisations;
+}
+
+long MotionIntegrator::implicit_steps() const {
+  return bodies_.implicit_steps() + (joints_ ? joints_->implicit_steps() : 0);
+}
+
+std::string MotionIntegrator::method() const {
+  const long implicit = implicit_steps();
+  const bool both = implicit > 0 && implicit < counts_.steps;
+  if (both) return "DOP853 and Radau IIA";
+  return implicit > 0 ? "Radau IIA" : "DOP853";
+}
+
+}  // namespace clevis::mechanism

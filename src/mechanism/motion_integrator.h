@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "mechanism/definition.h"
+#include "mechanism/forward_dynamics.h"
+#include "mechanism/joint_coordinates.h"
+#include "mechanism/switching_integrator.h"
+#include "mechanism/tree_system.h"
+
+namespace clevis::mechanism {
+
+/// Integrates ForwardDynamics: bodies of a tree that its joints alone hold in
+/// the coordinates of these, others as they are. States are those of the
+/// dynamics.
+class MotionIntegrator : public Integrator {
+ public:
+  /// @param frame, dynamics  outlive this.
+  MotionIntegrator(const MechanismDefinition& definition,
+                   const SolvingFrame& frame, ForwardDynamics& dynamics,
+                   IntegratorChoice choice);
+
+  MotionIntegrator(const MotionIntegrator&) = delete;
+  MotionIntegrator& operator=(const MotionIntegrator&) = delete;
+
+  void restart(double t, const Eigen::VectorXd& y, double step) override;
+  bool step(double limit) override;
+  double t_start() const override { return active_->t_start(); }
+  double t() const override { return active_->t(); }
+  const Eigen::VectorXd& y() const override {
+    return in_joints() ? y_ : active_->y();
+  }
+  void interpolate(double t, Eigen::VectorXd& y) override;
+  void state_at(double t, Eigen::VectorXd& y) override;
+  void correct(const Eigen::VectorXd& y) override;
+  bool wants_change() const override { return false; }
+  double next_step() const override { return active_->next_step(); }
+
+  /// "DOP853", "Radau IIA", or both.
+  std::string method() const;
+  long implicit_steps() const;
+
+ private:
+  bool in_joints() const { return active_ != &bodies_; }
+  void count();
+
+  ForwardDynamics& dynamics_;
+  SwitchingIntegrator bodies_;
+  std::optional<JointCoordinates> coordinates_;
+  std::optional<TreeSystem> tree_;
+  std::optional<SwitchingIntegrator> joints_;
+  SwitchingIntegrator* active_;
+  Eigen::VectorXd y_, z_;
+};
+
+}  // namespace clevis::mechanism

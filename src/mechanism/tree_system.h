@@ -1,0 +1,72 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mechanism/articulated_bodies.h"
+#include "mechanism/forward_dynamics.h"
+#include "mechanism/joint_coordinates.h"
+#include "mechanism/ode_system.h"
+
+namespace clevis::mechanism {
+
+/// The motion of ForwardDynamics in the coordinates of a tree's joints, where
+/// these alone hold the bodies.
+///
+/// State z: coordinates and velocities of JointCoordinates, internal states of
+/// forces, the work of all forces.
+class TreeSystem : public OdeSystem {
+ public:
+  /// @param dynamics, coordinates  outlive this.
+  TreeSystem(const MechanismDefinition& definition, ForwardDynamics& dynamics,
+             JointCoordinates& coordinates);
+
+  int size() const override { return static_cast<int>(work_index()) + 1; }
+  void rate(double t, const Eigen::VectorXd& z, Eigen::VectorXd& rate) override;
+  void error_weights(const Eigen::VectorXd& z,
+                     Eigen::VectorXd& weights) const override;
+  void scales(const Eigen::VectorXd& z, Eigen::VectorXd& scales) const override;
+  Eigen::Index tangents(double t, const Eigen::VectorXd& z,
+                        Eigen::MatrixXd& T) override;
+  void hold_tangents(double t, const Eigen::VectorXd& z) override;
+  void release_tangents() override { loads_.release_tangents(); }
+  Eigen::Index efforts() const override { return loads_.efforts(); }
+  void hold_efforts(const Eigen::VectorXd* given) override {
+    loads_.hold_efforts(given);
+  }
+  void efforts_by_law(Eigen::VectorXd& efforts) const override {
+    efforts = loads_.efforts_by_law();
+  }
+  void effort_response(Eigen::Index k,
+                       Eigen::Ref<Eigen::VectorXd> rate) override;
+
+  /// A motion starts at y, a state of the dynamics.
+  void start(double t, const Eigen::VectorXd& y, Eigen::VectorXd& z);
+  /// z of a state y close to z.
+  void read(double t, const Eigen::VectorXd& y, Eigen::VectorXd& z);
+  /// y of z.
+  void expand(const Eigen::VectorXd& z, Eigen::VectorXd& y);
+
+ private:
+  Eigen::Index internal_index() const {
+    return coordinates_.coordinates() + coordinates_.velocities();
+  }
+  Eigen::Index work_index() const {
+    return internal_index() + dynamics_.forces().internal_states();
+  }
+  void place(const Eigen::VectorXd& z);
+  void set_scales();
+
+  ForwardDynamics& dynamics_;
+  JointCoordinates& coordinates_;
+  AppliedLoads& loads_;
+  ArticulatedBodies bodies_;
+  Configuration x_;
+  std::vector<Twist> twists_, levers_;
+  Eigen::VectorXd sizes_;  ///< of coordinates, as if they were speeds [1], [m]
+  std::vector<double> turned_;  ///< by link, planar: since start() [rad]
+  Eigen::VectorXd start_y_, start_z_, internal_;
+};
+
+}  // namespace clevis::mechanism
