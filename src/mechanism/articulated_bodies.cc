@@ -158,8 +158,7 @@ void ArticulatedBodies::sweep_outwards(bool with_bias, double* u_rate) {
     }
     double* rate = u_rate + link.u;
     for (int i = link.count; i-- > 0;) {
-      double value =
-          body.left[i] - dot(body.V[static_cast<std::size_t>(i)], a);
+      double value = body.left[i] - dot(body.V[static_cast<std::size_t>(i)], a);
       for (int j = i + 1; j < link.count; ++j) value -= body.L(j, i) * rate[j];
       rate[i] = value * body.L(i, i);
     }

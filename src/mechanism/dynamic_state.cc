@@ -211,8 +211,7 @@ void ForwardDynamics::scales(const VectorXd& y, VectorXd& scales) const {
   for (Index at = 3; !planar_ && at < positions_; at += 7) {
     scales.segment<4>(at).setConstant(0.5);  // of quaternions: a turn of 1
   }
-  scales.segment(positions_, system_.columns())
-      .setConstant(speed_scale());
+  scales.segment(positions_, system_.columns()).setConstant(speed_scale());
   forces_.internal_scales(y.data() + internal_index(),
                           scales.data() + internal_index());
   scales[work_index()] = 0.0;

@@ -25,8 +25,7 @@ Index ForwardDynamics::tangents(double t, const VectorXd& y, MatrixXd& T) {
     const auto open = open_.col(j);
     put_displacement(y, open, T.col(j).head(positions_));
     T.col(j) *= length_;
-    T.col(freedom + j).segment(positions_, columns) =
-        speed_scale() * open;
+    T.col(freedom + j).segment(positions_, columns) = speed_scale() * open;
   }
   scales(y, scratch_);
   Index used = 2 * freedom;

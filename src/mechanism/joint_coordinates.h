@@ -20,7 +20,7 @@ class JointCoordinates {
     int parent = -1;  ///< link, or ground
     int joint = -1;   ///< or free
     JointMotionKind kind{};
-    bool is_b = true;  ///< of the joint
+    bool is_b = true;       ///< of the joint
     Eigen::Index q{}, u{};  ///< of its first coordinate and velocity
     int count{};            ///< of velocities
   };
@@ -62,6 +62,17 @@ class JointCoordinates {
                            : links_[static_cast<std::size_t>(link.parent)].slot;
   }
   JointModel model(const Link& link) const;
+  struct Joint {
+    Eigen::Matrix3d axes_a;
+    Eigen::Vector3d from_a, from_b;  ///< to J on b from the centres of mass
+  };
+  Joint place_body(std::size_t k, const JointMotion& relative,
+                   Configuration& x);
+  Twist put_directions(std::size_t k, const Joint& joint,
+                       const JointMotion& relative, const double* u);
+  void put_velocities(std::size_t k, const Joint& joint, const Twist& rate,
+                      const Eigen::Vector3d& turning,
+                      std::vector<Twist>& twists);
 
   const SolvingFrame* frame_;
   Eigen::Index coordinates_{}, velocities_{};

@@ -90,8 +90,8 @@ bool order_outwards(const SolvingFrame& frame, std::vector<TreeLink>& links) {
     reached[static_cast<std::size_t>(next)] = true;  // hangs on nothing
     links.push_back({static_cast<int>(next) - 1, -1, -1, {}});
   }
-  return links.size() == bodies && std::ranges::count(used, true) ==
-                                       std::ssize(frame.joints);
+  return links.size() == bodies &&
+         std::ranges::count(used, true) == std::ssize(frame.joints);
 }
 
 }  // namespace

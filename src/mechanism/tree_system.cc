@@ -128,8 +128,9 @@ Index TreeSystem::tangents(double /*t*/, const VectorXd& z,
     for (int j = 0; j < link.count; ++j) {
       const double size = sizes_[n + link.u + j];
       if (first >= 0 && j >= first) {
-        T.col(used).segment<4>(link.q + first) = quaternion_rate(
-            z.segment<4>(link.q + first), 0.5 * size * Vector3d::Unit(j - first));
+        T.col(used).segment<4>(link.q + first) =
+            quaternion_rate(z.segment<4>(link.q + first),
+                            0.5 * size * Vector3d::Unit(j - first));
       } else {
         T(link.q + j, used) = size;
       }
@@ -137,7 +138,8 @@ Index TreeSystem::tangents(double /*t*/, const VectorXd& z,
     }
   }
   used *= 2;
-  loads_.forces().internal_scales(z.data() + internal_index(), internal_.data());
+  loads_.forces().internal_scales(z.data() + internal_index(),
+                                  internal_.data());
   for (Index i = 0; i < internal_.size(); ++i) {
     if (internal_[i] == 0.0) continue;
     const Index at = internal_index() + i;
@@ -171,8 +173,9 @@ void TreeSystem::expand(const VectorXd& z, VectorXd& y) {
     turned_[k] =
         link.parent < 0 ? 0.0 : turned_[static_cast<std::size_t>(link.parent)];
     for (int j = 0; j < link.count; ++j) {
-      turned_[k] += coordinates_.motions()[k].S[static_cast<std::size_t>(j)].w.z() *
-                    (z[link.q + j] - start_z_[link.q + j]);
+      turned_[k] +=
+          coordinates_.motions()[k].S[static_cast<std::size_t>(j)].w.z() *
+          (z[link.q + j] - start_z_[link.q + j]);
     }
   }
   for (std::size_t k = 0; k < links.size(); ++k) {

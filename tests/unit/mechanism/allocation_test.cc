@@ -5,7 +5,7 @@
 
 #include "mechanism/forward_dynamics.h"
 #include "mechanism/initial_state.h"
-#include "mechanism/switching_integrator.h"
+#include "mechanism/motion_integrator.h"
 #include "support/benchmark_mechanisms.h"
 #include "support/reference_motions.h"
 
@@ -43,7 +43,7 @@ long allocations_of_steps(const MechanismDefinition& definition,
   dynamics.project(0.0, y);
   dynamics.choose_modes(0.0, y);
   dynamics.accept(0.0, y);
-  SwitchingIntegrator integrator(dynamics, choice);
+  MotionIntegrator integrator(definition, frame, dynamics, choice);
   integrator.restart(0.0, y, 0.0);
   long before = 0;
   for (int i = 0; i < skip + steps; ++i) {
@@ -104,6 +104,8 @@ TEST(Allocation, NoneInAStep) {
     EXPECT_EQ(allocations_of_steps(testing::pulled(testing::bristles()), choice,
                                    2, 20),
               0);
+    EXPECT_EQ(
+        allocations_of_steps(testing::two_window_four_bar(), choice, 2, 20), 0);
     EXPECT_EQ(allocations_of_steps(on_gas(), choice, 2, 20), 0);
     EXPECT_EQ(allocations_of_steps(on_a_motor(), choice, 2, 20), 0);
     EXPECT_EQ(
