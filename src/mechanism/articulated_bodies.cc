@@ -1,6 +1,7 @@
 #include "mechanism/articulated_bodies.h"
 
 #include <cmath>
+#include <utility>
 
 namespace clevis::mechanism {
 namespace {
@@ -31,8 +32,11 @@ Matrix3d times_cross(const Matrix3d& m, const Vector3d& r) {
 }  // namespace
 
 ArticulatedBodies::ArticulatedBodies(const MechanismDefinition& definition,
-                                     const JointCoordinates& coordinates)
-    : coordinates_(coordinates), bodies_(coordinates.links().size()) {
+                                     const JointCoordinates& coordinates,
+                                     std::vector<double> armatures)
+    : coordinates_(coordinates),
+      armatures_(std::move(armatures)),
+      bodies_(coordinates.links().size()) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const part::MassProperties& given =
         definition.bodies[coordinates.links()[k].slot - 1].mass_properties;
@@ -63,12 +67,13 @@ bool ArticulatedBodies::factor(const Configuration& x) {
 bool ArticulatedBodies::factor_joint(std::size_t k) {
   Body& body = bodies_[k];
   const auto& S = coordinates_.motions()[k].S;
-  const auto n = static_cast<std::size_t>(coordinates_.links()[k].count);
+  const JointCoordinates::Link& link = coordinates_.links()[k];
+  const auto n = static_cast<std::size_t>(link.open);
   auto& L = body.L;
   for (std::size_t i = 0; i < n; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     body.V[i] = body.inertia.times(S[i]);
-    const double whole = dot(S[i], body.V[i]);
+    const double whole = dot(S[i], body.V[i]) + armature(link, i);
     double pivot = whole;
     for (std::size_t j = 0; j < i; ++j) {
       const auto column = static_cast<Eigen::Index>(j);
@@ -90,7 +95,7 @@ void ArticulatedBodies::add_to_parent(std::size_t k) {
   const JointCoordinates::Link& link = coordinates_.links()[k];
   const Body& body = bodies_[k];
   Inertia left = body.inertia;
-  for (int i = 0; i < link.count; ++i) {
+  for (int i = 0; i < link.open; ++i) {
     const Twist& V = body.V[static_cast<std::size_t>(i)];
     left.A.noalias() -= V.v * V.v.transpose();
     left.B.noalias() -= V.v * V.w.transpose();
@@ -130,14 +135,14 @@ void ArticulatedBodies::sweep_inwards(bool with_bias) {
     const JointCoordinates::Motion& motion = coordinates_.motions()[k];
     Body& body = bodies_[k];
     if (with_bias) add(1.0, body.inertia.times(motion.bias), body.force);
-    for (int i = 0; i < link.count; ++i) {
+    for (int i = 0; i < link.open; ++i) {
       double left = -dot(motion.S[static_cast<std::size_t>(i)], body.force);
       for (int j = 0; j < i; ++j) left -= body.L(i, j) * body.left[j];
       body.left[i] = left * body.L(i, i);
     }
     if (link.parent < 0) continue;
     Twist force = body.force;
-    for (int i = 0; i < link.count; ++i) {
+    for (int i = 0; i < link.open; ++i) {
       add(body.left[i], body.V[static_cast<std::size_t>(i)], force);
     }
     force.w += motion.shift.cross(force.v);
@@ -153,20 +158,42 @@ void ArticulatedBodies::sweep_outwards(bool with_bias, double* u_rate) {
     Twist& a = body.acceleration;
     a = {};
     if (link.parent >= 0) {
-      a = bodies_[static_cast<std::size_t>(link.parent)].acceleration;
+      const auto parent = static_cast<std::size_t>(link.parent);
+      a = bodies_[parent].acceleration;
+      if (with_bias) add(1.0, coordinates_.motions()[parent].bias, a);
       a.v += a.w.cross(motion.shift);
     }
-    double* rate = u_rate + link.u;
-    for (int i = link.count; i-- > 0;) {
+    auto& rate = body.left;
+    for (int i = link.open; i-- > 0;) {
       double value = body.left[i] - dot(body.V[static_cast<std::size_t>(i)], a);
-      for (int j = i + 1; j < link.count; ++j) value -= body.L(j, i) * rate[j];
+      for (int j = i + 1; j < link.open; ++j) value -= body.L(j, i) * rate[j];
       rate[i] = value * body.L(i, i);
+      u_rate[link.u + link.order[static_cast<std::size_t>(i)]] = rate[i];
     }
-    for (int i = 0; i < link.count; ++i) {
+    for (int i = 0; i < link.open; ++i) {
       add(rate[i], motion.S[static_cast<std::size_t>(i)], a);
     }
-    if (with_bias) add(1.0, motion.bias, a);
   }
+}
+
+double ArticulatedBodies::drive_power(const double* u,
+                                      const double* u_rate) const {
+  double power = 0.0;
+  for (const JointCoordinates::Driven& driven : coordinates_.driven()) {
+    const JointCoordinates::Link& link = coordinates_.links()[driven.link];
+    const Body& body = bodies_[driven.link];
+    Twist force = body.inertia.times(body.acceleration);
+    add(1.0, body.force, force);
+    for (int j = link.open; j < link.count; ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      if (link.u + link.order[at] != driven.u) continue;
+      const double effort =
+          dot(coordinates_.motions()[driven.link].S[at], force) +
+          armature(link, at) * u_rate[driven.u];
+      power += effort * u[driven.u];
+    }
+  }
+  return power;
 }
 
 }  // namespace clevis::mechanism

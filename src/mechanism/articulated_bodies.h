@@ -14,16 +14,22 @@ namespace clevis::mechanism {
 /// to the centres of mass. None of it allocates.
 class ArticulatedBodies {
  public:
+  /// @param armatures  by velocity: inertia of what turns or slides with a
+  ///   coordinate alone.
   ArticulatedBodies(const MechanismDefinition& definition,
-                    const JointCoordinates& coordinates);
+                    const JointCoordinates& coordinates,
+                    std::vector<double> armatures);
 
   /// Inertias as of coordinates.place(). @return false where a joint meets no
   ///   inertia.
   bool factor(const Configuration& x);
   /// @param wrenches  by slot, about the centres of mass; @param twists
-  ///   nullptr: what wrenches alone do. @param u_rate  of all joints.
+  ///   nullptr: what wrenches alone do. @param u_rate  of all joints; open
+  ///   ones are filled.
   void accelerate(const std::vector<Twist>& wrenches, const Configuration& x,
                   const std::vector<Twist>* twists, double* u_rate);
+  /// Power of the drives, as of accelerate() [W]. @param u  of all joints.
+  double drive_power(const double* u, const double* u_rate) const;
 
  private:
   using Vector3d = Eigen::Vector3d;
@@ -46,16 +52,21 @@ class ArticulatedBodies {
     std::array<Twist, 6> V;
     Eigen::Matrix<double, 6, 6> L;
     Eigen::Matrix<double, 6, 1> left;
-    Twist force, acceleration;
+    Twist force;         ///< at no acceleration of the parent
+    Twist acceleration;  ///< without the bias
   };
 
   void place_inertias(const Configuration& x);
+  double armature(const JointCoordinates::Link& link, std::size_t j) const {
+    return armatures_[static_cast<std::size_t>(link.u + link.order[j])];
+  }
   bool factor_joint(std::size_t k);
   void add_to_parent(std::size_t k);
   void sweep_inwards(bool with_bias);
   void sweep_outwards(bool with_bias, double* u_rate);
 
   const JointCoordinates& coordinates_;
+  std::vector<double> armatures_;
   std::vector<Body> bodies_;  ///< by link
 };
 

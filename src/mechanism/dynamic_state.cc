@@ -98,11 +98,7 @@ void ForwardDynamics::put_body(std::size_t slot, const BodyPlacement& placement,
 }
 
 bool ForwardDynamics::has_joints_alone() const {
-  if (!drives_.empty() || !following_.empty()) return false;
-  for (std::size_t k = 0; k < forces_.size(); ++k) {
-    if (forces_.brings_row(k)) return false;
-  }
-  return true;
+  return following_.empty() && !forces_.any_sticks();
 }
 
 void ForwardDynamics::put_position_rates(const VectorXd& y,
@@ -178,11 +174,15 @@ void ForwardDynamics::jump(double t, VectorXd& y) {
   accept(t, y);
 }
 
-void ForwardDynamics::set_targets(double t) {
+DriveTarget ForwardDynamics::target(std::size_t k, double t) const {
   const BendSide side =
       t > piece_start_ ? BendSide::kBefore : BendSide::kBehind;
+  return drive_target(drives_[k], t, side);
+}
+
+void ForwardDynamics::set_targets(double t) {
   for (std::size_t k = 0; k < drives_.size(); ++k) {
-    const DriveTarget target = drive_target(drives_[k], t, side);
+    const DriveTarget target = this->target(k, t);
     const Index row = system_.joint_rows() + static_cast<Index>(k);
     const double scale = system_.scale(system_.row_list()[index(row)]);
     targets_[static_cast<Index>(k)] = target.position;

@@ -9,6 +9,7 @@
 #include "mechanism/constrained_mass.h"
 #include "mechanism/constraint_system.h"
 #include "mechanism/definition.h"
+#include "mechanism/drive_law.h"
 #include "mechanism/following_friction.h"
 #include "mechanism/ode_system.h"
 
@@ -133,8 +134,10 @@ class ForwardDynamics : public OdeSystem {
   void put_body(std::size_t slot, const BodyPlacement& placement,
                 const Twist& twist, const Eigen::VectorXd& y_before,
                 double turned, Eigen::VectorXd& y) const;
-  /// Whether nothing but joints, as rows, holds the bodies now.
+  /// Whether nothing but joints, drives and rotors holds the bodies now.
   bool has_joints_alone() const;
+  /// What drive k is to do at t.
+  DriveTarget target(std::size_t k, double t) const;
   bool is_planar() const { return planar_; }
 
   /// As of the last place(), rate() or project().

@@ -6,11 +6,12 @@
 
 namespace clevis::mechanism {
 
+using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 std::optional<JointCoordinates> JointCoordinates::of(
-    const SolvingFrame& frame) {
+    const SolvingFrame& frame, const std::vector<DriveDefinition>& drives) {
   std::vector<TreeLink> links = tree_links(frame, {});
   if (links.empty()) return std::nullopt;
   std::ranges::reverse(links);
@@ -18,6 +19,10 @@ std::optional<JointCoordinates> JointCoordinates::of(
   for (const TreeLink& link : links) {
     if (!result.add(link)) return std::nullopt;
   }
+  for (std::size_t k = 0; k < drives.size(); ++k) {
+    if (!result.drive(k, drives[k])) return std::nullopt;
+  }
+  result.list_open();
   result.motions_.resize(links.size());
   return result;
 }
@@ -50,11 +55,52 @@ bool JointCoordinates::add(const TreeLink& given) {
   link.is_b = models_.back().b == static_cast<int>(link.slot);
   link.q = coordinates_;
   link.u = velocities_;
-  link.count = velocity_count(link.kind);
+  link.count = link.open = velocity_count(link.kind);
   coordinates_ += coordinate_count(link.kind);
   velocities_ += link.count;
   links_.push_back(link);
   return true;
+}
+
+Index JointCoordinates::velocity_of(int joint, const JointRow& row) const {
+  for (const Link& link : links_) {
+    if (link.joint != joint) continue;
+    const int at = measured_coordinate(link.kind, row);
+    return at < 0 ? -1 : link.u + at;
+  }
+  return -1;
+}
+
+/// @return false if it does not prescribe a coordinate of its own.
+bool JointCoordinates::drive(std::size_t k, const DriveDefinition& drive) {
+  const JointRow row =
+      coordinate_row(frame_->joints[static_cast<std::size_t>(drive.joint)].type,
+                     drive.coordinate);
+  const Index u = velocity_of(drive.joint, row);
+  if (u < 0) return false;
+  const auto at = std::ranges::find(links_, drive.joint, &Link::joint);
+  const int own = static_cast<int>(u - at->u);
+  const auto open = at->order.begin() + at->open;
+  const auto found = std::find(at->order.begin(), open, own);
+  if (found == open) return false;  // twice
+  std::rotate(found, found + 1, open);
+  --at->open;
+  driven_.push_back(
+      {k, static_cast<std::size_t>(at - links_.begin()), at->q + own, u});
+  return true;
+}
+
+void JointCoordinates::list_open() {
+  for (Index i = 0; i < coordinates_; ++i) {
+    if (std::ranges::find(driven_, i, &Driven::q) == driven_.end()) {
+      open_q_.push_back(i);
+    }
+  }
+  for (Index i = 0; i < velocities_; ++i) {
+    if (std::ranges::find(driven_, i, &Driven::u) == driven_.end()) {
+      open_u_.push_back(i);
+    }
+  }
 }
 
 /// Places the body behind a joint. @return the joint, placed.
@@ -86,28 +132,37 @@ JointCoordinates::Joint JointCoordinates::place_body(
   return joint;
 }
 
-/// @return velocity of J on b against a.
+/// @param driven  acceleration of J on b against a by drives, and by the turn
+///   of directions, is filled. @return its velocity.
 Twist JointCoordinates::put_directions(std::size_t k, const Joint& joint,
                                        const JointMotion& relative,
-                                       const double* u) {
+                                       const double* u, const double* u_rate,
+                                       Twist& driven) {
   const Link& link = links_[k];
   const Vector3d& lever = link.is_b ? joint.from_b : joint.from_a;
   const double sign = link.is_b ? 1.0 : -1.0;
   Twist rate;
-  for (std::size_t j = 0; j < static_cast<std::size_t>(link.count); ++j) {
-    const Vector3d e = joint.axes_a * relative.directions[j].v;
-    const Vector3d s = joint.axes_a * relative.directions[j].w;
-    rate.v += u[j] * e;
-    rate.w += u[j] * s;
-    motions_[k].S[j] = {sign * (e - s.cross(lever)), sign * s};
+  driven = {Vector3d::Zero(), joint.axes_a * relative.turning};
+  for (int j = 0; j < link.count; ++j) {
+    const int own = link.order[static_cast<std::size_t>(j)];
+    const Twist& direction = relative.directions[static_cast<std::size_t>(own)];
+    const Vector3d e = joint.axes_a * direction.v;
+    const Vector3d s = joint.axes_a * direction.w;
+    rate.v += u[own] * e;
+    rate.w += u[own] * s;
+    if (j >= link.open) {
+      driven.v += u_rate[own] * e;
+      driven.w += u_rate[own] * s;
+    }
+    motions_[k].S[static_cast<std::size_t>(j)] = {sign * (e - s.cross(lever)),
+                                                  sign * s};
   }
   return rate;
 }
 
-/// @param rate  of J on b against a. @param turning  see JointMotion, in P.
+/// @param rate, driven  of put_directions().
 void JointCoordinates::put_velocities(std::size_t k, const Joint& joint,
-                                      const Twist& rate,
-                                      const Vector3d& turning,
+                                      const Twist& rate, const Twist& driven,
                                       std::vector<Twist>& twists) {
   const Link& link = links_[k];
   Motion& motion = motions_[k];
@@ -120,21 +175,24 @@ void JointCoordinates::put_velocities(std::size_t k, const Joint& joint,
            sign * (rate.v - rate.w.cross(lever));
   const Vector3d& w_a = link.is_b ? parent.w : body.w;
   const Vector3d& w_b = link.is_b ? body.w : parent.w;
-  motion.bias.w = sign * (w_a.cross(rate.w) + turning);
+  motion.bias.w = sign * (w_a.cross(rate.w) + driven.w);
   motion.bias.v = sign * (w_a.cross(w_a.cross(joint.from_a) + 2.0 * rate.v) -
-                          w_b.cross(w_b.cross(joint.from_b))) -
+                          w_b.cross(w_b.cross(joint.from_b)) + driven.v) -
                   motion.bias.w.cross(lever);
 }
 
-void JointCoordinates::place(const double* q, const double* u, Configuration& x,
+void JointCoordinates::place(const double* q, const double* u,
+                             const double* u_rate, Configuration& x,
                              std::vector<Twist>& twists) {
   for (std::size_t k = 0; k < links_.size(); ++k) {
     const Link& link = links_[k];
     JointMotion relative;
     relative.set(link.kind, models_[k].slide_per_angle, q + link.q, u + link.u);
     const Joint joint = place_body(k, relative, x);
-    const Twist rate = put_directions(k, joint, relative, u + link.u);
-    put_velocities(k, joint, rate, joint.axes_a * relative.turning, twists);
+    Twist driven;
+    const Twist rate =
+        put_directions(k, joint, relative, u + link.u, u_rate + link.u, driven);
+    put_velocities(k, joint, rate, driven, twists);
     const int turn = turn_coordinate(link.kind);
     if (models_[k].counts_turns && turn >= 0) {
       x.angles[static_cast<std::size_t>(link.joint)] = q[link.q + turn];

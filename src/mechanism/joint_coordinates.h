@@ -23,31 +23,51 @@ class JointCoordinates {
     bool is_b = true;       ///< of the joint
     Eigen::Index q{}, u{};  ///< of its first coordinate and velocity
     int count{};            ///< of velocities
+    int open{};             ///< of them, not driven
+    /// The open velocities among its own, then the driven ones.
+    std::array<int, 6> order{0, 1, 2, 3, 4, 5};
+  };
+  /// A coordinate that a drive prescribes, of all coordinates and velocities.
+  struct Driven {
+    std::size_t drive{}, link{};
+    Eigen::Index q{}, u{};
   };
   /// What velocities u of its joint do to a body, at its centre of mass: with
   /// `shift` from the parent's, and for accelerations a and turning α of the
   /// parent,
   ///
-  ///     a_body = a + α × shift + Σ S_j u̇_j + bias.
+  ///     a_body = a + α × shift + Σ S_j u̇_j + bias
+  ///
+  /// over the open ones; what drives do stands in the bias.
   struct Motion {
-    std::array<Twist, 6> S;
+    std::array<Twist, 6> S;  ///< in Link::order
     Twist bias;
     Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   };
 
   /// @param frame  referred to centres of mass; outlives the result.
   /// @return nothing unless the mechanism is a tree whose joints all have
-  ///   coordinates.
-  static std::optional<JointCoordinates> of(const SolvingFrame& frame);
+  ///   coordinates, which drives prescribe.
+  static std::optional<JointCoordinates> of(
+      const SolvingFrame& frame, const std::vector<DriveDefinition>& drives);
+
+  /// Index of what a row of a joint measures among the velocities, or −1.
+  Eigen::Index velocity_of(int joint, const JointRow& row) const;
 
   Eigen::Index coordinates() const { return coordinates_; }
   Eigen::Index velocities() const { return velocities_; }
   const std::vector<Link>& links() const { return links_; }  ///< inner first
   const std::vector<Motion>& motions() const { return motions_; }
 
+  const std::vector<Driven>& driven() const { return driven_; }
+  /// Those that are not driven.
+  const std::vector<Eigen::Index>& open_coordinates() const { return open_q_; }
+  const std::vector<Eigen::Index>& open_velocities() const { return open_u_; }
+
   /// Places the bodies and fills motions(). @param q, u  of all joints.
-  void place(const double* q, const double* u, Configuration& x,
-             std::vector<Twist>& twists);
+  /// @param u_rate  driven ones count.
+  void place(const double* q, const double* u, const double* u_rate,
+             Configuration& x, std::vector<Twist>& twists);
   /// The inverse, on the nearest coordinates: what gapes is left out.
   void read(const Configuration& x, const std::vector<Twist>& twists, double* q,
             double* u) const;
@@ -57,6 +77,8 @@ class JointCoordinates {
  private:
   explicit JointCoordinates(const SolvingFrame& frame) : frame_(&frame) {}
   bool add(const TreeLink& link);
+  bool drive(std::size_t k, const DriveDefinition& drive);
+  void list_open();
   std::size_t parent_slot(const Link& link) const {
     return link.parent < 0 ? 0
                            : links_[static_cast<std::size_t>(link.parent)].slot;
@@ -69,16 +91,18 @@ class JointCoordinates {
   Joint place_body(std::size_t k, const JointMotion& relative,
                    Configuration& x);
   Twist put_directions(std::size_t k, const Joint& joint,
-                       const JointMotion& relative, const double* u);
+                       const JointMotion& relative, const double* u,
+                       const double* u_rate, Twist& driven);
   void put_velocities(std::size_t k, const Joint& joint, const Twist& rate,
-                      const Eigen::Vector3d& turning,
-                      std::vector<Twist>& twists);
+                      const Twist& driven, std::vector<Twist>& twists);
 
   const SolvingFrame* frame_;
   Eigen::Index coordinates_{}, velocities_{};
   std::vector<Link> links_;
   std::vector<JointModel> models_;  ///< by link
   std::vector<Motion> motions_;
+  std::vector<Driven> driven_;
+  std::vector<Eigen::Index> open_q_, open_u_;
 };
 
 }  // namespace clevis::mechanism

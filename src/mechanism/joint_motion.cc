@@ -72,6 +72,27 @@ int turn_coordinate(Kind kind) {
   }
 }
 
+int measured_coordinate(Kind kind, const JointRow& row) {
+  if (row.kind == JointRow::Kind::kUniversal) {
+    return kind == Kind::kUniversal && row.axis < 2 ? row.axis : -1;
+  }
+  if (row.kind == JointRow::Kind::kRotation) {
+    return row.axis == 2 && kind != Kind::kUniversal ? turn_coordinate(kind)
+                                                     : -1;
+  }
+  if (row.kind != JointRow::Kind::kTranslation) return -1;
+  switch (kind) {
+    case Kind::kSlide:
+      return row.axis == 2 ? 0 : -1;
+    case Kind::kTurnAndSlide:
+      return row.axis == 2 ? 1 : -1;
+    case Kind::kPlane:
+      return row.axis < 2 ? row.axis : -1;
+    default:
+      return -1;
+  }
+}
+
 int quaternion_coordinate(Kind kind) {
   return kind == Kind::kBall ? 0 : kind == Kind::kFree ? 3 : -1;
 }

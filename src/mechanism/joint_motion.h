@@ -31,6 +31,8 @@ int coordinate_count(JointMotionKind kind);
 int velocity_count(JointMotionKind kind);
 /// Index of the turn about z among the coordinates, or −1.
 int turn_coordinate(JointMotionKind kind);
+/// Index of the coordinate that a row measures, or −1.
+int measured_coordinate(JointMotionKind kind, const JointRow& row);
 /// Index of a quaternion's first coordinate, or −1; its angular velocity
 /// starts at the same index of the velocities.
 int quaternion_coordinate(JointMotionKind kind);

@@ -10,10 +10,13 @@ MotionIntegrator::MotionIntegrator(const MechanismDefinition& definition,
                                    IntegratorChoice choice)
     : dynamics_(dynamics),
       bodies_(dynamics, choice),
-      coordinates_(JointCoordinates::of(frame)),
+      coordinates_(JointCoordinates::of(frame, definition.drives)),
       active_(&bodies_),
       y_(VectorXd::Zero(dynamics.size())) {
-  if (!coordinates_) return;
+  if (!coordinates_ ||
+      !TreeSystem::can_follow(definition, *coordinates_, dynamics.forces())) {
+    return;
+  }
   tree_.emplace(definition, dynamics, *coordinates_);
   joints_.emplace(*tree_, choice);
   z_.setZero(tree_->size());
@@ -33,7 +36,7 @@ void MotionIntegrator::restart(double t, const VectorXd& y, double step) {
 
 bool MotionIntegrator::step(double limit) {
   const bool done = active_->step(limit);
-  if (done && in_joints()) tree_->expand(active_->y(), y_);
+  if (done && in_joints()) tree_->expand(active_->t(), active_->y(), y_);
   count();
   return done;
 }
@@ -41,13 +44,13 @@ bool MotionIntegrator::step(double limit) {
 void MotionIntegrator::interpolate(double t, VectorXd& y) {
   if (!in_joints()) return active_->interpolate(t, y);
   active_->interpolate(t, z_);
-  tree_->expand(z_, y);
+  tree_->expand(t, z_, y);
 }
 
 void MotionIntegrator::state_at(double t, VectorXd& y) {
   if (!in_joints()) return active_->state_at(t, y);
   active_->state_at(t, z_);
-  tree_->expand(z_, y);
+  tree_->expand(t, z_, y);
 }
 
 void MotionIntegrator::correct(const VectorXd& y) {

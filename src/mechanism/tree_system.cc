@@ -16,6 +16,21 @@ std::size_t index(Index i) {
   return static_cast<std::size_t>(i);
 }
 
+/// Inertia by velocity of rotors that turn or slide with a joint.
+std::vector<double> armatures(const MechanismDefinition& definition,
+                              const JointCoordinates& coordinates,
+                              const ForceModel& forces) {
+  std::vector<double> result(index(coordinates.velocities()), 0.0);
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    if (!(forces.inertia(k) > 0.0)) continue;
+    const ElementLine& line =
+        std::get<LineElement>(definition.elements[k]).line;
+    const Index at = coordinates.velocity_of(line.joint, forces.element(k).row);
+    result[index(at)] += forces.inertia(k);
+  }
+  return result;
+}
+
 }  // namespace
 
 TreeSystem::TreeSystem(const MechanismDefinition& definition,
@@ -23,39 +38,76 @@ TreeSystem::TreeSystem(const MechanismDefinition& definition,
     : dynamics_(dynamics),
       coordinates_(coordinates),
       loads_(dynamics.applied()),
-      bodies_(definition, coordinates),
+      bodies_(definition, coordinates,
+              armatures(definition, coordinates, dynamics.forces())),
       x_(dynamics.configuration()),
       twists_(x_.size()),
       levers_(x_.size()),
       turned_(coordinates.links().size()),
       start_y_(VectorXd::Zero(dynamics.size())),
-      start_z_(VectorXd::Zero(size())) {
-  sizes_.setZero(internal_index());
-  internal_.setZero(dynamics.forces().internal_states());
+      internal_(VectorXd::Zero(dynamics.forces().internal_states())) {
+  for (std::vector<double>* q : {&q_, &q_rate_, &q_size_, &q_start_}) {
+    q->resize(index(coordinates.coordinates()));
+  }
+  for (std::vector<double>* u : {&u_, &u_rate_, &response_, &u_size_}) {
+    u->resize(index(coordinates.velocities()));
+  }
 }
 
-void TreeSystem::place(const VectorXd& z) {
-  coordinates_.place(z.data(), z.data() + coordinates_.coordinates(), x_,
-                     twists_);
+bool TreeSystem::can_follow(const MechanismDefinition& definition,
+                            const JointCoordinates& coordinates,
+                            const ForceModel& forces) {
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    if (!(forces.inertia(k) > 0.0)) continue;
+    const ElementLine& line =
+        std::get<LineElement>(definition.elements[k]).line;
+    if (line.kind != ElementLine::Kind::kJoint ||
+        coordinates.velocity_of(line.joint, forces.element(k).row) < 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void TreeSystem::place(double t, const VectorXd& z) {
+  Index at = 0;
+  for (const Index i : coordinates_.open_coordinates()) q_[index(i)] = z[at++];
+  for (const Index i : coordinates_.open_velocities()) u_[index(i)] = z[at++];
+  for (const JointCoordinates::Driven& driven : coordinates_.driven()) {
+    const DriveTarget target = dynamics_.target(driven.drive, t);
+    q_[index(driven.q)] = target.position;
+    u_[index(driven.u)] = target.rate;
+    u_rate_[index(driven.u)] = target.acceleration;
+  }
+  coordinates_.place(q_.data(), u_.data(), u_rate_.data(), x_, twists_);
+}
+
+/// Of values by coordinate and by velocity.
+void TreeSystem::put_open(const std::vector<double>& q,
+                          const std::vector<double>& u,
+                          Eigen::Ref<VectorXd> z) const {
+  Index at = 0;
+  for (const Index i : coordinates_.open_coordinates()) z[at++] = q[index(i)];
+  for (const Index i : coordinates_.open_velocities()) z[at++] = u[index(i)];
 }
 
 void TreeSystem::rate(double t, const VectorXd& z, VectorXd& rate) {
-  place(z);
+  place(t, z);
   loads_.evaluate(t, x_, twists_, z.data() + internal_index());
-  double* u_rate = rate.data() + coordinates_.coordinates();
   if (!bodies_.factor(x_)) {
     rate.setConstant(std::numeric_limits<double>::quiet_NaN());
     return;
   }
-  bodies_.accelerate(loads_.wrenches(), x_, &twists_, u_rate);
-  coordinates_.rates(z.data(), z.data() + coordinates_.coordinates(),
-                     rate.data());
+  bodies_.accelerate(loads_.wrenches(), x_, &twists_, u_rate_.data());
+  coordinates_.rates(q_.data(), u_.data(), q_rate_.data());
+  put_open(q_rate_, u_rate_, rate);
   loads_.forces().internal_rates(rate.data() + internal_index());
-  rate[work_index()] = loads_.power(twists_);
+  rate[work_index()] =
+      loads_.power(twists_) + bodies_.drive_power(u_.data(), u_rate_.data());
 }
 
 void TreeSystem::hold_tangents(double t, const VectorXd& z) {
-  place(z);
+  place(t, z);
   loads_.hold_tangents(t, x_, twists_, z.data() + internal_index());
 }
 
@@ -65,47 +117,55 @@ void TreeSystem::effort_response(Index k, Eigen::Ref<VectorXd> rate) {
   levers_[index(e.line.a)] = e.levers.a;
   levers_[index(e.line.b)] = e.levers.b;
   rate.setZero();
-  bodies_.accelerate(levers_, x_, nullptr,
-                     rate.data() + coordinates_.coordinates());
-  rate[work_index()] = e.rate;
+  bodies_.accelerate(levers_, x_, nullptr, response_.data());
+  std::ranges::fill(q_rate_, 0.0);
+  put_open(q_rate_, response_, rate);
+  rate[work_index()] =
+      e.rate + bodies_.drive_power(u_.data(), response_.data());
+}
+
+/// Of what hangs on a link, from its centre of mass [m].
+double TreeSystem::reach(std::size_t link) const {
+  const auto& links = coordinates_.links();
+  double reach = 0.0;
+  for (std::size_t k = link + 1; k < links.size(); ++k) {
+    int at = links[k].parent;
+    while (at > static_cast<int>(link)) at = links[index(at)].parent;
+    if (at != static_cast<int>(link)) continue;
+    reach =
+        std::max(reach, (x_[links[k].slot].p - x_[links[link].slot].p).norm());
+  }
+  return reach;
 }
 
 /// Turns of a joint move what hangs on it: so far that it counts as a length.
 void TreeSystem::set_scales() {
   const auto& links = coordinates_.links();
+  const double length = dynamics_.length();
   for (std::size_t k = 0; k < links.size(); ++k) {
-    const auto& motion = coordinates_.motions()[k];
-    const Vector3d at = x_[links[k].slot].p;
-    double reach = 0.0;
-    std::vector<bool> hangs(links.size(), false);
-    for (std::size_t m = k; m < links.size(); ++m) {
-      hangs[m] = m == k || (links[m].parent >= 0 &&
-                            hangs[static_cast<std::size_t>(links[m].parent)]);
-      if (hangs[m]) reach = std::max(reach, (x_[links[m].slot].p - at).norm());
-    }
-    for (int j = 0; j < links[k].count; ++j) {
-      const Twist& S = motion.S[static_cast<std::size_t>(j)];
+    const auto& link = links[k];
+    const double beyond = reach(k);
+    for (int j = 0; j < link.count; ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      const Twist& S = coordinates_.motions()[k].S[at];
       const bool turns = S.w.squaredNorm() > 0.0;
-      const double far = std::max(dynamics_.length(), reach + S.v.norm());
-      sizes_[coordinates_.coordinates() + links[k].u + j] =
-          turns ? dynamics_.length() / far : dynamics_.length();
+      u_size_[index(link.u + link.order[at])] =
+          turns ? length / std::max(length, beyond + S.v.norm()) : length;
     }
-    const int first = quaternion_coordinate(links[k].kind);
-    for (int j = 0; j < coordinate_count(links[k].kind); ++j) {
-      const int velocity = std::min(j, links[k].count - 1);
-      sizes_[links[k].q + j] =
-          (first >= 0 && j >= first ? 0.5 : 1.0) *
-          sizes_[coordinates_.coordinates() + links[k].u + velocity];
+    const int first = quaternion_coordinate(link.kind);
+    for (int j = 0; j < coordinate_count(link.kind); ++j) {
+      const bool is_quaternion = first >= 0 && j >= first;
+      q_size_[index(link.q + j)] =
+          (is_quaternion ? 0.5 : 1.0) *
+          u_size_[index(link.u + std::min(j, link.count - 1))];
     }
   }
 }
 
 void TreeSystem::scales(const VectorXd& z, VectorXd& scales) const {
-  const Index n = coordinates_.coordinates();
-  scales.head(n) = sizes_.head(n);
-  scales.segment(n, coordinates_.velocities()) =
-      (dynamics_.speed_scale() / dynamics_.length()) *
-      sizes_.tail(coordinates_.velocities());
+  put_open(q_size_, u_size_, scales);
+  scales.segment(velocity_index(), open_velocities()) *=
+      dynamics_.speed_scale() / dynamics_.length();
   loads_.forces().internal_scales(z.data() + internal_index(),
                                   scales.data() + internal_index());
   scales[work_index()] = 0.0;
@@ -117,27 +177,23 @@ void TreeSystem::error_weights(const VectorXd& z, VectorXd& weights) const {
       (dynamics_.tolerance() * weights.head(work_index())).cwiseInverse();
 }
 
-Index TreeSystem::tangents(double /*t*/, const VectorXd& z,
-                           Eigen::MatrixXd& T) {
+Index TreeSystem::tangents(double t, const VectorXd& z, Eigen::MatrixXd& T) {
+  place(t, z);
   T.setZero();
-  const Index n = coordinates_.coordinates();
   const double rate = dynamics_.speed_scale() / dynamics_.length();
-  Index used = 0;
-  for (const auto& link : coordinates_.links()) {
-    const int first = quaternion_coordinate(link.kind);
-    for (int j = 0; j < link.count; ++j) {
-      const double size = sizes_[n + link.u + j];
-      if (first >= 0 && j >= first) {
-        T.col(used).segment<4>(link.q + first) =
-            quaternion_rate(z.segment<4>(link.q + first),
-                            0.5 * size * Vector3d::Unit(j - first));
-      } else {
-        T(link.q + j, used) = size;
-      }
-      T(n + link.u + j, coordinates_.velocities() + used++) = rate * size;
+  const Index n = open_velocities();
+  for (Index i = 0; i < n; ++i) {
+    const auto u = index(coordinates_.open_velocities()[index(i)]);
+    std::ranges::fill(response_, 0.0);
+    response_[u] = u_size_[u];
+    coordinates_.rates(q_.data(), response_.data(), q_rate_.data());
+    Index at = 0;
+    for (const Index q : coordinates_.open_coordinates()) {
+      T(at++, i) = q_rate_[index(q)];
     }
+    T(velocity_index() + i, n + i) = rate * u_size_[u];
   }
-  used *= 2;
+  Index used = 2 * n;
   loads_.forces().internal_scales(z.data() + internal_index(),
                                   internal_.data());
   for (Index i = 0; i < internal_.size(); ++i) {
@@ -145,42 +201,43 @@ Index TreeSystem::tangents(double /*t*/, const VectorXd& z,
     const Index at = internal_index() + i;
     T(at, used++) = std::max(internal_[i], std::abs(z[at]));
   }
+  std::ranges::fill(response_, 0.0);  // driven ones stay so
   return used;
 }
 
 void TreeSystem::start(double t, const VectorXd& y, VectorXd& z) {
-  z.setZero();
   read(t, y, z);
   start_y_ = y;
-  start_z_ = z;
-  place(z);
+  q_start_ = q_;
+  place(t, z);
   set_scales();
 }
 
 void TreeSystem::read(double t, const VectorXd& y, VectorXd& z) {
   dynamics_.place(t, y);
-  coordinates_.read(dynamics_.configuration(), dynamics_.twists(), z.data(),
-                    z.data() + coordinates_.coordinates());
+  coordinates_.read(dynamics_.configuration(), dynamics_.twists(), q_.data(),
+                    u_.data());
+  put_open(q_, u_, z);
   z.tail(z.size() - internal_index()) =
       y.tail(y.size() - dynamics_.internal_index());
 }
 
-void TreeSystem::expand(const VectorXd& z, VectorXd& y) {
-  place(z);
+void TreeSystem::expand(double t, const VectorXd& z, VectorXd& y) {
+  place(t, z);
   const auto& links = coordinates_.links();
   for (std::size_t k = 0; k < links.size() && dynamics_.is_planar(); ++k) {
     const auto& link = links[k];
-    turned_[k] =
-        link.parent < 0 ? 0.0 : turned_[static_cast<std::size_t>(link.parent)];
+    turned_[k] = link.parent < 0 ? 0.0 : turned_[index(link.parent)];
     for (int j = 0; j < link.count; ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      const auto q = index(link.q + link.order[at]);
       turned_[k] +=
-          coordinates_.motions()[k].S[static_cast<std::size_t>(j)].w.z() *
-          (z[link.q + j] - start_z_[link.q + j]);
+          coordinates_.motions()[k].S[at].w.z() * (q_[q] - q_start_[q]);
     }
   }
   for (std::size_t k = 0; k < links.size(); ++k) {
-    dynamics_.put_body(links[k].slot, x_[links[k].slot], twists_[links[k].slot],
-                       start_y_, turned_[k], y);
+    const std::size_t slot = links[k].slot;
+    dynamics_.put_body(slot, x_[slot], twists_[slot], start_y_, turned_[k], y);
   }
   y.tail(y.size() - dynamics_.internal_index()) =
       z.tail(z.size() - internal_index());

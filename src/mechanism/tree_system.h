@@ -12,15 +12,20 @@
 namespace clevis::mechanism {
 
 /// The motion of ForwardDynamics in the coordinates of a tree's joints, where
-/// these alone hold the bodies.
+/// these and drives alone hold the bodies.
 ///
-/// State z: coordinates and velocities of JointCoordinates, internal states of
-/// forces, the work of all forces.
+/// State z: open coordinates and velocities of JointCoordinates, internal
+/// states of forces, the work of all forces and drives.
 class TreeSystem : public OdeSystem {
  public:
   /// @param dynamics, coordinates  outlive this.
   TreeSystem(const MechanismDefinition& definition, ForwardDynamics& dynamics,
              JointCoordinates& coordinates);
+
+  /// Whether the rotors of motors go with coordinates.
+  static bool can_follow(const MechanismDefinition& definition,
+                         const JointCoordinates& coordinates,
+                         const ForceModel& forces);
 
   int size() const override { return static_cast<int>(work_index()) + 1; }
   void rate(double t, const Eigen::VectorXd& z, Eigen::VectorXd& rate) override;
@@ -46,16 +51,25 @@ class TreeSystem : public OdeSystem {
   /// z of a state y close to z.
   void read(double t, const Eigen::VectorXd& y, Eigen::VectorXd& z);
   /// y of z.
-  void expand(const Eigen::VectorXd& z, Eigen::VectorXd& y);
+  void expand(double t, const Eigen::VectorXd& z, Eigen::VectorXd& y);
 
  private:
+  Eigen::Index velocity_index() const {
+    return static_cast<Eigen::Index>(coordinates_.open_coordinates().size());
+  }
+  Eigen::Index open_velocities() const {
+    return static_cast<Eigen::Index>(coordinates_.open_velocities().size());
+  }
   Eigen::Index internal_index() const {
-    return coordinates_.coordinates() + coordinates_.velocities();
+    return velocity_index() + open_velocities();
   }
   Eigen::Index work_index() const {
     return internal_index() + dynamics_.forces().internal_states();
   }
-  void place(const Eigen::VectorXd& z);
+  void place(double t, const Eigen::VectorXd& z);
+  void put_open(const std::vector<double>& q, const std::vector<double>& u,
+                Eigen::Ref<Eigen::VectorXd> z) const;
+  double reach(std::size_t link) const;
   void set_scales();
 
   ForwardDynamics& dynamics_;
@@ -64,9 +78,11 @@ class TreeSystem : public OdeSystem {
   ArticulatedBodies bodies_;
   Configuration x_;
   std::vector<Twist> twists_, levers_;
-  Eigen::VectorXd sizes_;  ///< of coordinates, as if they were speeds [1], [m]
+  /// Of all joints, by coordinate and by velocity.
+  std::vector<double> q_, u_, q_rate_, u_rate_, response_, q_size_, u_size_;
+  std::vector<double> q_start_;
   std::vector<double> turned_;  ///< by link, planar: since start() [rad]
-  Eigen::VectorXd start_y_, start_z_, internal_;
+  Eigen::VectorXd start_y_, internal_;
 };
 
 }  // namespace clevis::mechanism

@@ -53,6 +53,10 @@ class RandomTree {
       if (i < kSpatial.size()) add_joint(m, kSpatial[i], rotation(), vector());
     }
     add_springs(m);
+    for (const int joint : {0, 2, 3, 5}) {
+      if (below(2) == 0) drive(m, joint, joint == 0 ? 0 : 1);
+    }
+    if (below(2) == 0) add_motor(m, 6);
     return m;
   }
 
@@ -75,10 +79,33 @@ class RandomTree {
       add_joint(m, kInPlane[i], axes, {number(), number(), 0.0});
     }
     add_springs(m);
+    if (below(2) == 0) drive(m, 1, 0);
+    if (below(2) == 0) add_motor(m, 0);
     return m;
   }
 
  private:
+  void drive(MechanismDefinition& m, int joint, int coordinate) {
+    DriveDefinition drive;
+    drive.joint = joint;
+    drive.coordinate = coordinate;
+    drive.law = DriveLaw::kSine;
+    drive.amplitude = 0.3;
+    drive.frequency = 0.4;
+    drive.place = "drive";
+    m.drives.push_back(drive);
+  }
+  void add_motor(MechanismDefinition& m, int joint) {
+    MotorLaw law;
+    law.resistance = 1.0;
+    law.inductance = 1e-2;
+    law.flux = 0.5;
+    law.rotor_inertia = 0.4;
+    law.times = {0.0};
+    law.volts = {5.0};
+    m.elements.push_back(on_joint(joint, law));
+  }
+
   void add_body(MechanismDefinition& m, const Matrix3d& R, const Vector3d& p) {
     BodyDefinition body;
     body.name = "body_" + std::to_string(m.bodies.size());
@@ -136,12 +163,14 @@ class RandomTree {
   std::mt19937 random_;
 };
 
+constexpr double kTime = 0.3;  // drives have started
+
 struct Both {
   explicit Both(const MechanismDefinition& given)
       : definition(given),
         frame(frame_at_centres(definition)),
         dynamics(definition, frame, 1e-11, 1.0),
-        coordinates(*JointCoordinates::of(frame)),
+        coordinates(*JointCoordinates::of(frame, definition.drives)),
         tree(definition, dynamics, coordinates) {
     const InitialState initial =
         initial_state(definition, frame, dynamics.system(), 1e-8);
@@ -156,10 +185,10 @@ struct Both {
   /// Some other state of the tree.
   void move(RandomTree& random) {
     for (Index i = 0; i < z.size() - 1; ++i) z[i] += random.number();
-    tree.expand(z, y);
-    dynamics.project(0.0, y);  // quaternions to length 1
-    tree.read(0.0, y, z);
-    dynamics.accept(0.0, y);
+    tree.expand(kTime, z, y);
+    dynamics.project(kTime, y);  // quaternions to length 1
+    tree.read(kTime, y, z);
+    dynamics.accept(kTime, y);
   }
 
   MechanismDefinition definition;
@@ -173,10 +202,10 @@ struct Both {
 /// Joints hold; y tells z and z tells y.
 void expect_same_states(Both& both) {
   VectorXd again = both.y;
-  both.tree.expand(both.z, again);
-  EXPECT_LT(both.dynamics.gap(0.0, again), 1e-12);
+  both.tree.expand(kTime, both.z, again);
+  EXPECT_LT(both.dynamics.gap(kTime, again), 1e-12);
   VectorXd other = both.z;
-  both.tree.read(0.0, again, other);
+  both.tree.read(kTime, again, other);
   EXPECT_LT((other - both.z).lpNorm<Eigen::Infinity>(), 1e-12);
 }
 
@@ -184,15 +213,15 @@ void expect_same_states(Both& both) {
 void expect_same_accelerations(Both& both) {
   constexpr double kStep = 1e-4;
   VectorXd slope(both.z.size()), expected(both.y.size());
-  both.tree.rate(0.0, both.z, slope);
-  both.dynamics.rate(0.0, both.y, expected);
+  both.tree.rate(kTime, both.z, slope);
+  both.dynamics.rate(kTime, both.y, expected);
   VectorXd seen = VectorXd::Zero(both.y.size()), state = both.y;
   // fourth order
   for (const auto& [at, weight] : {std::pair{-2.0, 1.0 / 12.0},
                                    {-1.0, -2.0 / 3.0},
                                    {1.0, 2.0 / 3.0},
                                    {2.0, -1.0 / 12.0}}) {
-    both.tree.expand(both.z + at * kStep * slope, state);
+    both.tree.expand(kTime + at * kStep, both.z + at * kStep * slope, state);
     seen += weight / kStep * state;
   }
   const Index from = both.dynamics.velocity_index();
