@@ -19,7 +19,8 @@ inline constexpr int kLetGo = 3;
 /// Laws with kinks are followed piece by piece: a mode says which piece
 /// holds. Friction: 0 sticks, ±1 slips in that sense, ±2 gives its most against
 /// that sense while other friction still holds the line, 3 kLetGo; its
-/// second mode tells whether it is in Stribeck's zone. Contacts and
+/// second mode tells whether it is in Stribeck's zone, as that of a contact
+/// does of its sliding. Contacts and
 /// stops: 0 open, 1 pressing, 2 deep but without force; a stop has one such
 /// mode per end. Tables over positions: the piece, see piece_effort().
 struct ActingElement {

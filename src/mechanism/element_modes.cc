@@ -23,6 +23,10 @@ bool has_end(const ForceElement& element, std::size_t end) {
   return (end == 0 ? stop->lower : stop->upper).has_value();
 }
 
+bool is_contact(const ActingElement& e) {
+  return std::holds_alternative<ContactElement>(*e.definition);
+}
+
 double contact_value(const ActingElement& e, const ContactLaw& law,
                      std::size_t end) {
   const double depth = e.depth[end], rate = e.depth_rate[end];
@@ -55,10 +59,28 @@ void pass_contact(ActingElement& e, const ContactLaw& law, std::size_t end) {
   }
 }
 
+/// Whether sliding at a pressed contact is slow enough for the peak of its
+/// friction to count.
+int mode_of_sliding(const ActingElement& e) {
+  return e.modes[0] == 1 && e.sliding.norm() < stribeck_zone(e) ? 1 : 0;
+}
+
+/// Squares: smooth where the sliding turns round, so that a short dip shows.
+double sliding_value(const ActingElement& e) {
+  const double zone = stribeck_zone(e);
+  if (zone <= 0.0 || e.modes[0] != 1) return 1.0;
+  const double inside = zone - e.sliding.squaredNorm() / zone;
+  return e.modes[1] == 1 ? inside : -inside;
+}
+
 }  // namespace
 
 double stribeck_zone(const ActingElement& e) {
   constexpr double kTimesSpeed = 6.0;  // exp(−36) is round-off
+  if (const auto* contact = std::get_if<ContactElement>(e.definition)) {
+    if (!(contact->static_friction > 0.0)) return 0.0;
+    return (1.0 + kTimesSpeed) * std::max(contact->critical_speed, e.slack);
+  }
   const FrictionLaw* law = switched_friction(*e.definition);
   return law == nullptr ? 0.0 : kTimesSpeed * law->stribeck_speed;
 }
@@ -82,6 +104,7 @@ void choose_modes(ActingElement& e) {
       const bool presses = e.unbounded[end] >= 0.0 || may_pull(*contact);
       e.modes[end] = !deep ? 0 : presses ? 1 : 2;
     }
+    if (is_contact(e)) e.modes[1] = mode_of_sliding(e);
   } else if (const TableLaw* table = position_table(*e.definition)) {
     e.modes[0] = piece_at(*table, e.q);
   }
@@ -113,6 +136,7 @@ double event_value(const ActingElement& e, int end) {
   if (const TableLaw* table = position_table(*e.definition)) {
     return way_left(*table, e.modes[0], end, e.q);
   }
+  if (end == 1 && is_contact(e)) return sliding_value(e);
   const ContactLaw* law = contact_law(*e.definition);
   if (law == nullptr || !has_end(*e.definition, at)) return 1.0;
   return contact_value(e, *law, at);
@@ -135,8 +159,11 @@ void pass_event(ActingElement& e, int end) {
     } else {
       mode = 0;
     }
+  } else if (end == 1 && is_contact(e)) {
+    e.modes[1] = 1 - e.modes[1];
   } else if (const ContactLaw* contact = contact_law(*e.definition)) {
     pass_contact(e, *contact, at);
+    if (is_contact(e)) e.modes[1] = mode_of_sliding(e);
   } else if (position_table(*e.definition) != nullptr) {
     e.modes[0] += end == 0 ? -1 : 1;
   }
@@ -144,6 +171,7 @@ void pass_event(ActingElement& e, int end) {
 
 const char* name_of_change(const ActingElement& e, int end, int mode_before) {
   const int mode = e.modes[static_cast<std::size_t>(end)];
+  if (end == 1 && is_contact(e)) return nullptr;  // its sliding
   if (contact_law(*e.definition) != nullptr) {
     if (mode == 1) return "press";
     return mode_before == 1 ? "release" : nullptr;  // else force was 0 before

@@ -7,8 +7,9 @@ namespace clevis::mechanism {
 /// Whether friction holds the line, as a constraint.
 bool sticks(const ActingElement& e);
 
-/// Speed below which Stribeck's term of friction counts; 0 without one. A step
-/// that passes it must be short, as nothing else tells of a peak so narrow.
+/// Speed below which Stribeck's term of friction counts, of a contact the peak
+/// about its critical speed; 0 without one. A step that passes it must be
+/// short, as nothing else tells of a peak so narrow.
 double stribeck_zone(const ActingElement& e);
 
 /// Sets the modes that the state alone suggests; friction at rest sticks.

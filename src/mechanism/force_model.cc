@@ -190,6 +190,19 @@ double ForceModel::line_acceleration(std::size_t k,
          e.levers.b.w.dot(b.w) + line_bias(k, twists);
 }
 
+double ForceModel::sliding_acceleration(
+    std::size_t k, const std::vector<Twist>& accelerations) const {
+  const ActingElement& e = elements_[k];
+  const Twist& a = accelerations[index(e.line.a)];
+  const Twist& b = accelerations[index(e.line.b)];
+  const Eigen::Vector3d n = e.placed.axes_a.col(2);
+  const double radius = std::get<ContactElement>(*e.definition).radius;
+  const Eigen::Vector3d on_b = e.placed.r_b - radius * n;
+  const Eigen::Vector3d on_a = e.placed.r_a + e.placed.d - radius * n;
+  const Eigen::Vector3d sum = b.v + b.w.cross(on_b) - a.v - a.w.cross(on_a);
+  return (sum - n.dot(sum) * n).norm();
+}
+
 bool ForceModel::is_dry(std::size_t k) const {
   const FrictionLaw* law = switched_friction(*elements_[k].definition);
   return law != nullptr && law->model == FrictionModel::kCoulomb;

@@ -62,6 +62,9 @@ class ForceModel {
   double line_acceleration(std::size_t k,
                            const std::vector<Twist>& accelerations,
                            const std::vector<Twist>& twists) const;
+  /// Of a contact's sliding, without what velocities cause [m/s²].
+  double sliding_acceleration(std::size_t k,
+                              const std::vector<Twist>& accelerations) const;
   /// Coulomb friction, whose modes are decided together.
   bool is_dry(std::size_t k) const;
   /// Gives a sticking element the effort that holds it, takes from a motor's

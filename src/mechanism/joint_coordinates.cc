@@ -1,6 +1,7 @@
 #include "mechanism/joint_coordinates.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "mechanism/forward_dynamics.h"
 
@@ -17,7 +18,10 @@ std::optional<JointCoordinates> JointCoordinates::of(
   std::ranges::reverse(links);
   JointCoordinates result(frame);
   for (const TreeLink& link : links) {
-    if (!result.add(link)) return std::nullopt;
+    const bool is_driven =
+        std::ranges::find(drives, link.joint, &DriveDefinition::joint) !=
+        drives.end();
+    if (!result.add(link, is_driven)) return std::nullopt;
   }
   for (std::size_t k = 0; k < drives.size(); ++k) {
     if (!result.drive(k, drives[k])) return std::nullopt;
@@ -38,7 +42,7 @@ JointModel JointCoordinates::model(const Link& link) const {
   return model;
 }
 
-bool JointCoordinates::add(const TreeLink& given) {
+bool JointCoordinates::add(const TreeLink& given, bool is_driven) {
   Link link;
   link.slot = static_cast<std::size_t>(given.body + 1);
   link.joint = given.joint;
@@ -52,7 +56,15 @@ bool JointCoordinates::add(const TreeLink& given) {
   if (!kind) return false;
   link.kind =
       given.joint < 0 && !frame_->planar ? JointMotionKind::kFree : *kind;
-  link.is_b = models_.back().b == static_cast<int>(link.slot);
+  // axes of the inner body: those of the outer one may spin
+  const bool has_axes = link.kind == JointMotionKind::kPlane ||
+                        link.kind == JointMotionKind::kBall;
+  JointModel& joint = models_.back();
+  if (has_axes && !is_driven && joint.a == static_cast<int>(link.slot)) {
+    std::swap(joint.a, joint.b);
+    std::swap(joint.frame_a, joint.frame_b);
+  }
+  link.is_b = joint.b == static_cast<int>(link.slot);
   link.q = coordinates_;
   link.u = velocities_;
   link.count = link.open = velocity_count(link.kind);

@@ -76,7 +76,7 @@ class JointCoordinates {
 
  private:
   explicit JointCoordinates(const SolvingFrame& frame) : frame_(&frame) {}
-  bool add(const TreeLink& link);
+  bool add(const TreeLink& link, bool is_driven);
   bool drive(std::size_t k, const DriveDefinition& drive);
   void list_open();
   std::size_t parent_slot(const Link& link) const {

@@ -12,7 +12,8 @@ MotionIntegrator::MotionIntegrator(const MechanismDefinition& definition,
       bodies_(dynamics, choice),
       coordinates_(JointCoordinates::of(frame, definition.drives)),
       active_(&bodies_),
-      y_(VectorXd::Zero(dynamics.size())) {
+      y_(VectorXd::Zero(dynamics.size())),
+      scratch_(y_) {
   if (!coordinates_ ||
       !TreeSystem::can_follow(definition, *coordinates_, dynamics.forces())) {
     return;
@@ -55,10 +56,21 @@ void MotionIntegrator::state_at(double t, VectorXd& y) {
 
 void MotionIntegrator::correct(const VectorXd& y) {
   if (!in_joints()) return active_->correct(y);
+  if (differs_by_round_off(y)) return;
   z_ = active_->y();
   tree_->read(active_->t(), y, z_);
   y_ = y;
   active_->correct(z_);
+}
+
+/// States in joints hold the bodies together as they are. What comes back from
+/// the bodies with round-off would add up from step to step.
+bool MotionIntegrator::differs_by_round_off(const VectorXd& y) {
+  constexpr double kPart = 1e-11;
+  dynamics_.scales(y, scratch_);
+  return ((y - y_).array().abs() <=
+          kPart * scratch_.array().max(y.array().abs()))
+      .all();
 }
 
 void MotionIntegrator::count() {

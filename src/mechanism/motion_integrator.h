@@ -45,6 +45,7 @@ class MotionIntegrator : public Integrator {
 
  private:
   bool in_joints() const { return active_ != &bodies_; }
+  bool differs_by_round_off(const Eigen::VectorXd& y);
   void count();
 
   ForwardDynamics& dynamics_;
@@ -53,7 +54,7 @@ class MotionIntegrator : public Integrator {
   std::optional<TreeSystem> tree_;
   std::optional<SwitchingIntegrator> joints_;
   SwitchingIntegrator* active_;
-  Eigen::VectorXd y_, z_;
+  Eigen::VectorXd y_, z_, scratch_;
 };
 
 }  // namespace clevis::mechanism

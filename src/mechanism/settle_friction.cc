@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -156,7 +157,10 @@ double ForwardDynamics::first_step(double t, const VectorXd& y) {
     const double zone = stribeck_zone(e);
     if (!(zone > 0.0) || e.modes[1] != 1 || std::abs(e.modes[0]) != 1) continue;
     rate(t, y, scratch_);
-    const double a = std::abs(line_acceleration(k)) / row_scale(k);
+    const double a =
+        std::holds_alternative<ContactElement>(*e.definition)
+            ? forces_.sliding_acceleration(k, system_.twists(acceleration_))
+            : std::abs(line_acceleration(k)) / row_scale(k);
     const double through = kPart * zone / std::max(a, 1e-300);
     if (through > kLong * duration) continue;
     step = step > 0.0 ? std::min(step, through) : through;
