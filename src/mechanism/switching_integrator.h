@@ -30,15 +30,15 @@ class SwitchingIntegrator : public Integrator {
   long implicit_steps() const { return implicit_.counts().steps; }
 
  private:
-  void change();
-  bool is_stiff();
+  void change(double from);
+  bool is_stiff(double limit);
   void count();
 
   Dop853 explicit_;
   Radau implicit_;
   Integrator* active_;
   bool may_change_;
-  long since_change_ = 0;  ///< steps
+  long since_change_ = 0, since_look_ = 0;  ///< steps
   Eigen::VectorXd state_;
 };
 

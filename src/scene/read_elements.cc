@@ -66,10 +66,11 @@ SpringLaw read_spring(StrictTable& table, const LineUnits& units) {
     law.preload = preload->quantity(units.effort);
   }
   if (law.stiffness == 0.0 && law.damping == 0.0 && law.preload == 0.0) {
-    throw table.refusal("S006",
-                        "has neither stiffness nor damping nor preload: all are "
-                        "zero",
-                        "Give one above zero, or remove the force.");
+    throw table.refusal(
+        "S006",
+        "has neither stiffness nor damping nor preload: all are "
+        "zero",
+        "Give one above zero, or remove the force.");
   }
   return law;
 }

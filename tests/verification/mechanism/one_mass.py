@@ -72,10 +72,66 @@ def check_preload_alone(clevis, folder):
            -1.5 * (1 - 0.5 * (1 - math.exp(-2))), 1e-8)
 
 
+def decayed(k, c, pull, x, v, t):
+    """x(t) of x'' + c x' + k x = pull, c² > 4 k."""
+    fast = -0.5 * (c + math.sqrt(c * c - 4.0 * k))
+    slow = k / fast
+    a = (v - fast * (x - pull / k)) / (slow - fast)
+    b = (x - pull / k) - a
+    return pull / k + a * math.exp(slow * t) + b * math.exp(fast * t)
+
+
+def expect_quick(name, result, most):
+    """Steps of both methods, of which the implicit ones do the rest."""
+    counts = result["motion"]["integration"]
+    expect(f"{name}: steps", counts["steps"], 0, most)
+    if counts["implicit_steps"] < 5:
+        faults.append(f"{name}: {counts['implicit_steps']} implicit steps")
+
+
+def check_stiff_dampers(clevis, folder):
+    """Hard dampers leave nothing to integrate in small steps, and what hardly
+    moves on a stop does not leave it."""
+    for tolerance in (1e-4, 1e-6, 1e-8, 1e-10):
+        for c in (1e6, 1e8, 1e10, 1e12):
+            name = f"damper of {c:g} N s/m at {tolerance:g}"
+            k = 0.1 * c
+            result, rows, _ = simulate(clevis, scene(
+                force("spring", stiffness=f"{k!r} N/m", free="0 m",
+                      damping=f"{c!r} N s/m"),
+                start(0.1, -1.0), tolerance=tolerance), folder)
+            expect(f"{name} [m]", at_end(rows),
+                   decayed(k, c, 0.0, 0.1, -1.0, 1.0), tolerance)
+            expect_quick(name, result, 100)
+        for model in ({}, {"transition": "1 um"}):
+            check_stop(clevis, folder, tolerance, model)
+
+
+def check_stop(clevis, folder, tolerance, model):
+    name = f"stop of 1e10 N s/m at {tolerance:g} {model}"
+    result, rows, events = simulate(clevis, scene(
+        force("stop", lower="0 m", stiffness="1e9 N/m",
+              damping="1e10 N s/m", **model),
+        start(0.1, -1.0), gravity=9.81, duration=2.0, instants=21,
+        tolerance=tolerance), folder)
+    fall = (math.sqrt(1.0 + 2.0 * 9.81 * 0.1) - 1.0) / 9.81
+    if not model:
+        names = [event for _, _, event in events]
+        if names != ["press"]:
+            faults.append(f"{name}: {len(names)} events, {names[:4]}")
+        expect(f"{name}: press [s]", events[0][0], fall, 1e-8)
+    expect(f"{name} [m]", at_end(rows), 0.0, max(tolerance, 1e-6))
+    if not model or tolerance < 1e-7:  # else speeds of 1e-10 m/s are errors
+        carried = runs.forces(Path(folder) / "out")[-1]["force_1.effort_N"]
+        expect(f"{name}: effort at rest [N]", carried, 9.81, 1e-3)
+    expect_quick(name, result, 400 if model else 100)
+
+
 def main():
     clevis = sys.argv[1]
     with tempfile.TemporaryDirectory() as folder:
         check_preload_alone(clevis, folder)
+        check_stiff_dampers(clevis, folder)
     for fault in faults:
         print("FAULT", fault)
     return 1 if faults else 0
