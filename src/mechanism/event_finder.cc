@@ -94,15 +94,19 @@ double EventFinder::root(Integrator& integrator, int event, const Sample& left,
 }
 
 /// What rests follows only what time does to it: no step tells how fast.
-int EventFinder::windows(double step) const {
+/// @throws Error K008 where that is too much to look at.
+long EventFinder::windows(double start, double end) {
   if (!dynamics_.forces().any_sticks()) return 1;
-  constexpr double kMost = 2.5e5;
-  const double count = std::ceil(step / (kPieces * longest_look_));
-  if (count <= kMost) return std::max(static_cast<int>(count), 1);
+  constexpr double kMost = 5e6;  // of a motion, of half a period each
+  const double count =
+      std::max(std::ceil((end - start) / (kPieces * longest_look_)), 1.0);
+  windows_at_rest_ += count;
+  if (windows_at_rest_ <= kMost) return static_cast<long>(count);
   throw Error("K008", "mechanism",
-              fmt::format("while something rests for {:.6g} s, the sine of a "
-                          "drive or servo turns back {:.3g} times",
-                          step, 2.0 * step * kLook / longest_look_),
+              fmt::format("while something rests from t = {:.6g} s to {:.6g} "
+                          "s, the sine of a drive or servo turns back {:.3g} "
+                          "times, of {:.3g} that are looked at in a motion",
+                          start, end, count, kMost),
               "ask for a shorter motion, or correct the frequency");
 }
 
@@ -110,15 +114,16 @@ EventFinder::Event EventFinder::find(Integrator& integrator) {
   constexpr int kMostLooks = 400;
   if (!dynamics_.forces().may_switch()) return {};
   const double start = integrator.t_start(), end = integrator.t();
-  const int count = windows(end - start) * kPieces;
-  looks_left_ = kMostLooks;
+  const long count = windows(start, end) * kPieces;
   samples_.back().t = start;
-  for (int piece = 0; piece < count; piece += kPieces) {
+  for (long piece = 0; piece < count; piece += kPieces) {
+    looks_left_ = kMostLooks;
     std::swap(samples_.front(), samples_.back());
     for (int k = 1; k <= kPieces; ++k) {
       Sample& sample = samples_[static_cast<std::size_t>(k)];
-      const int at = piece + k;
-      sample.t = at == count ? end : start + (end - start) * at / count;
+      const double part =
+          static_cast<double>(piece + k) / static_cast<double>(count);
+      sample.t = piece + k == count ? end : start + (end - start) * part;
       look(integrator, sample.t, false, sample.values);
     }
     const Event event = find_in_window(integrator);

@@ -38,7 +38,7 @@ class EventFinder {
     Eigen::VectorXd values;
   };
 
-  int windows(double step) const;
+  long windows(double start, double end);
   Event find_in_window(Integrator& integrator);
   Event find_between(Integrator& integrator, const Sample& left,
                      const Sample& right, int depth);
@@ -56,7 +56,8 @@ class EventFinder {
 
   ForwardDynamics& dynamics_;
   double longest_look_;  ///< at what rests [s]
-  int looks_left_{};     ///< between samples, in this step
+  double windows_at_rest_ = 0.0;
+  int looks_left_{};  ///< between samples, in this window
   std::array<Sample, kPieces + 1> samples_;
   /// By depth of halving: how much functions bend over an interval, and the
   /// sample in its middle.

@@ -5,6 +5,7 @@ are extreme, and compares with closed forms.
     one_mass.py CLEVIS
 """
 import math
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -127,11 +128,53 @@ def check_stop(clevis, folder, tolerance, model):
     expect_quick(name, result, 400 if model else 100)
 
 
+def shaken(frequency, ramp, duration):
+    """Rests by friction of 10 N under 9 N sin(2 pi f t) + ramp t."""
+    pull = force("servo", stiffness="100 N/m", law="sine", amplitude="0.09 m",
+                 frequency=f"{frequency!r} Hz", **{"from": "0 m"})
+    rubs = force("friction", breakaway="10 N", kinetic="9.9 N")
+    grows = (f'[[force]]\ntype = "table"\njoint = "rail"\n'
+             f'times = ["0 s", "{duration!r} s"]\n'
+             f'efforts = ["0 N", "{ramp * duration!r} N"]\n')
+    return scene(pull, rubs, grows, duration=duration)
+
+
+def check_long_rest(clevis, folder):
+    """150 000 periods at rest in steps of many, until one exceeds the breakaway:
+    the first whose crest, at t, has 9 N + ramp t > 10 N."""
+    frequency, periods = 2000.0, 150000
+    ramp = 1.0 / ((periods - 0.25) / frequency)
+    crest = (periods + 0.25) / frequency
+    end = crest + 0.01 / frequency
+    result, _, events = simulate(clevis, shaken(frequency, ramp, end), folder)
+
+    def margin(t):
+        return 10 - 9 * math.sin(2 * math.pi * frequency * t) - ramp * t
+
+    low, high = crest - 0.2 / frequency, crest
+    for _ in range(100):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if margin(middle) > 0 else (low, middle)
+    if not events or events[0][2] != "slip":
+        faults.append(f"long rest: events {events[:3]}")
+    else:
+        expect("long rest: slips [s]", events[0][0], low, 1e-9)
+    expect("long rest: steps", result["motion"]["integration"]["steps"], 0, 60)
+    # what would take minutes is refused before
+    path = Path(folder) / "scene.toml"
+    path.write_text(shaken(3.6e5, 0.0, 100.0))
+    run = subprocess.run([clevis, "simulate", path], capture_output=True,
+                         text=True, check=False)
+    if run.returncode != 20 or "error[K008]" not in run.stderr:
+        faults.append(f"long rest: {run.returncode} {run.stderr}")
+
+
 def main():
     clevis = sys.argv[1]
     with tempfile.TemporaryDirectory() as folder:
         check_preload_alone(clevis, folder)
         check_stiff_dampers(clevis, folder)
+        check_long_rest(clevis, folder)
     for fault in faults:
         print("FAULT", fault)
     return 1 if faults else 0
