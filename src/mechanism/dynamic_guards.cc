@@ -23,6 +23,10 @@ void DynamicRun::guard_against_accumulation(double t) {
   last_event_ = t;
   if (crowded_events_ < kMost) return;
   refuse_dead_end();
+  state_at(t, y_);
+  add_instant(t, y_);
+  refuse_open_loads(definition_, dynamics_.forces(),
+                    motion_.instants.back().joints);
   throw Error("K008", "mechanism",
               fmt::format("at t = {:.9g} s events of contact or friction "
                           "follow one another without end",

@@ -204,6 +204,44 @@ bool some_friction_rests(const ForceModel& forces) {
   return false;
 }
 
+/// Whether equilibrium leaves open the reaction that an element follows.
+bool is_open(const ForceElement& element,
+             const std::vector<JointReaction>& joints) {
+  const int followed = followed_joint(element);
+  if (followed < 0) return false;
+  const auto& unique =
+      joints[static_cast<std::size_t>(followed)].unique_components;
+  return !unique[0] || !unique[1];
+}
+
+/// Whether friction at rest holds more than the reaction lets it, as the
+/// compliances share that.
+bool exceeds_its_most(const ForceElement& element, const ActingElement& acting,
+                      const std::vector<JointReaction>& joints) {
+  constexpr double kMargin = 1e-6;
+  const auto j = static_cast<std::size_t>(followed_joint(element));
+  const double load = joints[j].components().head<2>().norm();
+  const double most = switched_friction(element)->breakaway * load;
+  return std::abs(acting.effort) > (1.0 + kMargin) * most;
+}
+
+[[noreturn]] void refuse_open_load(const MechanismDefinition& definition,
+                                   const ForceModel& forces, std::size_t k) {
+  const ForceElement& element = definition.elements[k];
+  const auto j = static_cast<std::size_t>(followed_joint(element));
+  const bool rests = some_friction_rests(forces);
+  throw Error("K011", std::get<LineElement>(element).place,
+              fmt::format("friction {} follows the reaction of joint {}, "
+                          "which equilibrium leaves open{}",
+                          name_of(element), definition.joints[j].name,
+                          rests ? ": friction at rest shares it" : ""),
+              rests ? "give the friction itself, or model = \"regularized\"; "
+                      "remove redundant constraints if there are any"
+                    : "remove redundant constraints (dimension = \"planar\" if "
+                      "the mechanism moves in a plane), or give the friction "
+                      "itself");
+}
+
 }  // namespace
 
 void require_unique_loads(const MechanismDefinition& definition,
@@ -211,23 +249,22 @@ void require_unique_loads(const MechanismDefinition& definition,
                           const std::vector<JointReaction>& joints) {
   for (std::size_t k = 0; k < definition.elements.size(); ++k) {
     const ForceElement& element = definition.elements[k];
-    const int followed = followed_joint(element);
+    if (!is_open(element, joints)) continue;
     const bool slides = std::abs(forces.element(k).modes[0]) == 1;
-    if (followed < 0 || !slides) continue;
-    const auto j = static_cast<std::size_t>(followed);
-    const auto& unique = joints[j].unique_components;
-    if (unique[0] && unique[1]) continue;
-    const bool rests = some_friction_rests(forces);
-    throw Error("K011", std::get<LineElement>(element).place,
-                fmt::format("friction {} follows the reaction of joint {}, "
-                            "which equilibrium leaves open{}",
-                            name_of(element), definition.joints[j].name,
-                            rests ? ": friction at rest shares it" : ""),
-                rests
-                    ? "give the friction itself, or model = \"regularized\""
-                    : "remove redundant constraints (dimension = \"planar\" if "
-                      "the mechanism moves in a plane), or give the friction "
-                      "itself");
+    const bool fails =
+        slides || (forces.is_dry(k) &&
+                   exceeds_its_most(element, forces.element(k), joints));
+    if (fails) refuse_open_load(definition, forces, k);
+  }
+}
+
+void refuse_open_loads(const MechanismDefinition& definition,
+                       const ForceModel& forces,
+                       const std::vector<JointReaction>& joints) {
+  for (std::size_t k = 0; k < definition.elements.size(); ++k) {
+    if (is_open(definition.elements[k], joints)) {
+      refuse_open_load(definition, forces, k);
+    }
   }
 }
 

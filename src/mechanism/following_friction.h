@@ -63,11 +63,18 @@ Equilibrium::Solution balance_with_friction(
     const std::function<Equilibrium::Solution(std::span<const Twist>)>&
         balance);
 
-/// @throws Error K011 if friction that slides follows a reaction that
-///   equilibrium leaves open. @param joints  of an instant.
+/// @throws Error K011 if friction follows a reaction that equilibrium leaves
+///   open and slides, or holds more than that lets it. @param joints  of an
+///   instant.
 void require_unique_loads(const MechanismDefinition& definition,
                           const ForceModel& forces,
                           const std::vector<JointReaction>& joints);
+
+/// @throws Error K011 if any friction follows such a reaction: for where a
+///   motion cannot go on.
+void refuse_open_loads(const MechanismDefinition& definition,
+                       const ForceModel& forces,
+                       const std::vector<JointReaction>& joints);
 
 /// @throws Error K011, always: a joint with such friction jams.
 [[noreturn]] void refuse_jam(double t);
