@@ -169,12 +169,41 @@ def check_long_rest(clevis, folder):
         faults.append(f"long rest: {run.returncode} {run.stderr}")
 
 
+def beyond_a_bend(v, gap, slope, end):
+    """x at `end`: 1 kg from `gap` before a bend, at v, under -40 N, beyond the
+    bend -40 N - slope times the way, and back."""
+    a = 40.0
+    at = math.sqrt(v * v - 2 * a * gap)  # speed at the bend, both ways
+    w = math.sqrt(slope)
+    swing = 2 * math.atan2(at / w, a / slope) / w
+    left = end - (v - at) / a - swing
+    return gap - at * left - 0.5 * a * left * left
+
+
+def check_bend_beside_the_start(clevis, folder):
+    """A bend of a table that is left and met again early in the first step."""
+    slope, end = 1e6, 0.02
+    for v in (0.1, 0.02, 0.005):
+        for gap in (0.0, 1e-9, 1e-7):
+            for tolerance in (1e-4, 1e-6, 1e-8):
+                text = scene(
+                    '[[force]]\ntype = "table"\njoint = "rail"\n'
+                    'positions = ["1 mm", "1001 mm"]\n'
+                    f'efforts = ["-40 N", "{-40 - slope!r} N"]\n',
+                    start(1e-3 - gap, v), duration=end, tolerance=tolerance)
+                _, rows, _ = simulate(clevis, text, folder)
+                exact = 1e-3 - gap + beyond_a_bend(v, gap, slope, end)
+                expect(f"bend {gap:g} m off at {v:g} m/s, {tolerance:g} [m]",
+                       at_end(rows), exact, 1e-3 * tolerance)
+
+
 def main():
     clevis = sys.argv[1]
     with tempfile.TemporaryDirectory() as folder:
         check_preload_alone(clevis, folder)
         check_stiff_dampers(clevis, folder)
         check_long_rest(clevis, folder)
+        check_bend_beside_the_start(clevis, folder)
     for fault in faults:
         print("FAULT", fault)
     return 1 if faults else 0
