@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -126,12 +127,20 @@ double line_effort(ActingElement& e, const LineElement& element, double t,
   return line_friction(e, std::get<FrictionLaw>(element.law), internal);
 }
 
+/// Of a universal joint; a placed joint counts the turns of its first alone.
+bool is_second_angle(const JointRow& row) {
+  return row.kind == JointRow::Kind::kUniversal && row.axis == 1;
+}
+
 void measure_line(ActingElement& e) {
   const bool is_distance = e.row.kind == JointRow::Kind::kDistance;
   // the row then measures the distance itself
   if (is_distance) e.placed.length = std::max(e.placed.d.norm(), kShortest);
   e.levers = e.placed.levers(e.row);
   e.q = is_distance ? e.placed.length : e.placed.displacement(e.row);
+  if (!is_second_angle(e.row)) return;
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  e.q += kTurn * std::round((e.placed.angle_near - e.q) / kTurn);
 }
 
 void evaluate_line(ActingElement& e, const LineElement& element, double t,
@@ -185,6 +194,16 @@ void evaluate_impedance(ActingElement& e, const ImpedanceElement& impedance,
   e.rate = rate.norm();
   e.effort = f.norm();
   e.on_b = {f, e.placed.r_b.cross(f)};
+}
+
+/// Angle of a line by the mean of its rates since turns are counted.
+double angle_near(const ActingElement& e, double t, const Configuration& x,
+                  const Vector3d& turning) {
+  const Vector3d axis =
+      is_second_angle(e.row)
+          ? Vector3d(x[index(e.line.b)].R * e.line.frame_b.R_LJ.col(0))
+          : Vector3d(x[index(e.line.a)].R * e.line.frame_a.R_LJ.col(2));
+  return e.q_start + 0.5 * (e.rate_start + axis.dot(turning)) * (t - e.t_start);
 }
 
 const JointModel kNothing{.frame_a = {}, .frame_b = {}};
@@ -254,12 +273,8 @@ void evaluate(ActingElement& e, double t, const Configuration& x,
               const std::vector<Twist>& twists, const double* internal) {
   const Twist& a = twists[index(e.line.a)];
   const Twist& b = twists[index(e.line.b)];
-  double near = e.q_start;
-  if (e.line.counts_turns) {  // by the mean of both rates
-    const Eigen::Vector3d axis =
-        x[index(e.line.a)].R * e.line.frame_a.R_LJ.col(2);
-    near += 0.5 * (e.rate_start + axis.dot(b.w - a.w)) * (t - e.t_start);
-  }
+  const double near =
+      e.line.counts_turns ? angle_near(e, t, x, b.w - a.w) : 0.0;
   e.placed = PlacedJoint(e.line, x[index(e.line.a)], x[index(e.line.b)], near);
   if (const auto* line = std::get_if<LineElement>(e.definition)) {
     evaluate_line(e, *line, t, a, b, internal);

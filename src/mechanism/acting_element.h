@@ -31,7 +31,8 @@ struct ActingElement {
   int internal = -1;  ///< index of its first internal state
   int internal_count = 0;
   std::array<int, 2> modes{};
-  double q_start{}, rate_start{}, t_start{};  ///< as of accept()
+  /// As of accept() or anchor(): from there turns are counted.
+  double q_start{}, rate_start{}, t_start{};
   /// Speed below which speeds tell nothing: bristles turn late by that, and no
   /// law is regularised by less.
   double slack{};

@@ -116,9 +116,21 @@ void ForwardDynamics::put_position_rates(const VectorXd& y,
 /// accepted state.
 void ForwardDynamics::count_turns(double t, const VectorXd& y) {
   for (std::size_t j = 0; j < turns_.size(); ++j) {
-    const JointModel& joint = frame_.joints[j];
-    if (!joint.counts_turns) continue;
+    if (!turns_about_z(frame_.joints[j].type)) continue;
     x_.angles[j] = turns_[j].angle + turned_since(j, t, y);
+  }
+  if (!planar_) return;
+  for (const PlaneAngle& known : plane_angles_) {
+    const double turned = plane_angle(frame_.joints[known.joint], y) -
+                          turns_[known.joint].plane_angle;
+    forces_.anchor(known.element, known.accepted + turned, 0.0, t);
+  }
+}
+
+void ForwardDynamics::anchor_turns(double t, const Configuration& x) {
+  accepted_at_ = t;
+  for (std::size_t j = 0; j < turns_.size(); ++j) {
+    turns_[j] = {x.angles[j], 0.0, 0.0};
   }
 }
 
@@ -148,10 +160,13 @@ void ForwardDynamics::accept(double t, const VectorXd& y) {
   forces_.accept(t);
   for (std::size_t j = 0; j < turns_.size(); ++j) {
     const JointModel& joint = frame_.joints[j];
-    if (!joint.counts_turns) continue;
+    if (!turns_about_z(joint.type)) continue;
     const Vector3d w = twists_[index(joint.b)].w - twists_[index(joint.a)].w;
     turns_[j] = {placed_[j].turned(), placed_[j].axes_a.col(2).dot(w),
                  planar_ ? plane_angle(joint, y) : 0.0};
+  }
+  for (PlaneAngle& known : plane_angles_) {
+    known.accepted = forces_.element(known.element).q;
   }
 }
 

@@ -34,6 +34,14 @@ class ForceModel {
   void communicate(double t);
   /// See accept() of an element.
   void accept(double t);
+  /// The angle of an element's line and its rate are known at t: turns are
+  /// counted from there.
+  void anchor(std::size_t k, double angle, double rate, double t) {
+    ActingElement& e = elements_[k];
+    e.q_start = angle;
+    e.rate_start = rate;
+    e.t_start = t;
+  }
   /// Adds the wrenches about M, by slot.
   void add_to(std::vector<Twist>& wrenches) const;
   /// Rates of the internal states, as of evaluate().

@@ -134,6 +134,9 @@ class ForwardDynamics : public OdeSystem {
   void put_body(std::size_t slot, const BodyPlacement& placement,
                 const Twist& twist, const Eigen::VectorXd& y_before,
                 double turned, Eigen::VectorXd& y) const;
+  /// Spatial: the angles of all joints are known at t, turns are counted from
+  /// there.
+  void anchor_turns(double t, const Configuration& x);
   /// Whether nothing but joints, drives and rotors holds the bodies now.
   bool has_joints_alone() const;
   /// What drive k is to do at t.
@@ -263,6 +266,12 @@ class ForwardDynamics : public OdeSystem {
     double plane_angle{};    ///< planar, see plane_angle() [rad]
   };
   std::vector<Turn> turns_;  ///< by joint, at accepted_at_
+  /// Elements on angles of joints in the plane, where bodies tell their turns.
+  struct PlaneAngle {
+    std::size_t element{}, joint{};
+    double accepted{};  ///< as of accept() [rad]
+  };
+  std::vector<PlaneAngle> plane_angles_;
   double accepted_at_{};
   double piece_start_{};  ///< of the drives' laws [s]
 

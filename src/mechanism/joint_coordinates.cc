@@ -63,6 +63,7 @@ bool JointCoordinates::add(const TreeLink& given, bool is_driven) {
   if (has_axes && !is_driven && joint.a == static_cast<int>(link.slot)) {
     std::swap(joint.a, joint.b);
     std::swap(joint.frame_a, joint.frame_b);
+    link.reversed = true;
   }
   link.is_b = joint.b == static_cast<int>(link.slot);
   link.q = coordinates_;
@@ -74,13 +75,17 @@ bool JointCoordinates::add(const TreeLink& given, bool is_driven) {
   return true;
 }
 
-Index JointCoordinates::velocity_of(int joint, const JointRow& row) const {
+std::optional<JointCoordinates::Measured> JointCoordinates::measured(
+    int joint, const JointRow& row) const {
   for (const Link& link : links_) {
     if (link.joint != joint) continue;
     const int at = measured_coordinate(link.kind, row);
-    return at < 0 ? -1 : link.u + at;
+    // directions in a plane differ from side to side
+    const bool is_unclear = link.reversed && at != turn_coordinate(link.kind);
+    if (at < 0 || is_unclear) return std::nullopt;
+    return Measured{link.q + at, link.u + at, link.sense()};
   }
-  return -1;
+  return std::nullopt;
 }
 
 /// @return false if it does not prescribe a coordinate of its own.
@@ -88,17 +93,17 @@ bool JointCoordinates::drive(std::size_t k, const DriveDefinition& drive) {
   const JointRow row =
       coordinate_row(frame_->joints[static_cast<std::size_t>(drive.joint)].type,
                      drive.coordinate);
-  const Index u = velocity_of(drive.joint, row);
-  if (u < 0) return false;
+  const auto place = measured(drive.joint, row);
+  if (!place) return false;
   const auto at = std::ranges::find(links_, drive.joint, &Link::joint);
-  const int own = static_cast<int>(u - at->u);
+  const int own = static_cast<int>(place->u - at->u);
   const auto open = at->order.begin() + at->open;
   const auto found = std::find(at->order.begin(), open, own);
   if (found == open) return false;  // twice
   std::rotate(found, found + 1, open);
   --at->open;
   driven_.push_back(
-      {k, static_cast<std::size_t>(at - links_.begin()), at->q + own, u});
+      {k, static_cast<std::size_t>(at - links_.begin()), place->q, place->u});
   return true;
 }
 
@@ -124,9 +129,12 @@ void JointCoordinates::read(const Configuration& x,
     const auto a = static_cast<std::size_t>(joint.a);
     const auto b = static_cast<std::size_t>(joint.b);
     const int turn = turn_coordinate(link.kind);
-    const double near = link.joint < 0 || !joint.counts_turns
-                            ? (turn < 0 ? 0.0 : q[link.q + turn])
-                            : x.angle(static_cast<std::size_t>(link.joint));
+    // of free bodies the last one, all others are counted
+    const double near =
+        link.joint >= 0
+            ? x.angle(static_cast<std::size_t>(link.joint)) * link.sense()
+        : turn >= 0 ? q[link.q + turn]
+                    : 0.0;
     const PlacedJoint placed(joint, x[a], x[b], near);
     const Matrix3d to_a = placed.axes_a.transpose();
     JointMotion relative;

@@ -20,7 +20,9 @@ class JointCoordinates {
     int parent = -1;  ///< link, or ground
     int joint = -1;   ///< or free
     JointMotionKind kind{};
-    bool is_b = true;       ///< of the joint
+    bool is_b = true;       ///< of the joint, as it stands here
+    bool reversed = false;  ///< a and b are exchanged here
+    double sense() const { return reversed ? -1.0 : 1.0; }
     Eigen::Index q{}, u{};  ///< of its first coordinate and velocity
     int count{};            ///< of velocities
     int open{};             ///< of them, not driven
@@ -51,8 +53,13 @@ class JointCoordinates {
   static std::optional<JointCoordinates> of(
       const SolvingFrame& frame, const std::vector<DriveDefinition>& drives);
 
-  /// Index of what a row of a joint measures among the velocities, or −1.
-  Eigen::Index velocity_of(int joint, const JointRow& row) const;
+  /// What a row of a joint measures, among all coordinates and velocities:
+  /// sign times q.
+  struct Measured {
+    Eigen::Index q{}, u{};
+    double sign = 1.0;
+  };
+  std::optional<Measured> measured(int joint, const JointRow& row) const;
 
   Eigen::Index coordinates() const { return coordinates_; }
   Eigen::Index velocities() const { return velocities_; }

@@ -96,8 +96,9 @@ void JointCoordinates::place(const double* q, const double* u,
         put_directions(k, joint, relative, u + link.u, u_rate + link.u, driven);
     put_velocities(k, joint, rate, driven, twists);
     const int turn = turn_coordinate(link.kind);
-    if (models_[k].counts_turns && turn >= 0) {
-      x.angles[static_cast<std::size_t>(link.joint)] = q[link.q + turn];
+    if (link.joint >= 0 && turn >= 0) {
+      const double angle = q[link.q + turn];
+      x.angles[static_cast<std::size_t>(link.joint)] = link.sense() * angle;
     }
   }
 }

@@ -131,6 +131,11 @@ JointRow coordinate_row(JointType type, int coordinate) {
   return all[static_cast<std::size_t>(coordinate)].row;
 }
 
+bool turns_about_z(JointType type) {
+  return type != JointType::kPrismatic && type != JointType::kWeld &&
+         type != JointType::kDistance;
+}
+
 std::string_view name_of(JointType type) {
   constexpr std::array<std::string_view, 9> kNames{
       "revolute",  "prismatic", "weld",  "cylindrical", "universal",

@@ -52,6 +52,9 @@ std::span<const JointCoordinate> coordinates(JointType type);
 /// @pre the type has that coordinate.
 JointRow coordinate_row(JointType type, int coordinate = 0);
 
+/// Whether PlacedJoint::turned() tells an angle of it.
+bool turns_about_z(JointType type);
+
 /// "revolute", as the scene file calls it.
 std::string_view name_of(JointType type);
 

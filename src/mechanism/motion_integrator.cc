@@ -18,7 +18,7 @@ MotionIntegrator::MotionIntegrator(const MechanismDefinition& definition,
       !TreeSystem::can_follow(definition, *coordinates_, dynamics.forces())) {
     return;
   }
-  tree_.emplace(definition, dynamics, *coordinates_);
+  tree_ = std::make_unique<TreeSystem>(definition, dynamics, *coordinates_);
   joints_.emplace(*tree_, choice);
   z_.setZero(tree_->size());
 }
@@ -27,7 +27,6 @@ void MotionIntegrator::restart(double t, const VectorXd& y, double step) {
   active_ = joints_ && dynamics_.has_joints_alone() ? &*joints_ : &bodies_;
   if (in_joints()) {
     tree_->start(t, y, z_);
-    y_ = y;
     active_->restart(t, z_, step);
   } else {
     active_->restart(t, y, step);
@@ -37,9 +36,15 @@ void MotionIntegrator::restart(double t, const VectorXd& y, double step) {
 
 bool MotionIntegrator::step(double limit) {
   const bool done = active_->step(limit);
-  if (done && in_joints()) tree_->expand(active_->t(), active_->y(), y_);
   count();
   return done;
+}
+
+/// Expanded anew, as the dynamics then know the turns at this time.
+const VectorXd& MotionIntegrator::y() const {
+  if (!in_joints()) return active_->y();
+  tree_->expand(active_->t(), active_->y(), y_);
+  return y_;
 }
 
 void MotionIntegrator::interpolate(double t, VectorXd& y) {
@@ -56,10 +61,10 @@ void MotionIntegrator::state_at(double t, VectorXd& y) {
 
 void MotionIntegrator::correct(const VectorXd& y) {
   if (!in_joints()) return active_->correct(y);
+  tree_->expand(active_->t(), active_->y(), y_);
   if (differs_by_round_off(y)) return;
   z_ = active_->y();
   tree_->read(active_->t(), y, z_);
-  y_ = y;
   active_->correct(z_);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -30,9 +31,7 @@ class MotionIntegrator : public Integrator {
   bool step(double limit) override;
   double t_start() const override { return active_->t_start(); }
   double t() const override { return active_->t(); }
-  const Eigen::VectorXd& y() const override {
-    return in_joints() ? y_ : active_->y();
-  }
+  const Eigen::VectorXd& y() const override;
   void interpolate(double t, Eigen::VectorXd& y) override;
   void state_at(double t, Eigen::VectorXd& y) override;
   void correct(const Eigen::VectorXd& y) override;
@@ -51,10 +50,11 @@ class MotionIntegrator : public Integrator {
   ForwardDynamics& dynamics_;
   SwitchingIntegrator bodies_;
   std::optional<JointCoordinates> coordinates_;
-  std::optional<TreeSystem> tree_;
+  std::unique_ptr<TreeSystem> tree_;
   std::optional<SwitchingIntegrator> joints_;
   SwitchingIntegrator* active_;
-  Eigen::VectorXd y_, z_, scratch_;
+  mutable Eigen::VectorXd y_;
+  Eigen::VectorXd z_, scratch_;
 };
 
 }  // namespace clevis::mechanism

@@ -1,7 +1,9 @@
 #include "mechanism/tree_system.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace clevis::mechanism {
 
@@ -24,8 +26,8 @@ std::vector<double> armatures(const MechanismDefinition& definition,
     if (!(forces.inertia(k) > 0.0)) continue;
     const ElementLine& line =
         std::get<LineElement>(definition.elements[k]).line;
-    const Index at = coordinates.velocity_of(line.joint, forces.element(k).row);
-    result[index(at)] += forces.inertia(k);
+    const auto at = coordinates.measured(line.joint, forces.element(k).row);
+    result[index(at->u)] += forces.inertia(k);
   }
   return result;
 }
@@ -51,6 +53,16 @@ TreeSystem::TreeSystem(const MechanismDefinition& definition,
   for (std::vector<double>* u : {&u_, &u_rate_, &response_, &u_size_}) {
     u->resize(index(coordinates.velocities()));
   }
+  for (std::size_t k = 0; k < definition.elements.size(); ++k) {
+    const auto* line = std::get_if<LineElement>(&definition.elements[k]);
+    if (line == nullptr || line->line.kind != ElementLine::Kind::kJoint ||
+        !dynamics.forces().is_angle(k)) {
+      continue;
+    }
+    const auto at = coordinates.measured(line->line.joint,
+                                         dynamics.forces().element(k).row);
+    if (at) counted_.push_back({k, *at, 0.0});
+  }
 }
 
 bool TreeSystem::can_follow(const MechanismDefinition& definition,
@@ -61,7 +73,7 @@ bool TreeSystem::can_follow(const MechanismDefinition& definition,
     const ElementLine& line =
         std::get<LineElement>(definition.elements[k]).line;
     if (line.kind != ElementLine::Kind::kJoint ||
-        coordinates.velocity_of(line.joint, forces.element(k).row) < 0) {
+        !coordinates.measured(line.joint, forces.element(k).row)) {
       return false;
     }
   }
@@ -79,6 +91,12 @@ void TreeSystem::place(double t, const VectorXd& z) {
     u_rate_[index(driven.u)] = target.acceleration;
   }
   coordinates_.place(q_.data(), u_.data(), u_rate_.data(), x_, twists_);
+  for (const Counted& counted : counted_) {
+    const auto& [q, u, sign] = counted.at;
+    loads_.forces().anchor(counted.element,
+                           sign * q_[index(q)] + counted.offset,
+                           sign * u_[index(u)], t);
+  }
 }
 
 /// Of values by coordinate and by velocity.
@@ -127,8 +145,22 @@ void TreeSystem::start(double t, const VectorXd& y, VectorXd& z) {
   read(t, y, z);
   start_y_ = y;
   q_start_ = q_;
+  loads_.evaluate(t, dynamics_.configuration(), dynamics_.twists(),
+                  z.data() + internal_index());
+  count_turns();
   place(t, z);
   set_scales();
+}
+
+/// Elements say how many turns they are apart from their coordinates.
+void TreeSystem::count_turns() {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  for (Counted& counted : counted_) {
+    const double q = counted.at.sign * q_[index(counted.at.q)];
+    const double turns =
+        (loads_.forces().element(counted.element).q - q) / kTurn;
+    counted.offset = kTurn * std::round(turns);
+  }
 }
 
 void TreeSystem::read(double t, const VectorXd& y, VectorXd& z) {
@@ -159,6 +191,7 @@ void TreeSystem::expand(double t, const VectorXd& z, VectorXd& y) {
   }
   y.tail(y.size() - dynamics_.internal_index()) =
       z.tail(z.size() - internal_index());
+  if (!dynamics_.is_planar()) dynamics_.anchor_turns(t, x_);
 }
 
 }  // namespace clevis::mechanism

@@ -50,7 +50,7 @@ class TreeSystem : public OdeSystem {
   void start(double t, const Eigen::VectorXd& y, Eigen::VectorXd& z);
   /// z of a state y close to z.
   void read(double t, const Eigen::VectorXd& y, Eigen::VectorXd& z);
-  /// y of z.
+  /// y of z. What the dynamics say of y at t counts turns as z does.
   void expand(double t, const Eigen::VectorXd& z, Eigen::VectorXd& y);
 
  private:
@@ -69,6 +69,7 @@ class TreeSystem : public OdeSystem {
   void place(double t, const Eigen::VectorXd& z);
   void put_open(const std::vector<double>& q, const std::vector<double>& u,
                 Eigen::Ref<Eigen::VectorXd> z) const;
+  void count_turns();
   double reach(std::size_t link) const;
   void set_scales();
 
@@ -81,6 +82,13 @@ class TreeSystem : public OdeSystem {
   /// Of all joints, by coordinate and by velocity.
   std::vector<double> q_, u_, q_rate_, u_rate_, response_, q_size_, u_size_;
   std::vector<double> q_start_;
+  /// Elements on angles, which count the turns of their coordinates.
+  struct Counted {
+    std::size_t element{};
+    JointCoordinates::Measured at;
+    double offset{};  ///< whole turns [rad]
+  };
+  std::vector<Counted> counted_;
   std::vector<double> turned_;  ///< by link, planar: since start() [rad]
   Eigen::VectorXd start_y_, internal_;
 };

@@ -1,5 +1,6 @@
 // Trees in the coordinates of their joints against the same bodies with
 // constraints: two formulations that share the forces alone.
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -271,6 +272,64 @@ TEST(JointCoordinates, MotionsOfRandomTrees) {
       EXPECT_LT((a - b).lpNorm<Eigen::Infinity>(),
                 1e-8 * b.lpNorm<Eigen::Infinity>());
     }
+  }
+}
+
+/// A hinge that a drive winds up by 40 rad, in steps of many turns.
+MechanismDefinition winch(SpaceDimension dimension) {
+  MechanismDefinition m = sliders({1.0, 1.0});
+  m.joints[0].type = JointType::kRevolute;
+  m.joints[0].frame_a = m.joints[0].frame_b = {};
+  m.dimension = dimension;
+  DriveDefinition drive;
+  drive.joint = 0;
+  drive.law = DriveLaw::kQuintic;
+  drive.to = 40.0;
+  drive.duration = 5.0;
+  drive.place = "drive";
+  m.drives = {drive};
+  return m;
+}
+
+TEST(JointCoordinates, ElementsCountTheTurnsOfLongSteps) {
+  SimulationSettings settings;
+  settings.duration = 5.0;
+  settings.instants = 26;
+  for (const SpaceDimension dimension :
+       {SpaceDimension::kPlanar, SpaceDimension::kSpatial}) {
+    MechanismDefinition m = winch(dimension);
+    TableLaw table;
+    table.positions = {0.0, 30.0, 31.0};
+    table.efforts = {0.0, 0.0, -50.0};
+    m.elements = {on_joint(0, SpringLaw{.stiffness = 1.0}), on_joint(0, table)};
+    for (const Instant& at : simulate(m, settings).instants) {
+      const double q = at.drives[0].position;
+      EXPECT_NEAR(at.elements[0].effort, -q, 1e-9);
+      EXPECT_NEAR(at.elements[1].effort, -50.0 * std::clamp(q - 30.0, 0.0, 1.0),
+                  1e-7);
+    }
+  }
+}
+
+// Free turning about the second axis of a universal joint, on a spring.
+TEST(JointCoordinates, SecondAngleOfAUniversalJointCountsTurns) {
+  MechanismDefinition m = sliders({1.0});
+  m.joints[0].type = JointType::kUniversal;
+  m.joints[0].frame_a = m.joints[0].frame_b = {};
+  m.gravity_W.setZero();
+  const double inertia = m.bodies[0].mass_properties.inertia_LCm(0, 0);
+  LineElement spring = on_joint(0, SpringLaw{.stiffness = inertia});
+  spring.line.coordinate = 1;
+  m.elements = {spring};
+  m.initial_bodies = {{.body = 0,
+                       .v_WLo = Vector3d::Zero(),
+                       .w_WL = {30.0, 0.0, 0.0},
+                       .place = "initial"}};
+  SimulationSettings settings;
+  settings.duration = 10.0;
+  settings.instants = 41;
+  for (const Instant& at : simulate(m, settings).instants) {
+    EXPECT_NEAR(at.elements[0].position, 30.0 * std::sin(at.t), 1e-6);
   }
 }
 
