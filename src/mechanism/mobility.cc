@@ -81,6 +81,9 @@ Mobility mobility(const SolvingFrame& frame, const ConstraintSystem& system,
                   const Configuration& closed) {
   constexpr int kNeighbours = 6;
   Mobility general = mobility_at(frame, system, closed);
+  // the rows of a tree's joints never depend on one another
+  const bool has_drives = system.rows() > system.joint_rows();
+  if (frame.is_tree && frame.couplings.empty() && !has_drives) return general;
   // the highest rank is the general one; a regular place has it already
   for (int which = 0; which < kNeighbours; ++which) {
     Mobility near = mobility_at(frame, system, neighbour(frame, closed, which));
