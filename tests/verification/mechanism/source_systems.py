@@ -15,8 +15,10 @@ from pathlib import Path
 
 from closed_forms import FiveBar, antenna, bennett_second
 
-TABLE_1 = [(0.2, 0.1), (2.0, 2.1), (0.3, 0.6), (0.2, 0.3), (2.0, 2.3),
-           (2.3, 1.3)]
+# scenes with the source's pairs of speeds [rad/s]
+TABLE_1 = {"speeds_02_01": (0.2, 0.1), "speeds_20_21": (2.0, 2.1),
+           "speeds_03_06": (0.3, 0.6), "speeds_02_03": (0.2, 0.3),
+           "scene": (2.0, 2.3), "speeds_23_13": (2.3, 1.3)}
 faults = []
 
 
@@ -118,15 +120,10 @@ def inputs(speeds, rows):
 
 def check_table_1(clevis, geometry, folder):
     """C on the torus, gamma by the closed form, for six pairs of speeds."""
-    text = (geometry / "five_bar/scene.toml").read_text()
     linkage = FiveBar(math.radians(90))
-    for speeds in TABLE_1:
-        rates = iter(speeds)
-        scene = Path(folder) / "run.toml"
-        scene.write_text(re.sub(
-            r'to = ".* rad"',
-            lambda _: f'to = "{next(rates) * 20 * math.pi!r} rad"', text))
-        result, rows = simulate(clevis, scene, folder)
+    for name, speeds in TABLE_1.items():
+        result, rows = simulate(clevis, geometry / f"five_bar/{name}.toml",
+                                folder)
         expect("5R: mobility", result["structure"]["mobility_rank"], 2, 0)
         expect("5R: redundant", result["structure"]["redundant_constraints"],
                3, 0)
@@ -196,6 +193,37 @@ def replay_scene(text, rows, every):
     return head + table + tail[tail.index("\n[[marker]]"):]
 
 
+def check_replay_scene(clevis, geometry, folder):
+    """The angles that replay.toml's servos follow are those of the inverse
+    closed form for the path that tracking.toml leads C along, and C comes no
+    further off than the servos give way."""
+    text = (geometry / "five_bar/replay.toml").read_text()
+    phi, lam = ([float(x) for x in re.findall(r'"(\S+) rad"', listed)]
+                for listed in re.findall(r"positions = \[(.*?)\]", text, re.S))
+    _, led = simulate(clevis, geometry / "five_bar/tracking.toml", folder)
+    linkage = FiveBar(math.radians(90))
+    chosen = led[::10]
+    expect("replay.toml: points", len(phi), len(chosen), 0)
+    for row, to_phi, to_lam in zip(chosen, phi, lam, strict=True):
+        expect("replay.toml: lambda [rad]", to_lam, row["F.drive_rad"], 1e-11)
+        expect("replay.toml: phi [rad]", angle(
+            to_phi - linkage.phi(row["F.drive_rad"], row["D.drive_rad"])), 0,
+            1e-10)
+    result, rows = simulate(clevis, geometry / "five_bar/replay.toml", folder)
+    off = max(math.dist(marker(a, "C"), marker(b, "C"))
+              for a, b in zip(led, rows, strict=True))
+    torque = max(force["peak_effort_N_m"] for force in result["forces"])
+    # each input gives way by torque / stiffness; lambda turns C about the axis,
+    # 300 mm away at most, both turn CD of 100 mm up to sqrt(3) times as far
+    give = torque / (0.02 * (2 * math.pi * 10)**2)
+    expect("replay.toml: C within the servos' give",
+           off < (300 + 2 * math.sqrt(3) * 100) * give, True, 0)
+    expect("replay.toml: energy [1]", result["motion"]["integration"][
+        "relative_energy_error"], 0, 1e-7)
+    print(f"replay.toml: C {off:.2f} mm off, {torque:.3f} N m")
+    return off
+
+
 def servo_scene(text, rows, every, bandwidth):
     """The tracking scene with servos on the inputs in place of all drives; they
     follow the angles recorded at every so many instants."""
@@ -241,6 +269,9 @@ def check_servo(clevis, geometry, folder):
     runs = [servo_replay(clevis, geometry, folder, hertz)
             for hertz in (10, 20)]
     expect("servo: 10 Hz over 20 Hz [1]", runs[0][1] / runs[1][1], 4, 0.4)
+    # the table of replay.toml has twelve digits
+    expect("servo: as replay.toml [mm]", runs[0][0],
+           check_replay_scene(clevis, geometry, folder), 1e-5)
     for run in runs:
         expect("servo: energy [1]", run[3]["motion"]["integration"][
             "relative_energy_error"], 0, 1e-7)
