@@ -120,7 +120,8 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"K010", kModelInvalid, "start at a change point that no rate decides",
      "The motion starts where branches of positions meet, and the rates given "
      "fit several of them or none that leads on. Give [[initial]] rates that "
-     "single one out, or start a little beside the change point on the branch "
+     "single one out, or start a thousandth of a radian beside the change "
+     "point on the branch "
      "that is meant."},
     {"K011", kModelInvalid, "friction that follows the reaction has no answer",
      "Friction proportional to the reaction of its joint changes that reaction "

@@ -6,6 +6,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
+#include <Eigen/SVD>
 #include <fmt/format.h>
 
 #include "base/errors.h"
@@ -168,6 +169,25 @@ VectorXd regular_velocities(const MechanismDefinition& definition,
   return v;
 }
 
+/// A motion from rest lingers just beside a change point, where rows that fade
+/// are left out of it; at the point itself it has a branch or is refused.
+/// @throws Error K010.
+void refuse_rest_beside_change_point(const MatrixXd& J, int freedom,
+                                     const VectorXd& velocities) {
+  constexpr double kMost = 1.5 * kRankThreshold, kAtThePoint = 1e-9;
+  const Index rank = J.cols() - freedom;
+  if (rank < 1 || velocities.lpNorm<Eigen::Infinity>() > 0.0) return;
+  const VectorXd values = Eigen::BDCSVD<MatrixXd>(J).singularValues();
+  if (values.size() < rank) return;
+  const double weakest = values[rank - 1] / values[0];
+  if (weakest <= kAtThePoint || weakest >= kMost) return;
+  throw Error("K010", "mechanism",
+              "the motion starts at rest just beside a change point, where the "
+              "joints do not say clearly which way leads on",
+              "give [[initial]] a rate that leads away, or start farther "
+              "beside the change point, by a thousandth of a radian");
+}
+
 }  // namespace
 
 InitialState initial_state(const MechanismDefinition& definition,
@@ -184,17 +204,21 @@ InitialState initial_state(const MechanismDefinition& definition,
       wanted_rates(definition, frame, system.motions(), state.x);
   const ConstraintSystem joints(frame, {}, system.motions(),
                                 ConstraintSystem::Drives::kNone);
-  const int open =
-      joints.columns() - numerical_rank(joints.jacobian(joints.place(state.x)));
+  const MatrixXd J = joints.jacobian(joints.place(state.x));
+  const int open = joints.columns() - numerical_rank(J);
   if (open <= freedom.joints) {
     state.velocities =
         regular_velocities(definition, frame, joints, state.x, wanted);
+    if (!frame.is_tree) {
+      refuse_rest_beside_change_point(J, freedom.joints, state.velocities);
+    }
     return state;
   }
   SingularStart start = singular_start(definition, frame, joints, state.x,
                                        wanted, freedom.joints);
   state.x = std::move(start.point.x);
   state.velocities = std::move(start.velocities);
+  refuse_rest_beside_change_point(J, freedom.joints, state.velocities);
   return state;
 }
 

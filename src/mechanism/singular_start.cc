@@ -82,11 +82,12 @@ std::vector<std::string> deciding(const MechanismDefinition& definition,
       "K010", "mechanism",
       fmt::format("the motion starts at a change point, {}", why),
       joints.empty()
-          ? std::string("give [[initial]] rates that decide, or start a little "
-                        "beside the change point, on the branch that is meant")
+          ? std::string("give [[initial]] rates that decide, or start a "
+                        "thousandth of a radian beside the change point, on "
+                        "the branch that is meant")
           : fmt::format("give an [[initial]] rate that decides, of {}, or "
-                        "start a little beside the change point, on the branch "
-                        "that is meant",
+                        "start a thousandth of a radian beside the change "
+                        "point, on the branch that is meant",
                         fmt::join(joints, ", ")));
 }
 
