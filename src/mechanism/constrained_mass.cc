@@ -20,17 +20,24 @@ constexpr double kRefinedPivot = 1e-2;
 // Of the rank threshold, on the way back.
 constexpr double kReturnFactor = 2.0;
 
+/// Whole groups of columns.
+int bodies(int columns, int width) {
+  return (columns + width - 1) / width;
+}
+
 }  // namespace
 
-ConstrainedMass::ConstrainedMass(int columns, int most_rows, double threshold)
+ConstrainedMass::ConstrainedMass(int width, int columns, int most_rows,
+                                 double threshold)
     : threshold_(threshold),
+      width_(width),
       columns_(columns),
-      factors_(static_cast<std::size_t>(columns / 3)),
-      normal_(columns, most_rows),
+      factors_(static_cast<std::size_t>(bodies(columns, width) * width / 3)),
+      normal_(width, bodies(columns, width), most_rows),
       scale_(VectorXd::Ones(most_rows)),
       x_(VectorXd::Zero(most_rows)),
       hat_rows_(VectorXd::Zero(most_rows)),
-      hat_(VectorXd::Zero(columns)),
+      hat_(VectorXd::Zero(bodies(columns, width) * width)),
       decomposition_(std::max(most_rows, 1), std::max(columns, 1)) {}
 
 void ConstrainedMass::apply_factor(VectorXd& v) const {
@@ -53,32 +60,38 @@ void ConstrainedMass::apply_factor_transposed(VectorXd& v) const {
   }
 }
 
-void ConstrainedMass::factor(const MatrixXd& J, int rows) {
+void ConstrainedMass::open_rows(int rows) {
   on_tree_ = false;
   if (rows != rows_) {
     rows_ = rows;
     normal_.reset(rows);
     reduced_ = false;
   }
-  fill_rows(J);
+  normal_.open_rows();
+}
+
+/// Of W = J F.
+bool ConstrainedMass::factor() {
+  for (int i = 0; i < rows_; ++i) {
+    for (NormalCholesky::Part& part : normal_.row(i)) {
+      apply_factor_of_body(part.body, part.w);
+    }
+    scale_[i] = 1.0 / normal_.close_row(i);
+  }
   truncated_ = false;
   was_reduced_ = reduced_;
   const bool done =
       normal_.factor_in_order(reduced_ ? geometric_rank_ : rows_) ||
       normal_.factor_by_pivots(geometric_rank_);
-  if (!done) {
-    orthogonal(J.topRows(rows_));
-    return;
-  }
+  if (!done) return false;
   rank_ = normal_.rank();
   reduced_ = rank_ < rows_;
   smallest_pivot_ = normal_.smallest_pivot();
+  return true;
 }
 
-void ConstrainedMass::set_tree(std::vector<TreeLink> links, int width) {
-  if (links.empty()) return;
-  tree_.emplace(std::move(links), width);
-  width_ = width;
+void ConstrainedMass::set_tree(std::vector<TreeLink> links) {
+  if (!links.empty()) tree_.emplace(std::move(links), width_);
 }
 
 bool ConstrainedMass::factor_tree() {
@@ -116,21 +129,12 @@ void ConstrainedMass::solve_tree(const VectorXd& gamma, VectorXd& a,
   apply_factor(a);
 }
 
-/// W = J F.
-void ConstrainedMass::fill_rows(const MatrixXd& J) {
-  for (int i = 0; i < rows_; ++i) {
-    hat_ = J.row(i);
-    apply_factor_transposed(hat_);
-    scale_[i] = 1.0 / normal_.set_row(i, hat_);
-  }
-}
-
-void ConstrainedMass::orthogonal(const MatrixXd& J) {
+void ConstrainedMass::factor_orthogonally(const MatrixXd& J) {
   ++orthogonal_count_;
   truncated_ = true;
   decomposition_.setThreshold(was_reduced_ ? kReturnFactor * threshold_
                                            : threshold_);
-  decomposition_.compute(J);
+  decomposition_.compute(J.topRows(rows_));
   rank_ = geometric_rank_ = static_cast<int>(decomposition_.rank());
   reduced_ = rank_ < rows_;
   const MatrixXd Z = decomposition_.matrixZ();
@@ -174,28 +178,23 @@ void ConstrainedMass::accelerate(const VectorXd& gamma, const VectorXd& Q,
         decomposition_.transpose().solve(VectorXd(mass_times(a)) - Q);
     return;
   }
-  hat_ = Q;
+  hat_.head(columns_) = Q;
   apply_factor_transposed(hat_);
+  solve_rows(gamma, lambda);
+  if (smallest_pivot_ < kRefinedPivot) solve_rows(gamma, lambda);
+  apply_factor(hat_);
+  a = hat_.head(columns_);
+}
+
+/// Adds what takes the rows of F⁻¹ a, in hat_, to γ.
+void ConstrainedMass::solve_rows(const VectorXd& gamma, VectorXd& lambda) {
+  normal_.times(hat_, hat_rows_);
   for (int i = 0; i < rows_; ++i) {
-    hat_rows_[i] = scale_[i] * gamma[i] - normal_.row_times(i, hat_);
+    hat_rows_[i] = scale_[i] * gamma[i] - hat_rows_[i];
   }
   normal_.solve(hat_rows_, x_);
-  for (int i = 0; i < rows_; ++i) {
-    normal_.add_row(i, x_[i], hat_);
-    lambda[i] = scale_[i] * x_[i];
-  }
-  if (smallest_pivot_ < kRefinedPivot) {
-    for (int i = 0; i < rows_; ++i) {
-      hat_rows_[i] = scale_[i] * gamma[i] - normal_.row_times(i, hat_);
-    }
-    normal_.solve(hat_rows_, x_);
-    for (int i = 0; i < rows_; ++i) {
-      normal_.add_row(i, x_[i], hat_);
-      lambda[i] += scale_[i] * x_[i];
-    }
-  }
-  a = hat_;
-  apply_factor(a);
+  normal_.add_rows(x_, hat_);
+  for (int i = 0; i < rows_; ++i) lambda[i] += scale_[i] * x_[i];
 }
 
 void ConstrainedMass::correct(const VectorXd& residual, VectorXd& change) {
@@ -212,9 +211,10 @@ void ConstrainedMass::correct(const VectorXd& residual, VectorXd& change) {
   }
   for (int i = 0; i < rows_; ++i) hat_rows_[i] = -scale_[i] * residual[i];
   normal_.solve(hat_rows_, x_);
-  change.setZero();
-  for (int i = 0; i < rows_; ++i) normal_.add_row(i, x_[i], change);
-  apply_factor(change);
+  hat_.setZero();
+  normal_.add_rows(x_, hat_);
+  apply_factor(hat_);
+  change = hat_.head(columns_);
 }
 
 }  // namespace clevis::mechanism
