@@ -92,6 +92,24 @@ void take_cells(const Discretization<dim>& whole,
   folding.node = std::move(number);
 }
 
+/// Puts onto the planes what the mesh, symmetric to a tolerance only, has
+/// beside them. A class holds its components there; held off the plane by δ,
+/// they would take δ over the part's size of the moments too, and leave as much
+/// to the supports of a free part, which may not carry anything.
+template <int dim>
+void snap_to_planes(const std::vector<Mirror>& mirrors,
+                    Discretization<dim>& part) {
+  for (auto& points : part.cell_points) {
+    for (const Mirror& mirror : mirrors) {
+      for (double& x : points.row(mirror.axis)) {
+        if (std::abs(x - mirror.position) < mirror.tolerance) {
+          x = mirror.position;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 
 template <int dim>
@@ -104,6 +122,7 @@ Folding<dim> fold(const Discretization<dim>& whole,
   folding.part.groups.clear();
   folding.mirrors = std::move(mirrors);
   take_cells(whole, low_cells<dim>(whole, positions, folding.mirrors), folding);
+  snap_to_planes<dim>(folding.mirrors, folding.part);
   std::vector<int> node(static_cast<std::size_t>(whole.nodes));
   folding.behind.assign(node.size(), 0);
   folding.on_plane.assign(static_cast<std::size_t>(folding.part.nodes), 0);

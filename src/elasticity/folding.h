@@ -19,8 +19,8 @@ namespace clevis::elasticity {
 /// those components zero that change their sign.
 template <int dim>
 struct Folding {
-  /// Cells on the low side of all mirrors; nodes in the order of their
-  /// elimination.
+  /// Cells on the low side of all mirrors, exactly on the planes where they
+  /// end there; nodes in the order of their elimination.
   Discretization<dim> part;
   std::vector<Mirror> mirrors;  ///< none: nothing is folded
   std::vector<int> node;        ///< of the whole part → of the folded

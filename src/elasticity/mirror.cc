@@ -78,7 +78,7 @@ std::optional<Mirror> find_mirror(const Discretization<dim>& discretization,
                                   const NodeFinder<dim>& finder, int axis,
                                   double tolerance) {
   const auto row = positions.row(axis);
-  Mirror mirror{axis, 0.5 * (row.minCoeff() + row.maxCoeff()), {}};
+  Mirror mirror{axis, 0.5 * (row.minCoeff() + row.maxCoeff()), tolerance, {}};
   for (Index i = 0; i < positions.cols(); ++i) {
     Eigen::Matrix<double, dim, 1> image = positions.col(i);
     image[axis] = 2.0 * mirror.position - image[axis];

@@ -12,6 +12,7 @@ namespace clevis::elasticity {
 struct Mirror {
   int axis{};
   double position{};         ///< of the plane [m]
+  double tolerance{};        ///< within which nodes are taken as paired [m]
   std::vector<int> partner;  ///< node → its image
 };
 
