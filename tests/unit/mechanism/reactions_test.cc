@@ -180,6 +180,7 @@ double largest_force(const Instant& at) {
 }
 
 TEST(Bennett, ReferenceAngleAndCounts) {
+  EXPECT_NEAR(Bennett().b(), 0.577350269190, 5e-13);
   const MechanismDefinition m = bennett({}, 70.0 * std::numbers::pi / 180.0);
   const Structure s = analyse_structure(m);
   EXPECT_EQ(s.spatial_chebyshev, -2);  // 20 constraints on 18 motions
