@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -45,7 +44,8 @@ Mobility mobility_at(const SolvingFrame& frame, const ConstraintSystem& system,
   const MatrixXd joints = all.topRows(system.joint_rows());
   const int n = system.columns();
   const RowDependence closure = row_dependence(joints);
-  const RowDependence driven = row_dependence(all);
+  const bool has_drives = system.rows() > system.joint_rows();
+  const RowDependence driven = has_drives ? row_dependence(all) : closure;
   Mobility result;
   result.joints = n - closure.rank;
   result.with_drives = n - driven.rank;
@@ -75,6 +75,17 @@ Mobility mobility_at(const SolvingFrame& frame, const ConstraintSystem& system,
   return result;
 }
 
+/// Whether the joints, and with the drives, leave there no less freedom.
+bool leaves_as_much(const ConstraintSystem& system, const Configuration& x,
+                    const Mobility& than) {
+  const MatrixXd all = system.jacobian(system.place(x));
+  const int n = system.columns();
+  const int joints = n - numerical_rank(all.topRows(system.joint_rows()));
+  const int with_drives =
+      system.rows() > system.joint_rows() ? n - numerical_rank(all) : joints;
+  return than.joints <= joints && than.with_drives <= with_drives;
+}
+
 }  // namespace
 
 Mobility mobility(const SolvingFrame& frame, const ConstraintSystem& system,
@@ -86,11 +97,10 @@ Mobility mobility(const SolvingFrame& frame, const ConstraintSystem& system,
   if (frame.is_tree && frame.couplings.empty() && !has_drives) return general;
   // the highest rank is the general one; a regular place has it already
   for (int which = 0; which < kNeighbours; ++which) {
-    Mobility near = mobility_at(frame, system, neighbour(frame, closed, which));
-    const bool is_regular = general.joints <= near.joints &&
-                            general.with_drives <= near.with_drives;
+    const Configuration near = neighbour(frame, closed, which);
+    const bool is_regular = leaves_as_much(system, near, general);
     if (is_regular && which == 0 && general.joints <= 1) break;
-    if (!is_regular) general = std::move(near);
+    if (!is_regular) general = mobility_at(frame, system, near);
   }
   return general;
 }
