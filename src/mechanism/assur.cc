@@ -6,23 +6,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "mechanism/constraint_shares.h"
+
 namespace clevis::mechanism {
 namespace {
 
 bool contains(const std::vector<int>& links, int link) {
   return std::ranges::find(links, link) != links.end();
-}
-
-/// Pairs with at least one end in `links`, none outside of links and known.
-int pairs_within(const LinkGraph& graph, const std::vector<int>& links,
-                 const std::vector<int>& known) {
-  int count = 0;
-  for (const LinkGraph::Pair& pair : graph.pairs) {
-    const bool a_in = contains(links, pair.a), b_in = contains(links, pair.b);
-    count += (a_in || b_in) && (a_in || contains(known, pair.a)) &&
-             (b_in || contains(known, pair.b));
-  }
-  return count;
 }
 
 /// Longest loop of links inside the group, 0 without one.
@@ -44,36 +34,22 @@ int longest_loop(const LinkGraph& graph, const std::vector<int>& links,
   return longest;
 }
 
-/// The next choice of `size` out of n in lexicographic order.
-bool next_choice(std::vector<int>& choice, int n) {
-  const int size = static_cast<int>(choice.size());
-  for (int i = size - 1; i >= 0; --i) {
-    auto& value = choice[static_cast<std::size_t>(i)];
-    if (value == n - size + i) continue;
-    ++value;
-    std::iota(choice.begin() + i + 1, choice.end(), value + 1);
-    return true;
+/// Smallest set of free links with mobility 0 on the known ones; of equal
+/// ones that with the first links.
+std::vector<int> smallest_group(const std::vector<ConstraintShare>& shares,
+                                const std::vector<int>& free) {
+  std::vector<int> smallest;
+  for (const int link : free) {
+    std::vector<int> links = leaning_on(shares, link);
+    std::erase_if(links, [&free](int known) {
+      return !contains(free, known);
+    });
+    if (smallest.empty() || links.size() < smallest.size() ||
+        (links.size() == smallest.size() && links < smallest)) {
+      smallest = links;
+    }
   }
-  return false;
-}
-
-/// Smallest set of free links with mobility 0 on the known ones.
-std::vector<int> smallest_group(const LinkGraph& graph,
-                                const std::vector<int>& free,
-                                const std::vector<int>& known) {
-  const int n = static_cast<int>(free.size());
-  for (int size = 2; size <= n; size += 2) {  // 3 size = 2 pairs
-    std::vector<int> choice(static_cast<std::size_t>(size));
-    std::iota(choice.begin(), choice.end(), 0);
-    do {
-      std::vector<int> links;
-      for (const int i : choice) {
-        links.push_back(free[static_cast<std::size_t>(i)]);
-      }
-      if (3 * size == 2 * pairs_within(graph, links, known)) return links;
-    } while (next_choice(choice, n));
-  }
-  return {};
+  return smallest;
 }
 
 std::string group_text(const LinkGraph& graph, int group_class,
@@ -162,12 +138,13 @@ int contour_class(const LinkGraph& graph, const std::vector<int>& links) {
 }
 
 std::vector<AssurGroup> peel_groups(const LinkGraph& graph) {
+  const auto shares = constraint_shares(graph);
+  if (!shares || shares->size() != 3 * graph.links.size()) return {};
   std::vector<AssurGroup> groups;
   std::vector<int> known{kGround};
   std::vector<int> free = all_links(graph);
   while (!free.empty()) {
-    const std::vector<int> links = smallest_group(graph, free, known);
-    if (links.empty()) return {};
+    const std::vector<int> links = smallest_group(*shares, free);
     LinkGraph visible = graph;  // pairs to links that come later do not count
     std::erase_if(visible.pairs, [&](const LinkGraph::Pair& pair) {
       const auto seen = [&](int link) {
@@ -190,13 +167,16 @@ std::vector<AssurGroup> peel_groups(const LinkGraph& graph) {
   return groups;
 }
 
-AssurFormula corrected_formula(const MechanismDefinition& definition) {
+AssurFormula corrected_formula(const MechanismDefinition& definition,
+                               const std::vector<int>& taken) {
   std::vector<int> locked;
-  std::vector<std::string> inputs;
   for (const DriveDefinition& drive : definition.drives) {
     locked.push_back(drive.joint);
-    inputs.push_back(
-        definition.joints[static_cast<std::size_t>(drive.joint)].name);
+  }
+  locked.insert(locked.end(), taken.begin(), taken.end());
+  std::vector<std::string> inputs;
+  for (const int joint : locked) {
+    inputs.push_back(definition.joints[static_cast<std::size_t>(joint)].name);
   }
   const LinkGraph graph = link_graph(definition, locked);
   AssurFormula formula{fmt::format("I({})", fmt::join(inputs, ",")), 1};

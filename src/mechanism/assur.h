@@ -45,8 +45,11 @@ struct AssurFormula {
   int highest_class{};
 };
 
-/// Driven joints are the input and locked; exhaustive search for groups.
-AssurFormula corrected_formula(const MechanismDefinition& definition);
+/// Driven joints are the input and locked.
+/// @param taken  joints that are inputs too.
+/// @return  empty if the rest does not split.
+AssurFormula corrected_formula(const MechanismDefinition& definition,
+                               const std::vector<int>& taken);
 
 /// As the source does: one link with a pair at ground is the input, all
 /// others are taken as one group.

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "mechanism/assembly.h"
 #include "mechanism/assur.h"
+#include "mechanism/assur_inputs.h"
 #include "mechanism/closed_joints.h"
 #include "mechanism/constraint_system.h"
 #include "mechanism/mobility.h"
@@ -22,14 +26,72 @@ int pair_constraints(const MechanismDefinition& definition, Motions motions) {
   return constraints + static_cast<int>(definition.couplings.size());
 }
 
-/// Links with revolutes and slides only.
-bool has_assur_groups(const MechanismDefinition& definition) {
-  return definition.couplings.empty() &&
-         std::ranges::all_of(definition.joints, [](const auto& joint) {
-           return joint.type == JointType::kRevolute ||
-                  joint.type == JointType::kPrismatic ||
-                  joint.type == JointType::kWeld;
-         });
+/// Joints and couplings that are no lower pairs of the plane.
+std::vector<std::string> without_groups(const MechanismDefinition& definition) {
+  std::vector<std::string> names;
+  for (const JointDefinition& joint : definition.joints) {
+    if (joint.type != JointType::kRevolute &&
+        joint.type != JointType::kPrismatic && joint.type != JointType::kWeld) {
+      names.push_back(joint.name);
+    }
+  }
+  for (const CouplingDefinition& coupling : definition.couplings) {
+    names.push_back(coupling.name);
+  }
+  return names;
+}
+
+/// Why the inputs cannot lead all that moves.
+std::string not_led(const LinkGraph& graph) {
+  std::vector<std::string> loose;
+  for (int link = 0; link < static_cast<int>(graph.links.size()); ++link) {
+    if (std::ranges::none_of(graph.pairs, [link](const auto& pair) {
+          return pair.a == link || pair.b == link;
+        })) {
+      loose.push_back(graph.links[static_cast<std::size_t>(link)]);
+    }
+  }
+  if (loose.empty()) return "no joints lead all that moves";
+  return fmt::format("no joint leads {}", fmt::join(loose, ", "));
+}
+
+void add_groups(Structure& s, const MechanismDefinition& definition,
+                const LinkGraph& graph) {
+  if (const auto names = without_groups(definition); !names.empty()) {
+    s.assur_none =
+        fmt::format("{}: neither hinge nor slide", fmt::join(names, ", "));
+    return;
+  }
+  if (s.redundant > 0) {
+    s.assur_none = fmt::format("redundant constraints among {}",
+                               fmt::join(s.redundant_in, ", "));
+    return;
+  }
+  if (s.mobility == 0) {
+    s.assur_none = "nothing moves";
+    return;
+  }
+  const int count = s.mobility - static_cast<int>(definition.drives.size());
+  const std::vector<int> taken = taken_inputs(definition, count);
+  if (static_cast<int>(taken.size()) < count) {
+    s.assur_none = not_led(graph);
+    return;
+  }
+  const AssurFormula corrected = corrected_formula(definition, taken);
+  if (corrected.text.empty()) {
+    s.assur_none = "what the drives leave does not split";
+    return;
+  }
+  for (const int joint : taken) {
+    s.assur_inputs.push_back(
+        definition.joints[static_cast<std::size_t>(joint)].name);
+  }
+  s.assur_corrected = corrected.text;
+  s.assur_class_corrected = corrected.highest_class;
+  if (!taken.empty()) return;
+  const AssurFormula published = published_formula(definition);
+  s.assur_published = published.text;
+  s.assur_class_published = published.highest_class;
 }
 
 std::vector<std::string> involved(const MechanismDefinition& definition,
@@ -80,13 +142,7 @@ Structure analyse_structure(const MechanismDefinition& definition) {
   s.chebyshev = frame.planar
                     ? 3 * s.moving_links - pair_constraints(definition, own)
                     : s.spatial_chebyshev;
-  if (!frame.planar || !has_assur_groups(definition)) return s;
-  const AssurFormula corrected = corrected_formula(definition);
-  const AssurFormula published = published_formula(definition);
-  s.assur_corrected = corrected.text;
-  s.assur_class_corrected = corrected.highest_class;
-  s.assur_published = published.text;
-  s.assur_class_published = published.highest_class;
+  if (frame.planar) add_groups(s, definition, graph);
   return s;
 }
 

@@ -20,10 +20,13 @@ struct Structure {
   /// The same mechanism taken as spatial.
   int spatial_chebyshev{}, spatial_mobility{}, spatial_redundant{};
   std::vector<std::string> spatial_redundant_in;
-  // Assur groups; empty and 0 if the mechanism is not planar.
+  // Assur groups; empty and 0 if the mechanism is not planar or has none.
   std::string assur_corrected;  ///< "I(cylinder) -> II(DCE,FE1+FE2) -> …"
   std::string assur_published;  ///< the remainder taken as one group
   int assur_class_corrected{}, assur_class_published{};
+  /// Joints taken as inputs because no drive moves them.
+  std::vector<std::string> assur_inputs;
+  std::string assur_none;  ///< why a planar mechanism does not split
 };
 
 /// Mobility by Chebyshev and by the rank of the constraint Jacobian, redundant

@@ -47,8 +47,10 @@ ordered_json structure_json(const mechanism::Structure& s) {
                          {"redundant_in", s.spatial_redundant_in}}}};
   if (!s.assur_corrected.empty()) {
     json["assur_corrected"] = {{"formula", s.assur_corrected},
-                               {"class", s.assur_class_corrected}};
+                               {"class", s.assur_class_corrected},
+                               {"inputs_taken", s.assur_inputs}};
   }
+  if (!s.assur_none.empty()) json["assur_none"] = s.assur_none;
   if (!s.assur_published.empty()) {
     json["assur_published"] = {{"formula", s.assur_published},
                                {"class", s.assur_class_published}};

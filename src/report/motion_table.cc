@@ -44,6 +44,12 @@ std::string redundancy(int count, const std::vector<std::string>& joints) {
   return fmt::format("{} (among {})", count, fmt::join(joints, ", "));
 }
 
+std::string inputs_text(const std::vector<std::string>& joints) {
+  if (joints.empty()) return "";
+  return fmt::format(", with {} as input{}", fmt::join(joints, ", "),
+                     joints.size() > 1 ? "s" : "");
+}
+
 std::string structure_text(const mechanism::Structure& s) {
   std::string text = fmt::format(
       "structure   {} mechanism, {} moving links, {} pairs\n"
@@ -56,8 +62,11 @@ std::string structure_text(const mechanism::Structure& s) {
       s.spatial_chebyshev, s.spatial_mobility,
       redundancy(s.spatial_redundant, s.spatial_redundant_in));
   if (!s.assur_corrected.empty()) {
-    text += fmt::format("groups      {}: class {}\n", s.assur_corrected,
-                        s.assur_class_corrected);
+    text += fmt::format("groups      {}: class {}{}\n", s.assur_corrected,
+                        s.assur_class_corrected, inputs_text(s.assur_inputs));
+  }
+  if (!s.assur_none.empty()) {
+    text += fmt::format("groups      none: {}\n", s.assur_none);
   }
   if (!s.assur_published.empty()) {
     text += fmt::format("  remainder taken as one group: {}: class {}\n",

@@ -314,12 +314,45 @@ def check_replay(clevis, geometry, folder):
           f"{power / largest:.1e} of the largest")
 
 
+# scenes of the plane: groups and joints taken as inputs, or None
+GROUPS = {
+    "two_window_four_bar/scene":
+        ("I(A0) -> II(upright_1,level_0) -> II(upright_2,level_1)", ["A0"]),
+    "landing_gear/impedance_led":
+        ("I(A) -> II(BC+wheel,DCE) -> II(FE1,FE2)", ["A"]),
+    "landing_gear/ground_by_force":
+        ("I(cylinder) -> II(DCE,FE1+FE2) -> II(AB,BC+wheel)", ["cylinder"]),
+    "landing_gear/pneumatic":
+        ("I(cylinder) -> II(DCE,FE1+FE2+fork) -> II(AB,BC+wheel)",
+         ["cylinder"]),
+    "landing_gear/scene":
+        ("I(cylinder) -> II(DCE,FE1+FE2) -> II(AB,BC+wheel)", []),
+    "tribometer/scene": ("I(guide,sole)", ["sole"]),
+    "wall/scene": ("I(slide)", ["slide"]),
+    "wheel/drop": None}
+
+
+def check_groups(clevis, geometry, folder):
+    """Every planar scene is taken apart; a free body says that it is not."""
+    for name, expected in GROUPS.items():
+        structure = simulate(clevis, geometry / f"{name}.toml",
+                             folder)[0]["structure"]
+        if expected is None:
+            if structure.get("assur_none") != "no joint leads wheel":
+                faults.append(f"{name}: {structure}")
+            continue
+        groups = structure.get("assur_corrected", {})
+        found = groups.get("formula"), groups.get("inputs_taken")
+        if found != expected:
+            faults.append(f"{name}: {found} instead of {expected}")
+
+
 def main():
     clevis, geometry = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2])
     with tempfile.TemporaryDirectory() as folder:
         for check in (check_antenna, check_bennett, check_table_1,
                       check_twist_60, check_tracking, check_replay,
-                      check_servo):
+                      check_servo, check_groups):
             check(clevis, geometry, folder)
     for fault in faults:
         print(fault)
