@@ -73,7 +73,8 @@ void add_reaction(Text& text, const MotionReport& report,
     fmt::format_to(std::back_inserter(text), ",{}", unique ? "yes" : "no");
   }
   for (const double spread : reaction.spread) add(text, spread);
-  text.push_back('\n');
+  fmt::format_to(std::back_inserter(text), ",{}\n",
+                 instant.is_change_point ? "yes" : "no");
 }
 
 const char* coupling_unit(const mechanism::MechanismDefinition& definition,
@@ -142,7 +143,7 @@ std::string reactions_csv(const MotionReport& report) {
   }
   add_vector_title(text, "spread_force", "N");
   add_vector_title(text, "spread_moment", "N_m");
-  text.push_back('\n');
+  fmt::format_to(std::back_inserter(text), ",change_point\n");
   for (const Instant& instant : report.motion.instants) {
     for (std::size_t j = 0; j < instant.joints.size(); ++j) {
       add_reaction(text, report, instant, j);

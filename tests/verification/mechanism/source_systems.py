@@ -314,6 +314,40 @@ def check_replay(clevis, geometry, folder):
           f"{power / largest:.1e} of the largest")
 
 
+def flagged(folder):
+    """{t: flags} of the rows of reactions.csv."""
+    flags = {}
+    with open(Path(folder) / "reactions.csv", newline="") as file:
+        for row in csv.DictReader(file):
+            flags.setdefault(float(row["t_s"]),
+                             set()).add(row["change_point"])
+    return flags
+
+
+def check_change_point_flags(clevis, geometry, folder):
+    """Instants just at a change point say so in every row, others in none: the
+    landing gear half-way of its stroke, driven; the two-window four-bar
+    let go with all bars level, integrated."""
+    level = Path(folder) / "level.toml"
+    text = (geometry / "two_window_four_bar/scene.toml").read_text()
+    level.write_text(text.replace("90 deg", "0 deg").replace(
+        '{ origin = ["1 m", "1 m", "0 m"] }',
+        '{ origin = ["2 m", "0 m", "0 m"] }').replace(
+        '{ origin = ["0 m", "1 m", "0 m"] }',
+        '{ origin = ["1 m", "0 m", "0 m"] }').replace(
+        'duration = "10 s"', 'duration = "1 s"').replace(
+        "instants = 1001", "instants = 11"))
+    for scene, at in ((geometry / "landing_gear/change_point.toml", 1.0),
+                      (level, 0.0)):
+        simulate(clevis, scene, folder)
+        flags = flagged(folder)
+        if at not in flags:
+            faults.append(f"{scene.name}: no instant at {at} s")
+        for t, found in flags.items():
+            if found != {"yes" if t == at else "no"}:
+                faults.append(f"{scene.name}: change_point {found} at {t} s")
+
+
 # scenes of the plane: groups and joints taken as inputs, or None
 GROUPS = {
     "two_window_four_bar/scene":
@@ -352,7 +386,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for check in (check_antenna, check_bennett, check_table_1,
                       check_twist_60, check_tracking, check_replay,
-                      check_servo, check_groups):
+                      check_servo, check_groups,
+                      check_change_point_flags):
             check(clevis, geometry, folder)
     for fault in faults:
         print(fault)
