@@ -197,8 +197,11 @@ std::string check_table(const CheckReport& report, Colour colour) {
     all += "\n" + impacts_text(report.mechanism->impacts, colour);
   }
   const bool is_empty = report.parts.empty() && report.failures.empty();
-  all += is_empty ? "\nthe scene has no [[part]], so no stress is judged\n"
-                  : "\n" + table.text(colour);
+  if (!is_empty) {
+    all += "\n" + table.text(colour);
+  } else if (report.complete) {
+    all += "\nthe scene has no [[part]], so no stress is judged\n";
+  }
   for (const PartResult& part : report.parts) {
     all += part_impacts_text(part, colour);
   }

@@ -71,21 +71,27 @@ REGULARIZED = 1e-5  # m/s, of regularized.toml
 
 def regularized(clevis, geometry, folder, speed):
     """Largest distance of the upper platform [mm] from the motion with true
-    stick, for friction that creeps with about `speed`. Stribeck's bump, that
-    holds the breakaway, is wider by a growing factor: else the tanh cuts it."""
+    stick, for friction that creeps with about `speed` (None: that sticks), and
+    what the integration took. Stribeck's bump, that holds the breakaway, is
+    wider by a growing factor: else the tanh cuts it."""
     def model(speed):
         return (f'regularizing_speed = "{speed:.12g} m/s"\n'
                 f'stribeck_speed = "{10 * speed**(5 / 6):.12g} m/s"')
 
-    scene = changed(geometry / "tribometer/regularized.toml", folder,
-                    (model(REGULARIZED), model(speed)))
-    _, rows, _ = simulate(clevis, scene, folder)
-    return upper_off(rows, TRIBOMETERS["scene"])
+    if speed is None:
+        scene = changed(geometry / "tribometer/scene.toml", folder,
+                        ("tolerance = 1e-10", "tolerance = 1e-8"))
+    else:
+        scene = changed(geometry / "tribometer/regularized.toml", folder,
+                        (model(REGULARIZED), model(speed)))
+    result, rows, _ = simulate(clevis, scene, folder)
+    return (upper_off(rows, TRIBOMETERS["scene"]),
+            result["motion"]["integration"])
 
 
 def check_regularized(clevis, geometry, folder):
     """Creeping friction comes to the motion with stick as its speed falls."""
-    off = [regularized(clevis, geometry, folder, speed)
+    off = [regularized(clevis, geometry, folder, speed)[0]
            for speed in (1e-3, REGULARIZED, 1e-7)]
     for slow, slower in zip(off, off[1:]):
         expect("regularised: off, of the former", slower / slow, 0, 0.15)
