@@ -20,24 +20,17 @@ constexpr double kRefinedPivot = 1e-2;
 // Of the rank threshold, on the way back.
 constexpr double kReturnFactor = 2.0;
 
-/// Whole groups of columns.
-int bodies(int columns, int width) {
-  return (columns + width - 1) / width;
-}
-
 }  // namespace
 
-ConstrainedMass::ConstrainedMass(int width, int columns, int most_rows,
-                                 double threshold)
+ConstrainedMass::ConstrainedMass(int columns, int most_rows, double threshold)
     : threshold_(threshold),
-      width_(width),
       columns_(columns),
-      factors_(static_cast<std::size_t>(bodies(columns, width) * width / 3)),
-      normal_(width, bodies(columns, width), most_rows),
+      factors_(static_cast<std::size_t>(columns / 3)),
+      normal_(columns, most_rows),
       scale_(VectorXd::Ones(most_rows)),
       x_(VectorXd::Zero(most_rows)),
       hat_rows_(VectorXd::Zero(most_rows)),
-      hat_(VectorXd::Zero(bodies(columns, width) * width)),
+      hat_(VectorXd::Zero(columns)),
       decomposition_(std::max(most_rows, 1), std::max(columns, 1)) {}
 
 void ConstrainedMass::apply_factor(VectorXd& v) const {
@@ -60,38 +53,32 @@ void ConstrainedMass::apply_factor_transposed(VectorXd& v) const {
   }
 }
 
-void ConstrainedMass::open_rows(int rows) {
+void ConstrainedMass::factor(const MatrixXd& J, int rows) {
   on_tree_ = false;
   if (rows != rows_) {
     rows_ = rows;
     normal_.reset(rows);
     reduced_ = false;
   }
-  normal_.open_rows();
-}
-
-/// Of W = J F.
-bool ConstrainedMass::factor() {
-  for (int i = 0; i < rows_; ++i) {
-    for (NormalCholesky::Part& part : normal_.row(i)) {
-      apply_factor_of_body(part.body, part.w);
-    }
-    scale_[i] = 1.0 / normal_.close_row(i);
-  }
+  fill_rows(J);
   truncated_ = false;
   was_reduced_ = reduced_;
   const bool done =
       normal_.factor_in_order(reduced_ ? geometric_rank_ : rows_) ||
       normal_.factor_by_pivots(geometric_rank_);
-  if (!done) return false;
+  if (!done) {
+    orthogonal(J.topRows(rows_));
+    return;
+  }
   rank_ = normal_.rank();
   reduced_ = rank_ < rows_;
   smallest_pivot_ = normal_.smallest_pivot();
-  return true;
 }
 
-void ConstrainedMass::set_tree(std::vector<TreeLink> links) {
-  if (!links.empty()) tree_.emplace(std::move(links), width_);
+void ConstrainedMass::set_tree(std::vector<TreeLink> links, int width) {
+  if (links.empty()) return;
+  tree_.emplace(std::move(links), width);
+  width_ = width;
 }
 
 bool ConstrainedMass::factor_tree() {
@@ -129,12 +116,21 @@ void ConstrainedMass::solve_tree(const VectorXd& gamma, VectorXd& a,
   apply_factor(a);
 }
 
-void ConstrainedMass::factor_orthogonally(const MatrixXd& J) {
+/// W = J F.
+void ConstrainedMass::fill_rows(const MatrixXd& J) {
+  for (int i = 0; i < rows_; ++i) {
+    hat_ = J.row(i);
+    apply_factor_transposed(hat_);
+    scale_[i] = 1.0 / normal_.set_row(i, hat_);
+  }
+}
+
+void ConstrainedMass::orthogonal(const MatrixXd& J) {
   ++orthogonal_count_;
   truncated_ = true;
   decomposition_.setThreshold(was_reduced_ ? kReturnFactor * threshold_
                                            : threshold_);
-  decomposition_.compute(J.topRows(rows_));
+  decomposition_.compute(J);
   rank_ = geometric_rank_ = static_cast<int>(decomposition_.rank());
   reduced_ = rank_ < rows_;
   const MatrixXd Z = decomposition_.matrixZ();
@@ -178,23 +174,28 @@ void ConstrainedMass::accelerate(const VectorXd& gamma, const VectorXd& Q,
         decomposition_.transpose().solve(VectorXd(mass_times(a)) - Q);
     return;
   }
-  hat_.head(columns_) = Q;
+  hat_ = Q;
   apply_factor_transposed(hat_);
-  solve_rows(gamma, lambda);
-  if (smallest_pivot_ < kRefinedPivot) solve_rows(gamma, lambda);
-  apply_factor(hat_);
-  a = hat_.head(columns_);
-}
-
-/// Adds what takes the rows of F⁻¹ a, in hat_, to γ.
-void ConstrainedMass::solve_rows(const VectorXd& gamma, VectorXd& lambda) {
-  normal_.times(hat_, hat_rows_);
   for (int i = 0; i < rows_; ++i) {
-    hat_rows_[i] = scale_[i] * gamma[i] - hat_rows_[i];
+    hat_rows_[i] = scale_[i] * gamma[i] - normal_.row_times(i, hat_);
   }
   normal_.solve(hat_rows_, x_);
-  normal_.add_rows(x_, hat_);
-  for (int i = 0; i < rows_; ++i) lambda[i] += scale_[i] * x_[i];
+  for (int i = 0; i < rows_; ++i) {
+    normal_.add_row(i, x_[i], hat_);
+    lambda[i] = scale_[i] * x_[i];
+  }
+  if (smallest_pivot_ < kRefinedPivot) {
+    for (int i = 0; i < rows_; ++i) {
+      hat_rows_[i] = scale_[i] * gamma[i] - normal_.row_times(i, hat_);
+    }
+    normal_.solve(hat_rows_, x_);
+    for (int i = 0; i < rows_; ++i) {
+      normal_.add_row(i, x_[i], hat_);
+      lambda[i] += scale_[i] * x_[i];
+    }
+  }
+  a = hat_;
+  apply_factor(a);
 }
 
 void ConstrainedMass::correct(const VectorXd& residual, VectorXd& change) {
@@ -211,10 +212,9 @@ void ConstrainedMass::correct(const VectorXd& residual, VectorXd& change) {
   }
   for (int i = 0; i < rows_; ++i) hat_rows_[i] = -scale_[i] * residual[i];
   normal_.solve(hat_rows_, x_);
-  hat_.setZero();
-  normal_.add_rows(x_, hat_);
-  apply_factor(hat_);
-  change = hat_.head(columns_);
+  change.setZero();
+  for (int i = 0; i < rows_; ++i) normal_.add_row(i, x_[i], change);
+  apply_factor(change);
 }
 
 }  // namespace clevis::mechanism

@@ -26,10 +26,9 @@ namespace clevis::mechanism {
 /// multipliers.
 class ConstrainedMass {
  public:
-  /// @param width  columns of a body, 3 or 6.
-  /// @param columns  a multiple of 3: of bodies, then others.
+  /// @param columns  a multiple of 3.
   /// @param threshold  SolvingFrame::rank_threshold().
-  ConstrainedMass(int width, int columns, int most_rows,
+  ConstrainedMass(int columns, int most_rows,
                   double threshold = kRankThreshold);
 
   /// The k-th 3 × 3 block of F, M^(−1) = F Fᵀ; all others are zero.
@@ -45,7 +44,8 @@ class ConstrainedMass {
 
   /// Where J has the rows of a tree alone they need no more than that.
   /// @param links  of tree_links(), may be empty.
-  void set_tree(std::vector<TreeLink> links);
+
+  void set_tree(std::vector<TreeLink> links, int width);
   TreeMass* tree() { return tree_ ? &*tree_ : nullptr; }
   /// `part` F of the columns of a body.
   void apply_factor_of_body(int body, double* part) const;
@@ -53,15 +53,8 @@ class ConstrainedMass {
   /// @return whether they are clearly independent.
   bool factor_tree();
 
-  /// J follows, from nothing, part by part.
-  void open_rows(int rows);
-  /// To add to: the columns of a body, or of others in groups as wide.
-  double* part(int row, int body) { return normal_.part(row, body); }
-  /// @return false where it is not clear which rows are independent: that
-  ///   needs factor_orthogonally().
-  bool factor();
-  /// @param J  the same, whole; its first rows count.
-  void factor_orthogonally(const Eigen::MatrixXd& J);
+  /// @param J  its first `rows` rows count.
+  void factor(const Eigen::MatrixXd& J, int rows);
 
   /// a and λ (of the first rows; 0 for those left out).
   void accelerate(const Eigen::VectorXd& gamma, const Eigen::VectorXd& Q,
@@ -80,7 +73,8 @@ class ConstrainedMass {
  private:
   void solve_tree(const Eigen::VectorXd& gamma, Eigen::VectorXd& a,
                   Eigen::VectorXd& lambda);
-  void solve_rows(const Eigen::VectorXd& gamma, Eigen::VectorXd& lambda);
+  void fill_rows(const Eigen::MatrixXd& J);
+  void orthogonal(const Eigen::MatrixXd& J);
   /// v + N z with Nᵀ (M (v + N z) − forces) = 0, N the null space.
   Eigen::VectorXd completed(const Eigen::VectorXd& v,
                             const Eigen::VectorXd& forces) const;
@@ -93,7 +87,7 @@ class ConstrainedMass {
     bool diagonal = true;
   };
   double threshold_;
-  int width_, columns_, rows_{}, rank_{}, geometric_rank_ = -1;
+  int columns_, rows_{}, rank_{}, geometric_rank_ = -1;
   double smallest_pivot_ = 1.0;
   bool truncated_ = false;
   bool reduced_ = false;  ///< rows are left out: back at twice the bound
@@ -102,6 +96,7 @@ class ConstrainedMass {
   std::vector<Factor> factors_;
   std::optional<TreeMass> tree_;
   bool on_tree_ = false;  ///< the last factor()
+  int width_ = 3;
   NormalCholesky normal_;
   Eigen::VectorXd scale_, x_, hat_rows_, hat_;
   // of the orthogonal way, which may allocate

@@ -71,7 +71,7 @@ ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
       forces_(applied_.forces()),
       rotors_(rotor_unknowns(forces_, system_.columns())),
       columns_(all_unknowns(rotors_, system_.columns())),
-      mass_(frame.planar ? 3 : 6, static_cast<int>(columns_),
+      mass_(static_cast<int>(columns_),
             system_.rows() + static_cast<int>(forces_.size()),
             frame.rank_threshold()),
       following_(forces_, system_, static_cast<int>(columns_),
@@ -123,7 +123,7 @@ ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
        {&target_rates_, &target_seconds_, &residual_, &gamma_, &lambda_}) {
     v->setZero(most);
   }
-  mass_.set_tree(links());
+  mass_.set_tree(links(), planar_ ? 3 : 6);
   scratch_.setZero(size());
   response_.setZero(columns_);
   response_rows_.setZero(most);
@@ -150,22 +150,6 @@ void ForwardDynamics::place_rotors() {
   }
 }
 
-/// Adds a row's lever to what the row has in the columns of a body.
-void ForwardDynamics::add_lever(const Twist& lever, double factor,
-                                double* part) const {
-  if (planar_) {
-    part[0] += factor * lever.v.x();
-    part[1] += factor * lever.v.y();
-    part[2] += factor * (lever.w.z() / length_);
-    return;
-  }
-  const double per_turn = factor / length_;
-  for (int c = 0; c < 3; ++c) {
-    part[c] += factor * lever.v[c];
-    part[3 + c] += per_turn * lever.w[c];
-  }
-}
-
 /// @return false where the rows are not those of a tree, or not clearly
 ///   independent.
 bool ForwardDynamics::factor_tree() {
@@ -176,8 +160,11 @@ bool ForwardDynamics::factor_tree() {
   }
   const auto put = [this](const Twist& lever, double scale, int slot,
                           double* row) {
-    std::fill_n(row, 6, 0.0);
-    add_lever(lever, scale, row);
+    for (int c = 0; c < 3; ++c) {
+      row[c] = scale * lever.v[c];
+      if (!planar_) row[3 + c] = scale / length_ * lever.w[c];
+    }
+    if (planar_) row[2] = scale / length_ * lever.w.z();
     mass_.apply_factor_of_body(slot - 1, row);
   };
   for (const TreeLink& link : tree->links()) {
@@ -201,61 +188,17 @@ bool ForwardDynamics::factor_tree() {
 
 void ForwardDynamics::factor() {
   if (factor_tree()) return;
+  system_.fill_jacobian(placed_, J_);
   rows_ = system_.rows();
   for (std::size_t k = 0; k < forces_.size(); ++k) {
-    if (forces_.brings_row(k)) ++rows_;
-  }
-  put_rows();
-  const bool done = mass_.factor();
-  if (done && rows_ == system_.rows()) return;
-  fill_rows();
-  if (!done) mass_.factor_orthogonally(J_);
-}
-
-/// J in parts.
-void ForwardDynamics::put_rows() {
-  mass_.open_rows(rows_);
-  const auto add = [this](int row, int a, int b,
-                          const PlacedJoint::Levers& levers, double factor) {
-    if (a > 0) add_lever(levers.a, factor, mass_.part(row, a - 1));
-    if (b > 0) add_lever(levers.b, factor, mass_.part(row, b - 1));
-  };
-  for (int i = 0; i < system_.rows(); ++i) {
-    const ConstraintSystem::Row& row = system_.row_list()[index(i)];
-    const JointModel& joint = frame_.joints[index(row.joint)];
-    add(i, joint.a, joint.b, placed_[index(row.joint)].levers(row.row),
-        system_.scale(row));
-    if (row.coupling < 0) continue;
-    const CouplingModel& k = frame_.couplings[index(row.coupling)];
-    const JointModel& second = frame_.joints[index(k.joint_2)];
-    add(i, second.a, second.b, placed_[index(k.joint_2)].levers(k.row_2),
-        -k.scale * k.ratio);
-  }
-  int row = system_.rows();
-  const Index width = planar_ ? 3 : 6;
-  for (std::size_t k = 0; k < forces_.size(); ++k) {
     if (!forces_.brings_row(k)) continue;
     const ActingElement& e = forces_.element(k);
-    add(row, e.line.a, e.line.b, e.levers, row_scale(k));
-    if (const Index at = rotors_[k]; at >= 0) {
-      mass_.part(row, static_cast<int>(at / width))[at % width] = -1.0;
-    }
-    ++row;
+    J_.row(rows_).setZero();
+    system_.add_levers(J_, rows_, e.line.a, e.line.b, e.levers, row_scale(k));
+    if (rotors_[k] >= 0) J_(rows_, rotors_[k]) = -1.0;
+    ++rows_;
   }
-}
-
-/// J as a whole.
-void ForwardDynamics::fill_rows() {
-  system_.fill_jacobian(placed_, J_);
-  int row = system_.rows();
-  for (std::size_t k = 0; k < forces_.size(); ++k) {
-    if (!forces_.brings_row(k)) continue;
-    const ActingElement& e = forces_.element(k);
-    J_.row(row).setZero();
-    system_.add_levers(J_, row, e.line.a, e.line.b, e.levers, row_scale(k));
-    if (rotors_[k] >= 0) J_(row, rotors_[k]) = -1.0;
-    ++row;
-  }
+  mass_.factor(J_, rows_);
 }
 
 /// Wrenches about the centres of mass, and Q of them.

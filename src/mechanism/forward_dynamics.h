@@ -204,9 +204,6 @@ class ForwardDynamics : public OdeSystem {
   double plane_angle(const JointModel& joint, const Eigen::VectorXd& y) const;
   void factor();
   bool factor_tree();
-  void put_rows();
-  void fill_rows();
-  void add_lever(const Twist& lever, double factor, double* part) const;
   void add_loads(double t, const Eigen::VectorXd& y);
   /// Constant scale of the row that element k brings.
   double row_scale(std::size_t k) const {

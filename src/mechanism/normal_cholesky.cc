@@ -1,7 +1,6 @@
 #include "mechanism/normal_cholesky.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -10,6 +9,7 @@
 
 namespace clevis::mechanism {
 
+using Eigen::Index;
 using Eigen::VectorXd;
 
 namespace {
@@ -19,13 +19,13 @@ namespace {
 // others; what is in between it does not judge.
 constexpr double kSafePivot = 1e-8;
 constexpr double kDependentPivot = 0.01 * kRankThreshold * kRankThreshold;
-// Below it rows that are left out are chosen anew: as they were, by their
-// order, they need not be the best. That pays where it is rarely done.
-constexpr double kSafeChoice = 1e-6;
-constexpr int kRarely = 20;
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 /// Four sums, so that one product need not wait for the last.
-inline double dot(const double* a, const double* b, int n) {
+double dot(const double* a, const double* b, int n) {
   double s0 = 0.0, s1 = 0.0, s2 = 0.0, s3 = 0.0;
   int k = 0;
   for (; k + 4 <= n; k += 4) {
@@ -38,120 +38,53 @@ inline double dot(const double* a, const double* b, int n) {
   return (s0 + s1) + (s2 + s3);
 }
 
-using Part = NormalCholesky::Part;
-
-template <int kWidth>
-using Columns = Eigen::Matrix<double, kWidth, 1>;
-
-template <int kWidth>
-auto columns(const Part& part) {
-  return Eigen::Map < const Columns<kWidth>,
-         kWidth == 6 ? Eigen::Aligned16 : 0 > (part.w);
-}
-
-template <int kWidth>
-inline double dot(const Part& a, const Part& b) {
-  return columns<kWidth>(a).dot(columns<kWidth>(b));
-}
-
-inline double dot(const Part& a, const Part& b, int width) {
-  return width == 6 ? dot<6>(a, b) : dot<3>(a, b);
-}
-
 }  // namespace
 
-NormalCholesky::NormalCholesky(int width, int bodies, int most_rows)
-    : width_(width),
-      rows_of_(index(most_rows)),
-      order_(index(most_rows)),
+NormalCholesky::NormalCholesky(int columns, int most_rows)
+    : order_(index(most_rows)),
       first_(index(most_rows)),
-      touches_(index(Row::kMostParts * most_rows)),
-      bodies_(index(bodies)),
+      first_at_(index(columns / 3)),
+      blocks_(index(most_rows)),
+      Wt_(Eigen::MatrixXd::Zero(columns, most_rows)),
       L_(Eigen::MatrixXd::Zero(most_rows, most_rows)),
       left_(VectorXd::Zero(most_rows)),
-      x_(VectorXd::Zero(most_rows)) {}
+      x_(VectorXd::Zero(most_rows)) {
+  for (std::vector<int>& blocks : blocks_) blocks.reserve(first_at_.size());
+}
 
 void NormalCholesky::reset(int rows) {
   rows_ = rows;
   std::iota(order_.begin(), order_.end(), 0);
-  may_sort_ = true;
-  is_sorted_ = sort_next_ = is_arranged_ = false;
+  may_sort_ = is_sorted_ = true;
+  sort_next_ = false;
 }
 
-void NormalCholesky::open_rows() {
-  for (int i = 0; i < rows_; ++i) {
-    Row& row = rows_of_[index(i)];
-    row.last_count = std::exchange(row.count, 0);
-  }
-}
-
-double* NormalCholesky::part(int i, int body) {
-  Row& row = rows_of_[index(i)];
-  for (Part& known : row) {
-    if (known.body == body) return known.w;
-  }
-  assert(row.count < Row::kMostParts);
-  Part& added = row.parts[row.count++];
-  if (added.body != body) is_arranged_ = false;
-  added.body = body;
-  std::fill_n(added.w, 6, 0.0);
-  return added.w;
-}
-
-double NormalCholesky::close_row(int i) {
-  Row& row = rows_of_[index(i)];
-  if (row.count != row.last_count) is_arranged_ = false;
+double NormalCholesky::set_row(int i, const VectorXd& w) {
+  std::vector<int>& blocks = blocks_[index(i)];
+  blocks.clear();
   double square = 0.0;
-  for (const Part& part : row) square += dot(part, part, width_);
-  if (!(square > 0.0)) return 1.0;
-  const double length = std::sqrt(square), scale = 1.0 / length;
-  for (Part& part : row) {
-    for (double& w : part.w) w *= scale;
+  for (Index at = 0; at < w.size(); at += 3) {
+    const double part = w.segment<3>(at).squaredNorm();
+    if (part > 0.0) blocks.push_back(static_cast<int>(at));
+    square += part;
   }
+  const double length = square > 0.0 ? std::sqrt(square) : 1.0;
+  Wt_.col(i) = (1.0 / length) * w;
   return length;
 }
 
-template <int kWidth>
-double NormalCholesky::row_times(int i, const double* v) const {
+double NormalCholesky::row_times(int i, const VectorXd& v) const {
   double sum = 0.0;
-  for (const Part& part : rows_of_[index(i)]) {
-    sum += columns<kWidth>(part).dot(
-        Eigen::Map<const Columns<kWidth>>(v + kWidth * part.body));
+  for (const int at : blocks_[index(i)]) {
+    sum += Wt_.col(i).segment<3>(at).dot(v.segment<3>(at));
   }
   return sum;
 }
 
-template <int kWidth>
-void NormalCholesky::add_row(int i, double factor, double* v) const {
-  for (const Part& part : rows_of_[index(i)]) {
-    Eigen::Map<Columns<kWidth>>(v + kWidth * part.body) +=
-        factor * columns<kWidth>(part);
+void NormalCholesky::add_row(int i, double factor, VectorXd& v) const {
+  for (const int at : blocks_[index(i)]) {
+    v.segment<3>(at) += factor * Wt_.col(i).segment<3>(at);
   }
-}
-
-void NormalCholesky::times(const VectorXd& v, VectorXd& rows) const {
-  for (int i = 0; i < rows_; ++i) {
-    rows[i] =
-        width_ == 6 ? row_times<6>(i, v.data()) : row_times<3>(i, v.data());
-  }
-}
-
-void NormalCholesky::add_rows(const VectorXd& factors, VectorXd& v) const {
-  for (int i = 0; i < rows_; ++i) {
-    width_ == 6 ? add_row<6>(i, factors[i], v.data())
-                : add_row<3>(i, factors[i], v.data());
-  }
-}
-
-/// wᵢ · wⱼ.
-double NormalCholesky::product(int i, int j) const {
-  double sum = 0.0;
-  for (const Part& a : rows_of_[index(i)]) {
-    for (const Part& b : rows_of_[index(j)]) {
-      if (a.body == b.body) sum += dot(a, b, width_);
-    }
-  }
-  return sum;
 }
 
 /// Those that count first, each group as it came.
@@ -159,102 +92,68 @@ void NormalCholesky::order_by_rows() {
   std::sort(order_.begin(), order_.begin() + rank_);
   std::sort(order_.begin() + rank_, order_.begin() + rows_);
   is_sorted_ = true;
-  sort_next_ = is_arranged_ = false;
-  served_ = 0;
+  sort_next_ = false;
 }
 
-/// Which rows meet at each body, and the skyline.
-void NormalCholesky::arrange() {
-  for (Body& body : bodies_) body.end = 0;
+void NormalCholesky::place_skyline() {
+  std::ranges::fill(first_at_, rows_);
   for (int i = 0; i < rows_; ++i) {
-    for (const Part& part : rows_of_[index(i)]) {
-      ++bodies_[index(part.body)].end;
-    }
-  }
-  int begin = 0;
-  for (Body& body : bodies_) {
-    body.begin = begin;
-    begin += std::exchange(body.end, begin);
-  }
-  for (int i = 0; i < rows_; ++i) {
-    const int row = order_[index(i)];
     int& first = first_[index(i)];
     first = i;
-    for (int k = 0; k < rows_of_[index(row)].count; ++k) {
-      Body& body = bodies_[index(rows_of_[index(row)].parts[k].body)];
-      touches_[index(body.end++)] = {i, row, k};
-      first = std::min(first, touches_[index(body.begin)].place);
-    }
-  }
-  is_arranged_ = true;
-}
-
-/// W Wᵀ in the order, within the skyline.
-template <int kWidth>
-void NormalCholesky::multiply_rows() {
-  for (int i = 0; i < rows_; ++i) {
-    double* l = L_.col(i).data();
-    std::fill(l + first_[index(i)], l + i + 1, 0.0);
-  }
-  const auto part = [this](int k) -> const Part& {
-    const Touch& touch = touches_[index(k)];
-    return rows_of_[index(touch.row)].parts[touch.part];
-  };
-  for (const Body& body : bodies_) {
-    for (int k = body.begin; k < body.end; ++k) {
-      const Part& of_k = part(k);
-      double* l = L_.col(touches_[index(k)].place).data();
-      for (int m = body.begin; m <= k; ++m) {
-        l[touches_[index(m)].place] += dot<kWidth>(of_k, part(m));
-      }
+    for (const int at : blocks_[index(order_[index(i)])]) {
+      int& touched = first_at_[index(at / 3)];
+      touched = std::min(touched, i);
+      first = std::min(first, touched);
     }
   }
 }
 
 /// Row i of L against the first `rank` ones. @return the pivot left.
 double NormalCholesky::eliminate(int i, int rank) {
-  const int first = first_[index(i)], end = std::min(i, rank);
-  const Eigen::Index stride = L_.rows();
-  double* const l = L_.col(i).data();
-  const double* of_j = L_.col(first).data();
-  double pivot = l[i];
-  for (int j = first; j < end; ++j, of_j += stride) {
+  const int row = order_[index(i)];
+  const int first = first_[index(i)];
+  double* l = L_.col(i).data();
+  double pivot = Wt_.col(row).squaredNorm();
+  for (int j = first; j < std::min(i, rank); ++j) {
+    const int other = order_[index(j)];
+    double sum = 0.0;
+    for (const int at : blocks_[index(row)]) {
+      sum += Wt_.col(row).segment<3>(at).dot(Wt_.col(other).segment<3>(at));
+    }
     const int from = std::max(first, first_[index(j)]);
-    l[j] = (l[j] - dot(l + from, of_j + from, j - from)) * of_j[j];
+    sum -= dot(l + from, L_.col(j).data() + from, j - from);
+    l[j] = sum * L_(j, j);
     pivot -= l[j] * l[j];
   }
   return pivot;
 }
 
 bool NormalCholesky::factor_in_order(int rank) {
-  if (sort_next_ && rank == rank_) order_by_rows();
-  if (!is_arranged_) arrange();
-  width_ == 6 ? multiply_rows<6>() : multiply_rows<3>();
+  if (sort_next_) order_by_rows();
+  place_skyline();
   smallest_pivot_ = 1.0;
-  const double safe = is_sorted_ ? kSafeChoice : kSafePivot;
   for (int i = 0; i < rows_; ++i) {
     const double pivot = eliminate(i, rank);
     if (i >= rank) {
       if (pivot > kDependentPivot) return false;
       continue;
     }
-    if (!(pivot > safe)) return false;
+    if (!(pivot > kSafePivot)) return false;
     smallest_pivot_ = std::min(smallest_pivot_, pivot);
     L_(i, i) = 1.0 / std::sqrt(pivot);  // its inverse: no division later
   }
   rank_ = rank;
-  ++served_;
   return true;
 }
 
 bool NormalCholesky::factor_by_pivots(int rank) {
-  if (is_sorted_) may_sort_ = served_ >= kRarely;
+  if (is_sorted_ && rank_ < rows_) may_sort_ = false;
   std::iota(order_.begin(), order_.end(), 0);
   std::ranges::fill(first_, 0);
-  for (int i = 0; i < rows_; ++i) left_[i] = product(i, i) > 0.0 ? 1.0 : 0.0;
+  left_.setOnes();
   L_.setZero();
   smallest_pivot_ = 1.0;
-  is_sorted_ = is_arranged_ = false;
+  is_sorted_ = false;
   for (rank_ = 0; rank_ < rows_; ++rank_) {
     int best = rank_;
     for (int i = rank_ + 1; i < rows_; ++i) {
@@ -265,14 +164,15 @@ bool NormalCholesky::factor_by_pivots(int rank) {
     const int row = order_[index(rank_)];
     const double pivot = left_[row];
     if (!(pivot > kSafePivot)) {
-      sort_next_ = may_sort_ && !(pivot > kDependentPivot);
-      return rank_ == rank && !(pivot > kDependentPivot);
+      const bool clear = rank_ == rank && !(pivot > kDependentPivot);
+      sort_next_ = clear && may_sort_;
+      return clear;
     }
     smallest_pivot_ = std::min(smallest_pivot_, pivot);
     L_(rank_, rank_) = 1.0 / std::sqrt(pivot);
     for (int i = rank_ + 1; i < rows_; ++i) {
       const int other = order_[index(i)];
-      const double sum = product(other, row) -
+      const double sum = row_times(other, Wt_.col(row)) -
                          dot(L_.col(rank_).data(), L_.col(i).data(), rank_);
       L_(rank_, i) = sum * L_(rank_, rank_);
       left_[other] -= L_(rank_, i) * L_(rank_, i);
@@ -284,17 +184,16 @@ bool NormalCholesky::factor_by_pivots(int rank) {
 void NormalCholesky::solve(const VectorXd& rows, VectorXd& x) {
   for (int i = 0; i < rank_; ++i) {
     const int first = first_[index(i)];
-    const double* l = L_.col(i).data();
     const double sum =
-        rows[order_[index(i)]] - dot(l + first, x_.data() + first, i - first);
-    x_[i] = sum * l[i];
+        rows[order_[index(i)]] -
+        dot(L_.col(i).data() + first, x_.data() + first, i - first);
+    x_[i] = sum * L_(i, i);
   }
   x.head(rows_).setZero();
   for (int i = rank_ - 1; i >= 0; --i) {
-    const double* l = L_.col(i).data();
-    const double value = x_[i] * l[i];
+    const double value = x_[i] * L_(i, i);
     x[order_[index(i)]] = value;
-    for (int k = first_[index(i)]; k < i; ++k) x_[k] -= value * l[k];
+    for (int k = first_[index(i)]; k < i; ++k) x_[k] -= value * L_(k, i);
   }
 }
 
