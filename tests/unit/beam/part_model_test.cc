@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/mesh_reader.h"
+#include "support/source_dir.h"
 
 namespace clevis::beam {
 namespace {
@@ -87,8 +88,8 @@ TEST(PartModel, TetrahedronIsOneLumpWithFourFaces) {
 }
 
 TEST(PartModel, CurvedTetrahedraAreTheirParts) {
-  const auto file = std::filesystem::path(CLEVIS_SOURCE_DIR) /
-                    "tests/data/meshes/ring_tetrahedra_order_2.msh";
+  const auto file =
+      support::source_dir() / "tests/data/meshes/ring_tetrahedra_order_2.msh";
   const mesh::PartMesh<3> ring = mesh::read_part_mesh(file, 1e-3);
   const PartModel model = part_model(ring);
   const double pi = std::acos(-1.0);

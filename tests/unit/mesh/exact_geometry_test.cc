@@ -13,6 +13,7 @@
 #include "mesh/simplex_basis.h"
 #include "mesh/tensor_basis.h"
 #include "mesh/topology.h"
+#include "support/source_dir.h"
 #include "unit/mesh/mesh_data.h"
 
 namespace clevis::mesh {
@@ -136,8 +137,8 @@ TEST(ExactGeometry, TurnedAndMovedPartGivesTheSame) {
 
 /// Fillet radii of a landing-gear part, whose fillets are one facet wide.
 std::vector<double> fillet_radii(const std::string& name) {
-  const auto file = std::filesystem::path(CLEVIS_SOURCE_DIR) /
-                    "meshes/landing_gear" / (name + ".msh");
+  const auto file =
+      support::source_dir() / "meshes/landing_gear" / (name + ".msh");
   std::vector<double> radii;
   for (const SurfaceGroup& group : read_part_mesh(file, 1e-3).groups) {
     if (group.name.starts_with("round_fillet")) {

@@ -8,13 +8,14 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
+#include "support/source_dir.h"
 #include "unit/mesh/mesh_data.h"
 
 namespace clevis::mesh {
 namespace {
 
 const std::filesystem::path kFolder =
-    std::filesystem::path(CLEVIS_SOURCE_DIR) / "tests/invalid/mesh";
+    support::source_dir() / "tests/invalid/mesh";
 
 /// What a case says in its first line: # expect: M005 11 "text".
 struct Expectation {

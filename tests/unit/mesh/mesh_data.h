@@ -6,11 +6,12 @@
 #include <string>
 
 #include "mesh/mesh_reader.h"
+#include "support/source_dir.h"
 
 namespace clevis::mesh {
 
 inline std::filesystem::path data(const std::string& name) {
-  return std::filesystem::path(CLEVIS_SOURCE_DIR) / "tests/data/meshes" / name;
+  return support::source_dir() / "tests/data/meshes" / name;
 }
 
 inline std::string bytes_of(const std::filesystem::path& path) {

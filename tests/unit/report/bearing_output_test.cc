@@ -11,6 +11,7 @@
 #include "report/result_json.h"
 #include "sample_report.h"
 #include "support/json_schema.h"
+#include "support/source_dir.h"
 
 namespace clevis::report {
 namespace {
@@ -45,7 +46,7 @@ CheckReport report_with(BearingVerdict verdict) {
 }
 
 TEST(BearingOutput, ResultFitsThePublishedSchema) {
-  std::ifstream file(CLEVIS_SOURCE_DIR "/docs/result.schema.json");
+  std::ifstream file(support::source_dir() / "docs/result.schema.json");
   const json schema = json::parse(file);
   CheckReport report = report_with(BearingVerdict::kFail);
   report.bearings.push_back(sample_bearing(BearingVerdict::kPass));

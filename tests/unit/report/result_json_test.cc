@@ -9,6 +9,7 @@
 #include "report/result_files.h"
 #include "sample_report.h"
 #include "support/json_schema.h"
+#include "support/source_dir.h"
 
 namespace clevis::report {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using nlohmann::json;
 
 json schema() {
-  std::ifstream file(CLEVIS_SOURCE_DIR "/docs/result.schema.json");
+  std::ifstream file(support::source_dir() / "docs/result.schema.json");
   return json::parse(file);
 }
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
+#include "support/source_dir.h"
 
 namespace clevis::report {
 namespace {
@@ -73,7 +74,7 @@ TEST(Tolerance, MistakesAreExplained) {
 
 // The manual's table and the code hold the same defaults.
 TEST(Tolerance, ManualListsEveryDefault) {
-  std::ifstream file(CLEVIS_SOURCE_DIR "/docs/results.md");
+  std::ifstream file(support::source_dir() / "docs/results.md");
   std::string line;
   std::map<std::string, std::string, std::less<>> row_of;
   while (std::getline(file, line)) {

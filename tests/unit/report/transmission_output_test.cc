@@ -11,6 +11,7 @@
 #include "report/result_json.h"
 #include "sample_report.h"
 #include "support/json_schema.h"
+#include "support/source_dir.h"
 
 namespace clevis::report {
 namespace {
@@ -45,7 +46,7 @@ TEST(TransmissionOutput, KeysNameTheUnitsOfTheOutput) {
 }
 
 TEST(TransmissionOutput, FitsThePublishedSchema) {
-  std::ifstream file(CLEVIS_SOURCE_DIR "/docs/transmission.schema.json");
+  std::ifstream file(support::source_dir() / "docs/transmission.schema.json");
   const json schema = json::parse(file);
   TransmissionReport report = screw();
   for (const bool turns : {false, true}) {

@@ -10,6 +10,7 @@
 
 #include "base/errors.h"
 #include "scene/scene.h"
+#include "support/source_dir.h"
 
 namespace clevis::scene {
 namespace {
@@ -18,7 +19,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using mechanism::kGround;
 
-const std::filesystem::path kScenes = CLEVIS_SOURCE_DIR "/tests/data/scenes";
+const std::filesystem::path kScenes =
+    support::source_dir() / "tests/data/scenes";
 
 // Round-off of unit conversion and rotation of values of the order of 1.
 constexpr double kRoundOff = 1e-15;

@@ -11,6 +11,7 @@
 #include <toml++/toml.h>
 
 #include "scene/keys.h"
+#include "support/source_dir.h"
 
 namespace clevis::scene {
 namespace {
@@ -26,7 +27,7 @@ Keys keys_of_reader() {
 }
 
 TEST(SceneSchema, HasTheKeysOfTheReader) {
-  std::ifstream file(CLEVIS_SOURCE_DIR "/docs/scene.schema.json");
+  std::ifstream file(support::source_dir() / "docs/scene.schema.json");
   const auto schema = nlohmann::json::parse(file);
   Keys keys;
   const auto add = [&keys](const std::string& path,
@@ -75,7 +76,7 @@ void collect(const toml::table& table, const std::string& path, Keys& used) {
 TEST(SceneSchema, EveryKeyIsInAValidScene) {
   Keys used;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(
-           CLEVIS_SOURCE_DIR "/tests/data/scenes")) {
+           support::source_dir() / "tests/data/scenes")) {
     if (entry.path().extension() != ".toml") continue;
     collect(toml::parse_file(entry.path().string()), "", used);
   }

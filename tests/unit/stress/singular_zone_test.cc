@@ -11,6 +11,7 @@
 #include "stress/boundary_corner.h"
 #include "support/annulus_mesh.h"
 #include "support/corner_mesh.h"
+#include "support/source_dir.h"
 
 namespace clevis::stress {
 namespace {
@@ -139,7 +140,7 @@ TEST(SingularZone, PartsOfTheLandingGearHaveNone) {
   for (const char* name :
        {"link_ab", "link_bc", "link_dce", "cylinder_body", "rod"}) {
     const auto mesh =
-        mesh::read_part_mesh(std::string(CLEVIS_SOURCE_DIR) +
+        mesh::read_part_mesh(support::source_dir().string() +
                                  "/meshes/landing_gear/" + name + ".msh",
                              1e-3);
     for (const auto& zone : singular_zones<3>(mesh, kSteel, {})) {

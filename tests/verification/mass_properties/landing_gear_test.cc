@@ -15,6 +15,7 @@
 #include "mesh/mass_properties.h"
 #include "mesh/mesh_reader.h"
 #include "plane_region.h"
+#include "support/source_dir.h"
 
 namespace clevis::verification {
 namespace {
@@ -183,7 +184,7 @@ part::MassProperties mass_of(const VolumeMoments& v) {
 void expect_mass(const std::string& name, const VolumeMoments& drawing,
                  double tolerance) {
   const std::filesystem::path file =
-      std::filesystem::path(CLEVIS_SOURCE_DIR) / "meshes/landing_gear" / name;
+      support::source_dir() / "meshes/landing_gear" / name;
   const part::MassProperties got =
       mesh::mass_properties(mesh::read_part_mesh(file, kMm), kDensity);
   const part::MassProperties want = mass_of(drawing);
@@ -335,8 +336,7 @@ TEST(LandingGearArea, GasSeesTheFullBore) {
   const auto area_along_x = [](const std::string& file,
                                const std::string& name) {
     const mesh::PartMesh<3> part = mesh::read_part_mesh(
-        std::filesystem::path(CLEVIS_SOURCE_DIR) / "meshes/landing_gear" / file,
-        kMm);
+        support::source_dir() / "meshes/landing_gear" / file, kMm);
     for (std::size_t g = 0; g < part.groups.size(); ++g) {
       if (part.groups[g].name == name) {
         return mesh::face_properties(part, int(g)).area_vector.x();
