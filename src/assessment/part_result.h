@@ -18,6 +18,19 @@ struct SequenceMember {
   double strain_energy{};  ///< at the worst instant [J]
   std::string label{};     ///< of that instant
   double field_peak{};     ///< peak between the points too; 0: not sought [Pa]
+  double deflection{};     ///< largest over the same instants [m]
+};
+
+/// What a peak is in doubt by, each source alone: how far it may be off to
+/// either side [Pa].
+struct ErrorShares {
+  double mesh{};     ///< degree, cells, points between those looked at
+  double model{};    ///< against 3-D elasticity
+  double time{};     ///< instants between those looked at
+  double contact{};  ///< where and how long a contact or stop presses
+  double sharing{};  ///< reactions that equilibrium leaves open
+
+  double total() const { return mesh + model + time + contact + sharing; }
 };
 
 /// Peak von Mises over the surface and all instants.
@@ -26,6 +39,7 @@ struct PeakStress {
   double band_low{}, band_high{};  ///< both errors below included [Pa]
   double discretization_error{};   ///< of degree, mesh, sampling [Pa]
   double model_error{};            ///< against 3-D elasticity, as measured [Pa]
+  ErrorShares shares;              ///< of what the band is wide
   PeakVerdict verdict{};
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]
   std::string group;  ///< physical group nearest to it ("bore_C"), or "body"
@@ -45,6 +59,26 @@ struct ZoneResult {
   bool governs{};
   /// Whether it is the edge of a plane held face, whose section is known.
   bool has_section{};
+};
+
+/// Linear buckling: by how much all loads of an instant may grow until the
+/// part buckles, by finite elements, least over the instants.
+struct BucklingResult {
+  double factor{};                 ///< 0: not computed, or nothing presses [1]
+  double band_low{}, band_high{};  ///< [1]
+  double instant{};                ///< [s]
+  std::string label;               ///< "t = 1.25 s" or the case
+  std::string model;               ///< "plane stress, p = 4"
+  /// Why there is none, or what it leaves out; one line, or empty.
+  std::string remark;
+  double euler{};  ///< of the strut beside it; 0: it is none [1]
+};
+
+/// How far the displacements are from small ones.
+struct FiniteMotion {
+  double rotation{};  ///< largest of a piece of the part [rad]
+  double strain{};    ///< largest principal, by its amount [1]
+  std::string label;  ///< when: "t = 1.25 s" or the case
 };
 
 /// What beam theory says of the same load history.
@@ -200,6 +234,8 @@ struct PartResult {
   std::string why;    ///< one line: limit and value, or why not judged
   std::string model;  ///< "plane stress, p = 4"
   std::string stopped_because;  ///< why the ladder went no further
+  /// What the user should know that decides nothing, a line each.
+  std::vector<std::string> notes;
   int dofs{}, cells{}, load_columns{};
   PeakStress peak;
   std::vector<ZoneResult> singular_zones;
@@ -207,16 +243,17 @@ struct PartResult {
   /// empty sequence.
   PeakStress peak_outside;
   HeldStress held;
-  double safety_factor{};  ///< yield / peak
-  double deflection{};     ///< relative to its pins [m]
-  /// Its band where a blow or vibration makes it; both 0: not known [m].
-  double deflection_low{}, deflection_high{};
+  double safety_factor{};                      ///< yield / peak
+  double deflection{};                         ///< relative to its pins [m]
+  double deflection_low{}, deflection_high{};  ///< its band [m]
   Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();
   double deflection_instant{};  ///< [s]
   double strain_energy{};       ///< largest over the instants [J]
   /// Over the strain energy at the worst instant, by its last three degrees;
   /// negative: too few at one instant [1].
   double strain_energy_error = -1.0;
+  BucklingResult buckling;
+  FiniteMotion finite_motion;
   BeamComparison beam;
   SelfChecks self_checks;
   std::vector<ProbeResult> probes;

@@ -17,6 +17,7 @@ namespace clevis::part {
 struct Limits {
   std::optional<double> safety_factor;  ///< yield strength / peak, >= this [1]
   std::optional<double> deflection;     ///< [m], <= this
+  std::optional<double> buckling;       ///< linear buckling factor, >= this [1]
   /// Judge the part by its stress away from singular zones.
   bool exclude_singular_zones = false;
 };

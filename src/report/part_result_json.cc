@@ -29,13 +29,18 @@ struct adl_serializer<Eigen::Vector3d> {
 namespace clevis::assessment {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SequenceMember, degree, dofs, peak,
-                                   strain_energy, label, field_peak)
+                                   strain_energy, label, field_peak, deflection)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorShares, mesh, model, time, contact,
+                                   sharing)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeakStress, value, band_low, band_high,
-                                   discretization_error, model_error, verdict,
-                                   at, group, instant, label, sequence)
+                                   discretization_error, model_error, shares,
+                                   verdict, at, group, instant, label, sequence)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ZoneResult, name, exponent,
                                    exponent_measured, at, radius, governs,
                                    has_section)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BucklingResult, factor, band_low, band_high,
+                                   instant, label, model, remark, euler)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FiniteMotion, rotation, strain, label)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BeamComparison, peak_stress, governing,
                                    deflection, buckling_safety,
                                    ratio_fe_to_beam, reason)
@@ -68,11 +73,12 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VibrationResult, ratio, governs, failure,
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartSeconds, mesh, assemble, factor, solve,
                                    recover, write, total)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    PartResult, name, verdict, why, model, stopped_because, dofs, cells,
+    PartResult, name, verdict, why, model, stopped_because, notes, dofs, cells,
     load_columns, peak, singular_zones, peak_outside, held, safety_factor,
     deflection, deflection_low, deflection_high, deflection_at,
-    deflection_instant, strain_energy, strain_energy_error, beam, self_checks,
-    probes, seconds, mass, first_period, impacts, paces, vibration)
+    deflection_instant, strain_energy, strain_energy_error, buckling,
+    finite_motion, beam, self_checks, probes, seconds, mass, first_period,
+    impacts, paces, vibration)
 
 }  // namespace clevis::assessment
 
