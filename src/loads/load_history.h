@@ -63,6 +63,9 @@ struct InstantLoad {
 struct LoadHistory {
   std::vector<Seat> seats;
   std::vector<InstantLoad> instants;
+  /// By how much loads between the instants may exceed those at the instants,
+  /// over the largest [1].
+  double unseen = 0.0;
 };
 
 }  // namespace clevis::loads

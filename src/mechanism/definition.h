@@ -42,6 +42,7 @@ struct BodyDefinition {
   /// Shares reactions that equilibrium leaves open; the body moves as a rigid
   /// one.
   std::optional<LinkCompliance> compliance = std::nullopt;
+  bool is_placed = true;  ///< false: the scene gives no placement
 };
 
 enum class JointType {
@@ -181,7 +182,8 @@ struct SimulationSettings {
   double tolerance = 1e-8;
   MotionKind motion = MotionKind::kAuto;
   IntegratorChoice integrator = IntegratorChoice::kAuto;
-  /// Also where a joint's force or moment is largest, for integrated motions.
+  /// Also where loads are largest or jump: their peaks are looked for between
+  /// the uniform instants.
   bool at_peaks = false;
   AtSingularity at_singularity = AtSingularity::kReport;
   LinkStiffness links = LinkStiffness::kRigid;

@@ -6,11 +6,12 @@
 
 namespace clevis::mechanism {
 
-enum class DriveLaw { kConstant, kRamp, kQuintic, kSine, kTable };
+enum class DriveLaw { kConstant, kRamp, kQuintic, kSine, kTable, kSpeed };
 
 /// Prescribed joint coordinate. Before `start` it rests at `from`, after
 /// start + duration at `to`.
 /// Sine: from + amplitude sin(2π frequency (t − start)).
+/// Speed: from + speed (t − start), without end.
 struct DriveDefinition {
   int joint{};  ///< index into MechanismDefinition::joints
   DriveLaw law{};
@@ -20,6 +21,7 @@ struct DriveDefinition {
   std::string place;
   int coordinate{};     ///< which of the joint's
   CubicSpline table{};  ///< of a table: times after `start`, [m] or [rad]
+  double speed{};       ///< [m/s] or [rad/s]
 };
 
 }  // namespace clevis::mechanism

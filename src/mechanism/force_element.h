@@ -79,7 +79,7 @@ struct StopLaw {
 };
 
 /// Effort over time, or over the line's coordinate, linear between the points,
-/// constant outside.
+/// constant outside. Two equal times: a step, the later effort from then on.
 struct TableLaw {
   std::vector<double> times, efforts;
   std::vector<double> positions{};  ///< [m] or [rad]; then no times
@@ -94,6 +94,9 @@ struct ServoLaw {
   std::optional<double> limit;  ///< [N] or [N m]
 };
 
+/// The sense of its line's motion in which an element acts.
+enum class ActsOn { kBoth, kIncreasing, kDecreasing };
+
 /// An element with a scalar effort.
 struct LineElement {
   std::string name;
@@ -102,6 +105,10 @@ struct LineElement {
                MotorLaw, ServoLaw>
       law;
   std::string place;
+  ActsOn acts_on = ActsOn::kBoth;  ///< of springs and tables
+  /// In that sense its effort grows from nothing at rest to all of it at this
+  /// speed; 0: all at once [m/s] or [rad/s].
+  double full_speed{};
 };
 
 /// A sphere (a wheel, in the plane) on a plane, with regularised friction.

@@ -160,6 +160,24 @@ struct IntegrationSummary {
   double energy_error{}, relative_energy_error{};
 };
 
+/// Why a motion was integrated although `motion` did not ask for it.
+struct LeftFree {
+  int freedom{};  ///< degrees that no drive fixes; 0: forces have a history
+  /// Joint coordinates that the drives leave loose, as names.
+  std::vector<std::string> coordinates;
+};
+
+/// How a motion was searched for its largest loads between the instants.
+struct LoadSearch {
+  long looks{};       ///< states that were solved
+  bool ended{};       ///< before all was looked at, for lack of looks
+  double ended_at{};  ///< [s]
+  /// By how much loads between instants may exceed those at the instants
+  /// beside them, over the largest of their kind: by joint (force or moment,
+  /// the greater), drive, element [1].
+  std::vector<double> joints, drives, elements;
+};
+
 /// The whole history, what `loads` and `report` take.
 struct Motion {
   std::vector<Instant> instants;
@@ -168,6 +186,8 @@ struct Motion {
   std::vector<DriveJump> drive_jumps;
   std::vector<Impact> impacts;  ///< of integrated motions, as they begin
   std::optional<IntegrationSummary> integration;  ///< of integrated motions
+  std::optional<LeftFree> left_free;
+  std::optional<LoadSearch> search;  ///< with SimulationSettings::at_peaks
 };
 
 }  // namespace clevis::mechanism
