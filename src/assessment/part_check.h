@@ -23,6 +23,7 @@ namespace clevis::assessment {
 struct LoadSet {
   loads::LoadHistory history;
   std::map<std::string, std::array<bool, 3>> fixed;  ///< empty: free part
+  part::Foundations foundations = {};
 };
 
 /// A blow on the part, resolved.

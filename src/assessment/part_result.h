@@ -217,6 +217,16 @@ struct VibrationResult {
   }
 };
 
+/// What a pin that holds the part in a case does to it.
+struct PinReaction {
+  std::string label;                                ///< of the case
+  std::string group;                                ///< its bore
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< in L [N]
+  /// About the middle of the bore [N m].
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  bool unique = true;  ///< balance alone determines it
+};
+
 struct PartSeconds {
   double mesh{}, assemble{}, factor{}, solve{}, recover{}, write{}, total{};
 };
@@ -263,6 +273,7 @@ struct PartResult {
   std::vector<ImpactResult> impacts;
   std::vector<LoadPace> paces;
   VibrationResult vibration;
+  std::vector<PinReaction> pin_reactions;
 };
 
 }  // namespace clevis::assessment

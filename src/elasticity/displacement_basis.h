@@ -14,6 +14,7 @@
 #include "loads/load_history.h"
 #include "mesh/part_mesh.h"
 #include "part/material.h"
+#include "part/part_definition.h"
 
 namespace clevis::elasticity {
 
@@ -47,6 +48,7 @@ struct ElasticProblem {
   std::map<std::string, std::array<bool, 3>> fixed;
   std::string name;  ///< of the part, for messages
   LinearSolver solver = LinearSolver::kAuto;
+  part::Foundations foundations = {};
 };
 
 /// One factorisation, the load history compressed to its basis, one block

@@ -23,6 +23,7 @@ struct Seat {
   SeatKind kind{};
   /// Reference point: middle of the cylinder's axis, or the area's centroid.
   Eigen::Vector3d p_LS = Eigen::Vector3d::Zero();  ///< [m]
+  bool holds = false;  ///< of a case: its wrench is a reaction
 };
 
 /// Force and moment on the part, in L; the moment about the seat's p_LS.
@@ -57,6 +58,8 @@ struct InstantLoad {
   /// The same groups in the same order at every instant of a history.
   std::vector<SurfaceLoad> surface_loads;
   RigidAcceleration rigid;
+  /// Of a case: what its loads leave, which `rigid` takes up; about Lo.
+  Wrench relief = {};
 };
 
 /// Loads of a part over the motion, or its cases that share their supports.

@@ -54,6 +54,16 @@ struct Probe {
   std::optional<double> reference = {};  ///< known value, for studies [SI]
 };
 
+/// Elastic bed of a face: traction against its displacement [N/m³].
+struct Foundation {
+  double normal{};      ///< across the face
+  double tangential{};  ///< along it
+
+  bool operator==(const Foundation&) const = default;
+};
+/// By group of the mesh.
+using Foundations = std::map<std::string, Foundation>;
+
 /// A part checked alone, without a mechanism.
 struct LoadCaseDefinition {
   std::string name;
@@ -62,6 +72,8 @@ struct LoadCaseDefinition {
   std::map<std::string, Eigen::Vector3d> traction;  ///< [Pa]
   std::map<std::string, std::array<bool, 3>>
       fixed;  ///< components held at zero
+  Foundations foundations;
+  std::vector<std::string> held_by_pin;  ///< bores whose pins hold the part
   Eigen::Vector3d acceleration =
       Eigen::Vector3d::Zero();  ///< [m/s²] of the
                                 ///< part minus gravity: the body force is
