@@ -46,6 +46,11 @@ struct PeakStress {
   double instant{};   ///< [s]
   std::string label;  ///< "t = 1.25 s" or the case
   std::vector<SequenceMember> sequence;
+  /// Degree of the finer solution nearby that gives the value; 0: the last
+  /// degree's own field does.
+  int degree_nearby{};
+  double field_maximum{};  ///< of the field as solved, cell by cell [Pa]
+  double jump{};  ///< between the cells that meet at the peak, as solved [Pa]
 };
 
 /// A place where the model's stress has no bound.

@@ -74,6 +74,9 @@ ordered_json peak_json(const assessment::PeakStress& peak) {
       {"group", peak.group},
       {"instant_s", peak.instant},
       {"case", peak.label},
+      {"degree_nearby", peak.degree_nearby},
+      {"field_maximum_MPa", megapascals(peak.field_maximum)},
+      {"jump_MPa", megapascals(peak.jump)},
       {"sequence", sequence}};
 }
 
