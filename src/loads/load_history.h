@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "loads/contact_zone.h"
 #include "part/part_definition.h"
 
 namespace clevis::loads {
@@ -24,6 +26,8 @@ struct Seat {
   /// Reference point: middle of the cylinder's axis, or the area's centroid.
   Eigen::Vector3d p_LS = Eigen::Vector3d::Zero();  ///< [m]
   bool holds = false;  ///< of a case: its wrench is a reaction
+  /// Of a slide whose counterpart does not touch the whole group.
+  std::optional<SlideWall> slide = std::nullopt;
 };
 
 /// Force and moment on the part, in L; the moment about the seat's p_LS.
@@ -55,6 +59,8 @@ struct InstantLoad {
   std::string label;             ///< "t = 0.31 s" or the case's name
   double time{};                 ///< [s]; 0 for a case
   std::vector<Wrench> wrenches;  ///< one per seat
+  /// One per seat; empty where all seats take their load on the whole group.
+  std::vector<ContactZone> zones = {};
   /// The same groups in the same order at every instant of a history.
   std::vector<SurfaceLoad> surface_loads;
   RigidAcceleration rigid;
@@ -69,6 +75,8 @@ struct LoadHistory {
   /// By how much loads between the instants may exceed those at the instants,
   /// over the largest [1].
   double unseen = 0.0;
+  /// What the user should know of how the seats were taken, a line each.
+  std::vector<std::string> notes = {};
 };
 
 }  // namespace clevis::loads

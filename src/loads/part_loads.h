@@ -19,6 +19,10 @@ struct GroupGeometry {
   /// ∫ n dA [m²] and ∫ p_LQ × n dA [m³], n the outward unit normal.
   Eigen::Vector3d area_vector = Eigen::Vector3d::Zero();
   Eigen::Vector3d area_moment = Eigen::Vector3d::Zero();
+  /// ∫ n nᵀ dA [m²]: of rank one where the group is flat, or walls that face
+  /// each other.
+  Eigen::Matrix3d normal_square = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3Xd points = {};  ///< of its faces, which they span [m]
 };
 
 /// The motion without the instants at change points: what stands there are

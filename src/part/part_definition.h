@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "part/material.h"
+#include "part/slide_contact.h"
 
 namespace clevis::part {
 
@@ -24,8 +25,9 @@ struct Limits {
 
 /// Where a joint of the mechanism acts on the part's surface.
 struct Seat {
-  std::string joint;  ///< joint of the scene
-  std::string group;  ///< physical group of the mesh
+  std::string joint;        ///< joint of the scene
+  std::string group;        ///< physical group of the mesh
+  SlideContact slide = {};  ///< of a joint that slides
 };
 
 /// Where the effort of a drive acts on the part.
