@@ -25,7 +25,6 @@ struct Seat {
   SeatKind kind{};
   /// Reference point: middle of the cylinder's axis, or the area's centroid.
   Eigen::Vector3d p_LS = Eigen::Vector3d::Zero();  ///< [m]
-  bool holds = false;  ///< of a case: its wrench is a reaction
   /// Of a slide whose counterpart does not touch the whole group.
   std::optional<SlideWall> slide = std::nullopt;
 };
