@@ -173,9 +173,9 @@ struct LoadSearch {
   bool ended{};       ///< before all was looked at, for lack of looks
   double ended_at{};  ///< [s]
   /// By how much loads between instants may exceed those at the instants
-  /// beside them, over the largest of their kind: by joint (force or moment,
-  /// the greater), drive, element [1].
-  std::vector<double> joints, drives, elements;
+  /// beside them, over the largest of their kind: by body, the greatest of all
+  /// that act on it [1].
+  std::vector<double> bodies;
 };
 
 /// The whole history, what `loads` and `report` take.
