@@ -40,6 +40,9 @@ struct PeakStress {
   double discretization_error{};   ///< of degree, mesh, sampling [Pa]
   double model_error{};            ///< against 3-D elasticity, as measured [Pa]
   ErrorShares shares;              ///< of what the band is wide
+  /// Whether the band is an estimate though it may be wider than the tolerance:
+  /// three degrees or more that do not grow like those of a singular peak.
+  bool has_band = false;
   PeakVerdict verdict{};
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]
   std::string group;  ///< physical group nearest to it ("bore_C"), or "body"

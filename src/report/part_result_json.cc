@@ -34,8 +34,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorShares, mesh, model, time, contact,
                                    sharing)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeakStress, value, band_low, band_high,
                                    discretization_error, model_error, shares,
-                                   verdict, at, group, instant, label, sequence,
-                                   degree_nearby, field_maximum, jump)
+                                   has_band, verdict, at, group, instant, label,
+                                   sequence, degree_nearby, field_maximum, jump)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ZoneResult, name, exponent,
                                    exponent_measured, at, radius, governs,
                                    has_section)
