@@ -197,7 +197,7 @@ std::map<FaceVertices, int> named_faces(const GmshFile& file,
   return named;
 }
 
-/// Drops groups without a face on the outside.
+/// Keeps the names alone of groups without a face on the outside.
 void drop_empty_groups(PartMesh<3>& mesh) {
   std::vector<int> faces(mesh.groups.size(), 0);
   for (const auto& face : mesh.boundary) {
@@ -206,7 +206,10 @@ void drop_empty_groups(PartMesh<3>& mesh) {
   std::vector<int> renumbered(mesh.groups.size(), -1);
   std::vector<SurfaceGroup> kept;
   for (std::size_t g = 0; g < faces.size(); ++g) {
-    if (faces[g] == 0) continue;
+    if (faces[g] == 0) {
+      mesh.empty_groups.push_back(mesh.groups[g].name);
+      continue;
+    }
     renumbered[g] = int(kept.size());
     kept.push_back(mesh.groups[g]);
   }

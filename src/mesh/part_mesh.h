@@ -50,7 +50,8 @@ struct PartMesh {
   std::vector<Eigen::Matrix<double, dim, Eigen::Dynamic>> cell_points;
   std::vector<BoundaryFace> boundary;
   std::vector<SurfaceGroup> groups;
-  double thickness{};    ///< dim = 2: [m]
+  std::vector<std::string> empty_groups;  ///< named in the file, without a face
+  double thickness{};                     ///< dim = 2: [m]
   double mid_plane_z{};  ///< dim = 2: z of the mid-plane in L [m]
 };
 
