@@ -9,6 +9,7 @@
 
 #include "app/impact_jobs.h"
 #include "base/errors.h"
+#include "loads/seat_spans.h"
 
 namespace clevis::app {
 namespace {
@@ -44,7 +45,8 @@ void merge(loads::LoadHistory& history, const loads::LoadHistory& more) {
   for (const auto& seat : more.seats) {
     seat_of.push_back(
         find_or_append(history.seats, seat, [](const auto& a, const auto& b) {
-          return a.group == b.group && a.kind == b.kind && a.p_LS == b.p_LS;
+          return a.group == b.group && a.kind == b.kind && a.p_LS == b.p_LS &&
+                 !a.slide && !b.slide;
         }));
   }
   std::vector<loads::SurfaceLoad> surfaces;
@@ -62,14 +64,19 @@ void merge(loads::LoadHistory& history, const loads::LoadHistory& more) {
   for (const auto& instant : more.instants) {
     loads::InstantLoad moved = instant;
     moved.wrenches.assign(history.seats.size(), {});
+    if (!instant.zones.empty()) moved.zones.assign(history.seats.size(), {});
     for (std::size_t s = 0; s < seat_of.size(); ++s) {
       moved.wrenches[seat_of[s]] = instant.wrenches[s];
+      if (!instant.zones.empty()) moved.zones[seat_of[s]] = instant.zones[s];
     }
     history.instants.push_back(std::move(moved));
   }
   for (std::size_t i = 0; i < history.instants.size(); ++i) {
     auto& instant = history.instants[i];
-    if (i < old_instants) instant.wrenches.resize(history.seats.size());
+    if (i < old_instants) {
+      instant.wrenches.resize(history.seats.size());
+      if (!instant.zones.empty()) instant.zones.resize(history.seats.size());
+    }
     std::vector<loads::SurfaceLoad> all = surfaces;
     for (const auto& load : instant.surface_loads) {
       *std::ranges::find(all, load.group, &loads::SurfaceLoad::group) = load;
@@ -127,6 +134,18 @@ std::optional<double> buckling_length(
   return longest;
 }
 
+/// Where all parts say that the joints touch them.
+loads::SeatSpans seat_spans(const LoadedScene& loaded) {
+  loads::SeatSpans spans;
+  for (const LoadedPart& part : loaded.parts) {
+    const BodyIndex body = loaded.body_of(part.definition.name);
+    if (body == mechanism::kGround) continue;
+    loads::add_seat_spans(loaded.scene.mechanism, body, part.definition,
+                          part.groups, spans);
+  }
+  return spans;
+}
+
 PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
                  const LoadedPart& part, double tolerance) {
   PartJob job;
@@ -140,7 +159,7 @@ PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
   if (body != mechanism::kGround) {
     job.load_sets.push_back(
         {loads::part_loads(definition, motion, body, part.definition,
-                           part.groups, part.mass),
+                           part.groups, part.mass, seat_spans(loaded)),
          {}});
     job.buckling_length = buckling_length(definition, motion, body);
   }

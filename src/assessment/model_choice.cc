@@ -34,8 +34,12 @@ bool acts_on_sides(const mesh::PartMesh<2>& plate, const PartJob& job) {
   const auto known = [&](const auto& entry) {
     return has_sides(plate, entry.group);
   };
+  const auto known_seat = [&](const loads::Seat& seat) {
+    return known(seat) && (!seat.slide || seat.slide->opposite.empty() ||
+                           has_sides(plate, seat.slide->opposite));
+  };
   return std::ranges::all_of(job.load_sets, [&](const LoadSet& set) {
-    return std::ranges::all_of(set.history.seats, known) &&
+    return std::ranges::all_of(set.history.seats, known_seat) &&
            std::ranges::all_of(set.history.instants.front().surface_loads,
                                known) &&
            std::ranges::all_of(set.fixed, [&](const auto& f) {

@@ -221,6 +221,10 @@ PartAssessment check_part(const PartJob& given) {
   PartResult& result = assessment.result;
   result.name = job.part.name;
   result.mass = job.mass.mass;
+  for (const LoadSet& set : job.load_sets) {
+    result.notes.insert(result.notes.end(), set.history.notes.begin(),
+                        set.history.notes.end());
+  }
   result.beam = compare_with_beam(job, result);
   const double judged = governing_stress(job.part, result);
   result.safety_factor =

@@ -29,8 +29,12 @@ bool fits(const mesh::Revolution& solid, const PartJob& job) {
   const auto known = [&](const auto& entry) {
     return has_faces(solid.meridian, entry.group);
   };
+  const auto known_seat = [&](const loads::Seat& seat) {
+    const bool is_patch = seat.slide && seat.kind != loads::SeatKind::kBearing;
+    return known(seat) && !is_patch;  // which goes round nothing
+  };
   return std::ranges::all_of(job.load_sets, [&](const LoadSet& set) {
-    return std::ranges::all_of(set.history.seats, known) &&
+    return std::ranges::all_of(set.history.seats, known_seat) &&
            std::ranges::all_of(set.history.instants.front().surface_loads,
                                known) &&
            std::ranges::all_of(set.fixed,

@@ -20,16 +20,12 @@ Vector3d in_space(const Eigen::Matrix<double, dim, 1>& x, double z) {
   }
 }
 
+}  // namespace
+
 template <int dim>
-FaceTable<dim> face_table(const Discretization<dim>& discretization, int face) {
-  // More points than the degree needs, for the kink of a bearing pressure;
-  // the rest of its error is taken out by the discrete balance.
-  const int p = discretization.degree;
-  const int q = discretization.thickness_degree;
-  const bool plate = dim == 2 || discretization.is_layer;
-  const Degree points = {p + (plate ? 28 : 4), q + (plate ? 2 : 4)};
-  FaceTable<dim> table;
-  table.rule = face_gauss<dim>(discretization.shape, face, points);
+void tabulate(const Discretization<dim>& discretization,
+              const std::vector<std::size_t>& functions,
+              FaceTable<dim>& table) {
   table.geometry = tabulate_geometry<dim>(
       discretization.shape, discretization.mapping_degree(), table.rule.points);
   const MatrixXd values =
@@ -37,9 +33,12 @@ FaceTable<dim> face_table(const Discretization<dim>& discretization, int face) {
                                  discretization.displacement_degree(),
                                  table.rule.points)
           .values;
-  for (Index i = 0; i < values.cols(); ++i) {
-    if (values.col(i).cwiseAbs().maxCoeff() < 1e-10) continue;
-    table.functions.push_back(static_cast<std::size_t>(i));
+  table.functions = functions;
+  if (functions.empty()) {
+    for (Index i = 0; i < values.cols(); ++i) {
+      if (values.col(i).cwiseAbs().maxCoeff() < 1e-10) continue;
+      table.functions.push_back(static_cast<std::size_t>(i));
+    }
   }
   table.values.resize(values.rows(),
                       static_cast<Index>(table.functions.size()));
@@ -47,60 +46,90 @@ FaceTable<dim> face_table(const Discretization<dim>& discretization, int face) {
     table.values.col(static_cast<Index>(k)) =
         values.col(static_cast<Index>(table.functions[k]));
   }
+}
+
+template <int dim>
+const FaceTable<dim>& whole_face_table(
+    const Discretization<dim>& discretization, int face,
+    FaceTables<dim>& tables) {
+  if (const auto found = tables.find(face); found != tables.end()) {
+    return found->second;
+  }
+  // More points than the degree needs, for the kink of a bearing pressure;
+  // the rest of its error is taken out by the discrete balance.
+  const int p = discretization.degree;
+  const int q = discretization.thickness_degree;
+  const bool plate = dim == 2 || discretization.is_layer;
+  const Degree points = {p + (plate ? 28 : 4), q + (plate ? 2 : 4)};
+  FaceTable<dim>& table = tables[face];
+  table.rule = face_gauss<dim>(discretization.shape, face, points);
+  tabulate(discretization, {}, table);
   return table;
 }
 
-}  // namespace
+template <int dim>
+void TraceBuilder<dim>::add(const GroupFace& face,
+                            const FaceTable<dim>& table) {
+  const auto c = static_cast<std::size_t>(face.cell);
+  const auto at =
+      cell_geometry<dim>(discretization_.cell_points[c], table.geometry);
+  for (Index q = 0; q < at.points.cols(); ++q) {
+    const Eigen::Matrix<double, dim, 1> area =
+        at.determinant[q] *
+        at.inverse_jacobian[static_cast<std::size_t>(q)].transpose() *
+        table.rule.outward;
+    points_.push_back(
+        in_space<dim>(at.points.col(q), discretization_.mid_plane_z));
+    normals_.push_back(in_space<dim>(area.normalized(), 0.0));
+    weights_.push_back(table.rule.weights[q] * area.norm() *
+                       discretization_.thickness);
+  }
+  GroupTrace::Face entry{{}, &table.values};
+  for (const std::size_t i : table.functions) {
+    entry.nodes.push_back(discretization_.cell_nodes[c][i]);
+  }
+  faces_.push_back(std::move(entry));
+}
 
 template <int dim>
-GroupTrace group_trace(const Discretization<dim>& discretization, int group,
-                       FaceTables<dim>& tables) {
+GroupTrace TraceBuilder<dim>::finish() {
   GroupTrace trace;
-  std::vector<Vector3d> points;
-  std::vector<Vector3d> normals;
-  std::vector<double> weights;
-  for (const auto& [cell, face] :
-       discretization.group_faces[static_cast<std::size_t>(group)]) {
-    if (!tables.contains(face)) {
-      tables.emplace(face, face_table(discretization, face));
-    }
-    const FaceTable<dim>& table = tables.at(face);
-    const auto c = static_cast<std::size_t>(cell);
-    const auto at =
-        cell_geometry<dim>(discretization.cell_points[c], table.geometry);
-    for (Index q = 0; q < at.points.cols(); ++q) {
-      const Eigen::Matrix<double, dim, 1> area =
-          at.determinant[q] *
-          at.inverse_jacobian[static_cast<std::size_t>(q)].transpose() *
-          table.rule.outward;
-      points.push_back(
-          in_space<dim>(at.points.col(q), discretization.mid_plane_z));
-      normals.push_back(in_space<dim>(area.normalized(), 0.0));
-      weights.push_back(table.rule.weights[q] * area.norm() *
-                        discretization.thickness);
-    }
-    GroupTrace::Face entry{{}, &table.values};
-    for (const std::size_t i : table.functions) {
-      entry.nodes.push_back(discretization.cell_nodes[c][i]);
-    }
-    trace.faces.push_back(std::move(entry));
-  }
-  const auto n = static_cast<Index>(points.size());
+  trace.faces = std::move(faces_);
+  const auto n = static_cast<Index>(points_.size());
   trace.quadrature.points.resize(3, n);
   trace.quadrature.weights.resize(n);
   trace.outward.resize(3, n);
   for (Index q = 0; q < n; ++q) {
     const auto k = static_cast<std::size_t>(q);
-    trace.quadrature.points.col(q) = points[k];
-    trace.quadrature.weights[q] = weights[k];
-    trace.outward.col(q) = normals[k];
+    trace.quadrature.points.col(q) = points_[k];
+    trace.quadrature.weights[q] = weights_[k];
+    trace.outward.col(q) = normals_[k];
   }
   return trace;
 }
 
-template GroupTrace group_trace<2>(const Discretization<2>&, int,
-                                   FaceTables<2>&);
-template GroupTrace group_trace<3>(const Discretization<3>&, int,
-                                   FaceTables<3>&);
+template <int dim>
+GroupTrace group_trace(const Discretization<dim>& discretization, int group,
+                       FaceTables<dim>& tables) {
+  TraceBuilder<dim> builder(discretization);
+  for (const GroupFace& face :
+       discretization.group_faces[static_cast<std::size_t>(group)]) {
+    builder.add(face, whole_face_table(discretization, face.face, tables));
+  }
+  return builder.finish();
+}
+
+#define CLEVIS_INSTANTIATE(dim)                                         \
+  template void tabulate<dim>(const Discretization<dim>&,               \
+                              const std::vector<std::size_t>&,          \
+                              FaceTable<dim>&);                         \
+  template const FaceTable<dim>& whole_face_table<dim>(                 \
+      const Discretization<dim>&, int, FaceTables<dim>&);               \
+  template class TraceBuilder<dim>;                                     \
+  template GroupTrace group_trace<dim>(const Discretization<dim>&, int, \
+                                       FaceTables<dim>&);
+CLEVIS_INSTANTIATE(2)
+CLEVIS_INSTANTIATE(3)
+#undef CLEVIS_INSTANTIATE
 
 }  // namespace clevis::elasticity

@@ -15,7 +15,9 @@
 #include "base/errors.h"
 #include "elasticity/dense_product.h"
 #include "elasticity/group_trace.h"
+#include "elasticity/sliding_tractions.h"
 #include "elasticity/supports.h"
+#include "elasticity/zone_trace.h"
 #include "loads/discrete_balance.h"
 #include "loads/seat_traction.h"
 
@@ -51,9 +53,8 @@ struct RingTrace {
   loads::GroupQuadrature ring;
   Matrix3Xd outward;
 
-  RingTrace(const Discretization<2>& meridian, const mesh::Revolution& solid,
-            int group, FaceTables<2>& tables)
-      : trace(group_trace(meridian, group, tables)) {
+  RingTrace(const mesh::Revolution& solid, GroupTrace meridian_trace)
+      : trace(std::move(meridian_trace)) {
     const auto& q2 = trace.quadrature;
     const Index n = q2.weights.size();
     arc = q2.weights.cwiseProduct(q2.points.row(1).transpose());
@@ -109,7 +110,6 @@ class Assembly {
   void add_seat(std::size_t index) {
     const loads::Seat& seat = history_.seats[index];
     const int group = find_group(meridian_, seat.group, part_name_);
-    const RingTrace trace(meridian_, solid_, group, tables_);
     const auto& cylinder =
         meridian_.groups[static_cast<std::size_t>(group)].cylinder;
     const bool bears = seat.kind == loads::SeatKind::kBearing;
@@ -118,14 +118,18 @@ class Assembly {
                   "a pin bears on this group, but it is no circular cylinder",
                   "name the group bore_* or round_* if it is round");
     }
+    if (seat.slide) {
+      add_sliding(index, group, *cylinder);
+      return;
+    }
+    const RingTrace trace(solid_, group_trace(meridian_, group, tables_));
     for (Index i = 0; i < instants_; ++i) {
-      const auto& instant = history_.instants[static_cast<std::size_t>(i)];
-      const loads::Wrench& wrench = instant.wrenches[index];
+      const loads::Wrench& wrench =
+          history_.instants[static_cast<std::size_t>(i)].wrenches[index];
       Matrix3Xd tractions = Matrix3Xd::Zero(3, trace.ring.weights.size());
       if (bears) {
-        const loads::BearingTraction bearing(*cylinder, wrench);
-        add_low_terms(bearing, cylinder->radius, trace, tractions);
-        add_high_terms(bearing, cylinder->radius, trace, i);
+        add_bearing(loads::BearingTraction(*cylinder, wrench), cylinder->radius,
+                    trace, i, tractions);
       }
       add_tractions(trace, wrench, seat.p_LS, tractions, i);
     }
@@ -133,8 +137,9 @@ class Assembly {
 
   void add_surface(std::size_t index) {
     const auto& name = history_.instants.front().surface_loads[index].group;
-    const RingTrace trace(meridian_, solid_,
-                          find_group(meridian_, name, part_name_), tables_);
+    const RingTrace trace(
+        solid_, group_trace(meridian_, find_group(meridian_, name, part_name_),
+                            tables_));
     for (Index i = 0; i < instants_; ++i) {
       const auto& load =
           history_.instants[static_cast<std::size_t>(i)].surface_loads[index];
@@ -180,6 +185,40 @@ class Assembly {
   }
 
  private:
+  /// Of a guide on the length of a cylinder that it touches.
+  void add_sliding(std::size_t index, int group, const part::Bore& cylinder) {
+    const loads::Seat& seat = history_.seats[index];
+    const WallFaces<2> wall(meridian_, {group});
+    const SlidingTractions sliding(history_, index, cylinder, part_name_);
+    for (Index i = 0; i < instants_; ++i) {
+      const auto instant = static_cast<std::size_t>(i);
+      const loads::ContactZone zone = sliding.zone(instant);
+      const ZoneTrace<2> cut(wall, on_meridian(bounds_of(seat, zone)), tables_);
+      const RingTrace trace(solid_, cut.trace());
+      const loads::Wrench& wrench = history_.instants[instant].wrenches[index];
+      Matrix3Xd tractions = Matrix3Xd::Zero(3, trace.ring.weights.size());
+      add_bearing(sliding.bearing(instant), cylinder.radius, trace, i,
+                  tractions);
+      add_tractions(trace, wrench, seat.p_LS, tractions, i);
+    }
+  }
+
+  /// Half-spaces across the axis in the meridian's coordinates.
+  std::vector<HalfSpace> on_meridian(std::vector<HalfSpace> bounds) const {
+    for (HalfSpace& bound : bounds) {
+      bound.offset -= bound.normal.dot(solid_.origin);
+      bound.normal = {bound.normal.dot(solid_.axes.col(0)), 0.0, 0.0};
+    }
+    return bounds;
+  }
+
+  void add_bearing(const loads::BearingTraction& bearing, double radius,
+                   const RingTrace& trace, Index instant,
+                   Matrix3Xd& tractions) {
+    add_low_terms(bearing, radius, trace, tractions);
+    add_high_terms(bearing, radius, trace, instant);
+  }
+
   void start(const Harmonic& harmonic, const std::vector<int>& nodes) {
     loads_.push_back(
         {harmonic, nodes,

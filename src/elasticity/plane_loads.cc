@@ -25,11 +25,34 @@ struct Largest {
   }
 };
 
+/// Whether a zone ends between the lids of a plate.
+bool ends_across(const loads::Seat& seat, const loads::ContactZone& zone) {
+  constexpr double kAcross = 1e-9;
+  const auto ends = [&](int direction, const Vector3d& along) {
+    return std::abs(along.z()) > kAcross &&
+           (std::isfinite(zone.low[direction]) ||
+            std::isfinite(zone.high[direction]));
+  };
+  return ends(0, seat.slide->along_L) || ends(1, seat.slide->across_L);
+}
+
+bool any_ends_across(const loads::LoadHistory& history) {
+  for (std::size_t s = 0; s < history.seats.size(); ++s) {
+    if (!history.seats[s].slide) continue;
+    for (const auto& instant : history.instants) {
+      if (instant.zones.empty()) continue;
+      if (ends_across(history.seats[s], instant.zones[s])) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 bool loads_in_plane(const loads::LoadHistory& history, double mid_plane_z,
                     double size) {
   constexpr double kInPlane = 1e-9;
+  if (any_ends_across(history)) return false;
   Largest force, moment, acceleration, rotation;
   for (const auto& instant : history.instants) {
     for (std::size_t s = 0; s < history.seats.size(); ++s) {

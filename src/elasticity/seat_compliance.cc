@@ -49,7 +49,10 @@ double reach(const std::vector<loads::Seat>& seats,
 loads::LoadHistory unit_loads(std::vector<loads::Seat> seats,
                               const part::MassProperties& mass, double length) {
   loads::LoadHistory history;
-  for (auto& seat : seats) seat.kind = loads::SeatKind::kTraction;
+  for (auto& seat : seats) {
+    seat.kind = loads::SeatKind::kTraction;
+    seat.slide.reset();
+  }
   history.seats = std::move(seats);
   const std::size_t n = 6 * history.seats.size();
   const auto add = [&](std::size_t i, loads::InstantLoad& load) {

@@ -8,6 +8,8 @@
 #include "base/errors.h"
 #include "elasticity/dense_product.h"
 #include "elasticity/group_trace.h"
+#include "elasticity/sliding_tractions.h"
+#include "elasticity/zone_trace.h"
 #include "loads/discrete_balance.h"
 #include "loads/seat_traction.h"
 
@@ -87,14 +89,48 @@ class TractionHistory {
   MatrixXd values_;
 };
 
-/// Adds what is missing to the wanted resultant.
-void correct(const loads::GroupQuadrature& quadrature,
-             const loads::Wrench& wanted, const Vector3d& about,
-             Matrix3Xd& tractions) {
-  const auto missing = loads::correction(quadrature, tractions, wanted, about);
-  for (Index q = 0; q < tractions.cols(); ++q) {
-    tractions.col(q) += missing.traction(quadrature.points.col(q));
+/// Of a seat whose counterpart touches another zone at every instant.
+template <int dim>
+SurfaceLoads sliding_loads(const Discretization<dim>& discretization,
+                           const loads::LoadHistory& history,
+                           std::size_t seat_index, const std::string& part_name,
+                           FaceTables<dim>& tables) {
+  const loads::Seat& seat = history.seats[seat_index];
+  std::vector<int> groups = {find_group(discretization, seat.group, part_name)};
+  if (!seat.slide->opposite.empty()) {
+    groups.push_back(
+        find_group(discretization, seat.slide->opposite, part_name));
   }
+  SurfaceLoads result;
+  for (const int group : groups) {
+    const auto nodes = group_nodes(discretization, group);
+    result.nodes.insert(result.nodes.end(), nodes.begin(), nodes.end());
+  }
+  std::ranges::sort(result.nodes);
+  result.nodes.erase(std::unique(result.nodes.begin(), result.nodes.end()),
+                     result.nodes.end());
+  const auto instants = history.instants.size();
+  result.values = MatrixXd::Zero(dim * static_cast<Index>(result.nodes.size()),
+                                 static_cast<Index>(instants));
+  const WallFaces<dim> wall(discretization, groups);
+  const SlidingTractions tractions(
+      history, seat_index,
+      discretization.groups[static_cast<std::size_t>(groups.front())].cylinder,
+      part_name);
+  for (std::size_t i = 0; i < instants; ++i) {
+    const ZoneTrace<dim> zone(wall, bounds_of(seat, tractions.zone(i)), tables);
+    const GroupTrace& trace = zone.trace();
+    TractionHistory<dim> here(trace.quadrature.weights.size(), 1);
+    here.set(0, tractions.at(i, trace.quadrature, trace.outward));
+    const SurfaceLoads part = here.integrate(trace);
+    for (std::size_t k = 0; k < part.nodes.size(); ++k) {
+      const Index at = std::ranges::lower_bound(result.nodes, part.nodes[k]) -
+                       result.nodes.begin();
+      result.values.col(static_cast<Index>(i)).template segment<dim>(dim * at) =
+          part.values.col(0).template segment<dim>(dim * static_cast<Index>(k));
+    }
+  }
+  return result;
 }
 
 template <int dim>
@@ -103,6 +139,10 @@ SurfaceLoads seat_loads(const Discretization<dim>& discretization,
                         std::size_t seat_index, const std::string& part_name,
                         FaceTables<dim>& tables) {
   const loads::Seat& seat = history.seats[seat_index];
+  if (seat.slide) {
+    return sliding_loads(discretization, history, seat_index, part_name,
+                         tables);
+  }
   const int group = find_group(discretization, seat.group, part_name);
   const auto& cylinder =
       discretization.groups[static_cast<std::size_t>(group)].cylinder;
@@ -124,7 +164,7 @@ SurfaceLoads seat_loads(const Discretization<dim>& discretization,
                                             trace.outward.col(q));
       }
     }
-    correct(trace.quadrature, wrench, seat.p_LS, tractions);
+    loads::add_correction(trace.quadrature, wrench, seat.p_LS, tractions);
     history_here.set(i, tractions);
   }
   return history_here.integrate(trace);
@@ -143,7 +183,8 @@ SurfaceLoads face_loads(const Discretization<dim>& discretization,
     const loads::SurfaceLoad& load = history.instants[i].surface_loads[index];
     Matrix3Xd tractions = -load.pressure * trace.outward;
     tractions.colwise() += load.traction;
-    correct(trace.quadrature, load.resultant, Vector3d::Zero(), tractions);
+    loads::add_correction(trace.quadrature, load.resultant, Vector3d::Zero(),
+                          tractions);
     history_here.set(i, tractions);
   }
   return history_here.integrate(trace);

@@ -8,6 +8,7 @@ namespace clevis::loads {
 
 using Eigen::Index;
 using Eigen::Matrix3d;
+using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 Wrench resultant(const GroupQuadrature& quadrature,
@@ -40,6 +41,15 @@ LinearTraction correction(const GroupQuadrature& quadrature,
   const Wrench missing{.force = wrench.force - reached.force,
                        .moment = wrench.moment - reached.moment};
   return LinearTraction(centroid, area, second_moment, missing, about);
+}
+
+void add_correction(const GroupQuadrature& quadrature, const Wrench& wrench,
+                    const Vector3d& about, Matrix3Xd& tractions) {
+  const LinearTraction missing =
+      correction(quadrature, tractions, wrench, about);
+  for (Index q = 0; q < tractions.cols(); ++q) {
+    tractions.col(q) += missing.traction(quadrature.points.col(q));
+  }
 }
 
 }  // namespace clevis::loads

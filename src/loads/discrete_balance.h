@@ -31,4 +31,8 @@ LinearTraction correction(const GroupQuadrature& quadrature,
                           const Eigen::Matrix3Xd& tractions,
                           const Wrench& wrench, const Eigen::Vector3d& about);
 
+/// Adds it.
+void add_correction(const GroupQuadrature& quadrature, const Wrench& wrench,
+                    const Eigen::Vector3d& about, Eigen::Matrix3Xd& tractions);
+
 }  // namespace clevis::loads

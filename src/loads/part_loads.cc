@@ -10,6 +10,9 @@
 #include "loads/balance.h"
 #include "loads/force_seats.h"
 #include "loads/part_seats.h"
+#include "loads/seat_fit.h"
+#include "loads/seat_spans.h"
+#include "loads/slide_zone.h"
 
 namespace clevis::loads {
 
@@ -84,7 +87,8 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
                        mechanism::BodyIndex body,
                        const part::PartDefinition& part,
                        const std::vector<GroupGeometry>& groups,
-                       const part::MassProperties& mass) {
+                       const part::MassProperties& mass,
+                       const SeatSpans& spans) {
   const SeatContext context{definition, body, part, groups,
                             part_size(groups, mass)};
   require_seats(context);
@@ -117,7 +121,18 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
     history.instants.push_back(std::move(load));
   }
   require_balance(history, mass, context.size, context.place("loads"));
+  history.notes = off_middle_notes(context, by_joint);
+  set_contact_zones(context, motion, spans, by_joint, history);
   return history;
+}
+
+LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
+                       const mechanism::Motion& motion,
+                       mechanism::BodyIndex body,
+                       const part::PartDefinition& part,
+                       const std::vector<GroupGeometry>& groups,
+                       const part::MassProperties& mass) {
+  return part_loads(definition, motion, body, part, groups, mass, SeatSpans{});
 }
 
 }  // namespace clevis::loads

@@ -1,8 +1,6 @@
 #include "loads/part_seats.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -10,7 +8,10 @@
 
 #include "base/errors.h"
 #include "loads/balance.h"
+#include "loads/seat_fit.h"
+#include "loads/slide_zone.h"
 #include "mechanism/joint_types.h"
+#include "mechanism/slides.h"
 
 namespace clevis::loads {
 
@@ -19,11 +20,8 @@ using mechanism::JointType;
 
 namespace {
 
-// Gap between a joint and its cylinder, relative to the part's size, and
-// angle between their axes [rad]. Scenes and meshes print coordinates to at
-// least seven digits.
-constexpr double kGapTolerance = 1e-6;
-constexpr double kAngleTolerance = 1e-6;
+// Between the sums of a group's areas, relative to its area.
+constexpr double kClosedTolerance = 1e-6;
 
 BodyJoint body_joint(const SeatContext& context, const std::string& name,
                      const std::string& place) {
@@ -39,54 +37,26 @@ BodyJoint body_joint(const SeatContext& context, const std::string& name,
               "name a joint that connects this body, or delete the entry");
 }
 
-void require_coaxial(const SeatContext& context, const part::Bore& cylinder,
-                     const mechanism::JointFrame& frame,
-                     const std::string& group, const std::string& place) {
-  const Vector3d p_CJ = frame.p_LJ - cylinder.p_LC;
-  const Vector3d across = p_CJ - p_CJ.dot(cylinder.axis_L) * cylinder.axis_L;
-  const std::string remedy =
-      "make the joint's position in the scene and the cylinder in the mesh "
-      "agree (same lengths, mesh in the body's frame, right length_unit)";
-  const double size_mm = context.size * 1e3;
-  if (!(across.norm() <= kGapTolerance * context.size)) {
-    throw Error("L003", place,
-                fmt::format("the joint lies {:.6g} mm off the axis of "
-                            "\"{}\": joint at {} mm, cylinder at {} mm",
-                            across.norm() * 1e3, group,
-                            vector_text(frame.p_LJ * 1e3, size_mm),
-                            vector_text(cylinder.p_LC * 1e3, size_mm)),
-                remedy);
-  }
-  const double angle =
-      std::asin(std::min(1.0, frame.R_LJ.col(2).cross(cylinder.axis_L).norm()));
-  if (!(angle <= kAngleTolerance)) {
-    throw Error("L003", place,
-                fmt::format("the joint's axis and the cylinder \"{}\" make an "
-                            "angle of {:.6g} deg",
-                            group, angle * 180.0 / std::numbers::pi),
-                remedy);
-  }
-}
-
-// A revolute joint needs a bore; a slide or a weld may also sit on a face.
+/// What a joint sits on: a pin's cylinder, a slide's wall, or for joints that
+/// hold as welds do a face.
 Seat joint_seat(const SeatContext& context, const part::Seat& wanted,
                 const BodyJoint& joint) {
   const std::string place = context.place("joint " + wanted.joint);
   const GroupGeometry& group = find_group(context.groups, wanted.group, place);
   const JointType type = joint.definition->type;
   Seat seat{.name = wanted.joint, .group = wanted.group};
+  if (mechanism::slides(type)) seat.slide = slide_wall(context, wanted, joint);
   if (!group.is_cylinder && type != JointType::kRevolute) {
     seat.kind = SeatKind::kTraction;
     seat.p_LS = group.centroid;
+    if (!seat.slide || seat.slide->opposite.empty()) return seat;
+    const GroupGeometry& other =
+        find_group(context.groups, seat.slide->opposite, place);
+    seat.p_LS = (group.area * group.centroid + other.area * other.centroid) /
+                (group.area + other.area);
     return seat;
   }
   require_full_cylinder(group, place);
-  // A weld has no axis of its own: only its position is compared.
-  mechanism::JointFrame frame = *joint.frame;
-  if (type == JointType::kWeld) {
-    frame.R_LJ.col(2) = group.cylinder.axis_L;
-  }
-  require_coaxial(context, group.cylinder, frame, wanted.group, place);
   seat.kind = SeatKind::kBearing;
   seat.p_LS = group.cylinder.p_LC;
   return seat;
@@ -98,7 +68,7 @@ GroupGeometry pressurized_group(const SeatContext& context,
                                 const std::string& name,
                                 const std::string& place) {
   const GroupGeometry& group = find_group(context.groups, name, place);
-  if (group.area_vector.norm() > kGapTolerance * group.area) {
+  if (group.area_vector.norm() > kClosedTolerance * group.area) {
     throw Error(
         "L002", place,
         fmt::format("pressure on \"{}\" would leave a force: its area "
@@ -115,17 +85,6 @@ GroupGeometry pressurized_group(const SeatContext& context,
 
 std::string SeatContext::place(const std::string& seat) const {
   return fmt::format("{}: part {}, {}", part.place, part.name, seat);
-}
-
-void require_coaxial(const SeatContext& context, const part::Bore& cylinder,
-                     int joint, const std::string& group,
-                     const std::string& place) {
-  const auto& definition =
-      context.definition.joints[static_cast<std::size_t>(joint)];
-  require_coaxial(context, cylinder,
-                  definition.body_b == context.body ? definition.frame_b
-                                                    : definition.frame_a,
-                  group, place);
 }
 
 std::vector<GroupGeometry> pressurized_groups(
@@ -145,6 +104,7 @@ std::vector<JointSeat> joint_seats(const SeatContext& context) {
                                        context.place("joint " + wanted.joint));
     seats.push_back({joint, joint_seat(context, wanted, joint)});
   }
+  require_fit(context, seats);
   return seats;
 }
 

@@ -45,12 +45,6 @@ struct DrivenSeat {
   std::vector<GroupGeometry> pressurized;
 };
 
-/// Refuses a cylinder that does not lie on the axis of a joint of the body.
-/// @param joint  index. @throws Error L003.
-void require_coaxial(const SeatContext& context, const part::Bore& cylinder,
-                     int joint, const std::string& group,
-                     const std::string& place);
-
 /// Groups that a pressure acts on without leaving a force.
 /// @throws Error L002, M003.
 std::vector<GroupGeometry> pressurized_groups(

@@ -209,6 +209,9 @@ FaceProperties face_properties(const PartMesh<3>& mesh, int group) {
     moments.add(p, area.norm());
     properties.area_vector += area;
     properties.area_moment += p.cross(area);
+    if (area.norm() > 0.0) {
+      properties.normal_square += area * area.transpose() / area.norm();
+    }
   };
   if (mesh.shape == CellShape::kSimplex) {
     visit_triangles(mesh, group, add);
@@ -219,6 +222,21 @@ FaceProperties face_properties(const PartMesh<3>& mesh, int group) {
   properties.centroid = moments.centroid();
   properties.second_moment = moments.inertia();
   return properties;
+}
+
+Matrix3Xd face_corners(const PartMesh<3>& mesh, int group) {
+  std::vector<Vector3d> corners;
+  for (const BoundaryFace& face : mesh.boundary) {
+    if (face.group != group) continue;
+    for (const unsigned vertex : face_vertices(mesh, face.cell, face.face)) {
+      if (vertex != kNoVertex) corners.push_back(mesh.vertices[vertex]);
+    }
+  }
+  Matrix3Xd points(3, Index(corners.size()));
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    points.col(Index(k)) = corners[k];
+  }
+  return points;
 }
 
 }  // namespace clevis::mesh

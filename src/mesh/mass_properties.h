@@ -23,9 +23,14 @@ struct FaceProperties {
   /// ∫ n dA [m²] and ∫ p × n dA [m³], n the outward unit normal.
   Eigen::Vector3d area_vector = Eigen::Vector3d::Zero();
   Eigen::Vector3d area_moment = Eigen::Vector3d::Zero();
+  /// ∫ n nᵀ dA [m²].
+  Eigen::Matrix3d normal_square = Eigen::Matrix3d::Zero();
 };
 
 /// @param group  index into mesh.groups; -1: all faces without a name.
 FaceProperties face_properties(const PartMesh<3>& mesh, int group);
+
+/// Corners of a group's faces, each once a face [m].
+Eigen::Matrix3Xd face_corners(const PartMesh<3>& mesh, int group);
 
 }  // namespace clevis::mesh

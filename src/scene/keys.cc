@@ -185,6 +185,7 @@ constexpr Key kSimulation[] = {"duration", "instants",   "tolerance",
 constexpr Key kPart[] = {"name",      "geometry", "mesh",    "length_unit",
                          "thickness", "material", "pins",    "drives",
                          "forces",    "limits",   "damping", "case"};
+constexpr Key kPartPins[] = {"group", "groups", "length", "width", "offset"};
 constexpr Key kPartDrives[] = {"face", "pressurized"};
 constexpr Key kPartForces[] = {"face", "pressurized", "chamber"};
 constexpr Key kLimits[] = {"safety_factor", "deflection", "singular_zones"};
@@ -234,6 +235,7 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"impact", kImpact},
     {"simulation", kSimulation},
     {"part", kPart},
+    {"part.pins", kPartPins},
     {"part.drives", kPartDrives},
     {"part.forces", kPartForces},
     {"part.limits", kLimits},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "mechanism/slides.h"
 #include "scene/readers.h"
 
 namespace clevis::scene {
@@ -48,13 +49,52 @@ int find_joint(const std::string& name, const Value& value, BodyIndex body,
   return joint;
 }
 
+part::SlideContact read_slide_contact(StrictTable& pin) {
+  part::SlideContact contact;
+  if (const auto length = pin.find("length")) {
+    contact.length = length->positive(Dimension::kLength);
+    if (const auto offset = pin.find("offset")) {
+      contact.offset = offset->quantity(Dimension::kLength);
+    }
+  }
+  if (const auto width = pin.find("width")) {
+    contact.width = width->positive(Dimension::kLength);
+  }
+  pin.finish("without `length`");
+  return contact;
+}
+
+/// A group, or a table with it and what a slide touches of it.
+part::Seat read_pin(const mechanism::JointDefinition& joint,
+                    const Value& value) {
+  if (!value.is_table()) return {joint.name, value.text()};
+  StrictTable pin(value, "part.pins");
+  if (!mechanism::slides(joint.type)) {
+    const part::Seat seat{joint.name, pin["group"].text()};
+    pin.finish(
+        fmt::format("on joint \"{}\", which does not slide", joint.name));
+    return seat;
+  }
+  const std::vector<Value> groups =
+      pin.has("groups") ? pin["groups"].elements() : std::vector{pin["group"]};
+  if (groups.empty() || groups.size() > 2) {
+    throw pin["groups"].refusal("S006", "is no pair of walls",
+                                "Give one group, or two that face each other.");
+  }
+  part::Seat seat{joint.name, groups.front().text()};
+  seat.slide = read_slide_contact(pin);
+  if (groups.size() == 2) seat.slide.opposite = groups.back().text();
+  return seat;
+}
+
 void read_pins(StrictTable& table, BodyIndex body,
                const MechanismDefinition& mechanism, const Names& names,
                PartDefinition& part) {
   const Value pins = table["pins"];
-  for (const auto& [joint, group] : pins.entries()) {
-    find_joint(joint, group, body, mechanism, names.joints);
-    part.seats.push_back({joint, group.text()});
+  for (const auto& [name, value] : pins.entries()) {
+    const int joint = find_joint(name, value, body, mechanism, names.joints);
+    part.seats.push_back(
+        read_pin(mechanism.joints[static_cast<std::size_t>(joint)], value));
   }
   for (const auto& joint : mechanism.joints) {
     const auto is_seat = [&](const part::Seat& seat) {

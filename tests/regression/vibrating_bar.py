@@ -81,7 +81,7 @@ name = "bar"
 mesh = "bar.msh"
 length_unit = "mm"
 material = "steel"
-pins = {{ slide = "y0"{end} }}
+pins = {{ slide = {{ group = "y0", length = "200 mm" }}{end} }}
 limits = {{ safety_factor = 2.0 }}
 [part.forces]
 stop = {{ face = "x1" }}

@@ -98,7 +98,7 @@ GasCylinderLaw sealed_gas() {
 
 void define_mechanism(MechanismDefinition& m) {
   m.gravity_W = {0.0, -9.81, 0.0};
-  m.bodies = {mechanism::testing::uniform_bar("P", {}, 0.0, 0.2),
+  m.bodies = {mechanism::testing::uniform_bar("P", Vector3d::Zero(), 0.0, 0.2),
               mechanism::testing::uniform_bar("Q", kSlide, 0.0, 0.1)};
   m.joints = {mechanism::testing::pin("A", kGround, 0, 0.0, 0.0)};
   JointDefinition slide;
@@ -166,6 +166,7 @@ Loaded loaded_link() {
               face("cap", {0.06, 0.041, 0.0}), face("rim", {0.14, 0.0, 0.0})};
   s.part.name = "P";
   s.part.seats = {{"A", "bore_A"}, {"S", "round_S"}};
+  s.part.seats[1].slide.length = s.groups[2].cylinder.length;
   s.part.force_seats = {{"torsion", "bore_A", {}},
                         {"rub", "round_S", {}},
                         {"strut", "bore_eye", {}},

@@ -119,6 +119,7 @@ void define_body(LinkInMotion& s) {
   d.drives[0].joint = 2;
   s.part.name = "P";
   s.part.seats = {{"A", "bore_A"}, {"B", "bore_B"}, {"S", "round_S"}};
+  s.part.seats[2].slide.length = 8e-3;  // all of it
   s.part.drive_seats = {{"S", "cap", {"wall"}}};
   s.groups = {cylinder("bore_A", {0.0, 0.0, 1e-3}, Vector3d::UnitZ()),
               cylinder("bore_B", {0.14, 0.0, -1e-3}, -Vector3d::UnitZ()),

@@ -180,6 +180,18 @@ TEST(SceneReader, ReadsPartsWithSeats) {
             (std::vector<std::string>{"wall", "lid"}));
 }
 
+TEST(SceneReader, ReadsWhatASlideTouches) {
+  const auto parts = read_scene(kScenes / "driven_parts.toml").parts;
+  const part::Seat& wall = parts.at(0).seats.at(1);
+  EXPECT_EQ(wall.group, "wall");
+  EXPECT_EQ(wall.slide.opposite, "roof");
+  EXPECT_DOUBLE_EQ(wall.slide.length.value(), 0.02);
+  EXPECT_DOUBLE_EQ(wall.slide.width.value(), 0.008);
+  EXPECT_DOUBLE_EQ(wall.slide.offset, -0.003);
+  EXPECT_EQ(parts.at(1).seats.at(0).group, "bore_hinge");
+  EXPECT_FALSE(parts.at(1).seats.at(1).slide.length);
+}
+
 TEST(SceneReader, ReadsSeatsOfForces) {
   const auto seats =
       read_scene(kScenes / "force_seats.toml").parts.at(0).force_seats;

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "loads/discrete_balance.h"
+#include "loads/load_history.h"
+#include "loads/seat_traction.h"
+#include "part/bore.h"
+
+namespace clevis::elasticity {
+
+/// Tractions of a seat on which the counterpart slides: bearing pressure on
+/// the length of a cylinder that it touches, pressure of a rigid counterpart
+/// on walls (loads::wall_pressure); shear for the rest of the wrench.
+class SlidingTractions {
+ public:
+  /// @param cylinder  of the seat's group, if it has one.
+  /// @throws Error L002 if it bears on a group that is no cylinder.
+  SlidingTractions(const loads::LoadHistory& history, std::size_t seat,
+                   const std::optional<part::Bore>& cylinder,
+                   const std::string& part_name);
+
+  loads::ContactZone zone(std::size_t instant) const;
+
+  /// On the length of the cylinder that is touched. @pre it is a cylinder.
+  loads::BearingTraction bearing(std::size_t instant) const;
+
+  /// @param quadrature  of what of the zone the mesh has.
+  /// @return [Pa], whose discrete resultant is the wrench.
+  /// @throws Error L007 if the walls would have to pull, or the mesh has
+  ///   nothing there.
+  Eigen::Matrix3Xd at(std::size_t instant,
+                      const loads::GroupQuadrature& quadrature,
+                      const Eigen::Matrix3Xd& outward) const;
+
+ private:
+  const loads::LoadHistory& history_;
+  std::size_t seat_index_;
+  const loads::Seat& seat_;
+  std::optional<part::Bore> cylinder_;
+  std::string part_name_;
+  double largest_force_{}, largest_moment_{};
+};
+
+/// What of a cylinder a zone covers.
+part::Bore touched(const part::Bore& cylinder, const loads::Seat& seat,
+                   const loads::ContactZone& zone);
+
+}  // namespace clevis::elasticity
