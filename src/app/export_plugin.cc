@@ -22,6 +22,15 @@ namespace fs = std::filesystem;
 using assessment::PartJob;
 using nlohmann::ordered_json;
 
+/// Springs between nodes would be another bed than the one that is checked.
+void refuse_bed(const PartJob& job, const assessment::LoadSet& loads) {
+  if (loads.foundations.empty()) return;
+  throw Error("F005", "part " + job.part.name,
+              "a case rests on a `foundation`, which CalculiX has no "
+              "elements for",
+              "export the part without this case");
+}
+
 calculix::Model model_of(const PartJob& job, std::size_t set,
                          const Options& options) {
   const bool is_tensor = job.mesh.shape == mesh::CellShape::kTensor;
@@ -29,6 +38,7 @@ calculix::Model model_of(const PartJob& job, std::size_t set,
       is_tensor ? mesh::split_cells(job.mesh, std::max(1, options.split))
                 : job.mesh;
   const auto& loads = job.load_sets[set];
+  refuse_bed(job, loads);
   return calculix::make_model(
       {mesh, job.part.material, loads.history, loads.fixed, job.part.name},
       hexahedron_of(options));

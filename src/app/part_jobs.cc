@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/held_part.h"
 #include "app/impact_jobs.h"
+#include "app/open_sharing.h"
 #include "base/errors.h"
 #include "loads/seat_spans.h"
 
@@ -85,16 +87,28 @@ void merge(loads::LoadHistory& history, const loads::LoadHistory& more) {
   }
 }
 
-void add_cases(const LoadedPart& part, std::vector<LoadSet>& sets) {
+void add_cases(const LoadedPart& part, PartJob& job) {
+  std::vector<LoadSet>& sets = job.load_sets;
   for (const auto& load_case : part.definition.cases) {
-    auto history =
-        loads::case_loads(part.definition, load_case, part.groups, part.mass);
-    const auto same = std::ranges::find(sets, load_case.fixed, &LoadSet::fixed);
+    auto held = held_loads(part, load_case);
+    const auto same = std::ranges::find_if(sets, [&](const LoadSet& set) {
+      return set.fixed == load_case.fixed &&
+             set.foundations == load_case.foundations;
+    });
+    const auto at = static_cast<std::size_t>(same - sets.begin());
     if (same != sets.end()) {
-      merge(same->history, history);
+      merge(same->history, held.history);
     } else {
-      sets.push_back({std::move(history), load_case.fixed});
+      sets.push_back({held.history, load_case.fixed, load_case.foundations});
     }
+    if (held.others.empty()) continue;
+    job.open_sharings.push_back(
+        {.set = at,
+         .checked = std::move(held.history),
+         .others = std::move(held.others),
+         .is_complete = false,
+         .remedy = "pins of case " + load_case.name +
+                   " that give way as much as the part: hold it by fewer"});
   }
 }
 
@@ -147,6 +161,7 @@ loads::SeatSpans seat_spans(const LoadedScene& loaded) {
 }
 
 PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
+                 const std::optional<mechanism::OtherSharings>& sharings,
                  const LoadedPart& part, double tolerance) {
   PartJob job;
   job.part = part.definition;
@@ -161,9 +176,15 @@ PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
         {loads::part_loads(definition, motion, body, part.definition,
                            part.groups, part.mass, seat_spans(loaded)),
          {}});
+    if (sharings) {
+      if (auto open = open_sharing(loaded, *sharings, part,
+                                   job.load_sets.front().history)) {
+        job.open_sharings.push_back(std::move(*open));
+      }
+    }
     job.buckling_length = buckling_length(definition, motion, body);
   }
-  add_cases(part, job.load_sets);
+  add_cases(part, job);
   job.impacts = impact_jobs(definition, motion, part.definition, part.groups);
   if (body != mechanism::kGround) {
     job.impact_loads = impact_loads(definition, motion);
@@ -191,13 +212,17 @@ std::vector<PartJob> part_jobs(const LoadedScene& loaded,
                   fmt::format("Its parts: {}.", fmt::join(known, ", ")));
     }
   }
+  std::optional<mechanism::OtherSharings> sharings;
+  if (loaded.scene.has_mechanism) {
+    sharings.emplace(loaded.scene.mechanism, motion);
+  }
   std::vector<PartJob> jobs;
   for (const auto& part : loaded.parts) {
     if (!names.empty() &&
         std::ranges::find(names, part.definition.name) == names.end()) {
       continue;
     }
-    jobs.push_back(part_job(loaded, motion, part, tolerance));
+    jobs.push_back(part_job(loaded, motion, sharings, part, tolerance));
   }
   return jobs;
 }

@@ -39,8 +39,13 @@ Climbed<dim> climb(const mesh::PartMesh<dim>& mesh,
                    const part::PartDefinition& part,
                    const ModesRequest& request) {
   static const loads::LoadHistory kNoLoads;
-  const elasticity::ElasticProblem<dim> problem{mesh, part.material, kNoLoads,
-                                                request.fixed, part.name};
+  const elasticity::ElasticProblem<dim> problem{mesh,
+                                                part.material,
+                                                kNoLoads,
+                                                request.fixed,
+                                                part.name,
+                                                elasticity::LinearSolver::kAuto,
+                                                request.foundations};
   const int highest = mesh.shape == mesh::CellShape::kTensor ? 4 : 2;
   Climbed<dim> result;
   const int first = highest > 2 ? 2 : 1;  // degree 1 locks
@@ -124,7 +129,7 @@ ordered_json modes_of(const mesh::PartMesh<dim>& mesh, const char* model,
 
 /// Supports that leave a plate free to leave its plane: it vibrates in it.
 bool holds_the_plane_only(const ModesRequest& request) {
-  return !request.fixed.empty() &&
+  return !request.fixed.empty() && request.foundations.empty() &&
          std::ranges::none_of(request.fixed, [](const auto& entry) {
            return entry.second[2];
          });
@@ -146,19 +151,23 @@ ordered_json part_modes(const LoadedPart& part, const ModesRequest& request,
 std::vector<ModesRequest> modes_requests(const LoadedPart& part, bool moves,
                                          int count, double tolerance) {
   std::vector<ModesRequest> requests;
-  const auto add = [&](const std::string& name, const auto& fixed) {
-    const auto same = std::ranges::find(requests, fixed, &ModesRequest::fixed);
+  const auto add = [&](const std::string& name, const auto& fixed,
+                       const part::Foundations& foundations = {}) {
+    const auto same = std::ranges::find_if(requests, [&](const auto& request) {
+      return request.fixed == fixed && request.foundations == foundations;
+    });
     if (same != requests.end()) return;
-    requests.push_back({fixed.empty() ? "free" : name,
+    const bool is_free = fixed.empty() && foundations.empty();
+    requests.push_back({is_free ? "free" : name,
                         static_cast<int>(requests.size()) + 1, fixed, count,
-                        tolerance});
+                        tolerance, foundations});
   };
   const part::PartDefinition& given = part.definition;
   if (moves || (given.cases.empty() && given.impacts.empty())) {
     add("free", decltype(ModesRequest::fixed){});
   }
   for (const auto& load_case : given.cases) {
-    add(load_case.name, load_case.fixed);
+    add(load_case.name, load_case.fixed, load_case.foundations);
   }
   for (const auto& impact : given.impacts) add(impact.name, impact.fixed);
   return requests;

@@ -19,6 +19,7 @@ struct ModesRequest {
   std::map<std::string, std::array<bool, 3>> fixed;
   int count{};         ///< of modes, rigid ones of a free part counted in
   double tolerance{};  ///< of the frequencies, for the climb of degrees [1]
+  part::Foundations foundations = {};
 };
 
 /// Climbs degrees until the frequencies settle; writes NAME_mode_N.vtu (of the

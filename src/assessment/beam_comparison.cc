@@ -40,7 +40,7 @@ BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
         judged_peak(result).value / comparison.peak_stress;
   }
   const bool held = std::ranges::any_of(job.load_sets, [](const LoadSet& set) {
-    return !set.fixed.empty();
+    return !set.fixed.empty() || !set.foundations.empty();
   });
   if (comparison.peak_stress > 0.0 || !held) {
     comparison.reason = explain_ratio(judged_peak(result), comparison);

@@ -92,12 +92,13 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
     const LoadSet& set = sets[s];
     auto basis =
         std::make_shared<elasticity::DisplacementBasis<dim>>(rung.solve(
-            {mesh, job.part.material, set.history, set.fixed, job.part.name},
+            {mesh, job.part.material, set.history, set.fixed, job.part.name,
+             elasticity::LinearSolver::kAuto, set.foundations},
             degree));
     seconds.assemble += basis->seconds.assemble;
     seconds.factor += basis->seconds.factor;
     seconds.solve += basis->seconds.solve;
-    if (set.fixed.empty()) {
+    if (set.fixed.empty() && set.foundations.empty()) {
       stress::remove_rigid_motion<dim>(*basis, reference_groups(set));
     }
     Stopwatch watch;

@@ -46,6 +46,7 @@ std::optional<stress::LocalValues> local_peak(const PartJob& job,
                                               const mesh::PartMesh<dim>& mesh,
                                               const Level<dim>& level,
                                               double before) {
+  if (!sets[level.set].foundations.empty()) return std::nullopt;
   const auto& history = level.history();
   const auto& basis = *level.governing;
   const MatrixXd u =

@@ -30,6 +30,13 @@ bool has_sides(const mesh::PartMesh<2>& plate, const std::string& name) {
   });
 }
 
+/// Elastic beds are in the equations of hexahedra and tetrahedra alone.
+bool has_bed(const PartJob& job) {
+  return std::ranges::any_of(job.load_sets, [](const LoadSet& set) {
+    return !set.foundations.empty();
+  });
+}
+
 bool acts_on_sides(const mesh::PartMesh<2>& plate, const PartJob& job) {
   const auto known = [&](const auto& entry) {
     return has_sides(plate, entry.group);
@@ -74,6 +81,14 @@ std::optional<PlateModel> plate_model(const PartJob& job) {
   if (job.model == ModelChoice::kSolid) return std::nullopt;
   const bool layered = job.model == ModelChoice::kLayered;
   const bool plane_stress = job.model == ModelChoice::kPlaneStress;
+  if (has_bed(job)) {
+    if (layered || plane_stress) {
+      refuse(job,
+             "a face rests on a foundation, which these models do not "
+             "know");
+    }
+    return std::nullopt;
+  }
   auto plate = mesh::plate_mid_plane(job.mesh);
   if (!plate || !acts_on_sides(*plate, job)) {
     if (layered || plane_stress) {

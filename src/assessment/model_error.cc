@@ -26,24 +26,6 @@ elasticity::ElasticProblem<2> problem(const PartJob& job,
   return {plate, job.part.material, set.history, set.fixed, job.part.name};
 }
 
-/// The singular zones of the plane model; for dim = 3 through the thickness.
-template <int dim>
-std::vector<stress::SingularZone> zones_of(const PartJob& job,
-                                           const mesh::PartMesh<2>& plate,
-                                           const LoadSet& set) {
-  auto zones = stress::singular_zones<2>(plate, job.part.material, set.fixed);
-  if constexpr (dim == 3) {
-    const Eigen::Vector3d half(0.0, 0.0, 0.5 * plate.thickness);
-    for (auto& zone : zones) {
-      for (auto& [from, to] : zone.edges) {
-        from -= half;
-        to += half;
-      }
-    }
-  }
-  return zones;
-}
-
 /// Peak of each instant of a set; away from singular zones, where there are
 /// any, of those points where that instant is the worst.
 template <int dim>
@@ -53,7 +35,7 @@ VectorXd peaks_of(const PartJob& job, const mesh::PartMesh<2>& plate,
                   int subdivisions) {
   const auto history =
       stress::stress_history<dim>(basis, job.part.material, subdivisions);
-  const auto zones = zones_of<dim>(job, plate, set);
+  const auto zones = plate_zones<dim>(job, plate, set);
   if (zones.empty()) return history.peak;
   const auto zone_of =
       stress::zone_of_points<dim>(basis.discretization, subdivisions, zones);
@@ -98,7 +80,7 @@ VectorXd all_peaks(const PartJob& job, const mesh::PartMesh<2>& plate,
   VectorXd all;
   for (const LoadSet& set : sets) {
     VectorXd peaks = peaks_of(set);
-    if (!zones_of<2>(job, plate, set).empty()) {
+    if (!plate_zones<2>(job, plate, set).empty()) {
       peaks = VectorXd::Constant(1, peaks.maxCoeff());
     }
     all.conservativeResize(all.size() + peaks.size());
@@ -133,6 +115,28 @@ std::vector<std::size_t> highest_instants(VectorXd peaks, double floor) {
 }
 
 }  // namespace
+
+template <int dim>
+std::vector<stress::SingularZone> plate_zones(const PartJob& job,
+                                              const mesh::PartMesh<2>& plate,
+                                              const LoadSet& set) {
+  auto zones = stress::singular_zones<2>(plate, job.part.material, set.fixed);
+  if constexpr (dim == 3) {
+    const Eigen::Vector3d half(0.0, 0.0, 0.5 * plate.thickness);
+    for (auto& zone : zones) {
+      for (auto& [from, to] : zone.edges) {
+        from -= half;
+        to += half;
+      }
+    }
+  }
+  return zones;
+}
+
+template std::vector<stress::SingularZone> plate_zones<2>(
+    const PartJob&, const mesh::PartMesh<2>&, const LoadSet&);
+template std::vector<stress::SingularZone> plate_zones<3>(
+    const PartJob&, const mesh::PartMesh<2>&, const LoadSet&);
 
 std::vector<LoadSet> governing_loads(const PartJob& job,
                                      const mesh::PartMesh<2>& plate,

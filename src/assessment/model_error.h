@@ -3,8 +3,17 @@
 #include <vector>
 
 #include "assessment/part_check.h"
+#include "mesh/part_mesh.h"
+#include "stress/singular_zone.h"
 
 namespace clevis::assessment {
+
+/// The singular zones of a plate's plane model; for dim = 3 through the
+/// thickness.
+template <int dim>
+std::vector<stress::SingularZone> plate_zones(const PartJob& job,
+                                              const mesh::PartMesh<2>& plate,
+                                              const LoadSet& set);
 
 /// The instants that govern a part: of each load set those whose peaks, by
 /// plane stress or a few thickness terms of a low degree, come near to the

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "assessment/beam_comparison.h"
+#include "assessment/case_notes.h"
 #include "assessment/degree_ladder.h"
 #include "assessment/impact_check.h"
 #include "assessment/load_pace.h"
@@ -17,6 +18,7 @@
 #include "assessment/revolution_model.h"
 #include "assessment/rung.h"
 #include "assessment/rung_result.h"
+#include "assessment/sharing_check.h"
 #include "assessment/verdict.h"
 #include "assessment/vibration_check.h"
 #include "base/stopwatch.h"
@@ -35,7 +37,7 @@ PartAssessment run_rung(const PartJob& job, const mesh::PartMesh<dim>& mesh,
 
 bool is_held(const PartJob& job) {
   return std::ranges::any_of(job.load_sets, [](const LoadSet& set) {
-    return !set.fixed.empty();
+    return !set.fixed.empty() || !set.foundations.empty();
   });
 }
 
@@ -225,6 +227,7 @@ PartAssessment check_part(const PartJob& given) {
     result.notes.insert(result.notes.end(), set.history.notes.begin(),
                         set.history.notes.end());
   }
+  note_cases(given, result);
   result.beam = compare_with_beam(job, result);
   const double judged = governing_stress(job.part, result);
   result.safety_factor =
@@ -232,6 +235,7 @@ PartAssessment check_part(const PartJob& given) {
   finish_impacts(std::move(blows.impacts), result);
   judge_paces(job, result);
   check_vibration(job, result);
+  check_sharing(given, result);
   judge(job.part, result);
   explain_unsettled(result);
   result.seconds.total = watch.lap();

@@ -46,6 +46,16 @@ struct ImpactLoad {
   std::vector<double> touches;
 };
 
+/// The loads of a set as its reactions may be shared otherwise, where
+/// equilibrium leaves them open.
+struct OpenSharing {
+  std::size_t set{};           ///< of the load sets
+  loads::LoadHistory checked;  ///< those of its instants that are shared
+  std::vector<loads::LoadHistory> others;
+  bool is_complete = true;  ///< between them lies every sharing
+  std::string remedy;       ///< what makes it certain
+};
+
 enum class ModelChoice { kAuto, kPlaneStress, kLayered, kRevolution, kSolid };
 
 /// All that the check of one part needs.
@@ -55,6 +65,7 @@ struct PartJob {
   part::MassProperties mass;
   std::vector<loads::GroupGeometry> groups;
   std::vector<LoadSet> load_sets;
+  std::vector<OpenSharing> open_sharings;
   std::vector<ImpactJob> impacts;
   std::vector<ImpactLoad> impact_loads;
   double tolerance = 0.01;                ///< of the peak stress [1]

@@ -37,6 +37,7 @@ bool fits(const mesh::Revolution& solid, const PartJob& job) {
     return std::ranges::all_of(set.history.seats, known_seat) &&
            std::ranges::all_of(set.history.instants.front().surface_loads,
                                known) &&
+           set.foundations.empty() &&
            std::ranges::all_of(set.fixed,
                                [&](const auto& f) {
                                  return has_faces(solid.meridian, f.first);

@@ -59,7 +59,8 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "extruded along z with all loads on its sides, or (plane-stress) a load "
      "leaves its plane; or --model revolution, but the part is no hollow solid "
      "of revolution meshed in closed rings with all loads on whole rings. "
-     "Leave "
+     "Beds (`foundation`) are known to hexahedra and tetrahedra only, and not "
+     "to CalculiX. Leave "
      "--model out: clevis takes the cheapest model "
      "that "
      "fits."},

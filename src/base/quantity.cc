@@ -57,6 +57,7 @@ const DimensionEntry& entry_of(Dimension dimension) {
       {"resistance", "ohm", "ohm, mohm"},
       {"inductance", "H", "H, mH, uH"},
       {"magnetic flux", "Wb", "Wb, mWb, V s"},
+      {"bedding", "N/m^3", "N/mm^3, MN/m^3, N/m^3"},
   });
   return kEntries.at(static_cast<std::size_t>(dimension));
 }

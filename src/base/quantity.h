@@ -42,6 +42,7 @@ enum class Dimension {
   kResistance,              // ohm
   kInductance,              // H
   kMagneticFlux,            // Wb
+  kBedding,                 // N/m^3
 };
 
 /// The SI value of a text such as "140 mm", "1500 rpm" or "1 %".

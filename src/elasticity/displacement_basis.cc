@@ -7,6 +7,7 @@
 
 #include "base/stopwatch.h"
 #include "elasticity/folding.h"
+#include "elasticity/foundation.h"
 #include "elasticity/frontal_cholesky.h"
 #include "elasticity/large_part.h"
 #include "elasticity/load_basis.h"
@@ -31,6 +32,7 @@ bool uses_multigrid(const ElasticProblem<dim>& problem,
                     const Folding<dim>& folding, double columns) {
   if constexpr (dim == 3) {
     if (problem.solver == LinearSolver::kDirect) return false;
+    if (!problem.foundations.empty()) return false;  // it knows no beds
     if (problem.solver == LinearSolver::kMultigrid) {
       return suits_multigrid(folding.part, problem.material);
     }
@@ -74,7 +76,9 @@ void solve_by_factors(const ElasticProblem<dim>& problem,
                       DisplacementBasis<dim>& result) {
   Stopwatch watch;
   const Discretization<dim>& part = folding.part;
-  const auto stiffness = assemble_stiffness(part, problem.material, place);
+  auto stiffness = assemble_stiffness(part, problem.material, place);
+  const FoundationStiffness<dim> bed(part, problem.foundations, problem.name);
+  bed.add_to(stiffness);
   for (ParityClass& c : classes) {
     c.numbers = number_equations(part.dofs(), c.held);
     const UpperTriangle upper = free_equations(stiffness, c.numbers);
@@ -92,10 +96,12 @@ void solve_by_factors(const ElasticProblem<dim>& problem,
   };
   check(action_of(stiffness));
   if (wants_refinement(result.checks)) {
-    const StiffnessAction by_strain{[&](const MatrixXd& u) {
-                                      return forces_by_strain(
-                                          part, problem.material, u);
-                                    },
+    const auto forces = [&](const MatrixXd& u) {
+      MatrixXd sum = forces_by_strain(part, problem.material, u);
+      bed.add_forces(u, sum);
+      return sum;
+    };
+    const StiffnessAction by_strain{forces,
                                     action_of(stiffness).multiply_absolute};
     for (ParityClass& c : classes) {
       refine(by_strain, *c.factor, c.numbers, c.loads, c.columns);
@@ -143,15 +149,22 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
   Stopwatch watch;
   const std::string place = "part " + problem.name;
   const double density = problem.material.density;
-  const bool is_free = problem.fixed.empty();
+  const bool has_bed = !problem.foundations.empty();
+  const bool is_free = problem.fixed.empty() && !has_bed;
   DisplacementBasis<dim> result;
   result.discretization = discretize(problem.mesh, degree);
   const auto& whole = result.discretization;
   const auto positions = node_positions(whole);
   std::vector<int> fixed;
-  if (!is_free) fixed = fixed_supports(whole, positions, problem.fixed, place);
+  if (!is_free) {
+    const FoundationStiffness<dim> bed(whole, problem.foundations,
+                                       problem.name);
+    fixed = fixed_supports(whole, positions, problem.fixed, place, &bed);
+  }
   const Folding<dim> folding =
-      fold<dim>(whole, positions, common_mirrors<dim>(whole, positions, fixed));
+      fold<dim>(whole, positions,
+                has_bed ? std::vector<Mirror>{}
+                        : common_mirrors<dim>(whole, positions, fixed));
   const Discretization<dim>& part = folding.part;
   require_memory_for(problem, folding, place);
   LoadBasis loads = load_columns(whole, problem.history, density, problem.name);
@@ -164,7 +177,10 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
   const auto folded_positions = node_positions(part);
   auto classes = loaded_classes<dim>(folding, folded_positions, loads, is_free,
                                      result.checks.compression);
-  for (ParityClass& c : classes) hold<dim>(folding, fixed, folded_positions, c);
+  for (ParityClass& c : classes) {
+    if (has_bed && fixed.empty()) continue;  // its bed alone holds it
+    hold<dim>(folding, fixed, folded_positions, c);
+  }
   result.seconds.assemble = watch.lap();
   const auto columns = static_cast<double>(loads.columns.cols());
   if (uses_multigrid(problem, folding, columns)) {

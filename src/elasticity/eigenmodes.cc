@@ -45,7 +45,9 @@ Eigenmodes<dim> eigenmodes(const ElasticProblem<dim>& problem, int degree,
 
 template <int dim>
 double first_period(const ElasticProblem<dim>& problem, int degree) {
-  const int rigid = problem.fixed.empty() ? (dim == 2 ? 3 : 6) : 0;
+  const int rigid = problem.fixed.empty() && problem.foundations.empty()
+                        ? (dim == 2 ? 3 : 6)
+                        : 0;
   const auto modes = eigenmodes(problem, degree, rigid + 1);
   return 1.0 / modes.frequencies[rigid];
 }

@@ -57,12 +57,17 @@ MatrixXd rows_of(const MatrixXd& modes, const std::vector<int>& dofs) {
 
 template <int dim>
 void require_held(const MatrixXd& modes, const std::vector<int>& held,
+                  const FoundationStiffness<dim>* bed,
                   const std::string& place) {
   constexpr double kLoose = 1e-9;
   MatrixXd rows = MatrixXd::Zero(kRigidModes<dim>, kRigidModes<dim>);
   if (!held.empty()) {
     const MatrixXd at = rows_of<dim>(modes, held);
     rows = at.transpose() * at / static_cast<double>(held.size());
+  }
+  if (bed != nullptr && !bed->empty()) {
+    const MatrixXd moved = bed->on_modes(modes);
+    rows += moved / moved.trace();
   }
   const Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
   std::string free;
@@ -72,9 +77,10 @@ void require_held(const MatrixXd& modes, const std::vector<int>& held,
     free += describe_mode<dim>(svd.matrixV().col(k));
   }
   if (free.empty()) return;
-  throw Error("F001", place, "the supports leave the part free: " + free,
-              "hold more components in `fixed`, or leave `fixed` out if the "
-              "loads are in balance");
+  throw Error(
+      "F001", place, "the supports leave the part free: " + free,
+      "hold more components in `fixed`, give the foundation a tangential "
+      "stiffness, or leave both out if the loads are in balance");
 }
 
 }  // namespace
@@ -156,7 +162,7 @@ template <int dim>
 std::vector<int> fixed_supports(
     const Discretization<dim>& discretization, const Positions<dim>& positions,
     const std::map<std::string, std::array<bool, 3>>& fixed,
-    const std::string& place) {
+    const std::string& place, const FoundationStiffness<dim>* bed) {
   std::vector<int> held;
   for (std::size_t g = 0; g < discretization.groups.size(); ++g) {
     const auto entry = fixed.find(discretization.groups[g].name);
@@ -173,7 +179,7 @@ std::vector<int> fixed_supports(
   held.erase(std::unique(held.begin(), held.end()), held.end());
   const MatrixXd modes = rigid_modes<dim>(positions, positions.rowwise().mean(),
                                           extent<dim>(positions));
-  require_held<dim>(modes, held, place);
+  require_held<dim>(modes, held, bed, place);
   return held;
 }
 
@@ -187,7 +193,8 @@ std::vector<int> fixed_supports(
       const Discretization<dim>&, const MatrixXd&, const std::vector<int>&); \
   template std::vector<int> fixed_supports<dim>(                             \
       const Discretization<dim>&, const Positions<dim>&,                     \
-      const std::map<std::string, std::array<bool, 3>>&, const std::string&);
+      const std::map<std::string, std::array<bool, 3>>&, const std::string&, \
+      const FoundationStiffness<dim>*);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)
 #undef CLEVIS_INSTANTIATE

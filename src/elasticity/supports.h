@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/discretization.h"
+#include "elasticity/foundation.h"
 
 namespace clevis::elasticity {
 
@@ -45,12 +46,13 @@ std::vector<int> determinate_supports(const Discretization<dim>& discretization,
                                       const std::vector<int>& held);
 
 /// Components held at zero on groups (a case's `fixed`).
+/// @param bed  holds the part too; or null.
 /// @throws Error F001 naming the free mode if they leave the part loose.
 template <int dim>
 std::vector<int> fixed_supports(
     const Discretization<dim>& discretization,
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions,
     const std::map<std::string, std::array<bool, 3>>& fixed,
-    const std::string& place);
+    const std::string& place, const FoundationStiffness<dim>* bed = nullptr);
 
 }  // namespace clevis::elasticity

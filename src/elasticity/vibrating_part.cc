@@ -63,15 +63,19 @@ VibratingPart<dim> vibrating_part(const ElasticProblem<dim>& problem,
   part.discretization = discretize(problem.mesh, degree);
   const auto positions = node_positions(part.discretization);
   std::vector<int> held;
-  if (!problem.fixed.empty()) {
-    held = fixed_supports(part.discretization, positions, problem.fixed, place);
+  const FoundationStiffness<dim> bed(part.discretization, problem.foundations,
+                                     problem.name);
+  if (!problem.fixed.empty() || !bed.empty()) {
+    held = fixed_supports(part.discretization, positions, problem.fixed, place,
+                          &bed);
   }
   part.numbers = number_equations(part.discretization.dofs(), held);
   const auto dissection =
       std::make_shared<const Dissection>(dissect(part.discretization));
   require_memory_for(part.discretization, *dissection, place);
-  const auto stiffness =
+  auto stiffness =
       assemble_stiffness(part.discretization, problem.material, place);
+  bed.add_to(stiffness);
   const auto mass =
       assemble_mass(part.discretization, stiffness, problem.material.density);
   for (std::size_t row = 0; row + 1 < mass.row_start.size(); ++row) {
@@ -102,7 +106,7 @@ VibratingPart<dim> vibrating_part(const ElasticProblem<dim>& problem,
   const Eigen::Matrix<double, dim, 1> high = positions.rowwise().maxCoeff();
   const double size = (high - low).norm();
   part.system.low_square = low_square(problem.material, size);
-  if (held.empty()) {
+  if (held.empty() && bed.empty()) {
     part.system.rigid = rigid_modes<dim>(positions, 0.5 * (low + high), size);
   }
   return part;

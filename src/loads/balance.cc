@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
@@ -141,6 +142,55 @@ std::string vector_text(const Vector3d& v, double scale) {
   });
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", shown.x(), shown.y(),
                      shown.z());
+}
+
+double Imbalance::relative() const {
+  const auto over = [](double value, double scale) {
+    return value == 0.0 ? 0.0 : value / scale;
+  };
+  return std::max(over(left.force.norm(), force_scale),
+                  over(left.moment.norm(), moment_scale));
+}
+
+Imbalance imbalance(const LoadHistory& history, const InstantLoad& instant,
+                    const part::MassProperties& mass, double size) {
+  const LoadScale scale = load_scale(instant, mass, size);
+  return {residual(history, instant, mass), scale.force, scale.moment};
+}
+
+RigidAcceleration relieving_acceleration(const Wrench& left,
+                                         const part::MassProperties& mass) {
+  const Vector3d about_Cm = left.moment - mass.p_LCm.cross(left.force);
+  RigidAcceleration rigid;
+  rigid.alpha = mass.inertia_LCm.ldlt().solve(about_Cm);
+  rigid.acceleration = left.force / mass.mass - rigid.alpha.cross(mass.p_LCm);
+  return rigid;
+}
+
+void relieve(const LoadHistory& history, const part::MassProperties& mass,
+             double size, const std::string& place, InstantLoad& instant) {
+  const Imbalance rest = imbalance(history, instant, mass, size);
+  const double relative = rest.relative();
+  if (relative <= kBalanceTolerance) return;
+  // Written so that a NaN is refused, too.
+  if (!(relative <= kLargestRelief)) {
+    throw Error("L001", place,
+                fmt::format("{}: the loads leave a force of {} N and a moment "
+                            "about the part's origin of {} N m, {:.3g} % of "
+                            "the load",
+                            instant.label,
+                            vector_text(rest.left.force, rest.force_scale),
+                            vector_text(rest.left.moment, rest.moment_scale),
+                            100.0 * relative),
+                fmt::format("give the missing load or acceleration, or hold "
+                            "the part with `held_by_pin`, `fixed` or a "
+                            "`foundation`; inertia takes up {:.3g} % at most",
+                            100.0 * kLargestRelief));
+  }
+  const RigidAcceleration more = relieving_acceleration(rest.left, mass);
+  instant.rigid.acceleration += more.acceleration;
+  instant.rigid.alpha += more.alpha;
+  instant.relief = rest.left;
 }
 
 Wrench residual(const LoadHistory& history, const InstantLoad& instant,

@@ -41,6 +41,32 @@ Wrench about(const Eigen::Vector3d& force, const Eigen::Vector3d& moment,
 /// Whether a group is a circular cylinder, whole all round.
 bool is_full_cylinder(const GroupGeometry& group);
 
+/// What the loads of an instant leave, and their sizes.
+struct Imbalance {
+  Wrench left;            ///< moment about Lo
+  double force_scale{};   ///< sum of all forces' magnitudes, inertia's too [N]
+  double moment_scale{};  ///< sum of moments and of forces × the part's size
+
+  /// The larger of force and moment over its scale [1].
+  double relative() const;
+};
+Imbalance imbalance(const LoadHistory& history, const InstantLoad& instant,
+                    const part::MassProperties& mass, double size);
+
+/// Loads of a case that are given to three digits leave up to this part of
+/// them; more is a load that was forgotten.
+inline constexpr double kLargestRelief = 1e-3;
+
+/// The acceleration by which a free part holds what its loads leave.
+RigidAcceleration relieving_acceleration(const Wrench& left,
+                                         const part::MassProperties& mass);
+
+/// Gives the part the acceleration by which its inertia takes up a rest of the
+/// balance up to kLargestRelief, and notes the rest in `relief`.
+/// @throws Error L001 if more is left.
+void relieve(const LoadHistory& history, const part::MassProperties& mass,
+             double size, const std::string& place, InstantLoad& instant);
+
 /// Refuses a history in which an instant is out of balance.
 ///
 /// The load of an instant is the sum of the magnitudes of its forces and

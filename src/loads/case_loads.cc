@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "loads/balance.h"
+#include "loads/held_pins.h"
 #include "loads/part_loads.h"
 
 namespace clevis::loads {
@@ -66,11 +67,19 @@ LoadHistory case_loads(const part::PartDefinition& part,
   for (const auto& [name, components] : load_case.fixed) {
     find_group(groups, name, place);
   }
-  history.instants.push_back(std::move(instant));
-  if (load_case.fixed.empty()) {
-    require_balance(history, mass, part_size(groups, mass),
-                    fmt::format("{}: part {}", part.place, part.name));
+  for (const auto& [name, foundation] : load_case.foundations) {
+    find_group(groups, name, place);
   }
+  const double size = part_size(groups, mass);
+  if (!load_case.held_by_pin.empty()) {
+    hold_by_pins(load_case.held_by_pin, groups, mass, size, place, history,
+                 instant);
+  }
+  if (load_case.fixed.empty() && load_case.foundations.empty()) {
+    relieve(history, mass, size,
+            fmt::format("{}: part {}", part.place, part.name), instant);
+  }
+  history.instants.push_back(std::move(instant));
   return history;
 }
 

@@ -9,6 +9,7 @@
 #include "mechanism/dynamic_motion.h"
 #include "mechanism/force_model.h"
 #include "mechanism/mobility.h"
+#include "mechanism/other_sharings.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -32,6 +33,27 @@ void refuse_history(const ForceModel& forces) {
                             "do not fix",
                             name_of(*forces.element(k).definition)),
                 "choose motion = \"dynamic\", or leave the key out");
+  }
+}
+
+/// An effort between two points that coincide at the start has no direction.
+void require_direction(const MechanismDefinition& definition, double length,
+                       const Motion& motion) {
+  constexpr double kCoincide = 1e-9;  // of the links' length
+  if (motion.instants.empty()) return;
+  const Instant& start = motion.instants.front();
+  for (std::size_t k = 0; k < definition.elements.size(); ++k) {
+    const auto* line = std::get_if<LineElement>(&definition.elements[k]);
+    if (line == nullptr || line->line.kind != ElementLine::Kind::kDistance) {
+      continue;
+    }
+    const ElementState& state = start.elements[k];
+    if (state.position > kCoincide * length || state.effort == 0.0) continue;
+    throw Error("S011", line->place,
+                fmt::format("force \"{}\" has {:.4g} N between two points that "
+                            "coincide at the start: no direction to act along",
+                            line->name, state.effort),
+                "move one of its points, or give it an axis");
   }
 }
 
@@ -65,6 +87,9 @@ Motion simulate(const MechanismDefinition& definition,
   Motion motion = is_dynamic(definition, settings)
                       ? integrate_motion(definition, settings)
                       : DrivenMotion(definition, settings).run(settings);
+  const double length = SolvingFrame(definition).length;
+  require_direction(definition, length, motion);
+  forget_negligible(length, motion);
   motion.drive_jumps = drive_jumps(definition, settings.duration);
   return motion;
 }

@@ -1,6 +1,7 @@
 #include "report/check_table.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -94,6 +95,28 @@ void add_zones(TextTable& table, const PartResult& part) {
       millimetres(outside.at.z()), text(outside.verdict)));
 }
 
+void add_pin_reactions(TextTable& table, const PartResult& part) {
+  for (const assessment::PinReaction& pin : part.pin_reactions) {
+    const auto text = [](const Eigen::Vector3d& v, double small) {
+      const Eigen::Vector3d shown = v.unaryExpr([small](double x) {
+        return std::abs(x) <= small ? 0.0 : x;
+      });
+      return fmt::format("({:.5g}, {:.5g}, {:.5g})", shown.x(), shown.y(),
+                         shown.z());
+    };
+    constexpr double kRoundOff = 1e-9;
+    const double small = kRoundOff * (pin.force.norm() + pin.moment.norm());
+    std::string line =
+        fmt::format("case {}: the pin in {} holds with {} N", pin.label,
+                    pin.group, text(pin.force, small));
+    if (pin.moment.norm() > small) {
+      line += fmt::format(" and {} N m", text(pin.moment, small));
+    }
+    table.add_note(pin.unique ? line
+                              : line + ", as the part's compliance shares it");
+  }
+}
+
 void add_reasons(TextTable& table, const PartResult& part) {
   if (!part.stopped_because.empty()) table.add_note(part.stopped_because);
   if (part.peak.verdict != PeakVerdict::kConverged) {
@@ -184,6 +207,7 @@ std::string check_table(const CheckReport& report, Colour colour) {
     table.add_row(part_row(part));
     add_probes(table, part);
     add_zones(table, part);
+    add_pin_reactions(table, part);
     add_reasons(table, part);
   }
   for (const PartFailure& failure : report.failures) {

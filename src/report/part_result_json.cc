@@ -71,6 +71,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VibrationResult, ratio, governs, failure,
                                    group, time, from, to, deflection, model,
                                    shapes, lowest_frequency, highest_frequency,
                                    seconds)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PinReaction, label, group, force, moment,
+                                   unique)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartSeconds, mesh, assemble, factor, solve,
                                    recover, write, total)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
@@ -79,7 +81,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     deflection, deflection_low, deflection_high, deflection_at,
     deflection_instant, strain_energy, strain_energy_error, buckling,
     finite_motion, beam, self_checks, probes, seconds, mass, first_period,
-    impacts, paces, vibration)
+    impacts, paces, vibration, pin_reactions)
 
 }  // namespace clevis::assessment
 

@@ -129,6 +129,21 @@ ordered_json probes_json(const std::vector<assessment::ProbeResult>& probes) {
   return list;
 }
 
+ordered_json pin_reactions_json(const PartResult& part) {
+  ordered_json list = ordered_json::array();
+  for (const assessment::PinReaction& pin : part.pin_reactions) {
+    const auto vector = [](const Eigen::Vector3d& v) {
+      return ordered_json{v.x(), v.y(), v.z()};
+    };
+    list.push_back({{"case", pin.label},
+                    {"bore", pin.group},
+                    {"force_N", vector(pin.force)},
+                    {"moment_Nm", vector(pin.moment)},
+                    {"unique", pin.unique}});
+  }
+  return list;
+}
+
 ordered_json limits_json(const CheckReport& report, const std::string& part) {
   ordered_json limits = {{"safety_factor", nullptr},
                          {"deflection_mm", nullptr},
@@ -195,6 +210,9 @@ ordered_json part_json(const CheckReport& report, const PartResult& part) {
                          {"total", seconds.total}}}};
   if (!part.peak_outside.sequence.empty()) {
     json["peak_outside_singular_zones"] = peak_json(part.peak_outside);
+  }
+  if (!part.pin_reactions.empty()) {
+    json["pin_reactions"] = pin_reactions_json(part);
   }
   return json;
 }

@@ -194,11 +194,14 @@ constexpr Key kCase[] = {"name",
                          "pressure",
                          "traction",
                          "fixed",
+                         "foundation",
+                         "held_by_pin",
                          "acceleration",
                          "gravity",
                          "angular_velocity",
                          "angular_acceleration",
                          "probes"};
+constexpr Key kFoundation[] = {"normal", "tangential"};
 constexpr Key kProbes[] = {"name", "at", "quantity", "reference"};
 constexpr Key kAccuracy[] = {"peak_stress"};
 constexpr Key kClosedForm[] = {"slide_lever"};
@@ -240,6 +243,7 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"part.forces", kPartForces},
     {"part.limits", kLimits},
     {"part.case", kCase},
+    {"part.case.foundation", kFoundation},
     {"part.case.probes", kProbes},
     {"accuracy", kAccuracy},
     {"closed_form", kClosedForm},

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "scene/document.h"
+#include "scene/plausible_mechanism.h"
 #include "scene/readers.h"
 #include "scene/scene.h"
 
@@ -28,6 +29,7 @@ MechanismDefinition read_mechanism(StrictTable& root, Names& names) {
   mechanism.bodies = read_bodies(root, names);
   if (mechanism.bodies.empty()) return mechanism;
   mechanism.joints = read_joints(root, mechanism.bodies, names);
+  require_plausible(mechanism);
   mechanism.couplings = read_couplings(root, mechanism.joints, names);
   mechanism.drives = read_drives(root, mechanism.joints, names);
   read_forces(root, names, mechanism);

@@ -57,14 +57,16 @@ void collect(const toml::table& table, const std::string& path, Keys& used) {
                                   ? std::string(key.str())
                                   : path + "." + std::string(key.str());
     if (!known.contains(below)) continue;
-    const bool by_name =
-        below == "material" || below == "part.drives" || below == "part.forces";
+    const bool by_name = below == "material" || below == "part.drives" ||
+                         below == "part.forces" ||
+                         below == "part.case.foundation";
     if (const auto* array = node.as_array()) {
       for (const auto& element : *array) {
         collect(*element.as_table(), below, used);
       }
     } else if (by_name) {
       for (const auto& [name, element] : *node.as_table()) {
+        if (!element.is_table()) continue;  // one number for all of it
         collect(*element.as_table(), below, used);
       }
     } else {

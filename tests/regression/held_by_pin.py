@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+"""A bore held by its pin: reactions by hand, and the same stress as with the
+reaction given as a load.
+
+    held_by_pin.py CLEVIS SOURCE_DIR
+"""
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+CLEVIS = str(Path(sys.argv[1]).resolve())
+MESH = Path(sys.argv[2]).resolve() / "meshes/reference_link/link.msh"
+
+SCENE = f"""schema = 1
+name = "held"
+[material.steel]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+density = "7850 kg/m^3"
+yield_strength = "355 MPa"
+[[part]]
+name = "link"
+mesh = "{MESH}"
+length_unit = "mm"
+material = "steel"
+limits = {{ safety_factor = 1.5 }}
+[[part.case]]
+name = "case"
+"""
+
+
+def check(folder, case, expected):
+    (folder / "scene.toml").write_text(SCENE + case)
+    done = subprocess.run([CLEVIS, "check", "scene.toml", "--out", "out"],
+                          capture_output=True, text=True, cwd=folder)
+    if done.returncode != expected:
+        sys.exit(f"{case}: exit {done.returncode}\n{done.stdout}{done.stderr}")
+    if expected == 12:
+        return None, done.stdout + done.stderr
+    result = json.loads((folder / "out/result.json").read_text())
+    return result["parts"][0], done.stdout
+
+
+def near(name, found, wanted, tolerance):
+    if abs(found - wanted) > tolerance:
+        sys.exit(f"{name}: {found}, by hand {wanted} +- {tolerance}")
+    print(f"{name}: {found:.9g} (by hand {wanted:.9g})")
+
+
+def reaction(part, bore):
+    return next(p for p in part["pin_reactions"] if p["bore"] == bore)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        loaded, _ = check(folder, 'pins = { bore_A = ["-1000 N", "0 N", "0 N"], '
+                                  'bore_B = ["1000 N", "0 N", "0 N"] }', 0)
+        held, text = check(folder, 'held_by_pin = ["bore_A"]\n'
+                                   'pins = { bore_B = ["1000 N", "0 N", "0 N"] }', 0)
+        near("held by A: reaction along x", reaction(held, "bore_A")["force_N"][0], -1000.0, 1e-6)
+        if not reaction(held, "bore_A")["unique"]:
+            sys.exit("one pin is not unique")
+        peak = loaded["peak_von_mises"]["value_MPa"]
+        near("peak", held["peak_von_mises"]["value_MPa"], peak, 1e-9 * peak)
+        if "the pin in bore_A holds with (-1000, 0, 0) N" not in text:
+            sys.exit("the table does not tell the reaction:\n" + text)
+
+        _, text = check(folder, 'held_by_pin = ["bore_A"]\n'
+                                'pins = { bore_B = ["1000 N", "50 N", "0 N"] }', 12)
+        # 50 N at 140 mm
+        if "L001" not in text or "a moment of 7 N m is left" not in text:
+            sys.exit("a turning part is not refused with its moment:\n" + text)
+
+        # pushed along by its own weight: both eyes are alike
+        both, _ = check(folder, 'held_by_pin = ["bore_A", "bore_B"]\n'
+                                'acceleration = ["1000 m/s^2", "500 m/s^2", "0 m/s^2"]', 0)
+        mass = both["mass_kg"]
+        for bore in ("bore_A", "bore_B"):
+            pin = reaction(both, bore)
+            if pin["unique"]:
+                sys.exit("what two pins share is called unique")
+            near(f"{bore} along x", pin["force_N"][0], 500.0 * mass, 1e-3 * 500.0 * mass)
+            near(f"{bore} along y", pin["force_N"][1], 250.0 * mass, 1e-5 * 250.0 * mass)
+
+        # inertia takes up 0.4 N
+        typed, _ = check(folder, 'pins = { bore_A = ["-1000 N", "0 N", "0 N"], '
+                                'bore_B = ["1000.4 N", "0 N", "0 N"] }', 0)
+        near("peak of a case typed by hand", typed["peak_von_mises"]["value_MPa"], 1.0002 * peak,
+             5e-4 * peak)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+"""A link on two hinges to the ground, pulled along itself: equilibrium leaves
+open how they share the pull, so its band must hold for every sharing. Each is
+checked alone with compliances given that make it all but certain.
+
+    open_sharing.py CLEVIS SOURCE_DIR
+"""
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+CLEVIS = str(Path(sys.argv[1]).resolve())
+MESH = Path(sys.argv[2]).resolve() / "meshes/reference_link/link.msh"
+PULL = 4000.0  # N
+
+SCENE = """schema = 1
+name = "two hinges"
+[world]
+gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
+[material.steel]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+density = "7850 kg/m^3"
+yield_strength = "{strength} MPa"
+[[body]]
+name = "link"
+part = "link"
+placement = {{ origin = ["0 mm", "0 mm", "0 mm"] }}
+{joints}
+[[force]]
+name = "pull"
+type = "constant"
+body = "link"
+at = ["70 mm", "0 mm", "0 mm"]
+force = ["{pull} N", "0 N", "0 N"]
+[simulation]
+duration = "1 s"
+instants = 2
+[[part]]
+name = "link"
+mesh = "{mesh}"
+length_unit = "mm"
+material = "steel"
+pins = {{ A = "bore_A", B = "bore_B" }}
+forces = {{ pull = {{ face = "{face}" }} }}
+limits = {{ safety_factor = 1 }}
+"""
+
+
+def joint(name, x, compliance):
+    at = f'["{x} mm", "0 mm", "0 mm"]'
+    text = f"""
+[[joint]]
+name = "{name}"
+type = "revolute"
+between = ["ground", "link"]
+at = {{ ground = {at}, link = {at} }}
+axis = [0, 0, 1]
+"""
+    if compliance is None:
+        return text
+    force, turn = f'"{compliance} m/N"', '"1e-6 rad/(N m)"'
+    return text + f"""compliance = {{ force = [{force}, {force}, {force}], moment = [{turn}, {turn}, {turn}] }}
+"""
+
+
+def check(folder, a, b, strength=1e4, pull=PULL):
+    joints = joint("A", 0, a) + joint("B", 140, b)
+    (folder / "scene.toml").write_text(SCENE.format(
+        joints=joints, strength=strength, pull=pull, mesh=MESH, face="bore_A"))
+    done = subprocess.run([CLEVIS, "check", "scene.toml", "--out", "out"],
+                          capture_output=True, text=True, cwd=folder)
+    if done.returncode not in (0, 1, 4):
+        sys.exit(f"exit {done.returncode}\n{done.stdout}{done.stderr}")
+    part = json.loads((folder / "out/result.json").read_text())["parts"][0]
+    peak = part["peak_von_mises"]
+    print(f"A {a}, B {b}: {peak['value_MPa']:.5g} {peak['band_MPa']} {part['verdict']}")
+    return peak["value_MPa"], peak["band_MPa"], part["verdict"], done.stdout
+
+
+def require(holds, what):
+    if not holds:
+        sys.exit("wrong: " + what)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        # one carries next to all: 1e-12 against 1e-7 m/N
+        a_alone, _, _, _ = check(folder, 1e-12, 1e-7)
+        b_alone, _, _, _ = check(folder, 1e-7, 1e-12)
+        worst = max(a_alone, b_alone)
+        even, open_band, _, text = check(folder, None, None)
+        require(even < 0.95 * worst, "an even sharing stresses as much as the worst")
+        require(open_band[0] <= 1.001 * min(a_alone, b_alone) and
+                open_band[1] >= 0.995 * worst, "the band leaves a sharing out")
+        require(open_band[1] <= 1.05 * worst, "the band is wider than all sharings")
+        require("shared otherwise" in text, "the note on the sharing is missing")
+
+        # a strength between: not judged, though the printed peak is below it
+        _, _, verdict, _ = check(folder, None, None, strength=0.5 * (even + worst))
+        require(verdict == "not judged", "a default decides: " + verdict)
+
+        # given: half and twice of each, and no more
+        known, band, _, _ = check(folder, 1e-9, 1e-9)
+        soft, _, _, _ = check(folder, 2e-9, 0.5e-9)
+        stiff, _, _, _ = check(folder, 0.5e-9, 2e-9)
+        require(abs(known - even) < 1e-6 * even, "the default is not 1 nm/N")
+        require(band[1] >= 0.995 * max(soft, stiff), "the band leaves half and twice out")
+        require(band[1] - band[0] < open_band[1] - open_band[0], "given is no better than not")
+        _, _, verdict, _ = check(folder, 1e-9, 1e-9, strength=1.02 * band[1])
+        require(verdict == "pass", "given compliances cannot pass: " + verdict)
+
+
+if __name__ == "__main__":
+    main()
