@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <iostream>
 
 #include <unistd.h>
@@ -15,18 +14,6 @@
 #include "report/terminal.h"
 
 namespace clevis::app {
-namespace {
-
-/// Contacts, stops and motors act between uniform instants: what they do there
-/// must be seen.
-bool acts_quickly(const mechanism::MechanismDefinition& definition) {
-  return std::ranges::any_of(definition.elements, [](const auto& element) {
-    return mechanism::contact_law(element) != nullptr ||
-           mechanism::motor_law(element) != nullptr;
-  });
-}
-
-}  // namespace
 
 ExitCode simulate_command(const Options& options) {
   scene::Scene scene = load_moving_scene(options.scene);
@@ -44,7 +31,7 @@ ExitCode simulate_command(const Options& options) {
   report.definition = scene.mechanism;
   report.structure = mechanism::analyse_structure(scene.mechanism);
   mechanism::SimulationSettings settings = scene.simulation;
-  settings.at_peaks = acts_quickly(scene.mechanism);
+  settings.at_peaks = true;
   report.motion = mechanism::simulate(scene.mechanism, settings);
   if (scene.slide_lever) {
     report.slide_lever = compare_slide_lever(scene, report.motion);

@@ -59,12 +59,11 @@ class Climb {
     ladder_.held.push_back(ladder_.level.held);
     ladder_.zones.take(ladder_.level);
     const double tolerance = job_.tolerance - rung_.model_error;
-    ladder_.band =
-        band_of(ladder_.sequence,
-                ladder_.level.history().sampling_error +
-                    time_doubt(sets[ladder_.level.set].history.instants,
-                               ladder_.level.history().peak),
-                tolerance);
+    ladder_.band = band_of(ladder_.sequence,
+                           ladder_.level.history().sampling_error +
+                               time_doubt(sets[ladder_.level.set].history,
+                                          ladder_.level.history().peak),
+                           tolerance);
     if (ladder_.zones.is_singular()) {
       ladder_.outer_band = outer_band_of(ladder_.zones, tolerance);
     } else if (rung_.looks_nearby && ladder_.sequence.size() > 2) {
@@ -99,7 +98,7 @@ class Climb {
     band.value = sequence.back().peak;
     band.low = std::min(band.low, band.value);
     ladder_.band = widened(band,
-                           time_doubt(sets[ladder_.level.set].history.instants,
+                           time_doubt(sets[ladder_.level.set].history,
                                       ladder_.level.history().peak),
                            tolerance);
   }

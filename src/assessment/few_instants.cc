@@ -44,6 +44,7 @@ FewInstants::FewInstants(const PartJob& job,
   for (const LoadSet& set : job.load_sets) {
     chosen_.push_back(choose(set.history.instants, governing));
     LoadSet few{{set.history.seats, {}}, set.fixed};
+    few.history.unseen = set.history.unseen;
     for (std::size_t i = 0; i < set.history.instants.size(); ++i) {
       if (!chosen_.back()[i]) continue;
       few.history.instants.push_back(set.history.instants[i]);

@@ -37,9 +37,10 @@ double doubt_of_piece(const VectorXd& peak) {
 
 }  // namespace
 
-double time_doubt(const std::vector<loads::InstantLoad>& instants,
-                  const VectorXd& peak) {
+double time_doubt(const loads::LoadHistory& history, const VectorXd& peak) {
+  const std::vector<loads::InstantLoad>& instants = history.instants;
   const Index n = motion_length(instants);
+  if (history.unseen > 0.0) return history.unseen * peak.head(n).maxCoeff();
   const auto time = [&](Index i) {
     return instants[static_cast<std::size_t>(i)].time;
   };

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include <Eigen/Core>
 
 #include "loads/load_history.h"
@@ -13,10 +11,13 @@ namespace clevis::assessment {
 /// Two instants within 1e-8 of the motion's duration stand on both sides of
 /// an event: loads may jump there, and nothing lies between. The pieces of the
 /// motion that such pairs separate are judged each by itself.
-/// @param instants  of a load set; its cases stand behind the motion, at time
+/// Where the motion was searched its loads between two instants lie on the
+/// line between theirs but for LoadHistory::unseen: the stress, a convex
+/// function of the loads, is no higher but for that part of it.
+/// @param history  of a load set; its cases stand behind the motion, at time
 ///   0, and have no doubt.
 /// @param peak  at least one per instant of the motion [Pa].
-double time_doubt(const std::vector<loads::InstantLoad>& instants,
+double time_doubt(const loads::LoadHistory& history,
                   const Eigen::VectorXd& peak);
 
 }  // namespace clevis::assessment

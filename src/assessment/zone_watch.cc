@@ -140,8 +140,7 @@ double ZoneWatch<dim>::sampling_error(const Level<dim>& level,
   const auto at_point = stress::point_history<dim>(
       *level.bases[peak.set], job_.part.material, peak.at,
       level.histories[peak.set].subdivisions);
-  const auto& instants = job_.load_sets[peak.set].history.instants;
-  return time_doubt(instants, at_point);
+  return time_doubt(job_.load_sets[peak.set].history, at_point);
 }
 
 template <int dim>

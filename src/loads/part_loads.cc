@@ -120,6 +120,11 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
     }
     history.instants.push_back(std::move(load));
   }
+  if (motion.search) {
+    constexpr double kSeen = 1e-12;  // what was searched is no longer unknown
+    history.unseen =
+        std::max(motion.search->bodies[static_cast<std::size_t>(body)], kSeen);
+  }
   require_balance(history, mass, context.size, context.place("loads"));
   history.notes = off_middle_notes(context, by_joint);
   set_contact_zones(context, motion, spans, by_joint, history);

@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 
 #include "mechanism/force_laws.h"
-#include "mechanism/linear_table.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -90,15 +89,26 @@ double line_friction(ActingElement& e, const FrictionLaw& law,
   return e.load * f.per_load + f.own;
 }
 
-double line_effort(ActingElement& e, const LineElement& element, double t,
-                   const double* internal) {
+/// The part of an effort that acts on one sense of motion alone.
+double part_in_sense(const ActingElement& e, const LineElement& element) {
+  if (element.acts_on == ActsOn::kBoth) return 1.0;
+  if (element.full_speed <= 0.0) return e.modes[1] == 1 ? 1.0 : 0.0;
+  const double speed =
+      element.acts_on == ActsOn::kIncreasing ? e.rate : -e.rate;
+  const double s = std::clamp(speed / element.full_speed, 0.0, 1.0);
+  return s * s * (3.0 - 2.0 * s);
+}
+
+double law_effort(ActingElement& e, const LineElement& element, double t,
+                  const double* internal, StepSide side) {
   if (const auto* spring = std::get_if<SpringLaw>(&element.law)) {
     return -spring->stiffness * (e.q - spring->free) -
            spring->damping * e.rate - spring->preload;
   }
   if (const auto* table = std::get_if<TableLaw>(&element.law)) {
-    return table->positions.empty() ? linear_at(table->times, table->efforts, t)
-                                    : piece_effort(*table, e.modes[0], e.q);
+    return table->positions.empty()
+               ? linear_at(table->times, table->efforts, t, side)
+               : piece_effort(*table, e.modes[0], e.q);
   }
   if (const auto* gas = std::get_if<GasCylinderLaw>(&element.law)) {
     const double* own = internal + e.internal;
@@ -144,11 +154,13 @@ void measure_line(ActingElement& e) {
 }
 
 void evaluate_line(ActingElement& e, const LineElement& element, double t,
-                   const Twist& a, const Twist& b, const double* internal) {
+                   const Twist& a, const Twist& b, const double* internal,
+                   StepSide side) {
   measure_line(e);
   e.rate = e.levers.a.v.dot(a.v) + e.levers.a.w.dot(a.w) +
            e.levers.b.v.dot(b.v) + e.levers.b.w.dot(b.w);
-  act_along(e, line_effort(e, element, t, internal));
+  act_along(
+      e, part_in_sense(e, element) * law_effort(e, element, t, internal, side));
 }
 
 void evaluate_contact(ActingElement& e, const ContactElement& contact,
@@ -270,14 +282,15 @@ void communicate(ActingElement& e, double t) {
 }
 
 void evaluate(ActingElement& e, double t, const Configuration& x,
-              const std::vector<Twist>& twists, const double* internal) {
+              const std::vector<Twist>& twists, const double* internal,
+              StepSide side) {
   const Twist& a = twists[index(e.line.a)];
   const Twist& b = twists[index(e.line.b)];
   const double near =
       e.line.counts_turns ? angle_near(e, t, x, b.w - a.w) : 0.0;
   e.placed = PlacedJoint(e.line, x[index(e.line.a)], x[index(e.line.b)], near);
   if (const auto* line = std::get_if<LineElement>(e.definition)) {
-    evaluate_line(e, *line, t, a, b, internal);
+    evaluate_line(e, *line, t, a, b, internal, side);
   } else if (const auto* c = std::get_if<ContactElement>(e.definition)) {
     evaluate_contact(e, *c, a, b);
   } else {

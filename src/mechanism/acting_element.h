@@ -6,6 +6,7 @@
 #include "mechanism/constraint_system.h"
 #include "mechanism/definition.h"
 #include "mechanism/friction_laws.h"
+#include "mechanism/linear_table.h"
 #include "mechanism/motion.h"
 
 namespace clevis::mechanism {
@@ -22,7 +23,8 @@ inline constexpr int kLetGo = 3;
 /// second mode tells whether it is in Stribeck's zone, as that of a contact
 /// does of its sliding. Contacts and
 /// stops: 0 open, 1 pressing, 2 deep but without force; a stop has one such
-/// mode per end. Tables over positions: the piece, see piece_effort().
+/// mode per end. Tables over positions: the piece, see piece_effort(); what
+/// acts on one sense of motion has as second mode whether its line moves so.
 struct ActingElement {
   const ForceElement* definition{};
   JointModel line;  ///< J: its ends; a contact's plane (a) and centre (b)
@@ -77,8 +79,10 @@ ActingElement acting_element(const ForceElement& definition,
 /// Computes what is "as of evaluate()". Sticking friction has no effort of
 /// its own.
 /// @param twists  by slot. @param internal  all internal states.
+/// @param side  of a table's step at t.
 void evaluate(ActingElement& e, double t, const Configuration& x,
-              const std::vector<Twist>& twists, const double* internal);
+              const std::vector<Twist>& twists, const double* internal,
+              StepSide side);
 
 /// Sets its internal states to those of the start.
 /// @throws Error K009.

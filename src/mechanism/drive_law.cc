@@ -32,6 +32,7 @@ std::vector<double> bends(const DriveDefinition& drive) {
     case DriveLaw::kConstant:
       return {};
     case DriveLaw::kSine:
+    case DriveLaw::kSpeed:
       return {drive.start};
     case DriveLaw::kTable:
       return {drive.start + drive.table.times.front(),
@@ -41,9 +42,9 @@ std::vector<double> bends(const DriveDefinition& drive) {
   }
 }
 
-/// Round-off of rates is a part of it. Sines know their rates exactly.
+/// Round-off of rates is a part of it. Sines and speeds know theirs exactly.
 double mean_speed(const DriveDefinition& drive) {
-  if (drive.law == DriveLaw::kSine) return 0.0;
+  if (drive.law == DriveLaw::kSine || drive.law == DriveLaw::kSpeed) return 0.0;
   if (drive.law != DriveLaw::kTable) {
     return std::abs(drive.to - drive.from) / drive.duration;
   }
@@ -58,6 +59,11 @@ DriveTarget drive_target(const DriveDefinition& drive, double t,
                          BendSide side) {
   if (drive.law == DriveLaw::kConstant) return {.position = drive.from};
   if (drive.law == DriveLaw::kSine) return sine(drive, t, side);
+  if (drive.law == DriveLaw::kSpeed) {
+    if (before(t, drive.start, side)) return {.position = drive.from};
+    return {.position = drive.from + drive.speed * (t - drive.start),
+            .rate = drive.speed};
+  }
   if (drive.law == DriveLaw::kTable) {
     const CubicSpline& table = drive.table;
     if (before(t, drive.start + table.times.front(), side)) {

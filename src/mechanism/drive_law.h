@@ -23,7 +23,8 @@ enum class BendSide { kStroke, kBefore, kBehind };
 ///
 /// Constant: `from`. Ramp: linear, quintic: 10 s³ − 15 s⁴ + 6 s⁵, from `from`
 /// to `to` over [start, start + duration], at rest outside of it. Sine: at
-/// rest before `start`, without end after it. Table: the spline, from `start`.
+/// rest before `start`, without end after it, as Speed. Table: the spline, from
+/// `start`.
 DriveTarget drive_target(const DriveDefinition& drive, double t,
                          BendSide side = BendSide::kStroke);
 

@@ -18,11 +18,11 @@ constexpr double kTiny = 1e-12;      // of a time: no shorter steps
 }  // namespace
 
 DrivePath::DrivePath(const MechanismDefinition& definition,
-                     const SolvingFrame& frame)
+                     const SolvingFrame& frame, bool counts_turns)
     : definition_(definition),
       length_(frame.length),
       // without loops nothing can be passed
-      has_loops_(!frame.is_tree) {}
+      is_followed_(!frame.is_tree || counts_turns) {}
 
 void DrivePath::refuse(double duration) const {
   throw Error("K008", "mechanism",
@@ -89,7 +89,7 @@ void DrivePath::cut(double from, double to, std::vector<double>& times) const {
 }
 
 std::vector<double> DrivePath::steps(double from, double to) const {
-  if (!has_loops_) return {to};
+  if (!is_followed_) return {to};
   std::vector<double> times;
   double last = from;
   for (const double t : turns(from, to)) {
@@ -100,7 +100,7 @@ std::vector<double> DrivePath::steps(double from, double to) const {
 }
 
 void DrivePath::require_few_steps(double duration, int instants) const {
-  if (!has_loops_) return;
+  if (!is_followed_) return;
   double way = 0.0, last = 0.0;
   for (const double t : turns(0.0, duration)) {
     way += travel(last, t);

@@ -11,8 +11,9 @@ namespace clevis::mechanism {
 /// that a motion is followed whatever its instants.
 class DrivePath {
  public:
-  /// @param length  of the links' order [m].
-  DrivePath(const MechanismDefinition& definition, const SolvingFrame& frame);
+  /// @param counts_turns  so that no turn is missed, without loops too.
+  DrivePath(const MechanismDefinition& definition, const SolvingFrame& frame,
+            bool counts_turns);
 
   /// @throws Error K008 if a motion would take hours to follow.
   void require_few_steps(double duration, int instants) const;
@@ -28,7 +29,7 @@ class DrivePath {
 
   const MechanismDefinition& definition_;
   double length_;
-  bool has_loops_;
+  bool is_followed_;
 };
 
 }  // namespace clevis::mechanism

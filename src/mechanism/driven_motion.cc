@@ -14,6 +14,7 @@
 #include "mechanism/body_motion.h"
 #include "mechanism/drive_law.h"
 #include "mechanism/driven_sampling.h"
+#include "mechanism/driven_search.h"
 #include "mechanism/following_friction.h"
 #include "mechanism/power_balance.h"
 
@@ -184,53 +185,56 @@ void DrivenMotion::advance(Moment& last, std::optional<double>& singular,
       note_change_points(last, next, policy, motion);
     }
     last = std::move(next);
+    if (forces_.counts_turns()) sense(last);
   }
 }
 
-/// Both sides of the first change of a force's law between the last two
-/// instants.
-void DrivenMotion::add_sides(const Moment& from, double t, double duration,
-                             const Motion& motion,
-                             std::vector<double>& sides) const {
-  const Instant& before = *(motion.instants.end() - 2);
-  if (!changes_mode(definition_, before, motion.instants.back())) return;
-  const double apart = 0.5 * kSides * duration;
-  double left = from.t;
-  while (t - left > apart) {
-    const double middle = 0.5 * (left + t);
-    const Instant between = instant(follow(from, middle), middle);
-    (changes_mode(definition_, before, between) ? t : left) = middle;
-  }
-  sides.push_back(left);
-  sides.push_back(t);
+void DrivenMotion::sense(const Moment& moment) const {
+  forces_.evaluate(moment.t, moment.at.x, rates(moment.at, moment.t).twists,
+                   nullptr);
+  forces_.accept(moment.t);
 }
 
+std::vector<int> DrivenMotion::chosen_modes() const {
+  forces_.choose_modes();
+  return forces_.modes();
+}
+
+std::vector<double> DrivenMotion::line_angles() const {
+  std::vector<double> lines;
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    const ActingElement& e = forces_.element(k);
+    if (!e.line.counts_turns) continue;
+    lines.push_back(e.q_start);
+    lines.push_back(e.rate_start);
+  }
+  return lines;
+}
+
+void DrivenMotion::set_line_angles(const std::vector<double>& lines,
+                                   double t) const {
+  std::size_t i = 0;
+  for (std::size_t k = 0; i < lines.size(); ++k) {
+    if (!forces_.element(k).line.counts_turns) continue;
+    forces_.anchor(k, lines[i], lines[i + 1], t);
+    i += 2;
+  }
+}
+
+/// Instants at which loads are largest or jump are found first.
 Motion DrivenMotion::run(const SimulationSettings& settings) const {
-  constexpr int kMostRounds = 10;
-  constexpr std::size_t kMostAdded = 4000;
-  std::vector<double> times = uniform_times(settings);
-  if (!settings.at_peaks) return run_at(times, settings, nullptr);
-  const double duration = settings.duration;
-  const double spacing = times[1] - times[0];
-  const std::size_t most = times.size() + kMostAdded;
-  add_times(sides_of_bends(definition_, duration), duration, times);
-  std::vector<double> sides;
-  Motion motion = run_at(times, settings, &sides);
-  std::vector<double> more = wanted_times(motion, spacing);
-  more.insert(more.end(), sides.begin(), sides.end());
-  for (int i = 0; i < kMostRounds && !more.empty() && times.size() < most;
-       ++i) {
-    add_times(more, duration, times);
-    motion = run_at(times, settings, nullptr);
-    more = wanted_times(motion, spacing);
-  }
+  if (!settings.at_peaks) return run_at(uniform_times(settings), settings);
+  const std::vector<double> start = line_angles();
+  DrivenSearch::Found found = DrivenSearch(definition_, settings, *this).run();
+  set_line_angles(start, 0.0);
+  Motion motion = run_at(found.times, settings);
+  motion.events = std::move(found.events);
+  motion.search = std::move(found.search);
   return motion;
 }
 
-/// @param sides  of events between the instants, to be found; or null.
 Motion DrivenMotion::run_at(const std::vector<double>& times,
-                            const SimulationSettings& settings,
-                            std::vector<double>* sides) const {
+                            const SimulationSettings& settings) const {
   Motion motion;
   motion.instants.reserve(times.size());
   path_.require_few_steps(settings.duration, settings.instants);
@@ -238,8 +242,6 @@ Motion DrivenMotion::run_at(const std::vector<double>& times,
   std::optional<double> singular;
   for (std::size_t i = 1; i < times.size(); ++i) {
     const double t = times[i];
-    const std::optional<Moment> before =
-        sides == nullptr ? std::nullopt : std::optional(last);
     if (t > last.t) {
       advance(last, singular, t, settings.at_singularity, motion);
     }
@@ -249,9 +251,6 @@ Motion DrivenMotion::run_at(const std::vector<double>& times,
     const ClosedConfiguration& at = last.t == t ? last.at : singular_there;
     if (at.factor.full_column_rank()) {
       motion.instants.push_back(instant(at, t));
-      if (before && before->t < t) {
-        add_sides(*before, t, settings.duration, motion, *sides);
-      }
       continue;
     }
     std::optional<Instant> there;

@@ -39,18 +39,50 @@ class DrivenMotion {
                 frame_.planar ? Motions::kInPlane : Motions::kSpatial,
                 ConstraintSystem::Drives::kAll),
         joints_(frame_, {}, system_.motions(), ConstraintSystem::Drives::kNone),
-        path_(definition, frame_),
         tolerance_(settings.tolerance * frame_.length),
         forces_(definition, frame_),
+        path_(definition, frame_, forces_.counts_turns()),
         continuation_(system_, tolerance_),
         equilibrium_(definition, frame_, system_) {}
 
   Motion run(const SimulationSettings& settings) const;
 
+  /// A configuration that the motion passes, and when [s].
+  struct Moment {
+    Moment(ClosedConfiguration configuration, double time)
+        : at(std::move(configuration)), t(time) {}
+    ClosedConfiguration at;
+    double t{};
+  };
+  /// The first regular moment; what precedes it goes to `motion`.
+  /// @throws Error K005 if there is none and must be one, K007, K010.
+  Moment first(const SimulationSettings& settings, Motion& motion) const;
+  /// From a regular moment to t.
+  /// @param singular  a time after `last` at which J has no full rank.
+  void advance(Moment& last, std::optional<double>& singular, double t,
+               AtSingularity policy, Motion& motion) const;
+  /// To a time nearby, before or after.
+  ClosedConfiguration follow(const Moment& from, double t) const;
+  /// One that was passed before.
+  Moment moment(const Configuration& x, double t) const {
+    return {continuation_.close(x, drive_positions(definition_, t)), t};
+  }
+  Instant instant(const ClosedConfiguration& at, double t) const;
+  /// Evaluates the force elements alone.
+  void sense(const Moment& moment) const;
+  /// As of the last instant() or sense().
+  const ForceModel& forces() const { return forces_; }
+  /// Modes that the state of the last sense() suggests.
+  std::vector<int> chosen_modes() const;
+  /// Angles and rates of the elements' lines of the last instant() or sense():
+  /// from there turns are counted.
+  std::vector<double> line_angles() const;
+  void set_line_angles(const std::vector<double>& lines, double t) const;
+  double length() const { return frame_.length; }  ///< of the links' order [m]
+
  private:
   Motion run_at(const std::vector<double>& times,
-                const SimulationSettings& settings,
-                std::vector<double>* sides) const;
+                const SimulationSettings& settings) const;
   ClosedConfiguration start() const;
   void require_agreement(const ClosedConfiguration& at) const;
   [[noreturn]] void refuse_change_point(const ClosedConfiguration& at,
@@ -66,25 +98,12 @@ class DrivenMotion {
   /// Wrenches of the force elements by slot; `result` keeps their states.
   std::vector<Twist> elements(const ClosedConfiguration& at, const Rates& rates,
                               Instant& result) const;
-  Instant instant(const ClosedConfiguration& at, double t) const;
-  struct Moment {
-    Moment(ClosedConfiguration configuration, double time)
-        : at(std::move(configuration)), t(time) {}
-    ClosedConfiguration at;
-    double t{};
-  };
-  ClosedConfiguration follow(const Moment& from, double t) const;
   [[noreturn]] void stop(const Moment& from, Continuation::Reached reached,
                          double t) const;
   double dead_end(const Continuation::Reached& reached,
                   Eigen::VectorXd& targets) const;
 
-  Moment first(const SimulationSettings& settings, Motion& motion) const;
   Moment leave(const SingularStart& start, double duration) const;
-  void advance(Moment& last, std::optional<double>& singular, double t,
-               AtSingularity policy, Motion& motion) const;
-  void add_sides(const Moment& from, double t, double duration,
-                 const Motion& motion, std::vector<double>& sides) const;
 
   Eigen::VectorXd drive_rows(const Eigen::VectorXd& values) const;
   std::optional<Rates> branch_rates(const BranchPoint& point,
@@ -106,9 +125,9 @@ class DrivenMotion {
   SolvingFrame frame_;
   ConstraintSystem system_;
   ConstraintSystem joints_;  ///< without drives
-  DrivePath path_;
   double tolerance_;
   mutable ForceModel forces_;  // keeps modes between instants
+  DrivePath path_;
   Continuation continuation_;
   Equilibrium equilibrium_;
 };

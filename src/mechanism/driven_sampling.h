@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mechanism/motion.h"
+#include "mechanism/definition.h"
 
 namespace clevis::mechanism {
 
@@ -18,19 +18,5 @@ inline constexpr double kSides = 4e-9;
 /// Adds times to increasing ones, but those that are there already.
 void add_times(const std::vector<double>& more, double duration,
                std::vector<double>& times);
-
-/// Both sides of the times at which drives and tables bend, within a motion.
-std::vector<double> sides_of_bends(const MechanismDefinition& definition,
-                                   double duration);
-
-/// Whether an element's law changes between two instants: a contact or stop
-/// touches or lets go, dry friction turns.
-bool changes_mode(const MechanismDefinition& definition, const Instant& a,
-                  const Instant& b);
-
-/// Times between the instants of a driven motion at which more are wanted:
-/// where large loads change much, and at maxima once they don't.
-/// @param spacing  of the uniform instants [s].
-std::vector<double> wanted_times(const Motion& motion, double spacing);
 
 }  // namespace clevis::mechanism

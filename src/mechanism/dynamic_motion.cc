@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "mechanism/driven_sampling.h"
 #include "mechanism/dynamic_run.h"
+#include "mechanism/law_times.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -43,8 +43,8 @@ Motion integrate_motion(const MechanismDefinition& definition,
   first.watch();
   first.run();
   std::vector<double> others = first.peaks().times();
-  const std::vector<double> bends =
-      sides_of_bends(definition, settings.duration);
+  const std::vector<double> bends = instants_of_laws(
+      law_times(definition, settings.duration, 0.0), settings.duration);
   others.insert(others.end(), bends.begin(), bends.end());
   DynamicRun second(definition, settings, others);
   second.refine(first.peaks().largest());

@@ -57,6 +57,7 @@ void DynamicRun::start() {
       initial.velocities;
   event_values_.setOnes(dynamics_.forces().events());
   find_breaks();
+  dynamics_.enter_piece(0.0);
   dynamics_.project(0.0, y_);
   dynamics_.communicate(0.0, y_);
   dynamics_.choose_modes(0.0, y_);

@@ -23,6 +23,16 @@ bool has_end(const ForceElement& element, std::size_t end) {
   return (end == 0 ? stop->lower : stop->upper).has_value();
 }
 
+/// Where a line's effort sets in at once with one sense of its motion: that
+/// sense, else 0.
+double sharp_sense(const ForceElement& element) {
+  const auto* line = std::get_if<LineElement>(&element);
+  if (line == nullptr || line->full_speed > 0.0) return 0.0;
+  return line->acts_on == ActsOn::kBoth         ? 0.0
+         : line->acts_on == ActsOn::kIncreasing ? 1.0
+                                                : -1.0;
+}
+
 bool is_contact(const ActingElement& e) {
   return std::holds_alternative<ContactElement>(*e.definition);
 }
@@ -38,6 +48,12 @@ double contact_value(const ActingElement& e, const ContactLaw& law,
   return law.model == ContactModel::kHuntCrossley
              ? std::min(depth, 1.0 + law.damping * rate)
              : law.stiffness * depth + law.damping * rate;
+}
+
+/// Positive while a line moves in the sense of its mode.
+double sense_value(const ActingElement& e, double sense) {
+  const double forward = e.modes[1] == 1 ? sense : -sense;
+  return forward * e.rate + kOfSlack * e.slack;
 }
 
 /// How far a position is from the end of its piece; 1 where there is none.
@@ -105,15 +121,18 @@ void choose_modes(ActingElement& e) {
       e.modes[end] = !deep ? 0 : presses ? 1 : 2;
     }
     if (is_contact(e)) e.modes[1] = mode_of_sliding(e);
-  } else if (const TableLaw* table = position_table(*e.definition)) {
-    e.modes[0] = piece_at(*table, e.q);
+  } else {
+    const TableLaw* table = position_table(*e.definition);
+    if (table != nullptr) e.modes[0] = piece_at(*table, e.q);
+    const double sense = sharp_sense(*e.definition);
+    if (sense != 0.0) e.modes[1] = sense * e.rate > 0.0 ? 1 : 0;
   }
 }
 
 bool may_switch(const ForceElement& definition) {
   return switched_friction(definition) != nullptr ||
          position_table(definition) != nullptr ||
-         contact_law(definition) != nullptr;
+         contact_law(definition) != nullptr || sharp_sense(definition) != 0.0;
 }
 
 double event_value(const ActingElement& e, int end) {
@@ -133,8 +152,12 @@ double event_value(const ActingElement& e, int end) {
     const bool bristles = friction->model == FrictionModel::kLuGre;
     return e.modes[0] * e.rate + (bristles ? 1.0 : kOfSlack) * e.slack;
   }
+  const double sense = sharp_sense(*e.definition);
+  if (sense != 0.0 && end == 1) return sense_value(e, sense);
   if (const TableLaw* table = position_table(*e.definition)) {
-    return way_left(*table, e.modes[0], end, e.q);
+    if (sense == 0.0) return way_left(*table, e.modes[0], end, e.q);
+    return std::min(way_left(*table, e.modes[0], 0, e.q),
+                    way_left(*table, e.modes[0], 1, e.q));
   }
   if (end == 1 && is_contact(e)) return sliding_value(e);
   const ContactLaw* law = contact_law(*e.definition);
@@ -164,8 +187,14 @@ void pass_event(ActingElement& e, int end) {
   } else if (const ContactLaw* contact = contact_law(*e.definition)) {
     pass_contact(e, *contact, at);
     if (is_contact(e)) e.modes[1] = mode_of_sliding(e);
-  } else if (position_table(*e.definition) != nullptr) {
-    e.modes[0] += end == 0 ? -1 : 1;
+  } else if (end == 1 && sharp_sense(*e.definition) != 0.0) {
+    e.modes[1] = 1 - e.modes[1];
+  } else if (const TableLaw* table = position_table(*e.definition)) {
+    const bool back = sharp_sense(*e.definition) == 0.0
+                          ? end == 0
+                          : way_left(*table, e.modes[0], 0, e.q) <
+                                way_left(*table, e.modes[0], 1, e.q);
+    e.modes[0] += back ? -1 : 1;
   }
 }
 
@@ -176,7 +205,10 @@ const char* name_of_change(const ActingElement& e, int end, int mode_before) {
     if (mode == 1) return "press";
     return mode_before == 1 ? "release" : nullptr;  // else force was 0 before
   }
-  if (position_table(*e.definition) != nullptr) return nullptr;
+  if (sharp_sense(*e.definition) != 0.0 && end == 1) {
+    return mode == mode_before ? nullptr : mode == 1 ? "act" : "rest";
+  }
+  if (switched_friction(*e.definition) == nullptr) return nullptr;
   if (end == 1) return nullptr;  // of friction: in or out of Stribeck's zone
   const auto slips = [](int m) {
     return std::abs(m) == 1;

@@ -20,10 +20,15 @@ double contact_effort(const ContactLaw& law, double depth, double rate) {
   return s * s * (3.0 - 2.0 * s) * full;
 }
 
-double servo_effort(const ServoLaw& law, double t, double q, double rate) {
+double unlimited_servo_effort(const ServoLaw& law, double t, double q,
+                              double rate) {
   const DriveTarget target = drive_target(law.reference, t);
-  const double wanted = -law.stiffness * (q - target.position) -
-                        law.damping * (rate - target.rate);
+  return -law.stiffness * (q - target.position) -
+         law.damping * (rate - target.rate);
+}
+
+double servo_effort(const ServoLaw& law, double t, double q, double rate) {
+  const double wanted = unlimited_servo_effort(law, t, q, rate);
   return law.limit ? std::clamp(wanted, -*law.limit, *law.limit) : wanted;
 }
 

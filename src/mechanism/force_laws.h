@@ -13,6 +13,9 @@ inline bool may_pull(const ContactLaw& law) {
   return law.model == ContactModel::kPublished;
 }
 
+/// What a servo would give without its limit.
+double unlimited_servo_effort(const ServoLaw& law, double t, double q,
+                              double rate);
 double servo_effort(const ServoLaw& law, double t, double q, double rate);
 
 /// Effort of a table over positions on one of its pieces: 0 before the first

@@ -93,8 +93,10 @@ void ForceModel::evaluate(double t, const Configuration& x,
                           const std::vector<Twist>& twists,
                           const double* internal) {
   t_ = t;
+  const StepSide side =
+      t > piece_start_ ? StepSide::kBefore : StepSide::kBehind;
   for (ActingElement& e : elements_) {
-    mechanism::evaluate(e, t, x, twists, internal);
+    mechanism::evaluate(e, t, x, twists, internal, side);
   }
 }
 
@@ -165,6 +167,12 @@ void ForceModel::set_row_effort(std::size_t k, double effort) {
   if (turns_rotor) e.power = e.effort * e.rate;
 }
 
+bool ForceModel::counts_turns() const {
+  return std::ranges::any_of(elements_, [](const ActingElement& e) {
+    return e.line.counts_turns;
+  });
+}
+
 double ForceModel::line_bias(std::size_t k,
                              const std::vector<Twist>& twists) const {
   const ActingElement& e = elements_[k];
@@ -217,7 +225,7 @@ std::vector<std::size_t> ForceModel::with_smooth_efforts() const {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     const auto* line = std::get_if<LineElement>(elements_[k].definition);
-    if (line == nullptr) continue;
+    if (line == nullptr || line->acts_on != ActsOn::kBoth) continue;
     const bool smooth = std::holds_alternative<SpringLaw>(line->law) ||
                         std::holds_alternative<StopLaw>(line->law) ||
                         std::holds_alternative<ServoLaw>(line->law) ||

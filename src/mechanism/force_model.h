@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -25,6 +26,9 @@ class ForceModel {
 
   /// Internal states of the start. @throws Error K009.
   void start_internal(const Configuration& x, double* internal);
+  /// Tables act from now on, at t itself too, as behind a step at t; until
+  /// then as before it at the later end of a piece.
+  void enter_piece(double t) { piece_start_ = t; }
   /// @param internal  internal states (bristles, gas, currents).
   void evaluate(double t, const Configuration& x,
                 const std::vector<Twist>& twists, const double* internal);
@@ -55,6 +59,8 @@ class ForceModel {
   /// Sticking friction is a constraint: its row, as levers and bias.
   bool sticks(std::size_t k) const;
   bool any_sticks() const;
+  /// Whether the line of any element counts its turns.
+  bool counts_turns() const;
   bool is_angle(std::size_t k) const { return elements_[k].row.is_angle(); }
   const ActingElement& element(std::size_t k) const { return elements_[k]; }
   /// Whether an element brings a row of its own: it sticks, or a rotor turns
@@ -122,6 +128,8 @@ class ForceModel {
   int internal_states_ = 0;
   bool may_switch_ = false;
   double t_{};  ///< of evaluate()
+  /// Pieces between bends follow one another in integrations alone [s].
+  double piece_start_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace clevis::mechanism

@@ -118,7 +118,10 @@ class ForwardDynamics : public OdeSystem {
 
   /// Drives follow from now on, at t itself too, what their laws say behind a
   /// bend at t.
-  void enter_piece(double t) { piece_start_ = t; }
+  void enter_piece(double t) {
+    piece_start_ = t;
+    forces_.enter_piece(t);
+  }
   /// Where drives jump: velocities change by the impulse that this takes,
   /// which does the work that is gained; dry friction has no part in it.
   void jump(double t, Eigen::VectorXd& y);

@@ -6,11 +6,18 @@
 
 namespace clevis::mechanism {
 
-/// Linear between the points, constant outside.
-/// @param times  increasing, one or more. @param values  one for each.
+/// Which value a table has at a step: as just before or just behind it.
+enum class StepSide { kBefore, kBehind };
+
+/// Linear between the points, constant outside; a step where two times are
+/// equal.
+/// @param times  not decreasing, one or more. @param values  one for each.
 inline double linear_at(const std::vector<double>& times,
-                        const std::vector<double>& values, double t) {
-  const auto next = std::ranges::upper_bound(times, t);
+                        const std::vector<double>& values, double t,
+                        StepSide side = StepSide::kBehind) {
+  const auto next = side == StepSide::kBehind
+                        ? std::ranges::upper_bound(times, t)
+                        : std::ranges::lower_bound(times, t);
   if (next == times.begin()) return values.front();
   if (next == times.end()) return values.back();
   const auto k = static_cast<std::size_t>(next - times.begin());

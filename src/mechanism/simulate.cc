@@ -1,5 +1,8 @@
 #include "mechanism/simulate.h"
 
+#include <optional>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "base/errors.h"
@@ -8,6 +11,7 @@
 #include "mechanism/driven_motion.h"
 #include "mechanism/dynamic_motion.h"
 #include "mechanism/force_model.h"
+#include "mechanism/joint_types.h"
 #include "mechanism/mobility.h"
 #include "mechanism/other_sharings.h"
 
@@ -57,18 +61,17 @@ void require_direction(const MechanismDefinition& definition, double length,
   }
 }
 
-/// Whether the drives leave freedom, so that forces decide the motion.
-bool is_dynamic(const MechanismDefinition& definition,
-                const SimulationSettings& settings) {
-  if (settings.motion == MotionKind::kDynamic) return true;
+/// What the drives of a motion that may be either leave free, so that it is
+/// integrated; nothing if they fix it.
+std::optional<LeftFree> left_free(const MechanismDefinition& definition,
+                                  const SimulationSettings& settings) {
   const SolvingFrame frame(definition);
   // bristles and gas have a history of their own
   const ForceModel forces(definition, frame);
   if (settings.motion == MotionKind::kDriven) {
     refuse_history(forces);
-    return false;
+    return std::nullopt;
   }
-  if (forces.internal_states() > 0) return true;
   const ConstraintSystem system(
       frame, definition.drives,
       frame.planar ? Motions::kInPlane : Motions::kSpatial,
@@ -76,7 +79,16 @@ bool is_dynamic(const MechanismDefinition& definition,
   const Mobility freedom = mobility(
       frame, system,
       closed_joints(definition, frame, settings.tolerance * frame.length));
-  return freedom.with_drives > 0 && freedom.dependent_drives.empty();
+  const bool is_free =
+      freedom.with_drives > 0 && freedom.dependent_drives.empty();
+  if (!is_free && forces.internal_states() == 0) return std::nullopt;
+  LeftFree result;
+  if (!is_free) return result;
+  result.freedom = freedom.with_drives;
+  for (const DriveDefinition& coordinate : freedom.free_coordinates) {
+    result.coordinates.push_back(drive_name(definition, coordinate));
+  }
+  return result;
 }
 
 }  // namespace
@@ -84,9 +96,14 @@ bool is_dynamic(const MechanismDefinition& definition,
 Motion simulate(const MechanismDefinition& definition,
                 const SimulationSettings& settings) {
   require_mass(definition);
-  Motion motion = is_dynamic(definition, settings)
-                      ? integrate_motion(definition, settings)
-                      : DrivenMotion(definition, settings).run(settings);
+  std::optional<LeftFree> free;
+  if (settings.motion != MotionKind::kDynamic) {
+    free = left_free(definition, settings);
+  }
+  const bool is_dynamic = free || settings.motion == MotionKind::kDynamic;
+  Motion motion = is_dynamic ? integrate_motion(definition, settings)
+                             : DrivenMotion(definition, settings).run(settings);
+  motion.left_free = std::move(free);
   const double length = SolvingFrame(definition).length;
   require_direction(definition, length, motion);
   forget_negligible(length, motion);

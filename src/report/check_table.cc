@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "report/motion_notes.h"
 #include "report/part_impact_output.h"
 #include "report/text_table.h"
 #include "report/units.h"
@@ -171,7 +172,8 @@ std::string mechanism_line(const MechanismSummary& mechanism) {
              mechanism.mobility, mechanism.redundant_constraints,
              mechanism.instants, millimetres(mechanism.max_closure_error),
              mechanism.max_power_balance_error) +
-         not_unique_line(mechanism) + change_point_lines(mechanism) +
+         note_lines(mechanism.notes) + not_unique_line(mechanism) +
+         change_point_lines(mechanism) +
          drive_jump_lines(mechanism.drive_jumps);
 }
 

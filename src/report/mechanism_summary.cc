@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mechanism/joint_types.h"
+#include "report/motion_notes.h"
 
 namespace clevis::report {
 namespace {
@@ -71,6 +72,7 @@ MechanismSummary summarise(const mechanism::MechanismDefinition& definition,
         std::max(summary.max_power_balance_error, instant.power_balance_error);
     summary.instants_left_out += instant.is_change_point ? 1 : 0;
   }
+  summary.notes = motion_notes(definition, motion);
   summary.impacts = named_impacts(definition, motion);
   summary.drive_jumps = named_drive_jumps(definition, motion);
   for (const auto& point : motion.change_points) {

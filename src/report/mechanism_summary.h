@@ -66,6 +66,7 @@ struct MechanismSummary {
   std::vector<PassedChangePoint> change_points{};
   std::vector<NamedImpact> impacts{};
   std::vector<NamedDriveJump> drive_jumps{};
+  std::vector<std::string> notes{};  ///< see motion_notes()
   /// Instants just at one: their loads balance in the deflected position only
   /// and take no part in those of the parts.
   int instants_left_out{};

@@ -173,7 +173,16 @@ Vector3d marker_position(const mechanism::MarkerDefinition& marker,
 std::vector<std::size_t> shown_instants(const mechanism::Motion& motion) {
   const std::size_t n = motion.instants.size();
   if (n == 0) return {};
-  std::vector<std::size_t> shown{0, (n - 1) / 2, n - 1};
+  const double middle =
+      0.5 * (motion.instants.front().t + motion.instants.back().t);
+  std::size_t nearest = 0;
+  const auto away = [&](std::size_t i) {
+    return std::abs(motion.instants[i].t - middle);
+  };
+  for (std::size_t i = 1; i < n; ++i) {
+    if (away(i) < (1.0 - 1e-9) * away(nearest)) nearest = i;
+  }
+  std::vector<std::size_t> shown{0, nearest, n - 1};
   shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
   return shown;
 }
@@ -212,6 +221,7 @@ std::string motion_json(const MotionReport& report) {
         {"duration_s", report.motion.instants.back().t},
         {"max_closure_error_mm", millimetres(summary.max_closure_error)},
         {"max_power_balance_error", summary.max_power_balance_error},
+        {"notes", summary.notes},
         {"change_points", change_points},
         {"drive_jumps", drive_jumps_json(summary.drive_jumps)}}},
       {"joints", joints_json(report, summary)},

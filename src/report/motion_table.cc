@@ -11,6 +11,7 @@
 #include "report/coupling_output.h"
 #include "report/element_output.h"
 #include "report/mechanism_summary.h"
+#include "report/motion_notes.h"
 #include "report/text_table.h"
 #include "report/units.h"
 
@@ -106,28 +107,6 @@ std::string change_point_text(const MotionReport& report) {
   return text;
 }
 
-/// Where bodies turn far between two instants: a word on peaks.
-std::string coarse_text(const mechanism::Motion& motion) {
-  constexpr double kFar = std::numbers::pi / 4.0;
-  double most = 0.0, at = 0.0;
-  for (std::size_t i = 0; i + 1 < motion.instants.size(); ++i) {
-    const mechanism::Instant& here = motion.instants[i];
-    const mechanism::Instant& next = motion.instants[i + 1];
-    for (std::size_t k = 0; k < here.bodies.size(); ++k) {
-      const double rate =
-          std::max(here.bodies[k].w_WL.norm(), next.bodies[k].w_WL.norm());
-      const double turn = rate * (next.t - here.t);
-      if (turn > most) most = turn, at = here.t;
-    }
-  }
-  if (most <= kFar) return "";
-  return fmt::format(
-      "  a body turns by about {:.3g} deg between the instants at {:.6g} s and "
-      "the "
-      "next: peaks may lie between instants, ask for more of them\n",
-      most * 180.0 / std::numbers::pi, at);
-}
-
 std::string quality_text(const MotionReport& report,
                          const MechanismSummary& summary) {
   std::string text = fmt::format(
@@ -146,7 +125,7 @@ std::string quality_text(const MotionReport& report,
         run->rejected, run->evaluations, run->energy_error,
         run->relative_energy_error);
   }
-  return text + coarse_text(report.motion) + change_point_text(report) +
+  return text + note_lines(summary.notes) + change_point_text(report) +
          drive_jump_lines(named_drive_jumps(report.definition, report.motion));
 }
 

@@ -45,6 +45,7 @@ ordered_json mechanism_json(const MechanismSummary& mechanism) {
           {"redundant_constraints", mechanism.redundant_constraints},
           {"reactions_not_unique", mechanism.not_unique},
           {"instants", mechanism.instants},
+          {"notes", mechanism.notes},
           {"change_points", change_points},
           {"drive_jumps", drive_jumps_json(mechanism.drive_jumps)},
           {"instants_left_out", mechanism.instants_left_out},

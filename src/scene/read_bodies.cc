@@ -114,7 +114,8 @@ mechanism::BodyDefinition read_body(StrictTable& table, Names& names) {
     throw table.refusal("K006", "\"" + body.name + "\" has no mass",
                         "Give part, or mass, center_of_mass and inertia.");
   }
-  if (table.has("placement")) {
+  body.is_placed = table.has("placement");
+  if (body.is_placed) {
     body.placement = read_placement(table.table("placement"));
   }
   table.finish("beside \"part\", which brings the mass");

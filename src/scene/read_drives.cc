@@ -25,6 +25,11 @@ double read_start(StrictTable& table) {
   return time;
 }
 
+Dimension rate_of(Dimension coordinate) {
+  return coordinate == Dimension::kAngle ? Dimension::kAngularVelocity
+                                         : Dimension::kVelocity;
+}
+
 /// @return the drive's joint and coordinate set, its dimension second.
 Dimension read_driven(StrictTable& table,
                       const std::vector<JointDefinition>& joints, Names& names,
@@ -74,7 +79,8 @@ void read_drive_law(StrictTable& table, Dimension coordinate,
                                     {"ramp", DriveLaw::kRamp},
                                     {"quintic", DriveLaw::kQuintic},
                                     {"sine", DriveLaw::kSine},
-                                    {"table", DriveLaw::kTable}});
+                                    {"table", DriveLaw::kTable},
+                                    {"speed", DriveLaw::kSpeed}});
   if (drive.law == DriveLaw::kTable) {
     drive.start = read_start(table);
     drive.table = read_table(table, coordinate);
@@ -92,6 +98,9 @@ void read_drive_law(StrictTable& table, Dimension coordinate,
     drive.start = read_start(table);
     drive.amplitude = table["amplitude"].quantity(coordinate);
     drive.frequency = table["frequency"].positive(Dimension::kFrequency);
+  } else if (drive.law == DriveLaw::kSpeed) {
+    drive.start = read_start(table);
+    drive.speed = table["speed"].quantity(rate_of(coordinate));
   }
 }
 
@@ -110,13 +119,22 @@ DriveDefinition read_drive(StrictTable& table,
 
 }  // namespace
 
-std::vector<double> increasing_times(const Value& times, std::size_t least) {
+std::vector<double> increasing_times(const Value& times, std::size_t least,
+                                     Steps steps) {
   std::vector<double> t;
+  const auto is_step = [&] {
+    const std::size_t n = t.size();
+    return steps == Steps::kAllowed && t[n - 1] == t[n - 2] &&
+           (n < 3 || t[n - 2] > t[n - 3]);
+  };
   for (const Value& value : times.elements()) {
     t.push_back(value.quantity(Dimension::kTime));
-    if (t.size() > 1 && !(t.back() > t[t.size() - 2])) {
+    if (t.size() > 1 && !(t.back() > t[t.size() - 2]) && !is_step()) {
       throw value.refusal("S006", "is not after the time before it",
-                          "Give increasing times.");
+                          steps == Steps::kAllowed
+                              ? "Give increasing times; two equal ones are a "
+                                "step, three are none."
+                              : "Give increasing times.");
     }
   }
   if (t.size() < least) {

@@ -175,7 +175,7 @@ TableLaw read_table(StrictTable& table, const LineUnits& units) {
   if (table.has("positions")) {
     law.positions = increasing_positions(table["positions"], units.coordinate);
   } else {
-    law.times = increasing_times(table["times"], 1);
+    law.times = increasing_times(table["times"], 1, Steps::kAllowed);
   }
   const Value efforts = table["efforts"];
   for (const Value& e : efforts.elements()) {
@@ -192,6 +192,21 @@ TableLaw read_table(StrictTable& table, const LineUnits& units) {
         "Give one effort for each.");
   }
   return law;
+}
+
+/// On which sense of motion an element acts.
+void read_sense(StrictTable& table, const LineUnits& units,
+                LineElement& element) {
+  const auto acts_on = table.find("acts_on");
+  if (!acts_on) return;
+  element.acts_on =
+      acts_on->choice<ActsOn>({{"both", ActsOn::kBoth},
+                               {"increasing", ActsOn::kIncreasing},
+                               {"decreasing", ActsOn::kDecreasing}});
+  if (element.acts_on == ActsOn::kBoth) return;
+  if (const auto speed = table.find("full_speed")) {
+    element.full_speed = speed->positive(units.rate);
+  }
 }
 
 ServoLaw read_servo_on(StrictTable& table, const ElementLine& line,
@@ -270,6 +285,9 @@ ForceElement read_element(ElementType type, const std::string& name,
     }
     if (type == ElementType::kStop) element.law = read_stop(table, units);
     if (type == ElementType::kTable) element.law = read_table(table, units);
+    if (type == ElementType::kSpring || type == ElementType::kTable) {
+      read_sense(table, units, element);
+    }
     if (type == ElementType::kGasCylinder) {
       element.law = read_gas_cylinder(table, is_angle(element.line, joints));
     }

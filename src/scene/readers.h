@@ -137,8 +137,12 @@ void read_joint_properties(StrictTable& table,
 int find_coordinate(const Value& value,
                     const mechanism::JointDefinition& joint);
 
+/// Whether two equal times may follow one another, as a step between them.
+enum class Steps { kRefused, kAllowed };
+
 /// @param least  0 or 2. @throws Error S006 unless that many increase.
-std::vector<double> increasing_times(const Value& times, std::size_t least);
+std::vector<double> increasing_times(const Value& times, std::size_t least,
+                                     Steps steps = Steps::kRefused);
 /// `ends` of a spline, or clamped.
 mechanism::SplineEnds read_spline_ends(StrictTable& table);
 
