@@ -36,8 +36,10 @@ LoadedPart load_part(const part::PartDefinition& definition) {
   require_current_mesh(definition);
   LoadedPart part;
   part.definition = definition;
-  part.mesh = mesh::read_part_mesh(definition.mesh, definition.length_unit,
-                                   definition.thickness);
+  auto read = mesh::read_mesh_with_notes(
+      definition.mesh, definition.length_unit, definition.thickness);
+  part.mesh = std::move(read.mesh);
+  part.notes = std::move(read.notes);
   part.mass = mesh::mass_properties(part.mesh, definition.material.density);
   part.groups = group_geometry(part.mesh);
   return part;

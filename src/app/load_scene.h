@@ -17,6 +17,7 @@ struct LoadedPart {
   mesh::PartMesh<3> mesh;
   part::MassProperties mass;
   std::vector<loads::GroupGeometry> groups;
+  std::vector<std::string> notes;  ///< what was made of the mesh
 };
 
 /// A scene whose bodies have the masses of their parts' meshes.

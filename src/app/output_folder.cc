@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 void remove_part(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
-  for (const char* ending : {".vtu", "_linear.vtu", "_history.csv", ".pvd"}) {
+  for (const char* ending :
+       {".vtu", "_linear.vtu", "_history.csv", ".pvd", "_buckling.vtu"}) {
     fs::remove(folder / (name + ending), ignored);
   }
   for (const auto& frame : fs::directory_iterator(folder / "frames", ignored)) {

@@ -139,6 +139,12 @@ void write_part_files(const assessment::PartAssessment& assessment,
   report::write_file(
       folder / (name + "_linear.vtu"),
       vtu(fields, field, scalars, stress::CellOrder::kLinear, {}));
+  if (fields.buckling) {
+    std::ostringstream out;
+    stress::write_vtu<3>(out, fields.buckling->shape, fields.buckling->field,
+                         {}, stress::CellOrder::kLagrange, {});
+    report::write_file(folder / (name + "_buckling.vtu"), out.str());
+  }
   report::write_file(folder / (name + "_history.csv"),
                      history_csv(fields.history));
   if (moving) write_frames(assessment, *moving, folder);

@@ -169,6 +169,7 @@ PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
   job.mass = part.mass;
   job.groups = part.groups;
   job.tolerance = tolerance;
+  job.notes = part.notes;
   const auto& definition = loaded.scene.mechanism;
   const BodyIndex body = loaded.body_of(part.definition.name);
   if (body != mechanism::kGround) {

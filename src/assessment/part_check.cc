@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include "assessment/beam_comparison.h"
+#include "assessment/buckling_check.h"
 #include "assessment/case_notes.h"
 #include "assessment/degree_ladder.h"
+#include "assessment/facet_doubt.h"
 #include "assessment/impact_check.h"
 #include "assessment/load_pace.h"
 #include "assessment/model_band.h"
@@ -222,13 +224,20 @@ PartAssessment check_part(const PartJob& given) {
                        blows.at_rest.end());
   PartResult& result = assessment.result;
   result.name = job.part.name;
+  result.notes.insert(result.notes.end(), job.notes.begin(), job.notes.end());
   result.mass = job.mass.mass;
   for (const LoadSet& set : job.load_sets) {
     result.notes.insert(result.notes.end(), set.history.notes.begin(),
                         set.history.notes.end());
   }
   note_cases(given, result);
+  add_facet_doubt(job, result);
   result.beam = compare_with_beam(job, result);
+  BucklingCheck buckling = check_buckling(job);
+  result.buckling = std::move(buckling.result);
+  result.buckling.euler = result.beam.buckling_safety;
+  result.buckling.strut_is_longer = job.buckling_length.has_value();
+  assessment.fields.buckling = std::move(buckling.shape);
   const double judged = governing_stress(job.part, result);
   result.safety_factor =
       judged > 0.0 ? job.part.material.yield_strength / judged : 0.0;

@@ -71,6 +71,7 @@ struct PartJob {
   double tolerance = 0.01;                ///< of the peak stress [1]
   std::optional<double> buckling_length;  ///< of a sliding pair [m]
   ModelChoice model = ModelChoice::kAuto;
+  std::vector<std::string> notes;  ///< of the mesh, for the result
 };
 
 /// Fields of the highest degree, for output.
@@ -80,6 +81,12 @@ struct InstantRow {
   double time{};           ///< [s]
   double peak{};           ///< largest von Mises [Pa]
   double strain_energy{};  ///< [J]
+};
+
+/// How the part buckles, at the instant that governs.
+struct BucklingShape {
+  mesh::CellShape shape{};
+  stress::InstantField field;  ///< the largest displacement 1 mm
 };
 
 struct PartFields {
@@ -92,6 +99,7 @@ struct PartFields {
   /// Singular zone of each lattice point, 0 outside; points × cells. Nothing
   /// if the part has none.
   std::optional<Eigen::MatrixXd> zones;
+  std::optional<BucklingShape> buckling;
   /// Displacement and stress at an instant on a lattice.
   std::function<stress::InstantField(int instant, int subdivisions)> at;
 };

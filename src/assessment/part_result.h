@@ -80,6 +80,8 @@ struct BucklingResult {
   /// Why there is none, or what it leaves out; one line, or empty.
   std::string remark;
   double euler{};  ///< of the strut beside it; 0: it is none [1]
+  /// It reaches through a slide into another body: it decides, too.
+  bool strut_is_longer = false;
 };
 
 /// How far the displacements are from small ones.

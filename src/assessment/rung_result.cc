@@ -7,9 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "assessment/finite_motion.h"
 #include "base/errors.h"
 #include "stress/deflection.h"
 #include "stress/energy_error.h"
+#include "stress/finite_motion.h"
 
 namespace clevis::assessment {
 namespace {
@@ -92,6 +94,27 @@ void fill_deflection(const PartJob& job, const Level<dim>& level,
         job.load_sets[s]
             .history.instants[static_cast<std::size_t>(deflection.instant)]
             .time;
+  }
+}
+
+/// The label is of what is farther beyond its bound.
+template <int dim>
+void fill_motion(const PartJob& job, const Level<dim>& level,
+                 FiniteMotion& result) {
+  double farthest = -1.0;
+  for (std::size_t s = 0; s < level.bases.size(); ++s) {
+    const auto motion = stress::field_motion<dim>(*level.bases[s]);
+    const double turn = motion.rotation / kLargestRotation;
+    const double strain = motion.strain / kLargestStrain;
+    result.rotation = std::max(result.rotation, motion.rotation);
+    result.strain = std::max(result.strain, motion.strain);
+    if (std::max(turn, strain) <= farthest) continue;
+    farthest = std::max(turn, strain);
+    const int instant =
+        turn < strain ? motion.strain_instant : motion.rotation_instant;
+    result.label = job.load_sets[s]
+                       .history.instants[static_cast<std::size_t>(instant)]
+                       .label;
   }
 }
 
@@ -261,6 +284,7 @@ PartAssessment assess(const PartJob& job, const Rung<dim>& rung,
   settle_even_pressure(check_reported_peak<dim>(job, level, result),
                        result.peak);
   fill_deflection<dim>(job, level, result);
+  fill_motion<dim>(job, level, result.finite_motion);
   result.strain_energy_error = energy_error(ladder.sequence);
   assessment.fields = make_fields<dim>(job, level);
   assessment.fields.zones = ladder.zones.marks(level.set);

@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "assessment/finite_motion.h"
+#include "part/buckling_limit.h"
+
 namespace clevis::assessment {
 namespace {
 
@@ -206,14 +209,39 @@ std::string left_out(const part::PartDefinition& part,
   return text;
 }
 
-bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
-  const double safety = result.beam.buckling_safety;
-  const double wanted = part.limits.safety_factor.value_or(1.0);
-  if (safety == 0.0 || safety >= wanted) return true;
+/// Euler's strut decides where there are no finite elements, and where it is
+/// longer than the part.
+bool judge_euler(double wanted, PartResult& result) {
+  const BucklingResult& buckling = result.buckling;
+  const double euler = buckling.euler;
+  const bool counts = buckling.factor == 0.0 || buckling.strut_is_longer;
+  if (!counts || euler == 0.0 || euler >= wanted) return true;
   set(result, PartVerdict::kFail,
       fmt::format("buckling: Euler's load is {:.3g} times the compression, "
                   "{:.4g} is wanted",
-                  safety, wanted));
+                  euler, wanted));
+  return false;
+}
+
+bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
+  const double wanted = part::wanted_buckling_factor(part.limits);
+  const BucklingResult& buckling = result.buckling;
+  if (!judge_euler(wanted, result)) return false;
+  if (buckling.factor == 0.0 || buckling.band_low >= wanted) return true;
+  const bool fails = buckling.band_high < wanted;
+  set(result, fails ? PartVerdict::kFail : PartVerdict::kNotJudged,
+      fmt::format("buckling: the part buckles under {:.4g} [{:.4g}, {:.4g}] "
+                  "times the loads of {}, {:.4g} is wanted{}",
+                  buckling.factor, buckling.band_low, buckling.band_high,
+                  buckling.label, wanted, fails ? "" : ": mesh finer"));
+  return false;
+}
+
+/// What turns or strains far has no stress that linear theory knows.
+bool judge_finite_motion(const part::PartDefinition&, PartResult& result) {
+  std::string why = beyond_small_displacements(result.finite_motion);
+  if (why.empty()) return true;
+  set(result, PartVerdict::kNotJudged, std::move(why));
   return false;
 }
 
@@ -256,10 +284,14 @@ const PeakStress& judged_peak(const PartResult& result) {
 // What one limit cannot tell another may: a part fails by any of them.
 void judge(const part::PartDefinition& part, PartResult& result) {
   std::string open;
-  for (const auto holds :
-       {judge_stress, judge_nominal, judge_buckling, judge_deflection}) {
+  for (const auto holds : {judge_finite_motion, judge_stress, judge_nominal,
+                           judge_buckling, judge_deflection}) {
     if (holds(part, result)) continue;
-    if (result.verdict == PartVerdict::kFail) return;
+    if (result.verdict == PartVerdict::kFail) {
+      std::string far = beyond_small_displacements(result.finite_motion);
+      if (!far.empty()) result.notes.push_back(std::move(far));
+      return;
+    }
     if (open.empty()) open = result.why;
   }
   if (open.empty()) {

@@ -12,7 +12,8 @@ namespace clevis::assessment {
 /// deflection or Euler's load breaks its limit. Pass: the whole bands are
 /// within. Not judged: the peak is singular, or not
 /// converged with a band that does not lie beyond the limit as a whole; a
-/// limit lies inside the band; or nothing stresses the part.
+/// limit lies inside the band; or nothing stresses the part; or it turns or
+/// strains too far for linear theory.
 void judge(const part::PartDefinition& part, PartResult& result);
 
 /// The judged peak, or the nominal stress of what the limits leave out, if that

@@ -202,6 +202,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "A part with `thickness` is a plate whose mesh holds its mid-plane: "
      "triangles or quadrangles in a plane z = const. A mesh with volume cells "
      "has its thickness in itself."},
+    {"M014", kMeshInvalid, "cells overlap",
+     "Two cells have the same corners, or more than two meet at one face: "
+     "they take the same room, and the part would be stiffer and heavier "
+     "there than it is. Mesh every volume once."},
     {"R001", kRegression, "regression against the baseline",
      "At least one quantity moved by more than its tolerance."},
     {"R002", kUsage, "result and baseline do not match",

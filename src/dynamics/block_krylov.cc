@@ -25,10 +25,18 @@ MatrixXd beside(const MatrixXd& left, const MatrixXd& right) {
 
 BlockKrylov::BlockKrylov(const LinearSystem& system, BlockOperator solve,
                          const MatrixXd& start, MatrixXd deflated)
-    : system_(system),
-      solve_(std::move(solve)),
+    : BlockKrylov(SelfAdjoint{system.size, system.mass,
+                              [solve = std::move(solve)](
+                                  const MatrixXd&, const MatrixXd& weighted) {
+                                return solve(weighted);
+                              }},
+                  start, std::move(deflated)) {}
+
+BlockKrylov::BlockKrylov(SelfAdjoint system, const MatrixXd& start,
+                         MatrixXd deflated)
+    : system_(std::move(system)),
       deflated_(std::move(deflated)),
-      basis_(system.size, 0),
+      basis_(system_.size, 0),
       projection_(0, 0) {
   MatrixXd block = start;
   double scale = 0.0;
@@ -39,7 +47,7 @@ BlockKrylov::BlockKrylov(const LinearSystem& system, BlockOperator solve,
 MatrixXd BlockKrylov::orthogonalise(MatrixXd& block, double* scale) const {
   MatrixXd components = MatrixXd::Zero(columns_, block.cols());
   for (int pass = 0; pass < 2; ++pass) {
-    const MatrixXd weighted = system_.mass(block);
+    const MatrixXd weighted = system_.product(block);
     if (pass == 0 && scale != nullptr) {
       *scale = block.cwiseProduct(weighted).colwise().sum().maxCoeff();
     }
@@ -58,7 +66,7 @@ MatrixXd BlockKrylov::orthogonalise(MatrixXd& block, double* scale) const {
 MatrixXd BlockKrylov::append(const MatrixXd& block, double scale) {
   // Gram-Schmidt with pivots: the largest rest is next.
   MatrixXd rest = block;
-  MatrixXd weighted_rest = system_.mass(rest);
+  MatrixXd weighted_rest = system_.product(rest);
   MatrixXd columns(block.rows(), 0);
   MatrixXd triangle = MatrixXd::Zero(0, block.cols());
   weighted_.resize(block.rows(), 0);
@@ -74,7 +82,7 @@ MatrixXd BlockKrylov::append(const MatrixXd& block, double scale) {
       // carries the round-off of what was large.
       orthogonalise(column, nullptr);
       column -= columns * (weighted_.transpose() * column);
-      image = system_.mass(column);
+      image = system_.product(column);
       const double norm = std::sqrt(column.cwiseProduct(image).sum());
       column /= norm;
       image /= norm;
@@ -98,7 +106,7 @@ void BlockKrylov::extend() {
   if (is_closed()) return;
   const Index before = done_;
   const Index width = columns_ - done_;
-  MatrixXd image = solve_(weighted_);
+  MatrixXd image = system_.apply(basis_.middleCols(before, width), weighted_);
   double scale = 0.0;
   const MatrixXd components = orthogonalise(image, &scale);  // all of the space
   done_ = columns_;

@@ -1,14 +1,27 @@
 #pragma once
 
+#include <functional>
+
 #include <Eigen/Core>
 
 #include "dynamics/linear_system.h"
 
 namespace clevis::dynamics {
 
-/// Space of (K + s M)⁻¹ M applied again and again to a block, M-orthonormal,
-/// with the operator's projection on it. The operator is self-adjoint in M;
-/// its eigenvalues θ = 1/(ω² + s) are largest for the lowest frequencies.
+/// An operator T that is self-adjoint in the inner product of a matrix M:
+/// M T = Tᵀ M.
+struct SelfAdjoint {
+  Eigen::Index size{};
+  BlockOperator product;  ///< X -> M X
+  /// X, M X -> T X.
+  std::function<Eigen::MatrixXd(const Eigen::MatrixXd& block,
+                                const Eigen::MatrixXd& weighted)>
+      apply;
+};
+
+/// Space of T applied again and again to a block, M-orthonormal, with the
+/// operator's projection on it. Of vibrations T is (K + s M)⁻¹ M, whose
+/// eigenvalues θ = 1/(ω² + s) are largest for the lowest frequencies.
 ///
 /// All vectors are orthogonalised against all others, twice: the loss of
 /// orthogonality that makes eigenvalues appear again does not arise. A block
@@ -23,6 +36,8 @@ class BlockKrylov {
   /// @param deflated  M-orthonormal vectors that stay out; may be empty.
   BlockKrylov(const LinearSystem& system, BlockOperator solve,
               const Eigen::MatrixXd& start, Eigen::MatrixXd deflated);
+  BlockKrylov(SelfAdjoint system, const Eigen::MatrixXd& start,
+              Eigen::MatrixXd deflated);
 
   /// Adds a block; the space may close under the operator: then none.
   void extend();
@@ -52,8 +67,7 @@ class BlockKrylov {
   /// @return T with block = columns · T.
   Eigen::MatrixXd append(const Eigen::MatrixXd& block, double scale);
 
-  const LinearSystem& system_;
-  BlockOperator solve_;
+  SelfAdjoint system_;
   Eigen::MatrixXd deflated_;
   Eigen::MatrixXd basis_;       ///< with room for more
   Eigen::MatrixXd weighted_;    ///< M times the block that is next

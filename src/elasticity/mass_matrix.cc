@@ -22,8 +22,10 @@ Quadrature<dim> mass_quadrature(const Discretization<dim>& discretization) {
       {discretization.degree + more, discretization.thickness_degree + more});
 }
 
-void scatter(const std::vector<int>& ids, const MatrixXd& element,
-             MassMatrix& mass) {
+}  // namespace
+
+void add_element(const std::vector<int>& ids, const MatrixXd& element,
+                 MassMatrix& mass) {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const auto row = static_cast<std::size_t>(ids[i]);
     const auto begin = mass.column.begin() + mass.row_start[row];
@@ -36,8 +38,6 @@ void scatter(const std::vector<int>& ids, const MatrixXd& element,
     }
   }
 }
-
-}  // namespace
 
 template <int dim>
 MassMatrix assemble_mass(const Discretization<dim>& discretization,
@@ -54,10 +54,10 @@ MassMatrix assemble_mass(const Discretization<dim>& discretization,
         cell_geometry<dim>(discretization.cell_points[c], geometry);
     const Eigen::VectorXd weights = density * discretization.thickness *
                                     rule.weights.cwiseProduct(cell.determinant);
-    scatter(discretization.cell_nodes[c],
-            transposed_product(displacement.values,
-                               weights.asDiagonal() * displacement.values),
-            mass);
+    add_element(discretization.cell_nodes[c],
+                transposed_product(displacement.values,
+                                   weights.asDiagonal() * displacement.values),
+                mass);
   }
   return mass;
 }

@@ -17,6 +17,10 @@ struct MassMatrix {
   std::vector<double> value;   ///< [kg]
 };
 
+/// Adds a cell's element matrix, of its nodes, to the upper triangle.
+void add_element(const std::vector<int>& nodes, const Eigen::MatrixXd& element,
+                 MassMatrix& matrix);
+
 /// @param pattern  of the same discretisation.
 /// @param density  [kg/m³].
 template <int dim>

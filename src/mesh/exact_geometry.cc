@@ -49,4 +49,20 @@ void put_on_cylinders(PartMesh<3>& mesh, const std::string& file) {
   blend_hexahedra(mesh, round, file_order);
 }
 
+void put_on_cylinders(PartMesh<3>& mesh, const std::string& file,
+                      const std::vector<FacetedRound>& rounds) {
+  // Groups for as long as it takes.
+  const auto boundary = mesh.boundary;
+  const std::size_t groups = mesh.groups.size();
+  for (const FacetedRound& round : rounds) {
+    for (const std::size_t face : round.faces) {
+      mesh.boundary[face].group = int(mesh.groups.size());
+    }
+    mesh.groups.push_back({"", round.cylinder});
+  }
+  put_on_cylinders(mesh, file);
+  mesh.boundary = boundary;
+  mesh.groups.resize(groups);
+}
+
 }  // namespace clevis::mesh

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "mesh/faceted_rounds.h"
 #include "mesh/part_mesh.h"
 
 namespace clevis::mesh {
@@ -21,5 +23,9 @@ inline constexpr int kSimplexCylinderDegree = 4;
 /// @throws Error M009 (place: `file`, group) if a corner of such a group is
 ///   off the cylinder by more than 1e-5 of the radius, or a facet spans 90°.
 void put_on_cylinders(PartMesh<3>& mesh, const std::string& file);
+
+/// The same, and faces without a group of their own onto these.
+void put_on_cylinders(PartMesh<3>& mesh, const std::string& file,
+                      const std::vector<FacetedRound>& rounds);
 
 }  // namespace clevis::mesh

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "report/buckling_output.h"
 #include "report/junit.h"
 #include "report/units.h"
 
@@ -83,9 +84,9 @@ JunitCase deflection_case(const PartResult& part, const part::Limits& limits) {
 
 std::vector<JunitCase> part_cases(const PartResult& part,
                                   const part::Limits& limits) {
-  std::vector<JunitCase> cases = {convergence_case(part),
-                                  safety_case(part, limits),
-                                  deflection_case(part, limits)};
+  std::vector<JunitCase> cases = {
+      convergence_case(part), safety_case(part, limits),
+      deflection_case(part, limits), buckling_case(part, limits)};
   const auto shows = [&](JunitStatus status) {
     return std::ranges::find(cases, status, &JunitCase::status) != cases.end();
   };

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "report/buckling_output.h"
 #include "report/motion_notes.h"
 #include "report/part_impact_output.h"
 #include "report/text_table.h"
@@ -126,6 +127,8 @@ void add_reasons(TextTable& table, const PartResult& part) {
   if (!part.why.empty()) {
     table.add_note(fmt::format("{}: {}", text(part.verdict), part.why));
   }
+  const std::string buckling = buckling_text(part.buckling);
+  if (!buckling.empty()) table.add_note(buckling);
   if (!part.beam.reason.empty()) {
     table.add_note("FE/beam: " + part.beam.reason);
   }

@@ -40,7 +40,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ZoneResult, name, exponent,
                                    exponent_measured, at, radius, governs,
                                    has_section)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BucklingResult, factor, band_low, band_high,
-                                   instant, label, model, remark, euler)
+                                   instant, label, model, remark, euler,
+                                   strut_is_longer)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FiniteMotion, rotation, strain, label)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BeamComparison, peak_stress, governing,
                                    deflection, buckling_safety,

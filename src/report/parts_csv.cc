@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "report/buckling_output.h"
 #include "report/csv_field.h"
 #include "report/units.h"
 
@@ -22,7 +23,7 @@ std::string number(double value) {
 std::vector<Field> fields(const assessment::PartResult& part) {
   const assessment::PeakStress& peak = part.peak;
   const Eigen::Vector3d at = millimetres(peak.at);
-  return {
+  std::vector<Field> all = {
       {"part", part.name},
       {"verdict", std::string(text(part.verdict))},
       {"why", part.why},
@@ -52,8 +53,12 @@ std::vector<Field> fields(const assessment::PartResult& part) {
       {"beam_deflection[mm]", number(millimetres(part.beam.deflection))},
       {"ratio_fe_to_beam[1]", number(part.beam.ratio_fe_to_beam)},
       {"ratio_reason", part.beam.reason},
-      {"seconds[s]", number(part.seconds.total)},
   };
+  for (const auto& [title, text] : buckling_columns(part)) {
+    all.push_back({title, text});
+  }
+  all.push_back({"seconds[s]", number(part.seconds.total)});
+  return all;
 }
 
 std::string row(const std::vector<Field>& columns, std::string Field::*cell) {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report/buckling_output.h"
 #include "report/json_text.h"
 #include "report/part_impact_output.h"
 #include "report/units.h"
@@ -148,6 +149,7 @@ ordered_json pin_reactions_json(const PartResult& part) {
 ordered_json limits_json(const CheckReport& report, const std::string& part) {
   ordered_json limits = {{"safety_factor", nullptr},
                          {"deflection_mm", nullptr},
+                         {"buckling", nullptr},
                          {"singular_zones", "count"}};
   const auto found = report.limits.find(part);
   if (found == report.limits.end()) return limits;
@@ -157,6 +159,7 @@ ordered_json limits_json(const CheckReport& report, const std::string& part) {
   if (found->second.deflection) {
     limits["deflection_mm"] = millimetres(*found->second.deflection);
   }
+  if (found->second.buckling) limits["buckling"] = *found->second.buckling;
   if (found->second.exclude_singular_zones) {
     limits["singular_zones"] = "exclude";
   }
@@ -170,45 +173,48 @@ ordered_json part_json(const CheckReport& report, const PartResult& part) {
   if (part.strain_energy_error >= 0.0) {
     energy_error = 100.0 * part.strain_energy_error;
   }
-  ordered_json json = {{"name", part.name},
-                       {"verdict", text(part.verdict)},
-                       {"why", part.why},
-                       {"model", part.model},
-                       {"stopped_because", part.stopped_because},
-                       {"dofs", part.dofs},
-                       {"cells", part.cells},
-                       {"load_columns", part.load_columns},
-                       {"mass_kg", part.mass},
-                       {"peak_von_mises", peak_json(part.peak)},
-                       {"singular_zones", zones_json(part.singular_zones)},
-                       {"held_section", held_section_json(part.held)},
-                       {"safety_factor", part.safety_factor},
-                       {"deflection_mm", millimetres(part.deflection)},
-                       {"deflection_at_mm", vector_mm(part.deflection_at)},
-                       {"deflection_instant_s", part.deflection_instant},
-                       {"strain_energy_mJ", millijoules(part.strain_energy)},
-                       {"strain_energy_error_percent", energy_error},
-                       {"limits", limits_json(report, part.name)},
-                       {"beam", beam_json(part.beam, beam_impact(part))},
-                       {"impacts", part_impacts_json(part)},
-                       {"load_paces", load_paces_json(part)},
-                       {"vibration", vibration_json(part)},
-                       {"self_checks",
-                        {{"equilibrium", checks.equilibrium},
-                         {"residual", checks.residual},
-                         {"energy", checks.energy},
-                         {"compression", checks.compression},
-                         {"reported_peak_is_field_maximum",
-                          checks.reported_peak_is_field_maximum}}},
-                       {"probes", probes_json(part.probes)},
-                       {"seconds",
-                        {{"mesh", seconds.mesh},
-                         {"assemble", seconds.assemble},
-                         {"factor", seconds.factor},
-                         {"solve", seconds.solve},
-                         {"recover", seconds.recover},
-                         {"write", seconds.write},
-                         {"total", seconds.total}}}};
+  ordered_json json = {
+      {"name", part.name},
+      {"verdict", text(part.verdict)},
+      {"why", part.why},
+      {"model", part.model},
+      {"stopped_because", part.stopped_because},
+      {"dofs", part.dofs},
+      {"cells", part.cells},
+      {"load_columns", part.load_columns},
+      {"mass_kg", part.mass},
+      {"peak_von_mises", peak_json(part.peak)},
+      {"singular_zones", zones_json(part.singular_zones)},
+      {"held_section", held_section_json(part.held)},
+      {"safety_factor", part.safety_factor},
+      {"deflection_mm", millimetres(part.deflection)},
+      {"deflection_at_mm", vector_mm(part.deflection_at)},
+      {"deflection_instant_s", part.deflection_instant},
+      {"strain_energy_mJ", millijoules(part.strain_energy)},
+      {"strain_energy_error_percent", energy_error},
+      {"finite_motion", finite_motion_json(part.finite_motion)},
+      {"buckling", buckling_json(part.buckling)},
+      {"limits", limits_json(report, part.name)},
+      {"beam", beam_json(part.beam, beam_impact(part))},
+      {"impacts", part_impacts_json(part)},
+      {"load_paces", load_paces_json(part)},
+      {"vibration", vibration_json(part)},
+      {"self_checks",
+       {{"equilibrium", checks.equilibrium},
+        {"residual", checks.residual},
+        {"energy", checks.energy},
+        {"compression", checks.compression},
+        {"reported_peak_is_field_maximum",
+         checks.reported_peak_is_field_maximum}}},
+      {"probes", probes_json(part.probes)},
+      {"seconds",
+       {{"mesh", seconds.mesh},
+        {"assemble", seconds.assemble},
+        {"factor", seconds.factor},
+        {"solve", seconds.solve},
+        {"recover", seconds.recover},
+        {"write", seconds.write},
+        {"total", seconds.total}}}};
   if (!part.peak_outside.sequence.empty()) {
     json["peak_outside_singular_zones"] = peak_json(part.peak_outside);
   }

@@ -67,6 +67,10 @@ Subject part_subject(const Node& part) {
   if (beam.has("buckling_safety")) {
     subject.values["buckling_safety"] = beam.at("buckling_safety").number();
   }
+  if (part.has("buckling") && part.at("buckling").has("factor")) {
+    subject.values["buckling_factor"] =
+        part.at("buckling").at("factor").number();
+  }
   add_held_section(part, subject);
   return subject;
 }

@@ -73,6 +73,7 @@ constexpr auto kRules = std::to_array<ToleranceRule>({
      "closed forms: only the section cuts through the mesh may move them"},
     {"beam_deflection", "mm", compare(5e-4, 1e-9), "as beam_stress"},
     {"buckling_safety", "", compare(5e-4, 0), "as beam_stress"},
+    {"buckling_factor", "", compare(2e-3, 0), "as peak_von_mises"},
     {"probe_stress", "MPa", compare(2e-3, 1e-6), "as peak_von_mises"},
     {"probe_displacement", "mm", compare(2e-3, 1e-9), "as peak_von_mises"},
     {"bearing_load", "N", compare(1e-6, 1e-6), "as peak_force"},

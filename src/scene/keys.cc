@@ -191,7 +191,8 @@ constexpr Key kPart[] = {"name",      "geometry", "mesh",    "length_unit",
 constexpr Key kPartPins[] = {"group", "groups", "length", "width", "offset"};
 constexpr Key kPartDrives[] = {"face", "pressurized"};
 constexpr Key kPartForces[] = {"face", "pressurized", "chamber"};
-constexpr Key kLimits[] = {"safety_factor", "deflection", "singular_zones"};
+constexpr Key kLimits[] = {"safety_factor", "deflection", "buckling",
+                           "singular_zones"};
 constexpr Key kCase[] = {"name",
                          "pins",
                          "pressure",

@@ -41,6 +41,9 @@ part::Limits read_limits(StrictTable table) {
   if (const auto deflection = table.find("deflection")) {
     limits.deflection = deflection->positive(Dimension::kLength);
   }
+  if (const auto factor = table.find("buckling")) {
+    limits.buckling = factor->number(1.0, kLargestFactor);
+  }
   if (const auto zones = table.find("singular_zones")) {
     limits.exclude_singular_zones =
         zones->choice<bool>({{"count", false}, {"exclude", true}});

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include <Eigen/Geometry>
@@ -64,14 +65,56 @@ bool is_roller(const WedgeSide& side) {
          std::abs(std::cos(side.direction)) < std::sin(kSmoothKink / 180 * kPi);
 }
 
-/// Whether the corner is a small kink, of itself or with its mirror image
-/// behind a roller.
-bool is_kink(double angle, const WedgeSide& first, const WedgeSide& second) {
-  const double straight = kPi + kSmoothKink / 180.0 * kPi;
-  if (first.hold == second.hold) return angle < straight;
+/// Angle of the material at the corner, of itself or with its mirror image
+/// behind a roller; nothing where the sides are held unlike.
+std::optional<double> whole_angle(double angle, const WedgeSide& first,
+                                  const WedgeSide& second) {
+  if (first.hold == second.hold) return angle;
   const bool mirrored = (is_roller(first) && second.hold == Hold::kNothing) ||
                         (is_roller(second) && first.hold == Hold::kNothing);
-  return mirrored && 2.0 * angle < straight;
+  if (mirrored) return 2.0 * angle;
+  return std::nullopt;
+}
+
+/// A corner with what is held beside it.
+struct HeldCorner {
+  BoundaryCorner corner;
+  std::array<HeldSide, 2> held;
+  std::array<std::string, 2> name;  ///< of the group of a side that holds
+  /// Over straight, positive where the corner is re-entrant [rad].
+  std::optional<double> kink;
+};
+
+/// Whether two corners, side by side, turn alike as those of a curve do.
+bool turn_alike(const HeldCorner& one, const HeldCorner& other) {
+  constexpr double kAlike = 3.0;
+  constexpr double kParallel = 0.9;
+  const double ratio = *one.kink / *other.kink;
+  if (!(ratio > 1.0 / kAlike && ratio < kAlike)) return false;
+  const Vector3d& axis = one.corner.axis;
+  if (std::abs(axis.dot(other.corner.axis)) < kParallel) return false;
+  const Vector3d arm = other.corner.at - one.corner.at;
+  const double across = (arm - axis.dot(arm) * axis).norm();
+  const double near = std::max(one.corner.reach, other.corner.reach);
+  return across < near && across > 1e-6 * near;
+}
+
+/// Which corners are those between facets of a curve: small kinks beside
+/// others like them. One that stands alone is a notch, however blunt.
+std::vector<bool> facets_of_curves(const std::vector<HeldCorner>& corners) {
+  std::vector<std::size_t> small;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const auto& kink = corners[k].kink;
+    const double size = kink ? std::abs(*kink) : 0.0;
+    if (size > 1e-6 && size < kSmoothKink / 180.0 * kPi) small.push_back(k);
+  }
+  std::vector<bool> result(corners.size(), false);
+  for (const std::size_t k : small) {
+    result[k] = std::ranges::any_of(small, [&](std::size_t other) {
+      return other != k && turn_alike(corners[k], corners[other]);
+    });
+  }
+  return result;
 }
 
 /// Exponents of corners, each kind computed once.
@@ -79,14 +122,19 @@ class Exponents {
  public:
   Exponents(double kolosov, bool solid) : kolosov_(kolosov), solid_(solid) {}
 
-  double smallest(double angle, const HeldSide& first, const HeldSide& second) {
+  /// @param is_facet  the corner is one of a curve.
+  double smallest(const HeldCorner& at, bool is_facet) {
+    // Below, the exponent is above kSmoothExponent: 1 − 2δ/(π + 2δ).
+    constexpr double kNone = 2.5 / 180.0 * kPi;
+    const double angle = at.corner.angle;
+    const auto& [first, second] = at.held;
     double result = 1.0;
-    if (!is_kink(angle, first.wedge, second.wedge)) {
+    if (!is_facet && !(at.kink && *at.kink < kNone)) {
       result = in_plane(angle, first.wedge, second.wedge);
     }
-    const bool antiplane_kink = first.along_axis == second.along_axis &&
-                                angle < kPi + kSmoothKink / 180.0 * kPi;
-    if (solid_ && !antiplane_kink) {
+    const bool smooth_antiplane = first.along_axis == second.along_axis &&
+                                  (is_facet || angle < kPi + kNone);
+    if (solid_ && !smooth_antiplane) {
       result =
           std::min(result, elasticity::antiplane_exponent(
                                angle, first.along_axis, second.along_axis));
@@ -137,6 +185,33 @@ std::string kind_of(double angle, const std::string& first,
 }
 
 template <int dim>
+std::vector<HeldCorner> held_corners(const mesh::PartMesh<dim>& mesh,
+                                     const FixedGroups& fixed) {
+  std::vector<HeldCorner> result;
+  for (const BoundaryCorner& corner : boundary_corners<dim>(mesh)) {
+    HeldCorner& entry = result.emplace_back();
+    entry.corner = corner;
+    for (std::size_t s = 0; s < 2; ++s) {
+      const int group = corner.sides[s].group;
+      if (group < 0) continue;
+      const auto found =
+          fixed.find(mesh.groups[static_cast<std::size_t>(group)].name);
+      if (found == fixed.end()) continue;
+      auto components = found->second;
+      if (dim == 2) components[2] = false;
+      entry.held[s] = held_side(corner, corner.sides[s], components);
+      if (std::ranges::count(components, true) > 0) {
+        entry.name[s] = found->first;
+      }
+    }
+    const auto angle =
+        whole_angle(corner.angle, entry.held[0].wedge, entry.held[1].wedge);
+    if (angle) entry.kink = *angle - kPi;
+  }
+  return result;
+}
+
+template <int dim>
 std::vector<Candidate> candidates(const mesh::PartMesh<dim>& mesh,
                                   const part::Material& material,
                                   const FixedGroups& fixed) {
@@ -144,22 +219,12 @@ std::vector<Candidate> candidates(const mesh::PartMesh<dim>& mesh,
   Exponents exponents(dim == 2 ? elasticity::kolosov_plane_stress(nu)
                                : elasticity::kolosov_plane_strain(nu),
                       dim == 3);
+  const auto corners = held_corners<dim>(mesh, fixed);
+  const auto is_facet = facets_of_curves(corners);
   std::vector<Candidate> result;
-  for (const BoundaryCorner& corner : boundary_corners<dim>(mesh)) {
-    std::array<HeldSide, 2> held;
-    std::array<std::string, 2> name;
-    for (std::size_t s = 0; s < 2; ++s) {
-      const int group = corner.sides[s].group;
-      if (group < 0) continue;
-      const auto entry =
-          fixed.find(mesh.groups[static_cast<std::size_t>(group)].name);
-      if (entry == fixed.end()) continue;
-      auto components = entry->second;
-      if (dim == 2) components[2] = false;
-      held[s] = held_side(corner, corner.sides[s], components);
-      if (std::ranges::count(components, true) > 0) name[s] = entry->first;
-    }
-    const double exponent = exponents.smallest(corner.angle, held[0], held[1]);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const auto& [corner, held, name, kink] = corners[k];
+    const double exponent = exponents.smallest(corners[k], is_facet[k]);
     if (exponent > kSmoothExponent) continue;
     result.push_back(
         {corner, exponent, kind_of(corner.angle, name[0], name[1])});
@@ -243,6 +308,22 @@ std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
     zones.push_back(make_zone<dim>(mesh, members));
   }
   return zones;
+}
+
+double facet_kink(const mesh::PartMesh<3>& mesh, const FixedGroups& fixed,
+                  const Vector3d& at) {
+  const auto corners = held_corners<3>(mesh, fixed);
+  const auto is_facet = facets_of_curves(corners);
+  double largest = 0.0;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    if (!is_facet[k]) continue;
+    const BoundaryCorner& corner = corners[k].corner;
+    const Vector3d arm = at - corner.at;
+    const double across = (arm - corner.axis.dot(arm) * corner.axis).norm();
+    if (arm.norm() > 2.0 * corner.reach || across > corner.reach) continue;
+    largest = std::max(largest, std::abs(*corners[k].kink));
+  }
+  return largest;
 }
 
 double distance(const SingularZone& zone, const Vector3d& point) {

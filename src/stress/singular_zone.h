@@ -35,12 +35,12 @@ using FixedGroups = std::map<std::string, std::array<bool, 3>>;
 /// At every boundary vertex (dim = 2: plane stress) or surface edge (dim = 3:
 /// plane strain and antiplane shear across the edge) the angle of the
 /// material, from the true tangents of its cells, and what is held on both
-/// sides give the exponent. Counted from kSmoothExponent down; a kink of up to
-/// kSmoothKink between sides that are held alike is taken for the approximation
-/// of a smooth surface. Edges that meet and have like sides are one zone.
-/// The radius is a tenth of the wall: the way through the material from the
-/// zone along the bisector of its angle; in 3-D, where meshes are not graded,
-/// at least the largest of its cells.
+/// sides give the exponent. Counted from kSmoothExponent down; kinks of up to
+/// kSmoothKink between sides that are held alike, side by side and much alike,
+/// are facets of a smooth surface; one alone is a notch. Edges that meet and
+/// have like sides are one zone. The radius is a tenth of the wall: the way
+/// through the material from the zone along the bisector of its angle; in 3-D,
+/// where meshes are not graded, at least the largest of its cells.
 template <int dim>
 std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
                                          const part::Material& material,
@@ -49,6 +49,13 @@ std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
 inline constexpr double kSmoothExponent = 0.97;
 inline constexpr double kSmoothKink = 15.0;  ///< over straight [degrees]
 inline constexpr double kRadiusOfWall = 0.1;
+
+/// Largest kink of a facet of a curve beside a point, within a facet of it;
+/// 0: there is none [rad]. Between facets that kink by δ the stress of the
+/// surface behind them is (2δ/π) ln(2 sin(πs/ℓ)) of itself off at the way s
+/// along a facet ℓ: theory.md.
+double facet_kink(const mesh::PartMesh<3>& mesh, const FixedGroups& fixed,
+                  const Eigen::Vector3d& at);
 
 /// Distance of a point from a zone's edges [m].
 double distance(const SingularZone& zone, const Eigen::Vector3d& point);

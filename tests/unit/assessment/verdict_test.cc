@@ -168,9 +168,9 @@ TEST(Verdict, DeflectionAndBucklingCanFailAPartOfLowStress) {
   bent.deflection = 0.51e-3;
   EXPECT_EQ(judged(steel_part(), bent).verdict, PartVerdict::kFail);
   PartResult slender = converged(9e6, 10e6, 11e6);
-  slender.beam.buckling_safety = 1.4;
+  slender.buckling.euler = 1.4;
   EXPECT_EQ(judged(steel_part(), slender).verdict, PartVerdict::kFail);
-  slender.beam.buckling_safety = 1.6;
+  slender.buckling.euler = 1.6;
   EXPECT_EQ(judged(steel_part(), slender).verdict, PartVerdict::kPass);
 }
 
@@ -187,6 +187,67 @@ TEST(Verdict, RatioIsExplainedOnlyOutsideItsRange) {
     result.beam.ratio_fe_to_beam = ratio;
     EXPECT_NE(explain_ratio(result.peak, result.beam), "") << ratio;
   }
+}
+
+PartResult that_buckles_at(double low, double factor, double high) {
+  PartResult result = converged(100e6, 101e6, 102e6);
+  result.buckling.factor = factor;
+  result.buckling.band_low = low;
+  result.buckling.band_high = high;
+  result.buckling.label = "t = 1 s";
+  return result;
+}
+
+TEST(Verdict, BucklingIsJudgedByItsBand) {
+  const part::PartDefinition part = steel_part();  // safety factor 1.5
+  EXPECT_EQ(judged(part, that_buckles_at(1.51, 1.6, 1.7)).verdict,
+            PartVerdict::kPass);
+  EXPECT_EQ(judged(part, that_buckles_at(1.4, 1.6, 1.7)).verdict,
+            PartVerdict::kNotJudged);
+  const PartResult fails = judged(part, that_buckles_at(1.3, 1.4, 1.49));
+  EXPECT_EQ(fails.verdict, PartVerdict::kFail);
+  EXPECT_NE(fails.why.find("1.4 [1.3, 1.49]"), std::string::npos) << fails.why;
+  part::PartDefinition own = part;
+  own.limits.buckling = 1.2;
+  EXPECT_EQ(judged(own, that_buckles_at(1.3, 1.4, 1.49)).verdict,
+            PartVerdict::kPass);
+}
+
+// Finite elements decide but where the strut reaches into another body.
+TEST(Verdict, EulersStrutDecidesWhereItIsLongerThanThePart) {
+  PartResult result = that_buckles_at(3.0, 3.1, 3.2);
+  result.buckling.euler = 1.2;
+  EXPECT_EQ(judged(steel_part(), result).verdict, PartVerdict::kPass);
+  result.buckling.strut_is_longer = true;
+  const PartResult fails = judged(steel_part(), result);
+  EXPECT_EQ(fails.verdict, PartVerdict::kFail);
+  EXPECT_NE(fails.why.find("Euler"), std::string::npos);
+  result.buckling = {};
+  result.buckling.euler = 1.2;
+  EXPECT_EQ(judged(steel_part(), result).verdict, PartVerdict::kFail);
+}
+
+// Stress and deflection are within; what they are worth is not.
+TEST(Verdict, PartThatTurnsFarDoesNotPass) {
+  PartResult result = converged(100e6, 101e6, 102e6);
+  result.finite_motion = {0.08, 0.001, "t = 1 s"};  // 4.6°
+  EXPECT_EQ(judged(steel_part(), result).verdict, PartVerdict::kPass);
+  result.finite_motion.rotation = 0.09;  // 5.2°
+  const PartResult turned = judged(steel_part(), result);
+  EXPECT_EQ(turned.verdict, PartVerdict::kNotJudged);
+  EXPECT_NE(turned.why.find("5.16°"), std::string::npos) << turned.why;
+  EXPECT_NE(turned.why.find("t = 1 s"), std::string::npos);
+  result.finite_motion = {0.01, 0.06, "t = 1 s"};
+  EXPECT_EQ(judged(steel_part(), result).verdict, PartVerdict::kNotJudged);
+}
+
+TEST(Verdict, PartThatFailsAndTurnsFarSaysBoth) {
+  PartResult result = converged(301e6, 302e6, 303e6);
+  result.finite_motion = {0.5, 0.001, "t = 1 s"};
+  const PartResult failed = judged(steel_part(), result);
+  EXPECT_EQ(failed.verdict, PartVerdict::kFail);
+  ASSERT_EQ(failed.notes.size(), 1U);
+  EXPECT_NE(failed.notes[0].find("28.6°"), std::string::npos);
 }
 
 }  // namespace

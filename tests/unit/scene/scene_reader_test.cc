@@ -167,6 +167,7 @@ TEST(SceneReader, ReadsPartsWithSeats) {
   EXPECT_DOUBLE_EQ(part.material.density, 7850.0);
   EXPECT_DOUBLE_EQ(part.material.yield_strength, 355e6);
   EXPECT_DOUBLE_EQ(part.limits.safety_factor.value(), 1.5);
+  EXPECT_DOUBLE_EQ(part.limits.buckling.value(), 2.5);
   EXPECT_DOUBLE_EQ(part.limits.deflection.value(), 5e-4);
   ASSERT_EQ(part.seats.size(), 2u);
   EXPECT_EQ(part.seats[1].joint, "E");

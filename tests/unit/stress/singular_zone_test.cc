@@ -55,14 +55,30 @@ TEST(SingularZone, NotchOfEveryAngleHasItsExponent) {
   }
 }
 
-TEST(SingularZone, ConvexPlateAndSmallKinksHaveNone) {
-  EXPECT_TRUE(singular_zones<2>(square(3), kSteel, {}).empty());
+// sin λω = −λ sin ω: stress goes like r^-0.134, however blunt that looks.
+TEST(SingularZone, KinkThatStandsAloneIsANotch) {
   const auto kink = support::wedge_mesh(194.0 / 180 * pi, 4, 0.02, 0.005);
-  EXPECT_TRUE(singular_zones<2>(kink, kSteel, {}).empty());
+  const auto zones = singular_zones<2>(kink, kSteel, {});
+  ASSERT_EQ(zones.size(), 1u);
+  EXPECT_NEAR(zones[0].exponent, 0.8655326, 1e-6);
+  const auto blunt = support::wedge_mesh(182.0 / 180 * pi, 4, 0.02, 0.005);
+  EXPECT_TRUE(singular_zones<2>(blunt, kSteel, {}).empty());
+}
+
+TEST(SingularZone, ConvexPlateAndFacetsOfACurveHaveNone) {
+  EXPECT_TRUE(singular_zones<2>(square(3), kSteel, {}).empty());
   // Facets of 11° around a hole.
   const auto ring = support::ring_mesh<2>(
       {.inner = 0.005, .outer = 0.02, .radial = 3, .angular = 32, .degree = 1});
   EXPECT_TRUE(singular_zones<2>(ring, kSteel, {}).empty());
+}
+
+TEST(SingularZone, FacetsOfACurveTellTheirKink) {
+  const auto ring = support::ring_mesh<3>(
+      {.inner = 0.005, .outer = 0.02, .radial = 3, .angular = 32, .degree = 1});
+  const double kink = 2.0 * pi / 32.0;
+  EXPECT_NEAR(facet_kink(ring, {}, {0.005, 0.0, 0.005}), kink, 1e-9);
+  EXPECT_EQ(facet_kink(ring, {}, {0.0125, 0.0, 0.005}), 0.0);
 }
 
 TEST(SingularZone, ClampHasItsTwoEnds) {

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "assessment/part_check.h"
+
+namespace clevis::assessment {
+
+/// Widens the band of a peak that stands on flat facets of a curve by what the
+/// curve behind them may make of it, and says so.
+void add_facet_doubt(const PartJob& job, PartResult& result);
+
+}  // namespace clevis::assessment

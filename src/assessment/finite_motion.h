@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "assessment/part_result.h"
+
+namespace clevis::assessment {
+
+/// Beyond these small displacements do not hold: a turn of 5° changes levers by
+/// 9 % and their lengths by 0.4 %, a strain of 5 % every length by as much.
+inline constexpr double kLargestRotation = 5.0 / 180.0 * 3.14159265358979;
+inline constexpr double kLargestStrain = 0.05;
+
+/// Why linear theory does not hold for the part; empty if it does.
+std::string beyond_small_displacements(const FiniteMotion& motion);
+
+}  // namespace clevis::assessment

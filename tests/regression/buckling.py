@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+"""Linear buckling of whole runs.
+
+    buckling.py CLEVIS ROOT
+
+- Two links, clamped at one bore and pressed at the other, against CalculiX's
+  *BUCKLE on the exported deck, its cells cut finer (skipped without ccx).
+- A clamped column under three times its Euler load must fail, by its buckling;
+  under a third of it, it passes.
+- A strip that linear theory bends by half of its length does not pass.
+- The shape and the numbers stand in the files.
+"""
+import json
+import math
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+CALCULIX = 0.005
+
+MATERIAL = """schema = 1
+name = "buckling"
+
+[material.steel]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+density = "7850 kg/m^3"
+yield_strength = "355 MPa"
+"""
+
+LINK = MATERIAL + """
+[[part]]
+name = "link"
+mesh = "{mesh}"
+length_unit = "mm"
+material = "steel"
+
+[[part.case]]
+name = "press"
+fixed = {{ {held} = ["x", "y", "z"] }}
+pins = {{ {pressed} = ["{x} N", "{y} N", "0 N"] }}
+"""
+
+BAR = MATERIAL + """
+[[part]]
+name = "bar"
+mesh = "bar.msh"
+length_unit = "mm"
+material = "steel"
+limits = {{ singular_zones = "exclude", safety_factor = 1.5 }}
+
+[[part.case]]
+name = "{case}"
+fixed = {{ root = ["x", "y", "z"] }}
+traction = {{ tip = ["{x} MPa", "{y} MPa", "0 MPa"] }}
+"""
+
+
+def bar_mesh(path, length, width, height, cells):
+    """A box of hexahedra along x, root at x = 0, tip at x = length."""
+    nodes = [(length * i / cells, width * j, height * k)
+             for i in range(cells + 1) for k in (0, 1) for j in (0, 1)]
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "3",
+             '2 1 "root"', '2 2 "tip"', '3 3 "body"', "$EndPhysicalNames",
+             "$Nodes", str(len(nodes))]
+    lines += [f"{n + 1} {x} {y} {z}" for n, (x, y, z) in enumerate(nodes)]
+    lines += ["$EndNodes", "$Elements", str(cells + 2)]
+    last = 4 * cells
+    lines.append("1 3 2 1 1 1 2 4 3")
+    lines.append("2 3 2 2 2 " + " ".join(str(last + v) for v in (1, 2, 4, 3)))
+    for c in range(cells):
+        a, b = 4 * c, 4 * c + 4
+        cell = (a + 1, b + 1, b + 2, a + 2, a + 3, b + 3, b + 4, a + 4)
+        lines.append(f"{c + 3} 5 2 3 3 " + " ".join(map(str, cell)))
+    lines.append("$EndElements")
+    path.write_text("\n".join(lines) + "\n")
+
+
+def check(clevis, folder, text, name):
+    scene = folder / f"{name}.toml"
+    scene.write_text(text)
+    out = folder / name
+    run = subprocess.run([clevis, "check", scene, "--out", out],
+                         capture_output=True, text=True)
+    if not (out / "result.json").is_file():
+        raise SystemExit(f"{name}: {run.stderr}")
+    return run, json.loads((out / "result.json").read_text())["parts"][0], out
+
+
+def calculix_factor(clevis, scene, folder):
+    subprocess.run([clevis, "export", scene, "--out", folder, "--split", "2",
+                    "--elements", "C3D20"], check=True, capture_output=True)
+    deck = (folder / "link.inp").read_text()
+    step = deck.index("*STATIC")
+    (folder / "buckle.inp").write_text(
+        deck[:step] + "*BUCKLE\n1\n" + deck[step + len("*STATIC\n"):])
+    subprocess.run(["ccx", "buckle"], cwd=folder, check=True,
+                   capture_output=True)
+    rows = re.findall(r"^ +1 +(\S+) *$", (folder / "buckle.dat").read_text(),
+                      re.M)
+    return float(rows[0])
+
+
+def link_faults(clevis, root, folder):
+    links = [("ab", "meshes/landing_gear/link_ab.msh", "bore_A", "bore_B"),
+             ("reference", "meshes/reference_link/link.msh", "bore_B",
+              "bore_A")]
+    for name, mesh, held, pressed in links:
+        direction = PRESS[name]
+        text = LINK.format(mesh=root / mesh, held=held, pressed=pressed,
+                           x=direction[0], y=direction[1])
+        run, part, out = check(clevis, folder, text, name)
+        factor = part["buckling"]["factor"]
+        low, high = part["buckling"]["band"]
+        if not (out / "link_buckling.vtu").is_file():
+            yield f"{name}: link_buckling.vtu is missing"
+        if "buckling" not in run.stdout:
+            yield f"{name}: the table does not tell its buckling"
+        if shutil.which("ccx") is None:
+            continue
+        reference = calculix_factor(clevis, folder / f"{name}.toml",
+                                    folder / f"{name}_ccx")
+        print(f"{name}: {factor:.4f} [{low:.4f}, {high:.4f}], CalculiX "
+              f"{reference:.4f}")
+        if abs(factor / reference - 1) > CALCULIX:
+            yield f"{name}: {factor / reference} of CalculiX's factor"
+
+
+def column_faults(clevis, folder):
+    length, side = 1000.0, 10.0
+    bar_mesh(folder / "bar.msh", length, side, side, 20)
+    euler = math.pi ** 2 * 210e3 * side ** 4 / 12 / (2 * length) ** 2
+    for share, verdict in ((3.0, "fail"), (1 / 3, "pass")):
+        text = BAR.format(case="press", x=-share * euler / side ** 2, y=0)
+        _, part, _ = check(clevis, folder, text, f"column_{share:.1f}")
+        factor = part["buckling"]["factor"]
+        print(f"column, {share:.3f} times Euler's load: {part['verdict']}, "
+              f"factor {factor:.4f}; {part['why']}")
+        if part["verdict"] != verdict:
+            yield f"column at {share}: {part['verdict']}: {part['why']}"
+        if abs(factor * share - 1) > 0.01:
+            yield f"column at {share}: factor {factor}"
+
+
+def strip_faults(clevis, folder):
+    bar_mesh(folder / "bar.msh", 1000.0, 10.0, 1.0, 40)
+    text = BAR.replace('"0 MPa"]', '"{z} MPa"]').format(
+        case="bend", x=0, y=0, z=0.03)
+    _, part, _ = check(clevis, folder, text, "strip")
+    print(f"strip: {part['deflection_mm']:.0f} mm, {part['why']}")
+    if part["deflection_mm"] < 500:
+        yield f"strip: deflection {part['deflection_mm']}"
+    if part["verdict"] != "not judged" or "small displ" not in part["why"]:
+        yield f"strip: {part['verdict']}: {part['why']}"
+
+
+# Newtons that press the bore towards the held one.
+PRESS = {"ab": (-2e3, 0.0), "reference": (20e3, 0.0)}
+
+
+def main():
+    clevis, root = sys.argv[1:3]
+    clevis, root = str(Path(clevis).resolve()), Path(root).resolve()
+    found = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for fault in (*column_faults(clevis, folder),
+                      *strip_faults(clevis, folder),
+                      *link_faults(clevis, root, folder)):
+            found.append(fault)
+    for fault in found:
+        print(fault, file=sys.stderr)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
