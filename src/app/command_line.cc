@@ -37,7 +37,8 @@ struct Parsed {
   std::function<ExitCode()> run;
 };
 
-/// Relative tolerance of the peak stress from e.g. "1%".
+/// Relative tolerance of the peak stress from e.g. "1%"; a bare number may be
+/// meant either way.
 double peak_tolerance(const std::string& text) {
   constexpr double kLeast = 1e-5, kMost = 0.5;
   double value{};

@@ -3,10 +3,10 @@
 #include <cassert>
 #include <cstdint>
 #include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
 
+#include "app/geometry_files.h"
 #include "base/errors.h"
 
 namespace clevis::app {
@@ -46,14 +46,14 @@ std::optional<std::string> stamp_of(const std::filesystem::path& mesh) {
 }
 
 void require_current_mesh(const part::PartDefinition& part) {
-  std::ifstream stream(part.geometry, std::ios::binary);
-  if (part.geometry.empty() || !stream) return;
-  const std::string geometry{std::istreambuf_iterator<char>(stream), {}};
+  if (part.geometry.empty() || !std::ifstream(part.geometry)) return;
   const std::optional<std::string> stamp = stamp_of(part.mesh);
-  if (!stamp || *stamp == geometry_stamp(geometry)) return;
+  if (!stamp || *stamp == geometry_stamp(geometry_content(part.geometry))) {
+    return;
+  }
   throw Error("M011", part.mesh.string(),
               fmt::format("part {}: the mesh was made from another version of "
-                          "{}",
+                          "{}, or of a file that it reads",
                           part.name, part.geometry.filename().string()),
               "Run `clevis mesh` on the scene.");
 }

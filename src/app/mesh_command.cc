@@ -1,13 +1,13 @@
 #include <chrono>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <set>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "app/geometry_files.h"
 #include "app/geometry_stamp.h"
 #include "app/gmsh_runner.h"
 #include "app/temporary_folder.h"
@@ -49,11 +49,6 @@ std::vector<PartDefinition> parts_to_mesh(
   return result;
 }
 
-std::string read_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// The mesh that the text of a .msh holds, through the same gate as in
 /// `check`: what does not pass is not kept.
 mesh::PartMesh<3> gated(const std::string& text, const PartDefinition& part) {
@@ -66,7 +61,7 @@ mesh::PartMesh<3> gated(const std::string& text, const PartDefinition& part) {
 void mesh_part(const PartDefinition& part) {
   const auto start = std::chrono::steady_clock::now();
   // Hashed before gmsh reads it: an edit in between leaves the mesh stale.
-  const std::string stamp = geometry_stamp(read_file(part.geometry));
+  const std::string stamp = geometry_stamp(geometry_content(part.geometry));
   const std::string text = stamped(run_gmsh(part.geometry), stamp);
   const mesh::PartMesh<3> mesh = gated(text, part);
   report::write_file(part.mesh, text);
@@ -75,6 +70,11 @@ void mesh_part(const PartDefinition& part) {
   std::cout << fmt::format("{}: {} cells, {} vertices -> {} ({:.2f} s)\n",
                            part.name, mesh.cells.size(), mesh.vertices.size(),
                            part.mesh.string(), elapsed.count());
+  for (const std::string& group : mesh.empty_groups) {
+    std::cout << fmt::format(
+        "{}: the physical group {} holds no surface of the part\n", part.name,
+        group);
+  }
 }
 
 }  // namespace

@@ -136,9 +136,12 @@ void write_part_files(const assessment::PartAssessment& assessment,
   report::write_file(
       folder / (name + ".vtu"),
       vtu(fields, field, scalars, stress::CellOrder::kLagrange, {}));
-  report::write_file(
-      folder / (name + "_linear.vtu"),
-      vtu(fields, field, scalars, stress::CellOrder::kLinear, {}));
+  // Simplices have linear cells in either.
+  if (fields.shape == mesh::CellShape::kTensor) {
+    report::write_file(
+        folder / (name + "_linear.vtu"),
+        vtu(fields, field, scalars, stress::CellOrder::kLinear, {}));
+  }
   if (fields.buckling) {
     std::ostringstream out;
     stress::write_vtu<3>(out, fields.buckling->shape, fields.buckling->field,

@@ -47,8 +47,9 @@ double cylinder_length(const scene::SlideLeverClosedForm& given,
     return l_x;
   }
   throw Error(
-      "S006", "closed_form.slide_lever",
-      fmt::format("FD = {:.6g} mm, ED = {:.6g} mm, DD1 = {:.6g} mm "
+      "S006", given.place,
+      fmt::format("closed_form.slide_lever: FD = {:.6g} mm, ED = {:.6g} mm, "
+                  "DD1 = {:.6g} mm "
                   "and l_x = {:.6g} mm make no triangle",
                   1e3 * given.FD, 1e3 * given.ED, 1e3 * given.DD1, 1e3 * l_x),
       "Give the lengths of the mechanism.");

@@ -39,7 +39,8 @@ template <int dim>
 stress::Band outer_band_of(const ZoneWatch<dim>& zones, double tolerance) {
   std::vector<SequenceMember> sequence;
   for (const auto& peak : zones.outside()) sequence.push_back(peak.member);
-  return band_of(sequence, zones.outside().back().sampling_error, tolerance);
+  const OutsidePeak& last = zones.outside().back();
+  return band_of(sequence, last.sampling_error + last.time_error, tolerance);
 }
 
 /// One climb.
@@ -57,14 +58,17 @@ class Climb {
     ladder_.sequence.push_back(ladder_.level.member);
     ladder_.probes.push_back(ladder_.level.probes);
     ladder_.held.push_back(ladder_.level.held);
+    ladder_.deflections.take(sets, ladder_.level);
     ladder_.zones.take(ladder_.level);
     const double tolerance = job_.tolerance - rung_.model_error;
-    ladder_.band = band_of(ladder_.sequence,
-                           ladder_.level.history().sampling_error +
-                               time_doubt(sets[ladder_.level.set].history,
-                                          ladder_.level.history().peak),
-                           tolerance);
+    const auto& history = ladder_.level.history();
+    ladder_.time_error =
+        time_doubt(sets[ladder_.level.set].history, history.peak);
+    ladder_.band =
+        band_of(ladder_.sequence, history.sampling_error + ladder_.time_error,
+                tolerance);
     if (ladder_.zones.is_singular()) {
+      ladder_.time_error = ladder_.zones.outside().back().time_error;
       ladder_.outer_band = outer_band_of(ladder_.zones, tolerance);
     } else if (rung_.looks_nearby && ladder_.sequence.size() > 2) {
       look_nearby(sets, tolerance);
@@ -74,6 +78,7 @@ class Climb {
     ladder_.sequence.pop_back();
     ladder_.probes.pop_back();
     ladder_.held.pop_back();
+    ladder_.deflections.drop();
   }
   bool is_within() const {
     const auto& judged =
@@ -97,10 +102,7 @@ class Climb {
     stress::Band band = stress::local_band(*values, tolerance);
     band.value = sequence.back().peak;
     band.low = std::min(band.low, band.value);
-    ladder_.band = widened(band,
-                           time_doubt(sets[ladder_.level.set].history,
-                                      ladder_.level.history().peak),
-                           tolerance);
+    ladder_.band = widened(band, ladder_.time_error, tolerance);
   }
 
   const PartJob& job_;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "assessment/deflection_band.h"
 #include "assessment/level.h"
 #include "assessment/part_check.h"
 #include "assessment/rung.h"
@@ -22,8 +23,10 @@ struct DegreeLadder {
   std::vector<SequenceMember> sequence;
   std::vector<std::vector<double>> probes;  ///< per degree
   std::vector<HeldStress> held;             ///< per degree
+  DeflectionWatch deflections;
   stress::Band band;
   stress::Band outer_band;  ///< away from zones; only if one governs
+  double time_error{};      ///< between instants, of the judged peak [Pa]
 };
 
 /// Solves degree after degree until the peak is within the tolerance less the

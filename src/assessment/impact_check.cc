@@ -415,7 +415,9 @@ void finish_impacts(std::vector<ImpactResult> impacts, PartResult& result) {
         return !i.refinement.settles || i.is_cut;
       });
   for (PeakStress* peak : {&result.peak, &result.peak_outside}) {
-    if (unsettled && peak->verdict == PeakVerdict::kConverged) {
+    if (!unsettled) continue;
+    peak->has_band = false;
+    if (peak->verdict == PeakVerdict::kConverged) {
       peak->verdict = PeakVerdict::kNotConverged;
     }
   }

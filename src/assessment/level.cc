@@ -105,6 +105,9 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
     note_held<dim>(job, set, *basis, level);
     auto history = stress::stress_history<dim>(*basis, job.part.material,
                                                rung.subdivisions);
+    level.deflections.push_back(stress::largest_deflection<dim>(*basis));
+    level.member.deflection =
+        std::max(level.member.deflection, level.deflections.back().value);
     seconds.recover += watch.lap();
     level.bases.push_back(basis);
     level.histories.push_back(std::move(history));

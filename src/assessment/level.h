@@ -7,6 +7,7 @@
 #include "assessment/part_check.h"
 #include "assessment/rung.h"
 #include "elasticity/displacement_basis.h"
+#include "stress/deflection.h"
 #include "stress/probe.h"
 
 namespace clevis::assessment {
@@ -18,6 +19,7 @@ struct Level {
   std::vector<std::shared_ptr<elasticity::DisplacementBasis<dim>>>
       bases;                                     ///< per set
   std::vector<stress::StressHistory> histories;  ///< per set
+  std::vector<stress::Deflection> deflections;   ///< per set
   std::size_t set{};                             ///< the governing one
   SequenceMember member;
   HeldStress held;                         ///< without band

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "assessment/doubt.h"
+
 namespace clevis::assessment {
 namespace {
 
@@ -12,6 +14,10 @@ void widen(double tolerance, double model_error, PeakStress& peak) {
   peak.discretization_error =
       std::max(peak.band_high - peak.value, peak.value - peak.band_low);
   peak.model_error = model_error * peak.value;
+  // What lies between instants can only rise.
+  peak.shares.mesh = std::max(peak.value - peak.band_low,
+                              peak.band_high - peak.value - peak.shares.time);
+  peak.shares.model = peak.model_error;
   peak.band_low -= peak.model_error;
   peak.band_high += peak.model_error;
   const double half_width = peak.discretization_error + peak.model_error;
@@ -48,17 +54,17 @@ void add_model_error(double tolerance, double model_error, PartResult& result) {
   const bool is_outside = !result.peak_outside.sequence.empty();
   widen(tolerance, is_outside ? 0.0 : model_error, result.peak);
   if (is_outside) widen(tolerance, model_error, result.peak_outside);
+  // What a model leaves out it leaves out of stiffness too, and less of it.
+  const double rest = model_error * result.deflection;
+  result.deflection_low = std::max(0.0, result.deflection_low - rest);
+  result.deflection_high += rest;
   const PeakStress& peak = is_outside ? result.peak_outside : result.peak;
-  const auto percent = [&](double error) {
-    return peak.value > 0.0 ? 100.0 * error / peak.value : 0.0;
-  };
   result.stopped_because = fmt::format(
-      "{}: {:.2g} % discretisation + {:.2g} % model, {:.3g} % wanted",
+      "{}: {}, {:.3g} % wanted",
       peak.verdict != PeakVerdict::kConverged ? "highest degree done"
       : is_outside ? "within tolerance away from the singular zones"
                    : "within tolerance",
-      percent(peak.discretization_error), percent(peak.model_error),
-      100.0 * tolerance);
+      doubt_text(peak), 100.0 * tolerance);
 }
 
 void add_seconds(const PartSeconds& earlier, PartSeconds& seconds) {

@@ -17,6 +17,7 @@
 #include "assessment/model_band.h"
 #include "assessment/model_choice.h"
 #include "assessment/model_error.h"
+#include "assessment/part_notes.h"
 #include "assessment/revolution_model.h"
 #include "assessment/rung.h"
 #include "assessment/rung_result.h"
@@ -247,6 +248,9 @@ PartAssessment check_part(const PartJob& given) {
   check_sharing(given, result);
   judge(job.part, result);
   explain_unsettled(result);
+  for (std::string& note : part_notes(job)) {
+    result.notes.push_back(std::move(note));
+  }
   result.seconds.total = watch.lap();
   return assessment;
 }

@@ -36,15 +36,19 @@ struct PeakPlace {
 };
 
 template <int dim>
-void fill_peak(const PartJob& job, const Level<dim>& level,
+void fill_peak(const PartJob& job, const DegreeLadder<dim>& ladder,
                const stress::Band& band, const PeakPlace& place,
                PeakStress& peak) {
+  const Level<dim>& level = ladder.level;
   const auto& discretization = level.bases[place.set]->discretization;
   const int subdivisions = level.histories[place.set].subdivisions;
   peak.value = band.value;
   peak.band_low = band.low;
   peak.band_high = band.high;
   peak.verdict = to_peak_verdict(band.verdict);
+  peak.has_band = ladder.sequence.size() >= 3 &&
+                  band.verdict != stress::Convergence::kSingular;
+  peak.shares.time = ladder.time_error;
   peak.at = stress::position<dim>(discretization, place.at, subdivisions);
   peak.group =
       stress::surface_group<dim>(discretization, place.at, subdivisions);
@@ -57,9 +61,10 @@ void fill_peak(const PartJob& job, const Level<dim>& level,
 
 /// Zones, and where one governs the peak away from those that do.
 template <int dim>
-void fill_zones(const PartJob& job, const Level<dim>& level,
-                const ZoneWatch<dim>& zones, const stress::Band& outer_band,
+void fill_zones(const PartJob& job, const DegreeLadder<dim>& ladder,
                 PartResult& result) {
+  const Level<dim>& level = ladder.level;
+  const ZoneWatch<dim>& zones = ladder.zones;
   result.singular_zones = zones.results();
   for (ZoneResult& zone : result.singular_zones) {
     zone.has_section =
@@ -70,8 +75,8 @@ void fill_zones(const PartJob& job, const Level<dim>& level,
   if (!zones.is_singular()) return;
   result.peak.verdict = PeakVerdict::kSingular;
   const OutsidePeak& last = zones.outside().back();
-  fill_peak<dim>(job, level, outer_band, {last.set, last.at, last.instant},
-                 result.peak_outside);
+  fill_peak<dim>(job, ladder, ladder.outer_band,
+                 {last.set, last.at, last.instant}, result.peak_outside);
   PeakStress& outside = result.peak_outside;
   outside.discretization_error = std::max(outside.band_high - outside.value,
                                           outside.value - outside.band_low);
@@ -81,10 +86,11 @@ void fill_zones(const PartJob& job, const Level<dim>& level,
 }
 
 template <int dim>
-void fill_deflection(const PartJob& job, const Level<dim>& level,
+void fill_deflection(const PartJob& job, const DegreeLadder<dim>& ladder,
                      PartResult& result) {
+  const Level<dim>& level = ladder.level;
   for (std::size_t s = 0; s < level.bases.size(); ++s) {
-    const auto deflection = stress::largest_deflection<dim>(*level.bases[s]);
+    const stress::Deflection& deflection = level.deflections[s];
     result.strain_energy = std::max(result.strain_energy,
                                     level.bases[s]->strain_energy.maxCoeff());
     if (s > 0 && deflection.value <= result.deflection) continue;
@@ -95,6 +101,9 @@ void fill_deflection(const PartJob& job, const Level<dim>& level,
             .history.instants[static_cast<std::size_t>(deflection.instant)]
             .time;
   }
+  const DeflectionError error = ladder.deflections.error();
+  result.deflection_low = std::max(0.0, 1.0 - error.mesh) * result.deflection;
+  result.deflection_high = (1.0 + error.mesh + error.time) * result.deflection;
 }
 
 /// The label is of what is farther beyond its bound.
@@ -274,16 +283,16 @@ PartAssessment assess(const PartJob& job, const Rung<dim>& rung,
   for (const auto& basis : level.bases) {
     result.load_columns += static_cast<int>(basis->columns.cols());
   }
-  fill_peak<dim>(job, level, ladder.band,
+  fill_peak<dim>(job, ladder, ladder.band,
                  {level.set, history.peak_at, history.peak_instant},
                  result.peak);
-  fill_zones<dim>(job, level, ladder.zones, ladder.outer_band, result);
+  fill_zones<dim>(job, ladder, result);
   result.held = held_stress(ladder.held);
   fill_checks<dim>(level, result.self_checks);
   fill_probes(job, ladder.sequence, ladder.probes, result.probes);
   settle_even_pressure(check_reported_peak<dim>(job, level, result),
                        result.peak);
-  fill_deflection<dim>(job, level, result);
+  fill_deflection<dim>(job, ladder, result);
   fill_motion<dim>(job, level, result.finite_motion);
   result.strain_energy_error = energy_error(ladder.sequence);
   assessment.fields = make_fields<dim>(job, level);

@@ -10,10 +10,10 @@ namespace clevis::assessment {
 /// Fail: the peak's band lies beyond the yield strength or beyond what the
 /// safety factor allows, or the nominal stress of a zone left out does, or the
 /// deflection or Euler's load breaks its limit. Pass: the whole bands are
-/// within. Not judged: the peak is singular, or not
-/// converged with a band that does not lie beyond the limit as a whole; a
-/// limit lies inside the band; or nothing stresses the part; or it turns or
-/// strains too far for linear theory.
+/// within; that of a peak that is not converged with twice its reach. Not
+/// judged: the peak is singular, or not converged with a band that decides
+/// neither; a limit lies inside a band; nothing stresses the part; or it turns
+/// or strains too far for linear theory.
 void judge(const part::PartDefinition& part, PartResult& result);
 
 /// The judged peak, or the nominal stress of what the limits leave out, if that

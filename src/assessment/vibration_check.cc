@@ -76,6 +76,20 @@ bool is_of_motion(const PeakStress& peak, const LoadSet& set) {
   });
 }
 
+/// Puts the dynamic deflection in place of that at rest; beside cases only if
+/// it is larger. Its band has the error of both.
+void deflect(bool beside_cases, const VibrationResult& found,
+             PartResult& result) {
+  if (beside_cases && found.deflection <= result.deflection) return;
+  const double still = result.deflection > 0.0
+                           ? result.deflection_high / result.deflection - 1.0
+                           : 0.0;
+  const double error = (still + found.error()) * found.deflection;
+  result.deflection = found.deflection;
+  result.deflection_low = std::max(0.0, found.deflection - error);
+  result.deflection_high = found.deflection + error;
+}
+
 /// Puts the dynamic peak on the ladder's, or where a case has that beside it.
 void judge_vibration(const PartJob& job, const LoadSet& set, PartResult& result,
                      VibrationResult& found) {
@@ -92,9 +106,7 @@ void judge_vibration(const PartJob& job, const LoadSet& set, PartResult& result,
   found.band_low -= error * found.peak;
   found.band_high += error * found.peak;
   found.governs = of_motion || found.band_high > still.value;
-  result.deflection = job.part.cases.empty()
-                          ? found.deflection
-                          : std::max(result.deflection, found.deflection);
+  deflect(!job.part.cases.empty(), found, result);
   if (found.governs) {
     result.safety_factor = job.part.material.yield_strength / found.peak;
   }

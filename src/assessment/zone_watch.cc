@@ -84,7 +84,7 @@ void ZoneWatch<dim>::take(const Level<dim>& level) {
   measure(level, peak_of(taken, true).member.peak);
   outside_.clear();
   for (const Taken& one : taken_) outside_.push_back(peak_of(one, false));
-  outside_.back().sampling_error += sampling_error(level, outside_.back());
+  outside_.back().time_error = time_error(level, outside_.back());
 }
 
 template <int dim>
@@ -135,8 +135,8 @@ OutsidePeak ZoneWatch<dim>::peak_of(const Taken& taken,
 }
 
 template <int dim>
-double ZoneWatch<dim>::sampling_error(const Level<dim>& level,
-                                      const OutsidePeak& peak) const {
+double ZoneWatch<dim>::time_error(const Level<dim>& level,
+                                  const OutsidePeak& peak) const {
   const auto at_point = stress::point_history<dim>(
       *level.bases[peak.set], job_.part.material, peak.at,
       level.histories[peak.set].subdivisions);

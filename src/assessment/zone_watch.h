@@ -15,7 +15,8 @@ struct OutsidePeak {
   std::size_t set{};
   stress::FieldPoint at;
   int instant{};
-  double sampling_error{};  ///< between lattice points and instants [Pa]
+  double sampling_error{};  ///< between lattice points [Pa]
+  double time_error{};      ///< between instants [Pa]
   SequenceMember member;
 };
 
@@ -70,7 +71,7 @@ class ZoneWatch {
   void grade(const mesh::PartMesh<dim>& mesh);
   void measure(const Level<dim>& level, double outside_peak);
   OutsidePeak peak_of(const Taken& taken, bool without_all) const;
-  double sampling_error(const Level<dim>& level, const OutsidePeak& peak) const;
+  double time_error(const Level<dim>& level, const OutsidePeak& peak) const;
 
   const PartJob& job_;
   mesh::PartMesh<dim> mesh_;

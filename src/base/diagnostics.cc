@@ -69,7 +69,8 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "contact spring with a stiffness above zero. A Hertz contact (exponent "
      "1.5) cannot be bilateral."},
     {"I001", kIo, "cannot read file",
-     "The file does not exist or may not be read. Paths in a scene are "
+     "The file does not exist, is a folder or device, or may not be read. "
+     "Paths in a scene are "
      "relative to the scene file; meshes of a scene in geometry/NAME are "
      "looked for in meshes/NAME too."},
     {"I002", kIo, "cannot write file",
@@ -175,12 +176,14 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "A node has NaN or Inf as a coordinate."},
     {"M005", kMeshInvalid, "inverted or degenerate cell",
      "The Jacobian determinant of the mapped cell is not positive at every "
-     "quadrature point: the cell is turned inside out or folded."},
+     "quadrature point: the cell is turned inside out or folded. Or the cell "
+     "is a needle: flat to 1e-5, or 5000 times as long as across."},
     {"M006", kMeshInvalid, "mesh is not one connected body",
      "The cells fall into several pieces that share no face. Delete the loose "
      "piece or merge coincident nodes."},
     {"M007", kMeshInvalid, "implausible size",
-     "The part is smaller than 1 µm or larger than 10 km: check length_unit."},
+     "The part is smaller than 10 µm or larger than 100 m, or thinner than "
+     "1 µm or a millionth of its size: check length_unit and thickness."},
     {"M008", kMeshInvalid, "unsupported cells",
      "clevis takes hexahedra (orders 1-4) or tetrahedra (orders 1-2), and for "
      "a plate with `thickness` quadrangles (orders 1-4) or triangles (orders "
@@ -200,8 +203,8 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "group at most."},
     {"M013", kMeshInvalid, "thickness does not fit the mesh",
      "A part with `thickness` is a plate whose mesh holds its mid-plane: "
-     "triangles or quadrangles in a plane z = const. A mesh with volume cells "
-     "has its thickness in itself."},
+     "triangles or quadrangles in a plane z = const, and it is no thicker than "
+     "it is wide. A mesh with volume cells has its thickness in itself."},
     {"M014", kMeshInvalid, "cells overlap",
      "Two cells have the same corners, or more than two meet at one face: "
      "they take the same room, and the part would be stiffer and heavier "
@@ -231,7 +234,8 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "A body, joint, part, material or drive is referred to that the scene "
      "does not define; the nearest defined name is given."},
     {"S008", kSceneInvalid, "duplicate name",
-     "Two entities of the same kind have the same name."},
+     "Two entities of the same kind have the same name, or two parts would "
+     "write files of the same name."},
     {"S009", kSceneInvalid, "unknown choice",
      "The value is none of the choices of this key."},
     {"S010", kSceneInvalid, "keys contradict each other",

@@ -199,16 +199,14 @@ double parse_quantity(std::string_view text, Dimension dimension,
   }
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
   const std::string unit_text(trimmed(rest));
-  if (unit_text.empty() && dimension != Dimension::kRatio) {
-    throw refuse("S004", "has no unit");
-  }
-  if (!looks_like_unit(unit_text)) {
-    throw refuse("S004", fmt::format("has no known unit: \"{}\"", unit_text));
-  }
+  if (unit_text.empty()) throw refuse("S004", "has no unit");
+  const auto unknown = [&] {
+    return refuse("S004",
+                  fmt::format("has no known unit: \"{:.60}\"", unit_text));
+  };
+  if (!looks_like_unit(unit_text)) throw unknown();
   const UnitContent unit = parse_unit(unit_text);
-  if (!unit.is_proportional) {
-    throw refuse("S004", fmt::format("has no known unit: \"{}\"", unit_text));
-  }
+  if (!unit.is_proportional) throw unknown();
   if (!(unit == parse_unit(entry.si_unit))) {
     throw refuse("S004", fmt::format("is not of the dimension {}", entry.noun));
   }

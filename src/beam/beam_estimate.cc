@@ -62,17 +62,26 @@ void add_span_stresses(const Span& span, const loads::LoadHistory& history,
                        std::vector<BeamStress>& stresses) {
   Worst fibre("axial + bending"), neutral("axial + shear");
   for (std::size_t k = 0; k < span.stations.size(); ++k) {
-    const auto where = [&] {
-      return fmt::format("{}-{} at {:.4g} mm", history.seats[span.from].name,
-                         history.seats[span.to].name, span.positions[k] * 1e3);
-    };
     const Station& station = span.stations[k];
-    for (const loads::InstantLoad& instant : history.instants) {
-      const loads::Wrench w =
-          section_force(history, instant, span.beyond[k], station);
-      fibre.offer(station.fibre_stress(w), instant.time, where);
-      neutral.offer(station.neutral_axis_stress(w), instant.time, where);
-    }
+    const auto offer = [&](double position) {
+      const auto where = [&] {
+        return fmt::format("{}-{} at {:.4g} mm", history.seats[span.from].name,
+                           history.seats[span.to].name, position * 1e3);
+      };
+      const Eigen::Vector3d shift =
+          (position - span.positions[k]) * station.normal();
+      for (const loads::InstantLoad& instant : history.instants) {
+        loads::Wrench w =
+            section_force(history, instant, span.beyond[k], station);
+        w.moment -= shift.cross(w.force);
+        fibre.offer(station.fibre_stress(w), instant.time, where);
+        neutral.offer(station.neutral_axis_stress(w), instant.time, where);
+      }
+    };
+    offer(span.positions[k]);
+    // Where a pin's force bends most, with the section beside its bore.
+    if (k == 0 && span.starts_at_seat) offer(0.0);
+    if (k + 1 == span.stations.size() && span.ends_at_seat) offer(span.length);
   }
   fibre.add_to(stresses);
   neutral.add_to(stresses);

@@ -111,11 +111,13 @@ Span build_span(const PartModel& model, const part::MassProperties& mass,
                 const std::vector<loads::GroupGeometry>& groups,
                 const loads::LoadHistory& history, const Vector3d& direction,
                 std::size_t from, std::size_t to) {
-  Span span{from, to, {}, {}, {}};
+  Span span;
+  span.from = from;
+  span.to = to;
   const Vector3d p_LF = history.seats[from].p_LS;
+  span.length = (history.seats[to].p_LS - p_LF).dot(direction);
   const double start = reach(history.seats[from], groups, direction);
-  const double end = (history.seats[to].p_LS - p_LF).dot(direction) -
-                     reach(history.seats[to], groups, direction);
+  const double end = span.length - reach(history.seats[to], groups, direction);
   if (end <= start) return span;
   std::vector<double> wanted, planes;
   for (int k = 0; k < kStationsPerSpan; ++k) {
@@ -131,6 +133,8 @@ Span build_span(const PartModel& model, const part::MassProperties& mass,
     if (passes_a_third_seat(history, groups, span, point, direction)) continue;
     const mesh::Section section = model.section(point, direction);
     if (!(section.area > 0.0)) continue;
+    if (k == 0) span.starts_at_seat = true;
+    if (k + 1 == wanted.size()) span.ends_at_seat = true;
     span.positions.push_back(wanted[k]);
     span.stations.emplace_back(section, direction, moments[k]);
     span.beyond.push_back(loads_beyond(history, groups, point, direction));

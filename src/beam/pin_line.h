@@ -20,6 +20,10 @@ struct Span {
   std::vector<double> positions;  ///< of the stations from `from` [m]
   std::vector<Station> stations;
   std::vector<LoadsBeyond> beyond;  ///< per station
+  double length{};                  ///< between the seats [m]
+  /// Whether the first and the last station stand beside the seats' own
+  /// cylinders.
+  bool starts_at_seat = false, ends_at_seat = false;
 };
 
 /// A straight row of seats, taken as a beam.

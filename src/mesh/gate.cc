@@ -62,9 +62,10 @@ bool is_sound(const CellQuality& quality) {
          quality.scaled_jacobian > 0.25;
 }
 
-/// A cell whose scaled Jacobian is rounding has no inside either.
+/// A needle whose corner lies far off has next to no inside either.
 bool is_bad(const CellQuality& quality) {
-  return !(quality.scaled_jacobian > 1e-12);
+  constexpr double kFlattest = 1e-5;
+  return !(quality.scaled_jacobian > kFlattest);
 }
 
 double straight_volume(const PartMesh<3>& mesh, std::size_t cell) {
@@ -173,10 +174,47 @@ std::vector<CellQuality> cell_qualities(const PartMesh<3>& mesh) {
 }
 
 void check_size(const PartMesh<3>& mesh, const std::string& file) {
+  constexpr double kSmallest = 1e-5, kLargest = 100.0, kThinnest = 1e-6;
   const double size = size_of(mesh);
-  if (size >= 1e-6 && size <= 1e4) return;
-  throw Error("M007", file, fmt::format("the part is {:.3g} m large", size),
-              "check length_unit of the part");
+  if (size < kSmallest || size > kLargest) {
+    throw Error("M007", file, fmt::format("the part is {:.3g} m large", size),
+                "check length_unit of the part");
+  }
+  Vector3d low = mesh.vertices.front(), high = low;
+  for (const Vector3d& vertex : mesh.vertices) {
+    low = low.cwiseMin(vertex);
+    high = high.cwiseMax(vertex);
+  }
+  const double thickness = (high - low).minCoeff();
+  if (thickness >= kThinnest && thickness >= kThinnest * size) return;
+  throw Error("M007", file,
+              fmt::format("the part is {:.3g} m large and {:.3g} m thick", size,
+                          thickness),
+              "check thickness and length_unit of the part");
+}
+
+void check_shapes(const PartMesh<3>& mesh, const std::string& file) {
+  constexpr double kLongest = 5000.0;  // edge over edge of one cell
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    double shortest = kHuge, longest = 0.0;
+    for (std::size_t i = 0; i < mesh.cells[c].size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        const double apart =
+            (mesh.vertices[mesh.cells[c][i]] - mesh.vertices[mesh.cells[c][k]])
+                .norm();
+        shortest = std::min(shortest, apart);
+        longest = std::max(longest, apart);
+      }
+    }
+    if (longest <= kLongest * shortest) continue;
+    throw Error(
+        "M005", file,
+        fmt::format("cell {} near {} is {:.3g} mm long and {:.3g} mm "
+                    "across",
+                    c, in_mm(middle(mesh, c)), 1e3 * longest, 1e3 * shortest),
+        "look for a corner that lies far off, or mesh finer along "
+        "the cell");
+  }
 }
 
 void check_connected(const PartMesh<3>& mesh, const std::string& file) {
@@ -265,7 +303,7 @@ void check_jacobians(const PartMesh<3>& mesh, const std::string& file) {
   }
   throw Error(
       "M005", file,
-      fmt::format("{} of {} cells are inverted or folded{}{}", bad.size(),
+      fmt::format("{} of {} cells are inverted, folded or flat{}{}", bad.size(),
                   qualities.size(), text, bad.size() > 5 ? ", …" : ""),
       all_inside_out
           ? "the whole mesh is numbered left-handed: mirror the geometry, not "

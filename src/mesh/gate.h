@@ -19,9 +19,15 @@ struct CellQuality {
 /// (SimplexQuality).
 std::vector<CellQuality> cell_qualities(const PartMesh<3>& mesh);
 
-/// Refuses a mesh that is smaller than 1 µm or larger than 10 km.
+/// Refuses a mesh that is smaller than 10 µm or larger than 100 m, or thinner
+/// than 1 µm or a millionth of its size.
 /// @throws Error M007.
 void check_size(const PartMesh<3>& mesh, const std::string& file);
+
+/// Refuses cells whose longest edge or diagonal is more than 5000 times the
+/// shortest: the equations lose the part's stiffness in their round-off.
+/// @throws Error M005.
+void check_shapes(const PartMesh<3>& mesh, const std::string& file);
 
 /// @throws Error M006 with the pieces and their volumes.
 void check_connected(const PartMesh<3>& mesh, const std::string& file);

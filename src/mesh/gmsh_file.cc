@@ -23,10 +23,15 @@ GmshFile parse_gmsh(std::string_view bytes, const std::string& name) {
 }
 
 GmshFile read_gmsh_file(const std::filesystem::path& path) {
-  std::error_code status;
-  if (!std::filesystem::is_regular_file(path, status)) {
+  std::error_code failure;
+  const auto status = std::filesystem::status(path, failure);
+  if (!std::filesystem::exists(status)) {
     throw Error("I001", path.string(), "there is no such mesh file",
                 "check the path of the mesh, or build it with `clevis mesh`");
+  }
+  if (!std::filesystem::is_regular_file(status)) {
+    throw Error("I001", path.string(), "is not a regular file",
+                "give the mesh's .msh file, not a folder or device");
   }
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   const std::streamoff size = stream ? std::streamoff(stream.tellg()) : -1;

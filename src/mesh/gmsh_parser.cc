@@ -67,8 +67,15 @@ void GmshParser::read_physical_names() {
     if (open == close || dim < 0 || dim > 3) {
       cursor_.fail("a physical name is not `dimension tag \"name\"`");
     }
+    const std::size_t length = close - open - 1;
+    constexpr std::size_t kLongest = 127;  // of the format
+    if (length > kLongest) {
+      cursor_.fail(
+          fmt::format("a physical name has {} bytes, the format allows {}",
+                      length, kLongest));
+    }
     file_.physical_names[{int(dim), int(tag)}] =
-        std::string(rest.substr(open + 1, close - open - 1));
+        std::string(rest.substr(open + 1, length));
   }
   end_section("PhysicalNames");
 }

@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
 #include "base/errors.h"
 #include "mesh/cells.h"
 #include "mesh/exact_geometry.h"
@@ -14,11 +17,29 @@ namespace clevis::mesh {
 
 namespace {
 
+/// A plate is no thicker than it is wide: terms through the thickness do not
+/// find what happens at the ends of a bar along z.
+void require_plate(const GmshFile& file, double length_unit, double thickness) {
+  Eigen::AlignedBox3d box;
+  for (const auto& point : file.points) box.extend(point);
+  const double width = length_unit * box.sizes().maxCoeff();
+  if (thickness <= width) return;
+  throw Error("M013", file.name,
+              fmt::format("the `thickness` is {:.4g} mm, but the plate is only "
+                          "{:.4g} mm wide",
+                          1e3 * thickness, 1e3 * width),
+              "check thickness and length_unit; give a bar along z as a solid "
+              "mesh");
+}
+
 /// The file itself, or the plate whose mid-plane it holds.
 GmshFile with_volume(GmshFile file, double length_unit,
                      std::optional<double> thickness) {
   if (!thickness) return file;
-  if (is_flat(file)) return extrude(file, *thickness / length_unit);
+  if (is_flat(file)) {
+    require_plate(file, length_unit, *thickness);
+    return extrude(file, *thickness / length_unit);
+  }
   throw Error("M013", file.name,
               "the part has a `thickness`, but its mesh is not flat",
               "leave `thickness` out: it is for a mesh of triangles or "
@@ -55,7 +76,9 @@ ReadMesh read_mesh_with_notes(const std::filesystem::path& file,
   check_size(mesh, content.name);
   check_cells_apart(mesh, content.name);
   check_connected(mesh, content.name);
-  return on_cylinders(std::move(mesh), content.name);
+  ReadMesh read = on_cylinders(std::move(mesh), content.name);
+  check_shapes(read.mesh, content.name);
+  return read;
 }
 
 PartMesh<3> read_part_mesh(const std::filesystem::path& file,

@@ -119,6 +119,13 @@ void add_pin_reactions(TextTable& table, const PartResult& part) {
   }
 }
 
+void add_deflection(TextTable& table, const PartResult& part) {
+  if (part.deflection == 0.0) return;
+  table.add_note(fmt::format(
+      "deflection: {:#.4g} [{:#.4g}, {:#.4g}] mm", millimetres(part.deflection),
+      millimetres(part.deflection_low), millimetres(part.deflection_high)));
+}
+
 void add_reasons(TextTable& table, const PartResult& part) {
   if (!part.stopped_because.empty()) table.add_note(part.stopped_because);
   if (part.peak.verdict != PeakVerdict::kConverged) {
@@ -132,6 +139,7 @@ void add_reasons(TextTable& table, const PartResult& part) {
   if (!part.beam.reason.empty()) {
     table.add_note("FE/beam: " + part.beam.reason);
   }
+  for (const std::string& note : part.notes) table.add_note(note);
 }
 
 std::string not_unique_line(const MechanismSummary& mechanism) {
@@ -211,6 +219,7 @@ std::string check_table(const CheckReport& report, Colour colour) {
   for (const PartResult& part : report.parts) {
     table.add_row(part_row(part));
     add_probes(table, part);
+    add_deflection(table, part);
     add_zones(table, part);
     add_pin_reactions(table, part);
     add_reasons(table, part);

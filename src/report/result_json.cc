@@ -57,20 +57,29 @@ ordered_json mechanism_json(const MechanismSummary& mechanism) {
           {"drives", drives}};
 }
 
+ordered_json shares_json(const assessment::ErrorShares& shares) {
+  return {{"mesh", megapascals(shares.mesh)},
+          {"model", megapascals(shares.model)},
+          {"time", megapascals(shares.time)},
+          {"contact", megapascals(shares.contact)},
+          {"sharing", megapascals(shares.sharing)}};
+}
+
 ordered_json peak_json(const assessment::PeakStress& peak) {
   ordered_json sequence = ordered_json::array();
   for (const assessment::SequenceMember& member : peak.sequence) {
-    sequence.push_back(
-        {{"degree", member.degree},
-         {"dofs", member.dofs},
-         {"peak_MPa", megapascals(member.peak)},
-         {"strain_energy_mJ", millijoules(member.strain_energy)}});
+    sequence.push_back({{"degree", member.degree},
+                        {"dofs", member.dofs},
+                        {"peak_MPa", megapascals(member.peak)},
+                        {"strain_energy_mJ", millijoules(member.strain_energy)},
+                        {"deflection_mm", millimetres(member.deflection)}});
   }
   return {
       {"value_MPa", megapascals(peak.value)},
       {"band_MPa", {megapascals(peak.band_low), megapascals(peak.band_high)}},
       {"discretization_error_MPa", megapascals(peak.discretization_error)},
       {"model_error_MPa", megapascals(peak.model_error)},
+      {"errors_MPa", shares_json(peak.shares)},
       {"verdict", text(peak.verdict)},
       {"at_mm", vector_mm(peak.at)},
       {"group", peak.group},
@@ -179,6 +188,7 @@ ordered_json part_json(const CheckReport& report, const PartResult& part) {
       {"why", part.why},
       {"model", part.model},
       {"stopped_because", part.stopped_because},
+      {"notes", part.notes},
       {"dofs", part.dofs},
       {"cells", part.cells},
       {"load_columns", part.load_columns},
@@ -188,6 +198,8 @@ ordered_json part_json(const CheckReport& report, const PartResult& part) {
       {"held_section", held_section_json(part.held)},
       {"safety_factor", part.safety_factor},
       {"deflection_mm", millimetres(part.deflection)},
+      {"deflection_band_mm",
+       {millimetres(part.deflection_low), millimetres(part.deflection_high)}},
       {"deflection_at_mm", vector_mm(part.deflection_at)},
       {"deflection_instant_s", part.deflection_instant},
       {"strain_energy_mJ", millijoules(part.strain_energy)},

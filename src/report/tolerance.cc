@@ -147,9 +147,7 @@ std::optional<Tolerance> parse_tolerance(std::string_view text,
     std::string_view term = text.substr(0, plus);
     const std::optional<double> value = take_number(term);
     if (!value) return std::nullopt;
-    if (term.empty()) {
-      tolerance.relative += *value;
-    } else if (term == "%") {
+    if (term == "%") {
       tolerance.relative += *value / 100.0;
     } else if (!unit.empty() && term == unit) {
       tolerance.absolute += *value;

@@ -254,7 +254,49 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"closed_form.slide_lever", kSlideLever},
 });
 
+constexpr auto kRivals = std::to_array<Rivals>({
+    {"force", "between", "joint"},
+    {"force", "from", "joint"},
+    {"force", "to", "joint"},
+    {"force", "axis", "joint"},
+    {"force", "coordinate", "between"},
+    {"force", "breakaway", "kinetic_friction"},
+    {"force", "kinetic", "kinetic_friction"},
+    {"force", "stiffness", "bandwidth"},
+    {"force", "damping", "bandwidth"},
+    {"force", "voltage", "voltages"},
+    {"force", "voltages", "voltage"},
+    {"force", "target", "targets"},
+    {"force", "targets", "target"},
+    {"force", "positions", "times"},
+    {"force.chamber", "bore", "area"},
+    {"force.chamber", "rod", "area"},
+    {"force.chamber", "pressure", "gauge_pressure"},
+    {"force.chamber.valve", "cv", "kv"},
+    {"force.chamber.valve", "sonic_conductance", "kv"},
+    {"force.chamber.valve", "area", "kv"},
+    {"force.chamber.valve", "sonic_conductance", "cv"},
+    {"force.chamber.valve", "area", "cv"},
+    {"force.chamber.valve", "area", "sonic_conductance"},
+    {"force.chamber.valve", "openings", "opening"},
+    {"force.chamber.valve", "opening", "openings"},
+    {"force.supply", "pressure", "gauge_pressure"},
+    {"transmission.stage", "ratio", "lead"},
+    {"transmission.stage", "pinion_radius", "lead"},
+    {"transmission.stage", "ratio", "pinion_radius"},
+    {"impact", "mass", "contact"},
+    {"impact", "speed", "contact"},
+    {"impact", "force", "contact"},
+    {"impact", "stiffness", "ball_radius"},
+    {"initial", "velocity", "joint"},
+    {"initial", "angular_velocity", "joint"},
+});
+
 }  // namespace
+
+std::span<const Rivals> rivals() {
+  return kRivals;
+}
 
 std::span<const TableKeys> scene_tables() {
   return kTables;

@@ -20,4 +20,10 @@ std::span<const TableKeys> scene_tables();
 /// @pre path is a row of scene_tables().
 std::span<const std::string_view> keys_of(std::string_view path);
 
+/// Of two keys that exclude each other, the one that is read if both stand.
+struct Rivals {
+  std::string_view path, key, winner;
+};
+std::span<const Rivals> rivals();
+
 }  // namespace clevis::scene

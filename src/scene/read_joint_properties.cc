@@ -113,7 +113,9 @@ CouplingDefinition read_coupling(StrictTable& table,
   coupling.ratio =
       gear ? ratio.number(-1e6, 1e6) : ratio.quantity(Dimension::kLength);
   if (coupling.ratio == 0.0) {
-    throw ratio.refusal("S006", "is zero", "Give a ratio of either sign.");
+    throw ratio.refusal("S006", "is zero",
+                        gear ? "Give a ratio of either sign."
+                             : "Give the pinion's radius, of either sign.");
   }
   if (const auto offset = table.find("offset")) {
     coupling.offset =

@@ -36,7 +36,15 @@ part::Limits read_limits(StrictTable table) {
   constexpr double kLargestFactor = 1000.0;
   part::Limits limits;
   if (const auto factor = table.find("safety_factor")) {
-    limits.safety_factor = factor->number(1e-3, kLargestFactor);
+    limits.safety_factor = factor->number(0.0, kLargestFactor);
+    if (*limits.safety_factor < 1.0) {
+      throw factor->refusal(
+          "S006",
+          fmt::format("= {} lets the part yield, where linear elasticity says "
+                      "nothing of it",
+                      *limits.safety_factor),
+          "Give a factor from 1 to 1000, on the yield strength.");
+    }
   }
   if (const auto deflection = table.find("deflection")) {
     limits.deflection = deflection->positive(Dimension::kLength);

@@ -54,6 +54,7 @@ SlideLeverClosedForm read_slide_lever(StrictTable table, const Names& names) {
     return table[key].positive(Dimension::kLength);
   };
   SlideLeverClosedForm form;
+  form.place = table.place();
   form.FD = length("FD");
   form.ED = length("ED");
   form.DC = length("DC");
@@ -78,6 +79,7 @@ std::vector<part::PartDefinition> read_parts(
     add_impacts(impacts, static_cast<int>(parts.size()) - 1, parts.back());
     read_seats(table, scene.mechanism, names, parts.back());
   }
+  require_own_files(tables, scene.mechanism, parts);
   return parts;
 }
 

@@ -109,6 +109,12 @@ void read_force_seats(StrictTable& table, mechanism::BodyIndex body,
                       const mechanism::MechanismDefinition& mechanism,
                       const Names& names, part::PartDefinition& part);
 
+/// Refuses names by which two parts, or a part and the assembly, would write
+/// files of the same name. @throws Error S008.
+void require_own_files(std::vector<StrictTable>& tables,
+                       const mechanism::MechanismDefinition& mechanism,
+                       const std::vector<part::PartDefinition>& parts);
+
 part::LoadCaseDefinition read_case(StrictTable table);
 /// `fixed` of a case or an impact; empty without.
 std::map<std::string, std::array<bool, 3>> read_fixed(StrictTable& table);

@@ -19,6 +19,7 @@ struct SlideLeverClosedForm {
   double FD{}, ED{}, DC{}, EC{}, AD{}, DD1{};  ///< [m]
   int drive{};                                 ///< the drive that gives l_x
   std::string marker;                          ///< the simulated point C
+  std::string place;                           ///< file:line:column
 };
 
 /// Everything that a scene file says, names resolved, SI.

@@ -78,10 +78,17 @@ Error StrictTable::refusal(std::string_view code, std::string_view problem,
 void StrictTable::finish(std::string_view why) const {
   for (const auto& [key, entry] : value_.entries()) {
     if (read_.contains(key)) continue;
+    const auto rival = std::ranges::find_if(rivals(), [&](const Rivals& two) {
+      return two.path == path_ && two.key == key && has(two.winner);
+    });
     throw Error("S010",
                 place_of(value_.file(), table_->find(key)->first.source()),
-                fmt::format("{} has \"{}\", which means nothing {}",
-                            header(path_), key, why),
+                rival != rivals().end()
+                    ? fmt::format("{} has both \"{}\" and \"{}\", which "
+                                  "exclude each other",
+                                  header(path_), rival->winner, key)
+                    : fmt::format("{} has \"{}\", which means nothing {}",
+                                  header(path_), key, why),
                 "Remove the key, or correct what it contradicts.");
   }
 }

@@ -149,7 +149,8 @@ double Value::quantity(Dimension dimension) const {
   // Squares and products of such values must stay finite numbers.
   constexpr double kLargest = 1e30;
   if (std::abs(value) > kLargest) {
-    throw refusal("S006", fmt::format("= \"{}\" is out of range", text->get()),
+    throw refusal("S006",
+                  fmt::format("= \"{:.60}\" is out of range", text->get()),
                   fmt::format("Give a value below {} in SI units.", kLargest));
   }
   return value;
@@ -160,7 +161,7 @@ double Value::positive(Dimension dimension) const {
   if (!(value > 0.0)) {
     throw refusal(
         "S006",
-        fmt::format("= \"{}\" is not positive", node_->as_string()->get()),
+        fmt::format("= \"{:.60}\" is not positive", node_->as_string()->get()),
         "Give a value greater than zero.");
   }
   return value;

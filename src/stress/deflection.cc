@@ -162,20 +162,25 @@ Deflection largest_deflection(const elasticity::DisplacementBasis<dim>& basis) {
   constexpr Index kBlock = 64;  // instants, so that few displacements are held
   const auto positions = elasticity::node_positions(basis.discretization);
   Deflection result;
+  result.of_instant = Eigen::VectorXd::Zero(basis.coefficients.cols());
   double largest = -1.0;
   for (Index begin = 0; begin < basis.coefficients.cols(); begin += kBlock) {
     const Index count = std::min(kBlock, basis.coefficients.cols() - begin);
     const MatrixXd u = elasticity::product(
         basis.columns, basis.coefficients.middleCols(begin, count));
     for (Index i = 0; i < count; ++i) {
-      for (Index node = 0; node < positions.cols(); ++node) {
-        const double squared = u.col(i).segment<dim>(dim * node).squaredNorm();
-        if (squared <= largest) continue;
-        largest = squared;
-        result.at.setConstant(basis.discretization.mid_plane_z);
-        result.at.template head<dim>() = positions.col(node);
-        result.instant = static_cast<int>(begin + i);
-      }
+      Index node = 0;
+      const double squared = u.col(i)
+                                 .reshaped(dim, positions.cols())
+                                 .colwise()
+                                 .squaredNorm()
+                                 .maxCoeff(&node);
+      result.of_instant[begin + i] = std::sqrt(squared);
+      if (squared <= largest) continue;
+      largest = squared;
+      result.at.setConstant(basis.discretization.mid_plane_z);
+      result.at.template head<dim>() = positions.col(node);
+      result.instant = static_cast<int>(begin + i);
     }
   }
   result.value = std::sqrt(std::max(0.0, largest));

@@ -14,6 +14,7 @@ struct Deflection {
   double value{};                                ///< [m]
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]
   int instant{};
+  Eigen::VectorXd of_instant;  ///< largest of each [m]
 };
 
 /// Removes from every column of the basis the rigid motion of the part's

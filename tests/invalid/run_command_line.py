@@ -28,6 +28,8 @@ REFUSED = [
     (["check", "x.toml", "--tolerance", "zero"], 2, "U001", "--tolerance"),
     (["check", "x.toml", "--tolerance", "0%"], 2, "U001", "out of range"),
     (["check", "x.toml", "--tolerance", "1 mm"], 2, "U001", "ratio"),
+    (["check", "x.toml", "--tolerance", "0.5"], 2, "U001", "has no unit"),
+    (["modes", "x.toml", "--tolerance", "0.5"], 2, "U001", "has no unit"),
     (["check", "x.toml", "--jobs", "0"], 2, "U001", "--jobs"),
     (["check", "x.toml", "--jobs", "many"], 2, "U001", "--jobs"),
     (["simulate", "x.toml", "--quick"], 2, "U001", "--quick"),

@@ -9,7 +9,7 @@ Each *.toml in FOLDER says in its first lines what must happen:
 that is code, exit code, text (\\" for a quote), optionally the line of the
 place, and optionally the command (default: simulate). Refused well means: the
 exit code and the code, a place (file:line:column for scene errors), the text,
-a line of help, one JSON document on stdout if the command knows --json, no
+a line of help, a message of bounded length, one JSON document on stdout if the command knows --json, no
 result file, within 5 s.
 """
 import json
@@ -20,6 +20,7 @@ import tempfile
 from pathlib import Path
 
 SECONDS = 5
+LONGEST = 2500  # characters of a message, whatever the input holds
 EXPECT = re.compile(
     r'#\s*expect:\s*([A-Z]\d{3})\s+(\d+)\s+"((?:[^"\\]|\\.)*)"(?:\s+at\s+(\d+))?')
 RUN = re.compile(r"#\s*run:\s*(.+)")
@@ -57,6 +58,8 @@ def faults_of(scene, expected, run, results):
         yield f"place is not line {line}: {head[2]!r}"
     if text not in message:
         yield f"{text!r} is not in {message!r}"
+    if len(message) > LONGEST:
+        yield f"a message of {len(message)} characters"
     if not re.search(r"^  help: .{8,}", message, re.MULTILINE):
         yield "no line of help"
     if run.args[1] in WITH_JSON:

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/geometry_files.h"
 #include "app/temporary_folder.h"
 #include "base/errors.h"
 
@@ -59,6 +60,43 @@ TEST(GeometryStamp, MeshOfAnotherVersionIsRefused) {
   }
   part.geometry.clear();
   EXPECT_NO_THROW(require_current_mesh(part));
+}
+
+TEST(GeometryStamp, CoversWhatTheGeometryMerges) {
+  const TemporaryFolder folder;
+  const auto write = [&](const char* name, const char* text) {
+    std::filesystem::create_directories(folder.path() / "cad");
+    std::ofstream(folder.path() / name) << text;
+  };
+  part::PartDefinition part;
+  part.name = "bracket";
+  part.geometry = folder.path() / "part.geo";
+  part.mesh = folder.path() / "part.msh";
+  write("part.geo",
+        "Include \"cad/sizes.geo\";\nv() = ShapeFromFile( \"x.step\" );\n"
+        "Merge \"none.brep\"; Merged = 1;");
+  write("cad/sizes.geo", "h = 1; Merge\n\"boss.step\";");
+  write("cad/boss.step", "boss");
+  write("x.step", "plate");
+  const std::string stamp = geometry_stamp(geometry_content(part.geometry));
+  std::ofstream(part.mesh) << stamped(kMesh, stamp);
+  EXPECT_NO_THROW(require_current_mesh(part));
+  for (const char* name : {"cad/sizes.geo", "cad/boss.step", "x.step"}) {
+    const std::string before = geometry_content(folder.path() / name);
+    write(name, "another");
+    EXPECT_THROW(require_current_mesh(part), Error) << name;
+    std::ofstream(folder.path() / name) << before.substr(0, before.find('\0'));
+    EXPECT_NO_THROW(require_current_mesh(part)) << name;
+  }
+  write("none.brep", "was not there");
+  EXPECT_THROW(require_current_mesh(part), Error);
+}
+
+TEST(GeometryStamp, OfAFileThatReadsNoOtherIsThatOfItsBytes) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "part.geo";
+  std::ofstream(file) << "Include \"part.geo\";";
+  EXPECT_EQ(geometry_content(file), "Include \"part.geo\";");
 }
 
 }  // namespace

@@ -56,6 +56,69 @@ TEST(Verdict, BandBeyondTheLimitFailsEvenIfNotConverged) {
   EXPECT_EQ(judged(steel_part(), result).verdict, PartVerdict::kNotJudged);
 }
 
+/// Not converged, but of three degrees that do not grow without bound.
+PartResult unsettled(double low, double value, double high) {
+  PartResult result = converged(low, value, high);
+  result.peak.verdict = PeakVerdict::kNotConverged;
+  result.peak.has_band = true;
+  result.peak.shares.mesh = high - value;
+  return result;
+}
+
+TEST(Verdict, WideBandDecidesWhereItLiesClearOfTheLimit) {
+  // 200 MPa are allowed.
+  const PartResult passed =
+      judged(steel_part(), unsettled(101e6, 120e6, 140e6));
+  EXPECT_EQ(passed.verdict, PartVerdict::kPass);
+  EXPECT_NE(passed.why.find("wider than the tolerance (17 % mesh"),
+            std::string::npos)
+      << passed.why;
+  EXPECT_EQ(judged(steel_part(), unsettled(201e6, 240e6, 280e6)).verdict,
+            PartVerdict::kFail);
+  // Within, but not with twice the reach: 190 + 2 · 9.
+  EXPECT_EQ(judged(steel_part(), unsettled(181e6, 190e6, 199e6)).verdict,
+            PartVerdict::kNotJudged);
+  EXPECT_EQ(judged(steel_part(), unsettled(150e6, 190e6, 230e6)).verdict,
+            PartVerdict::kNotJudged);
+  PartResult unfounded = unsettled(101e6, 120e6, 140e6);
+  unfounded.peak.has_band = false;  // two degrees, or a growing sequence
+  EXPECT_EQ(judged(steel_part(), unfounded).verdict, PartVerdict::kNotJudged);
+}
+
+TEST(Verdict, NamesTheSourceOfDoubt) {
+  const auto remedy = [](double ErrorShares::*share) {
+    PartResult result = unsettled(150e6, 190e6, 230e6);
+    result.peak.shares = {.mesh = 1e6};
+    result.peak.shares.*share += 39e6;
+    return judged(steel_part(), result).why;
+  };
+  EXPECT_NE(remedy(&ErrorShares::mesh).find("mesh finer"), std::string::npos);
+  const std::string time = remedy(&ErrorShares::time);
+  EXPECT_NE(time.find("21 % time"), std::string::npos) << time;
+  EXPECT_NE(time.find("give more instants"), std::string::npos) << time;
+  EXPECT_EQ(time.find("mesh finer"), std::string::npos) << time;
+  EXPECT_NE(remedy(&ErrorShares::model).find("--model"), std::string::npos);
+  EXPECT_NE(remedy(&ErrorShares::contact).find("stiffness"), std::string::npos);
+  EXPECT_NE(remedy(&ErrorShares::sharing).find("compliance"),
+            std::string::npos);
+}
+
+TEST(Verdict, DeflectionIsHeldAgainstItsBand) {
+  // 0.5 mm are allowed.
+  const auto with = [](double low, double value, double high) {
+    PartResult result = converged(9e6, 10e6, 11e6);
+    result.deflection = value;
+    result.deflection_low = low;
+    result.deflection_high = high;
+    return judged(steel_part(), result);
+  };
+  EXPECT_EQ(with(0.48e-3, 0.485e-3, 0.49e-3).verdict, PartVerdict::kPass);
+  const PartResult open = with(0.48e-3, 0.495e-3, 0.51e-3);
+  EXPECT_EQ(open.verdict, PartVerdict::kNotJudged);
+  EXPECT_NE(open.why.find("band of the deflection"), std::string::npos);
+  EXPECT_EQ(with(0.505e-3, 0.51e-3, 0.515e-3).verdict, PartVerdict::kFail);
+}
+
 /// A singular peak of 900 MPa, and 150 MPa away from its zone.
 PartResult with_zone(double low, double value, double high) {
   PartResult result = converged(800e6, 900e6, 1000e6);

@@ -59,9 +59,11 @@ TEST(CheckJunit, ExceededLimitIsAFailureAndTheKeptOneIsNot) {
 TEST(CheckJunit, DeflectionAboveItsLimitIsAFailure) {
   CheckReport report = report_of(PartVerdict::kFail);
   report.parts[0].deflection = 0.6e-3;
+  report.parts[0].deflection_low = 0.59e-3;
+  report.parts[0].deflection_high = 0.61e-3;
   const std::string failed = line_of(check_junit(report), "DCE", "deflection");
   EXPECT_TRUE(holds(failed, "<failure"));
-  EXPECT_TRUE(holds(failed, "0.6 mm, at most 0.5 mm allowed"));
+  EXPECT_TRUE(holds(failed, "0.6 mm, band [0.59, 0.61] mm, at most 0.5 mm"));
 }
 
 TEST(CheckJunit, UnsettledPeakIsAnErrorEverywhere) {
@@ -70,6 +72,15 @@ TEST(CheckJunit, UnsettledPeakIsAnErrorEverywhere) {
   const std::string xml = check_junit(report);
   EXPECT_TRUE(holds(xml, "failures=\"0\" errors=\"3\""));
   EXPECT_TRUE(holds(line_of(xml, "DCE", "convergence"), "singular</error>"));
+}
+
+// A band wider than the tolerance may decide all the same.
+TEST(CheckJunit, WideBandThatPassesIsNoError) {
+  CheckReport report = report_of(PartVerdict::kPass);
+  report.parts[0].peak.verdict = PeakVerdict::kNotConverged;
+  EXPECT_TRUE(holds(check_junit(report), "failures=\"0\" errors=\"0\""));
+  report.parts[0].verdict = PartVerdict::kNotJudged;
+  EXPECT_TRUE(holds(check_junit(report), "failures=\"0\" errors=\"3\""));
 }
 
 TEST(CheckJunit, AbsentLimitIsSkipped) {

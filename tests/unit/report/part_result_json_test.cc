@@ -22,6 +22,12 @@ PartResult awkward_part() {
   part.peak.value = std::nextafter(1.25e8, 2e8);
   part.peak.at = {1.0 / 3.0, -0.0, std::sqrt(2.0)};
   part.deflection = std::numeric_limits<double>::denorm_min();
+  part.deflection_high = std::nextafter(2.0, 3.0);
+  part.notes = {"one", "two"};
+  part.peak.shares.contact = 1.0 / 3.0;
+  part.peak.has_band = true;
+  part.buckling.factor = 2.0 / 3.0;
+  part.finite_motion.rotation = 0.1;
   part.strain_energy = std::numeric_limits<double>::max();
   part.self_checks.reported_peak_is_field_maximum = false;
   part.peak_outside = part.peak;
@@ -46,6 +52,12 @@ TEST(PartResultJson, RoundTripKeepsEveryBit) {
   EXPECT_EQ(back.load_columns, part.load_columns);
   EXPECT_EQ(back.safety_factor, part.safety_factor);
   EXPECT_EQ(back.deflection, part.deflection);
+  EXPECT_EQ(back.deflection_high, part.deflection_high);
+  EXPECT_EQ(back.notes, part.notes);
+  EXPECT_EQ(back.peak.shares.contact, part.peak.shares.contact);
+  EXPECT_TRUE(back.peak.has_band);
+  EXPECT_EQ(back.buckling.factor, part.buckling.factor);
+  EXPECT_EQ(back.finite_motion.rotation, part.finite_motion.rotation);
   EXPECT_EQ(back.deflection_at, part.deflection_at);
   EXPECT_EQ(back.deflection_instant, part.deflection_instant);
   EXPECT_EQ(back.strain_energy, part.strain_energy);

@@ -58,6 +58,9 @@ TEST(PartsCsv, ColumnsHoldTheirUnits) {
   EXPECT_EQ(row.at("peak_instant[s]"), "1.25");
   EXPECT_EQ(row.at("safety_factor[1]"), "2.84");
   EXPECT_DOUBLE_EQ(std::stod(row.at("deflection[mm]")), 0.125);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("deflection_low[mm]")), 0.124);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("deflection_high[mm]")), 0.127);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("time_error[MPa]")), 0.25);
   EXPECT_DOUBLE_EQ(std::stod(row.at("strain_energy[mJ]")), 6.65709);
   EXPECT_DOUBLE_EQ(std::stod(row.at("beam_stress[MPa]")), 100.0);
   EXPECT_DOUBLE_EQ(std::stod(row.at("beam_deflection[mm]")), 0.11);

@@ -116,6 +116,10 @@ TEST(ResultJson, KeysOfTheContractHoldTheirUnits) {
   EXPECT_EQ(part["dofs"], 4758);
   EXPECT_EQ(part["safety_factor"], 2.84);
   EXPECT_DOUBLE_EQ(part["deflection_mm"], 0.125);
+  EXPECT_DOUBLE_EQ(part["deflection_band_mm"][0], 0.124);
+  EXPECT_DOUBLE_EQ(part["deflection_band_mm"][1], 0.127);
+  EXPECT_DOUBLE_EQ(part["peak_von_mises"]["errors_MPa"]["mesh"], 0.5);
+  EXPECT_DOUBLE_EQ(part["peak_von_mises"]["errors_MPa"]["time"], 0.25);
   EXPECT_DOUBLE_EQ(part["strain_energy_mJ"], 6.65709);
   EXPECT_DOUBLE_EQ(part["limits"]["deflection_mm"], 0.5);
   EXPECT_TRUE(result["parts"][1]["limits"]["safety_factor"].is_null());

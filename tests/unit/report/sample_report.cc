@@ -20,6 +20,7 @@ assessment::PartResult sample_part(const std::string& name) {
   part.peak = {.value = 125e6,
                .band_low = 124.5e6,
                .band_high = 125.75e6,
+               .shares = {.mesh = 0.5e6, .time = 0.25e6},
                .verdict = PeakVerdict::kConverged,
                .at = {0.0125, -0.003, 0.004},
                .group = "bore_C",
@@ -29,6 +30,8 @@ assessment::PartResult sample_part(const std::string& name) {
                             {3, 2746, 124e6, 6.6e-3, "t = 1.25 s"}}};
   part.safety_factor = 2.84;
   part.deflection = 0.125e-3;
+  part.deflection_low = 0.124e-3;
+  part.deflection_high = 0.127e-3;
   part.deflection_at = {0.1, 0.02, -0.005};
   part.deflection_instant = 0.75;
   part.strain_energy = 6.65709e-3;
@@ -62,7 +65,8 @@ CheckReport sample_report() {
       .drives = {{"cylinder", EffortKind::kForce, {5029.0, 2.0}},
                  {"screw", EffortKind::kTorque, {12.5, 1.0}}}};
   report.parts = {sample_part("DCE"), sample_part("BC")};
-  report.limits["DCE"] = {.safety_factor = 1.5, .deflection = 0.5e-3};
+  report.limits["DCE"] = {
+      .safety_factor = 1.5, .deflection = 0.5e-3, .buckling = {}};
   report.seconds = {{"simulate", 0.02}, {"parts", 3.0}, {"total", 3.1}};
   return report;
 }

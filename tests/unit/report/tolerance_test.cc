@@ -18,7 +18,7 @@ TEST(Tolerance, ReadsEveryFormOfTheManual) {
   EXPECT_EQ(percent->treatment, Treatment::kCompare);
   EXPECT_DOUBLE_EQ(percent->relative, 2e-3);
   EXPECT_EQ(percent->absolute, 0.0);
-  EXPECT_DOUBLE_EQ(parse_tolerance("1e-6", "N")->relative, 1e-6);
+  EXPECT_DOUBLE_EQ(parse_tolerance("1e-4 %", "N")->relative, 1e-6);
   EXPECT_DOUBLE_EQ(parse_tolerance("0.05 mm", "mm")->absolute, 0.05);
   const auto both = parse_tolerance("0.5 % + 0.01 MPa", "MPa");
   ASSERT_TRUE(both);
@@ -30,7 +30,7 @@ TEST(Tolerance, ReadsEveryFormOfTheManual) {
 
 TEST(Tolerance, RefusesWhatWouldWidenOrMeanNothing) {
   for (const char* text : {"", "%", "-1 %", "nan", "inf", "1e999", "0.1 mm",
-                           "0.1 % 0.2", "0.1 +", "x", "0.2 %%"}) {
+                           "0.1 % 0.2", "0.1 +", "x", "0.2 %%", "0.5"}) {
     EXPECT_FALSE(parse_tolerance(text, "MPa")) << text;
   }
 }
