@@ -73,6 +73,10 @@ class Climb {
     } else if (rung_.looks_nearby && ladder_.sequence.size() > 2) {
       look_nearby(sets, tolerance);
     }
+    if (rung_.looks_at_places && ladder_.sequence.size() > 2 &&
+        ladder_.level.member.peak > 0.0) {
+      look_at_places(sets, tolerance);
+    }
   }
   void drop() {
     ladder_.sequence.pop_back();
@@ -103,6 +107,29 @@ class Climb {
     band.value = sequence.back().peak;
     band.low = std::min(band.low, band.value);
     ladder_.band = widened(band, ladder_.time_error, tolerance);
+  }
+
+  /// Puts the band of all places that the peak may stand at in the place of the
+  /// sequence's.
+  void look_at_places(const std::vector<LoadSet>& sets, double tolerance) {
+    Stopwatch watch;
+    const bool is_outer = ladder_.zones.is_singular();
+    ladder_.nearby = nearby_peak<dim>(
+        job_, sets, ladder_.zones.mesh(), ladder_.level,
+        is_outer ? ladder_.zones.outside_histories() : ladder_.level.histories,
+        tolerance);
+    seconds_.recover += watch.lap();
+    stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;
+    if (!ladder_.nearby) {
+      judged.verdict = Convergence::kNotConverged;
+      return;
+    }
+    const Level<dim>& level = ladder_.level;
+    judged = widened(
+        ladder_.nearby->band,
+        ladder_.time_error +
+            (is_outer ? ladder_.zones.outside().back().sampling_error : 0.0),
+        tolerance);
   }
 
   const PartJob& job_;

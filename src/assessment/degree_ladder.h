@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "assessment/deflection_band.h"
 #include "assessment/level.h"
+#include "assessment/nearby_peak.h"
 #include "assessment/part_check.h"
 #include "assessment/rung.h"
 #include "assessment/zone_watch.h"
@@ -27,6 +29,8 @@ struct DegreeLadder {
   stress::Band band;
   stress::Band outer_band;  ///< away from zones; only if one governs
   double time_error{};      ///< between instants, of the judged peak [Pa]
+  /// Of the judged band, where finer solutions nearby gave it.
+  std::optional<NearbyPeak> nearby;
 };
 
 /// Solves degree after degree until the peak is within the tolerance less the

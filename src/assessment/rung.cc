@@ -62,6 +62,7 @@ Rung<3> solid_rung(const mesh::PartMesh<3>& mesh) {
   // In 3-D three degrees up to 3 are cheaper than 4 alone.
   rung.first_degree = unfolded(mesh, 1, rung.highest_degree);
   rung.subdivisions = 4;
+  rung.looks_at_places = !is_tensor;
   return rung;
 }
 

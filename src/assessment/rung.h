@@ -23,6 +23,9 @@ struct Rung {
   double model_error{};  ///< over the peak, where known beforehand [1]
   /// Whether higher degrees near the peak alone tell the error of the last.
   bool looks_nearby = false;
+  /// Whether finer solutions near all places where the peak may stand give the
+  /// value and its error (nearby_peak).
+  bool looks_at_places = false;
 };
 
 Rung<2> plane_stress_rung(const mesh::PartMesh<2>& plate);

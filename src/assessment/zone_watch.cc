@@ -151,6 +151,22 @@ bool ZoneWatch<dim>::is_singular() const {
 }
 
 template <int dim>
+std::vector<stress::StressHistory> ZoneWatch<dim>::outside_histories() const {
+  constexpr double kLeftOut = -1.0;
+  auto histories = taken_.back().histories;
+  for (std::size_t s = 0; s < sets_.size(); ++s) {
+    const Set& set = sets_[s];
+    for (Eigen::Index i = 0; i < set.zone_of.size(); ++i) {
+      const int zone = set.zone_of.data()[i];
+      if (zone >= 0 && set.zones[static_cast<std::size_t>(zone)].governs) {
+        histories[s].worst.data()[i] = kLeftOut;
+      }
+    }
+  }
+  return histories;
+}
+
+template <int dim>
 std::vector<ZoneResult> ZoneWatch<dim>::results() const {
   std::vector<ZoneResult> results;
   for (const Set& set : sets_) {

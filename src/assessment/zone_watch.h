@@ -46,6 +46,8 @@ class ZoneWatch {
   bool is_singular() const;
   /// The peaks outside of the zones that govern, per degree.
   const std::vector<OutsidePeak>& outside() const { return outside_; }
+  /// Of the last degree's sets, with −1 in the zones that govern.
+  std::vector<stress::StressHistory> outside_histories() const;
   std::vector<ZoneResult> results() const;
   /// Zone of the set's lattice points, 1, 2 … in the order of results(), 0
   /// outside; points × cells. Nothing if the set has no zones.

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "elasticity/separator.h"
+
 namespace clevis::elasticity {
 namespace {
 
@@ -14,7 +16,9 @@ class Dissector {
  public:
   explicit Dissector(const Discretization<dim>& discretization)
       : cell_nodes_(discretization.cell_nodes),
-        side_(static_cast<std::size_t>(discretization.nodes), kUnseen) {
+        side_(static_cast<std::size_t>(discretization.nodes), kUnseen),
+        separator_(cell_nodes_, side_.size()),
+        is_open_(side_.size(), 1) {
     for (const auto& points : discretization.cell_points) {
       centres_.push_back(points.rowwise().mean());
     }
@@ -42,8 +46,8 @@ class Dissector {
       add(std::move(front));
       return;
     }
-    const auto half = cells.size() / 2;
-    split(cells, half);
+    split(cells, cells.size() / 2);
+    const auto half = separator_.shorten(cells, cells.size() / 2, is_open_);
     std::vector<int> separator;
     for (const std::size_t c : cells.first(half)) mark(c, kUnseen, kFirst);
     for (const std::size_t c : cells.subspan(half)) {
@@ -51,6 +55,7 @@ class Dissector {
         int& side = at(node);
         if (side != kFirst) continue;
         side = kShared;
+        is_open_[static_cast<std::size_t>(node)] = 0;
         separator.push_back(node);
       }
     }
@@ -121,7 +126,9 @@ class Dissector {
   const std::vector<std::vector<int>>& cell_nodes_;
   std::vector<Eigen::Matrix<double, dim, 1>> centres_;
   std::vector<int> side_;
-  std::vector<int> seen_;  ///< round in which a node was counted
+  Separator separator_;
+  std::vector<char> is_open_;  ///< nodes that no separator holds yet
+  std::vector<int> seen_;      ///< round in which a node was counted
   int round_ = 0;
   Dissection result_;
 };

@@ -25,8 +25,9 @@ struct Dissection {
 };
 
 /// Nested dissection: the cells are halved across their longest extent again
-/// and again, and what both halves share is eliminated after either. Unlike an
-/// ordering of the matrix it costs next to nothing and serves any number of
+/// and again, there with as short a border as moving single cells gives
+/// (Separator), and what both halves share is eliminated after either. Unlike
+/// an ordering of the matrix it costs next to nothing and serves any number of
 /// unknowns per node.
 template <int dim>
 Dissection dissect(const Discretization<dim>& discretization);

@@ -80,6 +80,7 @@ Discretization<dim> restricted(const Discretization<dim>& fine,
 }
 
 /// The lower degree's displacement at the nodes of the neighbourhood.
+/// @param cells  of `coarse`.
 template <int dim>
 MatrixXd carried_over(const EnrichmentProblem<dim>& problem,
                       const std::vector<int>& cells,
@@ -139,24 +140,33 @@ std::vector<int> held_components(const EnrichmentProblem<dim>& problem,
 
 template <int dim>
 Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
-                     const std::vector<int>& centre) {
+                     const std::vector<int>& centre, int layers) {
   Enriched<dim> result;
-  result.cells = with_neighbours<dim>(problem.fine, centre);
+  auto cells = with_neighbours<dim>(problem.fine, centre);
+  for (int layer = 1; layer < layers; ++layer) {
+    cells = with_neighbours<dim>(problem.fine, cells);
+  }
   int nodes = 0;
-  const auto number = number_nodes<dim>(problem.fine, result.cells, nodes);
+  const auto number = number_nodes<dim>(problem.fine, cells, nodes);
   auto& part = result.basis.discretization;
-  part = restricted<dim>(problem.fine, result.cells, number, nodes);
+  part = restricted<dim>(problem.fine, cells, number, nodes);
   MatrixXd load(part.dofs(), 1);
   for (std::size_t node = 0; node < number.size(); ++node) {
     if (number[node] == kOutside) continue;
     load.template block<dim, 1>(dim * number[node], 0) =
         problem.load.template block<dim, 1>(dim * static_cast<Index>(node), 0);
   }
+  result.cells = cells;
+  if (!problem.coarse_cells.empty()) {
+    for (int& cell : result.cells) {
+      cell = problem.coarse_cells[static_cast<std::size_t>(cell)];
+    }
+  }
   MatrixXd u = carried_over<dim>(problem, result.cells, part);
   const auto stiffness =
       assemble_stiffness<dim>(part, problem.material, "neighbourhood");
   const auto numbers = number_equations(
-      part.dofs(), held_components<dim>(problem, result.cells, number));
+      part.dofs(), held_components<dim>(problem, cells, number));
   const FrontalCholesky factor(free_equations(stiffness, numbers),
                                front_tree(dissect(part), dim, numbers.equation),
                                "neighbourhood");
@@ -168,8 +178,8 @@ Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
 }
 
 template Enriched<2> enrich<2>(const EnrichmentProblem<2>&,
-                               const std::vector<int>&);
+                               const std::vector<int>&, int);
 template Enriched<3> enrich<3>(const EnrichmentProblem<3>&,
-                               const std::vector<int>&);
+                               const std::vector<int>&, int);
 
 }  // namespace clevis::elasticity

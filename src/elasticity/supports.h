@@ -45,7 +45,14 @@ std::vector<int> determinate_supports(const Discretization<dim>& discretization,
                                       const Eigen::MatrixXd& modes,
                                       const std::vector<int>& held);
 
-/// Components held at zero on groups (a case's `fixed`).
+/// Components held at zero on groups (a case's `fixed`), sorted; whether they
+/// hold the part is not asked.
+template <int dim>
+std::vector<int> held_on_groups(
+    const Discretization<dim>& discretization,
+    const std::map<std::string, std::array<bool, 3>>& fixed);
+
+/// The same of a part that they must hold.
 /// @param bed  holds the part too; or null.
 /// @throws Error F001 naming the free mode if they leave the part loose.
 template <int dim>
