@@ -56,6 +56,22 @@ DeflectionError DeflectionWatch::error() const {
           last.time_error / last.largest};
 }
 
+double DeflectionWatch::probe_error(const std::string& label,
+                                    const std::vector<double>& values) const {
+  std::vector<stress::DisplacementValue> sequence;
+  for (std::size_t k = 0; k < degrees_.size(); ++k) {
+    const auto instant =
+        std::ranges::find_if(degrees_[k].values, [&](const auto& entry) {
+          return entry.first.first == label;
+        });
+    const double energy =
+        instant == degrees_[k].values.end() ? 0.0 : instant->second.energy;
+    sequence.push_back(
+        {degrees_[k].degree, degrees_[k].dofs, values[k], energy});
+  }
+  return stress::displacement_error(sequence);
+}
+
 template void DeflectionWatch::take<2>(const std::vector<LoadSet>&,
                                        const Level<2>&);
 template void DeflectionWatch::take<3>(const std::vector<LoadSet>&,

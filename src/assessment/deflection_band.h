@@ -30,6 +30,12 @@ class DeflectionWatch {
   /// have; if the last has another that does more, twice that.
   DeflectionError error() const;
 
+  /// Error of a displacement at a point over it [1].
+  /// @param label  of the case's instant.
+  /// @param values  of all degrees [m].
+  double probe_error(const std::string& label,
+                     const std::vector<double>& values) const;
+
  private:
   struct Value {
     double deflection{}, energy{};

@@ -73,6 +73,7 @@ class Climb {
     } else if (rung_.looks_nearby && ladder_.sequence.size() > 2) {
       look_nearby(sets, tolerance);
     }
+    if (rung_.joins_cells && ladder_.sequence.size() > 2) join_cells(tolerance);
     if (rung_.looks_at_places && ladder_.sequence.size() > 2 &&
         ladder_.level.member.peak > 0.0) {
       look_at_places(sets, tolerance);
@@ -109,22 +110,41 @@ class Climb {
     ladder_.band = widened(band, ladder_.time_error, tolerance);
   }
 
+  /// A peak that one cell alone has is in doubt by what its neighbours say.
+  void join_cells(double tolerance) {
+    const bool is_outer = ladder_.zones.is_singular();
+    stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;
+    if (judged.verdict != Convergence::kConverged) return;
+    judged.low =
+        std::min(judged.low,
+                 joined_peak<dim>(ladder_.zones.mesh(), ladder_.level,
+                                  is_outer ? ladder_.zones.outside_histories()
+                                           : ladder_.level.histories));
+    if (judged.value - judged.low > tolerance * judged.value) {
+      judged.verdict = Convergence::kNotConverged;
+    }
+  }
+
   /// Puts the band of all places that the peak may stand at in the place of the
   /// sequence's.
   void look_at_places(const std::vector<LoadSet>& sets, double tolerance) {
     Stopwatch watch;
     const bool is_outer = ladder_.zones.is_singular();
-    ladder_.nearby = nearby_peak<dim>(
-        job_, sets, ladder_.zones.mesh(), ladder_.level,
-        is_outer ? ladder_.zones.outside_histories() : ladder_.level.histories,
-        tolerance);
+    ladder_.nearby.reset();
+    // An elastic bed is not in the equations of the places.
+    if (sets[ladder_.level.set].foundations.empty()) {
+      ladder_.nearby =
+          nearby_peak<dim>(job_, sets, ladder_.zones.mesh(), ladder_.level,
+                           is_outer ? ladder_.zones.outside_histories()
+                                    : ladder_.level.histories,
+                           tolerance);
+    }
     seconds_.recover += watch.lap();
     stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;
     if (!ladder_.nearby) {
       judged.verdict = Convergence::kNotConverged;
       return;
     }
-    const Level<dim>& level = ladder_.level;
     judged = widened(
         ladder_.nearby->band,
         ladder_.time_error +

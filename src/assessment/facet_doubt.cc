@@ -1,6 +1,7 @@
 #include "assessment/facet_doubt.h"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -15,11 +16,41 @@ namespace {
 constexpr double kOfKink = 0.8;
 constexpr double kSmall = 1e-3;  // of the peak: not told
 
+/// The stress at the point of the lattice that is nearest to a place, at the
+/// worst instant of all.
+Eigen::Matrix3d stress_at(const PartFields& fields, const Eigen::Vector3d& at) {
+  const auto field = fields.at(fields.peak_instant, fields.worst.subdivisions);
+  double nearest = std::numeric_limits<double>::max();
+  Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
+  for (std::size_t c = 0; c < field.points.size(); ++c) {
+    Eigen::Index k = 0;
+    const double distance = (field.points[c].rowwise() - at.transpose())
+                                .rowwise()
+                                .squaredNorm()
+                                .minCoeff(&k);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    const auto s = field.stress[c].row(k);
+    stress << s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2];
+  }
+  return stress;
+}
+
+bool is_on_cylinder(const PartJob& job, const PeakStress& peak) {
+  return std::ranges::any_of(job.groups, [&](const auto& group) {
+    return group.is_cylinder && group.name == peak.group;
+  });
+}
+
+/// @param stress  at the peak; zero: not known.
 /// @return over the peak [1].
-double widen(const PartJob& job, PeakStress& peak) {
+double widen(const PartJob& job, const Eigen::Matrix3d& stress,
+             PeakStress& peak) {
+  if (is_on_cylinder(job, peak)) return 0.0;
   double kink = 0.0;
   for (const LoadSet& set : job.load_sets) {
-    kink = std::max(kink, stress::facet_kink(job.mesh, set.fixed, peak.at));
+    kink = std::max(kink,
+                    stress::facet_kink(job.mesh, set.fixed, peak.at, stress));
   }
   const double error = kOfKink * kink;
   if (error < kSmall) return 0.0;
@@ -36,11 +67,14 @@ double widen(const PartJob& job, PeakStress& peak) {
 
 }  // namespace
 
-void add_facet_doubt(const PartJob& job, PartResult& result) {
-  if (!(result.peak.value > 0.0)) return;
-  double error = widen(job, result.peak);
+void add_facet_doubt(const PartJob& job, const PartFields& fields,
+                     PartResult& result) {
+  if (!(result.peak.value > 0.0) || !fields.at) return;
+  double error = widen(job, stress_at(fields, result.peak.at), result.peak);
   if (!result.peak_outside.sequence.empty()) {
-    error = std::max(error, widen(job, result.peak_outside));
+    // Perhaps of another instant: its stress is not known here.
+    error = std::max(error,
+                     widen(job, Eigen::Matrix3d::Zero(), result.peak_outside));
   }
   if (error == 0.0) return;
   result.notes.push_back(fmt::format(

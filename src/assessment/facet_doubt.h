@@ -6,6 +6,8 @@ namespace clevis::assessment {
 
 /// Widens the band of a peak that stands on flat facets of a curve by what the
 /// curve behind them may make of it, and says so.
-void add_facet_doubt(const PartJob& job, PartResult& result);
+/// @param fields  of the same climb.
+void add_facet_doubt(const PartJob& job, const PartFields& fields,
+                     PartResult& result);
 
 }  // namespace clevis::assessment

@@ -7,6 +7,7 @@
 
 #include "assessment/local_solve.h"
 #include "base/errors.h"
+#include "elasticity/tabulation.h"
 #include "mesh/sub_mesh.h"
 #include "stress/meeting_points.h"
 #include "stress/surface_kink.h"
@@ -18,6 +19,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using stress::FieldPoint;
 
+/// Finer solutions are looked at on a lattice twice as close as usual.
+constexpr int kFineLattice = 8;
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
 /// A point of the lattice where the peak may stand.
@@ -92,6 +95,7 @@ PlacesOfSet find_places(const mesh::PartMesh<dim>& mesh,
 /// error there, and the largest of stress and error over all its cells.
 struct Closer {
   double value = kNothing, low = kNothing, high = kNothing;
+  FieldPoint at;  ///< of the value: cell of the centre, point of kFineLattice
 };
 
 /// Solutions in the cells of a centre, lattice points × cells.
@@ -120,7 +124,8 @@ Closer judge(const FinerFields& fields, const Eigen::VectorXd& rise) {
     const auto largest = [&](const auto& difference) {
       return (difference.array().abs() * counts).maxCoeff();
     };
-    const double peak = rise[c] * value.col(c).maxCoeff();
+    Index point = 0;
+    const double peak = rise[c] * value.col(c).maxCoeff(&point);
     const double error =
         rise[c] *
         (kDegree * largest(fields.high.mean.col(c) - fields.low.mean.col(c)) +
@@ -130,6 +135,7 @@ Closer judge(const FinerFields& fields, const Eigen::VectorXd& rise) {
     if (peak <= closer.value) continue;
     closer.value = peak;
     closer.low = peak - error;
+    closer.at = {static_cast<int>(c), static_cast<int>(point)};
   }
   return closer;
 }
@@ -224,12 +230,11 @@ class PeakSearch {
 
   stress::JoinedStress solve(const Number& seed, const std::vector<int>& centre,
                              int layers, int more) const {
-    constexpr int kSubdivisions = 8;
     const auto enriched = solve_nearby<dim>(
         job_, sets_[seed.set], mesh_, *level_.bases[seed.set],
         {centre, layers, place(seed).instant, level_.member.degree + more});
     const auto joined = stress::joined_stress<dim>(
-        enriched.basis, job_.part.material, kSubdivisions);
+        enriched.basis, job_.part.material, kFineLattice);
     stress::JoinedStress of_centre{
         MatrixXd(joined.mean.rows(), static_cast<Index>(centre.size())),
         MatrixXd(joined.mean.rows(), static_cast<Index>(centre.size()))};
@@ -279,6 +284,18 @@ class PeakSearch {
     return result;
   }
 
+  /// The nearest point of another lattice.
+  FieldPoint on_lattice(const FieldPoint& fine, int subdivisions) const {
+    const Eigen::Matrix<double, dim, 1> at =
+        elasticity::lattice<dim>(mesh_.shape, kFineLattice).col(fine.point);
+    Index nearest = 0;
+    (elasticity::lattice<dim>(mesh_.shape, subdivisions).colwise() - at)
+        .colwise()
+        .squaredNorm()
+        .minCoeff(&nearest);
+    return {fine.cell, static_cast<int>(nearest)};
+  }
+
   /// Of the stress, by what the mesh makes of a curved surface [1]: a surface
   /// whose slope is off by δ/2 to and fro has a stress that is by about δ.
   double shape_error(const std::vector<int>& centre) const {
@@ -291,6 +308,8 @@ class PeakSearch {
     Closer closer = judge({solve(seed, centre, 1, 1), solve(seed, centre, 2, 1),
                            solve(seed, centre, 1, 2)},
                           rise(seed, centre));
+    closer.at = on_lattice(closer.at, histories_[seed.set].subdivisions);
+    closer.at.cell = centre[static_cast<std::size_t>(closer.at.cell)];
     const double bent = shape_error(centre) * closer.value;
     closer.low -= bent;
     closer.high += bent;
@@ -320,7 +339,7 @@ class PeakSearch {
       band.value = closer.value;
       band.low = closer.low;
       peak.set = number.set;
-      peak.at = place(number).at;
+      peak.at = closer.at;
       peak.instant = place(number).instant;
       peak.jump = place(number).high - place(number).low;
     }
@@ -362,11 +381,34 @@ std::optional<NearbyPeak> nearby_peak(
   }
 }
 
+template <int dim>
+double joined_peak(const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
+                   const std::vector<stress::StressHistory>& histories) {
+  constexpr double kShare = 0.6;
+  double largest = 0.0;
+  for (const auto& history : histories) {
+    largest = std::max(largest, history.worst.maxCoeff());
+  }
+  double joined = 0.0;
+  for (std::size_t s = 0; s < histories.size(); ++s) {
+    const auto found = find_places<dim>(mesh, level.bases[s]->discretization,
+                                        histories[s], kShare * largest);
+    for (const Place& place : found.places) {
+      joined = std::max(joined, place.mean);
+    }
+  }
+  return joined;
+}
+
 template std::optional<NearbyPeak> nearby_peak<2>(
     const PartJob&, const std::vector<LoadSet>&, const mesh::PartMesh<2>&,
     const Level<2>&, const std::vector<stress::StressHistory>&, double);
 template std::optional<NearbyPeak> nearby_peak<3>(
     const PartJob&, const std::vector<LoadSet>&, const mesh::PartMesh<3>&,
     const Level<3>&, const std::vector<stress::StressHistory>&, double);
+template double joined_peak<2>(const mesh::PartMesh<2>&, const Level<2>&,
+                               const std::vector<stress::StressHistory>&);
+template double joined_peak<3>(const mesh::PartMesh<3>&, const Level<3>&,
+                               const std::vector<stress::StressHistory>&);
 
 }  // namespace clevis::assessment

@@ -232,7 +232,7 @@ PartAssessment check_part(const PartJob& given) {
                         set.history.notes.end());
   }
   note_cases(given, result);
-  add_facet_doubt(job, result);
+  add_facet_doubt(job, assessment.fields, result);
   result.beam = compare_with_beam(job, result);
   BucklingCheck buckling = check_buckling(job);
   result.buckling = std::move(buckling.result);

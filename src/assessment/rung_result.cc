@@ -263,20 +263,29 @@ HeldStress held_stress(const std::vector<HeldStress>& degrees) {
 }
 
 /// Each probe with the band of its own sequence.
-void fill_probes(const PartJob& job, const std::vector<SequenceMember>& degrees,
-                 const std::vector<std::vector<double>>& values,
+template <int dim>
+void fill_probes(const PartJob& job, const DegreeLadder<dim>& ladder,
                  std::vector<ProbeResult>& results) {
   std::size_t index = 0;
   for (const auto& load_case : job.part.cases) {
     for (const auto& probe : load_case.probes) {
       std::vector<stress::SequenceValue> sequence;
-      for (std::size_t k = 0; k < degrees.size(); ++k) {
-        sequence.push_back({degrees[k].degree, values[k][index]});
+      std::vector<double> values;
+      for (std::size_t k = 0; k < ladder.sequence.size(); ++k) {
+        values.push_back(ladder.probes[k][index]);
+        sequence.push_back({ladder.sequence[k].degree, values.back()});
       }
-      const auto band = stress::peak_band(sequence, job.tolerance);
+      ++index;
+      auto band = stress::peak_band(sequence, job.tolerance);
+      if (probe.quantity.starts_with("displacement")) {
+        const double error =
+            std::abs(band.value) *
+            ladder.deflections.probe_error(load_case.name, values);
+        band.low = band.value - error;
+        band.high = band.value + error;
+      }
       results.push_back(
           {probe.name, probe.quantity, band.value, band.low, band.high});
-      ++index;
     }
   }
 }
@@ -311,7 +320,7 @@ PartAssessment assess(const PartJob& job, const Rung<dim>& rung,
   fill_zones<dim>(job, ladder, result);
   result.held = held_stress(ladder.held);
   fill_checks<dim>(level, result.self_checks);
-  fill_probes(job, ladder.sequence, ladder.probes, result.probes);
+  fill_probes<dim>(job, ladder, result.probes);
   settle_even_pressure(check_reported_peak<dim>(job, level, result),
                        result.peak);
   fill_deflection<dim>(job, ladder, result);

@@ -139,7 +139,7 @@ loads::LoadHistory heaviest(loads::LoadHistory history, std::size_t most,
 
 /// The sharing that was checked first, then the others.
 std::vector<Largest> compare(const PartJob& job, const OpenSharing& sharing) {
-  constexpr std::size_t kMostInstants = 4000, kFewest = 20;
+  constexpr std::size_t kMostInstants = 1000, kFewest = 20;
   const double size = loads::part_size(job.groups, job.mass);
   const std::size_t most =
       std::max(kFewest, kMostInstants / (sharing.others.size() + 1));

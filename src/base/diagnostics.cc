@@ -205,10 +205,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "A part with `thickness` is a plate whose mesh holds its mid-plane: "
      "triangles or quadrangles in a plane z = const, and it is no thicker than "
      "it is wide. A mesh with volume cells has its thickness in itself."},
-    {"M014", kMeshInvalid, "cells overlap",
-     "Two cells have the same corners, or more than two meet at one face: "
-     "they take the same room, and the part would be stiffer and heavier "
-     "there than it is. Mesh every volume once."},
+    {"M014", kMeshInvalid, "cell twice",
+     "Two elements have the same nodes, in one physical group or in another "
+     "order: the part would be twice as stiff and heavy there. The same "
+     "element in several groups is one. Mesh every volume once."},
     {"R001", kRegression, "regression against the baseline",
      "At least one quantity moved by more than its tolerance."},
     {"R002", kUsage, "result and baseline do not match",

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "beam/deflection.h"

@@ -144,8 +144,8 @@ MatrixXd yielding_shapes(const StressedPart& part, std::size_t hold) {
 /// Shapes that are tried with the stresses of every instant.
 class TrialSpace {
  public:
-  explicit TrialSpace(const StressedPart& part, std::size_t hold)
-      : part_(part), hold_(hold), unknowns_(yielding_shapes(part, hold)) {
+  TrialSpace(const StressedPart& part, std::size_t hold, MatrixXd unknowns)
+      : part_(part), hold_(hold), unknowns_(std::move(unknowns)) {
     update();
   }
   void add(const MatrixXd& unknowns) {
@@ -235,14 +235,17 @@ VectorXd to_unit(VectorXd shape) {
 }
 
 /// The largest 1/λ of all instants with one hold.
-BucklingMode lowest_with(const StressedPart& part, std::size_t hold) {
+/// @param yielding  shapes that are tried at first; serve all holds.
+BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
+                         const MatrixXd& yielding) {
   constexpr double kGain = 1.0 + 1e-3;
+  // By trial factors are too high, of shapes near the right ones little.
+  constexpr double kFarAbove = 0.1 / kHighestFactor;
   BucklingMode best;
   best.hold = hold;
   best.is_above = true;
   best.factor = kHighestFactor;
-  if (part.coefficients().rows() == 0) return best;  // nothing stresses it
-  TrialSpace space(part, hold);
+  TrialSpace space(part, hold, yielding);
   std::set<Index> solved;
   double largest = 0.0;
   while (true) {
@@ -256,13 +259,18 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold) {
         expected = yield;
       }
     }
-    // Where nothing is found by trial, one is solved for all the same.
-    if (next < 0 || (!solved.empty() && expected <= kGain * largest)) break;
+    if (solved.empty()) best.instant = next;
+    // With one hold one is solved for whatever the trial says.
+    const bool must = solved.empty() && hold == 0;
+    if (next < 0 ||
+        (!must && expected <= std::max(kGain * largest, kFarAbove))) {
+      break;
+    }
     const Yield yield =
         largest_yield(part, hold, next, space.best(next, kBlock));
     solved.insert(next);
     space.add(yield.shapes);
-    if (solved.size() == 1 || yield.value > largest) {
+    if (yield.value > largest) {
       largest = yield.value;
       best.instant = next;
       best.residual = yield.residual;
@@ -278,9 +286,16 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold) {
 
 BucklingMode lowest_buckling(const BucklingProblem& problem) {
   const StressedPart part(problem);
-  BucklingMode lowest = lowest_with(part, 0);
+  if (part.coefficients().rows() == 0) {  // nothing stresses it
+    BucklingMode none;
+    none.is_above = true;
+    none.factor = kHighestFactor;
+    return none;
+  }
+  const MatrixXd yielding = yielding_shapes(part, 0);
+  BucklingMode lowest = lowest_with(part, 0, yielding);
   for (std::size_t hold = 1; hold < part.holds(); ++hold) {
-    BucklingMode mode = lowest_with(part, hold);
+    BucklingMode mode = lowest_with(part, hold, yielding);
     if (mode.factor < lowest.factor) lowest = std::move(mode);
   }
   return lowest;

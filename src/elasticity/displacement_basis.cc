@@ -77,7 +77,9 @@ void solve_by_factors(const ElasticProblem<dim>& problem,
   Stopwatch watch;
   const Discretization<dim>& part = folding.part;
   auto stiffness = assemble_stiffness(part, problem.material, place);
-  const FoundationStiffness<dim> bed(part, problem.foundations, problem.name);
+  FoundationStiffness<dim> bed(result.discretization, problem.foundations,
+                               problem.name);
+  bed.renumber(folding.node);  // the folded part has no groups
   bed.add_to(stiffness);
   for (ParityClass& c : classes) {
     c.numbers = number_equations(part.dofs(), c.held);

@@ -69,6 +69,13 @@ FoundationStiffness<dim>::FoundationStiffness(
 }
 
 template <int dim>
+void FoundationStiffness<dim>::renumber(const std::vector<int>& node) {
+  for (Face& face : faces_) {
+    for (int& n : face.nodes) n = node[static_cast<std::size_t>(n)];
+  }
+}
+
+template <int dim>
 void FoundationStiffness<dim>::add_to(StiffnessMatrix<dim>& stiffness) const {
   for (const Face& face : faces_) {
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {

@@ -21,6 +21,9 @@ class FoundationStiffness {
                       const part::Foundations& foundations,
                       const std::string& part_name);
 
+  /// @param node  the number that each node has instead.
+  void renumber(const std::vector<int>& node);
+
   bool empty() const { return faces_.empty(); }
 
   /// Adds it to the stiffness of the body.

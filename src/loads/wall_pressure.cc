@@ -65,7 +65,9 @@ class PressingPoints {
   double step_length(const VectorXd& y, const VectorXd& way,
                      const VectorXd& b) const {
     constexpr double kShortest = 1e-6;
-    const double now = energy(y, b);
+    constexpr double kRoundOff = 1e-12;
+    const double here = energy(y, b);
+    const double now = here + kRoundOff * std::abs(here);
     double length = 1.0;
     while (length > kShortest && energy(y + length * way, b) > now) {
       length *= 0.5;

@@ -67,7 +67,7 @@ DrivenEvents::DrivenEvents(DrivenCourse& course) : course_(course) {
 
 /// How much each guard may bend over the interval behind a look: its second
 /// derivative times the length squared.
-VectorXd DrivenEvents::bends(At left) const {
+VectorXd DrivenEvents::bounds(At left) const {
   const At right = std::next(left);
   const double h = right->t - left->t;
   VectorXd bend = VectorXd::Zero(floors_.size());
@@ -101,7 +101,8 @@ void DrivenEvents::roots(At left, const End& a, const End& b) {
     const double t =
         brent_root(value, a.t, sign * a.values[i], b.t, sign * b.values[i]);
     course_.guards_between(left, t);
-    if (course_.guards().matters(i, course_.forces())) found_.push_back(t);
+    if (!course_.guards().matters(i, course_.forces())) continue;
+    (course_.guards().jumps(i) ? found_ : bends_).push_back(t);
   }
 }
 
@@ -194,7 +195,7 @@ bool DrivenEvents::find(std::size_t most) {
   if (course_.guards().empty()) return true;
   DrivenCourse::Looks& looks = course_.looks();
   for (At i = looks.begin(); std::next(i) != looks.end(); ++i) {
-    i->bend = bends(i);
+    i->bend = bounds(i);
   }
   for (At left = looks.begin(); std::next(left) != looks.end();) {
     const At right = std::next(left);
@@ -202,10 +203,15 @@ bool DrivenEvents::find(std::size_t most) {
       if (looks.size() >= most) return false;
       halvings_left_ = kMostHalvings;
       found_.clear();
+      bends_.clear();
       search(left, {left->t, values_behind(left), left->rates},
              {right->t, right->guards, right->rates}, left->bend, 0);
       std::ranges::sort(found_);
       add_sides(left, found_);
+      for (const double t : bends_) {
+        const auto look = side_at(left, t);
+        if (look) (*look)->bends = true;
+      }
     }
     left = right;
   }

@@ -26,7 +26,7 @@ class DrivenEvents {
     double t{};
     Eigen::VectorXd values, rates;
   };
-  Eigen::VectorXd bends(At left) const;
+  Eigen::VectorXd bounds(At left) const;
   void search(At left, const End& a, const End& b, const Eigen::VectorXd& bend,
               int depth);
   void roots(At left, const End& a, const End& b);
@@ -37,7 +37,8 @@ class DrivenEvents {
 
   DrivenCourse& course_;
   Eigen::VectorXd floors_;
-  std::vector<double> found_;  ///< in the interval at hand
+  /// In the interval at hand: where loads may jump, and where they bend.
+  std::vector<double> found_, bends_;
   std::vector<MotionEvent> events_;
   int halvings_left_{};
 };

@@ -25,8 +25,9 @@ class DrivenGuards {
   /// Whether its zero changes anything, as of evaluate(): what lets go must
   /// press.
   bool matters(Eigen::Index guard, const ForceModel& forces) const;
-  int element(Eigen::Index guard) const {
-    return all_[static_cast<std::size_t>(guard)].element;
+  /// Whether loads may jump at its zero; else they bend.
+  bool jumps(Eigen::Index guard) const {
+    return all_[static_cast<std::size_t>(guard)].kind != Kind::kPosition;
   }
 
  private:

@@ -35,11 +35,16 @@ void DynamicRun::guard_against_accumulation(double t) {
               "\"regularized\"");
 }
 
+/// What kinetic energy and work differ by.
+double DynamicRun::energy_gap(const VectorXd& y) {
+  return std::abs(dynamics_.kinetic_energy(y) - energy_start_ -
+                  y[dynamics_.work_index()]);
+}
+
 void DynamicRun::note_energy(const VectorXd& y) {
   const double kinetic = dynamics_.kinetic_energy(y);
   const double work = y[dynamics_.work_index()];
-  energy_error_ =
-      std::max(energy_error_, std::abs(kinetic - energy_start_ - work));
+  energy_error_ = std::max(energy_error_, energy_gap(y));
   largest_energy_ = std::max({largest_energy_, kinetic, std::abs(work)});
   largest_load_ = std::max(largest_load_, dynamics_.largest_load());
 }

@@ -23,11 +23,20 @@ constexpr int kMostTwoSided = 1000;
 
 }  // namespace
 
+bool DynamicRun::Beside::contains(double t) const {
+  return std::ranges::any_of(change_points, [&](double point) {
+    return std::abs(point - t) <= reach;
+  });
+}
+
 /// Instants that the loads of the last step call for.
 void DynamicRun::add_wanted(double until) {
   wanted_.clear();
   sampler_->look(integrator_, until,
                  std::span(sample_times_).subspan(next_sample_), wanted_);
+  std::erase_if(wanted_, [this](double t) {
+    return beside_.contains(t);
+  });
   add_times(wanted_, settings_.duration, sample_times_);
 }
 
@@ -76,14 +85,14 @@ void DynamicRun::add_instant(double t, VectorXd& y) {
   motion_.instants.push_back(std::move(instant));
 }
 
-/// Whether a state within the last step has another energy than the steps have.
+/// Whether a state within the last step has another energy than the steps have:
+/// not than other instants within steps, of which many would loosen this.
 bool DynamicRun::misses_energy(double t, VectorXd& y) {
   dynamics_.project(t, y);
   const double kinetic = dynamics_.kinetic_energy(y);
   const double work = y[dynamics_.work_index()];
   const double largest = std::max({largest_energy_, kinetic, std::abs(work)});
-  return std::abs(kinetic - energy_start_ - work) >
-         energy_error_ + settings_.tolerance * largest;
+  return energy_gap(y) > step_energy_error_ + settings_.tolerance * largest;
 }
 
 /// State within the last step: by dense output, but beside a change point or in

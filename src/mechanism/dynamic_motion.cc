@@ -1,6 +1,7 @@
 #include "mechanism/dynamic_motion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
@@ -41,13 +42,20 @@ Motion integrate_motion(const MechanismDefinition& definition,
   // the same run twice: the first tells when loads are largest
   DynamicRun first(definition, settings);
   first.watch();
-  first.run();
+  const Motion found = first.run();
   std::vector<double> others = first.peaks().times();
+  DynamicRun::Beside beside{{}, settings.duration / (settings.instants - 1)};
+  for (const ChangePoint& point : found.change_points) {
+    beside.change_points.push_back(point.t);
+  }
+  std::erase_if(others, [&](double t) {
+    return beside.contains(t);
+  });
   const std::vector<double> bends = instants_of_laws(
       law_times(definition, settings.duration, 0.0), settings.duration);
   others.insert(others.end(), bends.begin(), bends.end());
   DynamicRun second(definition, settings, others);
-  second.refine(first.peaks().largest());
+  second.refine(first.peaks().largest(), beside);
   return second.run();
 }
 

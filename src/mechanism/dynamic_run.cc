@@ -162,6 +162,7 @@ Motion DynamicRun::run() {
     change_points_.look(integrator_, integrator_.t(), y_);
     integrator_.correct(y_);
     note_energy(y_);
+    step_energy_error_ = std::max(step_energy_error_, energy_gap(y_));
     require_resisting_friction();
     if (integrator_.t() == limit && limit < settings_.duration) {
       pass_bend(limit);

@@ -29,11 +29,18 @@ class DynamicRun {
   /// Lets the run look for the largest reactions.
   void watch() { peaks_.emplace(dynamics_); }
   const ReactionPeaks& peaks() const { return *peaks_; }
+  /// Times beside change points, where rigid reactions have no largest.
+  struct Beside {
+    std::vector<double> change_points;
+    double reach{};  ///< [s]
+    bool contains(double t) const;
+  };
   /// Lets the run add instants so that large loads change little between
   /// them, and on both sides of events.
-  /// @param largest  as ReactionPeaks found them.
-  void refine(const Eigen::VectorXd& largest) {
+  /// @param largest  as ReactionPeaks found them. @param beside  not there.
+  void refine(const Eigen::VectorXd& largest, const Beside& beside) {
     sampler_.emplace(dynamics_, largest);
+    beside_ = beside;
   }
 
  private:
@@ -59,6 +66,7 @@ class DynamicRun {
   void add_wanted(double until);
   void want_sides(double t);
   void add_instant(double t, Eigen::VectorXd& y);
+  double energy_gap(const Eigen::VectorXd& y);
   void note_energy(const Eigen::VectorXd& y);
   void require_energy_balance() const;
   void require_closed(double t, double gap);
@@ -79,6 +87,7 @@ class DynamicRun {
   std::size_t next_sample_ = 0;
   std::optional<ReactionPeaks> peaks_;
   std::optional<LoadSampler> sampler_;
+  Beside beside_;
   std::vector<double> wanted_;
   int two_sided_ = 0;
   Eigen::VectorXd event_values_;
@@ -87,7 +96,8 @@ class DynamicRun {
   int crowded_events_ = 0;
   double last_event_ = -1.0;
   double energy_start_{}, energy_error_{}, largest_energy_{};
-  double largest_load_{};  ///< force on a body [N]
+  double step_energy_error_{};  ///< at the ends of steps alone
+  double largest_load_{};       ///< force on a body [N]
   Motion motion_;
 };
 

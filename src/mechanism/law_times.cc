@@ -128,9 +128,11 @@ LawTimes law_times(const MechanismDefinition& definition, double duration,
   for (auto* each : {&times.steps, &times.bends, &times.knots, &times.looks}) {
     sort_once(*each);
   }
-  std::erase_if(times.bends, [&times](double t) {
-    return std::ranges::binary_search(times.steps, t);
-  });
+  for (auto* each : {&times.bends, &times.knots, &times.looks}) {
+    std::erase_if(*each, [&times](double t) {
+      return std::ranges::binary_search(times.steps, t);
+    });
+  }
   return times;
 }
 

@@ -24,7 +24,10 @@ using Piece = std::vector<At>;
 // halfway between looks it then misses by a seventh of that.
 constexpr double kResolved = 5e-3;
 // How far loads may lie off the line between two instants, likewise.
-constexpr double kOffLine = 5e-4;
+constexpr double kOffLine = 1.5e-3;
+// The same while few instants are added.
+constexpr double kOffLineOfFew = 5e-4;
+constexpr std::size_t kFew = 50;
 // Loads that lie so near to such a line at another time repeat what is there.
 constexpr double kNear = 2.0 * kOffLine;
 // Loads that come no nearer to the largest than this need no instant.
@@ -261,7 +264,7 @@ double LoadCourse::look_at_vertex(At top, const BodyLoads::Vector& vector,
 /// Makes an instant of the largest one of a load.
 void LoadCourse::find_peak(const BodyLoads::Vector& vector, Index v) {
   constexpr int kMost = 6;
-  constexpr double kGain = 1e-7;
+  constexpr double kGain = 1e-7, kRoundOff = 1e-12;
   const auto square = [&](const DrivenCourse::Look& look) {
     return look.loads.segment(vector.begin, vector.count).squaredNorm();
   };
@@ -278,7 +281,7 @@ void LoadCourse::find_peak(const BodyLoads::Vector& vector, Index v) {
   for (int i = 0; i < kMost; ++i) {
     if (!(look_at_vertex(best, vector, best) > kGain * square(*best))) break;
   }
-  if (square(*best) > (1.0 + kGain) * at_instants) best->is_instant = true;
+  if (square(*best) > (1.0 + kRoundOff) * at_instants) best->is_instant = true;
 }
 
 std::vector<At> LoadCourse::instants() {
@@ -420,7 +423,10 @@ void LoadCourse::choose(std::size_t most) {
     gaps.push(gap(chosen[i], chosen[i + 1]));
   }
   std::size_t added = 0;
-  while (!gaps.empty() && gaps.top().defect > kOffLine && added < most) {
+  const auto allowed = [&added] {
+    return added < kFew ? kOffLineOfFew : kOffLine;
+  };
+  while (!gaps.empty() && gaps.top().defect > allowed() && added < most) {
     Gap top = gaps.top();
     gaps.pop();
     if (top.worst == course_.looks().end()) {

@@ -28,15 +28,50 @@ std::span<const unsigned> nodes_of(const GmshFile& file,
           std::size_t(element.type->nodes)};
 }
 
+/// Volume elements as they come: the same one again stands for one in another
+/// physical group, and nothing else.
+class SeenVolumes {
+ public:
+  explicit SeenVolumes(const GmshFile& file) : file_(file) {}
+
+  /// @return whether it is new.
+  /// @throws Error M014 if it is there twice: in one group, or with its nodes
+  ///   in another order.
+  bool add(const GmshElement& element) {
+    const auto nodes = nodes_of(file_, element);
+    std::vector<unsigned> sorted(nodes.begin(), nodes.end());
+    std::ranges::sort(sorted);
+    const auto [entry, is_new] = seen_.try_emplace(std::move(sorted), &element);
+    if (is_new) return true;
+    const auto before = nodes_of(file_, *entry->second);
+    if (std::ranges::equal(nodes, before) &&
+        element.physical != entry->second->physical) {
+      return false;
+    }
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const unsigned node : nodes) middle += file_.points[node];
+    middle /= double(nodes.size());
+    throw Error("M014", file_.name,
+                fmt::format("elements {} and {} near ({:.4g}, {:.4g}, {:.4g}) "
+                            "are the same cell: the part would be twice as "
+                            "stiff there",
+                            entry->second->tag, element.tag, middle.x(),
+                            middle.y(), middle.z()),
+                "mesh every volume once (gmsh: Coherence before Mesh 3)");
+  }
+
+ private:
+  const GmshFile& file_;
+  std::map<std::vector<unsigned>, const GmshElement*> seen_;
+};
+
 /// The volume elements, each once; all of one type.
 std::vector<const GmshElement*> volume_elements(const GmshFile& file) {
   std::vector<const GmshElement*> volumes;
   std::map<std::string_view, std::size_t> types;
-  std::set<std::vector<unsigned>> seen;
+  SeenVolumes seen(file);
   for (const GmshElement& element : file.elements) {
-    if (element.type->dim != 3) continue;
-    const auto nodes = nodes_of(file, element);
-    if (!seen.emplace(nodes.begin(), nodes.end()).second) continue;
+    if (element.type->dim != 3 || !seen.add(element)) continue;
     volumes.push_back(&element);
     ++types[element.type->name];
   }

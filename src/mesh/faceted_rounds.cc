@@ -26,8 +26,9 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kSharp = 35.0 * kDegree;  // between the faces of a rim
 constexpr double kLargestTurn = 22.7 * kDegree;
 constexpr double kSmallestTurn = 0.05 * kDegree;
-constexpr double kOnCircle = 1e-5;  // of its radius
-constexpr std::size_t kFewest = 5;  // vertices on an arc
+constexpr double kShortest = 44.0 * kDegree;  // arc
+constexpr double kOnCircle = 1e-5;            // of its radius
+constexpr std::size_t kFewest = 5;            // vertices on an arc
 
 struct Facet {
   std::vector<unsigned> cycle;
@@ -183,6 +184,15 @@ class Finder {
     if (!circle) return;
     part::Bore cylinder{circle->centre, circle->normal, circle->radius, 0.0};
     snap_axis(cylinder);
+    double span = 0.0;
+    for (std::size_t i = at; i < end; ++i) {
+      const Vector3d& p = point(chain[i]);
+      if (distance(*circle, p) > kOnCircle) return;
+      if (i > at) {
+        span += std::abs(angle_between(cylinder, point(chain[i - 1]), p));
+      }
+    }
+    if (span < kShortest) return;
     FacetedRound round{cylinder, {}};
     std::vector<std::size_t> front;
     for (std::size_t i = at; i + 1 < end; ++i) {

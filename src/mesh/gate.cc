@@ -4,7 +4,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <utility>
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -96,54 +95,6 @@ Vector3d middle(const PartMesh<3>& mesh, std::size_t cell) {
 std::string in_mm(const Vector3d& p) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * p.x(), 1e3 * p.y(),
                      1e3 * p.z());
-}
-
-/// "3 things: near (0, 0, 1) mm, near …" of the first few.
-std::string first_places(const std::vector<Vector3d>& places) {
-  constexpr std::size_t kFew = 5;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(places.size(), kFew); ++i) {
-    text += fmt::format("{} near {}", i > 0 ? "," : ":", in_mm(places[i]));
-  }
-  return text + (places.size() > kFew ? ", …" : "");
-}
-
-/// Middles of the cells whose corners an earlier cell has.
-std::vector<Vector3d> repeated_cells(const PartMesh<3>& mesh) {
-  std::vector<std::pair<std::vector<unsigned>, std::size_t>> cells;
-  cells.reserve(mesh.cells.size());
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    cells.emplace_back(mesh.cells[c], c);
-    std::ranges::sort(cells.back().first);
-  }
-  std::ranges::sort(cells);
-  std::vector<Vector3d> places;
-  for (std::size_t i = 1; i < cells.size(); ++i) {
-    if (cells[i].first != cells[i - 1].first) continue;
-    places.push_back(middle(mesh, cells[i].second));
-  }
-  return places;
-}
-
-/// Middles of faces where more than two cells meet.
-std::vector<Vector3d> crowded_faces(const PartMesh<3>& mesh) {
-  const auto faces = sorted_faces(mesh);
-  std::vector<Vector3d> places;
-  for (std::size_t i = 2; i < faces.size(); ++i) {
-    const auto& corners = faces[i].corners;
-    const bool third = corners == faces[i - 2].corners;
-    const bool fourth = i > 2 && corners == faces[i - 3].corners;
-    if (!third || fourth) continue;
-    Vector3d sum = Vector3d::Zero();
-    double count = 0.0;
-    for (const unsigned v : corners) {
-      if (v == kNoVertex) continue;
-      sum += mesh.vertices[v];
-      count += 1.0;
-    }
-    places.push_back(sum / count);
-  }
-  return places;
 }
 
 }  // namespace
@@ -261,28 +212,6 @@ void check_connected(const PartMesh<3>& mesh, const std::string& file) {
               "Coherence Mesh)");
 }
 
-void check_cells_apart(const PartMesh<3>& mesh, const std::string& file) {
-  const auto repeated = repeated_cells(mesh);
-  if (!repeated.empty()) {
-    throw Error("M014", file,
-                fmt::format("{} of {} cells {} there twice, with the same "
-                            "corners{}: the part would be twice as stiff there",
-                            repeated.size(), mesh.cells.size(),
-                            repeated.size() == 1 ? "is" : "are",
-                            first_places(repeated)),
-                "delete the copy: mesh every volume once (gmsh: Coherence "
-                "before Mesh 3; no volume is copied onto itself)");
-  }
-  const auto crowded = crowded_faces(mesh);
-  if (crowded.empty()) return;
-  throw Error("M014", file,
-              fmt::format("more than two cells meet at {} face{}{}: cells "
-                          "overlap there",
-                          crowded.size(), crowded.size() == 1 ? "" : "s",
-                          first_places(crowded)),
-              "mesh every volume once (gmsh: Coherence before Mesh 3)");
-}
-
 bool are_sound(const PartMesh<3>& mesh) {
   return std::ranges::none_of(cell_qualities(mesh), is_bad);
 }
@@ -303,7 +232,7 @@ void check_jacobians(const PartMesh<3>& mesh, const std::string& file) {
   }
   throw Error(
       "M005", file,
-      fmt::format("{} of {} cells are inverted, folded or flat{}{}", bad.size(),
+      fmt::format("{} of {} cells are inverted or folded{}{}", bad.size(),
                   qualities.size(), text, bad.size() > 5 ? ", …" : ""),
       all_inside_out
           ? "the whole mesh is numbered left-handed: mirror the geometry, not "

@@ -32,11 +32,6 @@ void check_shapes(const PartMesh<3>& mesh, const std::string& file);
 /// @throws Error M006 with the pieces and their volumes.
 void check_connected(const PartMesh<3>& mesh, const std::string& file);
 
-/// Refuses cells that take the same room: two with the same corners (the part
-/// would be twice as stiff there), or three and more at one face.
-/// @throws Error M014 with their number and where the first are.
-void check_cells_apart(const PartMesh<3>& mesh, const std::string& file);
-
 /// Whether no cell is inverted or folded.
 bool are_sound(const PartMesh<3>& mesh);
 

@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "mesh/cells.h"
+#include "mesh/cylinder_groups.h"
 #include "mesh/exact_geometry.h"
 #include "mesh/extrude.h"
 #include "mesh/faceted_rounds.h"
@@ -49,6 +50,7 @@ GmshFile with_volume(GmshFile file, double length_unit,
 /// The mesh with the cylinders of its groups and those behind its facets; with
 /// those of the groups alone if the others fold cells.
 ReadMesh on_cylinders(PartMesh<3> mesh, const std::string& name) {
+  fit_cylinder_groups(mesh, name);  // these are not looked at
   const auto rounds = faceted_rounds(mesh);
   if (!rounds.empty()) {
     PartMesh<3> rounded = mesh;
@@ -74,7 +76,6 @@ ReadMesh read_mesh_with_notes(const std::filesystem::path& file,
       with_volume(read_gmsh_file(file), length_unit, thickness);
   PartMesh<3> mesh = build_cells(content, length_unit);
   check_size(mesh, content.name);
-  check_cells_apart(mesh, content.name);
   check_connected(mesh, content.name);
   ReadMesh read = on_cylinders(std::move(mesh), content.name);
   check_shapes(read.mesh, content.name);

@@ -67,6 +67,15 @@ class TetrahedraPlate {
     return cylinder && cylinder->axis_L.head<2>().norm() <= 1e-8;
   }
 
+  /// The flat facet through its corners.
+  bool stands_upright(const BoundaryFace& face) const {
+    const auto v = corners(face);
+    const Eigen::Vector3d n =
+        (mesh_.vertices[v[1]] - mesh_.vertices[v[0]])
+            .cross(mesh_.vertices[v[2]] - mesh_.vertices[v[0]]);
+    return std::abs(n.z()) <= 1e-8 * n.norm();
+  }
+
   Side side_of(const BoundaryFace& face) const {
     const Matrix3Xd points = face_points(face);
     const auto at_height = [&](double z) {
@@ -77,9 +86,11 @@ class TetrahedraPlate {
     if (is_on_upright_cylinder(face)) return Side::kUpright;
     const Matrix3Xd a = points * at_nodes_.slope[0].transpose();
     const Matrix3Xd b = points * at_nodes_.slope[1].transpose();
+    // Facets put on a cylinder lean like those of a round group.
+    const double lean = stands_upright(face) ? 1e-4 : 1e-7;
     for (Index q = 0; q < points.cols(); ++q) {
       const Eigen::Vector3d t1 = a.col(q), t2 = b.col(q), n = t1.cross(t2);
-      if (!(std::abs(n.z()) <= 1e-7 * n.norm())) return Side::kOther;
+      if (!(std::abs(n.z()) <= lean * n.norm())) return Side::kOther;
     }
     return Side::kUpright;
   }

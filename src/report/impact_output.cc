@@ -136,18 +136,19 @@ ordered_json impacts_json(const std::vector<NamedImpact>& impacts) {
 
 std::string impacts_csv(const std::vector<NamedImpact>& impacts) {
   std::string text =
-      "force,end,unit,at_s,approach_speed,mass_a,mass_b,mass,pushing,"
-      "duration_s,peak,peak_at_s,impulse,exit_speed\n";
+      "force,end,at_s,approach_speed,mass_a,mass_b,mass,pushing,duration_s,"
+      "peak,peak_at_s,impulse,exit_speed,speed_unit,mass_unit,effort_unit,"
+      "impulse_unit\n";
   for (const NamedImpact& named : impacts) {
     const Impact& i = named.impact;
     text += fmt::format(
-        "{},{},{},{:.15g},{:.12g},{},{},{},{:.12g},{},{:.12g},{:.15g},{:.12g},"
+        "{},{},{:.15g},{:.12g},{},{},{},{:.12g},{},{:.12g},{:.15g},{:.12g},{},"
         "{}\n",
-        csv_field(named.force), named.end,
-        named.angular ? "rad/s kg m2 N m" : "m/s kg N", i.t, i.approach_speed,
+        csv_field(named.force), named.end, i.t, i.approach_speed,
         finite_field(i.mass_a), finite_field(i.mass_b), finite_field(i.mass),
         i.force, i.duration ? finite_field(*i.duration) : "", i.peak_force,
-        i.peak_at, i.impulse, i.duration ? finite_field(i.exit_speed) : "");
+        i.peak_at, i.impulse, i.duration ? finite_field(i.exit_speed) : "",
+        named.angular ? "rad/s,kg m2,N m,N m s" : "m/s,kg,N,N s");
   }
   return text;
 }

@@ -63,10 +63,13 @@ void add_freedom(const MechanismDefinition& definition, const Motion& motion,
     return;
   }
   notes.push_back(fmt::format(
-      "no drive fixes {} degree{} of freedom ({}): forces decide, the motion "
-      "is integrated {}. {}",
+      "no drive fixes {} degree{} of freedom{}: forces decide, the motion is "
+      "integrated {}. {}",
       free.freedom, free.freedom == 1 ? "" : "s",
-      fmt::join(free.coordinates, ", "), start_of(definition),
+      free.coordinates.empty()
+          ? ""
+          : fmt::format(" ({})", fmt::join(free.coordinates, ", ")),
+      start_of(definition),
       is_pushed(definition)
           ? "Say motion = \"dynamic\" if that is meant"
           : "If a drive was forgotten, add it; else say motion = \"dynamic\""));
@@ -84,6 +87,11 @@ double extent(const MechanismDefinition& definition) {
     }
   }
   return length;
+}
+
+/// Thousandths, without trailing zeros; no -0.
+std::string rounded(double value) {
+  return fmt::format("{:.6g}", std::round(1e3 * value) / 1e3 + 0.0);
 }
 
 /// Assembly closes the loops near the placements: where these are missing or
@@ -104,8 +112,8 @@ void add_assembly(const MechanismDefinition& definition, const Motion& motion,
     if (turn <= kFarTurn && way.norm() <= kFarWay * length) continue;
     const Vector3d mm = millimetres(pose.p_WL);
     moved.push_back(fmt::format(
-        "{} to ({:.4g}, {:.4g}, {:.4g}) mm, turned by {:.3g} deg{}", body.name,
-        mm.x() + 0.0, mm.y() + 0.0, mm.z() + 0.0, turn / kDegree,
+        "{} to ({}, {}, {}) mm, turned by {:.3g} deg{}", body.name,
+        rounded(mm.x()), rounded(mm.y()), rounded(mm.z()), turn / kDegree,
         body.is_placed ? "" : " (it has no placement)"));
   }
   if (moved.empty()) return;

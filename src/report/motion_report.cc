@@ -95,6 +95,18 @@ ordered_json joints_json(const MotionReport& report,
   return joints;
 }
 
+/// How far the instants tell what loads lie between them.
+ordered_json search_json(const MotionReport& report) {
+  const mechanism::LoadSearch& search = *report.motion.search;
+  ordered_json unseen = ordered_json::object();
+  for (std::size_t i = 0; i < search.bodies.size(); ++i) {
+    unseen[report.definition.bodies[i].name] = search.bodies[i];
+  }
+  return {{"looks", search.looks},
+          {"complete", !search.ended},
+          {"unseen_of_largest_load", unseen}};
+}
+
 ordered_json drives_json(const MotionReport& report,
                          const MechanismSummary& summary) {
   ordered_json drives = ordered_json::array();
@@ -238,6 +250,9 @@ std::string motion_json(const MotionReport& report) {
         {"factorisations", run->factorisations},
         {"energy_error_J", run->energy_error},
         {"relative_energy_error", run->relative_energy_error}};
+  }
+  if (report.motion.search) {
+    json["motion"]["search"] = search_json(report);
   }
   json["forces"] = forces_json(report);
   json["events"] = events_json(report);

@@ -16,7 +16,7 @@ using mechanism::BodyDefinition;
 using mechanism::JointDefinition;
 using mechanism::MechanismDefinition;
 
-constexpr double kLeastMass = 1e-12, kLargestMass = 1e12;  // [kg]
+constexpr double kLeastMass = 1e-30, kLargestMass = 1e12;  // [kg]
 constexpr double kLargestLength = 1e6;                     // [m]
 constexpr double kLargestLead = 1e3;                       // [m]
 /// A flywheel on a short crank has 10, a reflected rotor some 30.

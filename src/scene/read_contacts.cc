@@ -19,7 +19,7 @@ ContactLaw read_contact_law(StrictTable& table, const LineUnits& units) {
          {"published", ContactModel::kPublished},
          {"hunt-crossley", ContactModel::kHuntCrossley}});
   }
-  law.stiffness = table["stiffness"].positive(units.stiffness);
+  law.stiffness = plausible_stiffness(table["stiffness"], units.stiffness);
   if (law.model == ContactModel::kHuntCrossley) {
     law.damping =
         not_negative(table["damping"], units.coordinate == Dimension::kAngle

@@ -55,11 +55,25 @@ Dimension read_driven(StrictTable& table,
   return all[k].row.is_angle() ? Dimension::kAngle : Dimension::kLength;
 }
 
+/// A coordinate that some machine reaches. @throws Error S011.
+double reachable(const Value& value, Dimension coordinate) {
+  constexpr double kFarthest = 1e6;     // m
+  constexpr double kMostTurned = 1e10;  // rad
+  const double q = value.quantity(coordinate);
+  const bool is_angle = coordinate == Dimension::kAngle;
+  if (std::abs(q) <= (is_angle ? kMostTurned : kFarthest)) return q;
+  throw value.refusal(
+      "S011",
+      fmt::format("is {:.3g} {}, farther than any machine moves", q,
+                  is_angle ? "rad" : "m"),
+      "Check the number and its unit.");
+}
+
 mechanism::CubicSpline read_table(StrictTable& table, Dimension coordinate) {
   const Value times = table["times"], positions = table["positions"];
   std::vector<double> t = increasing_times(times, 2), q;
   for (const Value& value : positions.elements()) {
-    q.push_back(value.quantity(coordinate));
+    q.push_back(reachable(value, coordinate));
   }
   if (t.size() != q.size()) {
     throw positions.refusal(
@@ -87,16 +101,16 @@ void read_drive_law(StrictTable& table, Dimension coordinate,
     drive.from = drive.table.values.front();
     drive.to = drive.table.values.back();
   } else {
-    drive.from = table["from"].quantity(coordinate);
+    drive.from = reachable(table["from"], coordinate);
     drive.to = drive.from;
   }
   if (drive.law == DriveLaw::kRamp || drive.law == DriveLaw::kQuintic) {
-    drive.to = table["to"].quantity(coordinate);
+    drive.to = reachable(table["to"], coordinate);
     drive.start = read_start(table);
     drive.duration = table["duration"].positive(Dimension::kTime);
   } else if (drive.law == DriveLaw::kSine) {
     drive.start = read_start(table);
-    drive.amplitude = table["amplitude"].quantity(coordinate);
+    drive.amplitude = reachable(table["amplitude"], coordinate);
     drive.frequency = table["frequency"].positive(Dimension::kFrequency);
   } else if (drive.law == DriveLaw::kSpeed) {
     drive.start = read_start(table);

@@ -52,6 +52,9 @@ ElementLine read_line(StrictTable& table,
 SpringLaw read_spring(StrictTable& table, const LineUnits& units) {
   SpringLaw law;
   law.stiffness = not_negative_or(table, "stiffness", units.stiffness, 0.0);
+  if (law.stiffness > 0.0) {
+    plausible_stiffness(table["stiffness"], units.stiffness);
+  }
   law.damping = not_negative_or(table, "damping", units.damping, 0.0);
   if (!table.has("stiffness") && !table.has("damping")) {
     throw table.refusal("S003", "lacks the key \"stiffness\" or \"damping\"",
@@ -144,7 +147,7 @@ FrictionLaw read_friction(StrictTable& table, const ElementLine& line,
     law.regularizing_speed = table["regularizing_speed"].positive(units.rate);
   } else if (law.model == FrictionModel::kLuGre) {
     law.bristle_stiffness =
-        table["bristle_stiffness"].positive(units.stiffness);
+        plausible_stiffness(table["bristle_stiffness"], units.stiffness);
     law.bristle_damping = not_negative(table["bristle_damping"], units.damping);
   }
   return law;
@@ -236,6 +239,14 @@ double not_negative(const Value& value, Dimension dimension) {
     throw value.refusal("S006", "is negative", "Give zero or more.");
   }
   return number;
+}
+
+double plausible_stiffness(const Value& value, Dimension dimension) {
+  constexpr double kStiffest = 1e15;  // N/m or N m/rad
+  const double stiffness = value.positive(dimension);
+  if (stiffness <= kStiffest) return stiffness;
+  throw value.refusal("S011", "is stiffer than any machine",
+                      "Check the number and its unit.");
 }
 
 double not_negative_or(StrictTable& table, std::string_view key,

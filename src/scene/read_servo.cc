@@ -13,7 +13,7 @@ void read_gains(StrictTable& table, const LineUnits& units, Dimension inertia,
                 ServoLaw& law) {
   constexpr double kMostDamped = 100.0;
   if (table.has("stiffness")) {
-    law.stiffness = table["stiffness"].positive(units.stiffness);
+    law.stiffness = plausible_stiffness(table["stiffness"], units.stiffness);
     law.damping = not_negative_or(table, "damping", units.damping, 0.0);
     return;
   }

@@ -24,6 +24,9 @@ using elasticity::WedgeSide;
 using Hold = WedgeSide::Hold;
 
 constexpr double kPi = std::numbers::pi;
+/// Over straight, of sides held alike: λ = 0.95, a tenth more stress where the
+/// distance falls to a tenth [degrees].
+constexpr double kSmallestNotch = 4.7;
 constexpr double kNearlyWhole = 355.0 / 180.0 * kPi;  // a crack
 
 /// What holds a side: in the plane across the corner and along its axis.
@@ -94,9 +97,10 @@ bool turn_alike(const HeldCorner& one, const HeldCorner& other) {
   const Vector3d& axis = one.corner.axis;
   if (std::abs(axis.dot(other.corner.axis)) < kParallel) return false;
   const Vector3d arm = other.corner.at - one.corner.at;
+  // Side by side, not end to end along a rim.
   const double across = (arm - axis.dot(arm) * axis).norm();
   const double near = std::max(one.corner.reach, other.corner.reach);
-  return across < near && across > 1e-6 * near;
+  return across < near && across > std::abs(axis.dot(arm));
 }
 
 /// Which corners are those between facets of a curve: small kinks beside
@@ -124,8 +128,8 @@ class Exponents {
 
   /// @param is_facet  the corner is one of a curve.
   double smallest(const HeldCorner& at, bool is_facet) {
-    // Below, the exponent is above kSmoothExponent: 1 − 2δ/(π + 2δ).
-    constexpr double kNone = 2.5 / 180.0 * kPi;
+    // Free, the exponent is above kSmoothExponent: 1 − 2δ/(π + 2δ).
+    constexpr double kNone = kSmallestNotch / 180.0 * kPi;
     const double angle = at.corner.angle;
     const auto& [first, second] = at.held;
     double result = 1.0;
@@ -291,6 +295,21 @@ SingularZone make_zone(const mesh::PartMesh<dim>& mesh,
   return zone;
 }
 
+/// How much of a stress a kink disturbs: what flows from one side to the other,
+/// and what shears along the edge [1].
+double share_across(const BoundaryCorner& corner,
+                    const Eigen::Matrix3d& stress) {
+  if (stress.isZero()) return 1.0;
+  const Vector3d across =
+      (corner.sides[0].direction - corner.sides[1].direction).normalized();
+  const Eigen::Matrix3d deviator =
+      stress - stress.trace() / 3.0 * Eigen::Matrix3d::Identity();
+  const double von_mises = std::sqrt(1.5) * deviator.norm();
+  const double normal = std::abs(across.dot(stress * across));
+  const double shear = std::abs(corner.axis.dot(stress * across));
+  return std::min(1.0, std::hypot(normal, std::sqrt(3.0) * shear) / von_mises);
+}
+
 }  // namespace
 
 template <int dim>
@@ -311,7 +330,7 @@ std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
 }
 
 double facet_kink(const mesh::PartMesh<3>& mesh, const FixedGroups& fixed,
-                  const Vector3d& at) {
+                  const Vector3d& at, const Eigen::Matrix3d& stress) {
   const auto corners = held_corners<3>(mesh, fixed);
   const auto is_facet = facets_of_curves(corners);
   double largest = 0.0;
@@ -321,7 +340,8 @@ double facet_kink(const mesh::PartMesh<3>& mesh, const FixedGroups& fixed,
     const Vector3d arm = at - corner.at;
     const double across = (arm - corner.axis.dot(arm) * corner.axis).norm();
     if (arm.norm() > 2.0 * corner.reach || across > corner.reach) continue;
-    largest = std::max(largest, std::abs(*corners[k].kink));
+    largest = std::max(
+        largest, std::abs(*corners[k].kink) * share_across(corner, stress));
   }
   return largest;
 }

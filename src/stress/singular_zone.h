@@ -54,8 +54,11 @@ inline constexpr double kRadiusOfWall = 0.1;
 /// 0: there is none [rad]. Between facets that kink by δ the stress of the
 /// surface behind them is (2δ/π) ln(2 sin(πs/ℓ)) of itself off at the way s
 /// along a facet ℓ: theory.md.
+/// @param stress  there, in L [Pa]: a kink counts as far as it flows across
+///   the kink's edge or shears along it, over its von Mises stress; zero: as a
+///   whole.
 double facet_kink(const mesh::PartMesh<3>& mesh, const FixedGroups& fixed,
-                  const Eigen::Vector3d& at);
+                  const Eigen::Vector3d& at, const Eigen::Matrix3d& stress);
 
 /// Distance of a point from a zone's edges [m].
 double distance(const SingularZone& zone, const Eigen::Vector3d& point);

@@ -16,10 +16,11 @@ struct DisplacementValue {
 /// Error of the last displacement over it [1].
 ///
 /// The largest of: what a geometric series of the last two changes would still
-/// bring (peak_band), what a power of the number of unknowns would, as at
-/// singular corners and where the material hardly changes its volume
-/// (strain_energy_error, of the displacement and of the energy, with half as
-/// much again for safety). One or two values: 1, nothing is known.
+/// bring (peak_band), one and a half times the last change, and what a power of
+/// the number of unknowns would, as at singular corners and where the material
+/// hardly changes its volume (strain_energy_error, of the displacement and of
+/// the energy, with half as much again for safety). One or two values: 1,
+/// nothing is known.
 double displacement_error(std::span<const DisplacementValue> sequence);
 
 }  // namespace clevis::stress

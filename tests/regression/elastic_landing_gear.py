@@ -74,9 +74,13 @@ class Run:
         return max(abs(x) for key in self.rows for x in self.wrench(key))
 
     def difference(self, other, components=range(6)):
-        """Largest over instants and joints, over the largest reaction."""
+        """Largest over the instants of both and joints, over the largest
+        reaction."""
+        both = self.rows.keys() & other.rows.keys()
+        if not {0.0, 1.0, 2.0} <= {t for t, _ in both}:
+            sys.exit("the scene's instants are not in both")
         return max(abs(self.wrench(key)[c] - other.wrench(key)[c])
-                   for key in self.rows for c in components) / self.largest()
+                   for key in both for c in components) / self.largest()
 
     def imbalance(self, t):
         """Of the bodies where they rest: loads and reactions about the origin,

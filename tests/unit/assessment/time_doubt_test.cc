@@ -9,10 +9,13 @@
 namespace clevis::assessment {
 namespace {
 
-std::vector<loads::InstantLoad> at(const std::vector<double>& times) {
-  std::vector<loads::InstantLoad> instants(times.size());
-  for (std::size_t i = 0; i < times.size(); ++i) instants[i].time = times[i];
-  return instants;
+loads::LoadHistory at(const std::vector<double>& times) {
+  loads::LoadHistory history;
+  history.instants.resize(times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    history.instants[i].time = times[i];
+  }
+  return history;
 }
 
 Eigen::VectorXd values(const std::vector<double>& times,
@@ -85,6 +88,18 @@ TEST(TimeDoubt, CasesBehindTheMotionHaveNone) {
   Eigen::VectorXd peak(41);
   peak << flat, 7.0;
   EXPECT_EQ(time_doubt(at(times), peak), 0.0);
+}
+
+// Where the loads between instants are known to lie on lines nothing else is in
+// doubt, however the peaks jump about; cases behind the motion have none.
+TEST(TimeDoubt, OfASearchedMotionIsWhatItLeft) {
+  const std::vector<double> times{0.0, 0.1, 0.1005, 0.101, 0.5, 1.0, 0.0};
+  Eigen::VectorXd peak(7);
+  peak << 1.0, 1.0, 80.0, 1.0, 2.0, 1.0, 500.0;
+  loads::LoadHistory history = at(times);
+  EXPECT_GT(time_doubt(history, peak), 10.0);
+  history.unseen = 1e-3;
+  EXPECT_NEAR(time_doubt(history, peak), 0.08, 1e-12);
 }
 
 }  // namespace

@@ -243,6 +243,25 @@ TEST(SlideZone, PinThatMaySlideButDoesNotFillsItsBore) {
   EXPECT_EQ(guide.code(), "L007");
 }
 
+// A plate on a table: a rectangle along x and y of the joint's frame.
+TEST(SlideZone, PlanarJointsNeedBothSides) {
+  Guide table(JointType::kPlanar);
+  const Matrix3d z_to_y =
+      Eigen::AngleAxisd(-std::numbers::pi / 2.0, Vector3d::UnitX())
+          .toRotationMatrix();
+  table.definition.joints[0].frame_a = {{0.0, 0.01, 0.0}, z_to_y};
+  table.definition.joints[0].frame_b = {{0.002, 0.01, 0.0}, z_to_y};
+  table.part.seats[0].slide.length = 0.02;
+  table.at(0.01);
+  EXPECT_EQ(table.code(), "L007");
+  table.part.seats[0].slide.width = 0.004;
+  const auto zone = table.history().instants[0].zones[0];
+  EXPECT_NEAR(zone.low[0], 0.0, 1e-12);
+  EXPECT_NEAR(zone.high[0], 0.02, 1e-12);
+  EXPECT_NEAR(zone.low[1], -0.002, 1e-12);
+  EXPECT_NEAR(zone.high[1], 0.002, 1e-12);
+}
+
 TEST(SlideZone, WallMustLieAlongTheSlide) {
   Guide guide;
   guide.part.seats[0].slide.length = 0.02;

@@ -137,6 +137,26 @@ TEST(WallPressure, AWallCannotPull) {
   EXPECT_TRUE(taken(pressed(1000.0, 0.4 * kLength)));
 }
 
+// Whatever the force's place on a wall: pressed within its edges it is taken,
+// beyond them not, and the resultant is the wrench.
+TEST(WallPressure, EveryPlaceWithinTheEdgesIsTaken) {
+  for (int k = 0; k < 400; ++k) {
+    const Walls w = walls(false, 40 + k % 37, 6);
+    const double e = (k % 101 - 50) / 50.0 * 0.6 * kLength;
+    const double z = (k % 17 - 8) / 8.0 * 0.1 * kWidth;
+    const Wrench wrench{.force = {0.0, -200.0, 0.0},
+                        .moment = {200.0 * z, 0.0, -200.0 * e}};
+    const auto t =
+        wall_pressure(w.quadrature, w.outward, wrench, Vector3d::Zero());
+    if (std::abs(std::abs(e) - 0.5 * kLength) < 0.06 * kLength) continue;
+    ASSERT_EQ(t.has_value(), std::abs(e) < 0.5 * kLength) << k << " " << e;
+    if (!t) continue;
+    const Wrench reached = resultant(w.quadrature, *t, Vector3d::Zero());
+    ASSERT_LT((reached.force - wrench.force).norm(), 1e-7) << k;
+    ASSERT_LT((reached.moment - wrench.moment).norm(), 1e-9) << k;
+  }
+}
+
 // Four walls of a square bore take a force across any direction.
 TEST(WallPressure, SquareBoreTakesObliqueForces) {
   constexpr Index kPoints = 21;

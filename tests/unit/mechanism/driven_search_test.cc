@@ -207,8 +207,7 @@ TEST(DrivenSearch, SharpTableOverPositions) {
                .positions = {76.9 * kDegree, 77.0 * kDegree, 77.1 * kDegree}})};
   for (const int instants : {2, 11, 201}) {
     const Motion motion = simulate(m, at_peaks(1.0, instants));
-    // instants stand 2e-9 s beside the top, of 0.28 ms to either side
-    EXPECT_NEAR(largest(motion, element_effort), 300.0, 3e-3);
+    EXPECT_NEAR(largest(motion, element_effort), 300.0, 1e-6);
   }
 }
 
@@ -261,7 +260,7 @@ TEST(DrivenSearch, LoadsBetweenInstantsAreOnTheirLine) {
   MechanismDefinition m = turning_crank(4.0 * M_PI);
   m.gravity_W = {0.0, -9.81, 0.0};
   const Motion motion = simulate(m, at_peaks(1.0, 2));
-  EXPECT_LT(motion.search->bodies[0], 1e-3);
+  EXPECT_LT(motion.search->bodies[0], 1.5e-3);  // what is allowed
   const double mass = m.bodies[0].mass_properties.mass;
   const double arm = m.bodies[0].mass_properties.p_LCm.norm();
   const double omega = 4.0 * M_PI;

@@ -39,10 +39,10 @@ double length_unit(const std::filesystem::path& scene) {
 }
 
 std::optional<double> thickness(const std::filesystem::path& scene) {
-  if (bytes_of(scene).find("thickness = \"8 mm\"") == std::string::npos) {
-    return std::nullopt;
-  }
-  return 8e-3;
+  const std::string text = bytes_of(scene);
+  if (text.find("thickness = \"8 mm\"") != std::string::npos) return 8e-3;
+  if (text.find("thickness = \"10 m\"") != std::string::npos) return 10.0;
+  return std::nullopt;
 }
 
 TEST(InvalidMesh, EachIsRefusedWithItsCodeWithinASecond) {

@@ -31,11 +31,11 @@ CheckReport report_of(PartVerdict verdict) {
   return report;
 }
 
-TEST(CheckJunit, PassingPartHasThreeCasesWithNumbers) {
+TEST(CheckJunit, PassingPartHasFourCasesWithNumbers) {
   const std::string xml = check_junit(report_of(PartVerdict::kPass));
   EXPECT_TRUE(holds(xml,
-                    "name=\"landing gear\" tests=\"3\" failures=\"0\" "
-                    "errors=\"0\" skipped=\"0\" time=\"0.210\""));
+                    "name=\"landing gear\" tests=\"4\" failures=\"0\" "
+                    "errors=\"0\" skipped=\"1\" time=\"0.210\""));
   EXPECT_TRUE(holds(line_of(xml, "DCE", "convergence"),
                     "125 MPa, band [124.5, 125.75] MPa at bore_C: converged"));
   EXPECT_TRUE(holds(line_of(xml, "DCE", "safety factor"), "2.84"));
@@ -47,7 +47,7 @@ TEST(CheckJunit, ExceededLimitIsAFailureAndTheKeptOneIsNot) {
   report.parts[0].safety_factor = 1.25;
   report.parts[0].why = "too weak";
   const std::string xml = check_junit(report);
-  EXPECT_TRUE(holds(xml, "tests=\"3\" failures=\"1\" errors=\"0\""));
+  EXPECT_TRUE(holds(xml, "tests=\"4\" failures=\"1\" errors=\"0\""));
   const std::string failed = line_of(xml, "DCE", "safety factor");
   EXPECT_TRUE(holds(failed, "<failure"));
   EXPECT_TRUE(holds(failed, "1.25, at least 1.5 wanted; too weak"));
@@ -86,7 +86,7 @@ TEST(CheckJunit, WideBandThatPassesIsNoError) {
 TEST(CheckJunit, AbsentLimitIsSkipped) {
   CheckReport report = report_of(PartVerdict::kPass);
   report.limits.clear();
-  EXPECT_TRUE(holds(check_junit(report), "errors=\"0\" skipped=\"2\""));
+  EXPECT_TRUE(holds(check_junit(report), "errors=\"0\" skipped=\"3\""));
 }
 
 // The verdict may rest on something that the three cases do not show.
@@ -107,7 +107,7 @@ TEST(CheckJunit, FailedAndMissingPartsAreErrors) {
       {"AB", Error("F003", "part AB", "residual 0.1", "Report the scene.")});
   report.complete = false;
   const std::string xml = check_junit(report);
-  EXPECT_TRUE(holds(xml, "tests=\"5\" failures=\"0\" errors=\"2\""));
+  EXPECT_TRUE(holds(xml, "tests=\"6\" failures=\"0\" errors=\"2\""));
   EXPECT_TRUE(holds(line_of(xml, "AB", "computation"), "residual 0.1"));
 }
 

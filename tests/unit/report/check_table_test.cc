@@ -59,7 +59,7 @@ TEST(CheckTable, PartTakesOneLineWithAllItsFigures) {
   report.parts[0].why.clear();
   report.parts[0].probes.clear();
   const auto lines = lines_of(check_table(report, Colour::kNone));
-  ASSERT_EQ(lines.size(), 7u);
+  ASSERT_EQ(lines.size(), 8u);
   EXPECT_EQ(lines[0], "landing gear (geometry/landing_gear/scene.toml)");
   EXPECT_EQ(lines[1],
             "mechanism: mobility 1, 0 redundant constraints, 201 instants, "
@@ -68,7 +68,8 @@ TEST(CheckTable, PartTakesOneLineWithAllItsFigures) {
             "DCE     125.00  [124.50, 125.75]  bore_C (12.5, -3.0, 4.0)  "
             "t = 1.25 s  plane stress, p = 4   2.840    0.1250     100.0    "
             "1.250  pass     0.21");
-  EXPECT_EQ(lines[6], "verdict: pass   3.10 s");
+  EXPECT_EQ(lines[5], "    deflection: 0.1250 [0.1240, 0.1270] mm");
+  EXPECT_EQ(lines[7], "verdict: pass   3.10 s");
 }
 
 TEST(CheckTable, ReasonsStandBelowTheirPart) {
@@ -81,10 +82,11 @@ TEST(CheckTable, ReasonsStandBelowTheirPart) {
   EXPECT_EQ(lines[5], "    probe D: stress_yy = 5.5000 [5.4000, 5.6000] MPa");
   EXPECT_EQ(lines[6],
             "    probe T: displacement_x = 0.015000 [0.014000, 0.016000] mm");
-  EXPECT_EQ(lines[7], "    peak: singular");
-  EXPECT_EQ(lines[8], "    not judged: the peak grows without bound");
-  EXPECT_EQ(lines[9], "    FE/beam: curved eye");
-  EXPECT_EQ(lines[10].substr(0, 2), "BC");
+  EXPECT_EQ(lines[7], "    deflection: 0.1250 [0.1240, 0.1270] mm");
+  EXPECT_EQ(lines[8], "    peak: singular");
+  EXPECT_EQ(lines[9], "    not judged: the peak grows without bound");
+  EXPECT_EQ(lines[10], "    FE/beam: curved eye");
+  EXPECT_EQ(lines[11].substr(0, 2), "BC");
 }
 
 TEST(CheckTable, FailuresAndInterruptionAreTold) {

@@ -218,10 +218,12 @@ TEST(SceneReader, ReadsCases) {
   EXPECT_FALSE(lever().parts.at(0).thickness);
   ASSERT_EQ(part.cases.size(), 4u);
   EXPECT_EQ(part.cases[2].held_by_pin, std::vector<std::string>{"bore_A"});
-  EXPECT_EQ(part.cases[3].foundations.at("root"),
-            (part::Foundation{50e9, 50e9}));
-  EXPECT_EQ(part.cases[3].foundations.at("foot"),
-            (part::Foundation{20e9, 5e9}));
+  const auto& root = part.cases[3].foundations.at("root");
+  EXPECT_DOUBLE_EQ(root.normal, 50e9);
+  EXPECT_DOUBLE_EQ(root.tangential, 50e9);
+  const auto& foot = part.cases[3].foundations.at("foot");
+  EXPECT_DOUBLE_EQ(foot.normal, 20e9);
+  EXPECT_DOUBLE_EQ(foot.tangential, 5e9);
   expect_near(part.cases[0].pins.at("bore_A"), {-1000, 0, 0});
   const auto& held = part.cases[1];
   EXPECT_DOUBLE_EQ(held.pressure.at("top"), 1e6);

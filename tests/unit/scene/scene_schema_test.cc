@@ -57,8 +57,8 @@ void collect(const toml::table& table, const std::string& path, Keys& used) {
                                   ? std::string(key.str())
                                   : path + "." + std::string(key.str());
     if (!known.contains(below)) continue;
-    const bool by_name = below == "material" || below == "part.drives" ||
-                         below == "part.forces" ||
+    const bool by_name = below == "material" || below == "part.pins" ||
+                         below == "part.drives" || below == "part.forces" ||
                          below == "part.case.foundation";
     if (const auto* array = node.as_array()) {
       for (const auto& element : *array) {
@@ -66,7 +66,8 @@ void collect(const toml::table& table, const std::string& path, Keys& used) {
       }
     } else if (by_name) {
       for (const auto& [name, element] : *node.as_table()) {
-        if (!element.is_table()) continue;  // one number for all of it
+        // a pin's group or one number for all of a bed
+        if (!element.is_table()) continue;
         collect(*element.as_table(), below, used);
       }
     } else {

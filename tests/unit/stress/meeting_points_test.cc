@@ -1,11 +1,13 @@
 #include "stress/meeting_points.h"
 
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include <gtest/gtest.h>
 
 #include "elasticity/supports.h"
+#include "stress/stress_history.h"
 #include "support/simplex_mesh.h"
 #include "support/structured_mesh.h"
 

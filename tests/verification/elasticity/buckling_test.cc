@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "support/annulus_mesh.h"
 #include "support/structured_mesh.h"
 
 // Linear buckling against closed forms of slender bars and thin plates
@@ -134,9 +135,10 @@ TEST(Buckling, ColumnUnderItsOwnWeight) {
   const double weight = material.density * kColumn.prod() * 1e3;
   const double inertia = kColumn.y() * std::pow(kColumn.z(), 3) / 12.0;
   const auto mode =
-      buckling(box({10, 1, 1}, kColumn), 3, kSteel, history, {{"x0", kAll}});
-  EXPECT_NEAR(mode.factor * weight / (7.8373 * kSteel.youngs_modulus * inertia),
-              1.0, kTolerance);
+      buckling(box({10, 1, 1}, kColumn), 3, material, history, {{"x0", kAll}});
+  EXPECT_NEAR(
+      mode.factor * weight / (7.8373 * material.youngs_modulus * inertia), 1.0,
+      kTolerance);
 }
 
 TEST(Buckling, ColumnThatIsPulledDoesNotBuckle) {
@@ -171,13 +173,16 @@ TEST(Buckling, SquarePlateSimplySupported) {
 }
 
 // 4.013 √(E I_y G J) / L² / (1 − √(E Γ / G J) / L)², the load at the centroid
-// of the end; Γ = h³ t³/144: the clamp keeps the section from warping.
+// of the end; Γ = h³ t³/144: the clamp keeps the section from warping. Torsion
+// is what its free edges make of it (0.63 t/h): cells of their size there.
 TEST(Buckling, NarrowStripTipsOver) {
-  const double length = 1.0, t = 0.0005, h = 0.01;
-  const double force = 0.1;
+  const double length = 1.0, t = 0.001, h = 0.02;
+  const double force = 0.5;
+  const std::vector<double> heights = {0.0, 0.06, 0.5, 0.94, 1.0};
   const auto mesh = support::structured_mesh<3>(
-      {16, 1, 1}, 1, [&](const Vector3d& x) -> Vector3d {
-        return {length * x.x() * x.x(), t * x.y(), h * x.z()};
+      {16, 1, 4}, 1, [&](const Vector3d& x) -> Vector3d {
+        return {length * x.x() * x.x(), t * x.y(),
+                h * support::on_lines(heights, x.z())};
       });
   const Vector3d size(length, t, h);
   const auto history = one_instant(
@@ -190,7 +195,7 @@ TEST(Buckling, NarrowStripTipsOver) {
   const double shorter = 1.0 - std::sqrt(warping / torsion) / length;
   const double critical =
       4.013 * std::sqrt(bending * torsion) / std::pow(length * shorter, 2);
-  const auto mode = buckling(mesh, 4, material, history, {{"x0", kAll}});
+  const auto mode = buckling(mesh, 3, material, history, {{"x0", kAll}});
   EXPECT_NEAR(mode.factor * force / critical, 1.0, kTolerance);
 }
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from closed_forms import LandingGear
 from runs import changed, check_energy, forces, simulate
-from source_systems import expect, faults, marker
+from source_systems import expect, faults, marker, uniform
 
 STIFFNESS, DAMPING = 5e3, 75.2254  # N/m, N s/m
 START = LandingGear(210)
@@ -75,7 +75,7 @@ def follow(target, push, absolute, end, step):
 def path_off(rows, path):
     """Largest distance of T [mm] from the path's at the same instants."""
     return max(math.dist(marker(row, "T")[:2], LandingGear(l_x).T)
-               for row, l_x in zip(rows, path))
+               for row, l_x in zip(rows, path, strict=True))
 
 
 def arc(row):
@@ -87,15 +87,16 @@ def arc(row):
 
 def check_push(clevis, geometry, folder):
     """The way under a push: K R sin(phi) = P cos(phi), P/K for small ones."""
-    result, rows, _ = simulate(
-        clevis, geometry / "landing_gear/impedance.toml", folder)
+    scene = geometry / "landing_gear/impedance.toml"
+    result, rows, _ = simulate(clevis, scene, folder)
     check_energy("push", result)
     held = next(row for row in rows if row["t_s"] == 1)
     way = arc(held)
     exact = 140 * math.atan(50 / (STIFFNESS * 0.140))
     expect("push: way [mm]", way, exact, 1e-8)
     expect("push: P/K [mm]", way, 10, 0.02)
-    off = path_off(rows, follow(resting, pushing, False, 1.2, 5e-4))
+    off = path_off(uniform(scene, rows),
+                   follow(resting, pushing, False, 1.2, 5e-4))
     expect("push: path [mm]", off, 0, 1e-4)
     print(f"push: {way:.6f} mm, closed form {exact:.6f} mm, path {off:.1e} mm "
           "off")
@@ -122,7 +123,7 @@ def ring_down(clevis, geometry, folder, damping):
                     ('duration = "1.2 s"', 'duration = "0.15 s"'),
                     ("instants = 1201", "instants = 301"))
     _, rows, _ = simulate(clevis, scene, folder)
-    (first, a), (second, b) = list(extremes(rows))[:2]
+    (first, a), (second, b) = list(extremes(uniform(scene, rows)))[:2]
     decrement = math.log(-a / b)
     ratio = decrement / math.hypot(math.pi, decrement)
     damped = math.pi / (second - first)
@@ -146,7 +147,7 @@ def led_by(clevis, geometry, folder, damping_of):
                     ('"relative"', f'"{damping_of}"'))
     _, rows, _ = simulate(clevis, scene, folder)
     row = next(row for row in rows if row["t_s"] == 0.45)
-    return rows, 45 - arc(row)
+    return uniform(scene, rows), 45 - arc(row)
 
 
 def check_led(clevis, geometry, folder):

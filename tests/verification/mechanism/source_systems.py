@@ -4,6 +4,7 @@ and compares with their closed forms.
 
     source_systems.py CLEVIS GEOMETRY
 """
+import bisect
 import csv
 import json
 import math
@@ -41,6 +42,30 @@ def simulate(clevis, scene, folder):
         rows = [{key: float(value) for key, value in row.items()}
                 for row in csv.DictReader(file)]
     return json.loads(run.stdout), rows
+
+
+def uniform(scene, rows):
+    """The rows at the uniform times that the scene's `instants` ask for; others
+    between them are at largest loads, bends and events."""
+    instants = int(re.search(r"^instants = (\d+)", Path(scene).read_text(),
+                             re.M)[1])
+    times, end = [row["t_s"] for row in rows], rows[-1]["t_s"]
+    chosen = []
+    for i in range(instants):
+        t = end * i / (instants - 1)
+        at = bisect.bisect_left(times, t)
+        near = min(rows[max(at - 1, 0):at + 1],
+                   key=lambda row: abs(row["t_s"] - t))
+        if abs(near["t_s"] - t) > 1e-9 * end:
+            raise ValueError(f"{scene} has no instant at {t} s")
+        chosen.append(near)
+    return chosen
+
+
+def simulate_uniform(clevis, scene, folder):
+    """As simulate(), with the rows at uniform times alone."""
+    result, rows = simulate(clevis, scene, folder)
+    return result, uniform(scene, rows)
 
 
 def rotation(row, body):
@@ -122,8 +147,8 @@ def check_table_1(clevis, geometry, folder):
     """C on the torus, gamma by the closed form, for six pairs of speeds."""
     linkage = FiveBar(math.radians(90))
     for name, speeds in TABLE_1.items():
-        result, rows = simulate(clevis, geometry / f"five_bar/{name}.toml",
-                                folder)
+        result, rows = simulate_uniform(
+            clevis, geometry / f"five_bar/{name}.toml", folder)
         expect("5R: mobility", result["structure"]["mobility_rank"], 2, 0)
         expect("5R: redundant", result["structure"]["redundant_constraints"],
                3, 0)
@@ -144,7 +169,8 @@ def check_table_1(clevis, geometry, folder):
 
 def check_twist_60(clevis, geometry, folder):
     """Where a2 is not 90 deg the published formulas fail, the corrected hold."""
-    result, rows = simulate(clevis, geometry / "five_bar/twist_60.toml", folder)
+    result, rows = simulate_uniform(clevis, geometry / "five_bar/twist_60.toml",
+                                    folder)
     check_quality(result, "5R, 60 deg")
     linkage = FiveBar(math.radians(60))
     corrected = published = 0.0
@@ -200,7 +226,8 @@ def check_replay_scene(clevis, geometry, folder):
     text = (geometry / "five_bar/replay.toml").read_text()
     phi, lam = ([float(x) for x in re.findall(r'"(\S+) rad"', listed)]
                 for listed in re.findall(r"positions = \[(.*?)\]", text, re.S))
-    _, led = simulate(clevis, geometry / "five_bar/tracking.toml", folder)
+    _, led = simulate_uniform(clevis, geometry / "five_bar/tracking.toml",
+                              folder)
     linkage = FiveBar(math.radians(90))
     chosen = led[::10]
     expect("replay.toml: points", len(phi), len(chosen), 0)
@@ -209,7 +236,8 @@ def check_replay_scene(clevis, geometry, folder):
         expect("replay.toml: phi [rad]", angle(
             to_phi - linkage.phi(row["F.drive_rad"], row["D.drive_rad"])), 0,
             1e-10)
-    result, rows = simulate(clevis, geometry / "five_bar/replay.toml", folder)
+    result, rows = simulate_uniform(clevis, geometry / "five_bar/replay.toml",
+                                    folder)
     off = max(math.dist(marker(a, "C"), marker(b, "C"))
               for a, b in zip(led, rows, strict=True))
     torque = max(force["peak_effort_N_m"] for force in result["forces"])
@@ -252,12 +280,12 @@ def servo_replay(clevis, geometry, folder, bandwidth, every=10):
     """Largest distance of C from the path led [mm], its root mean square, the
     largest torque [N m], simulate.json."""
     scene = geometry / "five_bar/tracking.toml"
-    _, led = simulate(clevis, scene, folder)
+    _, led = simulate_uniform(clevis, scene, folder)
     copy = Path(folder) / "servo.toml"
     copy.write_text(servo_scene(scene.read_text(), led, every, bandwidth))
-    result, rows = simulate(clevis, copy, folder)
+    result, rows = simulate_uniform(clevis, copy, folder)
     off = [math.dist(marker(a, "C"), marker(b, "C"))
-           for a, b in zip(led, rows)]
+           for a, b in zip(led, rows, strict=True)]
     torque = max(force["peak_effort_N_m"] for force in result["forces"])
     return (max(off), math.sqrt(sum(d * d for d in off) / len(off)), torque,
             result)
@@ -288,14 +316,14 @@ def replay(clevis, geometry, folder, every):
     """Largest distance of C from the path led [mm], difference of the drives'
     power [W] and its largest value."""
     scene = geometry / "five_bar/tracking.toml"
-    _, led = simulate(clevis, scene, folder)
+    _, led = simulate_uniform(clevis, scene, folder)
     copy = Path(folder) / "replay.toml"
     copy.write_text(replay_scene(scene.read_text(), led, every))
-    _, rows = simulate(clevis, copy, folder)
+    _, rows = simulate_uniform(clevis, copy, folder)
     off = max(math.dist(marker(a, "C"), marker(b, "C"))
-              for a, b in zip(led, rows))
+              for a, b in zip(led, rows, strict=True))
     power = max(abs(drive_power(a, "FD") - drive_power(b, "FA"))
-                for a, b in zip(led, rows))
+                for a, b in zip(led, rows, strict=True))
     return off, power, max(abs(drive_power(a, "FD")) for a in led)
 
 
