@@ -70,7 +70,10 @@ double widen(const PartJob& job, const Eigen::Matrix3d& stress,
 void add_facet_doubt(const PartJob& job, const PartFields& fields,
                      PartResult& result) {
   if (!(result.peak.value > 0.0) || !fields.at) return;
-  double error = widen(job, stress_at(fields, result.peak.at), result.peak);
+  double error = 0.0;
+  if (!is_on_cylinder(job, result.peak)) {  // else spared a whole field
+    error = widen(job, stress_at(fields, result.peak.at), result.peak);
+  }
   if (!result.peak_outside.sequence.empty()) {
     // Perhaps of another instant: its stress is not known here.
     error = std::max(error,

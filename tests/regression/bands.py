@@ -3,7 +3,7 @@
 
     bands.py CLEVIS [--seed N]
 
-Fixed draws of the band study (results/studies/bands.md) on tetrahedra and
+Fixed draws of the band study (results/studies/make_bands) on tetrahedra and
 hexahedra: a band that converged holds the peak, whatever the mesh, and enough of
 them converge. One row more is drawn anew each run and printed with its seed; it
 fails the test only if its band misses by more than GROSS. --seed: that row again.

@@ -88,7 +88,7 @@ for half in (0.0005, 0.002):
     for instants in (201, 11):
         require(check(REST + pulse, instants, 1, "push"), constant, "pulse")
 
-print("a sine of 10 Hz and 6 rad, its zeros and others, beside 2001 instants")
+print("a sine of 100 Hz and 6 rad, its zeros and others, beside 2001 instants")
 SINE = ('[[drive]]\njoint = "shaft"\nlaw = "sine"\nfrom = "0 deg"\n'
         'amplitude = "6 rad"\nfrequency = "100 Hz"\n')
 truth = check(SINE, 2001, 0.1)[0]
