@@ -21,8 +21,6 @@ constexpr std::array kSources{
            "take a higher model (--model 3d)"},
     Source{&ErrorShares::time, "time", false,
            "give more instants (`instants` of [simulation])"},
-    Source{&ErrorShares::contact, "contact", false,
-           "give contacts and stops the stiffness and damping that they have"},
     Source{&ErrorShares::sharing, "sharing of reactions", false,
            "give the joints their `compliance`"},
 };

@@ -27,10 +27,9 @@ struct ErrorShares {
   double mesh{};     ///< degree, cells, points between those looked at
   double model{};    ///< against 3-D elasticity
   double time{};     ///< instants between those looked at
-  double contact{};  ///< where and how long a contact or stop presses
   double sharing{};  ///< reactions that equilibrium leaves open
 
-  double total() const { return mesh + model + time + contact + sharing; }
+  double total() const { return mesh + model + time + sharing; }
 };
 
 /// Peak von Mises over the surface and all instants.

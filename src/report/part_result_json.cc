@@ -30,8 +30,7 @@ namespace clevis::assessment {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SequenceMember, degree, dofs, peak,
                                    strain_energy, label, field_peak, deflection)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorShares, mesh, model, time, contact,
-                                   sharing)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorShares, mesh, model, time, sharing)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeakStress, value, band_low, band_high,
                                    discretization_error, model_error, shares,
                                    has_band, verdict, at, group, instant, label,

@@ -40,7 +40,6 @@ std::vector<Field> fields(const assessment::PartResult& part) {
       {"model_error[MPa]", number(megapascals(peak.model_error))},
       {"mesh_error[MPa]", number(megapascals(peak.shares.mesh))},
       {"time_error[MPa]", number(megapascals(peak.shares.time))},
-      {"contact_error[MPa]", number(megapascals(peak.shares.contact))},
       {"sharing_error[MPa]", number(megapascals(peak.shares.sharing))},
       {"peak_verdict", std::string(text(peak.verdict))},
       {"peak_group", peak.group},

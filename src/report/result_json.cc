@@ -61,7 +61,6 @@ ordered_json shares_json(const assessment::ErrorShares& shares) {
   return {{"mesh", megapascals(shares.mesh)},
           {"model", megapascals(shares.model)},
           {"time", megapascals(shares.time)},
-          {"contact", megapascals(shares.contact)},
           {"sharing", megapascals(shares.sharing)}};
 }
 

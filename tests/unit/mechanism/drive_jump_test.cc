@@ -167,6 +167,7 @@ TEST(DriveJump, RackCountsItsTurnsInLongSteps) {
                          .joint_1 = 0,
                          .joint_2 = 1,
                          .ratio = 0.05,
+                         .offset = 0.0,
                          .place = "rack"});
   DriveDefinition drive;
   drive.joint = 0;

@@ -24,7 +24,7 @@ PartResult awkward_part() {
   part.deflection = std::numeric_limits<double>::denorm_min();
   part.deflection_high = std::nextafter(2.0, 3.0);
   part.notes = {"one", "two"};
-  part.peak.shares.contact = 1.0 / 3.0;
+  part.peak.shares.sharing = 1.0 / 3.0;
   part.peak.has_band = true;
   part.buckling.factor = 2.0 / 3.0;
   part.finite_motion.rotation = 0.1;
@@ -54,7 +54,7 @@ TEST(PartResultJson, RoundTripKeepsEveryBit) {
   EXPECT_EQ(back.deflection, part.deflection);
   EXPECT_EQ(back.deflection_high, part.deflection_high);
   EXPECT_EQ(back.notes, part.notes);
-  EXPECT_EQ(back.peak.shares.contact, part.peak.shares.contact);
+  EXPECT_EQ(back.peak.shares.sharing, part.peak.shares.sharing);
   EXPECT_TRUE(back.peak.has_band);
   EXPECT_EQ(back.buckling.factor, part.buckling.factor);
   EXPECT_EQ(back.finite_motion.rotation, part.finite_motion.rotation);
