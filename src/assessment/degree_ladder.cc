@@ -5,6 +5,7 @@
 
 #include "assessment/few_instants.h"
 #include "assessment/local_error.h"
+#include "assessment/meeting_places.h"
 #include "assessment/time_doubt.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
@@ -70,13 +71,13 @@ class Climb {
     if (ladder_.zones.is_singular()) {
       ladder_.time_error = ladder_.zones.outside().back().time_error;
       ladder_.outer_band = outer_band_of(ladder_.zones, tolerance);
-    } else if (rung_.looks_nearby && ladder_.sequence.size() > 2) {
-      look_nearby(sets, tolerance);
     }
-    if (rung_.joins_cells && ladder_.sequence.size() > 2) join_cells(tolerance);
-    if (rung_.looks_at_places && ladder_.sequence.size() > 2 &&
-        ladder_.level.member.peak > 0.0) {
+    if (ladder_.sequence.size() < 3 || ladder_.level.member.peak <= 0.0) return;
+    if (rung_.looks_at_places) {
       look_at_places(sets, tolerance);
+    } else if (ladder_.zones.is_singular() || !rung_.looks_nearby ||
+               !look_nearby(sets, tolerance)) {
+      join_cells(tolerance);
     }
   }
   void drop() {
@@ -96,31 +97,40 @@ class Climb {
 
  private:
   /// Puts the band of the peak's neighbourhood in place of the sequence's.
-  void look_nearby(const std::vector<LoadSet>& sets, double tolerance) {
+  /// @return whether there is one.
+  bool look_nearby(const std::vector<LoadSet>& sets, double tolerance) {
     Stopwatch watch;
     const auto& sequence = ladder_.sequence;
     const auto values =
         local_peak<dim>(job_, sets, ladder_.zones.mesh(), ladder_.level,
                         sequence[sequence.size() - 2].field_peak);
     seconds_.recover += watch.lap();
-    if (!values) return;
+    if (!values) return false;
     stress::Band band = stress::local_band(*values, tolerance);
     band.value = sequence.back().peak;
     band.low = std::min(band.low, band.value);
     ladder_.band = widened(band, ladder_.time_error, tolerance);
+    return true;
   }
 
-  /// A peak that one cell alone has is in doubt by what its neighbours say.
+  /// The sequence may come to rest by chance: a peak, which is by one cell
+  /// alone, is in doubt by what its neighbours say as well. Errors of cells
+  /// that meet have opposite signs, so each is about half of the jump.
   void join_cells(double tolerance) {
+    constexpr double kJump = 0.5;
     const bool is_outer = ladder_.zones.is_singular();
     stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;
-    if (judged.verdict != Convergence::kConverged) return;
-    judged.low =
-        std::min(judged.low,
-                 joined_peak<dim>(ladder_.zones.mesh(), ladder_.level,
-                                  is_outer ? ladder_.zones.outside_histories()
-                                           : ladder_.level.histories));
-    if (judged.value - judged.low > tolerance * judged.value) {
+    const auto cells = cell_agreement<dim>(
+        ladder_.level,
+        is_outer ? ladder_.zones.outside_histories() : ladder_.level.histories);
+    ladder_.jump = cells.jump;
+    const double doubt = kJump * cells.jump;
+    judged.low = std::min({judged.low, cells.mean, judged.value - doubt});
+    judged.high = std::max(judged.high, judged.value + doubt);
+    const double reach =
+        std::max(judged.high - judged.value, judged.value - judged.low);
+    if (judged.verdict == Convergence::kConverged &&
+        reach > tolerance * judged.value) {
       judged.verdict = Convergence::kNotConverged;
     }
   }
@@ -141,6 +151,7 @@ class Climb {
     }
     seconds_.recover += watch.lap();
     stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;
+    if (ladder_.nearby) ladder_.jump = ladder_.nearby->jump;
     if (!ladder_.nearby) {
       judged.verdict = Convergence::kNotConverged;
       return;

@@ -23,12 +23,13 @@ struct DegreeLadder {
   ZoneWatch<dim> zones;
   Level<dim> level;
   std::vector<SequenceMember> sequence;
-  std::vector<std::vector<double>> probes;  ///< per degree
-  std::vector<HeldStress> held;             ///< per degree
+  std::vector<std::vector<stress::PointValue>> probes;  ///< per degree
+  std::vector<HeldStress> held;                         ///< per degree
   DeflectionWatch deflections;
   stress::Band band;
   stress::Band outer_band;  ///< away from zones; only if one governs
   double time_error{};      ///< between instants, of the judged peak [Pa]
+  double jump{};  ///< between cells that meet near the judged peak [Pa]
   /// Of the judged band, where finer solutions nearby gave it.
   std::optional<NearbyPeak> nearby;
 };

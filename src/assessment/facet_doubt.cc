@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "stress/singular_zone.h"
+#include "stress/stress_history.h"
 
 namespace clevis::assessment {
 namespace {
@@ -30,8 +31,7 @@ Eigen::Matrix3d stress_at(const PartFields& fields, const Eigen::Vector3d& at) {
                                 .minCoeff(&k);
     if (distance >= nearest) continue;
     nearest = distance;
-    const auto s = field.stress[c].row(k);
-    stress << s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2];
+    stress = stress::stress_tensor(field.stress[c].row(k));
   }
   return stress;
 }

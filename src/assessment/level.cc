@@ -17,9 +17,9 @@ namespace {
 
 /// Value of one probe of a case.
 template <int dim>
-double probe_value(const PartJob& job, const Level<dim>& level,
-                   const part::LoadCaseDefinition& load_case,
-                   const part::Probe& probe) {
+stress::PointValue probe_value(const PartJob& job, const Level<dim>& level,
+                               const part::LoadCaseDefinition& load_case,
+                               const part::Probe& probe) {
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const auto& instants = job.load_sets[s].history.instants;
     const auto instant =
@@ -44,8 +44,9 @@ double probe_value(const PartJob& job, const Level<dim>& level,
 }
 
 template <int dim>
-std::vector<double> probe_values(const PartJob& job, const Level<dim>& level) {
-  std::vector<double> values;
+std::vector<stress::PointValue> probe_values(const PartJob& job,
+                                             const Level<dim>& level) {
+  std::vector<stress::PointValue> values;
   for (const auto& load_case : job.part.cases) {
     for (const auto& probe : load_case.probes) {
       values.push_back(probe_value<dim>(job, level, load_case, probe));

@@ -24,7 +24,7 @@ struct Level {
   SequenceMember member;
   HeldStress held;                         ///< without band
   std::vector<std::string> held_sections;  ///< groups with plane faces
-  std::vector<double> probes;              ///< values, case after case
+  std::vector<stress::PointValue> probes;  ///< case after case
 
   const stress::StressHistory& history() const { return histories[set]; }
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "assessment/local_solve.h"
+#include "assessment/meeting_places.h"
 #include "base/errors.h"
 #include "elasticity/tabulation.h"
 #include "mesh/sub_mesh.h"
@@ -22,74 +23,6 @@ using stress::FieldPoint;
 /// Finer solutions are looked at on a lattice twice as close as usual.
 constexpr int kFineLattice = 8;
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
-
-/// A point of the lattice where the peak may stand.
-struct Place {
-  double mean{}, high{}, low{};  ///< by the cells that meet there [Pa]
-  int number{};                  ///< of MeetingPoints
-  FieldPoint at;                 ///< in the cell that says most
-  int instant{};
-};
-
-/// Places of one set, highest first.
-struct PlacesOfSet {
-  std::vector<Place> places;
-  std::vector<std::vector<int>> cells;  ///< per number
-};
-
-/// Cells whose stress is not far below the peak, and those beside them.
-template <int dim>
-std::vector<int> stressed_cells(const mesh::PartMesh<dim>& mesh,
-                                const stress::StressHistory& history,
-                                double least) {
-  std::vector<int> cells;
-  for (Index c = 0; c < history.worst.cols(); ++c) {
-    if (history.worst.col(c).maxCoeff() >= least) {
-      cells.push_back(static_cast<int>(c));
-    }
-  }
-  return mesh::with_neighbours(mesh, std::move(cells));
-}
-
-template <int dim>
-PlacesOfSet find_places(const mesh::PartMesh<dim>& mesh,
-                        const elasticity::Discretization<dim>& discretization,
-                        const stress::StressHistory& history, double least) {
-  PlacesOfSet result;
-  const auto points = stress::meeting_points<dim>(
-      discretization, stressed_cells<dim>(mesh, history, least),
-      history.subdivisions);
-  const auto n = static_cast<std::size_t>(points.count);
-  std::vector<Place> all(n);
-  std::vector<double> sum(n, 0.0);
-  result.cells.resize(n);
-  for (std::size_t k = 0; k < points.cells.size(); ++k) {
-    for (Index q = 0; q < points.number.rows(); ++q) {
-      const int number = points.number(q, static_cast<Index>(k));
-      const auto i = static_cast<std::size_t>(number);
-      const int cell = points.cells[k];
-      const double value = history.worst(q, cell);
-      Place& place = all[i];
-      if (result.cells[i].empty()) place.low = value;
-      result.cells[i].push_back(cell);
-      sum[i] += value;
-      place.low = std::min(place.low, value);
-      if (value < place.high) continue;
-      place.high = value;
-      place.number = number;
-      place.at = {cell, static_cast<int>(q)};
-      place.instant = history.worst_instant(q, cell);
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    all[i].mean = sum[i] / static_cast<double>(result.cells[i].size());
-    if (all[i].high >= least && all[i].low >= 0.0) {
-      result.places.push_back(all[i]);
-    }
-  }
-  std::ranges::stable_sort(result.places, std::greater{}, &Place::high);
-  return result;
-}
 
 /// What finer solutions say near a place: its largest stress, that less the
 /// error there, and the largest of stress and error over all its cells.
@@ -183,7 +116,7 @@ class PeakSearch {
     }
     best_ = 0.0;
     for (std::size_t s = 0; s < sets_.size(); ++s) {
-      found_.push_back(find_places<dim>(mesh_, level_.bases[s]->discretization,
+      found_.push_back(find_places<dim>(level_.bases[s]->discretization,
                                         histories_[s], kShare * largest));
       open_.emplace_back(found_[s].places.size(), true);
       for (const Place& p : found_[s].places) best_ = std::max(best_, p.mean);
@@ -248,29 +181,35 @@ class PeakSearch {
     return of_centre;
   }
 
-  /// By how much the solved stress near its largest is higher at its worst
-  /// instant than at the place's, per cell.
-  Eigen::VectorXd rise(const Number& seed,
-                       const std::vector<int>& centre) const {
-    constexpr double kNear = 0.9;
-    Eigen::VectorXd result =
-        Eigen::VectorXd::Ones(static_cast<Index>(centre.size()));
+  /// The solved field at a place's instant in some cells alone.
+  elasticity::DisplacementBasis<dim> field_in(
+      const Number& seed, const std::vector<int>& cells) const {
     const auto& basis = *level_.bases[seed.set];
-    if (basis.coefficients.cols() < 2) return result;
     elasticity::DisplacementBasis<dim> part;
     part.discretization = basis.discretization;
     auto& d = part.discretization;
     d.cell_nodes.clear();
     d.cell_points.clear();
-    for (const int cell : centre) {
+    for (const int cell : cells) {
       const auto c = static_cast<std::size_t>(cell);
       d.cell_nodes.push_back(basis.discretization.cell_nodes[c]);
       d.cell_points.push_back(basis.discretization.cell_points[c]);
     }
     part.columns = basis.columns * basis.coefficients.col(place(seed).instant);
     part.coefficients = MatrixXd::Ones(1, 1);
+    return part;
+  }
+
+  /// By how much the solved stress near its largest is higher at its worst
+  /// instant than at the place's, per cell.
+  Eigen::VectorXd rise(const Number& seed, const std::vector<int>& centre,
+                       const elasticity::DisplacementBasis<dim>& field) const {
+    constexpr double kNear = 0.9;
+    Eigen::VectorXd result =
+        Eigen::VectorXd::Ones(static_cast<Index>(centre.size()));
+    if (level_.bases[seed.set]->coefficients.cols() < 2) return result;
     const auto& history = histories_[seed.set];
-    const auto then = stress::stress_history<dim>(part, job_.part.material,
+    const auto then = stress::stress_history<dim>(field, job_.part.material,
                                                   history.subdivisions);
     for (std::size_t k = 0; k < centre.size(); ++k) {
       const auto at = static_cast<Index>(k);
@@ -296,21 +235,31 @@ class PeakSearch {
     return {fine.cell, static_cast<int>(nearest)};
   }
 
-  /// Of the stress, by what the mesh makes of a curved surface [1]: a surface
-  /// whose slope is off by δ/2 to and fro has a stress that is by about δ.
-  double shape_error(const std::vector<int>& centre) const {
-    if constexpr (dim == 3) return stress::largest_kink(mesh_, centre);
+  /// By what the mesh makes of a curved surface [Pa]: a surface whose slope is
+  /// off by δ/2 to and fro has a stress that is by about δ off where it flows
+  /// across.
+  double shape_error(const std::vector<int>& centre,
+                     const elasticity::DisplacementBasis<dim>& field) const {
+    if constexpr (dim == 3) {
+      constexpr int kIntervals = 4;
+      return stress::kinked_stress(
+          mesh_, centre,
+          stress::instant_field<dim>(field, job_.part.material, kIntervals, 0)
+              .stress);
+    }
     return 0.0;
   }
 
   void look_closer(const Number& seed) {
     const auto centre = centre_of(seed);
+    const auto field = field_in(seed, centre);
+    const Eigen::VectorXd rises = rise(seed, centre, field);
     Closer closer = judge({solve(seed, centre, 1, 1), solve(seed, centre, 2, 1),
                            solve(seed, centre, 1, 2)},
-                          rise(seed, centre));
+                          rises);
     closer.at = on_lattice(closer.at, histories_[seed.set].subdivisions);
     closer.at.cell = centre[static_cast<std::size_t>(closer.at.cell)];
-    const double bent = shape_error(centre) * closer.value;
+    const double bent = rises.maxCoeff() * shape_error(centre, field);
     closer.low -= bent;
     closer.high += bent;
     if (seen_.empty()) best_ = 0.0;
@@ -381,34 +330,10 @@ std::optional<NearbyPeak> nearby_peak(
   }
 }
 
-template <int dim>
-double joined_peak(const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
-                   const std::vector<stress::StressHistory>& histories) {
-  constexpr double kShare = 0.6;
-  double largest = 0.0;
-  for (const auto& history : histories) {
-    largest = std::max(largest, history.worst.maxCoeff());
-  }
-  double joined = 0.0;
-  for (std::size_t s = 0; s < histories.size(); ++s) {
-    const auto found = find_places<dim>(mesh, level.bases[s]->discretization,
-                                        histories[s], kShare * largest);
-    for (const Place& place : found.places) {
-      joined = std::max(joined, place.mean);
-    }
-  }
-  return joined;
-}
-
 template std::optional<NearbyPeak> nearby_peak<2>(
     const PartJob&, const std::vector<LoadSet>&, const mesh::PartMesh<2>&,
     const Level<2>&, const std::vector<stress::StressHistory>&, double);
 template std::optional<NearbyPeak> nearby_peak<3>(
     const PartJob&, const std::vector<LoadSet>&, const mesh::PartMesh<3>&,
     const Level<3>&, const std::vector<stress::StressHistory>&, double);
-template double joined_peak<2>(const mesh::PartMesh<2>&, const Level<2>&,
-                               const std::vector<stress::StressHistory>&);
-template double joined_peak<3>(const mesh::PartMesh<3>&, const Level<3>&,
-                               const std::vector<stress::StressHistory>&);
-
 }  // namespace clevis::assessment

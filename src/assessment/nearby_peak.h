@@ -33,11 +33,4 @@ std::optional<NearbyPeak> nearby_peak(
     const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
     const std::vector<stress::StressHistory>& histories, double tolerance);
 
-/// Largest stress of the solved fields by the mean of the cells that meet
-/// [Pa]: a second opinion of a peak, which is by one cell alone.
-/// @param histories  of the level's sets; points below zero do not count.
-template <int dim>
-double joined_peak(const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
-                   const std::vector<stress::StressHistory>& histories);
-
 }  // namespace clevis::assessment

@@ -63,7 +63,6 @@ Rung<3> solid_rung(const mesh::PartMesh<3>& mesh) {
   rung.first_degree = unfolded(mesh, 1, rung.highest_degree);
   rung.subdivisions = 4;
   rung.looks_at_places = !is_tensor;
-  rung.joins_cells = is_tensor;
   return rung;
 }
 

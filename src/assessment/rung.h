@@ -26,8 +26,6 @@ struct Rung {
   /// Whether finer solutions near all places where the peak may stand give the
   /// value and its error (nearby_peak).
   bool looks_at_places = false;
-  /// Whether the band holds the largest mean of the cells that meet as well.
-  bool joins_cells = false;
 };
 
 Rung<2> plane_stress_rung(const mesh::PartMesh<2>& plate);

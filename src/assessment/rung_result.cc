@@ -68,9 +68,8 @@ PeakPlace place_of(const DegreeLadder<dim>& ladder, const PeakPlace& solved) {
 
 template <int dim>
 void fill_nearby(const DegreeLadder<dim>& ladder, PeakStress& peak) {
-  if (!ladder.nearby) return;
-  peak.degree_nearby = ladder.nearby->degree;
-  peak.jump = ladder.nearby->jump;
+  peak.jump = ladder.jump;
+  if (ladder.nearby) peak.degree_nearby = ladder.nearby->degree;
 }
 
 /// Zones, and where one governs the peak away from those that do.
@@ -262,7 +261,8 @@ HeldStress held_stress(const std::vector<HeldStress>& degrees) {
   return held;
 }
 
-/// Each probe with the band of its own sequence.
+/// Each probe with the band of its own sequence and of the cells that meet
+/// there, whose errors have opposite signs.
 template <int dim>
 void fill_probes(const PartJob& job, const DegreeLadder<dim>& ladder,
                  std::vector<ProbeResult>& results) {
@@ -272,11 +272,14 @@ void fill_probes(const PartJob& job, const DegreeLadder<dim>& ladder,
       std::vector<stress::SequenceValue> sequence;
       std::vector<double> values;
       for (std::size_t k = 0; k < ladder.sequence.size(); ++k) {
-        values.push_back(ladder.probes[k][index]);
+        values.push_back(ladder.probes[k][index].value);
         sequence.push_back({ladder.sequence[k].degree, values.back()});
       }
+      const double doubt = 0.5 * ladder.probes.back()[index].jump;
       ++index;
       auto band = stress::peak_band(sequence, job.tolerance);
+      band.low = std::min(band.low, band.value - doubt);
+      band.high = std::max(band.high, band.value + doubt);
       if (probe.quantity.starts_with("displacement")) {
         const double error =
             std::abs(band.value) *

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
 
+#include "elasticity/tabulation.h"
 #include "mesh/simplex_basis.h"
 #include "stress/stress_history.h"
 
@@ -51,21 +53,31 @@ std::vector<std::vector<int>> vertex_weights(mesh::CellShape shape,
   return weights;
 }
 
-/// Places of a cell's vertices among its nodes.
+/// Places of a cell's vertices among its nodes, the first direction's first.
 template <int dim>
-std::vector<std::size_t> vertex_places(mesh::CellShape shape, int degree) {
+std::vector<std::size_t> vertex_places(
+    const elasticity::Discretization<dim>& discretization) {
+  constexpr double kClose = 1e-9;
+  const auto points = elasticity::displacement_support_points<dim>(
+      discretization.shape, discretization.displacement_degree());
+  const auto place_at = [&](const Eigen::Matrix<double, dim, 1>& corner) {
+    Index place = 0;
+    [[maybe_unused]] const double distance =
+        (points.colwise() - corner).colwise().norm().minCoeff(&place);
+    assert(distance < kClose);
+    return static_cast<std::size_t>(place);
+  };
   std::vector<std::size_t> places;
-  if (shape == mesh::CellShape::kTensor) {  // FE_Q numbers them first
-    places.resize(std::size_t{1} << dim);
-    std::iota(places.begin(), places.end(), std::size_t{0});
+  using Corner = Eigen::Matrix<double, dim, 1>;
+  if (discretization.shape == mesh::CellShape::kSimplex) {
+    places.push_back(place_at(Corner::Zero()));
+    for (int d = 0; d < dim; ++d) places.push_back(place_at(Corner::Unit(d)));
     return places;
   }
-  const auto lattice = mesh::simplex_lattice<dim>(degree);
-  for (std::size_t v = 0; v <= dim; ++v) {
-    const auto at = std::ranges::find_if(lattice, [&](const auto& index) {
-      return index[v] == degree;
-    });
-    places.push_back(static_cast<std::size_t>(at - lattice.begin()));
+  for (unsigned vertex = 0; vertex < 1U << dim; ++vertex) {
+    Corner corner;
+    for (int d = 0; d < dim; ++d) corner[d] = (vertex >> d) & 1U;
+    places.push_back(place_at(corner));
   }
   return places;
 }
@@ -77,8 +89,7 @@ MeetingPoints meeting_points(
     const elasticity::Discretization<dim>& discretization,
     std::vector<int> cells, int subdivisions) {
   const auto weights = vertex_weights<dim>(discretization.shape, subdivisions);
-  const auto places =
-      vertex_places<dim>(discretization.shape, discretization.degree);
+  const auto places = vertex_places<dim>(discretization);
   MeetingPoints result;
   result.number.resize(static_cast<Index>(weights.size()),
                        static_cast<Index>(cells.size()));
@@ -101,6 +112,32 @@ MeetingPoints meeting_points(
     }
   }
   result.cells = std::move(cells);
+  return result;
+}
+
+template <int dim>
+std::vector<int> with_neighbours(
+    const elasticity::Discretization<dim>& discretization,
+    const std::vector<int>& cells) {
+  const auto places = vertex_places<dim>(discretization);
+  std::vector<char> touched(static_cast<std::size_t>(discretization.nodes), 0);
+  const auto vertex = [&](const std::vector<int>& nodes, std::size_t place) {
+    return static_cast<std::size_t>(nodes[place]);
+  };
+  for (const int cell : cells) {
+    const auto& nodes =
+        discretization.cell_nodes[static_cast<std::size_t>(cell)];
+    for (const std::size_t place : places) touched[vertex(nodes, place)] = 1;
+  }
+  std::vector<int> result;
+  for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
+    const auto& nodes = discretization.cell_nodes[c];
+    if (std::ranges::any_of(places, [&](std::size_t place) {
+          return touched[vertex(nodes, place)] != 0;
+        })) {
+      result.push_back(static_cast<int>(c));
+    }
+  }
   return result;
 }
 
@@ -144,10 +181,12 @@ JoinedStress joined_stress(const elasticity::DisplacementBasis<dim>& basis,
   return joined;
 }
 
-#define CLEVIS_INSTANTIATE(dim)                                       \
-  template MeetingPoints meeting_points<dim>(                         \
-      const elasticity::Discretization<dim>&, std::vector<int>, int); \
-  template JoinedStress joined_stress<dim>(                           \
+#define CLEVIS_INSTANTIATE(dim)                                         \
+  template std::vector<int> with_neighbours<dim>(                       \
+      const elasticity::Discretization<dim>&, const std::vector<int>&); \
+  template MeetingPoints meeting_points<dim>(                           \
+      const elasticity::Discretization<dim>&, std::vector<int>, int);   \
+  template JoinedStress joined_stress<dim>(                             \
       const elasticity::DisplacementBasis<dim>&, const part::Material&, int);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)

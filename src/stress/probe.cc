@@ -121,12 +121,14 @@ Location<dim> locate(const elasticity::Discretization<dim>& discretization,
 }
 
 template <int dim>
-double probe(const elasticity::DisplacementBasis<dim>& basis,
-             const part::Material& material, const Location<dim>& location,
-             const std::string& quantity, int instant) {
+PointValue probe(const elasticity::DisplacementBasis<dim>& basis,
+                 const part::Material& material, const Location<dim>& location,
+                 const std::string& quantity, int instant) {
   assert(!location.empty());
   const MatrixXd u = basis.columns * basis.coefficients.col(instant);
   double sum = 0.0;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
   for (const auto& [cell, xi] : location) {
     const elasticity::ReferencePoints<dim> point = xi;
     const CellField<dim> field(basis.discretization, material, point);
@@ -138,17 +140,20 @@ double probe(const elasticity::DisplacementBasis<dim>& basis,
     }
     Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
     displacement.head<dim>() = field.displacement(c, u).row(0);
-    sum += take(quantity, stress, displacement);
+    const double value = take(quantity, stress, displacement);
+    sum += value;
+    low = std::min(low, value);
+    high = std::max(high, value);
   }
-  return sum / static_cast<double>(location.size());
+  return {sum / static_cast<double>(location.size()), high - low};
 }
 
-#define CLEVIS_INSTANTIATE(dim)                                              \
-  template Location<dim> locate<dim>(const elasticity::Discretization<dim>&, \
-                                     const Eigen::Vector3d&);                \
-  template double probe<dim>(const elasticity::DisplacementBasis<dim>&,      \
-                             const part::Material&, const Location<dim>&,    \
-                             const std::string&, int);
+#define CLEVIS_INSTANTIATE(dim)                                               \
+  template Location<dim> locate<dim>(const elasticity::Discretization<dim>&,  \
+                                     const Eigen::Vector3d&);                 \
+  template PointValue probe<dim>(const elasticity::DisplacementBasis<dim>&,   \
+                                 const part::Material&, const Location<dim>&, \
+                                 const std::string&, int);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)
 #undef CLEVIS_INSTANTIATE

@@ -23,13 +23,18 @@ template <int dim>
 Location<dim> locate(const elasticity::Discretization<dim>& discretization,
                      const Eigen::Vector3d& at);
 
-/// Value of a quantity at a point at one instant, the mean over the cells
-/// that hold it; SI.
+/// A quantity at a point; SI.
+struct PointValue {
+  double value{};  ///< mean over the cells that hold the point
+  double jump{};   ///< what these cells differ by
+};
+
+/// A quantity at a point at one instant.
 /// @param quantity  von_mises, stress_xx … stress_xz, displacement_x … z.
 /// @pre `location` is not empty, the quantity is one of these.
 template <int dim>
-double probe(const elasticity::DisplacementBasis<dim>& basis,
-             const part::Material& material, const Location<dim>& location,
-             const std::string& quantity, int instant);
+PointValue probe(const elasticity::DisplacementBasis<dim>& basis,
+                 const part::Material& material, const Location<dim>& location,
+                 const std::string& quantity, int instant);
 
 }  // namespace clevis::stress

@@ -196,6 +196,13 @@ InstantField instant_field(const elasticity::DisplacementBasis<dim>& basis,
   return field;
 }
 
+Eigen::Matrix3d stress_tensor(const Eigen::Matrix<double, 1, 6>& row) {
+  Eigen::Matrix3d stress;
+  stress << row[0], row[3], row[5], row[3], row[1], row[4], row[5], row[4],
+      row[2];
+  return stress;
+}
+
 namespace {
 
 /// By how much the parabola through the largest value and its neighbours

@@ -66,6 +66,9 @@ InstantField instant_field(const elasticity::DisplacementBasis<dim>& basis,
 /// Von Mises stress of rows xx, yy, zz, xy, yz, xz.
 Eigen::VectorXd von_mises(const Eigen::MatrixXd& stress);
 
+/// The tensor of a row xx, yy, zz, xy, yz, xz.
+Eigen::Matrix3d stress_tensor(const Eigen::Matrix<double, 1, 6>& row);
+
 /// Position of a lattice point in L [m]; the mid-plane's z for dim = 2.
 template <int dim>
 Eigen::Vector3d position(const elasticity::Discretization<dim>& discretization,

@@ -54,7 +54,7 @@ Run take(const assessment::Level<dim>& level, int instant) {
   run.dofs = level.member.dofs;
   run.peak = level.history().peak[instant];
   run.energy = level.governing->strain_energy[instant];
-  run.probes = level.probes;
+  for (const auto& probe : level.probes) run.probes.push_back(probe.value);
   return run;
 }
 

@@ -88,6 +88,12 @@ class Outline:
                     sizes[k] = min(sizes.get(k, largest), 2 * math.pi * r / cells)
         return sizes
 
+    def circle(self, group):
+        """Centre and radius of a hole."""
+        ends = next(ends for ends, of in self.pieces if of == group)
+        start, centre = self.points[ends[0]], self.points[ends[1]]
+        return centre, math.dist(start, centre)
+
     def script(self):
         """Points, curves k + 1 of the pieces k, and plane surface 1."""
         text = [f"Point({k + 1}) = {{{x:.15g}, {y:.15g}, 0"

@@ -11,7 +11,7 @@ import band_outline
 import band_shapes
 
 TOLERANCES = (0.002, 0.005, 0.01, 0.02, 0.05)
-MOST_CELLS = {"tet4": 1000, "tet10": 450, "hex": 120, "split": 250, "flat": 450}
+MOST_CELLS = {"tet4": 1000, "tet10": 700, "hex": 120, "split": 250, "flat": 450}
 MOST_DOUBT = 0.001  # of a known peak that rows are judged by
 REFERENCES = Path(__file__).resolve().parent / "band_references.csv"
 
@@ -57,7 +57,7 @@ def draw_mesh(rng, shape):
                 rng.randrange(1, 10**6),
                 rng.choice((1, 5, 6)),
                 rng.choice((0, 10, 14, 20)), tuple(cuts) + (1.0,), quads,
-                rng.choice((0, 0, 1)))
+                rng.choice((0, 1, 1)))
 
 
 def options(mesh, size):
@@ -246,6 +246,8 @@ def parts(stored):
 
 
 def draw_model(rng, shape, mesh):
+    if mesh.kind == "flat" and shape.fixed:  # a solid would be free along z
+        return rng.choice(("auto", "auto", "layered"))
     if shape.kind == "plane" and mesh.kind in ("hex", "flat"):
         return rng.choice(("auto", "auto", "3d", "layered"))
     return rng.choice(("auto", "3d"))

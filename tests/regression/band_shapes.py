@@ -127,7 +127,7 @@ def eye_link(rng, name):
     return Shape(
         name, "plane", 0.8 * (R1 - r1), {
             "pins": f"{{ bore_A = {vector(-force, unit='N')}, bore_B = {vector(force, unit='N')} }}"},
-        outline=outline, thickness=t,
+        nu=0.0, outline=outline, thickness=t,
         focus=((0, r1, 0), (0, -r1, 0), (length, r2, 0), (length, -r2, 0)))
 
 
@@ -156,7 +156,7 @@ def hook(rng, name):
     return Shape(
         name, "plane", 0.9 * (w - 0.5 * r), {
             "pins": f"{{ bore_A = {vector(-force, unit='N')}, bore_B = {vector(force, unit='N')} }}"},
-        outline=outline, thickness=t, focus=(
+        nu=0.0, outline=outline, thickness=t, focus=(
             (w + 0.3 * ri, -drop + w + 0.3 * ri, 0),
             (length - w - 0.3 * ri, -drop + w + 0.3 * ri, 0),
             (0, r, 0), (0, -r, 0), (length, r, 0), (length, -r, 0)))
@@ -183,7 +183,7 @@ def lug(rng, name):
         name, "plane", 0.8 * (R - r), {
             "pins": f"{{ bore_A = {vector(-force, unit='N')} }}",
             "traction": f"{{ end = {vector(force / (2 * b * t))} }}"},
-        outline=outline, thickness=t, focus=(
+        nu=0.0, outline=outline, thickness=t, focus=(
             (0, r, 0), (0, -r, 0), (foot + 0.5 * rf, b, 0), (foot + 0.5 * rf, -b, 0)))
 
 
@@ -203,7 +203,7 @@ def shoulder(rng, name):
     return Shape(
         name, "plane", 0.3 * d, {"traction": f"{{ left = {vector(-p * d / wide)}, "
                                  f"right = {vector(p)} }}"},
-        outline=outline, thickness=t,
+        nu=0.0, outline=outline, thickness=t,
         focus=((0.7 * rf, d / 2, 0), (0.7 * rf, -d / 2, 0)))
 
 
@@ -249,7 +249,7 @@ def pressed_holes(rng, name):
     return Shape(
         name, "plane", 0.9 * min(gap, rim), {
             "pressure": f'{{ bore_A = "{p1} MPa", bore_B = "{p2} MPa" }}'},
-        outline=outline, thickness=t, focus=((r1, 0, 0), (apart - r2, 0, 0)))
+        nu=0.0, outline=outline, thickness=t, focus=((r1, 0, 0), (apart - r2, 0, 0)))
 
 
 def stepped_bar(rng, name):

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "elasticity/tabulation.h"
 #include "support/annulus_mesh.h"
 #include "support/simplex_mesh.h"
 
@@ -14,11 +15,27 @@ namespace {
 
 using Eigen::Vector3d;
 
-template <class Mesh>
-std::vector<int> all_cells(const Mesh& mesh) {
+std::vector<int> all_cells(const mesh::PartMesh<3>& mesh) {
   std::vector<int> cells(mesh.cells.size());
   std::iota(cells.begin(), cells.end(), 0);
   return cells;
+}
+
+/// The same pressure or shear everywhere; xx, yy, zz, xy, yz, xz.
+using Components = Eigen::Matrix<double, 1, 6>;
+
+double kinked(const mesh::PartMesh<3>& mesh, const std::vector<int>& cells,
+              const Components& stress) {
+  const auto points = elasticity::lattice<3>(mesh.shape, 4).cols();
+  return kinked_stress(
+      mesh, cells,
+      std::vector<Eigen::MatrixXd>(cells.size(), stress.replicate(points, 1)));
+}
+
+/// Of a unit pressure: the largest angle.
+double largest_kink(const mesh::PartMesh<3>& mesh,
+                    const std::vector<int>& cells) {
+  return kinked(mesh, cells, {-1.0, -1.0, -1.0, 0.0, 0.0, 0.0});
 }
 
 /// A quarter of a ring, its geometry of some degree, in n cells around.
@@ -50,6 +67,19 @@ TEST(SurfaceKink, IsNoneOnExactArcsAndAtTheEdgesOfThePart) {
     return Vector3d(x);
   });
   EXPECT_LT(largest_kink(block, all_cells(block)), 1e-7);
+}
+
+// Tension along the edges does not cross them; a uniaxial one in the plane of
+// the arc crosses by cos² of its angle with the facet, at best nearly whole.
+TEST(SurfaceKink, CountsTheStressAcrossTheEdgeOnly) {
+  const auto flat = quarter(1, 6);
+  const double kink = std::numbers::pi / 12;
+  EXPECT_LT(kinked(flat, all_cells(flat), {0.0, 0.0, 7.0, 0.0, 0.0, 0.0}),
+            1e-9);
+  const double across =
+      kinked(flat, all_cells(flat), {7.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+  EXPECT_GT(across, 0.9 * 7.0 * kink);
+  EXPECT_LE(across, 7.0 * kink * (1.0 + 1e-9));
 }
 
 // Only what touches the given cells.

@@ -41,7 +41,8 @@ template <int dim>
 double probe_of(const DisplacementBasis<dim>& basis, const BandProbe& probe) {
   return stress::probe<dim>(basis, band_material(),
                             stress::locate<dim>(basis.discretization, probe.at),
-                            probe.quantity, 0);
+                            probe.quantity, 0)
+      .value;
 }
 
 /// The field nearby with higher degrees.
