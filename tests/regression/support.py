@@ -74,6 +74,11 @@ def gmsh(folder, script, name="part", dimension=3):
                    capture_output=True)
 
 
+def make_meshes(clevis, scene):
+    """Of the parts that have a `geometry`."""
+    subprocess.run([clevis, "mesh", scene], check=True, capture_output=True)
+
+
 class Checks:
     """Claims that hold or not, printed as they are looked at."""
 
