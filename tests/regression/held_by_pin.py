@@ -4,22 +4,18 @@ reaction given as a load.
 
     held_by_pin.py CLEVIS SOURCE_DIR
 """
-import json
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+import support
 
 CLEVIS = str(Path(sys.argv[1]).resolve())
 MESH = Path(sys.argv[2]).resolve() / "meshes/reference_link/link.msh"
 
 SCENE = f"""schema = 1
 name = "held"
-[material.steel]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-density = "7850 kg/m^3"
-yield_strength = "355 MPa"
+{support.STEEL}
 [[part]]
 name = "link"
 mesh = "{MESH}"
@@ -33,14 +29,8 @@ name = "case"
 
 def check(folder, case, expected):
     (folder / "scene.toml").write_text(SCENE + case)
-    done = subprocess.run([CLEVIS, "check", "scene.toml", "--out", "out"],
-                          capture_output=True, text=True, cwd=folder)
-    if done.returncode != expected:
-        sys.exit(f"{case}: exit {done.returncode}\n{done.stdout}{done.stderr}")
-    if expected == 12:
-        return None, done.stdout + done.stderr
-    result = json.loads((folder / "out/result.json").read_text())
-    return result["parts"][0], done.stdout
+    found = support.check(CLEVIS, folder / "scene.toml", exits=(expected,))
+    return (None if expected == 12 else found.part), found.text
 
 
 def near(name, found, wanted, tolerance):

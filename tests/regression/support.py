@@ -9,14 +9,21 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-STEEL = """
+JUDGED = (0, 1, 4)  # exit codes of a check that came to a verdict
+
+
+def steel(ratio=0.3, strength=355.0):
+    """The material of a scene; strength in MPa."""
+    return f"""
 [material.steel]
 youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
+poissons_ratio = {ratio}
 density = "7850 kg/m^3"
-yield_strength = "355 MPa"
+yield_strength = "{strength} MPa"
 """
-JUDGED = (0, 1, 4)  # exit codes of a check that came to a verdict
+
+
+STEEL = steel()
 
 
 @dataclass
