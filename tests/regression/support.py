@@ -3,7 +3,6 @@ CalculiX finds on the deck that clevis exports, and the list of faults."""
 import json
 import math
 import re
-import shutil
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -29,9 +28,13 @@ STEEL = steel()
 @dataclass
 class Answer:
     code: int
-    parts: list  # of result.json; empty where the scene was refused
-    text: str    # stdout and stderr
-    out: Path    # folder of the result files
+    result: dict  # result.json; empty where the scene was refused
+    text: str     # stdout and stderr
+    out: Path     # folder of the result files
+
+    @property
+    def parts(self):
+        return self.result.get("parts") or []
 
     @property
     def part(self):
@@ -58,19 +61,19 @@ class Answer:
                 f"{self.part['verdict']} {self.part['why']}")
 
 
-def check(clevis, scene, *arguments, exits=None):
-    """Files go to the folder `out` beside the scene. exits: codes that may
-    come; any other ends the script with what clevis said."""
-    out = Path(scene).parent / "out"
-    shutil.rmtree(out, ignore_errors=True)
+def check(clevis, scene, *arguments, out=None, exits=None):
+    """out: folder of the files, default `out` beside the scene. exits: codes
+    that may come; any other ends the script with what clevis said."""
+    out = Path(out or Path(scene).parent / "out")
+    (out / "result.json").unlink(missing_ok=True)
     run = subprocess.run([clevis, "check", scene, "--out", out, *arguments],
                          capture_output=True, text=True)
     text = run.stdout + run.stderr
     if exits is not None and run.returncode not in exits:
         sys.exit(f"exit {run.returncode}\n{text}")
     file = out / "result.json"
-    parts = json.loads(file.read_text())["parts"] if file.is_file() else []
-    return Answer(run.returncode, parts or [], text, out)
+    result = json.loads(file.read_text()) if file.is_file() else {}
+    return Answer(run.returncode, result, text, out)
 
 
 def gmsh(folder, script, name="part", dimension=3):
