@@ -13,6 +13,8 @@ import support
 CLEVIS = str(Path(sys.argv[1]).resolve())
 MESH = Path(sys.argv[2]).resolve() / "meshes/reference_link/link.msh"
 
+CONVERGED = 55.013  # MPa at 1 kN, geometry/reference_link/scene.toml
+
 SCENE = f"""schema = 1
 name = "held"
 {support.STEEL}
@@ -80,6 +82,13 @@ def main():
                                 'bore_B = ["1000.4 N", "0 N", "0 N"] }', 0)
         near("peak of a case typed by hand", typed["peak_von_mises"]["value_MPa"], 1.0002 * peak,
              5e-4 * peak)
+        # six digits: a rest of 1e-6, and a couple of 0.001 N at 140 mm
+        six, text = check(folder, 'pins = { bore_A = ["-707.107 N", "-0.001 N", "0 N"], '
+                                  'bore_B = ["707.108 N", "0.001 N", "0 N"] }', 0)
+        near("peak of six digits", six["peak_von_mises"]["value_MPa"], CONVERGED * 0.707107,
+             0.01 * peak)
+        if "inertia takes it up" not in text:
+            sys.exit("the rest is not told:\n" + text)
 
 
 if __name__ == "__main__":
