@@ -17,27 +17,9 @@ import tempfile
 from pathlib import Path
 
 import blow_bands
-import hex_mesh
 
 RATIO, CONTACT = 4, 1e9
 NEAR = 0.01
-
-
-def write_scene(folder):
-    hex_mesh.write(folder / "rod.msh", hex_mesh.block(
-        (6, 1, 1), lambda x, y, z: (blow_bands.LENGTH * x, blow_bands.SIDE * y,
-                                    blow_bands.SIDE * z)))
-    scene = folder / "scene.toml"
-    scene.write_text(
-        'schema = 1\nname = "rod"\n[material.steel]\n'
-        'youngs_modulus = "210 GPa"\npoissons_ratio = 0.0\n'
-        'density = "7850 kg/m^3"\nyield_strength = "355 MPa"\n'
-        '[[part]]\nname = "rod"\nmesh = "rod.msh"\nlength_unit = "mm"\n'
-        'material = "steel"\n[[impact]]\nname = "blow"\npart = "rod"\n'
-        f'face = "x1"\ndirection = [-1, 0, 0]\nmass = "{RATIO * blow_bands.MASS}'
-        f' kg"\nspeed = "1 m/s"\nstiffness = "{CONTACT:g} N/m"\n'
-        'fixed = { x0 = ["x", "y", "z"] }\n')
-    return scene
 
 
 def call(*arguments):
@@ -68,7 +50,7 @@ def main():
     known = []
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        scene = write_scene(folder)
+        scene = blow_bands.write_rod(folder, 6, [(RATIO, CONTACT)])
         deck = call(clevis, "export", scene, "--json", "--out",
                     folder / "deck")["decks"][0]
         known.append(("force of the deck [N]", -pushed_with(Path(deck["file"])),

@@ -11,13 +11,12 @@ the limit of d'Alembert's must not pass. --table: on a finer mesh too, as
 Markdown.
 """
 import argparse
-import json
 import math
-import subprocess
 import tempfile
 from pathlib import Path
 
 import hex_mesh
+import support
 
 LENGTH, SIDE, MODULUS, DENSITY = 60.0, 8.862, 210e9, 7850.0  # mm
 RATIOS = (1, 2, 4)
@@ -74,10 +73,7 @@ def bent_bands(clevis):
             'part = "workpiece"\nface = "tip"\ndirection = [0, -1, 0]\n'
             'mass = "0.7398 kg"\nspeed = "1 m/s"\nstiffness = "1e9 N/m"\n'
             'fixed = { root = ["x", "y", "z"] }\n')
-        run = subprocess.run([clevis, "check", scene, "--out",
-                              Path(folder) / "out", "--json"],
-                             capture_output=True, text=True)
-    blow = json.loads(run.stdout)["parts"][0]["impacts"][0]
+        blow = support.check(clevis, scene).part["impacts"][0]
     rest = next(row["stress_MPa"] for row in blow["models"]
                 if row["model"].startswith("static"))
     return ([value / rest for value in blow["band_MPa"]],
@@ -88,26 +84,28 @@ def stiffness(contact):
     return contact if contact == "ideal" else f"{contact:g} N/m"
 
 
-def check(clevis, folder, cells, blows, safety):
+def write_rod(folder, cells, blows, limits=""):
+    """Scene of a rod that is struck: blows as (mass ratio, contact)."""
     across = max(1, cells // 8)  # the longest edge of a cell counts
     hex_mesh.write(Path(folder) / "rod.msh", hex_mesh.block(
         (cells, across, across), lambda x, y, z: (LENGTH * x, SIDE * y, SIDE * z)))
     scene = Path(folder) / "scene.toml"
     scene.write_text(
-        'schema = 1\nname = "rod"\n[material.steel]\n'
-        'youngs_modulus = "210 GPa"\npoissons_ratio = 0.0\n'
-        'density = "7850 kg/m^3"\nyield_strength = "355 MPa"\n'
+        f'schema = 1\nname = "rod"\n{support.steel(ratio=0.0)}'
         '[[part]]\nname = "rod"\nmesh = "rod.msh"\nlength_unit = "mm"\n'
-        f'material = "steel"\nlimits = {{ safety_factor = {safety:.6g} }}\n'
+        f'material = "steel"\n{limits}\n'
         + "".join(
             f'[[impact]]\nname = "{ratio} {contact}"\npart = "rod"\n'
             f'face = "x1"\ndirection = [-1, 0, 0]\nmass = "{ratio * MASS} kg"\n'
             f'speed = "1 m/s"\nstiffness = "{stiffness(contact)}"\n'
             'fixed = { x0 = ["x", "y", "z"] }\n' for ratio, contact in blows))
-    run = subprocess.run([clevis, "check", scene, "--out",
-                          Path(folder) / "out", "--json"],
-                         capture_output=True, text=True)
-    return run.returncode, json.loads(run.stdout)["parts"][0]
+    return scene
+
+
+def check(clevis, folder, cells, blows, safety):
+    found = support.check(clevis, write_rod(
+        folder, cells, blows, f"limits = {{ safety_factor = {safety:.6g} }}"))
+    return found.code, found.part
 
 
 def row(blow, ratio, contact):

@@ -10,7 +10,6 @@
 - A strip that linear theory bends by half of its length does not pass.
 - The shape and the numbers stand in the files.
 """
-import json
 import math
 import re
 import shutil
@@ -19,17 +18,14 @@ import sys
 import tempfile
 from pathlib import Path
 
+import hex_mesh
+import support
+
 CALCULIX = 0.005
 
-MATERIAL = """schema = 1
+MATERIAL = f"""schema = 1
 name = "buckling"
-
-[material.steel]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-density = "7850 kg/m^3"
-yield_strength = "355 MPa"
-"""
+{support.STEEL}"""
 
 LINK = MATERIAL + """
 [[part]]
@@ -61,33 +57,18 @@ traction = {{ tip = ["{x} MPa", "{y} MPa", "0 MPa"] }}
 
 def bar_mesh(path, length, width, height, cells):
     """A box of hexahedra along x, root at x = 0, tip at x = length."""
-    nodes = [(length * i / cells, width * j, height * k)
-             for i in range(cells + 1) for k in (0, 1) for j in (0, 1)]
-    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "3",
-             '2 1 "root"', '2 2 "tip"', '3 3 "body"', "$EndPhysicalNames",
-             "$Nodes", str(len(nodes))]
-    lines += [f"{n + 1} {x} {y} {z}" for n, (x, y, z) in enumerate(nodes)]
-    lines += ["$EndNodes", "$Elements", str(cells + 2)]
-    last = 4 * cells
-    lines.append("1 3 2 1 1 1 2 4 3")
-    lines.append("2 3 2 2 2 " + " ".join(str(last + v) for v in (1, 2, 4, 3)))
-    for c in range(cells):
-        a, b = 4 * c, 4 * c + 4
-        cell = (a + 1, b + 1, b + 2, a + 2, a + 3, b + 3, b + 4, a + 4)
-        lines.append(f"{c + 3} 5 2 3 3 " + " ".join(map(str, cell)))
-    lines.append("$EndElements")
-    path.write_text("\n".join(lines) + "\n")
+    ends = dict.fromkeys(hex_mesh.SIDES) | {"x0": "root", "x1": "tip"}
+    hex_mesh.write(path, hex_mesh.block(
+        (cells, 1, 1), lambda x, y, z: (length * x, width * y, height * z),
+        ends))
 
 
 def check(clevis, folder, text, name):
-    scene = folder / f"{name}.toml"
-    scene.write_text(text)
-    out = folder / name
-    run = subprocess.run([clevis, "check", scene, "--out", out],
-                         capture_output=True, text=True)
-    if not (out / "result.json").is_file():
-        raise SystemExit(f"{name}: {run.stderr}")
-    return run, json.loads((out / "result.json").read_text())["parts"][0], out
+    """Each with files of its own."""
+    (folder / name).mkdir()
+    scene = folder / name / "scene.toml"
+    scene.write_text(text.replace('"bar.msh"', '"../bar.msh"'))
+    return support.check(clevis, scene, exits=support.JUDGED)
 
 
 def calculix_factor(clevis, scene, folder):
@@ -112,16 +93,17 @@ def link_faults(clevis, root, folder):
         direction = PRESS[name]
         text = LINK.format(mesh=root / mesh, held=held, pressed=pressed,
                            x=direction[0], y=direction[1])
-        run, part, out = check(clevis, folder, text, name)
+        found = check(clevis, folder, text, name)
+        part = found.part
         factor = part["buckling"]["factor"]
         low, high = part["buckling"]["band"]
-        if not (out / "link_buckling.vtu").is_file():
+        if not (found.out / "link_buckling.vtu").is_file():
             yield f"{name}: link_buckling.vtu is missing"
-        if "buckling" not in run.stdout:
+        if "buckling" not in found.text:
             yield f"{name}: the table does not tell its buckling"
         if shutil.which("ccx") is None:
             continue
-        reference = calculix_factor(clevis, folder / f"{name}.toml",
+        reference = calculix_factor(clevis, folder / name / "scene.toml",
                                     folder / f"{name}_ccx")
         print(f"{name}: {factor:.4f} [{low:.4f}, {high:.4f}], CalculiX "
               f"{reference:.4f}")
@@ -135,7 +117,7 @@ def column_faults(clevis, folder):
     euler = math.pi ** 2 * 210e3 * side ** 4 / 12 / (2 * length) ** 2
     for share, verdict in ((3.0, "fail"), (1 / 3, "pass")):
         text = BAR.format(case="press", x=-share * euler / side ** 2, y=0)
-        _, part, _ = check(clevis, folder, text, f"column_{share:.1f}")
+        part = check(clevis, folder, text, f"column_{share:.1f}").part
         factor = part["buckling"]["factor"]
         print(f"column, {share:.3f} times Euler's load: {part['verdict']}, "
               f"factor {factor:.4f}; {part['why']}")
@@ -149,7 +131,7 @@ def strip_faults(clevis, folder):
     bar_mesh(folder / "bar.msh", 1000.0, 10.0, 1.0, 40)
     text = BAR.replace('"0 MPa"]', '"{z} MPa"]').format(
         case="bend", x=0, y=0, z=0.03)
-    _, part, _ = check(clevis, folder, text, "strip")
+    part = check(clevis, folder, text, "strip").part
     print(f"strip: {part['deflection_mm']:.0f} mm, {part['why']}")
     if part["deflection_mm"] < 500:
         yield f"strip: deflection {part['deflection_mm']}"

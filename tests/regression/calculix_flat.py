@@ -3,6 +3,8 @@ by CalculiX."""
 import math
 import subprocess
 
+import support
+
 
 def read(path):
     """Nodes, eight-node quadrangles and edges by group of a .msh file (2.2)."""
@@ -110,17 +112,6 @@ def balanced(tractions):
     return load
 
 
-def nodal(path, name, count):
-    """Values at the nodes of a block of a .frd file."""
-    found, inside = [], False
-    for line in path.read_text(encoding="ascii").splitlines():
-        if line.startswith(" -4"):
-            inside = name in line
-        elif inside and line.startswith(" -1"):
-            found.append([float(line[13 + 12 * k:25 + 12 * k]) for k in range(count)])
-    return found
-
-
 def solved(folder, script, kind, load, nu):
     """Largest von Mises stress [MPa] and displacement [mm], elements.
 
@@ -138,7 +129,7 @@ def solved(folder, script, kind, load, nu):
                                      encoding="ascii")
     subprocess.run(["ccx", "flat"], cwd=folder, check=True, capture_output=True)
     result = folder / "flat.frd"
-    return (max(math.sqrt(0.5 * ((x - y)**2 + (y - z)**2 + (z - x)**2)
-                          + 3 * (xy * xy + yz * yz + zx * zx))
-                for x, y, z, xy, yz, zx in nodal(result, "STRESS", 6)),
-            max(math.hypot(*way) for way in nodal(result, "DISP", 3)), len(quads))
+    return (max(support.von_mises(*row)
+                for row in support.frd_rows(result, "STRESS", 6)),
+            max(math.hypot(*way) for way in support.frd_rows(result, "DISP", 3)),
+            len(quads))

@@ -14,13 +14,13 @@ results/studies/compliance.md; exit code 1 if a formula misses by more than it
 may.
 """
 import csv
-import json
 import math
 import re
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+import support
 
 ROOT = Path(__file__).resolve().parents[2]
 GPA = 210e9
@@ -28,11 +28,8 @@ CLEVIS = str(Path(sys.argv[1]).resolve())
 
 
 def check(scene, out, *more):
-    run = subprocess.run([CLEVIS, "check", str(scene), "--out", str(out), *more],
-                         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-    if run.returncode not in (0, 1, 4):
-        sys.exit(run.stderr)
-    return json.loads((Path(out) / "result.json").read_text())
+    return support.check(CLEVIS, scene, *more, out=out,
+                         exits=support.JUDGED).result
 
 
 def energies(folder, part):
@@ -41,13 +38,9 @@ def energies(folder, part):
         return [1e-3 * float(row["strain_energy_mJ"]) for row in csv.DictReader(file)]
 
 
-HEAD = """schema = 1
+HEAD = f"""schema = 1
 name = "compliance"
-[material.steel]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-density = "7850 kg/m^3"
-yield_strength = "355 MPa"
+{support.STEEL}
 [[part]]
 name = "part"
 length_unit = "mm"
@@ -67,8 +60,7 @@ def part_compliance(folder, geometry, case):
     scene.write_text(HEAD + source + f'\n[[part.case]]\nname = "unit"\n{case}\n'
                      '[accuracy]\npeak_stress = "1 %"\n')
     if is_own:
-        subprocess.run([CLEVIS, "mesh", str(scene)], check=True, stdout=subprocess.DEVNULL,
-                       stderr=subprocess.DEVNULL)
+        support.make_meshes(CLEVIS, scene)
     check(scene, folder / "out")
     return 2.0 * energies(folder / "out", "part")[0]
 
@@ -200,8 +192,7 @@ def torsion_of(folder, source):
                      'drives = { shaft = { face = "right" } }\n'
                      '[accuracy]\npeak_stress = "5 %"\n')
     if "geometry" in source:
-        subprocess.run([CLEVIS, "mesh", str(scene)], check=True, stdout=subprocess.DEVNULL,
-                       stderr=subprocess.DEVNULL)
+        support.make_meshes(CLEVIS, scene)
     out = folder / "torsion"
     result = check(scene, out, "--tolerance", "5 %")
     torque = result["mechanism"]["drives"][0]["peak_effort_Nm"]

@@ -10,14 +10,12 @@ CalculiX (C3D20R, 48 x 48 and 80 x 8 x 8 or finer, see TRUTH) and for nu = 0
 Timoshenko's beam.
 """
 import argparse
-import json
-import subprocess
 import sys
 import tempfile
-from itertools import permutations
 from pathlib import Path
 
 import hex_mesh
+import support
 
 SCENE = """schema = 1
 name = "deflection"
@@ -41,56 +39,6 @@ fixed = {{ {fixed} }}
 traction = {{ x1 = [{traction}] }}
 {probes}
 """
-
-
-def tetrahedra(mesh):
-    """Each hexahedron of a block in six, alike on both sides of a face."""
-    nodes, cells, groups = mesh
-    ways = []
-    for way in permutations((1, 2, 4)):
-        corners, at = [0], 0
-        for step in way:
-            at += step
-            corners.append(at)
-        odd = way in ((1, 4, 2), (2, 1, 4), (4, 2, 1))
-        ways.append([corners[i] for i in ((0, 2, 1, 3) if odd else
-                                          (0, 1, 2, 3))])
-    # block() numbers round the bottom, then round the top
-    round_of = (0, 1, 3, 2, 4, 5, 7, 6)
-    lexical = [round_of.index(i) for i in range(8)]
-    split = [[cell[lexical[c]] for c in way] for cell in cells for way in ways]
-    faces = {}
-    for cell in split:
-        for out in range(4):
-            face = tuple(v for k, v in enumerate(cell) if k != out)
-            faces.setdefault(frozenset(face), face)
-    triangles = {}
-    for name, quads in groups.items():
-        for quad in quads:
-            triangles.setdefault(name, []).extend(
-                face for key, face in faces.items() if key <= set(quad))
-    return nodes, split, triangles
-
-
-def write(path, mesh):
-    nodes, cells, groups = mesh
-    if len(cells[0]) == 8:
-        hex_mesh.write(path, mesh)
-        return
-    names = "".join(f'2 {k} "{name}"\n' for k, name in enumerate(groups, 2))
-    elements = [f"2 2 {k} {k} " + " ".join(str(v + 1) for v in face)
-                for k, faces in enumerate(groups.values(), 2) for face in faces]
-    elements += ["4 2 1 1 " + " ".join(str(v + 1) for v in cell)
-                 for cell in cells]
-    lines = [f"{n} {x:.17g} {y:.17g} {z:.17g}"
-             for n, (x, y, z) in enumerate(nodes, 1)]
-    path.write_text(
-        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
-        f'$PhysicalNames\n{len(groups) + 1}\n3 1 "body"\n{names}'
-        f"$EndPhysicalNames\n$Nodes\n{len(nodes)}\n" + "\n".join(lines)
-        + f"\n$EndNodes\n$Elements\n{len(elements)}\n"
-        + "\n".join(f"{n} {e}" for n, e in enumerate(elements, 1))
-        + "\n$EndElements\n")
 
 
 def cook(x, y, z):
@@ -117,18 +65,13 @@ def bar_deflection(length, ratio):
 
 
 def check(clevis, folder, mesh, limit, **fields):
-    write(folder / "part.msh", mesh)
+    hex_mesh.write(folder / "part.msh", mesh)
     values = {"modulus": "210 GPa", "ratio": 0.3, "strength": "100 GPa",
               "fixed": 'x0 = ["x", "y", "z"]', "probes": "",
               "traction": f'"0 MPa", "{BENDING} MPa", "0 MPa"'} | fields
     (folder / "scene.toml").write_text(SCENE.format(limit=limit, **values))
-    run = subprocess.run([clevis, "check", folder / "scene.toml", "--out",
-                          folder / "out", "--json"], capture_output=True,
-                         text=True)
-    result = json.loads(run.stdout)
-    if "parts" not in result:
-        raise SystemExit(run.stdout)
-    return run.returncode, result["parts"][0]
+    found = support.check(clevis, folder / "scene.toml", exits=support.JUDGED)
+    return found.code, found.part
 
 
 def cook_case(clevis, folder, cells, ratio, limit):
@@ -143,7 +86,7 @@ def cook_case(clevis, folder, cells, ratio, limit):
 def bar_case(clevis, folder, length, cells, ratio, limit):
     mesh = hex_mesh.block((cells, 1, 1), lambda x, y, z:
                           (length * x, SIDE * y, SIDE * z))
-    return check(clevis, folder, tetrahedra(mesh), limit, ratio=ratio)
+    return check(clevis, folder, hex_mesh.tetrahedra(mesh), limit, ratio=ratio)
 
 
 def main():

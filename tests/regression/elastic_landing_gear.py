@@ -8,7 +8,6 @@ on the order of the joints.
 """
 import csv
 import json
-import math
 import re
 import subprocess
 import sys

@@ -11,6 +11,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+import support
+
 CLEVIS = str(Path(sys.argv[1]).resolve())
 LENGTH, SIDE, DENSITY, GRAVITY = 0.2, 0.01, 7850.0, 9.81
 
@@ -46,12 +48,7 @@ SCENE = """schema = 1
 name = "bar between welds"
 [world]
 gravity = ["0 m/s^2", "-9.81 m/s^2", "0 m/s^2"]
-[material.steel]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.0
-density = "7850 kg/m^3"
-yield_strength = "355 MPa"
-[[body]]
+{material}[[body]]
 name = "bar"
 part = "bar"
 placement = {{ origin = ["0 mm", "0 mm", "0 mm"] }}
@@ -78,6 +75,7 @@ def run(folder, *arguments):
 
 def reactions(folder, links):
     (folder / "scene.toml").write_text(SCENE.format(
+        material=support.steel(ratio=0.0),
         welds=weld("left", 0) + weld("right", 200), links=links))
     (folder / "bar.geo").write_text(BAR)
     run(folder, "mesh", "scene.toml")

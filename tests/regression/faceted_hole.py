@@ -5,17 +5,18 @@
 
 A quarter of a plate with a hole, pulled, with 4, 8 and 32 facets to the quarter
 (16, 32 and 128 round): the hole is taken for the cylinder that it is and that
-is said; its peak is that of the group named bore_. A hole in the shape of an
+is said; its peak is that of the group named bore_, and its band holds that of
+CalculiX 2.20 (330.7 MPa, C3D20, 25 965 nodes of three layers, on the deck of
+`clevis export`). A hole in the shape of an
 ellipse stays in facets: its band holds the peak of the same ellipse in cells
 of order 2. A kink of 10 degrees in the side of a bar, all alone, is no curve
 and does not pass.
 """
-import json
-import math
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+import support
 
 GEO = """R = 10; A = {a}; W = 40; H = 60; T = 8;
 Point(1) = {{A, 0, 0}}; Point(2) = {{W, 0, 0}}; Point(3) = {{W, H, 0}};
@@ -34,18 +35,13 @@ Physical Surface("end") = {{out[4]}};
 Physical Surface("middle_cut") = {{out[5]}};
 Physical Surface("{hole}") = {{out[6]}};
 """
+TRUTH, SCATTER = 330.7, 0.002  # MPa, by CalculiX
 ROUND = "Circle(1) = {1, 6, 5};"
 ELLIPSE = "Ellipse(1) = {1, 6, 1, 5};"
 
-SCENE = """schema = 1
+SCENE = f"""schema = 1
 name = "faceted hole"
-
-[material.steel]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-density = "7850 kg/m^3"
-yield_strength = "355 MPa"
-
+{support.STEEL}""" + """
 [[part]]
 name = "plate"
 mesh = "plate.msh"
@@ -63,20 +59,14 @@ CUTS = 'bottom_cut = ["y"], middle_cut = ["x"]'
 
 def check(clevis, folder, text):
     (folder / "scene.toml").write_text(text)
-    run = subprocess.run([clevis, "check", folder / "scene.toml", "--out",
-                          folder / "out"], capture_output=True, text=True)
-    if not (folder / "out/result.json").is_file():
-        raise SystemExit(run.stderr)
-    part = json.loads((folder / "out/result.json").read_text())["parts"][0]
-    return part, run.stdout
+    found = support.check(clevis, folder / "scene.toml", exits=support.JUDGED)
+    return found.part, found.text
 
 
 def plate(clevis, folder, facets, hole="hole", arc=ROUND, a=10, order=1,
           zones="exclude"):
-    (folder / "plate.geo").write_text(GEO.format(
-        a=a, arc=arc, facets=facets, hole=hole, order=order))
-    subprocess.run(["gmsh", "-3", "-v", "1", "plate.geo", "-o", "plate.msh"],
-                   cwd=folder, check=True, capture_output=True)
+    support.gmsh(folder, GEO.format(a=a, arc=arc, facets=facets, hole=hole,
+                                    order=order), "plate")
     return check(clevis, folder, SCENE.format(zones=zones, fixed=CUTS))
 
 
@@ -91,6 +81,9 @@ def round_faults(clevis, folder):
               f"{part['verdict']}")
         if abs(peak / exact - 1) > 1e-6:
             yield f"{4 * facets} facets: {peak} MPa for {exact}"
+        if not (band[0] <= TRUTH * (1 + SCATTER)
+                and TRUTH * (1 - SCATTER) <= band[1]):
+            yield f"{4 * facets} facets: {band} MPa without {TRUTH}"
         if part["verdict"] != bore["verdict"]:
             yield f"{4 * facets} facets: {part['verdict']}"
         if "taken for it" not in out:
@@ -112,7 +105,7 @@ def ellipse_faults(clevis, folder):
 
 
 def kink_faults(clevis, folder):
-    (folder / "plate.geo").write_text("""
+    support.gmsh(folder, """
 W = 40; H = 10; D = W * Tan(10 * Pi / 180);
 Point(1) = {-W, 0, 0}; Point(2) = {0, 0, 0}; Point(3) = {W, -D, 0};
 Point(4) = {W, -D - H, 0}; Point(5) = {0, -H, 0}; Point(6) = {-W, -H, 0};
@@ -127,9 +120,7 @@ a[] = Extrude {0, 0, 8} { Surface{1, 2}; Layers{1}; Recombine; };
 Physical Volume("body") = {a[1], a[7]};
 Physical Surface("middle_cut") = {a[2]};
 Physical Surface("end") = {a[10]};
-""")
-    subprocess.run(["gmsh", "-3", "-v", "1", "plate.geo", "-o", "plate.msh"],
-                   cwd=folder, check=True, capture_output=True)
+""", "plate")
     scene = SCENE.replace('"0 MPa", "100 MPa"', '"0 MPa", "-2 MPa"').format(
         zones="count", fixed='middle_cut = ["x", "y", "z"]')
     part, _ = check(clevis, folder, scene)

@@ -9,26 +9,19 @@ refusal by name. With FOLDER the figures are written there as hard_cases.csv
 and hard_cases.md (results/studies holds them).
 """
 import csv
-import json
 import math
 import re
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 import hex_mesh
+import support
 
 CLEVIS = Path(sys.argv[1]).resolve()
 SCENE = """schema = 1
 name = "hard case"
-
-[material.steel]
-youngs_modulus = "210 GPa"
-poissons_ratio = {ratio}
-density = "7850 kg/m^3"
-yield_strength = "355 MPa"
-
+{material}
 [[part]]
 name = "P"
 {source}
@@ -60,18 +53,12 @@ def check(folder, case, mesh=None, geometry=None, ratio=0.3, unit="mm",
         probes = (f'probes = [{{ name = "at", at = [{where}], '
                   f'quantity = "{quantity}" }}]')
     (folder / "scene.toml").write_text(SCENE.format(
-        ratio=ratio, source=source, unit=unit, case=case, probes=probes,
+        material=support.steel(ratio), source=source, unit=unit, case=case, probes=probes,
         tolerance=tolerance))
     if geometry:
-        subprocess.run([CLEVIS, "mesh", folder / "scene.toml"],
-                       capture_output=True, check=False)
-    run = subprocess.run(
-        [CLEVIS, "check", folder / "scene.toml", "--out", folder / "out",
-         "--json", "--model", model],
-        capture_output=True, text=True, check=False)
-    document = json.loads(run.stdout)
-    parts = document.get("parts") or [None]
-    return run.returncode, parts[0], run.stderr + run.stdout
+        support.make_meshes(CLEVIS, folder / "scene.toml")
+    found = support.check(CLEVIS, folder / "scene.toml", "--model", model)
+    return found.code, found.part if found.parts else None, found.text
 
 
 def peak(result):

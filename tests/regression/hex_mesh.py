@@ -1,4 +1,6 @@
-"""Structured meshes of hexahedra as .msh files (format 2.2), for tests."""
+"""Structured meshes of hexahedra, and of tetrahedra cut from them, as .msh files
+(format 2.2), for tests."""
+from itertools import permutations
 
 SIDES = ("x0", "x1", "y0", "y1", "z0", "z1")
 
@@ -39,12 +41,43 @@ def block(divisions, mapping, names=None, closed=False):
     return nodes, cells, groups
 
 
-def write(path, mesh):
+def tetrahedra(mesh):
+    """Each hexahedron of a block in six, alike on both sides of a face."""
     nodes, cells, groups = mesh
+    ways = []
+    for way in permutations((1, 2, 4)):
+        corners, at = [0], 0
+        for step in way:
+            at += step
+            corners.append(at)
+        odd = way in ((1, 4, 2), (2, 1, 4), (4, 2, 1))
+        ways.append([corners[i] for i in ((0, 2, 1, 3) if odd else
+                                          (0, 1, 2, 3))])
+    # block() numbers round the bottom, then round the top
+    round_of = (0, 1, 3, 2, 4, 5, 7, 6)
+    lexical = [round_of.index(i) for i in range(8)]
+    split = [[cell[lexical[c]] for c in way] for cell in cells for way in ways]
+    faces = {}
+    for cell in split:
+        for out in range(4):
+            face = tuple(v for k, v in enumerate(cell) if k != out)
+            faces.setdefault(frozenset(face), face)
+    triangles = {}
+    for name, quads in groups.items():
+        for quad in quads:
+            triangles.setdefault(name, []).extend(
+                face for key, face in faces.items() if key <= set(quad))
+    return nodes, split, triangles
+
+
+def write(path, mesh):
+    """Cells of 8 or 4 nodes, their faces of 4 or 3."""
+    nodes, cells, groups = mesh
+    cell_type, face_type = (5, 3) if len(cells[0]) == 8 else (4, 2)
     names = "".join(f'2 {k} "{name}"\n' for k, name in enumerate(groups, 2))
-    elements = [f"3 2 {k} {k} " + " ".join(str(v + 1) for v in quad)
-                for k, quads in enumerate(groups.values(), 2) for quad in quads]
-    elements += ["5 2 1 1 " + " ".join(str(v + 1) for v in cell)
+    elements = [f"{face_type} 2 {k} {k} " + " ".join(str(v + 1) for v in face)
+                for k, faces in enumerate(groups.values(), 2) for face in faces]
+    elements += [f"{cell_type} 2 1 1 " + " ".join(str(v + 1) for v in cell)
                  for cell in cells]
     with open(path, "w", encoding="ascii") as file:
         file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"

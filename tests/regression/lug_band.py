@@ -14,11 +14,11 @@ deck that `clevis export` writes of the same part in finer meshes:
     4     24        4063   132.64         131.73
     3     36        9833   133.42         133.09
 """
-import json
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+import support
 
 TRUTH = 133.0          # MPa
 UNCERTAINTY = 0.003    # by which the nodes of these scatter
@@ -43,14 +43,10 @@ Mesh.ElementOrder = 2;
 Mesh.HighOrderOptimize = 1;
 """
 
-SCENE = """
+SCENE = f"""
 schema = 1
 name = "lug"
-[material.steel]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-density = "7850 kg/m^3"
-yield_strength = "355 MPa"
+{support.STEEL}
 [[part]]
 name = "lug"
 mesh = "lug.msh"
@@ -58,44 +54,34 @@ length_unit = "mm"
 material = "steel"
 [[part.case]]
 name = "pull"
-pins = { bore_A = ["8 kN", "0 N", "0 N"] }
-traction = { end = ["-22.222222222222222 MPa", "0 MPa", "0 MPa"] }
+pins = {{ bore_A = ["8 kN", "0 N", "0 N"] }}
+traction = {{ end = ["-22.222222222222222 MPa", "0 MPa", "0 MPa"] }}
 """
 
 
 def check(clevis, folder, size, around):
-    geometry = GEOMETRY.replace("SIZE", str(size)).replace("AROUND", str(around))
-    (folder / "lug.geo").write_text(geometry)
-    (folder / "scene.toml").write_text(SCENE)
-    subprocess.run(["gmsh", "-3", "-v", "2", str(folder / "lug.geo"), "-o",
-                    str(folder / "lug.msh")], check=True)
+    support.gmsh(folder, GEOMETRY.replace("SIZE", str(size)).replace(
+        "AROUND", str(around)), "lug")
+    scene = folder / "scene.toml"
+    scene.write_text(SCENE)
     # 3d: the plate's own model would not see the tetrahedra.
-    subprocess.run([clevis, "check", str(folder / "scene.toml"), "--model", "3d",
-                    "--out", str(folder / "out")], check=True,
-                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    result = json.loads((folder / "out" / "result.json").read_text())
-    return result["parts"][0]["peak_von_mises"]
+    return support.check(clevis, scene, "--model", "3d", exits=(0,))
 
 
 def main():
+    checks = support.Checks()
     with tempfile.TemporaryDirectory() as folder:
-        peak = check(sys.argv[1], Path(folder), 8, 10)
-    low, high = peak["band_MPa"]
+        found = check(sys.argv[1], Path(folder), 8, 10)
+    peak = found.part["peak_von_mises"]
     raw = peak["field_maximum_MPa"]
-    print(f"{peak['value_MPa']:.2f} [{low:.2f}, {high:.2f}] MPa, {peak['verdict']}, "
-          f"truth {TRUTH}, raw field {raw:.2f} ({raw / TRUTH - 1:+.2%})")
-    faults = []
-    if peak["verdict"] != "converged":
-        faults.append("does not converge")
-    if not low - UNCERTAINTY * TRUTH <= TRUTH <= high + UNCERTAINTY * TRUTH:
-        faults.append("the band misses")
-    if not low <= peak["value_MPa"] <= high:
-        faults.append("the band does not hold its own value")
-    if abs(peak["value_MPa"] / TRUTH - 1) > TOLERANCE / 2:
-        faults.append("the value is off by more than half the tolerance")
-    for fault in faults:
-        print("FAULT:", fault)
-    return 1 if faults else 0
+    print(f"raw field {raw:.2f} MPa ({raw / TRUTH - 1:+.2%})")
+    low, high = found.band
+    checks.expect(peak["verdict"] == "converged", f"converges: {found}")
+    checks.holds(found.band, TRUTH, "the band", UNCERTAINTY)
+    checks.expect(low <= found.peak <= high, "the band holds its own value")
+    checks.expect(abs(found.peak / TRUTH - 1) <= TOLERANCE / 2,
+                  "the value is within half the tolerance")
+    return checks.exit_code()
 
 
 if __name__ == "__main__":

@@ -14,15 +14,12 @@ import sys
 import tempfile
 from pathlib import Path
 
+import support
+
 SHEAR = 0.015   # of the rod's frequency, Timoshenko against Euler
 SCENE = """schema = 1
 name = "three"
-[material.steel]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-density = "7850 kg/m^3"
-yield_strength = "355 MPa"
-[[part]]
+{material}[[part]]
 name = "loose"
 mesh = "{rod}"
 length_unit = "mm"
@@ -62,6 +59,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         scene = Path(folder) / "scene.toml"
         scene.write_text(SCENE.format(
+            material=support.STEEL,
             rod=f"{root}/meshes/ejector/workpiece.msh",
             plate=f"{root}/meshes/cook/membrane.msh"))
         run = subprocess.run(

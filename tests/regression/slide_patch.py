@@ -11,14 +11,13 @@ stands 5 mm beside it. Spread over the wall the load would leave less than a
 third of it; a millimetre aside is 4 %. The same of a piston in a round tube, as
 a solid of revolution, whose force beside its middle presses at two ends.
 """
-import json
 import math
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 import hex_mesh
+import support
 
 LENGTH, HEIGHT, DEPTH = 100.0, 5.0, 8.0  # mm
 FORCE, BLOCK, AT = 200.0, 20.0, 80.0  # N, mm
@@ -150,38 +149,31 @@ peak_stress = "2 %"
     return scene
 
 
-class Checks:
+class Checks(support.Checks):
     def __init__(self, clevis, folder):
-        self.clevis, self.folder, self.faults = clevis, folder, 0
-
-    def expect(self, truth, what):
-        print(("ok: " if truth else "FAULT: ") + what)
-        self.faults += not truth
+        super().__init__()
+        self.clevis, self.folder = clevis, folder
 
     def run(self, *arguments, tube=False):
         scene = write_scene(self.folder, *arguments)
         if tube:
             scene.write_text(scene.read_text().replace("beam.msh", "tube.msh"))
-        return subprocess.run(
-            [self.clevis, "check", str(scene), "--json", "--out",
-             str(self.folder / "out"), "--model",
-             "revolution" if tube else "auto"], capture_output=True, text=True)
+        return support.check(self.clevis, scene, "--model",
+                             "revolution" if tube else "auto")
 
     def energy(self, *arguments, tube=False):
         """Largest over the motion [mJ]; when, and the worst stress."""
-        run = self.run(*arguments, tube=tube)
-        parts = json.loads(run.stdout)["parts"] if run.stdout else []
-        if not parts:
-            print(run.stderr[-400:])
+        found = self.run(*arguments, tube=tube)
+        if not found.parts:
+            print(found.text[-400:])
             return float("nan"), None
-        peak = parts[0]["peak_von_mises"]
-        return parts[0]["strain_energy_mJ"], peak["case"]
+        return (found.part["strain_energy_mJ"],
+                found.part["peak_von_mises"]["case"])
 
     def refused(self, word, *arguments):
-        run = self.run(*arguments)
-        text = run.stdout + run.stderr
-        self.expect(run.returncode != 0 and "L007" in text and word in text,
-                    f"{word}: exit {run.returncode} {text[-300:]}")
+        found = self.run(*arguments)
+        self.expect(found.code != 0 and "L007" in found.codes
+                    and word in found.text, f'refused for "{word}": {found}')
 
 
 def main():
@@ -210,7 +202,7 @@ def main():
                       f"tube {tube:.5g} mJ, the beam's {wanted:.5g}")
         checks.refused("it is not known how much", '"wall"')
         checks.refused("tilts", pin, "11 mm")
-    return 1 if checks.faults else 0
+    return checks.exit_code()
 
 
 if __name__ == "__main__":

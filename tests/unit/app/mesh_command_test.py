@@ -87,6 +87,44 @@ class MeshCommand(unittest.TestCase):
         self.assertIn("S007", done.stderr)
         self.assertIn("AB", done.stderr)
 
+    def draw_step(self, length):
+        """A bar as CAD hands it over."""
+        script = self.root / "bar.geo"
+        script.write_text(
+            'SetFactory("OpenCASCADE");\n'
+            f'Box(1) = {{0, 0, 0, {length}, 10, 10}};\nSave "bar.step";\n')
+        subprocess.run(["gmsh", "-0", "-v", "1", "bar.geo"], cwd=self.root,
+                       check=True, capture_output=True)
+        shutil.copy(self.root / "bar.step", self.geometry)
+
+    def test_refuses_a_mesh_whose_step_has_changed(self):
+        self.draw_step(100)
+        (self.geometry / "bar.geo").write_text(
+            'SetFactory("OpenCASCADE");\nMerge "bar.step";\n'
+            'Physical Volume("body") = {1};\n'
+            'Physical Surface("left") = {1};\n'
+            'Physical Surface("right") = {2};\n'
+            "Mesh.MeshSizeMax = 10;\nMesh.ElementOrder = 2;\n")
+        scene = self.geometry / "scene.toml"
+        scene.write_text(
+            SCENE.replace("link_ab.geo", "bar.geo").split("pins")[0]
+            + 'traction = { left = ["-1 MPa", "0 MPa", "0 MPa"], '
+              'right = ["1 MPa", "0 MPa", "0 MPa"] }\n')
+
+        def check():
+            return subprocess.run(
+                [CLEVIS, "check", str(scene), "--out", str(self.root / "out")],
+                capture_output=True, text=True, timeout=120)
+        self.assertEqual(self.run_mesh().returncode, 0)
+        done = check()
+        self.assertIn(done.returncode, (0, 4), done.stdout + done.stderr)
+        self.draw_step(120)
+        done = check()
+        self.assertEqual(done.returncode, 11, done.stdout + done.stderr)
+        self.assertIn("a file that it reads", done.stderr)
+        self.assertEqual(self.run_mesh().returncode, 0)
+        self.assertIn(check().returncode, (0, 4))
+
 
 if __name__ == "__main__":
     CLEVIS, SOURCE = sys.argv[1], Path(sys.argv[2])
