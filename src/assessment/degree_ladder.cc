@@ -9,6 +9,7 @@
 #include "assessment/time_doubt.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
+#include "stress/peak_zoom.h"
 
 namespace clevis::assessment {
 namespace {
@@ -127,12 +128,22 @@ class Climb {
     const double doubt = kJump * cells.jump;
     judged.low = std::min({judged.low, cells.mean, judged.value - doubt});
     judged.high = std::max(judged.high, judged.value + doubt);
+    if (!is_outer) judged.high += above_lattice();
     const double reach =
         std::max(judged.high - judged.value, judged.value - judged.low);
     if (judged.verdict == Convergence::kConverged &&
         reach > tolerance * judged.value) {
       judged.verdict = Convergence::kNotConverged;
     }
+  }
+
+  /// What the field rises to between the points of the lattice [Pa]: bending
+  /// has its peak beside the face of a plate, not on it.
+  double above_lattice() const {
+    const auto& history = ladder_.level.history();
+    return stress::field_maximum<dim>(*ladder_.level.governing,
+                                      job_.part.material, history) -
+           history.largest();
   }
 
   /// Puts the band of all places that the peak may stand at in the place of the

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "elasticity/layered_solve.h"
+#include "stress/peak_zoom.h"
 #include "stress/singular_zone.h"
 #include "stress/stress_history.h"
 #include "stress/zone_mask.h"
@@ -36,6 +37,11 @@ VectorXd peaks_of(const PartJob& job, const mesh::PartMesh<2>& plate,
   const auto history =
       stress::stress_history<dim>(basis, job.part.material, subdivisions);
   const auto zones = plate_zones<dim>(job, plate, set);
+  if (zones.empty() && history.largest() > 0.0) {
+    // Bending has its peak beside the face of a plate: between the points.
+    return history.peak / history.largest() *
+           stress::field_maximum<dim>(basis, job.part.material, history);
+  }
   if (zones.empty()) return history.peak;
   const auto zone_of =
       stress::zone_of_points<dim>(basis.discretization, subdivisions, zones);

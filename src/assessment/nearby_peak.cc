@@ -92,6 +92,10 @@ class PeakSearch {
     while (clusters < kMostClusters) {
       const auto next = highest_open();
       if (!next || place(*next).high < kReach * best_) break;
+      if (clusters > 0 &&
+          join(tolerance).band.verdict == stress::Convergence::kConverged) {
+        break;
+      }
       look_closer(*next);
       ++clusters;
     }
@@ -139,7 +143,7 @@ class PeakSearch {
   /// Cells that meet at the place, and beside them those of other places that
   /// are as high, as many as are cheap to solve for together.
   std::vector<int> centre_of(const Number& seed) const {
-    constexpr std::size_t kMost = 24;
+    const std::size_t kMost = mesh_.shape == mesh::CellShape::kTensor ? 8 : 24;
     const auto& found = found_[seed.set];
     std::vector<int> centre =
         found.cells[static_cast<std::size_t>(place(seed).number)];
@@ -292,9 +296,14 @@ class PeakSearch {
       peak.instant = place(number).instant;
       peak.jump = place(number).high - place(number).low;
     }
+    // Places that are left may be as far off as the others were.
     const auto rest = highest_open();
     if (rest && place(*rest).high >= kReach * best_) {
-      band.high = std::max(band.high, place(*rest).high);
+      double farthest = 1.0;
+      for (const auto& [number, closer] : seen_) {
+        farthest = std::max(farthest, closer.high / place(number).high);
+      }
+      band.high = std::max(band.high, farthest * place(*rest).high);
     }
     peak.degree = level_.member.degree + 2;
     const double reach =

@@ -47,8 +47,8 @@ Rung<3> layered_rung(const mesh::PartMesh<2>& plate, int terms,
         degree, terms);
   };
   rung.highest_degree = kHighestLayeredDegree;
-  // Three degrees up to 3 are cheaper than 4 alone, as in 3-D.
-  rung.first_degree = unfolded(plate, 1, rung.highest_degree);
+  // Degree 1 says nothing of how the peak comes to rest.
+  rung.first_degree = unfolded(plate, 2, rung.highest_degree);
   rung.subdivisions = subdivisions;
   return rung;
 }
@@ -62,7 +62,7 @@ Rung<3> solid_rung(const mesh::PartMesh<3>& mesh) {
   // In 3-D three degrees up to 3 are cheaper than 4 alone.
   rung.first_degree = unfolded(mesh, 1, rung.highest_degree);
   rung.subdivisions = 4;
-  rung.looks_at_places = !is_tensor;
+  rung.looks_at_places = true;
   return rung;
 }
 
