@@ -44,7 +44,8 @@ MatrixXd start_block(Index rows, Index columns) {
   return block;
 }
 
-/// The part with its stiffness factored and the displacements of its loads.
+/// The part with its stiffness factored, K = F Fᵀ, and the displacements of its
+/// loads. Unknowns are Y = Fᵀ X: the energy of X in K is the square of Y.
 class StressedPart {
  public:
   explicit StressedPart(const BucklingProblem& problem)
@@ -86,30 +87,24 @@ class StressedPart {
   const InitialStress& stress() const { return *stress_; }
   const StiffnessMatrix<3>& stiffness() const { return stiffness_; }
 
-  /// Displacements as the hold has them, of unknowns.
+  /// Displacements F⁻ᵀ Y as the hold has them.
   MatrixXd shapes(const MatrixXd& unknowns, std::size_t hold) const {
-    MatrixXd u = extend_rows(unknowns, numbers_);
+    MatrixXd u = extend_rows(factor_->solve_upper(unknowns), numbers_);
     return holds_.empty() ? u : holds_[hold].project(u);
   }
 
-  /// K x of unknowns.
-  MatrixXd forces(const MatrixXd& x) const {
-    return restrict_rows(stiffness_.multiply(extend_rows(x, numbers_)),
-                         numbers_);
-  }
-
-  /// K⁻¹ (sign · S) in the inner product of K.
+  /// F⁻¹ (sign · S) F⁻ᵀ: K⁻¹ S as it acts on Y, without a product with K.
   /// @param matrix  S, of nodes; outlives the operator.
   dynamics::SelfAdjoint answer_to(const MassMatrix& matrix, double sign,
                                   std::size_t hold) const {
     return {numbers_.count,
-            [this](const MatrixXd& x) {
-              return forces(x);
+            [](const MatrixXd& y) {
+              return y;
             },
-            [this, &matrix, sign, hold](const MatrixXd& x, const MatrixXd&) {
-              MatrixXd f = sign * multiply(matrix, shapes(x, hold));
+            [this, &matrix, sign, hold](const MatrixXd& y, const MatrixXd&) {
+              MatrixXd f = sign * multiply(matrix, shapes(y, hold));
               if (!holds_.empty()) f = holds_[hold].balance(f);
-              return factor_->solve(restrict_rows(f, numbers_));
+              return factor_->solve_lower(restrict_rows(f, numbers_));
             }};
   }
 
@@ -167,7 +162,7 @@ class TrialSpace {
  private:
   void update() {
     const MatrixXd gram =
-        transposed_product(unknowns_, part_.forces(unknowns_));
+        transposed_product(unknowns_, unknowns_);
     const VectorXd scale = gram.diagonal().cwiseSqrt().cwiseInverse();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> metric(
         scale.asDiagonal() * gram * scale.asDiagonal());
