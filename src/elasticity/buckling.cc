@@ -161,8 +161,7 @@ class TrialSpace {
 
  private:
   void update() {
-    const MatrixXd gram =
-        transposed_product(unknowns_, unknowns_);
+    const MatrixXd gram = transposed_product(unknowns_, unknowns_);
     const VectorXd scale = gram.diagonal().cwiseSqrt().cwiseInverse();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> metric(
         scale.asDiagonal() * gram * scale.asDiagonal());

@@ -112,13 +112,13 @@ SurfaceLoads sliding_loads(const Discretization<dim>& discretization,
   const auto instants = history.instants.size();
   result.values = MatrixXd::Zero(dim * static_cast<Index>(result.nodes.size()),
                                  static_cast<Index>(instants));
-  const WallFaces<dim> wall(discretization, groups);
+  const WallFaces<dim> wall(discretization, groups, tables);
   const SlidingTractions tractions(
       history, seat_index,
       discretization.groups[static_cast<std::size_t>(groups.front())].cylinder,
       part_name);
   for (std::size_t i = 0; i < instants; ++i) {
-    const ZoneTrace<dim> zone(wall, bounds_of(seat, tractions.zone(i)), tables);
+    const ZoneTrace<dim> zone(wall, bounds_of(seat, tractions.zone(i)));
     const GroupTrace& trace = zone.trace();
     TractionHistory<dim> here(trace.quadrature.weights.size(), 1);
     here.set(0, tractions.at(i, trace.quadrature, trace.outward));
