@@ -139,15 +139,19 @@ MatrixXd yielding_shapes(const StressedPart& part, std::size_t hold) {
 /// Shapes that are tried with the stresses of every instant.
 class TrialSpace {
  public:
-  TrialSpace(const StressedPart& part, std::size_t hold, MatrixXd unknowns)
-      : part_(part), hold_(hold), unknowns_(std::move(unknowns)) {
-    update();
+  TrialSpace(const StressedPart& part, std::size_t hold,
+             const MatrixXd& unknowns)
+      : part_(part), hold_(hold), forms_(0, part.coefficients().rows()) {
+    add(unknowns);
   }
   void add(const MatrixXd& unknowns) {
     const Index before = unknowns_.cols();
-    unknowns_.conservativeResize(Eigen::NoChange, before + unknowns.cols());
-    unknowns_.rightCols(unknowns.cols()) = unknowns;
-    update();
+    append(unknowns, unknowns_);
+    append(part_.shapes(unknowns, hold_), shapes_);
+    const MatrixXd more = part_.stress().forms(shapes_, before);
+    forms_.conservativeResize(forms_.rows() + more.rows(), Eigen::NoChange);
+    forms_.bottomRows(more.rows()) = more;
+    orthonormalise();
   }
   /// Largest 1/λ of an instant in the space, and its shapes.
   double yield(Index instant) const {
@@ -160,7 +164,11 @@ class TrialSpace {
   }
 
  private:
-  void update() {
+  static void append(const MatrixXd& more, MatrixXd& columns) {
+    columns.conservativeResize(more.rows(), columns.cols() + more.cols());
+    columns.rightCols(more.cols()) = more;
+  }
+  void orthonormalise() {
     const MatrixXd gram = transposed_product(unknowns_, unknowns_);
     const VectorXd scale = gram.diagonal().cwiseSqrt().cwiseInverse();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> metric(
@@ -170,15 +178,14 @@ class TrialSpace {
     to_orthonormal_ =
         scale.asDiagonal() * metric.eigenvectors().rightCols(kept) *
         metric.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
-    forms_ = part_.stress().forms(part_.shapes(unknowns_, hold_));
   }
   Eigen::SelfAdjointEigenSolver<MatrixXd> solved(Index instant) const {
     const VectorXd entries = forms_ * part_.coefficients().col(instant);
     const Index m = unknowns_.cols();
     MatrixXd form(m, m);
     Index pair = 0;
-    for (Index a = 0; a < m; ++a) {
-      for (Index b = a; b < m; ++b) form(a, b) = form(b, a) = entries[pair++];
+    for (Index b = 0; b < m; ++b) {
+      for (Index a = 0; a <= b; ++a) form(a, b) = form(b, a) = entries[pair++];
     }
     return Eigen::SelfAdjointEigenSolver<MatrixXd>(
         -to_orthonormal_.transpose() * form * to_orthonormal_);
@@ -186,7 +193,7 @@ class TrialSpace {
 
   const StressedPart& part_;
   std::size_t hold_;
-  MatrixXd unknowns_, to_orthonormal_;
+  MatrixXd unknowns_, shapes_, to_orthonormal_;
   MatrixXd forms_;  ///< of the unknowns' shapes, a column per load column
 };
 

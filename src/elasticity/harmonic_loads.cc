@@ -274,7 +274,7 @@ class Assembly {
                      const Vector3d& about, Matrix3Xd& tractions,
                      Index instant) {
     const auto missing =
-        loads::correction(trace.ring, tractions, wanted, about);
+        loads::DiscreteBalance(trace.ring, about).missing(wanted, tractions);
     for (Index c = 0; c < tractions.cols(); ++c) {
       tractions.col(c) += missing.traction(trace.ring.points.col(c));
     }
