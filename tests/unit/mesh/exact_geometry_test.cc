@@ -10,7 +10,6 @@
 #include "mesh/cells.h"
 #include "mesh/cylinder_fit.h"
 #include "mesh/cylinder_groups.h"
-#include "mesh/cylinder_groups.h"
 #include "mesh/mass_properties.h"
 #include "mesh/simplex_basis.h"
 #include "mesh/tensor_basis.h"
