@@ -48,9 +48,14 @@ double widen(const PartJob& job, const Eigen::Matrix3d& stress,
              PeakStress& peak) {
   if (is_on_cylinder(job, peak)) return 0.0;
   double kink = 0.0;
-  for (const LoadSet& set : job.load_sets) {
+  const auto& sets = job.load_sets;
+  for (auto set = sets.begin(); set != sets.end(); ++set) {
+    const bool is_known = std::any_of(sets.begin(), set, [&](const auto& s) {
+      return s.fixed == set->fixed;
+    });
+    if (is_known) continue;
     kink = std::max(kink,
-                    stress::facet_kink(job.mesh, set.fixed, peak.at, stress));
+                    stress::facet_kink(job.mesh, set->fixed, peak.at, stress));
   }
   const double error = kOfKink * kink;
   if (error < kSmall) return 0.0;

@@ -203,38 +203,54 @@ void widen(const Factors& stress, const Factors& deflection,
   result.deflection_high *= deflection.high;
 }
 
-/// What all other loads do to the part, which no sharing changes.
-Largest besides(const PartJob& job, const OpenSharing& sharing) {
-  std::set<std::string> shared;
-  for (const auto& instant : sharing.checked.instants) {
-    shared.insert(instant.label);
-  }
-  Largest largest;
-  for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
-    LoadSet others = job.load_sets[s];
-    if (s == sharing.set) {
-      std::erase_if(others.history.instants, [&](const auto& instant) {
-        return shared.contains(instant.label);
-      });
+/// What the loads of a part do as they were checked, solved once per load set.
+class CheckedAnswers {
+ public:
+  explicit CheckedAnswers(const PartJob& job)
+      : job_(job), of_sets_(job.load_sets.size()) {}
+
+  /// Of all loads but the shared ones, which no sharing changes.
+  Largest besides(const OpenSharing& sharing) {
+    std::set<std::string> shared;
+    for (const auto& instant : sharing.checked.instants) {
+      shared.insert(instant.label);
     }
-    if (others.history.instants.empty()) continue;
-    const Answers answers = rough_answers(job, others);
-    largest.stress = std::max(largest.stress, answers.stress.maxCoeff());
-    largest.deflection =
-        std::max(largest.deflection, answers.deflection.maxCoeff());
+    Largest largest;
+    for (std::size_t s = 0; s < of_sets_.size(); ++s) {
+      const auto& instants = job_.load_sets[s].history.instants;
+      for (std::size_t i = 0; i < instants.size(); ++i) {
+        if (s == sharing.set && shared.contains(instants[i].label)) continue;
+        const auto at = static_cast<Index>(i);
+        const Answers& answers = of_set(s);
+        largest.stress = std::max(largest.stress, answers.stress[at]);
+        largest.deflection =
+            std::max(largest.deflection, answers.deflection[at]);
+      }
+    }
+    return largest;
   }
-  return largest;
-}
+
+ private:
+  const Answers& of_set(std::size_t s) {
+    auto& answers = of_sets_[s];
+    if (!answers) answers = rough_answers(job_, job_.load_sets[s]);
+    return *answers;
+  }
+
+  const PartJob& job_;
+  std::vector<std::optional<Answers>> of_sets_;
+};
 
 }  // namespace
 
 void check_sharing(const PartJob& job, PartResult& result) {
   constexpr double kMarginOfSome = 1.5;  // where not all corners were tried
   constexpr double kTold = 1e-3;
+  CheckedAnswers checked(job);
   for (const OpenSharing& sharing : job.open_sharings) {
     if (sharing.others.empty()) continue;
     const auto sharings = compare(job, sharing);
-    const Largest fixed = besides(job, sharing);
+    const Largest fixed = checked.besides(sharing);
     const double margin = sharing.is_complete ? 1.0 : kMarginOfSome;
     const Factors stress =
         factors_of(sharings, fixed.stress, &Largest::stress, margin);

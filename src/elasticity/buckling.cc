@@ -44,7 +44,8 @@ MatrixXd start_block(Index rows, Index columns) {
   return block;
 }
 
-/// The part with its stiffness factored and the displacements of its loads.
+/// The part with its stiffness factored, K = F Fᵀ, and the displacements of its
+/// loads. Unknowns are Y = Fᵀ X: the energy of X in K is the square of Y.
 class StressedPart {
  public:
   explicit StressedPart(const BucklingProblem& problem)
@@ -86,30 +87,24 @@ class StressedPart {
   const InitialStress& stress() const { return *stress_; }
   const StiffnessMatrix<3>& stiffness() const { return stiffness_; }
 
-  /// Displacements as the hold has them, of unknowns.
+  /// Displacements F⁻ᵀ Y as the hold has them.
   MatrixXd shapes(const MatrixXd& unknowns, std::size_t hold) const {
-    MatrixXd u = extend_rows(unknowns, numbers_);
+    MatrixXd u = extend_rows(factor_->solve_upper(unknowns), numbers_);
     return holds_.empty() ? u : holds_[hold].project(u);
   }
 
-  /// K x of unknowns.
-  MatrixXd forces(const MatrixXd& x) const {
-    return restrict_rows(stiffness_.multiply(extend_rows(x, numbers_)),
-                         numbers_);
-  }
-
-  /// K⁻¹ (sign · S) in the inner product of K.
+  /// F⁻¹ (sign · S) F⁻ᵀ: K⁻¹ S as it acts on Y, without a product with K.
   /// @param matrix  S, of nodes; outlives the operator.
   dynamics::SelfAdjoint answer_to(const MassMatrix& matrix, double sign,
                                   std::size_t hold) const {
     return {numbers_.count,
-            [this](const MatrixXd& x) {
-              return forces(x);
+            [](const MatrixXd& y) {
+              return y;
             },
-            [this, &matrix, sign, hold](const MatrixXd& x, const MatrixXd&) {
-              MatrixXd f = sign * multiply(matrix, shapes(x, hold));
+            [this, &matrix, sign, hold](const MatrixXd& y, const MatrixXd&) {
+              MatrixXd f = sign * multiply(matrix, shapes(y, hold));
               if (!holds_.empty()) f = holds_[hold].balance(f);
-              return factor_->solve(restrict_rows(f, numbers_));
+              return factor_->solve_lower(restrict_rows(f, numbers_));
             }};
   }
 
@@ -144,15 +139,19 @@ MatrixXd yielding_shapes(const StressedPart& part, std::size_t hold) {
 /// Shapes that are tried with the stresses of every instant.
 class TrialSpace {
  public:
-  TrialSpace(const StressedPart& part, std::size_t hold, MatrixXd unknowns)
-      : part_(part), hold_(hold), unknowns_(std::move(unknowns)) {
-    update();
+  TrialSpace(const StressedPart& part, std::size_t hold,
+             const MatrixXd& unknowns)
+      : part_(part), hold_(hold), forms_(0, part.coefficients().rows()) {
+    add(unknowns);
   }
   void add(const MatrixXd& unknowns) {
     const Index before = unknowns_.cols();
-    unknowns_.conservativeResize(Eigen::NoChange, before + unknowns.cols());
-    unknowns_.rightCols(unknowns.cols()) = unknowns;
-    update();
+    append(unknowns, unknowns_);
+    append(part_.shapes(unknowns, hold_), shapes_);
+    const MatrixXd more = part_.stress().forms(shapes_, before);
+    forms_.conservativeResize(forms_.rows() + more.rows(), Eigen::NoChange);
+    forms_.bottomRows(more.rows()) = more;
+    orthonormalise();
   }
   /// Largest 1/λ of an instant in the space, and its shapes.
   double yield(Index instant) const {
@@ -165,9 +164,12 @@ class TrialSpace {
   }
 
  private:
-  void update() {
-    const MatrixXd gram =
-        transposed_product(unknowns_, part_.forces(unknowns_));
+  static void append(const MatrixXd& more, MatrixXd& columns) {
+    columns.conservativeResize(more.rows(), columns.cols() + more.cols());
+    columns.rightCols(more.cols()) = more;
+  }
+  void orthonormalise() {
+    const MatrixXd gram = transposed_product(unknowns_, unknowns_);
     const VectorXd scale = gram.diagonal().cwiseSqrt().cwiseInverse();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> metric(
         scale.asDiagonal() * gram * scale.asDiagonal());
@@ -176,15 +178,14 @@ class TrialSpace {
     to_orthonormal_ =
         scale.asDiagonal() * metric.eigenvectors().rightCols(kept) *
         metric.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
-    forms_ = part_.stress().forms(part_.shapes(unknowns_, hold_));
   }
   Eigen::SelfAdjointEigenSolver<MatrixXd> solved(Index instant) const {
     const VectorXd entries = forms_ * part_.coefficients().col(instant);
     const Index m = unknowns_.cols();
     MatrixXd form(m, m);
     Index pair = 0;
-    for (Index a = 0; a < m; ++a) {
-      for (Index b = a; b < m; ++b) form(a, b) = form(b, a) = entries[pair++];
+    for (Index b = 0; b < m; ++b) {
+      for (Index a = 0; a <= b; ++a) form(a, b) = form(b, a) = entries[pair++];
     }
     return Eigen::SelfAdjointEigenSolver<MatrixXd>(
         -to_orthonormal_.transpose() * form * to_orthonormal_);
@@ -192,7 +193,7 @@ class TrialSpace {
 
   const StressedPart& part_;
   std::size_t hold_;
-  MatrixXd unknowns_, to_orthonormal_;
+  MatrixXd unknowns_, shapes_, to_orthonormal_;
   MatrixXd forms_;  ///< of the unknowns' shapes, a column per load column
 };
 

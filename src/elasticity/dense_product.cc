@@ -9,6 +9,10 @@ extern "C" void dgemm_(const char* transpose_a, const char* transpose_b,
                        const double* alpha, const double* a, const int* lda,
                        const double* b, const int* ldb, const double* beta,
                        double* c, const int* ldc);
+extern "C" void dgemv_(const char* transpose, const int* rows,
+                       const int* columns, const double* alpha, const double* a,
+                       const int* lda, const double* x, const int* stride_x,
+                       const double* beta, double* y, const int* stride_y);
 
 namespace clevis::elasticity {
 namespace {
@@ -27,6 +31,13 @@ Eigen::MatrixXd multiply(char transpose, const Eigen::MatrixXd& a,
   const double one = 1.0;
   const double zero = 0.0;
   const char plain = 'N';
+  if (columns == 1) {  // dgemm would copy all of A first
+    const int next = 1;
+    const auto a_columns = static_cast<int>(a.cols());
+    dgemv_(&transpose, &lda, &a_columns, &one, a.data(), &lda, b.data(), &next,
+           &zero, result.data(), &next);
+    return result;
+  }
   dgemm_(&transpose, &plain, &rows, &columns, &inner, &one, a.data(), &lda,
          b.data(), &inner, &zero, result.data(), &rows);
   return result;

@@ -190,6 +190,10 @@ void FrontalCholesky::factor(const UpperTriangle& ordered,
 }
 
 MatrixXd FrontalCholesky::solve(const MatrixXd& right_hand_sides) const {
+  return solve_upper(solve_lower(right_hand_sides));
+}
+
+MatrixXd FrontalCholesky::solve_lower(const MatrixXd& right_hand_sides) const {
   MatrixXd x(right_hand_sides.rows(), right_hand_sides.cols());
   for (Eigen::Index e = 0; e < x.rows(); ++e) {
     x.row(tree_.place[static_cast<std::size_t>(e)]) = right_hand_sides.row(e);
@@ -203,6 +207,12 @@ MatrixXd FrontalCholesky::solve(const MatrixXd& right_hand_sides) const {
       x.row(front.border[static_cast<std::size_t>(k)]) -= border.row(k);
     }
   }
+  return x;
+}
+
+MatrixXd FrontalCholesky::solve_upper(const MatrixXd& ordered) const {
+  MatrixXd x = ordered;
+  MatrixXd border;
   for (std::size_t f = tree_.fronts.size(); f-- > 0;) {
     const Front& front = tree_.fronts[f];
     border.resize(front.later(), x.cols());

@@ -28,6 +28,11 @@ class FrontalCholesky {
   /// X with A X = B, all columns as one block.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) const;
 
+  /// With A = F Fᵀ: F⁻¹ B and F⁻ᵀ Y, whose Y counts the unknowns in the order
+  /// of elimination. With X = F⁻ᵀ Y, Xᵀ A X = Yᵀ Y.
+  Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& right_hand_sides) const;
+  Eigen::MatrixXd solve_upper(const Eigen::MatrixXd& ordered) const;
+
  private:
   void factor(const UpperTriangle& ordered, const std::string& name);
   const double* panel(std::size_t front) const {

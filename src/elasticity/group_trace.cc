@@ -20,11 +20,9 @@ Vector3d in_space(const Eigen::Matrix<double, dim, 1>& x, double z) {
   }
 }
 
-}  // namespace
-
+/// Fills geometry, functions and values of a table that has its rule.
 template <int dim>
 void tabulate(const Discretization<dim>& discretization,
-              const std::vector<std::size_t>& functions,
               FaceTable<dim>& table) {
   table.geometry = tabulate_geometry<dim>(
       discretization.shape, discretization.mapping_degree(), table.rule.points);
@@ -33,12 +31,9 @@ void tabulate(const Discretization<dim>& discretization,
                                  discretization.displacement_degree(),
                                  table.rule.points)
           .values;
-  table.functions = functions;
-  if (functions.empty()) {
-    for (Index i = 0; i < values.cols(); ++i) {
-      if (values.col(i).cwiseAbs().maxCoeff() < 1e-10) continue;
-      table.functions.push_back(static_cast<std::size_t>(i));
-    }
+  for (Index i = 0; i < values.cols(); ++i) {
+    if (values.col(i).cwiseAbs().maxCoeff() < 1e-10) continue;
+    table.functions.push_back(static_cast<std::size_t>(i));
   }
   table.values.resize(values.rows(),
                       static_cast<Index>(table.functions.size()));
@@ -47,6 +42,8 @@ void tabulate(const Discretization<dim>& discretization,
         values.col(static_cast<Index>(table.functions[k]));
   }
 }
+
+}  // namespace
 
 template <int dim>
 const FaceTable<dim>& whole_face_table(
@@ -63,31 +60,42 @@ const FaceTable<dim>& whole_face_table(
   const Degree points = {p + (plate ? 28 : 4), q + (plate ? 2 : 4)};
   FaceTable<dim>& table = tables[face];
   table.rule = face_gauss<dim>(discretization.shape, face, points);
-  tabulate(discretization, {}, table);
+  tabulate(discretization, table);
   return table;
 }
 
 template <int dim>
-void TraceBuilder<dim>::add(const GroupFace& face,
-                            const FaceTable<dim>& table) {
-  const auto c = static_cast<std::size_t>(face.cell);
-  const auto at =
-      cell_geometry<dim>(discretization_.cell_points[c], table.geometry);
-  for (Index q = 0; q < at.points.cols(); ++q) {
+WeightedSurface weighted_surface(const Discretization<dim>& discretization,
+                                 int cell, const FaceTable<dim>& table) {
+  const auto at = cell_geometry<dim>(
+      discretization.cell_points[static_cast<std::size_t>(cell)],
+      table.geometry);
+  const Index n = at.points.cols();
+  WeightedSurface surface{Eigen::Matrix3Xd(3, n), Eigen::Matrix3Xd(3, n)};
+  for (Index q = 0; q < n; ++q) {
     const Eigen::Matrix<double, dim, 1> area =
-        at.determinant[q] *
+        discretization.thickness * table.rule.weights[q] * at.determinant[q] *
         at.inverse_jacobian[static_cast<std::size_t>(q)].transpose() *
         table.rule.outward;
-    points_.push_back(
-        in_space<dim>(at.points.col(q), discretization_.mid_plane_z));
-    normals_.push_back(in_space<dim>(area.normalized(), 0.0));
-    weights_.push_back(table.rule.weights[q] * area.norm() *
-                       discretization_.thickness);
+    surface.points.col(q) =
+        in_space<dim>(at.points.col(q), discretization.mid_plane_z);
+    surface.areas.col(q) = in_space<dim>(area, 0.0);
   }
-  GroupTrace::Face entry{{}, &table.values};
-  for (const std::size_t i : table.functions) {
-    entry.nodes.push_back(discretization_.cell_nodes[c][i]);
+  return surface;
+}
+
+template <int dim>
+void TraceBuilder<dim>::add(int cell, const std::vector<std::size_t>& functions,
+                            const MatrixXd& values,
+                            const WeightedSurface& surface) {
+  for (Index q = 0; q < surface.points.cols(); ++q) {
+    points_.emplace_back(surface.points.col(q));
+    areas_.emplace_back(surface.areas.col(q));
   }
+  GroupTrace::Face entry{{}, &values};
+  const auto& nodes =
+      discretization_.cell_nodes[static_cast<std::size_t>(cell)];
+  for (const std::size_t i : functions) entry.nodes.push_back(nodes[i]);
   faces_.push_back(std::move(entry));
 }
 
@@ -102,8 +110,8 @@ GroupTrace TraceBuilder<dim>::finish() {
   for (Index q = 0; q < n; ++q) {
     const auto k = static_cast<std::size_t>(q);
     trace.quadrature.points.col(q) = points_[k];
-    trace.quadrature.weights[q] = weights_[k];
-    trace.outward.col(q) = normals_[k];
+    trace.quadrature.weights[q] = areas_[k].norm();
+    trace.outward.col(q) = areas_[k].normalized();
   }
   return trace;
 }
@@ -114,19 +122,20 @@ GroupTrace group_trace(const Discretization<dim>& discretization, int group,
   TraceBuilder<dim> builder(discretization);
   for (const GroupFace& face :
        discretization.group_faces[static_cast<std::size_t>(group)]) {
-    builder.add(face, whole_face_table(discretization, face.face, tables));
+    const auto& table = whole_face_table(discretization, face.face, tables);
+    builder.add(face.cell, table.functions, table.values,
+                weighted_surface(discretization, face.cell, table));
   }
   return builder.finish();
 }
 
-#define CLEVIS_INSTANTIATE(dim)                                         \
-  template void tabulate<dim>(const Discretization<dim>&,               \
-                              const std::vector<std::size_t>&,          \
-                              FaceTable<dim>&);                         \
-  template const FaceTable<dim>& whole_face_table<dim>(                 \
-      const Discretization<dim>&, int, FaceTables<dim>&);               \
-  template class TraceBuilder<dim>;                                     \
-  template GroupTrace group_trace<dim>(const Discretization<dim>&, int, \
+#define CLEVIS_INSTANTIATE(dim)                                               \
+  template WeightedSurface weighted_surface<dim>(const Discretization<dim>&,  \
+                                                 int, const FaceTable<dim>&); \
+  template const FaceTable<dim>& whole_face_table<dim>(                       \
+      const Discretization<dim>&, int, FaceTables<dim>&);                     \
+  template class TraceBuilder<dim>;                                           \
+  template GroupTrace group_trace<dim>(const Discretization<dim>&, int,       \
                                        FaceTables<dim>&);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)

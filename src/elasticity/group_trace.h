@@ -36,33 +36,37 @@ struct GroupTrace {
 template <int dim>
 using FaceTables = std::map<int, FaceTable<dim>>;
 
-/// Fills geometry, functions and values of a table that has its rule.
-/// @param functions  that live on the face; empty: those that do not vanish at
-///   the points.
-template <int dim>
-void tabulate(const Discretization<dim>& discretization,
-              const std::vector<std::size_t>& functions, FaceTable<dim>& table);
-
 /// The table of a whole local face, made if it is missing.
 template <int dim>
 const FaceTable<dim>& whole_face_table(
     const Discretization<dim>& discretization, int face,
     FaceTables<dim>& tables);
 
-/// Collects faces, each with the rule of its table, which outlives the trace.
+/// Some faces' quadrature points [m] and area vectors, outward, times weights
+/// [m²].
+struct WeightedSurface {
+  Eigen::Matrix3Xd points, areas;
+};
+template <int dim>
+WeightedSurface weighted_surface(const Discretization<dim>& discretization,
+                                 int cell, const FaceTable<dim>& table);
+
+/// Collects faces.
 template <int dim>
 class TraceBuilder {
  public:
   explicit TraceBuilder(const Discretization<dim>& discretization)
       : discretization_(discretization) {}
-  void add(const GroupFace& face, const FaceTable<dim>& table);
+  /// @param functions  of the cell that live on the face.
+  /// @param values     points × functions; outlive the trace.
+  void add(int cell, const std::vector<std::size_t>& functions,
+           const Eigen::MatrixXd& values, const WeightedSurface& surface);
   GroupTrace finish();
 
  private:
   const Discretization<dim>& discretization_;
   std::vector<GroupTrace::Face> faces_;
-  std::vector<Eigen::Vector3d> points_, normals_;
-  std::vector<double> weights_;
+  std::vector<Eigen::Vector3d> points_, areas_;
 };
 
 /// @param tables  shared by the traces of one discretisation; outlives them.

@@ -188,12 +188,12 @@ class Assembly {
   /// Of a guide on the length of a cylinder that it touches.
   void add_sliding(std::size_t index, int group, const part::Bore& cylinder) {
     const loads::Seat& seat = history_.seats[index];
-    const WallFaces<2> wall(meridian_, {group});
+    const WallFaces<2> wall(meridian_, {group}, tables_);
     const SlidingTractions sliding(history_, index, cylinder, part_name_);
     for (Index i = 0; i < instants_; ++i) {
       const auto instant = static_cast<std::size_t>(i);
       const loads::ContactZone zone = sliding.zone(instant);
-      const ZoneTrace<2> cut(wall, on_meridian(bounds_of(seat, zone)), tables_);
+      const ZoneTrace<2> cut(wall, on_meridian(bounds_of(seat, zone)));
       const RingTrace trace(solid_, cut.trace());
       const loads::Wrench& wrench = history_.instants[instant].wrenches[index];
       Matrix3Xd tractions = Matrix3Xd::Zero(3, trace.ring.weights.size());
@@ -274,7 +274,7 @@ class Assembly {
                      const Vector3d& about, Matrix3Xd& tractions,
                      Index instant) {
     const auto missing =
-        loads::correction(trace.ring, tractions, wanted, about);
+        loads::DiscreteBalance(trace.ring, about).missing(wanted, tractions);
     for (Index c = 0; c < tractions.cols(); ++c) {
       tractions.col(c) += missing.traction(trace.ring.points.col(c));
     }

@@ -132,9 +132,11 @@ MassMatrix InitialStress::unit_stiffness(
   return matrix;
 }
 
-MatrixXd InitialStress::forms(const MatrixXd& vectors) const {
+MatrixXd InitialStress::forms(const MatrixXd& vectors, Index first) const {
   const Index m = vectors.cols();
-  MatrixXd result = MatrixXd::Zero(m * (m + 1) / 2, columns_.cols());
+  const Index pairs_before = first * (first + 1) / 2;
+  MatrixXd result =
+      MatrixXd::Zero(m * (m + 1) / 2 - pairs_before, columns_.cols());
   for (std::size_t c = 0; c < discretization_.cell_nodes.size(); ++c) {
     const Cell here = cell(c);
     const Index n = here.weights.size();
@@ -144,8 +146,8 @@ MatrixXd InitialStress::forms(const MatrixXd& vectors) const {
     };
     MatrixXd pairs(6 * n, result.rows());
     Index pair = 0;
-    for (Index p = 0; p < m; ++p) {
-      for (Index q = p; q < m; ++q, ++pair) {
+    for (Index q = first; q < m; ++q) {
+      for (Index p = 0; p <= q; ++p, ++pair) {
         for (std::size_t k = 0; k < kComponents.size(); ++k) {
           const auto [i, j] = kComponents[k];
           auto rows =

@@ -28,9 +28,11 @@ class InitialStress {
   /// Of 1 Pa in all directions: ∫ ∇N_i·∇N_j dV [m].
   MassMatrix unit_stiffness(const StiffnessMatrix<3>& pattern) const;
 
-  /// v_aᵀ K_G(σ_k) v_b: a row for each pair a <= b (0 0, 0 1, …, 1 1, …), a
+  /// v_aᵀ K_G(σ_k) v_b: a row for each pair a <= b (0 0, 0 1, 1 1, 0 2, …), a
   /// column for each k [N m].
-  Eigen::MatrixXd forms(const Eigen::MatrixXd& vectors) const;
+  /// @param first  of the vectors b: pairs of those before are left out.
+  Eigen::MatrixXd forms(const Eigen::MatrixXd& vectors,
+                        Eigen::Index first) const;
 
  private:
   struct Cell;

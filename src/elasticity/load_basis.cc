@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "elasticity/column_split.h"
 #include "elasticity/dense_product.h"
 
 namespace clevis::elasticity {
@@ -96,22 +97,14 @@ struct Orthonormal {
   MatrixXd combine, coordinates;
 };
 
-/// By Cholesky's factor of the Gram matrix where the columns are clearly
-/// independent; else by passes as in compress_over, every direction that
-/// counts for 1e-10 of a column.
-Orthonormal orthonormalise(const MatrixXd& columns) {
-  constexpr double kIndependent = 1e-3;
-  constexpr double kCounts = 1e-10;
-  const Index count = columns.cols();
-  const MatrixXd gram = transposed_product(columns, columns);
-  const Eigen::LLT<MatrixXd> llt(gram);
-  if (llt.info() == Eigen::Success &&
-      llt.matrixLLT().diagonal().minCoeff() > kIndependent) {
-    const MatrixXd upper = llt.matrixU();
-    return {llt.matrixU().solve(MatrixXd::Identity(count, count)), upper};
-  }
+/// What counts of a column.
+constexpr double kCounts = 1e-10;
+
+/// By passes as in compress_over, every direction that counts.
+Orthonormal orthonormalise_by_passes(const MatrixXd& columns) {
   // Every direction is a combination of what is left of the columns, which is
   // one of the columns themselves.
+  const Index count = columns.cols();
   Orthonormal result{MatrixXd(count, 0), {}};
   MatrixXd basis(columns.rows(), 0);
   MatrixXd rest = columns;
@@ -129,6 +122,41 @@ Orthonormal orthonormalise(const MatrixXd& columns) {
   return result;
 }
 
+/// By the Gram matrix where the columns are clearly independent, or some are
+/// combinations of the others but for what does not count; else by passes.
+/// @param choose  combinations of the split columns that these are.
+Orthonormal orthonormalise(const ColumnSplit& split, const MatrixXd& choose,
+                           const MatrixXd& gram) {
+  constexpr double kIndependent = 1e-3;
+  const Index count = gram.cols();
+  const Eigen::LLT<MatrixXd> llt(gram);
+  if (llt.info() == Eigen::Success &&
+      llt.matrixLLT().diagonal().minCoeff() > kIndependent) {
+    const MatrixXd upper = llt.matrixU();
+    return {llt.matrixU().solve(MatrixXd::Identity(count, count)), upper};
+  }
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram);
+  const auto& lambda = eigen.eigenvalues();
+  const Index kept = (lambda.array() > kIndependent * kIndependent).count();
+  const MatrixXd dropped =
+      split.times(choose * eigen.eigenvectors().leftCols(count - kept));
+  if (!(dropped.colwise().norm().array() <= kCounts).all()) {
+    return orthonormalise_by_passes(split.times(choose));
+  }
+  const MatrixXd directions = eigen.eigenvectors().rightCols(kept);
+  const VectorXd size = lambda.tail(kept).cwiseSqrt();
+  return {directions * size.cwiseInverse().asDiagonal(),
+          size.asDiagonal() * directions.transpose()};
+}
+
+/// Norm of the largest instant, of the columns' Gram matrix: f_i = A c_i is
+/// not formed.
+double largest_instant(const MatrixXd& gram, const MatrixXd& c) {
+  const double squared =
+      c.cwiseProduct(product(gram, c)).colwise().sum().maxCoeff();
+  return std::sqrt(std::max(0.0, squared));
+}
+
 }  // namespace
 
 LoadBasis compress(const MatrixXd& history, double tolerance) {
@@ -136,35 +164,39 @@ LoadBasis compress(const MatrixXd& history, double tolerance) {
 }
 
 double largest_instant(const LoadBasis& loads) {
-  const MatrixXd& c = loads.coefficients;
-  if (c.rows() == 0) return 0.0;
-  // Through the Gram matrix: f_i = A c_i is not formed.
-  const MatrixXd gram = transposed_product(loads.columns, loads.columns);
-  const double squared =
-      c.cwiseProduct(product(gram, c)).colwise().sum().maxCoeff();
-  return std::sqrt(std::max(0.0, squared));
+  if (loads.coefficients.rows() == 0) return 0.0;
+  return largest_instant(ColumnSplit(loads.columns).gram(), loads.coefficients);
 }
 
 LoadBasis compress(const LoadBasis& loads, double tolerance, double scale) {
-  if (scale == 0.0) scale = largest_instant(loads);
-  const VectorXd size = loads.columns.colwise().norm();
-  LoadBasis scaled{loads.columns, loads.coefficients};
+  const Index count = loads.columns.cols();
+  LoadBasis none{MatrixXd(loads.columns.rows(), 0),
+                 MatrixXd(0, loads.coefficients.cols())};
+  if (count == 0) return none;
+  const ColumnSplit split(loads.columns);
+  const MatrixXd gram = split.gram();
+  if (scale == 0.0) scale = largest_instant(gram, loads.coefficients);
+  const VectorXd size = gram.diagonal().cwiseSqrt();
+  // What counts, to unit length: X chooses it of the columns.
+  MatrixXd choose = MatrixXd::Zero(count, count);
+  MatrixXd coefficients(count, loads.coefficients.cols());
   Index kept = 0;
-  for (Index k = 0; k < size.size(); ++k) {
+  for (Index k = 0; k < count; ++k) {
     const double counts =
         size[k] * loads.coefficients.row(k).cwiseAbs().maxCoeff();
     if (counts <= 1e-4 * tolerance * scale) continue;
-    scaled.columns.col(kept) = loads.columns.col(k) / size[k];
-    scaled.coefficients.row(kept++) = loads.coefficients.row(k) * size[k];
+    choose(k, kept) = 1.0 / size[k];
+    coefficients.row(kept++) = loads.coefficients.row(k) * size[k];
   }
-  scaled.columns.conservativeResize(Eigen::NoChange, kept);
-  scaled.coefficients.conservativeResize(kept, Eigen::NoChange);
-  if (kept == 0) return scaled;
-  const Orthonormal orthonormal = orthonormalise(scaled.columns);
+  if (kept == 0) return none;
+  choose.conservativeResize(Eigen::NoChange, kept);
+  coefficients.conservativeResize(kept, Eigen::NoChange);
+  const Orthonormal orthonormal =
+      orthonormalise(split, choose, choose.transpose() * gram * choose);
   LoadBasis basis = compress_over(
-      product(orthonormal.coordinates, scaled.coefficients), tolerance, scale);
+      product(orthonormal.coordinates, coefficients), tolerance, scale);
   basis.columns =
-      product(scaled.columns, product(orthonormal.combine, basis.columns));
+      split.times(product(choose, product(orthonormal.combine, basis.columns)));
   return basis;
 }
 

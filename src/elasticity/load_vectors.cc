@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "elasticity/column_split.h"
 #include "elasticity/dense_product.h"
 #include "elasticity/surface_loads.h"
 
@@ -165,17 +166,13 @@ MatrixXd rigid_inertia(const MatrixXd& moments, double density) {
   return inertia;
 }
 
-/// Largest over the columns of A C of the sum of magnitudes, without forming
-/// A C at once.
-double largest_column_sum(const MatrixXd& a, const MatrixXd& c) {
-  constexpr Index kRows = 512;
-  Eigen::RowVectorXd sums = Eigen::RowVectorXd::Zero(c.cols());
-  for (Index begin = 0; begin < a.rows(); begin += kRows) {
-    const MatrixXd rows =
-        a.middleRows(begin, std::min(kRows, a.rows() - begin));
-    sums += product(rows, c).cwiseAbs().colwise().sum();
-  }
-  return sums.maxCoeff();
+void append(const MatrixXd& columns, const MatrixXd& coefficients,
+            LoadBasis& loads) {
+  const Index before = loads.columns.cols(), more = columns.cols();
+  loads.columns.conservativeResize(Eigen::NoChange, before + more);
+  loads.columns.rightCols(more) = columns;
+  loads.coefficients.conservativeResize(before + more, Eigen::NoChange);
+  loads.coefficients.bottomRows(more) = coefficients;
 }
 
 /// Leaves out the columns that hardly count beside the largest.
@@ -239,16 +236,17 @@ LoadBalance balance_loads(const Discretization<dim>& discretization,
                           double density, const MatrixXd& modes,
                           LoadBasis& loads) {
   LoadBalance balance;
-  const double scale = largest_column_sum(loads.columns, loads.coefficients);
+  const double scale =
+      ColumnSplit(loads.columns).largest_column_sum(loads.coefficients);
   if (!(scale > 0.0)) return balance;
   const MatrixXd residual = transposed_product(modes, loads.columns);
   const MatrixXd inertia =
       rigid_inertia<dim>(node_moments(discretization), density);
   const MatrixXd acceleration =
       transposed_product(modes, inertia).fullPivLu().solve(residual);
-  loads.columns -= product(inertia, acceleration);
   balance.relief =
       product(residual, loads.coefficients).cwiseAbs().maxCoeff() / scale;
+  append(inertia, -product(acceleration, loads.coefficients), loads);
   drop_small_columns(scale, loads);
   if (loads.columns.cols() == 0) return balance;
   balance.rest =

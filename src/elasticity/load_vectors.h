@@ -38,10 +38,10 @@ struct LoadBalance {
   double rest{};    ///< after
 };
 
-/// Balances the discrete loads of a free part, every column by itself: the
+/// Balances the discrete loads of a free part at every instant: the
 /// interpolated geometry and its quadrature have not quite the exact mass,
 /// which leaves a residual that a rigid acceleration of the discrete mass takes
-/// up (inertia relief).
+/// up (inertia relief), as columns of its own.
 /// @param modes  rigid modes at the nodes, dofs × modes.
 template <int dim>
 LoadBalance balance_loads(const Discretization<dim>& discretization,

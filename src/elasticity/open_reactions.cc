@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "elasticity/displacement_basis.h"
+#include "elasticity/energy_form.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -63,17 +64,9 @@ PatternEnergy pattern_energy(const mesh::PartMesh<3>& mesh,
                                    kDegree)
                               .strain_energy;
   const auto n = static_cast<Index>(patterns.size());
-  PatternEnergy result{MatrixXd(n, n), VectorXd(n)};
-  Index pair = 1 + 2 * n;
-  for (Index i = 0; i < n; ++i) {
-    const double own = energy[1 + i];
-    result.A(i, i) = 2.0 * own;
-    result.b[i] = energy[1 + n + i] - energy[0] - own;
-    for (Index j = i + 1; j < n; ++j) {
-      result.A(i, j) = result.A(j, i) = energy[pair++] - own - energy[1 + j];
-    }
-  }
-  return result;
+  const VectorXd own = energy.segment(1, n);
+  return {energy_form(own, energy.tail(n * (n - 1) / 2)),
+          (energy.segment(1 + n, n) - own).array() - energy[0]};
 }
 
 }  // namespace clevis::elasticity

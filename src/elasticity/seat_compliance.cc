@@ -1,12 +1,14 @@
 #include "elasticity/seat_compliance.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
 #include "elasticity/displacement_basis.h"
+#include "elasticity/energy_form.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -45,7 +47,7 @@ double reach(const std::vector<loads::Seat>& seats,
   return length > 0.0 ? length : 1.0;
 }
 
-/// The unit wrenches and the sums of each two: C by polarisation.
+/// The unit wrenches, then the sums of each two.
 loads::LoadHistory unit_loads(std::vector<loads::Seat> seats,
                               const part::MassProperties& mass, double length) {
   loads::LoadHistory history;
@@ -64,15 +66,17 @@ loads::LoadHistory unit_loads(std::vector<loads::Seat> seats,
       wrench.moment[axis] += length;
     }
   };
+  const auto push = [&](std::size_t i, std::optional<std::size_t> j) {
+    loads::InstantLoad load;
+    load.wrenches.resize(history.seats.size());
+    add(i, load);
+    if (j) add(*j, load);
+    load.rigid = holding_acceleration(history.seats, load.wrenches, mass);
+    history.instants.push_back(std::move(load));
+  };
+  for (std::size_t i = 0; i < n; ++i) push(i, std::nullopt);
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i; j < n; ++j) {
-      loads::InstantLoad load;
-      load.wrenches.resize(history.seats.size());
-      add(i, load);
-      if (j > i) add(j, load);
-      load.rigid = holding_acceleration(history.seats, load.wrenches, mass);
-      history.instants.push_back(std::move(load));
-    }
+    for (std::size_t j = i + 1; j < n; ++j) push(i, j);
   }
   return history;
 }
@@ -94,17 +98,7 @@ MatrixXd seat_compliance(const mesh::PartMesh<3>& mesh,
                                    kDegree)
                               .strain_energy;
   const auto n = static_cast<Index>(6 * history.seats.size());
-  MatrixXd C(n, n);
-  for (Index i = 0, at = 0; i < n; ++i) {
-    for (Index j = i; j < n; ++j) C(i, j) = energy[at++];
-  }
-  for (Index i = 0; i < n; ++i) {
-    for (Index j = i + 1; j < n; ++j) {
-      C(i, j) -= C(i, i) + C(j, j);
-      C(j, i) = C(i, j);
-    }
-  }
-  C.diagonal() *= 2.0;
+  const MatrixXd C = energy_form(energy.head(n), energy.tail(n * (n - 1) / 2));
   VectorXd unit(n);
   for (Index i = 0; i < n; ++i) unit[i] = i % 6 < 3 ? 1.0 : length;
   return unit.cwiseInverse().asDiagonal() * C *

@@ -85,11 +85,7 @@ Matrix3Xd SlidingTractions::at(std::size_t instant,
   }
   Matrix3Xd tractions = Matrix3Xd::Zero(3, n);
   if (seat_.kind == loads::SeatKind::kBearing) {
-    const loads::BearingTraction pressing = bearing(instant);
-    for (Index q = 0; q < n; ++q) {
-      tractions.col(q) =
-          pressing.traction(quadrature.points.col(q), outward.col(q));
-    }
+    tractions = bearing(instant).tractions(quadrature.points, outward);
   } else if (wrench.force.norm() > kNegligible * largest_force_ ||
              wrench.moment.norm() > kNegligible * largest_moment_) {
     const auto pressure =
@@ -104,7 +100,7 @@ Matrix3Xd SlidingTractions::at(std::size_t instant,
     }
     tractions = *pressure;
   }
-  loads::add_correction(quadrature, wrench, seat_.p_LS, tractions);
+  loads::DiscreteBalance(quadrature, seat_.p_LS).correct(wrench, tractions);
   return tractions;
 }
 

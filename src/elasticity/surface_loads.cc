@@ -1,6 +1,7 @@
 #include "elasticity/surface_loads.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -112,13 +113,13 @@ SurfaceLoads sliding_loads(const Discretization<dim>& discretization,
   const auto instants = history.instants.size();
   result.values = MatrixXd::Zero(dim * static_cast<Index>(result.nodes.size()),
                                  static_cast<Index>(instants));
-  const WallFaces<dim> wall(discretization, groups);
+  const WallFaces<dim> wall(discretization, groups, tables);
   const SlidingTractions tractions(
       history, seat_index,
       discretization.groups[static_cast<std::size_t>(groups.front())].cylinder,
       part_name);
   for (std::size_t i = 0; i < instants; ++i) {
-    const ZoneTrace<dim> zone(wall, bounds_of(seat, tractions.zone(i)), tables);
+    const ZoneTrace<dim> zone(wall, bounds_of(seat, tractions.zone(i)));
     const GroupTrace& trace = zone.trace();
     TractionHistory<dim> here(trace.quadrature.weights.size(), 1);
     here.set(0, tractions.at(i, trace.quadrature, trace.outward));
@@ -154,17 +155,17 @@ SurfaceLoads seat_loads(const Discretization<dim>& discretization,
   const GroupTrace trace = group_trace(discretization, group, tables);
   const auto n = trace.quadrature.weights.size();
   TractionHistory<dim> history_here(n, history.instants.size());
+  std::optional<loads::WallPoints> wall;
+  if (seat.kind == loads::SeatKind::kBearing) {
+    wall.emplace(*cylinder, trace.quadrature.points, trace.outward);
+  }
+  const loads::DiscreteBalance balance(trace.quadrature, seat.p_LS);
   for (std::size_t i = 0; i < history.instants.size(); ++i) {
     const loads::Wrench& wrench = history.instants[i].wrenches[seat_index];
-    Matrix3Xd tractions = Matrix3Xd::Zero(3, n);
-    if (seat.kind == loads::SeatKind::kBearing) {
-      const loads::BearingTraction bearing(*cylinder, wrench);
-      for (Index q = 0; q < n; ++q) {
-        tractions.col(q) = bearing.traction(trace.quadrature.points.col(q),
-                                            trace.outward.col(q));
-      }
-    }
-    loads::add_correction(trace.quadrature, wrench, seat.p_LS, tractions);
+    Matrix3Xd tractions =
+        wall ? loads::BearingTraction(*cylinder, wrench).tractions(*wall)
+             : Matrix3Xd(Matrix3Xd::Zero(3, n));
+    balance.correct(wrench, tractions);
     history_here.set(i, tractions);
   }
   return history_here.integrate(trace);
@@ -179,12 +180,12 @@ SurfaceLoads face_loads(const Discretization<dim>& discretization,
       discretization, find_group(discretization, name, part_name), tables);
   TractionHistory<dim> history_here(trace.quadrature.weights.size(),
                                     history.instants.size());
+  const loads::DiscreteBalance balance(trace.quadrature, Vector3d::Zero());
   for (std::size_t i = 0; i < history.instants.size(); ++i) {
     const loads::SurfaceLoad& load = history.instants[i].surface_loads[index];
     Matrix3Xd tractions = -load.pressure * trace.outward;
     tractions.colwise() += load.traction;
-    loads::add_correction(trace.quadrature, load.resultant, Vector3d::Zero(),
-                          tractions);
+    balance.correct(load.resultant, tractions);
     history_here.set(i, tractions);
   }
   return history_here.integrate(trace);

@@ -1,13 +1,12 @@
 #include "elasticity/zone_trace.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <Eigen/LU>
 
+#include "elasticity/dense_product.h"
 #include "mesh/simplex_basis.h"
 #include "mesh/tensor_basis.h"
 
@@ -18,58 +17,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
-/// Points of a face's own coordinates: one for the side of a plane cell, two
-/// for the face of a solid one.
-template <int dim>
-using FacePoint = Eigen::Matrix<double, dim - 1, 1>;
 /// Corners of a convex piece of a face, in order.
 template <int dim>
 using Piece = std::vector<FacePoint<dim>>;
-
-/// A local face as an affine image of its own coordinates.
-template <int dim>
-struct FaceFrame {
-  Eigen::Matrix<double, dim, 1> origin, outward;
-  Eigen::Matrix<double, dim, dim - 1> edges;
-
-  /// From three (two) of the points of its rule, which are affine images too.
-  FaceFrame(mesh::CellShape shape, int face) {
-    const auto rule = face_gauss<dim>(shape, face, 2);
-    outward = rule.outward;
-    const auto own = own_points(shape);
-    constexpr std::array<Index, 3> kApart = {0, 1, 2};
-    Eigen::Matrix<double, dim - 1, dim - 1> from;
-    Eigen::Matrix<double, dim, dim - 1> to;
-    for (Index k = 0; k < dim - 1; ++k) {
-      const Index q = kApart[static_cast<std::size_t>(k + 1)];
-      from.col(k) = own.col(q) - own.col(0);
-      to.col(k) = rule.points.col(q) - rule.points.col(0);
-    }
-    edges = to * from.inverse();
-    origin = rule.points.col(0) - edges * own.col(0);
-  }
-
-  ReferencePoints<dim> at(
-      const Eigen::Matrix<double, dim - 1, Eigen::Dynamic>& own) const {
-    return (edges * own).colwise() + origin;
-  }
-
- private:
-  static Eigen::Matrix<double, dim - 1, Eigen::Dynamic> own_points(
-      mesh::CellShape shape) {
-    if constexpr (dim == 3) {
-      if (shape == mesh::CellShape::kSimplex) {
-        return mesh::simplex_gauss<2>(2).points;
-      }
-      const Eigen::VectorXd g = mesh::gauss(2).points;
-      Eigen::Matrix2Xd points(2, 4);
-      points << g[0], g[1], g[0], g[1], g[0], g[0], g[1], g[1];
-      return points;
-    } else {
-      return mesh::gauss(2).points.transpose();
-    }
-  }
-};
 
 /// Pieces that a face is looked at by: halved `times` times each way.
 template <int dim>
@@ -100,45 +50,21 @@ std::vector<Piece<dim>> pieces_of_face(mesh::CellShape shape, int times) {
   return pieces;
 }
 
-/// A cell's face in space.
 template <int dim>
-class FaceMap {
- public:
-  FaceMap(const Discretization<dim>& discretization, const GroupFace& face)
-      : discretization_(discretization),
-        cell_(static_cast<std::size_t>(face.cell)),
-        frame_(discretization.shape, face.face) {}
-
-  const FaceFrame<dim>& frame() const { return frame_; }
-
-  /// In space [m].
-  Eigen::Matrix3Xd points(const Piece<dim>& piece) const {
-    Eigen::Matrix<double, dim - 1, Eigen::Dynamic> own(
-        dim - 1, static_cast<Index>(piece.size()));
-    for (std::size_t k = 0; k < piece.size(); ++k) {
-      own.col(static_cast<Index>(k)) = piece[k];
-    }
-    const auto table = tabulate_geometry<dim>(discretization_.shape,
-                                              discretization_.mapping_degree(),
-                                              frame_.at(own));
-    Eigen::Matrix3Xd result =
-        Eigen::Matrix3Xd::Constant(3, own.cols(), discretization_.mid_plane_z);
-    result.topRows<dim>() =
-        discretization_.cell_points[cell_] * table.values.transpose();
-    return result;
+FacePoints<dim> corners(const Piece<dim>& piece) {
+  FacePoints<dim> own(dim - 1, static_cast<Index>(piece.size()));
+  for (std::size_t k = 0; k < piece.size(); ++k) {
+    own.col(static_cast<Index>(k)) = piece[k];
   }
+  return own;
+}
 
-  /// Heights above a half-space's plane [m].
-  Eigen::RowVectorXd heights(const Piece<dim>& piece,
-                             const HalfSpace& space) const {
-    return (space.normal.transpose() * points(piece)).array() - space.offset;
-  }
-
- private:
-  const Discretization<dim>& discretization_;
-  std::size_t cell_;
-  FaceFrame<dim> frame_;
-};
+/// Heights above a half-space's plane [m].
+template <int dim>
+Eigen::RowVectorXd heights(const FaceMap<dim>& map, const FacePoints<dim>& own,
+                           const HalfSpace& space) {
+  return (space.normal.transpose() * map.points(own)).array() - space.offset;
+}
 
 /// Where the height between two corners is zero on the true geometry, by
 /// Illinois' false position.
@@ -151,7 +77,7 @@ FacePoint<dim> crossing(const FaceMap<dim>& map, const HalfSpace& space,
   FacePoint<dim> middle = a;
   for (int step = 0; step < kSteps; ++step) {
     middle = a + at_a / (at_a - at_b) * (b - a);
-    const double at = map.heights({middle}, space)[0];
+    const double at = heights<dim>(map, middle, space)[0];
     if (std::abs(at) <= enough) break;
     if ((at > 0.0) == (at_b > 0.0)) {
       b = middle;
@@ -171,7 +97,8 @@ template <int dim>
 Piece<dim> clip(const FaceMap<dim>& map, const Piece<dim>& piece,
                 const HalfSpace& space) {
   if (piece.empty()) return piece;
-  const Eigen::RowVectorXd height = map.heights(piece, space);
+  const Eigen::RowVectorXd height =
+      heights<dim>(map, corners<dim>(piece), space);
   if (height.maxCoeff() <= 0.0) return piece;
   if (height.minCoeff() >= 0.0) return {};
   Piece<dim> kept;
@@ -207,64 +134,64 @@ Side side_of(const Eigen::Matrix3Xd& points,
   return side;
 }
 
+/// Rule of n points each way on [0, 1] or on the triangle.
+template <int dim>
+Quadrature<dim - 1> piece_rule(int n) {
+  if constexpr (dim == 2) {
+    auto rule = mesh::gauss(n);
+    return {rule.points.transpose(), std::move(rule.weights)};
+  } else {
+    auto rule = mesh::simplex_gauss<2>(n);
+    return {std::move(rule.points), std::move(rule.weights)};
+  }
+}
+
 /// Quadrature of pieces, in the face's own coordinates.
 template <int dim>
 struct OwnRule {
   std::vector<FacePoint<dim>> points;
   std::vector<double> weights;
 
-  void add(const Piece<dim>& piece, int n) {
-    if constexpr (dim == 2) {
-      const auto rule = mesh::gauss(n);
-      const double length = piece[1][0] - piece[0][0];
-      for (Index q = 0; q < rule.points.size(); ++q) {
-        points.push_back(piece[0] + rule.points[q] * (piece[1] - piece[0]));
-        weights.push_back(rule.weights[q] * std::abs(length));
+  void add(const Piece<dim>& piece, const Quadrature<dim - 1>& rule) {
+    for (std::size_t k = 1; k + 1 < piece.size() + (dim == 2 ? 1 : 0); ++k) {
+      Eigen::Matrix<double, dim - 1, dim - 1> edges;
+      for (std::size_t d = 0; d < dim - 1; ++d) {
+        edges.col(static_cast<Index>(d)) = piece[k + d] - piece[0];
       }
-    } else {
-      const auto rule = mesh::simplex_gauss<2>(n);
-      for (std::size_t k = 1; k + 1 < piece.size(); ++k) {
-        Eigen::Matrix2d edges;
-        edges << piece[k] - piece[0], piece[k + 1] - piece[0];
-        const double area = std::abs(edges.determinant());
-        for (Index q = 0; q < rule.weights.size(); ++q) {
-          points.push_back(piece[0] + edges * rule.points.col(q));
-          weights.push_back(rule.weights[q] * area);
-        }
+      const double measure = std::abs(edges.determinant());
+      for (Index q = 0; q < rule.weights.size(); ++q) {
+        points.push_back(piece[0] + edges * rule.points.col(q));
+        weights.push_back(rule.weights[q] * measure);
       }
     }
   }
 };
 
-/// The rule of what of a face lies within, with the table of its basis.
+/// The rule of what of a face lies within.
 template <int dim>
-std::optional<FaceTable<dim>> cut_table(
-    const Discretization<dim>& discretization, const GroupFace& face,
-    const std::vector<HalfSpace>& bounds,
-    const std::vector<std::size_t>& functions) {
+OwnRule<dim> cut_rule(mesh::CellShape shape, const FaceMap<dim>& map,
+                      const std::vector<HalfSpace>& bounds,
+                      const Quadrature<dim - 1>& rule) {
   constexpr int kHalvings = 1;  // edges that bend are cut by straight pieces
-  const int n =
-      std::max(discretization.degree, discretization.thickness_degree) + 3;
-  const FaceMap<dim> map(discretization, face);
   OwnRule<dim> own;
-  for (Piece<dim> piece :
-       pieces_of_face<dim>(discretization.shape, kHalvings)) {
+  for (Piece<dim> piece : pieces_of_face<dim>(shape, kHalvings)) {
     for (const HalfSpace& space : bounds) piece = clip(map, piece, space);
-    if (!piece.empty()) own.add(piece, n);
+    if (!piece.empty()) own.add(piece, rule);
   }
-  if (own.points.empty()) return std::nullopt;
-  Eigen::Matrix<double, dim - 1, Eigen::Dynamic> points(
-      dim - 1, static_cast<Index>(own.points.size()));
-  FaceTable<dim> table;
-  table.rule.weights.resize(points.cols());
-  for (Index q = 0; q < points.cols(); ++q) {
-    points.col(q) = own.points[static_cast<std::size_t>(q)];
-    table.rule.weights[q] = own.weights[static_cast<std::size_t>(q)];
+  return own;
+}
+
+/// Of a rule that has points. @param values  of the basis, points × functions.
+template <int dim>
+WeightedSurface cut_surface(const FaceMap<dim>& map, const OwnRule<dim>& own,
+                            MatrixXd& values) {
+  const auto table = map.basis().at(corners<dim>(own.points));
+  values = product(table.value, map.basis().displacement());
+  auto surface = map.surface(table);
+  for (Index q = 0; q < surface.areas.cols(); ++q) {
+    surface.areas.col(q) *= own.weights[static_cast<std::size_t>(q)];
   }
-  table.rule.points = map.frame().at(points);
-  table.rule.outward = map.frame().outward;
-  tabulate(discretization, functions, table);
-  return table;
+  return {std::move(surface.points), std::move(surface.areas)};
 }
 
 void add_bounds(const Vector3d& direction, const Vector3d& from, double low,
@@ -287,41 +214,47 @@ std::vector<HalfSpace> bounds_of(const loads::Seat& seat,
 
 template <int dim>
 WallFaces<dim>::WallFaces(const Discretization<dim>& of,
-                          const std::vector<int>& groups)
-    : discretization(&of) {
+                          const std::vector<int>& groups,
+                          FaceTables<dim>& tables)
+    : discretization(&of),
+      cut_rule(piece_rule<dim>(std::max(of.degree, of.thickness_degree) + 3)) {
   constexpr int kHalvings = 2;
+  Piece<dim> look;
+  for (const auto& piece : pieces_of_face<dim>(of.shape, kHalvings)) {
+    look.insert(look.end(), piece.begin(), piece.end());
+  }
+  const FacePoints<dim> points = corners<dim>(look);
   for (const int group : groups) {
     for (const GroupFace& face :
          of.group_faces[static_cast<std::size_t>(group)]) {
-      Piece<dim> look;
-      for (const auto& piece : pieces_of_face<dim>(of.shape, kHalvings)) {
-        look.insert(look.end(), piece.begin(), piece.end());
-      }
-      faces.push_back(face);
-      points.push_back(FaceMap<dim>(of, face).points(look));
+      const auto& basis =
+          bases.try_emplace(face.face, of, face.face).first->second;
+      const FaceMap<dim> map(of, basis, face.cell);
+      const auto& table = whole_face_table(of, face.face, tables);
+      faces.push_back({face.cell, map, map.points(points), &table,
+                       weighted_surface(of, face.cell, table)});
     }
   }
 }
 
 template <int dim>
 ZoneTrace<dim>::ZoneTrace(const WallFaces<dim>& wall,
-                          const std::vector<HalfSpace>& bounds,
-                          FaceTables<dim>& tables) {
+                          const std::vector<HalfSpace>& bounds) {
   TraceBuilder<dim> builder(*wall.discretization);
-  for (std::size_t k = 0; k < wall.faces.size(); ++k) {
-    const GroupFace& face = wall.faces[k];
-    const Side side = side_of(wall.points[k], bounds);
+  for (const auto& face : wall.faces) {
+    const Side side = side_of(face.points, bounds);
     if (side == Side::kWithout) continue;
-    const FaceTable<dim>& whole =
-        whole_face_table(*wall.discretization, face.face, tables);
     if (side == Side::kWithin) {
-      builder.add(face, whole);
+      builder.add(face.cell, face.whole->functions, face.whole->values,
+                  face.surface);
       continue;
     }
-    auto table = cut_table(*wall.discretization, face, bounds, whole.functions);
-    if (!table) continue;
-    cut_.push_back(std::move(*table));
-    builder.add(face, cut_.back());
+    const auto rule = cut_rule<dim>(wall.discretization->shape, face.map,
+                                    bounds, wall.cut_rule);
+    if (rule.points.empty()) continue;
+    MatrixXd& values = cut_.emplace_back();
+    const auto surface = cut_surface<dim>(face.map, rule, values);
+    builder.add(face.cell, face.map.basis().functions(), values, surface);
   }
   trace_ = builder.finish();
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "elasticity/face_map.h"
 #include "elasticity/group_trace.h"
 #include "loads/load_history.h"
 
@@ -20,15 +22,27 @@ struct HalfSpace {
 std::vector<HalfSpace> bounds_of(const loads::Seat& seat,
                                  const loads::ContactZone& zone);
 
-/// Faces of some groups, with points of each that tell how it lies to a plane.
+/// Faces of some groups, with what serves every zone on them.
 template <int dim>
 struct WallFaces {
-  const Discretization<dim>* discretization;
-  std::vector<GroupFace> faces;
-  std::vector<Eigen::Matrix3Xd> points;  ///< per face [m]
+  struct Face {
+    int cell{};
+    FaceMap<dim> map;
+    Eigen::Matrix3Xd points;  ///< that tell how it lies to a plane [m]
+    const FaceTable<dim>* whole;
+    WeightedSurface surface;  ///< of the whole
+  };
 
-  /// @param groups  of the discretisation, which outlives this.
-  WallFaces(const Discretization<dim>& of, const std::vector<int>& groups);
+  const Discretization<dim>* discretization;
+  std::map<int, FaceBasis<dim>> bases;  ///< per local face
+  Quadrature<dim - 1> cut_rule;  ///< of a piece of a face that an edge crosses
+  std::vector<Face> faces;
+
+  /// @param groups  of the discretisation, which outlives this, as the tables.
+  WallFaces(const Discretization<dim>& of, const std::vector<int>& groups,
+            FaceTables<dim>& tables);
+  WallFaces(const WallFaces&) = delete;
+  WallFaces& operator=(const WallFaces&) = delete;
 };
 
 /// Quadrature of the part of some faces that lies within half-spaces, with the
@@ -37,9 +51,8 @@ struct WallFaces {
 template <int dim>
 class ZoneTrace {
  public:
-  /// @param tables  of faces that lie within; outlives the trace.
-  ZoneTrace(const WallFaces<dim>& wall, const std::vector<HalfSpace>& bounds,
-            FaceTables<dim>& tables);
+  /// @param wall  outlives the trace.
+  ZoneTrace(const WallFaces<dim>& wall, const std::vector<HalfSpace>& bounds);
 
   ZoneTrace(const ZoneTrace&) = delete;
   ZoneTrace& operator=(const ZoneTrace&) = delete;
@@ -48,7 +61,7 @@ class ZoneTrace {
   const GroupTrace& trace() const { return trace_; }
 
  private:
-  std::deque<FaceTable<dim>> cut_;  ///< of faces that an edge crosses
+  std::deque<Eigen::MatrixXd> cut_;  ///< basis on faces that an edge crosses
   GroupTrace trace_;
 };
 

@@ -25,30 +25,38 @@ Wrench resultant(const GroupQuadrature& quadrature,
   return sum;
 }
 
-LinearTraction correction(const GroupQuadrature& quadrature,
-                          const Eigen::Matrix3Xd& tractions,
-                          const Wrench& wrench, const Vector3d& about) {
-  const double area = quadrature.weights.sum();
-  const Vector3d centroid = quadrature.points * quadrature.weights / area;
-  Matrix3d second_moment = Matrix3d::Zero();
+DiscreteBalance::DiscreteBalance(const GroupQuadrature& quadrature,
+                                 const Vector3d& about)
+    : quadrature_(&quadrature),
+      about_(about),
+      centroid_(quadrature.points * quadrature.weights /
+                quadrature.weights.sum()),
+      area_(quadrature.weights.sum()),
+      second_moment_(Matrix3d::Zero()) {
   for (Index q = 0; q < quadrature.weights.size(); ++q) {
-    const Vector3d r = quadrature.points.col(q) - centroid;
-    second_moment +=
+    const Vector3d r = quadrature.points.col(q) - centroid_;
+    second_moment_ +=
         quadrature.weights[q] *
         (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
   }
-  const Wrench reached = resultant(quadrature, tractions, about);
-  const Wrench missing{.force = wrench.force - reached.force,
-                       .moment = wrench.moment - reached.moment};
-  return LinearTraction(centroid, area, second_moment, missing, about);
 }
 
-void add_correction(const GroupQuadrature& quadrature, const Wrench& wrench,
-                    const Vector3d& about, Matrix3Xd& tractions) {
-  const LinearTraction missing =
-      correction(quadrature, tractions, wrench, about);
+LinearTraction DiscreteBalance::missing(const Wrench& wrench,
+                                        const Matrix3Xd& tractions) const {
+  const Wrench reached = resultant(*quadrature_, tractions, about_);
+  return {centroid_,
+          area_,
+          second_moment_,
+          {.force = wrench.force - reached.force,
+           .moment = wrench.moment - reached.moment},
+          about_};
+}
+
+void DiscreteBalance::correct(const Wrench& wrench,
+                              Matrix3Xd& tractions) const {
+  const LinearTraction rest = missing(wrench, tractions);
   for (Index q = 0; q < tractions.cols(); ++q) {
-    tractions.col(q) += missing.traction(quadrature.points.col(q));
+    tractions.col(q) += rest.traction(quadrature_->points.col(q));
   }
 }
 

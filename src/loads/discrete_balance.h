@@ -19,20 +19,31 @@ Wrench resultant(const GroupQuadrature& quadrature,
                  const Eigen::Matrix3Xd& tractions,
                  const Eigen::Vector3d& about);
 
-/// What must be added to `tractions` so that their discrete resultant is the
-/// wrench to round-off.
+/// Brings the discrete resultant of tractions to a wrench.
 ///
 /// Quadrature does not integrate the kink of a bearing pressure exactly; the
 /// rest is spread as the smallest linear traction. Moments that the points
 /// cannot carry (all of them on one line) stay out.
-/// @param tractions  [Pa], one column per point.
-/// @param wrench     wanted, about `about`, in L.
-LinearTraction correction(const GroupQuadrature& quadrature,
-                          const Eigen::Matrix3Xd& tractions,
-                          const Wrench& wrench, const Eigen::Vector3d& about);
+class DiscreteBalance {
+ public:
+  /// @param quadrature  outlives this.
+  /// @param about       of the wrenches.
+  DiscreteBalance(const GroupQuadrature& quadrature,
+                  const Eigen::Vector3d& about);
 
-/// Adds it.
-void add_correction(const GroupQuadrature& quadrature, const Wrench& wrench,
-                    const Eigen::Vector3d& about, Eigen::Matrix3Xd& tractions);
+  /// What must be added for the wrench to be reached to round-off.
+  /// @param tractions  [Pa], one column per point.
+  /// @param wrench     wanted, in L.
+  LinearTraction missing(const Wrench& wrench,
+                         const Eigen::Matrix3Xd& tractions) const;
+  /// Adds it.
+  void correct(const Wrench& wrench, Eigen::Matrix3Xd& tractions) const;
+
+ private:
+  const GroupQuadrature* quadrature_;
+  Eigen::Vector3d about_, centroid_;
+  double area_;
+  Eigen::Matrix3d second_moment_;
+};
 
 }  // namespace clevis::loads

@@ -10,8 +10,27 @@
 
 namespace clevis::loads {
 
+using Eigen::Index;
 using Eigen::Matrix3d;
+using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
+
+WallPoints::WallPoints(const part::Bore& bore, const Matrix3Xd& points,
+                       const Matrix3Xd& outward)
+    : normal(3, points.cols()),
+      around(3, points.cols()),
+      height(points.cols()) {
+  for (Index q = 0; q < points.cols(); ++q) {
+    const Vector3d p_CQ = points.col(q) - bore.p_LC;
+    height[q] = p_CQ.dot(bore.axis_L);
+    const Vector3d radial = p_CQ - height[q] * bore.axis_L;
+    assert(std::abs(radial.norm() - bore.radius) < 0.1 * bore.radius &&
+           "point is not on the wall of this cylinder");
+    const Vector3d e_r = radial.normalized();
+    normal.col(q) = outward.col(q).dot(e_r) < 0.0 ? Vector3d(-e_r) : e_r;
+    around.col(q) = bore.axis_L.cross(e_r);
+  }
+}
 
 BearingTraction::BearingTraction(const part::Bore& bore, const Wrench& wrench)
     : bore_(bore) {
@@ -31,17 +50,21 @@ BearingTraction::BearingTraction(const part::Bore& bore, const Wrench& wrench)
 
 Vector3d BearingTraction::traction(const Vector3d& p_LQ,
                                    const Vector3d& outward_LQ) const {
-  const Vector3d& axis = bore_.axis_L;
-  const Vector3d p_CQ = p_LQ - bore_.p_LC;
-  const double s = p_CQ.dot(axis);
-  const Vector3d radial = p_CQ - s * axis;
-  assert(std::abs(radial.norm() - bore_.radius) < 0.1 * bore_.radius &&
-         "point is not on the wall of this cylinder");
-  const Vector3d e_r = radial.normalized();
-  const Vector3d normal = outward_LQ.dot(e_r) < 0.0 ? Vector3d(-e_r) : e_r;
-  const double pressure = 2.0 / (std::numbers::pi * bore_.radius) *
-                          std::max(0.0, -normal.dot(line_load(p_LQ)));
-  return -pressure * normal + shear(p_LQ);
+  return tractions(p_LQ, outward_LQ);
+}
+
+Matrix3Xd BearingTraction::tractions(const WallPoints& points) const {
+  const double factor = 2.0 / (std::numbers::pi * bore_.radius);
+  const Vector3d axial = axial_shear_ * bore_.axis_L;
+  Matrix3Xd result(3, points.height.size());
+  for (Index q = 0; q < result.cols(); ++q) {
+    const auto normal = points.normal.col(q);
+    const Vector3d line = line_load_ + points.height[q] * line_load_slope_;
+    const double pressure = factor * std::max(0.0, -normal.dot(line));
+    result.col(q) =
+        axial + torsional_shear_ * points.around.col(q) - pressure * normal;
+  }
+  return result;
 }
 
 Vector3d BearingTraction::line_load(const Vector3d& p_LQ) const {

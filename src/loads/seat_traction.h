@@ -7,6 +7,19 @@
 
 namespace clevis::loads {
 
+/// How points of a wall lie on their cylinder, whatever presses there.
+struct WallPoints {
+  /// @param points   p_LQ [m], one a column, on the cylinder.
+  /// @param outward  the part's outward unit normals: the pin lies on that
+  ///   side, so that a bore (normal towards the axis) and a journal or piston
+  ///   (normal away from it) are told apart.
+  WallPoints(const part::Bore& bore, const Eigen::Matrix3Xd& points,
+             const Eigen::Matrix3Xd& outward);
+
+  Eigen::Matrix3Xd normal, around;  ///< unit; the cylinder's own, outward
+  Eigen::RowVectorXd height;        ///< along the axis from the middle [m]
+};
+
 /// Traction by which a pin (or a guide) presses on a cylindrical seat.
 ///
 /// The pin carries a line load w(s) = w_0 + w_1 s along the axis (s from the
@@ -20,13 +33,15 @@ class BearingTraction {
   /// @param wrench  on the part, about bore.p_LC, in L.
   BearingTraction(const part::Bore& bore, const Wrench& wrench);
 
-  /// Traction on the part [Pa] at a point of the wall. The pin pushes in the
+  /// Tractions on the part [Pa] at points of the wall. The pin pushes in the
   /// direction of the force: where it fills a bore, it presses on the wall on
   /// the side that the force points at.
-  /// @param p_LQ  position of Q [m], on the cylinder.
-  /// @param outward_LQ  the part's outward unit normal at Q: the pin lies on
-  ///   that side, so that a bore (normal towards the axis) and a journal or
-  ///   piston (normal away from it) are told apart.
+  Eigen::Matrix3Xd tractions(const WallPoints& points) const;
+  /// @param points, outward  as of WallPoints.
+  Eigen::Matrix3Xd tractions(const Eigen::Matrix3Xd& points,
+                             const Eigen::Matrix3Xd& outward) const {
+    return tractions(WallPoints(bore_, points, outward));
+  }
   Eigen::Vector3d traction(const Eigen::Vector3d& p_LQ,
                            const Eigen::Vector3d& outward_LQ) const;
 

@@ -227,9 +227,27 @@ Motion DrivenMotion::run(const SimulationSettings& settings) const {
   const std::vector<double> start = line_angles();
   DrivenSearch::Found found = DrivenSearch(definition_, settings, *this).run();
   set_line_angles(start, 0.0);
-  Motion motion = run_at(found.times, settings);
+  // Turns are counted along the way.
+  Motion motion = found.positions.empty() || forces_.counts_turns()
+                      ? run_at(found.times, settings)
+                      : run_through(found.times, found.positions, settings);
   motion.events = std::move(found.events);
   motion.search = std::move(found.search);
+  return motion;
+}
+
+Motion DrivenMotion::run_through(const std::vector<double>& times,
+                                 const std::vector<Configuration>& positions,
+                                 const SimulationSettings& settings) const {
+  Motion motion;
+  motion.instants.reserve(times.size());
+  path_.require_few_steps(settings.duration, settings.instants);
+  first(settings, motion);
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    motion.instants.push_back(
+        instant(moment(positions[i], times[i]).at, times[i]));
+  }
+  judge_power_balance(definition_, motion);
   return motion;
 }
 

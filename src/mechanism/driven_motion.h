@@ -83,6 +83,11 @@ class DrivenMotion {
  private:
   Motion run_at(const std::vector<double>& times,
                 const SimulationSettings& settings) const;
+  /// Likewise through positions that the search passed, which are not followed
+  /// again.
+  Motion run_through(const std::vector<double>& times,
+                     const std::vector<Configuration>& positions,
+                     const SimulationSettings& settings) const;
   ClosedConfiguration start() const;
   void require_agreement(const ClosedConfiguration& at) const;
   [[noreturn]] void refuse_change_point(const ClosedConfiguration& at,

@@ -59,6 +59,19 @@ bool DrivenSearch::beside_change_point(double t) const {
   });
 }
 
+std::vector<Configuration> DrivenSearch::positions_at(
+    const std::vector<double>& times) {
+  std::vector<Configuration> positions;
+  if (!course_.change_points().empty()) return positions;
+  auto look = course_.looks().begin();
+  for (const double t : times) {
+    while (look != course_.looks().end() && look->t < t) ++look;
+    if (look == course_.looks().end() || look->t != t) return {};
+    positions.push_back(look->x);
+  }
+  return positions;
+}
+
 DrivenSearch::Found DrivenSearch::run() {
   const double duration = settings_.duration;
   std::vector<double> instants = uniform_;
@@ -91,6 +104,7 @@ DrivenSearch::Found DrivenSearch::run() {
   }
   std::ranges::sort(instants);
   instants.erase(std::unique(instants.begin(), instants.end()), instants.end());
+  found.positions = positions_at(instants);
   found.times = std::move(instants);
   found.events = events.events();
   found.search = {.looks = course_.count(),

@@ -21,6 +21,8 @@ class DrivenSearch {
 
   struct Found {
     std::vector<double> times;  ///< of instants, the uniform ones among them
+    /// At those times; none if one is singular or a change point was passed.
+    std::vector<Configuration> positions;
     std::vector<MotionEvent> events;
     LoadSearch search;
   };
@@ -29,6 +31,7 @@ class DrivenSearch {
  private:
   void mark_laws();
   bool beside_change_point(double t) const;
+  std::vector<Configuration> positions_at(const std::vector<double>& times);
 
   const MechanismDefinition& definition_;
   const SimulationSettings& settings_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "mesh/blend.h"
-#include "mesh/cylinder_groups.h"
 #include "mesh/round_entities.h"
 #include "mesh/simplex_basis.h"
 #include "mesh/tensor_basis.h"
@@ -32,8 +31,7 @@ void elevate_tetrahedra(PartMesh<3>& mesh, int degree) {
 
 }  // namespace
 
-void put_on_cylinders(PartMesh<3>& mesh, const std::string& file) {
-  fit_cylinder_groups(mesh, file);
+void put_on_cylinders(PartMesh<3>& mesh) {
   const RoundEntities round = find_round_entities(mesh);
   if (round.faces.empty()) return;
   for (const auto& [v, groups] : round.vertices) {
@@ -49,7 +47,7 @@ void put_on_cylinders(PartMesh<3>& mesh, const std::string& file) {
   blend_hexahedra(mesh, round, file_order);
 }
 
-void put_on_cylinders(PartMesh<3>& mesh, const std::string& file,
+void put_on_cylinders(PartMesh<3>& mesh,
                       const std::vector<FacetedRound>& rounds) {
   // Groups for as long as it takes.
   const auto boundary = mesh.boundary;
@@ -60,7 +58,7 @@ void put_on_cylinders(PartMesh<3>& mesh, const std::string& file,
     }
     mesh.groups.push_back({"", round.cylinder});
   }
-  put_on_cylinders(mesh, file);
+  put_on_cylinders(mesh);
   mesh.boundary = boundary;
   mesh.groups.resize(groups);
 }

@@ -15,17 +15,15 @@ inline constexpr int kCylinderDegree = 5;
 /// of the radius.
 inline constexpr int kSimplexCylinderDegree = 4;
 
-/// Fits a cylinder to each group bore_* and round_*, elevates the geometry to
-/// kCylinderDegree (kSimplexCylinderDegree) at least and moves the groups'
-/// nodes onto the cylinders: corners radially, edges with equal angles, faces
-/// radially; every other edge, face and interior follows by transfinite
-/// blending, so that neighbours still share their points.
-/// @throws Error M009 (place: `file`, group) if a corner of such a group is
-///   off the cylinder by more than 1e-5 of the radius, or a facet spans 90°.
-void put_on_cylinders(PartMesh<3>& mesh, const std::string& file);
+/// Elevates the geometry to kCylinderDegree (kSimplexCylinderDegree) at least
+/// and moves the nodes of the groups that have a cylinder (fit_cylinder_groups)
+/// onto it: corners radially, edges with equal angles, faces radially; every
+/// other edge, face and interior follows by transfinite blending, so that
+/// neighbours still share their points.
+void put_on_cylinders(PartMesh<3>& mesh);
 
 /// The same, and faces without a group of their own onto these.
-void put_on_cylinders(PartMesh<3>& mesh, const std::string& file,
+void put_on_cylinders(PartMesh<3>& mesh,
                       const std::vector<FacetedRound>& rounds);
 
 }  // namespace clevis::mesh

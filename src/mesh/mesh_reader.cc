@@ -54,7 +54,7 @@ ReadMesh on_cylinders(PartMesh<3> mesh, const std::string& name) {
   const auto rounds = faceted_rounds(mesh);
   if (!rounds.empty()) {
     PartMesh<3> rounded = mesh;
-    put_on_cylinders(rounded, name, rounds);
+    put_on_cylinders(rounded, rounds);
     if (are_sound(rounded)) {
       ReadMesh read{std::move(rounded), {}};
       for (const FacetedRound& round : rounds)
@@ -62,7 +62,7 @@ ReadMesh on_cylinders(PartMesh<3> mesh, const std::string& name) {
       return read;
     }
   }
-  put_on_cylinders(mesh, name);
+  put_on_cylinders(mesh);
   check_jacobians(mesh, name);
   return {std::move(mesh), {}};
 }

@@ -50,7 +50,7 @@ void require_own_files(std::vector<StrictTable>& tables,
     };
     if (name == "mechanism") throw refuse("over the assembly's mechanism.pvd");
     for (const auto& other : parts) {
-      if (name == other.name + "_linear") {
+      if (name == other.name + "_linear" || name == other.name + "_buckling") {
         throw refuse(
             fmt::format("over {}.vtu of part \"{}\"", name, other.name));
       }

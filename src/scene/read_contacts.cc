@@ -129,7 +129,8 @@ ImpedanceElement read_impedance(StrictTable& table, const Names& names) {
   } else {
     impedance.path_W = read_path(table);
   }
-  impedance.stiffness = not_negative(table["stiffness"], Dimension::kStiffness);
+  impedance.stiffness =
+      plausible_stiffness_or_zero(table["stiffness"], Dimension::kStiffness);
   impedance.damping = not_negative(table["damping"], Dimension::kDamping);
   if (const auto of = table.find("damping_of")) {
     impedance.damps_absolute =

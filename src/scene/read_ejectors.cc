@@ -47,8 +47,8 @@ EjectorDefinition read_ejector(StrictTable& table,
     throw travel.refusal("S006", "is above the magnet's range",
                          "Beyond its range the magnet has no force.");
   }
-  ejector.spring_stiffness =
-      not_negative(table["spring_stiffness"], Dimension::kStiffness);
+  ejector.spring_stiffness = plausible_stiffness_or_zero(
+      table["spring_stiffness"], Dimension::kStiffness);
   ejector.spring_preset =
       not_negative(table["spring_preset"], Dimension::kLength);
   read_workpiece(table.table("workpiece"), materials, names, ejector);

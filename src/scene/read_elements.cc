@@ -51,9 +51,8 @@ ElementLine read_line(StrictTable& table,
 
 SpringLaw read_spring(StrictTable& table, const LineUnits& units) {
   SpringLaw law;
-  law.stiffness = not_negative_or(table, "stiffness", units.stiffness, 0.0);
-  if (law.stiffness > 0.0) {
-    plausible_stiffness(table["stiffness"], units.stiffness);
+  if (const auto stiffness = table.find("stiffness")) {
+    law.stiffness = plausible_stiffness_or_zero(*stiffness, units.stiffness);
   }
   law.damping = not_negative_or(table, "damping", units.damping, 0.0);
   if (!table.has("stiffness") && !table.has("damping")) {
@@ -230,6 +229,13 @@ bool is_revolute(const ElementLine& line,
              JointType::kRevolute;
 }
 
+double of_a_machine(const Value& value, double stiffness) {
+  constexpr double kStiffest = 1e15;  // N/m or N m/rad
+  if (stiffness <= kStiffest) return stiffness;
+  throw value.refusal("S011", "is stiffer than any machine",
+                      "Check the number and its unit.");
+}
+
 }  // namespace
 
 /// A quantity that may be zero but not negative.
@@ -242,11 +248,11 @@ double not_negative(const Value& value, Dimension dimension) {
 }
 
 double plausible_stiffness(const Value& value, Dimension dimension) {
-  constexpr double kStiffest = 1e15;  // N/m or N m/rad
-  const double stiffness = value.positive(dimension);
-  if (stiffness <= kStiffest) return stiffness;
-  throw value.refusal("S011", "is stiffer than any machine",
-                      "Check the number and its unit.");
+  return of_a_machine(value, value.positive(dimension));
+}
+
+double plausible_stiffness_or_zero(const Value& value, Dimension dimension) {
+  return of_a_machine(value, not_negative(value, dimension));
 }
 
 double not_negative_or(StrictTable& table, std::string_view key,

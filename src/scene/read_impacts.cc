@@ -68,9 +68,10 @@ void read_spring(StrictTable& table, const part::Material& material,
     return;
   }
   const Value stiffness = table["stiffness"];
-  impact.stiffness = stiffness.text() == "ideal"
-                         ? std::numeric_limits<double>::infinity()
-                         : stiffness.positive(Dimension::kStiffness);
+  impact.stiffness =
+      stiffness.text() == "ideal"
+          ? std::numeric_limits<double>::infinity()
+          : plausible_stiffness(stiffness, Dimension::kStiffness);
 }
 
 }  // namespace

@@ -75,6 +75,18 @@ TEST(FrontalCholesky, SolvesWhatCholmodSolves) {
   }
 }
 
+TEST(FrontalCholesky, HalvesOfTheSolutionHaveTheEnergyAsTheirSquare) {
+  const auto system = block<3>({5, 3, 2}, 2, false);
+  const FrontalCholesky fronts(system.matrix, system.tree(), "block");
+  const SparseCholesky cholmod(system.matrix, "block");
+  const MatrixXd b = MatrixXd::Random(system.matrix.rows(), 3);
+  const MatrixXd x = cholmod.solve(b);
+  const MatrixXd y = fronts.solve_lower(b);
+  const MatrixXd energy = b.transpose() * x;
+  EXPECT_LT((y.transpose() * y - energy).norm(), 1e-11 * energy.norm());
+  EXPECT_LT((fronts.solve_upper(y) - x).norm(), 1e-11 * x.norm());
+}
+
 TEST(FrontalCholesky, EveryUnknownIsEliminatedOnceAndEveryBorderTakenOver) {
   const auto system = block<3>({5, 4, 3}, 2, false);
   const FrontTree tree = system.tree();

@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
+#include "elasticity/column_split.h"
 #include "elasticity/plane_loads.h"
 
 namespace clevis::elasticity {
@@ -68,6 +69,43 @@ TEST(LoadBasis, SingleColumnIsItself) {
   ASSERT_EQ(basis.columns.cols(), 1);
   EXPECT_LT((basis.columns * basis.coefficients - history).norm(),
             1e-14 * history.norm());
+}
+
+/// Columns 0, 2 and 4 have entries in rows 5 to 12 only; 3 is twice 1.
+MatrixXd few_and_wide() {
+  std::srand(5);
+  MatrixXd columns = MatrixXd::Random(900, 5);
+  for (const Index k : {0, 2, 4}) {
+    columns.col(k).head(5).setZero();
+    columns.col(k).tail(900 - 13).setZero();
+  }
+  columns.col(3) = 2.0 * columns.col(1);
+  return columns;
+}
+
+TEST(ColumnSplit, HasTheProductsOfTheWhole) {
+  const MatrixXd mixed = few_and_wide();
+  const MatrixXd x = MatrixXd::Random(5, 7);
+  for (const MatrixXd& columns :
+       {mixed, MatrixXd(mixed(Eigen::all, std::vector<int>{0, 2, 4, 0, 2})),
+        MatrixXd(MatrixXd::Random(900, 5))}) {
+    const ColumnSplit split(columns);
+    const MatrixXd gram = columns.transpose() * columns;
+    const MatrixXd times = columns * x;
+    EXPECT_LT((split.gram() - gram).norm(), 1e-13 * gram.norm());
+    EXPECT_LT((split.times(x) - times).norm(), 1e-13 * times.norm());
+    const double sum = times.cwiseAbs().colwise().sum().maxCoeff();
+    EXPECT_NEAR(split.largest_column_sum(x), sum, 1e-12 * sum);
+  }
+}
+
+TEST(LoadBasis, DependentColumnsAreTheirHistory) {
+  const LoadBasis loads{few_and_wide(), MatrixXd::Random(5, 20)};
+  const MatrixXd history = loads.columns * loads.coefficients;
+  const auto basis = compress(loads, 1e-7);
+  EXPECT_EQ(basis.columns.cols(), 4);
+  EXPECT_LT((basis.columns * basis.coefficients - history).norm(),
+            1e-11 * history.norm());
 }
 
 TEST(LoadsInPlane, TellsPlaneFromSpatialLoads) {

@@ -49,9 +49,9 @@ template <int dim>
 Moments within(const mesh::PartMesh<dim>& mesh, int degree, int group,
                const std::vector<HalfSpace>& bounds) {
   const auto discretization = discretize<dim>(mesh, degree);
-  const WallFaces<dim> wall(discretization, {group});
   FaceTables<dim> tables;
-  const ZoneTrace<dim> zone(wall, bounds, tables);
+  const WallFaces<dim> wall(discretization, {group}, tables);
+  const ZoneTrace<dim> zone(wall, bounds);
   return Moments(zone.trace());
 }
 

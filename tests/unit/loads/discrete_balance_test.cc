@@ -54,7 +54,8 @@ Matrix3Xd bearing_tractions(const GroupQuadrature& q) {
 
 Matrix3Xd corrected(const GroupQuadrature& q, const Matrix3Xd& tractions,
                     const Wrench& wrench, const Vector3d& about) {
-  const LinearTraction rest = correction(q, tractions, wrench, about);
+  const LinearTraction rest =
+      DiscreteBalance(q, about).missing(wrench, tractions);
   Matrix3Xd t = tractions;
   for (Index i = 0; i < t.cols(); ++i) {
     t.col(i) += rest.traction(q.points.col(i));

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/cylinder_groups.h"
 #include "mesh/exact_geometry.h"
 #include "mesh/gate.h"
 #include "mesh/mass_properties.h"
@@ -178,7 +179,8 @@ void rotate(GmshFile& file, const GmshElement& element, const Rotation& r) {
 
 PartMesh<3> finished(const GmshFile& file) {
   PartMesh<3> mesh = build_cells(file, 1e-3);
-  put_on_cylinders(mesh, file.name);
+  fit_cylinder_groups(mesh, file.name);
+  put_on_cylinders(mesh);
   check_jacobians(mesh, file.name);
   return mesh;
 }

@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "mesh/cells.h"
 #include "mesh/cylinder_fit.h"
+#include "mesh/cylinder_groups.h"
 #include "mesh/mass_properties.h"
 #include "mesh/simplex_basis.h"
 #include "mesh/tensor_basis.h"
@@ -110,7 +111,8 @@ TEST(ExactGeometry, VolumeOfARingConvergesWithTheDegreeOfTheMapping) {
   EXPECT_NEAR(mass_properties(faceted, 1.0).mass,
               exact * std::sin(facet) / facet, 1e-13 * exact);
   PartMesh<3> round = faceted;
-  put_on_cylinders(round, "ring");
+  fit_cylinder_groups(round, "ring");
+  put_on_cylinders(round);
   EXPECT_EQ(round.degree, kCylinderDegree);
   EXPECT_NEAR(mass_properties(round, 1.0).mass, exact, 1e-10 * exact);
 }
@@ -123,7 +125,8 @@ TEST(ExactGeometry, TurnedAndMovedPartGivesTheSame) {
   const Vector3d shift(100.0, -50.0, 30.0);
   for (auto& p : file.points) p = R * p + shift;
   PartMesh<3> mesh = build_cells(file, 1e-3);
-  put_on_cylinders(mesh, "turned");
+  fit_cylinder_groups(mesh, "turned");
+  put_on_cylinders(mesh);
   const auto got = mass_properties(mesh, 1000.0);
   EXPECT_NEAR(got.mass, want.mass, 1e-12 * want.mass);
   EXPECT_LT((got.p_LCm - (R * want.p_LCm + 1e-3 * shift)).norm(), 1e-14);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/cylinder_groups.h"
 #include "mesh/exact_geometry.h"
 #include "mesh/mass_properties.h"
 #include "support/annulus_mesh.h"
@@ -92,7 +93,8 @@ TEST(FacetedRounds, MeshOnThemHasTheExactVolume) {
   auto mesh = ring(16);
   const auto groups = mesh.groups.size();
   const auto boundary = mesh.boundary;
-  put_on_cylinders(mesh, "ring", faceted_rounds(mesh));
+  fit_cylinder_groups(mesh, "ring");
+  put_on_cylinders(mesh, faceted_rounds(mesh));
   const double exact = kPi * (kOuter * kOuter - kInner * kInner) * kThickness;
   EXPECT_NEAR(mass_properties(mesh, 1.0).mass / exact, 1.0, 1e-7);
   ASSERT_EQ(mesh.groups.size(), groups);

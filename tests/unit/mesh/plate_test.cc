@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/cells.h"
+#include "mesh/cylinder_groups.h"
 #include "mesh/exact_geometry.h"
 #include "mesh/gmsh_file.h"
 #include "mesh/mass_properties.h"
@@ -105,7 +106,8 @@ PartMesh<3> moved(Move move) {
   GmshFile file = read_gmsh_file(data("plate_with_bore_41.msh"));
   for (auto& p : file.points) move(p);
   PartMesh<3> mesh = build_cells(file, 1e-3);
-  put_on_cylinders(mesh, "moved");
+  fit_cylinder_groups(mesh, "moved");
+  put_on_cylinders(mesh);
   return mesh;
 }
 
