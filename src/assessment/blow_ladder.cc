@@ -29,12 +29,15 @@ LoadSet instants_of(const ImpactJob& impact, const BlowTimes& times) {
 
 template <int dim>
 Rung<dim> rung_of(const mesh::PartMesh<dim>& mesh) {
+  // Finer solutions nearby are for loads at rest.
   if constexpr (dim == 2) {
     Rung<2> rung = plane_stress_rung(mesh);
-    rung.looks_nearby = false;  // that is for loads at rest
+    rung.looks_nearby = false;
     return rung;
   } else {
-    return solid_rung(mesh);
+    Rung<3> rung = solid_rung(mesh);
+    rung.looks_at_places = false;
+    return rung;
   }
 }
 

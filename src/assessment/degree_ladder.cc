@@ -1,11 +1,13 @@
 #include "assessment/degree_ladder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "assessment/few_instants.h"
 #include "assessment/local_error.h"
 #include "assessment/meeting_places.h"
+#include "assessment/probe_band.h"
 #include "assessment/time_doubt.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
@@ -91,7 +93,8 @@ class Climb {
     const auto& judged =
         ladder_.zones.is_singular() ? ladder_.outer_band : ladder_.band;
     return ladder_.sequence.size() > 2 &&
-           judged.verdict == Convergence::kConverged;
+           judged.verdict == Convergence::kConverged &&
+           probes_are_within(ladder_, job_, job_.tolerance);
   }
   const DegreeLadder<dim>& ladder() const { return ladder_; }
   DegreeLadder<dim> finish() { return std::move(ladder_); }
@@ -126,8 +129,8 @@ class Climb {
         is_outer ? ladder_.zones.outside_histories() : ladder_.level.histories);
     ladder_.jump = cells.jump;
     const double doubt = kJump * cells.jump;
-    judged.low = std::min({judged.low, cells.mean, judged.value - doubt});
-    judged.high = std::max(judged.high, judged.value + doubt);
+    judged.low = std::min(judged.low - doubt, cells.mean);
+    judged.high += doubt;
     if (!is_outer) judged.high += above_lattice();
     const double reach =
         std::max(judged.high - judged.value, judged.value - judged.low);
@@ -146,6 +149,17 @@ class Climb {
            history.largest();
   }
 
+  /// Of the peak, or of that away from zones, by the last degree [Pa].
+  double last_change(bool is_outer) const {
+    const auto& peaks = ladder_.zones.outside();
+    if (is_outer && peaks.size() > 1) {
+      return std::abs(peaks.back().member.peak -
+                      peaks[peaks.size() - 2].member.peak);
+    }
+    const auto& sequence = ladder_.sequence;
+    return std::abs(sequence.back().peak - sequence[sequence.size() - 2].peak);
+  }
+
   /// Puts the band of all places that the peak may stand at in the place of the
   /// sequence's.
   void look_at_places(const std::vector<LoadSet>& sets, double tolerance) {
@@ -158,7 +172,7 @@ class Climb {
           nearby_peak<dim>(job_, sets, ladder_.zones.mesh(), ladder_.level,
                            is_outer ? ladder_.zones.outside_histories()
                                     : ladder_.level.histories,
-                           tolerance);
+                           last_change(is_outer), tolerance);
     }
     seconds_.recover += watch.lap();
     stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;

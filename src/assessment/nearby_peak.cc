@@ -43,17 +43,21 @@ struct FinerFields {
 /// chance does not hide it.
 /// @param rise  of each cell, from the instant that was solved for to its worst
 ///   one.
-Closer judge(const FinerFields& fields, const Eigen::VectorXd& rise) {
+/// @param counting  points × cells: those that are not left out.
+Closer judge(const FinerFields& fields, const Eigen::VectorXd& rise,
+             const Eigen::MatrixXd& counting) {
   constexpr double kNear = 0.9;
   constexpr double kDegree = 0.6;
   constexpr double kLayer = 0.5;
   constexpr double kJump = 0.15;
-  const MatrixXd value = fields.high.mean + fields.wide.mean - fields.low.mean;
+  const MatrixXd value = (fields.high.mean + fields.wide.mean - fields.low.mean)
+                             .cwiseProduct(counting);
   const double least = kNear * value.maxCoeff();
   Closer closer;
   for (Index c = 0; c < value.cols(); ++c) {
     const Eigen::ArrayXd counts =
-        (value.col(c).array() >= least).cast<double>();
+        (value.col(c).array() >= least).cast<double>() *
+        counting.col(c).array();
     const auto largest = [&](const auto& difference) {
       return (difference.array().abs() * counts).maxCoeff();
     };
@@ -78,21 +82,25 @@ class PeakSearch {
  public:
   PeakSearch(const PartJob& job, const std::vector<LoadSet>& sets,
              const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
-             const std::vector<stress::StressHistory>& histories)
+             const std::vector<stress::StressHistory>& histories, double change)
       : job_(job),
         sets_(sets),
         mesh_(mesh),
         level_(level),
-        histories_(histories) {}
+        histories_(histories),
+        change_(change) {}
 
   NearbyPeak search(double tolerance) {
     constexpr int kMostClusters = 8;
+    // Of hexahedra each is dear: enough where the band is within the tolerance.
+    const int kFewest =
+        mesh_.shape == mesh::CellShape::kTensor ? 1 : kMostClusters;
     find_all_places();
     int clusters = 0;
     while (clusters < kMostClusters) {
       const auto next = highest_open();
       if (!next || place(*next).high < kReach * best_) break;
-      if (clusters > 0 &&
+      if (clusters >= kFewest &&
           join(tolerance).band.verdict == stress::Convergence::kConverged) {
         break;
       }
@@ -227,6 +235,30 @@ class PeakSearch {
     return result;
   }
 
+  /// 1 at the points of the fine lattice that count, 0 at those beside points
+  /// of the usual one that are left out.
+  MatrixXd counting(const Number& seed, const std::vector<int>& cells) const {
+    const auto& history = histories_[seed.set];
+    const auto fine = elasticity::lattice<dim>(mesh_.shape, kFineLattice);
+    const auto usual =
+        elasticity::lattice<dim>(mesh_.shape, history.subdivisions);
+    const double beside = 1.01 * std::sqrt(double(dim)) *
+                          (1.0 / history.subdivisions - 1.0 / kFineLattice);
+    MatrixXd result =
+        MatrixXd::Ones(fine.cols(), static_cast<Index>(cells.size()));
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      for (Index q = 0; q < usual.cols(); ++q) {
+        if (history.worst(q, cells[k]) >= 0.0) continue;
+        for (Index i = 0; i < fine.cols(); ++i) {
+          if ((fine.col(i) - usual.col(q)).norm() <= beside) {
+            result(i, static_cast<Index>(k)) = 0.0;
+          }
+        }
+      }
+    }
+    return result;
+  }
+
   /// The nearest point of another lattice.
   FieldPoint on_lattice(const FieldPoint& fine, int subdivisions) const {
     const Eigen::Matrix<double, dim, 1> at =
@@ -260,12 +292,14 @@ class PeakSearch {
     const Eigen::VectorXd rises = rise(seed, centre, field);
     Closer closer = judge({solve(seed, centre, 1, 1), solve(seed, centre, 2, 1),
                            solve(seed, centre, 1, 2)},
-                          rises);
+                          rises, counting(seed, centre));
     closer.at = on_lattice(closer.at, histories_[seed.set].subdivisions);
     closer.at.cell = centre[static_cast<std::size_t>(closer.at.cell)];
-    const double bent = rises.maxCoeff() * shape_error(centre, field);
-    closer.low -= bent;
-    closer.high += bent;
+    constexpr double kPollution = 0.05;
+    const double off =
+        kPollution * change_ + rises.maxCoeff() * shape_error(centre, field);
+    closer.low -= off;
+    closer.high += off;
     if (seen_.empty()) best_ = 0.0;
     seen_.emplace_back(seed, closer);
     best_ = std::max(best_, closer.value);
@@ -322,7 +356,8 @@ class PeakSearch {
   std::vector<PlacesOfSet> found_;
   std::vector<std::vector<bool>> open_;
   std::vector<std::pair<Number, Closer>> seen_;
-  double best_{};  ///< highest mean, then highest value of finer solutions
+  double change_{};  ///< of the part's peak by its last degree [Pa]
+  double best_{};    ///< highest mean, then highest value of finer solutions
 };
 
 }  // namespace
@@ -331,9 +366,11 @@ template <int dim>
 std::optional<NearbyPeak> nearby_peak(
     const PartJob& job, const std::vector<LoadSet>& sets,
     const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
-    const std::vector<stress::StressHistory>& histories, double tolerance) {
+    const std::vector<stress::StressHistory>& histories, double change,
+    double tolerance) {
   try {
-    return PeakSearch<dim>(job, sets, mesh, level, histories).search(tolerance);
+    return PeakSearch<dim>(job, sets, mesh, level, histories, change)
+        .search(tolerance);
   } catch (const Error&) {
     return std::nullopt;  // a neighbourhood that folds or is loose
   }
@@ -341,8 +378,8 @@ std::optional<NearbyPeak> nearby_peak(
 
 template std::optional<NearbyPeak> nearby_peak<2>(
     const PartJob&, const std::vector<LoadSet>&, const mesh::PartMesh<2>&,
-    const Level<2>&, const std::vector<stress::StressHistory>&, double);
+    const Level<2>&, const std::vector<stress::StressHistory>&, double, double);
 template std::optional<NearbyPeak> nearby_peak<3>(
     const PartJob&, const std::vector<LoadSet>&, const mesh::PartMesh<3>&,
-    const Level<3>&, const std::vector<stress::StressHistory>&, double);
+    const Level<3>&, const std::vector<stress::StressHistory>&, double, double);
 }  // namespace clevis::assessment

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "assessment/finite_motion.h"
+#include "assessment/probe_band.h"
 #include "base/errors.h"
 #include "stress/deflection.h"
 #include "stress/energy_error.h"
@@ -261,32 +262,14 @@ HeldStress held_stress(const std::vector<HeldStress>& degrees) {
   return held;
 }
 
-/// Each probe with the band of its own sequence and of the cells that meet
-/// there, whose errors have opposite signs.
 template <int dim>
 void fill_probes(const PartJob& job, const DegreeLadder<dim>& ladder,
                  std::vector<ProbeResult>& results) {
   std::size_t index = 0;
   for (const auto& load_case : job.part.cases) {
     for (const auto& probe : load_case.probes) {
-      std::vector<stress::SequenceValue> sequence;
-      std::vector<double> values;
-      for (std::size_t k = 0; k < ladder.sequence.size(); ++k) {
-        values.push_back(ladder.probes[k][index].value);
-        sequence.push_back({ladder.sequence[k].degree, values.back()});
-      }
-      const double doubt = 0.5 * ladder.probes.back()[index].jump;
-      ++index;
-      auto band = stress::peak_band(sequence, job.tolerance);
-      band.low = std::min(band.low, band.value - doubt);
-      band.high = std::max(band.high, band.value + doubt);
-      if (probe.quantity.starts_with("displacement")) {
-        const double error =
-            std::abs(band.value) *
-            ladder.deflections.probe_error(load_case.name, values);
-        band.low = band.value - error;
-        band.high = band.value + error;
-      }
+      const auto band = probe_band(ladder, index++, load_case.name,
+                                   probe.quantity, job.tolerance);
       results.push_back(
           {probe.name, probe.quantity, band.value, band.low, band.high});
     }
