@@ -109,14 +109,16 @@ BucklingShape shape_of(const PartJob& job,
           stress::instant_field<3>(basis, job.part.material, kSubdivisions, 0)};
 }
 
+/// The first degree, on thin cells of any shape, has less than three times the
+/// factor.
+constexpr double kFirst = 2.0 / 3.0;
+
 /// Factors fall with the degree to that of the model: what is still to come is
-/// no more than the last change. The first degree, on thin cells of any shape,
-/// has less than three times the factor.
+/// no more than the last change.
 /// @param before  the degree's before; nothing: it is the first.
 void set_band(std::optional<double> before, double now,
               BucklingResult& result) {
   constexpr double kAbove = 0.1;  // of the change: the stresses' own error
-  constexpr double kFirst = 2.0 / 3.0;
   const double change = before ? std::abs(*before - now) : kFirst * now;
   result.factor = now;
   result.band_low = std::max(0.0, now - change);
@@ -144,8 +146,9 @@ void take(const PartJob& job, const BucklingModel& model, int degree,
   check.result.model = model.name(degree);
   if (found.mode.is_above) {
     check.shape.reset();
-    check.result.factor = found.mode.factor;
-    check.result.band_low = check.result.band_high = found.mode.factor;
+    const double bound = (before ? 1.0 : 1.0 - kFirst) * found.mode.factor;
+    check.result.factor = bound;
+    check.result.band_low = check.result.band_high = bound;
     return;
   }
   check.shape = shape_of(job, discretization, found.mode);
@@ -185,7 +188,7 @@ void climb(const PartJob& job, BucklingCheck& check) {
     }
     check.result.remark.clear();
     before = check.result.factor;
-    if (!check.shape || is_decided(check.result, wanted)) return;
+    if (is_decided(check.result, wanted)) return;
   }
 }
 
