@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "assessment/few_instants.h"
@@ -149,15 +150,18 @@ class Climb {
            history.largest();
   }
 
-  /// Of the peak, or of that away from zones, by the last degree [Pa].
-  double last_change(bool is_outer) const {
-    const auto& peaks = ladder_.zones.outside();
-    if (is_outer && peaks.size() > 1) {
-      return std::abs(peaks.back().member.peak -
-                      peaks[peaks.size() - 2].member.peak);
-    }
-    const auto& sequence = ladder_.sequence;
-    return std::abs(sequence.back().peak - sequence[sequence.size() - 2].peak);
+  /// What may come to a peak from outside of its neighbourhood [1]: a share of
+  /// what the strain energy of the same instant, or else the peak, still
+  /// changes by.
+  double pollution() const {
+    constexpr double kShareOfEnergy = 0.1;
+    constexpr double kShareOfPeak = 0.01;
+    const SequenceMember& last = ladder_.sequence.back();
+    const SequenceMember& before = *std::prev(ladder_.sequence.end(), 2);
+    return last.label == before.label
+               ? kShareOfEnergy *
+                     std::abs(1.0 - before.strain_energy / last.strain_energy)
+               : kShareOfPeak * std::abs(1.0 - before.peak / last.peak);
   }
 
   /// Puts the band of all places that the peak may stand at in the place of the
@@ -172,7 +176,7 @@ class Climb {
           nearby_peak<dim>(job_, sets, ladder_.zones.mesh(), ladder_.level,
                            is_outer ? ladder_.zones.outside_histories()
                                     : ladder_.level.histories,
-                           last_change(is_outer), tolerance);
+                           pollution(), tolerance);
     }
     seconds_.recover += watch.lap();
     stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;

@@ -82,13 +82,14 @@ class PeakSearch {
  public:
   PeakSearch(const PartJob& job, const std::vector<LoadSet>& sets,
              const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
-             const std::vector<stress::StressHistory>& histories, double change)
+             const std::vector<stress::StressHistory>& histories,
+             double pollution)
       : job_(job),
         sets_(sets),
         mesh_(mesh),
         level_(level),
         histories_(histories),
-        change_(change) {}
+        pollution_(pollution) {}
 
   NearbyPeak search(double tolerance) {
     constexpr int kMostClusters = 8;
@@ -295,9 +296,8 @@ class PeakSearch {
                           rises, counting(seed, centre));
     closer.at = on_lattice(closer.at, histories_[seed.set].subdivisions);
     closer.at.cell = centre[static_cast<std::size_t>(closer.at.cell)];
-    constexpr double kPollution = 0.05;
-    const double off =
-        kPollution * change_ + rises.maxCoeff() * shape_error(centre, field);
+    const double off = pollution_ * closer.value +
+                       rises.maxCoeff() * shape_error(centre, field);
     closer.low -= off;
     closer.high += off;
     if (seen_.empty()) best_ = 0.0;
@@ -356,8 +356,8 @@ class PeakSearch {
   std::vector<PlacesOfSet> found_;
   std::vector<std::vector<bool>> open_;
   std::vector<std::pair<Number, Closer>> seen_;
-  double change_{};  ///< of the part's peak by its last degree [Pa]
-  double best_{};    ///< highest mean, then highest value of finer solutions
+  double pollution_{};  ///< of a value, from outside of its neighbourhood [1]
+  double best_{};       ///< highest mean, then highest value of finer solutions
 };
 
 }  // namespace
@@ -366,10 +366,10 @@ template <int dim>
 std::optional<NearbyPeak> nearby_peak(
     const PartJob& job, const std::vector<LoadSet>& sets,
     const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
-    const std::vector<stress::StressHistory>& histories, double change,
+    const std::vector<stress::StressHistory>& histories, double pollution,
     double tolerance) {
   try {
-    return PeakSearch<dim>(job, sets, mesh, level, histories, change)
+    return PeakSearch<dim>(job, sets, mesh, level, histories, pollution)
         .search(tolerance);
   } catch (const Error&) {
     return std::nullopt;  // a neighbourhood that folds or is loose

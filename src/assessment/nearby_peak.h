@@ -25,15 +25,14 @@ struct NearbyPeak {
 /// of cells: the value is the mean of the cells that meet. What degree, layer
 /// and cells differ by is its error.
 /// @param sets  that the level was solved for.
-/// @param change  of the part's peak by its last degree [Pa]: a share of it may
-///   come from outside of the neighbourhoods.
+/// @param pollution  what may come from outside of the neighbourhoods [1].
 /// @param histories  of its sets; points below zero do not count.
 /// @return nothing if a neighbourhood cannot be solved for.
 template <int dim>
 std::optional<NearbyPeak> nearby_peak(
     const PartJob& job, const std::vector<LoadSet>& sets,
     const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
-    const std::vector<stress::StressHistory>& histories, double change,
+    const std::vector<stress::StressHistory>& histories, double pollution,
     double tolerance);
 
 }  // namespace clevis::assessment
