@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "assessment/model_choice.h"
+#include "assessment/sharing_check.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
 #include "elasticity/buckling.h"
@@ -85,7 +86,8 @@ Found lowest(const PartJob& job, const Discretization<3>& discretization,
   for (Candidate& candidate : candidates) {
     auto mode = elasticity::lowest_buckling(
         {discretization, job.part.material, candidate.history,
-         job.load_sets[candidate.set].fixed, candidate.holds, job.part.name});
+         job.load_sets[candidate.set].fixed, candidate.holds, job.part.name,
+         job.load_sets[candidate.set].foundations});
     const auto instant =
         candidate.history.instants[static_cast<std::size_t>(mode.instant)];
     candidate.history.instants = {instant};
@@ -109,8 +111,8 @@ BucklingShape shape_of(const PartJob& job,
           stress::instant_field<3>(basis, job.part.material, kSubdivisions, 0)};
 }
 
-/// The first degree, on thin cells of any shape, has less than three times the
-/// factor.
+/// Of the first degree alone, where the memory holds no other: on cells that
+/// are not long it has less than three times the factor.
 constexpr double kFirst = 2.0 / 3.0;
 
 /// Factors fall with the degree to that of the model: what is still to come is
@@ -162,34 +164,51 @@ bool is_bearable(const Error& error) {
          error.code() == "F004" || error.code() == "M005";
 }
 
-void climb(const PartJob& job, BucklingCheck& check) {
-  const BucklingModel model(job);
+/// Climbs the degrees until the limit is decided, by two at least: of the first
+/// thin cells may lock by any factor.
+BucklingCheck climb(const PartJob& job, const BucklingModel& model,
+                    std::vector<Candidate> candidates) {
   const double wanted = part::wanted_buckling_factor(job.part.limits);
-  std::vector<Candidate> candidates;
-  for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
-    const LoadSet& set = job.load_sets[s];
-    if (!set.foundations.empty()) {
-      check.result.remark = "not computed on elastic foundations";
-      continue;
-    }
-    candidates.push_back({s, set.history, holds_of(set)});
-  }
-  if (candidates.empty()) return;
+  BucklingCheck check;
   std::optional<double> before;
   for (int degree = kFirstDegree; degree <= kHighestDegree; ++degree) {
     try {
       take(job, model, degree, before, candidates, check);
     } catch (const Error& error) {
       if (!is_bearable(error)) throw;
-      if (before) return;  // its band holds what is missing
+      if (before) return check;  // its band holds what is missing
       check.result.remark = "not computed: " + error.problem();
-      if (error.code() != "M005") return;
+      if (error.code() != "M005") return check;
       continue;
     }
     check.result.remark.clear();
+    if (before && is_decided(check.result, wanted)) return check;
     before = check.result.factor;
-    if (is_decided(check.result, wanted)) return;
   }
+  return check;
+}
+
+/// The loads as they are checked.
+std::vector<Candidate> checked_loads(const PartJob& job) {
+  std::vector<Candidate> candidates;
+  for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
+    const LoadSet& set = job.load_sets[s];
+    candidates.push_back({s, set.history, holds_of(set)});
+  }
+  return candidates;
+}
+
+/// The loads of other sharings of what equilibrium leaves open.
+std::vector<Candidate> other_sharings(const PartJob& job) {
+  std::vector<Candidate> candidates;
+  for (const OpenSharing& sharing : job.open_sharings) {
+    const LoadSet& set = job.load_sets[sharing.set];
+    if (sharing.others.empty()) continue;
+    candidates.push_back({sharing.set,
+                          {set.history.seats, heaviest_of_others(job, sharing)},
+                          holds_of(set)});
+  }
+  return candidates;
 }
 
 }  // namespace
@@ -198,7 +217,13 @@ BucklingCheck check_buckling(const PartJob& job) {
   Stopwatch watch;
   BucklingCheck check;
   if (job.load_sets.empty()) return check;
-  climb(job, check);
+  const BucklingModel model(job);
+  check = climb(job, model, checked_loads(job));
+  auto others = other_sharings(job);
+  if (check.result.factor > 0.0 && !others.empty()) {
+    const auto of_others = climb(job, model, std::move(others)).result;
+    check.result.band_low = std::min(check.result.band_low, of_others.band_low);
+  }
   check.seconds = watch.lap();
   return check;
 }

@@ -170,8 +170,10 @@ class Climb {
     Stopwatch watch;
     const bool is_outer = ladder_.zones.is_singular();
     ladder_.nearby.reset();
-    // An elastic bed is not in the equations of the places.
-    if (sets[ladder_.level.set].foundations.empty()) {
+    // Elastic beds are not in the equations of the places.
+    if (std::ranges::all_of(sets, [](const LoadSet& set) {
+          return set.foundations.empty();
+        })) {
       ladder_.nearby =
           nearby_peak<dim>(job_, sets, ladder_.zones.mesh(), ladder_.level,
                            is_outer ? ladder_.zones.outside_histories()
@@ -182,6 +184,7 @@ class Climb {
     stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;
     if (ladder_.nearby) ladder_.jump = ladder_.nearby->jump;
     if (!ladder_.nearby) {
+      join_cells(tolerance);
       judged.verdict = Convergence::kNotConverged;
       return;
     }

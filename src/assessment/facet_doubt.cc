@@ -86,10 +86,12 @@ void add_facet_doubt(const PartJob& job, const PartFields& fields,
   }
   if (error == 0.0) return;
   result.notes.push_back(fmt::format(
-      "the peak stands on flat facets that kink by {:.2g}°: the curve behind "
-      "them may have {:.2g} % more or less, which is in the band; mesh with "
-      "order 2, or name its arcs round_…",
-      error / kOfKink * 180.0 / std::numbers::pi, 100.0 * error));
+      "the peak stands on {} that kink by {:.2g}°: the curve behind "
+      "them may have {:.2g} % more or less, which is in the band; mesh {}, or "
+      "name its arcs round_…",
+      job.mesh.degree == 1 ? "flat facets" : "faces",
+      error / kOfKink * 180.0 / std::numbers::pi, 100.0 * error,
+      job.mesh.degree == 1 ? "with order 2" : "finer there"));
 }
 
 }  // namespace clevis::assessment

@@ -1,10 +1,23 @@
 #include "assessment/finite_motion.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include <fmt/format.h>
 
 namespace clevis::assessment {
+
+double reach(const FiniteMotion& motion) {
+  return std::max(motion.rotation / kLargestRotation,
+                  motion.strain / kLargestStrain);
+}
+
+FiniteMotion farther(const FiniteMotion& one, const FiniteMotion& other) {
+  FiniteMotion result = reach(one) < reach(other) ? other : one;
+  result.rotation = std::max(one.rotation, other.rotation);
+  result.strain = std::max(one.strain, other.strain);
+  return result;
+}
 
 std::string beyond_small_displacements(const FiniteMotion& motion) {
   std::string what;

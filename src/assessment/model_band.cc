@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "assessment/doubt.h"
+#include "assessment/finite_motion.h"
 
 namespace clevis::assessment {
 namespace {
@@ -90,10 +91,12 @@ PartAssessment join(PartAssessment first, PartAssessment second) {
   result.load_columns += other.load_columns;
   if (other.held.band_high > result.held.band_high) result.held = other.held;
   result.strain_energy = std::max(result.strain_energy, other.strain_energy);
+  result.finite_motion = farther(result.finite_motion, other.finite_motion);
+  result.deflection_high =
+      std::max(result.deflection_high, other.deflection_high);
   if (other.deflection > result.deflection) {
     result.deflection = other.deflection;
     result.deflection_low = other.deflection_low;
-    result.deflection_high = other.deflection_high;
     result.deflection_at = other.deflection_at;
     result.deflection_instant = other.deflection_instant;
   }

@@ -91,7 +91,8 @@ class PeakSearch {
         histories_(histories),
         pollution_(pollution) {}
 
-  NearbyPeak search(double tolerance) {
+  /// @return nothing if no place counts.
+  std::optional<NearbyPeak> search(double tolerance) {
     constexpr int kMostClusters = 8;
     // Of hexahedra each is dear: enough where the band is within the tolerance.
     const int kFewest =
@@ -108,13 +109,22 @@ class PeakSearch {
       look_closer(*next);
       ++clusters;
     }
+    if (seen_.empty()) return std::nullopt;
     return join(tolerance);
   }
 
  private:
   static constexpr double kReach = 0.97;
+  static constexpr double kShare = 0.6;
   struct Number {
     std::size_t set, place;
+  };
+  /// A place that was looked at, with the cells that were solved for.
+  struct Seen {
+    std::size_t set{};
+    Place place;
+    std::vector<int> centre;
+    Closer closer;
   };
 
   const Place& place(const Number& n) const {
@@ -122,17 +132,41 @@ class PeakSearch {
   }
 
   void find_all_places() {
-    constexpr double kShare = 0.6;
     double largest = 0.0;
     for (const auto& history : histories_) {
       largest = std::max(largest, history.worst.maxCoeff());
     }
+    find_places_above(kShare * largest);
     best_ = 0.0;
+    for (const PlacesOfSet& found : found_) {
+      for (const Place& p : found.places) best_ = std::max(best_, p.mean);
+    }
+  }
+
+  /// Places that were looked at are not open again.
+  void find_places_above(double least) {
+    least_ = least;
+    found_.clear();
+    open_.clear();
     for (std::size_t s = 0; s < sets_.size(); ++s) {
       found_.push_back(find_places<dim>(level_.bases[s]->discretization,
-                                        histories_[s], kShare * largest));
+                                        histories_[s], least));
       open_.emplace_back(found_[s].places.size(), true);
-      for (const Place& p : found_[s].places) best_ = std::max(best_, p.mean);
+    }
+    for (const Seen& seen : seen_) close(seen.set, seen.centre);
+  }
+
+  /// Closes the places of all cells of a centre.
+  void close(std::size_t set, const std::vector<int>& centre) {
+    const auto& found = found_[set];
+    for (std::size_t i = 0; i < found.places.size(); ++i) {
+      const auto& cells =
+          found.cells[static_cast<std::size_t>(found.places[i].number)];
+      if (std::ranges::any_of(cells, [&](int cell) {
+            return std::ranges::binary_search(centre, cell);
+          })) {
+        open_[set][i] = false;
+      }
     }
   }
 
@@ -301,41 +335,34 @@ class PeakSearch {
     closer.low -= off;
     closer.high += off;
     if (seen_.empty()) best_ = 0.0;
-    seen_.emplace_back(seed, closer);
+    seen_.push_back({seed.set, place(seed), centre, closer});
     best_ = std::max(best_, closer.value);
-    auto& found = found_[seed.set];
-    for (std::size_t i = 0; i < found.places.size(); ++i) {
-      const auto& cells =
-          found.cells[static_cast<std::size_t>(found.places[i].number)];
-      if (std::ranges::any_of(cells, [&](int cell) {
-            return std::ranges::binary_search(centre, cell);
-          })) {
-        open_[seed.set][i] = false;
-      }
-    }
     open_[seed.set][seed.place] = false;
+    close(seed.set, centre);
+    // One bad cell may stand so high that all others were below the share.
+    if (kShare * best_ < least_) find_places_above(kShare * best_);
   }
 
   NearbyPeak join(double tolerance) const {
     NearbyPeak peak;
     stress::Band& band = peak.band;
     band = {0.0, kNothing, kNothing, stress::Convergence::kConverged};
-    for (const auto& [number, closer] : seen_) {
-      band.high = std::max(band.high, closer.high);
-      if (closer.value <= band.value) continue;
-      band.value = closer.value;
-      band.low = closer.low;
-      peak.set = number.set;
-      peak.at = closer.at;
-      peak.instant = place(number).instant;
-      peak.jump = place(number).high - place(number).low;
+    for (const Seen& seen : seen_) {
+      band.high = std::max(band.high, seen.closer.high);
+      if (seen.closer.value <= band.value) continue;
+      band.value = seen.closer.value;
+      band.low = seen.closer.low;
+      peak.set = seen.set;
+      peak.at = seen.closer.at;
+      peak.instant = seen.place.instant;
+      peak.jump = seen.place.high - seen.place.low;
     }
     // Places that are left may be as far off as the others were.
     const auto rest = highest_open();
     if (rest && place(*rest).high >= kReach * best_) {
       double farthest = 1.0;
-      for (const auto& [number, closer] : seen_) {
-        farthest = std::max(farthest, closer.high / place(number).high);
+      for (const Seen& seen : seen_) {
+        farthest = std::max(farthest, seen.closer.high / seen.place.high);
       }
       band.high = std::max(band.high, farthest * place(*rest).high);
     }
@@ -355,7 +382,8 @@ class PeakSearch {
   const std::vector<stress::StressHistory>& histories_;
   std::vector<PlacesOfSet> found_;
   std::vector<std::vector<bool>> open_;
-  std::vector<std::pair<Number, Closer>> seen_;
+  std::vector<Seen> seen_;
+  double least_{};      ///< stress that the places found reach [Pa]
   double pollution_{};  ///< of a value, from outside of its neighbourhood [1]
   double best_{};       ///< highest mean, then highest value of finer solutions
 };

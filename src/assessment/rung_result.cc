@@ -44,7 +44,7 @@ void fill_peak(const PartJob& job, const DegreeLadder<dim>& ladder,
   const auto& discretization = level.bases[place.set]->discretization;
   const int subdivisions = level.histories[place.set].subdivisions;
   peak.value = band.value;
-  peak.band_low = band.low;
+  peak.band_low = std::max(0.0, band.low);
   peak.band_high = band.high;
   peak.verdict = to_peak_verdict(band.verdict);
   peak.has_band = ladder.sequence.size() >= 3 &&

@@ -137,12 +137,17 @@ loads::LoadHistory heaviest(loads::LoadHistory history, std::size_t most,
   return history;
 }
 
+constexpr std::size_t kMostInstants = 1000, kFewest = 20;
+
+/// So many instants of each sharing are looked at.
+std::size_t most_of_each(const OpenSharing& sharing) {
+  return std::max(kFewest, kMostInstants / (sharing.others.size() + 1));
+}
+
 /// The sharing that was checked first, then the others.
 std::vector<Largest> compare(const PartJob& job, const OpenSharing& sharing) {
-  constexpr std::size_t kMostInstants = 1000, kFewest = 20;
   const double size = loads::part_size(job.groups, job.mass);
-  const std::size_t most =
-      std::max(kFewest, kMostInstants / (sharing.others.size() + 1));
+  const std::size_t most = most_of_each(sharing);
   LoadSet set = job.load_sets[sharing.set];
   set.history = heaviest(sharing.checked, most, size);
   std::vector<std::size_t> counts{set.history.instants.size()};
@@ -194,6 +199,8 @@ void widen(const Factors& stress, const Factors& deflection,
            PartResult& result) {
   widen(stress, result.peak);
   widen(stress, result.peak_outside);
+  result.finite_motion.rotation *= deflection.high;
+  result.finite_motion.strain *= stress.high;
   result.vibration.band_low *= stress.low;
   result.vibration.band_high *= stress.high;
   if (result.deflection_high == 0.0) {
@@ -242,6 +249,17 @@ class CheckedAnswers {
 };
 
 }  // namespace
+
+std::vector<loads::InstantLoad> heaviest_of_others(const PartJob& job,
+                                                   const OpenSharing& sharing) {
+  const double size = loads::part_size(job.groups, job.mass);
+  std::vector<loads::InstantLoad> all;
+  for (const loads::LoadHistory& other : sharing.others) {
+    const auto instants = heaviest(other, most_of_each(sharing), size).instants;
+    all.insert(all.end(), instants.begin(), instants.end());
+  }
+  return all;
+}
 
 void check_sharing(const PartJob& job, PartResult& result) {
   constexpr double kMarginOfSome = 1.5;  // where not all corners were tried

@@ -11,4 +11,8 @@ namespace clevis::assessment {
 /// the one that was checked; the bands grow by the ratio.
 void check_sharing(const PartJob& job, PartResult& result);
 
+/// The instants that carry most, of every sharing but the one that was checked.
+std::vector<loads::InstantLoad> heaviest_of_others(const PartJob& job,
+                                                   const OpenSharing& sharing);
+
 }  // namespace clevis::assessment

@@ -209,13 +209,13 @@ std::string without(const std::string& zones) {
       zones);
 }
 
-/// Of a part that passes though its band is wider than the tolerance.
+/// Of a part that passes though its peak is not converged.
 std::string wide_band(const PartResult& result) {
   const PeakStress& peak = judged_peak(result);
   if (peak.verdict != PeakVerdict::kNotConverged) return "";
   return fmt::format(
-      "by its band, which is wider than the tolerance ({}) and lies within the "
-      "limit as a whole",
+      "by its band, which lies within the limit as a whole though the peak is "
+      "not converged ({})",
       doubt_text(peak));
 }
 
@@ -257,6 +257,12 @@ bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
   const double wanted = part::wanted_buckling_factor(part.limits);
   const BucklingResult& buckling = result.buckling;
   if (!judge_euler(wanted, result)) return false;
+  if (part.limits.buckling && buckling.factor == 0.0 &&
+      !buckling.remark.empty()) {
+    set(result, PartVerdict::kNotJudged,
+        "the limit of buckling is not held against: " + buckling.remark);
+    return false;
+  }
   if (buckling.factor == 0.0 || buckling.band_low >= wanted) return true;
   const bool fails = buckling.band_high < wanted;
   set(result, fails ? PartVerdict::kFail : PartVerdict::kNotJudged,

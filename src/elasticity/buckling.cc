@@ -13,6 +13,7 @@
 #include "elasticity/dense_product.h"
 #include "elasticity/dissection.h"
 #include "elasticity/equations.h"
+#include "elasticity/foundation.h"
 #include "elasticity/frontal_cholesky.h"
 #include "elasticity/initial_stress.h"
 #include "elasticity/load_vectors.h"
@@ -51,15 +52,17 @@ class StressedPart {
   explicit StressedPart(const BucklingProblem& problem)
       : part_(problem.discretization), place_("part " + problem.name) {
     const auto positions = node_positions(part_);
-    const bool is_free = problem.fixed.empty();
+    const FoundationStiffness<3> bed(part_, problem.foundations, problem.name);
+    const bool is_free = problem.fixed.empty() && bed.empty();
     const std::vector<int> held =
         is_free ? determinate_supports<3>(part_, positions)
-                : fixed_supports(part_, positions, problem.fixed, place_);
+                : fixed_supports(part_, positions, problem.fixed, place_, &bed);
     numbers_ = number_equations(part_.dofs(), held);
     const auto dissection = dissect(part_);
     require_memory(9.0 * 8.0 * dissection.entries, part_.dofs(),
                    usable_memory(), place_);
     stiffness_ = assemble_stiffness(part_, problem.material, place_);
+    bed.add_to(stiffness_);
     factor_ = std::make_unique<FrontalCholesky>(
         free_equations(stiffness_, numbers_),
         front_tree(dissection, 3, numbers_.equation), place_);

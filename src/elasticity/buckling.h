@@ -10,6 +10,7 @@
 #include "elasticity/discretization.h"
 #include "loads/load_history.h"
 #include "part/material.h"
+#include "part/part_definition.h"
 
 namespace clevis::elasticity {
 
@@ -23,7 +24,8 @@ struct BucklingProblem {
   /// Of a free part: pairs of groups whose pins hold it as a whole (PinHold);
   /// each is taken by itself, the lowest factor counts. Not empty.
   std::vector<std::vector<std::string>> holds;
-  std::string name;  ///< of the part, for messages
+  std::string name;               ///< of the part, for messages
+  part::Foundations foundations;  ///< elastic beds under faces
 };
 
 /// The lowest positive λ of K φ = −λ K_G φ over all instants and holds.

@@ -93,7 +93,8 @@ void balance_free_part(
 
 void forget_solution(SolveChecks& checks) {
   checks.residual = checks.residual_round_off = 0.0;
-  checks.equilibrium = checks.energy = 0.0;
+  checks.equilibrium = checks.equilibrium_round_off = 0.0;
+  checks.energy = 0.0;
 }
 
 void SolutionCheck::add(const StiffnessAction& stiffness,
@@ -112,17 +113,22 @@ void SolutionCheck::add(const StiffnessAction& stiffness,
   for (int row : held) rest.row(row).setZero();
   const double residual = (column_norms(rest) / norms).maxCoeff();
   raise(checks.residual, residual);
-  if (!(residual <= kResidual)) {
-    // K u of a slender part is a small difference of large terms.
-    const ArrayXd terms =
-        column_norms(stiffness.multiply_absolute(columns.cwiseAbs()));
-    raise(checks.residual_round_off,
-          kResidualRoundOff * (terms / norms).maxCoeff());
-  }
+  double equilibrium = 0.0;
   if (reactions.rows() > 0) {
     // Per instant: a column of small weight may carry round-off of large ones.
-    raise(checks.equilibrium,
-          product(reactions, c).colwise().norm().maxCoeff() / largest_load_);
+    equilibrium =
+        product(reactions, c).colwise().norm().maxCoeff() / largest_load_;
+    raise(checks.equilibrium, equilibrium);
+  }
+  if (!(residual <= kResidual && equilibrium <= kEquilibrium)) {
+    // K u of a slender part is a small difference of large terms.
+    const MatrixXd terms = stiffness.multiply_absolute(columns.cwiseAbs());
+    raise(checks.residual_round_off,
+          kResidualRoundOff * (column_norms(terms) / norms).maxCoeff());
+    raise(checks.equilibrium_round_off,
+          kResidualRoundOff *
+              product(terms, c.cwiseAbs()).colwise().norm().maxCoeff() /
+              largest_load_);
   }
   // Energies per instant, once with K and once with the loads.
   const auto quadratic = [&](const MatrixXd& form) -> VectorXd {
@@ -166,7 +172,9 @@ void require_checks(const SolveChecks& checks, int geometry_degree,
   require(checks.compression, kCompression, "load compression", part_name);
   require(checks.residual, std::max(kResidual, checks.residual_round_off),
           "residual", part_name);
-  require(checks.equilibrium, kEquilibrium, "support reactions", part_name);
+  require(checks.equilibrium,
+          std::max(kEquilibrium, checks.equilibrium_round_off),
+          "support reactions", part_name);
   require(checks.energy, kEnergy, "energy", part_name);
 }
 

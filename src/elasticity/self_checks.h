@@ -18,8 +18,9 @@ struct SolveChecks {
   double balance{};      ///< what is left of it over the load: free parts [1]
   double equilibrium{};  ///< support reactions over the load: free parts [1]
   double residual{};     ///< ‖K u − f‖ / ‖f‖ [1]
-  /// Round-off of K u over the load; only if `residual` is suspicious [1].
-  double residual_round_off{};
+  /// Round-off of K u over the load, per column and per instant; only if
+  /// `residual` or `equilibrium` is suspicious [1].
+  double residual_round_off{}, equilibrium_round_off{};
   double energy{};       ///< |uᵀK u − fᵀu| / |fᵀu| [1]
   double compression{};  ///< load basis against loads [1]
 };
@@ -64,7 +65,7 @@ class SolutionCheck {
         energy_(Eigen::VectorXd::Zero(instants)),
         work_(Eigen::VectorXd::Zero(instants)) {}
 
-  /// Fills `residual`, `residual_round_off` and `equilibrium`.
+  /// Fills `residual`, `equilibrium` and the round-off of both.
   /// @param loads   F and the coefficients of the instants.
   /// @param norms   of the columns, to which `residual` refers [N].
   /// @param held    rows that are held at zero, sorted.

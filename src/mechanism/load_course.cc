@@ -31,7 +31,7 @@ constexpr std::size_t kFew = 50;
 // Loads that lie so near to such a line at another time repeat what is there.
 constexpr double kNear = 2.0 * kOffLine;
 // Loads that come no nearer to the largest than this need no instant.
-constexpr double kMatters = 0.9;
+constexpr double kMatters = 0.03;
 // Closer looks, over the duration, than these stand on both sides of a jump.
 constexpr double kShortest = 8.0 * kSides;
 // So many instants are chosen before those that repeat others are left out.
