@@ -209,6 +209,36 @@ std::string without(const std::string& zones) {
       zones);
 }
 
+bool is_pin_loaded(const part::PartDefinition& part, const std::string& group) {
+  const auto is_it = [&](const auto& seat) {
+    return seat.group == group;
+  };
+  return std::ranges::any_of(part.seats, is_it) ||
+         std::ranges::any_of(part.cases, [&](const auto& load_case) {
+           return load_case.pins.contains(group) ||
+                  std::ranges::find(load_case.held_by_pin, group) !=
+                      load_case.held_by_pin.end();
+         });
+}
+
+/// A zone of coarse cells may reach over a bore that a pin presses: its stress
+/// has a bound and must not be left out.
+bool judge_hidden_bore(const part::PartDefinition& part, PartResult& result) {
+  const double allowed =
+      part.material.yield_strength / part.limits.safety_factor.value_or(1.0);
+  const PeakStress& whole = result.peak;
+  if (!leaves_zones_out(part, result) || whole.value <= allowed ||
+      !is_pin_loaded(part, whole.group)) {
+    return true;
+  }
+  set(result, PartVerdict::kNotJudged,
+      fmt::format("{} reaches over {}, which a pin presses, with {:.4g} MPa of "
+                  "{:.4g}: mesh finer at the zone's edge",
+                  governing_zones(result), whole.group, whole.value / kMega,
+                  allowed / kMega));
+  return false;
+}
+
 /// Of a part that passes though its peak is not converged.
 std::string wide_band(const PartResult& result) {
   const PeakStress& peak = judged_peak(result);
@@ -320,8 +350,9 @@ const PeakStress& judged_peak(const PartResult& result) {
 // What one limit cannot tell another may: a part fails by any of them.
 void judge(const part::PartDefinition& part, PartResult& result) {
   std::string open;
-  for (const auto holds : {judge_finite_motion, judge_stress, judge_nominal,
-                           judge_buckling, judge_deflection}) {
+  for (const auto holds :
+       {judge_finite_motion, judge_stress, judge_nominal, judge_hidden_bore,
+        judge_buckling, judge_deflection}) {
     if (holds(part, result)) continue;
     if (result.verdict == PartVerdict::kFail) {
       std::string far = beyond_small_displacements(result.finite_motion);

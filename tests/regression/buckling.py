@@ -127,6 +127,25 @@ def column_faults(clevis, folder):
             yield f"column at {share}: factor {factor}"
 
 
+def bed_faults(clevis, folder):
+    """A column whose foot rests on an elastic bed: u tan u = k I l / (E I), by
+    beam theory."""
+    length, width, height, bed, press = 200.0, 20.0, 10.0, 1000.0, 200.0
+    bar_mesh(folder / "bar.msh", length, width, height, 20)
+    low, high = 0.0, math.pi / 2
+    for _ in range(100):
+        u = 0.5 * (low + high)
+        low, high = (u, high) if u * math.tan(u) < bed * length / 210e3 else (low, u)
+    truth = (u / length) ** 2 * 210e3 * height ** 2 / 12 / press
+    text = BAR.format(case="press", x=-press, y=0).replace(
+        'fixed = { root = ["x", "y", "z"] }', f'foundation = {{ root = "{bed} N/mm^3" }}')
+    part = check(clevis, folder, text, "bed").part
+    factor = part["buckling"]["factor"]
+    print(f"column on a bed: {part['verdict']}, {factor:.4f}, by beam theory {truth:.4f}")
+    if part["verdict"] != "fail" or abs(factor / truth - 1) > 0.01:
+        yield f"column on a bed: {part['verdict']}, {factor} for {truth}"
+
+
 def strip_faults(clevis, folder):
     bar_mesh(folder / "bar.msh", 1000.0, 10.0, 1.0, 40)
     text = BAR.replace('"0 MPa"]', '"{z} MPa"]').format(
@@ -150,6 +169,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for fault in (*column_faults(clevis, folder),
+                      *bed_faults(clevis, folder),
                       *strip_faults(clevis, folder),
                       *link_faults(clevis, root, folder)):
             found.append(fault)

@@ -141,6 +141,19 @@ TEST(Verdict, SingularPartIsJudgedAwayFromItsZoneOnlyIfAsked) {
   EXPECT_EQ(judged(part, unsettled).verdict, PartVerdict::kNotJudged);
 }
 
+TEST(Verdict, ZoneLeftOutDoesNotHideABoreThatAPinPresses) {
+  part::PartDefinition part = steel_part();
+  part.limits.exclude_singular_zones = true;
+  part.cases.emplace_back().pins["bore_T"] = {1e3, 0.0, 0.0};
+  PartResult result = with_zone(149e6, 150e6, 151e6);
+  result.peak.group = "body";
+  EXPECT_EQ(judged(part, result).verdict, PartVerdict::kPass);
+  result.peak.group = "bore_T";
+  const PartResult hidden = judged(part, result);
+  EXPECT_EQ(hidden.verdict, PartVerdict::kNotJudged);
+  EXPECT_NE(hidden.why.find("reaches over bore_T"), std::string::npos);
+}
+
 /// A blow that stresses the part as judged, with that nominal stress at the
 /// root.
 PartResult with_blow(double nominal) {
