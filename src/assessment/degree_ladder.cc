@@ -182,12 +182,12 @@ class Climb {
     }
     seconds_.recover += watch.lap();
     stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;
-    if (ladder_.nearby) ladder_.jump = ladder_.nearby->jump;
     if (!ladder_.nearby) {
       join_cells(tolerance);
       judged.verdict = Convergence::kNotConverged;
       return;
     }
+    ladder_.jump = ladder_.nearby->jump;
     judged = widened(
         ladder_.nearby->band,
         ladder_.time_error +

@@ -21,7 +21,7 @@ std::vector<int> stressed_cells(
       cells.push_back(static_cast<int>(c));
     }
   }
-  return stress::with_neighbours(discretization, cells);
+  return elasticity::with_neighbours<dim>(discretization, cells);
 }
 
 }  // namespace

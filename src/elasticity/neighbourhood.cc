@@ -17,28 +17,6 @@ using Eigen::MatrixXd;
 
 constexpr int kOutside = -1;
 
-/// The cells and all that share a node with them, sorted.
-template <int dim>
-std::vector<int> with_neighbours(const Discretization<dim>& fine,
-                                 const std::vector<int>& centre) {
-  std::vector<char> touched(static_cast<std::size_t>(fine.nodes), 0);
-  for (const int cell : centre) {
-    for (const int node : fine.cell_nodes[static_cast<std::size_t>(cell)]) {
-      touched[static_cast<std::size_t>(node)] = 1;
-    }
-  }
-  std::vector<int> cells;
-  for (int c = 0; c < fine.cells(); ++c) {
-    if (std::ranges::any_of(fine.cell_nodes[static_cast<std::size_t>(c)],
-                            [&](int node) {
-                              return touched[static_cast<std::size_t>(node)];
-                            })) {
-      cells.push_back(c);
-    }
-  }
-  return cells;
-}
-
 /// Numbers of the nodes in the neighbourhood; kOutside elsewhere.
 template <int dim>
 std::vector<int> number_nodes(const Discretization<dim>& fine,
@@ -139,6 +117,27 @@ std::vector<int> held_components(const EnrichmentProblem<dim>& problem,
 }  // namespace
 
 template <int dim>
+std::vector<int> with_neighbours(const Discretization<dim>& fine,
+                                 const std::vector<int>& centre) {
+  std::vector<char> touched(static_cast<std::size_t>(fine.nodes), 0);
+  for (const int cell : centre) {
+    for (const int node : fine.cell_nodes[static_cast<std::size_t>(cell)]) {
+      touched[static_cast<std::size_t>(node)] = 1;
+    }
+  }
+  std::vector<int> cells;
+  for (int c = 0; c < fine.cells(); ++c) {
+    if (std::ranges::any_of(fine.cell_nodes[static_cast<std::size_t>(c)],
+                            [&](int node) {
+                              return touched[static_cast<std::size_t>(node)];
+                            })) {
+      cells.push_back(c);
+    }
+  }
+  return cells;
+}
+
+template <int dim>
 Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
                      const std::vector<int>& centre, int layers) {
   Enriched<dim> result;
@@ -177,6 +176,10 @@ Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
   return result;
 }
 
+template std::vector<int> with_neighbours<2>(const Discretization<2>&,
+                                             const std::vector<int>&);
+template std::vector<int> with_neighbours<3>(const Discretization<3>&,
+                                             const std::vector<int>&);
 template Enriched<2> enrich<2>(const EnrichmentProblem<2>&,
                                const std::vector<int>&, int);
 template Enriched<3> enrich<3>(const EnrichmentProblem<3>&,

@@ -10,6 +10,11 @@
 
 namespace clevis::elasticity {
 
+/// Cells and all that share a node with them, ascending.
+template <int dim>
+std::vector<int> with_neighbours(const Discretization<dim>& discretization,
+                                 const std::vector<int>& cells);
+
 /// A field solved with one degree, and what a higher one on the same mesh
 /// would be loaded and held by. That may be of some cells alone, if all around
 /// the neighbourhood are among them.

@@ -115,32 +115,6 @@ MeetingPoints meeting_points(
   return result;
 }
 
-template <int dim>
-std::vector<int> with_neighbours(
-    const elasticity::Discretization<dim>& discretization,
-    const std::vector<int>& cells) {
-  const auto places = vertex_places<dim>(discretization);
-  std::vector<char> touched(static_cast<std::size_t>(discretization.nodes), 0);
-  const auto vertex = [&](const std::vector<int>& nodes, std::size_t place) {
-    return static_cast<std::size_t>(nodes[place]);
-  };
-  for (const int cell : cells) {
-    const auto& nodes =
-        discretization.cell_nodes[static_cast<std::size_t>(cell)];
-    for (const std::size_t place : places) touched[vertex(nodes, place)] = 1;
-  }
-  std::vector<int> result;
-  for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
-    const auto& nodes = discretization.cell_nodes[c];
-    if (std::ranges::any_of(places, [&](std::size_t place) {
-          return touched[vertex(nodes, place)] != 0;
-        })) {
-      result.push_back(static_cast<int>(c));
-    }
-  }
-  return result;
-}
-
 MeetingValues meeting_values(const MeetingPoints& points,
                              const MatrixXd& values) {
   constexpr double kHuge = std::numeric_limits<double>::infinity();
@@ -181,12 +155,10 @@ JoinedStress joined_stress(const elasticity::DisplacementBasis<dim>& basis,
   return joined;
 }
 
-#define CLEVIS_INSTANTIATE(dim)                                         \
-  template std::vector<int> with_neighbours<dim>(                       \
-      const elasticity::Discretization<dim>&, const std::vector<int>&); \
-  template MeetingPoints meeting_points<dim>(                           \
-      const elasticity::Discretization<dim>&, std::vector<int>, int);   \
-  template JoinedStress joined_stress<dim>(                             \
+#define CLEVIS_INSTANTIATE(dim)                                       \
+  template MeetingPoints meeting_points<dim>(                         \
+      const elasticity::Discretization<dim>&, std::vector<int>, int); \
+  template JoinedStress joined_stress<dim>(                           \
       const elasticity::DisplacementBasis<dim>&, const part::Material&, int);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)

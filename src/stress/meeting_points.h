@@ -21,12 +21,6 @@ MeetingPoints meeting_points(
     const elasticity::Discretization<dim>& discretization,
     std::vector<int> cells, int subdivisions);
 
-/// Cells with those that have a vertex in common with one of them, ascending.
-template <int dim>
-std::vector<int> with_neighbours(
-    const elasticity::Discretization<dim>& discretization,
-    const std::vector<int>& cells);
-
 /// Of each number what the cells that meet there say of a quantity.
 struct MeetingValues {
   Eigen::VectorXd mean, low, high;
