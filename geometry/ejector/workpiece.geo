@@ -5,7 +5,7 @@ length = 60;
 core = 2.3;     // half the width of the square in the middle
 around = 2;     // cells along a quarter
 layers = 10;    // along the rod,
-growth = 1.25;  // from the clamp outwards
+growth = 1.4;  // from the clamp outwards
 
 Point(1) = {0, 0, 0};
 Point(2) = {core, core, 0};

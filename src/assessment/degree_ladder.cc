@@ -119,17 +119,15 @@ class Climb {
   }
 
   /// The sequence may come to rest by chance: a peak, which is by one cell
-  /// alone, is in doubt by what its neighbours say as well. Errors of cells
-  /// that meet have opposite signs, so each is about half of the jump.
+  /// alone, is in doubt by what its neighbours say as well.
   void join_cells(double tolerance) {
-    constexpr double kJump = 0.5;
     const bool is_outer = ladder_.zones.is_singular();
     stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;
     const auto cells = cell_agreement<dim>(
         ladder_.level,
         is_outer ? ladder_.zones.outside_histories() : ladder_.level.histories);
     ladder_.jump = cells.jump;
-    const double doubt = kJump * cells.jump;
+    const double doubt = kErrorOfJump * cells.jump;
     judged.low = std::min(judged.low - doubt, cells.mean);
     judged.high += doubt;
     if (!is_outer) judged.high += above_lattice();

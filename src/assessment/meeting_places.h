@@ -35,6 +35,10 @@ struct CellAgreement {
   double jump{};  ///< largest difference where the mean is not far below it
 };
 
+/// Errors of cells that meet have opposite signs: each is about half of what
+/// they differ by [1].
+inline constexpr double kErrorOfJump = 0.5;
+
 /// @param histories  of the level's sets; points below zero do not count.
 template <int dim>
 CellAgreement cell_agreement(

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "assessment/meeting_places.h"
+
 namespace clevis::assessment {
 namespace {
 
@@ -24,7 +26,7 @@ stress::Band probe_band(const DegreeLadder<dim>& ladder, std::size_t index,
     sequence.push_back({ladder.sequence[k].degree, values.back()});
   }
   auto band = stress::peak_band(sequence, tolerance);
-  const double doubt = 0.5 * ladder.probes.back()[index].jump;
+  const double doubt = kErrorOfJump * ladder.probes.back()[index].jump;
   band.low = std::min(band.low, band.value - doubt);
   band.high = std::max(band.high, band.value + doubt);
   if (is_displacement(quantity)) {

@@ -23,12 +23,17 @@ using Eigen::Vector3d;
 using Edge = std::pair<unsigned, unsigned>;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kSharp = 35.0 * kDegree;  // between the faces of a rim
+// Between the faces of a rim; a coarse hole's own kink by less.
+constexpr double kSharp = 35.0 * kDegree;
+constexpr double kSharpOfHole = 60.0 * kDegree;
 constexpr double kLargestTurn = 22.7 * kDegree;
+constexpr double kLargestTurnOfHole = 51.5 * kDegree;
+constexpr double kSpanOfTurn = 1.6;  // a facet's, of staggered rows
 constexpr double kSmallestTurn = 0.05 * kDegree;
 constexpr double kShortest = 44.0 * kDegree;  // arc
-constexpr double kOnCircle = 1e-5;            // of its radius
-constexpr std::size_t kFewest = 5;            // vertices on an arc
+constexpr double kWhole = 359.0 * kDegree;
+constexpr double kOnCircle = 1e-5;  // of its radius
+constexpr std::size_t kFewest = 5;  // vertices on an arc
 
 struct Facet {
   std::vector<unsigned> cycle;
@@ -85,25 +90,20 @@ class Finder {
       taken_[f] =
           group >= 0 && mesh.groups[std::size_t(group)].cylinder.has_value();
     }
-    for (const auto& [edge, sides] : sides_) {
-      if (sides.size() != 2) continue;
-      const double cosine =
-          std::abs(facets_[sides[0]].normal.dot(facets_[sides[1]].normal));
-      // Cycles of tetrahedra and hexahedra may run either way.
-      if (cosine > std::cos(kSharp)) continue;
-      rim_[edge.first].push_back(edge.second);
-      rim_[edge.second].push_back(edge.first);
-    }
   }
 
   std::vector<FacetedRound> find() {
     std::vector<FacetedRound> rounds;
-    for (const auto& chain : chains()) {
-      std::size_t at = 0;
-      while (at + kFewest <= chain.size()) {
-        const std::size_t end = arc_end(chain, at);
-        if (end - at >= kFewest) add(chain, at, end, rounds);
-        at = end - at >= kFewest ? end - 1 : at + 1;
+    for (const bool is_coarse : {false, true}) {
+      find_rims(is_coarse ? kSharpOfHole : kSharp);
+      const double largest_turn = is_coarse ? kLargestTurnOfHole : kLargestTurn;
+      for (const auto& chain : chains()) {
+        std::size_t at = 0;
+        while (at + kFewest <= chain.size()) {
+          const std::size_t end = arc_end(chain, at, largest_turn);
+          if (end - at >= kFewest) add(chain, at, end, rounds);
+          at = end - at >= kFewest ? end - 1 : at + 1;
+        }
       }
     }
     return rounds;
@@ -111,6 +111,19 @@ class Finder {
 
  private:
   const Vector3d& point(unsigned v) const { return mesh_.vertices[v]; }
+
+  void find_rims(double sharp) {
+    rim_.clear();
+    for (const auto& [edge, sides] : sides_) {
+      if (sides.size() != 2) continue;
+      const double cosine =
+          std::abs(facets_[sides[0]].normal.dot(facets_[sides[1]].normal));
+      // Cycles of tetrahedra and hexahedra may run either way.
+      if (cosine > std::cos(sharp)) continue;
+      rim_[edge.first].push_back(edge.second);
+      rim_[edge.second].push_back(edge.first);
+    }
+  }
 
   /// Ways along rims through vertices where two edges of it meet; a closed one
   /// goes on for a few vertices past its start, so that no arc is cut there.
@@ -145,15 +158,15 @@ class Finder {
   }
 
   /// Behind the last vertex of the arc that begins at `at`.
-  std::size_t arc_end(const std::vector<unsigned>& chain,
-                      std::size_t at) const {
+  std::size_t arc_end(const std::vector<unsigned>& chain, std::size_t at,
+                      double largest_turn) const {
     const auto circle = circle_through(point(chain[at]), point(chain[at + 1]),
                                        point(chain[at + 2]));
     if (!circle) return at;
     std::size_t end = at + 2;
     while (end < chain.size() &&
            goes_on(*circle, point(chain[end - 2]), point(chain[end - 1]),
-                   point(chain[end]))) {
+                   point(chain[end]), largest_turn)) {
       ++end;
     }
     return end;
@@ -162,14 +175,15 @@ class Finder {
   /// Whether c follows a and b on the circle, which three vertices near by
   /// determine but roughly: it turns as its chords want.
   static bool goes_on(const Circle& circle, const Vector3d& a,
-                      const Vector3d& b, const Vector3d& c) {
+                      const Vector3d& b, const Vector3d& c,
+                      double largest_turn) {
     constexpr double kRoughly = 1e-3;
     constexpr double kOfTurn = 0.02;
     const double angle = turn(a, b, c, circle.normal);
     const double wanted =
         std::asin(std::min(1.0, 0.5 * (b - a).norm() / circle.radius)) +
         std::asin(std::min(1.0, 0.5 * (c - b).norm() / circle.radius));
-    return angle > kSmallestTurn && angle < kLargestTurn &&
+    return angle > kSmallestTurn && angle < largest_turn &&
            std::abs(angle - wanted) < kOfTurn * wanted &&
            distance(circle, c) < kRoughly;
   }
@@ -184,15 +198,21 @@ class Finder {
     if (!circle) return;
     part::Bore cylinder{circle->centre, circle->normal, circle->radius, 0.0};
     snap_axis(cylinder);
-    double span = 0.0;
+    double span = 0.0, largest_turn = 0.0;
     for (std::size_t i = at; i < end; ++i) {
       const Vector3d& p = point(chain[i]);
       if (distance(*circle, p) > kOnCircle) return;
       if (i > at) {
-        span += std::abs(angle_between(cylinder, point(chain[i - 1]), p));
+        const double turn =
+            std::abs(angle_between(cylinder, point(chain[i - 1]), p));
+        span += turn;
+        largest_turn = std::max(largest_turn, turn);
       }
     }
     if (span < kShortest) return;
+    const bool is_coarse = largest_turn > kLargestTurn;
+    if (is_coarse && span < kWhole) return;
+    const double widest = std::max(kLargestTurn, kSpanOfTurn * largest_turn);
     FacetedRound round{cylinder, {}};
     std::vector<std::size_t> front;
     for (std::size_t i = at; i + 1 < end; ++i) {
@@ -205,7 +225,8 @@ class Finder {
     while (!front.empty()) {
       const std::size_t f = front.back();
       front.pop_back();
-      if (taken_[f] || !belongs(facets_[f], cylinder)) continue;
+      if (taken_[f] || !belongs(facets_[f], cylinder, widest)) continue;
+      if (is_coarse && !is_hollow(f, cylinder)) continue;
       taken_[f] = true;
       round.faces.push_back(f);
       const auto& cycle = facets_[f].cycle;
@@ -234,7 +255,20 @@ class Finder {
     }
   }
 
-  bool belongs(const Facet& facet, const part::Bore& cylinder) const {
+  /// Whether the material is on the outside of the cylinder.
+  bool is_hollow(std::size_t face, const part::Bore& cylinder) const {
+    const auto from_axis = [&](const auto& vertices) {
+      Vector3d middle = Vector3d::Zero();
+      for (const unsigned v : vertices) middle += point(v);
+      middle = middle / double(vertices.size()) - cylinder.p_LC;
+      return (middle - middle.dot(cylinder.axis_L) * cylinder.axis_L).norm();
+    };
+    const auto& cell = mesh_.cells[std::size_t(mesh_.boundary[face].cell)];
+    return from_axis(cell) > from_axis(facets_[face].cycle);
+  }
+
+  bool belongs(const Facet& facet, const part::Bore& cylinder,
+               double widest) const {
     constexpr double kAlong = 0.3;  // of the normal: a lid has 1
     if (std::abs(facet.normal.dot(cylinder.axis_L)) > kAlong) return false;
     for (const unsigned a : facet.cycle) {
@@ -243,8 +277,7 @@ class Finder {
         return false;
       }
       for (const unsigned b : facet.cycle) {
-        if (std::abs(angle_between(cylinder, point(a), point(b))) >
-            kLargestTurn) {
+        if (std::abs(angle_between(cylinder, point(a), point(b))) > widest) {
           return false;
         }
       }

@@ -22,6 +22,15 @@ FaceVertices face_vertices(const PartMesh<3>& mesh, int cell, int face) {
   return corners;
 }
 
+FaceVertices face_vertices(const PartMesh<2>& mesh, int cell, int face) {
+  static constexpr std::size_t kTensor[4][2] = {{0, 2}, {1, 3}, {0, 1}, {2, 3}};
+  static constexpr std::size_t kSimplex[3][2] = {{0, 1}, {1, 2}, {2, 0}};
+  const auto& ends =
+      mesh.shape == CellShape::kTensor ? kTensor[face] : kSimplex[face];
+  const auto& vertices = mesh.cells[std::size_t(cell)];
+  return {vertices[ends[0]], vertices[ends[1]], kNoVertex, kNoVertex};
+}
+
 int faces_per_cell(CellShape shape) {
   return shape == CellShape::kTensor ? 6 : 4;
 }

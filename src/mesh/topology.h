@@ -9,10 +9,11 @@
 namespace clevis::mesh {
 
 /// Vertices of a local face, in PartMesh's numbering; the fourth of a
-/// triangle is kNoVertex.
+/// triangle and the last two of a plane mesh's edge are kNoVertex.
 inline constexpr unsigned kNoVertex = ~0u;
 using FaceVertices = std::array<unsigned, 4>;
 FaceVertices face_vertices(const PartMesh<3>& mesh, int cell, int face);
+FaceVertices face_vertices(const PartMesh<2>& mesh, int cell, int face);
 int faces_per_cell(CellShape shape);
 
 /// A local edge of a hexahedron: along which direction it runs, and its two

@@ -69,41 +69,21 @@ class NodalForces {
   elasticity::Tabulation geometry_, displacement_;
 };
 
-/// Components that any of the groups holds, per node.
-using HeldNodes = std::map<int, std::array<bool, 3>>;
-
-template <int dim>
-HeldNodes held_nodes(const elasticity::Discretization<dim>& discretization,
-                     const Fixed& fixed) {
-  HeldNodes nodes;
-  for (int g = 0; g < static_cast<int>(discretization.groups.size()); ++g) {
-    const auto held =
-        fixed.find(discretization.groups[static_cast<std::size_t>(g)].name);
-    if (held == fixed.end()) continue;
-    for (const int node : elasticity::group_nodes<dim>(discretization, g)) {
-      auto& at = nodes[node];
-      for (std::size_t a = 0; a < 3; ++a) at[a] = at[a] || held->second[a];
-    }
-  }
-  return nodes;
-}
-
-/// ∫ σ ∇N dV of the held components less their loads, per held node and basis
-/// column; loads are columns of their own behind.
+/// ∫ σ ∇N dV of nodes less their loads, per node and basis column; loads are
+/// columns of their own behind. All components: what is not held carries
+/// nothing, or lies on an elastic bed.
 template <int dim>
 std::map<int, Matrix3Xd> reactions(
     const elasticity::DisplacementBasis<dim>& basis,
-    const part::Material& material, const HeldNodes& nodes,
+    const part::Material& material, const std::vector<HeldPiece>& pieces,
     const MatrixXd& loads) {
   const Index rank = basis.columns.cols();
   std::map<int, Matrix3Xd> found;
-  for (const auto& [node, held] : nodes) {
-    Matrix3Xd& at = found[node];
-    at = Matrix3Xd::Zero(3, rank + loads.cols());
-    for (int a = 0; a < dim; ++a) {
-      if (held[static_cast<std::size_t>(a)]) {
-        at.row(a).tail(loads.cols()) = -loads.row(dim * node + a);
-      }
+  for (const HeldPiece& piece : pieces) {
+    for (const int node : piece.nodes) {
+      Matrix3Xd& at = found[node];
+      at = Matrix3Xd::Zero(3, rank + loads.cols());
+      at.topRightCorner(dim, loads.cols()) = -loads.middleRows(dim * node, dim);
     }
   }
   const NodalForces<dim> forces_of(basis.discretization, material);
@@ -111,18 +91,17 @@ std::map<int, Matrix3Xd> reactions(
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const auto& ids = cells[c];
     if (std::ranges::none_of(ids, [&](int node) {
-          return nodes.contains(node);
+          return found.contains(node);
         })) {
       continue;
     }
     const MatrixXd forces = forces_of.of(c, basis.columns);
     const auto count = static_cast<Index>(ids.size());
     for (Index i = 0; i < count; ++i) {
-      const auto node = nodes.find(ids[static_cast<std::size_t>(i)]);
-      if (node == nodes.end()) continue;
+      const auto node = found.find(ids[static_cast<std::size_t>(i)]);
+      if (node == found.end()) continue;
       for (int a = 0; a < dim; ++a) {
-        if (!node->second[static_cast<std::size_t>(a)]) continue;
-        found[node->first].row(a).head(rank) += forces.row(a * count + i);
+        node->second.row(a).head(rank) += forces.row(a * count + i);
       }
     }
   }
@@ -164,8 +143,7 @@ std::vector<HeldFace> held_faces(
   const Index rank = basis.columns.cols();
   MatrixXd coefficients(rank + loads.columns.cols(), basis.coefficients.cols());
   coefficients << basis.coefficients, loads.coefficients;
-  const auto at_node = reactions<dim>(
-      basis, material, held_nodes<dim>(discretization, fixed), loads.columns);
+  const auto at_node = reactions<dim>(basis, material, pieces, loads.columns);
   const auto positions = elasticity::node_positions(discretization);
   std::vector<HeldFace> faces;
   for (const HeldPiece& piece : pieces) {

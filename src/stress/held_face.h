@@ -26,12 +26,12 @@ struct HeldFace {
 /// The plane pieces of the faces that hold a part (held_pieces), each as the
 /// section of a bar.
 ///
-/// Force and moment are the nodal reactions K u − f of the held components:
-/// exact for what the elements are in balance with, however coarse they are
-/// and whatever the edge does to the stress. Of displacements in time the
-/// inertia of the cells at the face is left out, (ω h / c)² of it in waves of
-/// frequency ω. The nominal stress (nominal_stress) says nothing of corners,
-/// and is beam theory's where the part is a bar there.
+/// Force and moment are the nodal reactions K u − f, of the supports and of an
+/// elastic bed on the same face: exact for what the elements are in balance
+/// with, however coarse they are and whatever the edge does to the stress. Of
+/// displacements in time the inertia of the cells at the face is left out, (ω h
+/// / c)² of it in waves of frequency ω. The nominal stress (nominal_stress)
+/// says nothing of corners, and is beam theory's where the part is a bar there.
 /// @param fixed    components held at zero per group.
 /// @param history  the loads of the basis' instants; of displacements in time
 ///   without loads.

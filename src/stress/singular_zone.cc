@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include <Eigen/Geometry>
@@ -13,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "elasticity/wedge_exponent.h"
+#include "mesh/topology.h"
 #include "stress/boundary_corner.h"
 #include "stress/wall.h"
 
@@ -27,6 +29,8 @@ constexpr double kPi = std::numbers::pi;
 /// Over straight, of sides held alike: λ = 0.95, a tenth more stress where the
 /// distance falls to a tenth [degrees].
 constexpr double kSmallestNotch = 4.7;
+constexpr double kSkewRoller = 15.0;  // degrees
+constexpr double kRadiusOfWay = 0.5;
 constexpr double kNearlyWhole = 355.0 / 180.0 * kPi;  // a crack
 
 /// What holds a side: in the plane across the corner and along its axis.
@@ -65,7 +69,7 @@ HeldSide held_side(const BoundaryCorner& corner, const CornerSide& side,
 
 bool is_roller(const WedgeSide& side) {
   return side.hold == Hold::kOneDirection &&
-         std::abs(std::cos(side.direction)) < std::sin(kSmoothKink / 180 * kPi);
+         std::abs(std::cos(side.direction)) < std::sin(kSkewRoller / 180 * kPi);
 }
 
 /// Angle of the material at the corner, of itself or with its mirror image
@@ -110,7 +114,7 @@ std::vector<bool> facets_of_curves(const std::vector<HeldCorner>& corners) {
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const auto& kink = corners[k].kink;
     const double size = kink ? std::abs(*kink) : 0.0;
-    if (size > 1e-6 && size < kSmoothKink / 180.0 * kPi) small.push_back(k);
+    if (size > 1e-6 && size < kFacetKink / 180.0 * kPi) small.push_back(k);
   }
   std::vector<bool> result(corners.size(), false);
   for (const std::size_t k : small) {
@@ -263,15 +267,53 @@ Vector3d in_space(const mesh::PartMesh<dim>& mesh, unsigned vertex) {
   return result;
 }
 
+/// Vertices of each bore_* and round_* group.
+template <int dim>
+std::vector<std::set<unsigned>> round_vertices(
+    const mesh::PartMesh<dim>& mesh) {
+  std::vector<std::set<unsigned>> result(mesh.groups.size());
+  for (const mesh::BoundaryFace& face : mesh.boundary) {
+    if (face.group < 0) continue;
+    const auto g = static_cast<std::size_t>(face.group);
+    if (!mesh.groups[g].cylinder) continue;
+    for (const unsigned v : mesh::face_vertices(mesh, face.cell, face.face)) {
+      if (v != mesh::kNoVertex) result[g].insert(v);
+    }
+  }
+  std::erase_if(result, [](const auto& vertices) {
+    return vertices.empty();
+  });
+  return result;
+}
+
+/// Way from a zone to the nearest curve that it does not touch: what
+/// concentrates stress of its own is not left out with it.
+template <int dim>
+double way_to_round(const mesh::PartMesh<dim>& mesh, const SingularZone& zone,
+                    const std::vector<std::set<unsigned>>& rounds) {
+  double nearest = std::numeric_limits<double>::max();
+  for (const auto& vertices : rounds) {
+    if (std::ranges::any_of(zone.vertices, [&](unsigned v) {
+          return vertices.contains(v);
+        })) {
+      continue;
+    }
+    for (const unsigned v : vertices) {
+      nearest = std::min(nearest, distance(zone, in_space(mesh, v)));
+    }
+  }
+  return nearest;
+}
+
 template <int dim>
 SingularZone make_zone(const mesh::PartMesh<dim>& mesh,
+                       const std::vector<std::set<unsigned>>& rounds,
                        const std::vector<const Candidate*>& members) {
   SingularZone zone;
   const Candidate& middle = *members[members.size() / 2];
   zone.exponent = 1.0;
   zone.at = middle.corner.at;
   double wall = std::numeric_limits<double>::max();
-  double reach = 0.0;
   for (const Candidate* member : members) {
     const BoundaryCorner& corner = member->corner;
     zone.exponent = std::min(zone.exponent, member->exponent);
@@ -280,13 +322,12 @@ SingularZone make_zone(const mesh::PartMesh<dim>& mesh,
     zone.vertices.insert(zone.vertices.end(), corner.vertices.begin(),
                          corner.vertices.end());
     wall = std::min(wall, wall_behind<dim>(mesh, corner));
-    reach = std::max(reach, corner.reach);
   }
   std::ranges::sort(zone.vertices);
   const auto twice = std::ranges::unique(zone.vertices);
   zone.vertices.erase(twice.begin(), twice.end());
-  zone.radius = kRadiusOfWall * wall;
-  if (dim == 3) zone.radius = std::max(zone.radius, reach);
+  zone.radius = std::min(kRadiusOfWall * wall,
+                         kRadiusOfWay * way_to_round(mesh, zone, rounds));
   const Vector3d mm = (zone.at * 1e4).array().round() / 10.0 + 0.0;
   zone.name = dim == 2 ? fmt::format("{} at ({:.1f}, {:.1f}) mm", middle.kind,
                                      mm.x(), mm.y())
@@ -323,8 +364,9 @@ std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
     chains[root[k]].push_back(&all[k]);
   }
   std::vector<SingularZone> zones;
+  const auto rounds = round_vertices(mesh);
   for (const auto& [first, members] : chains) {
-    zones.push_back(make_zone<dim>(mesh, members));
+    zones.push_back(make_zone<dim>(mesh, rounds, members));
   }
   return zones;
 }

@@ -36,18 +36,19 @@ using FixedGroups = std::map<std::string, std::array<bool, 3>>;
 /// plane strain and antiplane shear across the edge) the angle of the
 /// material, from the true tangents of its cells, and what is held on both
 /// sides give the exponent. Counted from kSmoothExponent down; kinks of up to
-/// kSmoothKink between sides that are held alike, side by side and much alike,
+/// kFacetKink between sides that are held alike, a cell apart and much alike,
 /// are facets of a smooth surface; one alone is a notch. Edges that meet and
-/// have like sides are one zone. The radius is a tenth of the wall: the way
-/// through the material from the zone along the bisector of its angle; in 3-D,
-/// where meshes are not graded, at least the largest of its cells.
+/// have like sides are one zone. The radius is a tenth of the wall, the way
+/// through the material from the zone along the bisector of its angle, however
+/// large the cells: what lies farther away has to be resolved. It ends half
+/// way to a bore or round that the zone does not touch.
 template <int dim>
 std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
                                          const part::Material& material,
                                          const FixedGroups& fixed);
 
 inline constexpr double kSmoothExponent = 0.97;
-inline constexpr double kSmoothKink = 15.0;  ///< over straight [degrees]
+inline constexpr double kFacetKink = 52.0;  ///< over straight [degrees]
 inline constexpr double kRadiusOfWall = 0.1;
 
 /// Largest kink of a facet of a curve beside a point, within a facet of it;

@@ -49,20 +49,12 @@ bool touches(const BoundaryCorner& corner, unsigned vertex) {
 
 double wall_of(const mesh::PartMesh<2>& mesh, const BoundaryCorner& corner,
                double miss) {
-  static constexpr std::array<std::array<std::size_t, 2>, 4> kTensor = {
-      {{0, 2}, {1, 3}, {0, 1}, {2, 3}}};
-  static constexpr std::array<std::array<std::size_t, 2>, 3> kSimplex = {
-      {{0, 1}, {1, 2}, {2, 0}}};
   const Vector2d at = corner.at.head<2>();
   const Vector2d direction = corner.bisector().head<2>();
   double wall = miss;
   for (const auto& face : mesh.boundary) {
-    const auto f = static_cast<std::size_t>(face.face);
-    const auto& ends =
-        mesh.shape == mesh::CellShape::kTensor ? kTensor[f] : kSimplex[f];
-    const auto& cell = mesh.cells[static_cast<std::size_t>(face.cell)];
-    const unsigned a = cell[ends[0]];
-    const unsigned b = cell[ends[1]];
+    const auto v = mesh::face_vertices(mesh, face.cell, face.face);
+    const unsigned a = v[0], b = v[1];
     if (touches(corner, a) || touches(corner, b)) continue;
     wall = std::min(wall, hit(direction, mesh.vertices[a] - at,
                               mesh.vertices[b] - at, miss));

@@ -138,20 +138,16 @@ TEST(Verdict, SingularPartIsJudgedAwayFromItsZoneOnlyIfAsked) {
             PartVerdict::kPass);
   PartResult unsettled = with_zone(100e6, 150e6, 190e6);
   unsettled.peak_outside.verdict = PeakVerdict::kNotConverged;
+  unsettled.peak_outside.has_band = true;
   EXPECT_EQ(judged(part, unsettled).verdict, PartVerdict::kNotJudged);
-}
-
-TEST(Verdict, ZoneLeftOutDoesNotHideABoreThatAPinPresses) {
-  part::PartDefinition part = steel_part();
-  part.limits.exclude_singular_zones = true;
-  part.cases.emplace_back().pins["bore_T"] = {1e3, 0.0, 0.0};
-  PartResult result = with_zone(149e6, 150e6, 151e6);
-  result.peak.group = "body";
-  EXPECT_EQ(judged(part, result).verdict, PartVerdict::kPass);
-  result.peak.group = "bore_T";
-  const PartResult hidden = judged(part, result);
-  EXPECT_EQ(hidden.verdict, PartVerdict::kNotJudged);
-  EXPECT_NE(hidden.why.find("reaches over bore_T"), std::string::npos);
+  // With five times the reach: 20 + 5 · 15 of 300.
+  PartResult far = with_zone(10e6, 20e6, 35e6);
+  far.peak_outside.verdict = PeakVerdict::kNotConverged;
+  far.peak_outside.has_band = true;
+  const PartResult passed = judged(part, far);
+  EXPECT_EQ(passed.verdict, PartVerdict::kPass);
+  EXPECT_NE(passed.why.find("not converged"), std::string::npos);
+  EXPECT_NE(passed.why.find("notch at (1.0, 2.0) mm"), std::string::npos);
 }
 
 /// A blow that stresses the part as judged, with that nominal stress at the

@@ -45,10 +45,18 @@ TEST(FacetedRounds, HoleAndRimOfARing) {
   }
 }
 
-TEST(FacetedRounds, PolygonsOfFewSidesAreWhatTheyAre) {
-  for (const int facets : {6, 8, 12, 15}) {
-    EXPECT_TRUE(faceted_rounds(ring(facets)).empty()) << facets;
+// gmsh makes holes of seven sides and more; a coarse rim outside is one.
+TEST(FacetedRounds, CoarseHoleIsRoundCoarseRimIsNot) {
+  for (const int facets : {7, 8, 12, 15}) {
+    const auto rounds = faceted_rounds(ring(facets));
+    ASSERT_EQ(rounds.size(), 1u) << facets;
+    EXPECT_NEAR(rounds[0].cylinder.radius, kInner, 1e-12);
+    EXPECT_EQ(rounds[0].faces.size(), std::size_t(facets));
   }
+}
+
+TEST(FacetedRounds, HexagonIsWhatItIs) {
+  EXPECT_TRUE(faceted_rounds(ring(6)).empty());
 }
 
 TEST(FacetedRounds, RoundGroupsAreLeftToThemselves) {
