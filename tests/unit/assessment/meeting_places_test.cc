@@ -51,8 +51,7 @@ TEST(CellAgreement, JumpsFarBelowThePeakDoNotCount) {
 }
 
 TEST(CellAgreement, PointsOfAZoneLeftOutDoNotCount) {
-  const auto cells =
-      agreement({50.0, 900.0, 1.0, 40.0}, {-1.0, 1.0, -1.0, 1.0});
+  const auto cells = agreement({50.0, -1.0, 1.0, 40.0}, {52.0, 1.0, 36.0, 1.0});
   EXPECT_DOUBLE_EQ(cells.mean, 50.0);
 }
 
