@@ -13,7 +13,7 @@
 #include "base/errors.h"
 #include "calculix/deck.h"
 #include "calculix/frd.h"
-#include "mesh/split_cells.h"
+#include "mesh/derived/split_cells.h"
 #include "stress/stress_history.h"
 #include "study/clevis_run.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/part_check.h"
+#include "assessment/job/part_job.h"
 #include "calculix/model.h"
 #include "study/run.h"
 

@@ -1,4 +1,3 @@
-#include "app/check_plugin.h"
 
 #include <algorithm>
 #include <iostream>
@@ -15,21 +14,24 @@
 #include "app/output_folder.h"
 #include "app/part_files.h"
 #include "app/part_jobs.h"
+#include "app/plugin_entries.h"
 #include "app/solver_jobs.h"
 #include "app/worker_pool.h"
+#include "assessment/part_check.h"
 #include "base/stopwatch.h"
 #include "loads/part_loads.h"
 #include "machine/bearing_life.h"
 #include "mechanism/simulate.h"
-#include "mechanism/structure.h"
-#include "report/atomic_file.h"
-#include "report/check_table.h"
-#include "report/motion_report.h"
-#include "report/part_result_json.h"
-#include "report/progress.h"
-#include "report/result_files.h"
-#include "report/result_json.h"
-#include "report/terminal.h"
+#include "mechanism/structure/structure.h"
+#include "report/check/check_table.h"
+#include "report/check/result_files.h"
+#include "report/check/result_json.h"
+#include "report/motion/motion_csv.h"
+#include "report/parts/part_result_json.h"
+#include "report/summary/motion_report.h"
+#include "report/text/atomic_file.h"
+#include "report/text/progress.h"
+#include "report/text/terminal.h"
 
 namespace clevis::app {
 namespace {

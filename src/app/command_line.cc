@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "base/quantity.h"
 #include "scene/name_index.h"
+#include "scene/suggestion.h"
 
 namespace clevis::app {
 namespace {

@@ -3,10 +3,11 @@
 #include <unistd.h>
 
 #include "app/commands.h"
-#include "report/atomic_file.h"
-#include "report/comparison.h"
-#include "report/comparison_output.h"
-#include "report/terminal.h"
+#include "report/compare/comparison.h"
+#include "report/compare/comparison_output.h"
+#include "report/compare/result_reader.h"
+#include "report/text/atomic_file.h"
+#include "report/text/terminal.h"
 
 namespace clevis::app {
 namespace {

@@ -8,8 +8,9 @@
 #include <Eigen/Cholesky>
 
 #include "base/errors.h"
-#include "elasticity/supports.h"
-#include "mesh/topology.h"
+#include "elasticity/assembly/supports.h"
+#include "elasticity/solid/solid_solve.h"
+#include "mesh/cells/topology.h"
 #include "stress/stress_history.h"
 #include "study/clevis_run.h"
 

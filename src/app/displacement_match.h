@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "assessment/part_check.h"
+#include "assessment/job/part_job.h"
 #include "calculix/frd.h"
 #include "calculix/model.h"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "report/terminal.h"
+#include "report/text/terminal.h"
 
 namespace clevis::app {
 

@@ -5,15 +5,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/check_plugin.h"
 #include "app/load_scene.h"
 #include "app/output_folder.h"
 #include "app/part_jobs.h"
+#include "app/plugin_entries.h"
 #include "app/solver_jobs.h"
 #include "calculix/deck.h"
-#include "mesh/split_cells.h"
-#include "report/atomic_file.h"
-#include "report/json_text.h"
+#include "mesh/derived/split_cells.h"
+#include "report/text/atomic_file.h"
+#include "report/text/json_text.h"
 
 namespace clevis::app {
 namespace {

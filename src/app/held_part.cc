@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "elasticity/open_reactions.h"
+#include "elasticity/solid/open_reactions.h"
 #include "loads/balance.h"
 
 namespace clevis::app {

@@ -4,7 +4,7 @@
 
 #include "app/commands.h"
 #include "beam/ejector.h"
-#include "report/ejector_output.h"
+#include "report/machine/ejector_output.h"
 #include "scene/scene.h"
 
 namespace clevis::app {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "assessment/part_check.h"
-#include "mechanism/definition.h"
-#include "mechanism/motion.h"
+#include "assessment/job/part_job.h"
+#include "mechanism/definition/definition.h"
+#include "mechanism/definition/motion.h"
 
 namespace clevis::app {
 

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/check_plugin.h"
-#include "elasticity/seat_compliance.h"
+#include "app/plugin_entries.h"
+#include "elasticity/solid/seat_compliance.h"
 #include "loads/balance.h"
 #include "loads/part_seats.h"
 

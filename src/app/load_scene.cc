@@ -6,8 +6,8 @@
 
 #include "app/geometry_stamp.h"
 #include "base/errors.h"
-#include "mesh/mass_properties.h"
-#include "mesh/mesh_reader.h"
+#include "mesh/quality/mass_properties.h"
+#include "mesh/reading/mesh_reader.h"
 
 namespace clevis::app {
 namespace {

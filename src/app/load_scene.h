@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "loads/part_loads.h"
-#include "mesh/part_mesh.h"
+#include "mesh/cells/part_mesh.h"
 #include "part/mass_properties.h"
 #include "scene/scene.h"
 

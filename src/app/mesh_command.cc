@@ -11,10 +11,11 @@
 #include "app/geometry_stamp.h"
 #include "app/gmsh_runner.h"
 #include "app/temporary_folder.h"
-#include "mesh/mesh_reader.h"
-#include "report/atomic_file.h"
+#include "mesh/reading/mesh_reader.h"
+#include "report/text/atomic_file.h"
 #include "scene/name_index.h"
 #include "scene/scene.h"
+#include "scene/suggestion.h"
 
 namespace clevis::app {
 namespace {

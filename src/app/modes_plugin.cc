@@ -6,14 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "app/check_plugin.h"
 #include "app/load_scene.h"
 #include "app/output_folder.h"
 #include "app/part_modes.h"
+#include "app/plugin_entries.h"
 #include "app/solver_jobs.h"
-#include "report/atomic_file.h"
-#include "report/json_text.h"
-#include "report/text_table.h"
+#include "report/text/atomic_file.h"
+#include "report/text/json_text.h"
+#include "report/text/text_table.h"
 
 namespace clevis::app {
 namespace {

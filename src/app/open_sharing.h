@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "app/load_scene.h"
-#include "assessment/part_check.h"
-#include "mechanism/other_sharings.h"
+#include "assessment/job/part_job.h"
+#include "mechanism/reactions/other_sharings.h"
 
 namespace clevis::app {
 

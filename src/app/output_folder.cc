@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/atomic_file.h"
+#include "report/text/atomic_file.h"
 
 namespace clevis::app {
 namespace {

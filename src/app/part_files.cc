@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "report/atomic_file.h"
-#include "report/csv_field.h"
+#include "report/text/atomic_file.h"
+#include "report/text/csv_field.h"
 #include "stress/field_output.h"
 
 namespace clevis::app {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "assessment/part_check.h"
-#include "mechanism/motion.h"
+#include "assessment/job/part_job.h"
+#include "mechanism/definition/motion.h"
 
 namespace clevis::app {
 

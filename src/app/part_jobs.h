@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/load_scene.h"
-#include "assessment/part_check.h"
-#include "mechanism/motion.h"
+#include "assessment/job/part_job.h"
+#include "mechanism/definition/motion.h"
 
 namespace clevis::app {
 

@@ -8,9 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/stopwatch.h"
-#include "elasticity/eigenmodes.h"
-#include "mesh/mesh_reader.h"
-#include "report/atomic_file.h"
+#include "elasticity/problem/elastic_problem.h"
+#include "elasticity/vibration/eigenmodes.h"
+#include "mesh/reading/mesh_reader.h"
+#include "report/text/atomic_file.h"
 #include "stress/field_output.h"
 #include "stress/stress_history.h"
 

@@ -1,11 +1,13 @@
+#include "app/plugin_commands.h"
+
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 
 #include <dlfcn.h>
 
-#include "app/check_plugin.h"
 #include "app/commands.h"
+#include "app/plugin_entries.h"
 
 namespace clevis::app {
 namespace {

@@ -2,16 +2,18 @@
 
 #include <unistd.h>
 
-#include "app/check_plugin.h"
 #include "app/commands.h"
 #include "app/load_scene.h"
+#include "app/plugin_commands.h"
 #include "app/slide_lever_comparison.h"
 #include "machine/bearing_life.h"
 #include "mechanism/simulate.h"
-#include "mechanism/structure.h"
-#include "report/motion_report.h"
-#include "report/motion_table.h"
-#include "report/terminal.h"
+#include "mechanism/structure/structure.h"
+#include "report/motion/motion_files.h"
+#include "report/motion/motion_json.h"
+#include "report/motion/motion_table.h"
+#include "report/summary/motion_report.h"
+#include "report/text/terminal.h"
 
 namespace clevis::app {
 

@@ -14,10 +14,10 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector2d;
+using machine::SlideLeverForm;
 using mechanism::Instant;
-using mechanism::SlideLeverForm;
 
-mechanism::SlideLever lever_of(const scene::SlideLeverClosedForm& given) {
+machine::SlideLever lever_of(const scene::SlideLeverClosedForm& given) {
   return {.FD = given.FD,
           .ED = given.ED,
           .DC = given.DC,
@@ -98,7 +98,7 @@ double speed_ratio(const scene::Scene& scene, const Instant& instant,
 report::SlideLeverComparison compare_slide_lever(
     const scene::Scene& scene, const mechanism::Motion& motion) {
   const scene::SlideLeverClosedForm& given = *scene.slide_lever;
-  const mechanism::SlideLever lever = lever_of(given);
+  const machine::SlideLever lever = lever_of(given);
   const auto& marker = find_marker(scene.mechanism, given.marker);
   const auto body = static_cast<std::size_t>(marker.body);
   const Vector2d D(0.0, given.AD);
@@ -108,8 +108,9 @@ report::SlideLeverComparison compare_slide_lever(
   result.rotation = rotation(motion, body);
   result.link_DC = given.DC;
   for (const Instant& instant : motion.instants) {
-    const auto p = slide_lever_position(lever, cylinder_length(given, instant),
-                                        SlideLeverForm::kCorrected);
+    const auto p =
+        machine::slide_lever_position(lever, cylinder_length(given, instant),
+                                      machine::SlideLeverForm::kCorrected);
     const Vector2d C = report::marker_position(marker, instant).head<2>();
     result.largest_DC_error =
         std::max(result.largest_DC_error, std::abs(p.DC / given.DC - 1.0));
@@ -124,10 +125,10 @@ report::SlideLeverComparison compare_slide_lever(
     row.cylinder_length = l_x;
     row.simulated = report::marker_position(marker, instant).head<2>();
     row.simulated_DC = (row.simulated - D).norm();
-    row.corrected =
-        slide_lever_position(lever, l_x, SlideLeverForm::kCorrected);
-    row.published =
-        slide_lever_position(lever, l_x, SlideLeverForm::kPublished);
+    row.corrected = machine::slide_lever_position(
+        lever, l_x, machine::SlideLeverForm::kCorrected);
+    row.published = machine::slide_lever_position(
+        lever, l_x, machine::SlideLeverForm::kPublished);
     row.simulated_ratio = speed_ratio(scene, instant, marker);
     result.rows.push_back(row);
   }

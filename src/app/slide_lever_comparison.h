@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mechanism/motion.h"
-#include "report/motion_report.h"
+#include "mechanism/definition/motion.h"
+#include "report/summary/motion_report.h"
 #include "scene/scene.h"
 
 namespace clevis::app {

@@ -8,10 +8,10 @@
 #include "app/error_text.h"
 #include "app/link_compliance.h"
 #include "app/part_jobs.h"
-#include "assessment/impact_check.h"
+#include "assessment/impact/impact_check.h"
 #include "loads/part_loads.h"
 #include "mechanism/simulate.h"
-#include "report/progress.h"
+#include "report/text/progress.h"
 
 namespace clevis::app {
 namespace {

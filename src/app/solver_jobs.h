@@ -8,7 +8,7 @@
 #include "app/commands.h"
 #include "app/load_scene.h"
 #include "app/worker_pool.h"
-#include "assessment/part_check.h"
+#include "assessment/job/part_job.h"
 #include "base/errors.h"
 #include "calculix/model.h"
 

@@ -6,12 +6,12 @@
 #include <unistd.h>
 
 #include "app/calculix_run.h"
-#include "app/check_plugin.h"
 #include "app/output_folder.h"
+#include "app/plugin_entries.h"
 #include "app/solver_jobs.h"
-#include "report/atomic_file.h"
-#include "report/json_text.h"
-#include "report/terminal.h"
+#include "report/text/atomic_file.h"
+#include "report/text/json_text.h"
+#include "report/text/terminal.h"
 #include "study/clevis_run.h"
 #include "study/output.h"
 #include "study/reference.h"

@@ -4,7 +4,7 @@
 
 #include "app/commands.h"
 #include "machine/transmission.h"
-#include "report/transmission_output.h"
+#include "report/machine/transmission_output.h"
 #include "scene/scene.h"
 
 namespace clevis::app {

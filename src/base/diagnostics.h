@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "base/errors.h"
+#include "base/exit_code.h"
 
 namespace clevis {
 

@@ -4,23 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace clevis {
+#include "base/exit_code.h"
 
-/// What a process of clevis returns (README, "Exit codes").
-enum class ExitCode {
-  kPass = 0,
-  kLimitExceeded = 1,
-  kUsage = 2,
-  kRegression = 3,
-  kNotJudged = 4,
-  kSceneInvalid = 10,
-  kMeshInvalid = 11,
-  kModelInvalid = 12,
-  kSolverFailed = 20,
-  kResourceLimit = 21,
-  kIo = 22,
-  kInternal = 70,
-};
+namespace clevis {
 
 /// A refusal: what is wrong, where, and what to do about it.
 ///

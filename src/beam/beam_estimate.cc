@@ -14,6 +14,7 @@
 #include "beam/formulas.h"
 #include "beam/lug.h"
 #include "beam/pin_line.h"
+#include "loads/balance.h"
 
 namespace clevis::beam {
 

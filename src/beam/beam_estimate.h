@@ -7,7 +7,7 @@
 #include "beam/part_model.h"
 #include "loads/load_history.h"
 #include "loads/part_loads.h"
-#include "mesh/part_mesh.h"
+#include "mesh/cells/part_mesh.h"
 #include "part/mass_properties.h"
 #include "part/material.h"
 

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "mesh/simplex_basis.h"
+#include "mesh/basis/simplex_basis.h"
 
 namespace clevis::beam {
 

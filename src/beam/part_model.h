@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "mesh/part_mesh.h"
-#include "mesh/section.h"
+#include "mesh/cells/part_mesh.h"
+#include "mesh/cells/section.h"
 
 namespace clevis::beam {
 

@@ -8,7 +8,7 @@
 #include "beam/side_mass.h"
 #include "loads/load_history.h"
 #include "loads/part_loads.h"
-#include "mesh/section.h"
+#include "mesh/cells/section.h"
 
 namespace clevis::beam {
 

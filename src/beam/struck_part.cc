@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/section.h"
+#include "mesh/cells/section.h"
 
 namespace clevis::beam {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "beam/impact.h"
-#include "mesh/part_mesh.h"
+#include "mesh/cells/part_mesh.h"
 #include "part/mass_properties.h"
 #include "part/material.h"
 

@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 
 #include "base/errors.h"
+#include "elasticity/problem/elastic_problem.h"
 
 namespace clevis::calculix {
 namespace {

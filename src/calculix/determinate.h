@@ -4,7 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/displacement_basis.h"
+#include "elasticity/problem/displacement_basis.h"
+#include "elasticity/problem/elastic_problem.h"
 
 namespace clevis::calculix {
 

@@ -5,10 +5,11 @@
 
 #include "calculix/determinate.h"
 #include "calculix/node_reduction.h"
-#include "elasticity/load_vectors.h"
-#include "elasticity/supports.h"
-#include "mesh/gmsh_element.h"
-#include "mesh/tensor_basis.h"
+#include "elasticity/assembly/supports.h"
+#include "elasticity/nodal_loads/load_vectors.h"
+#include "elasticity/problem/elastic_problem.h"
+#include "mesh/basis/tensor_basis.h"
+#include "mesh/gmsh/gmsh_element.h"
 
 namespace clevis::calculix {
 namespace {

@@ -5,7 +5,8 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/displacement_basis.h"
+#include "elasticity/problem/displacement_basis.h"
+#include "elasticity/problem/elastic_problem.h"
 #include "part/material.h"
 
 namespace clevis::calculix {

@@ -3,8 +3,8 @@
 #include <array>
 #include <span>
 
-#include "elasticity/tabulation.h"
-#include "mesh/gmsh_element.h"
+#include "elasticity/fe_space/tabulation.h"
+#include "mesh/gmsh/gmsh_element.h"
 
 namespace clevis::calculix {
 namespace {

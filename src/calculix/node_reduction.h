@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/discretization.h"
+#include "elasticity/fe_space/discretization.h"
 
 namespace clevis::calculix {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "dynamics/strike.h"
 #include "dynamics/strike_run.h"
 #include "dynamics/struck_body.h"
 #include "loads/strike.h"

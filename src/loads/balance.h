@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "loads/group_geometry.h"
 #include "loads/load_history.h"
-#include "loads/part_loads.h"
 #include "part/mass_properties.h"
 
 namespace clevis::loads {
@@ -40,6 +40,11 @@ Wrench about(const Eigen::Vector3d& force, const Eigen::Vector3d& moment,
 
 /// Whether a group is a circular cylinder, whole all round.
 bool is_full_cylinder(const GroupGeometry& group);
+
+/// Residual force [N] and moment about Lo [N m] of an instant: seats, surface
+/// loads and inertia.
+Wrench residual(const LoadHistory& history, const InstantLoad& instant,
+                const part::MassProperties& mass);
 
 /// What the loads of an instant leave, and their sizes.
 struct Imbalance {

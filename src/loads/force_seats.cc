@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "loads/balance.h"
+#include "loads/part_seats.h"
 #include "loads/seat_fit.h"
 
 namespace clevis::loads {

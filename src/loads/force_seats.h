@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "loads/load_history.h"
-#include "loads/part_seats.h"
-#include "mechanism/motion.h"
+#include "loads/seat_context.h"
+#include "mechanism/definition/motion.h"
 
 namespace clevis::loads {
 

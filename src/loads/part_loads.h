@@ -1,29 +1,14 @@
 #pragma once
 
+#include "loads/group_geometry.h"
 #include "loads/load_history.h"
-#include "mechanism/definition.h"
-#include "mechanism/motion.h"
-#include "part/bore.h"
+#include "loads/seat_spans.h"
+#include "mechanism/definition/definition.h"
+#include "mechanism/definition/motion.h"
 #include "part/mass_properties.h"
 #include "part/part_definition.h"
 
 namespace clevis::loads {
-
-/// Where the groups of a part lie, as `mesh` found them.
-struct GroupGeometry {
-  std::string name;
-  bool is_cylinder{};
-  part::Bore cylinder;                                 ///< if is_cylinder
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< of the face area [m]
-  double area{};                                       ///< [m²]
-  /// ∫ n dA [m²] and ∫ p_LQ × n dA [m³], n the outward unit normal.
-  Eigen::Vector3d area_vector = Eigen::Vector3d::Zero();
-  Eigen::Vector3d area_moment = Eigen::Vector3d::Zero();
-  /// ∫ n nᵀ dA [m²]: of rank one where the group is flat, or walls that face
-  /// each other.
-  Eigen::Matrix3d normal_square = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3Xd points = {};  ///< of its faces, which they span [m]
-};
 
 /// The motion without the instants at change points: what stands there are
 /// reactions of joints that give way, in balance in the deflected position
@@ -48,6 +33,17 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
                        const std::vector<GroupGeometry>& groups,
                        const part::MassProperties& mass);
 
+/// The same with what is known of the seats of all parts: where a slide's
+/// counterpart touches. The other one knows this part's alone.
+/// @throws Error also L007 if it is not known where a slide touches.
+LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
+                       const mechanism::Motion& motion,
+                       mechanism::BodyIndex body,
+                       const part::PartDefinition& part,
+                       const std::vector<GroupGeometry>& groups,
+                       const part::MassProperties& mass,
+                       const SeatSpans& spans);
+
 /// Loads of one `[[part.case]]`: pins become bearing seats, pressure and
 /// traction surface loads. A case without `fixed` must be in balance with its
 /// inertia.
@@ -56,10 +52,5 @@ LoadHistory case_loads(const part::PartDefinition& part,
                        const part::LoadCaseDefinition& load_case,
                        const std::vector<GroupGeometry>& groups,
                        const part::MassProperties& mass);
-
-/// Residual force [N] and moment about Lo [N m] of an instant: seats, surface
-/// loads and inertia.
-Wrench residual(const LoadHistory& history, const InstantLoad& instant,
-                const part::MassProperties& mass);
 
 }  // namespace clevis::loads

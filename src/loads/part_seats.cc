@@ -10,13 +10,12 @@
 #include "loads/balance.h"
 #include "loads/seat_fit.h"
 #include "loads/slide_zone.h"
-#include "mechanism/joint_types.h"
-#include "mechanism/slides.h"
+#include "mechanism/definition/drive_names.h"
+#include "mechanism/joints/joint_types.h"
 
 namespace clevis::loads {
 
 using Eigen::Vector3d;
-using mechanism::JointType;
 
 namespace {
 
@@ -43,10 +42,10 @@ Seat joint_seat(const SeatContext& context, const part::Seat& wanted,
                 const BodyJoint& joint) {
   const std::string place = context.place("joint " + wanted.joint);
   const GroupGeometry& group = find_group(context.groups, wanted.group, place);
-  const JointType type = joint.definition->type;
+  const auto& type = mechanism::traits(joint.definition->type);
   Seat seat{.name = wanted.joint, .group = wanted.group};
-  if (mechanism::slides(type)) seat.slide = slide_wall(context, wanted, joint);
-  if (!group.is_cylinder && type != JointType::kRevolute) {
+  if (type.slides()) seat.slide = slide_wall(context, wanted, joint);
+  if (!group.is_cylinder && !type.needs_cylinder) {
     seat.kind = SeatKind::kTraction;
     seat.p_LS = group.centroid;
     if (!seat.slide || seat.slide->opposite.empty()) return seat;
@@ -82,10 +81,6 @@ GroupGeometry pressurized_group(const SeatContext& context,
 }
 
 }  // namespace
-
-std::string SeatContext::place(const std::string& seat) const {
-  return fmt::format("{}: part {}, {}", part.place, part.name, seat);
-}
 
 std::vector<GroupGeometry> pressurized_groups(
     const SeatContext& context, const std::vector<std::string>& names,

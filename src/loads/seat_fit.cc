@@ -11,7 +11,7 @@
 
 #include "base/errors.h"
 #include "loads/balance.h"
-#include "mechanism/slides.h"
+#include "mechanism/joints/joint_types.h"
 
 namespace clevis::loads {
 
@@ -59,18 +59,15 @@ struct Pair {
 
 std::vector<Pair> pairs_of(const SeatContext& context,
                            const std::vector<JointSeat>& seats) {
-  using mechanism::JointType;
   std::vector<Pair> pairs;
   for (const JointSeat& seat : seats) {
     if (seat.seat.kind != SeatKind::kBearing) continue;
     const auto group = std::ranges::find(context.groups, seat.seat.group,
                                          &GroupGeometry::name);
-    const JointType type = seat.joint.definition->type;
-    const bool has_axis = type != JointType::kWeld &&
-                          type != JointType::kSpherical &&
-                          type != JointType::kDistance;
+    const auto& type = mechanism::traits(seat.joint.definition->type);
+    const bool has_axis = type.axis == mechanism::JointTraits::Axis::kNeeded;
     pairs.push_back({seat.seat.name, seat.seat.group, *seat.joint.frame,
-                     group->cylinder, has_axis, mechanism::slides(type)});
+                     group->cylinder, has_axis, type.slides()});
   }
   return pairs;
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "loads/part_seats.h"
+#include "loads/seat_context.h"
 
 namespace clevis::loads {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mechanism/slides.h"
+#include "mechanism/joints/joint_types.h"
 
 namespace clevis::loads {
 
@@ -60,7 +60,8 @@ void add_seat_spans(const mechanism::MechanismDefinition& definition,
     const auto group =
         std::ranges::find(groups, seat.group, &GroupGeometry::name);
     if (joint == definition.joints.end() || group == groups.end()) continue;
-    if (!mechanism::slides(joint->type) || spanning_points(*group).cols() == 0)
+    if (!mechanism::traits(joint->type).slides() ||
+        spanning_points(*group).cols() == 0)
       continue;
     const std::size_t own = joint->body_b == body ? 1 : 0;
     add_seat(
@@ -70,7 +71,7 @@ void add_seat_spans(const mechanism::MechanismDefinition& definition,
 }
 
 Vector3d slide_axis(JointType type, const mechanism::JointFrame& frame) {
-  return frame.R_LJ.col(type == JointType::kPlanar ? 0 : 2);
+  return frame.R_LJ.col(mechanism::traits(type).slide_axis());
 }
 
 }  // namespace clevis::loads

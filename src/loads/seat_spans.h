@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
-#include "loads/part_loads.h"
-#include "mechanism/definition.h"
+#include "loads/group_geometry.h"
+#include "mechanism/definition/definition.h"
 #include "part/part_definition.h"
 
 namespace clevis::loads {
@@ -49,17 +49,6 @@ using SeatSpans = std::vector<std::array<SeatSpan, 2>>;
 void add_seat_spans(const mechanism::MechanismDefinition& definition,
                     mechanism::BodyIndex body, const part::PartDefinition& part,
                     const std::vector<GroupGeometry>& groups, SeatSpans& spans);
-
-/// part_loads with what is known of the seats of all parts: where a slide's
-/// counterpart touches. The other one knows this part's alone.
-/// @throws Error also L007 if it is not known where a slide touches.
-LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
-                       const mechanism::Motion& motion,
-                       mechanism::BodyIndex body,
-                       const part::PartDefinition& part,
-                       const std::vector<GroupGeometry>& groups,
-                       const part::MassProperties& mass,
-                       const SeatSpans& spans);
 
 /// The slide's direction in a frame J: z, of a planar joint x.
 Eigen::Vector3d slide_axis(mechanism::JointType type,

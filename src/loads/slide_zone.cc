@@ -11,6 +11,7 @@
 
 #include "base/errors.h"
 #include "loads/balance.h"
+#include "mechanism/joints/joint_types.h"
 
 namespace clevis::loads {
 
@@ -125,7 +126,7 @@ class ZoneFinder {
 
   /// @throws Error L007.
   void require_known(const mechanism::Motion& motion, LoadHistory& history) {
-    const bool is_planar = type() == JointType::kPlanar;
+    const bool is_planar = type().slide_directions == 2;
     says_all_ =
         wanted_.slide.length &&
         *wanted_.slide.length >= (1.0 - kNormalTolerance) * along_.length() &&
@@ -176,7 +177,9 @@ class ZoneFinder {
   }
 
  private:
-  JointType type() const { return seat_.joint.definition->type; }
+  const mechanism::JointTraits& type() const {
+    return mechanism::traits(seat_.joint.definition->type);
+  }
 
   /// Whether the counterpart's own seat tells where it touches.
   bool counterpart_fits() const {
@@ -189,7 +192,7 @@ class ZoneFinder {
   bool is_pin_that_stays(const mechanism::Motion& motion) const {
     constexpr double kTravel = 0.05;  // of the bore's length
     constexpr double kLongest = 2.5;  // diameters
-    if (type() != JointType::kCylindrical) return false;
+    if (!type().may_stand_for_hinge) return false;
     const part::Bore& bore =
         find_group(context_.groups, seat_.seat.group, place_).cylinder;
     Interval way{ContactZone::kAll, -ContactZone::kAll};
@@ -230,8 +233,7 @@ class ZoneFinder {
       shortest = std::min(shortest, by.length());
       clip({from + by.low, from + by.high}, 0, zone);
     };
-    const Vector3d z =
-        type() == JointType::kPlanar ? Vector3d::UnitX() : Vector3d::UnitZ();
+    const Vector3d z = Vector3d::Unit(type().slide_axis());
     if (other_.stated) {
       clip_by(*other_.stated, at);
     } else if (counterpart_fits()) {
@@ -251,7 +253,7 @@ class ZoneFinder {
     if (width) {
       clip({at - 0.5 * *width, at + 0.5 * *width}, 1, zone);
     } else if (!says_all_ && !other_.stated && counterpart_fits() &&
-               type() == JointType::kPrismatic) {
+               type().keeps_orientation) {
       const Vector3d across_J =
           seat_.joint.frame->R_LJ.transpose() * seat_.seat.slide->across_L;
       const Interval by = extent(other_.points_J, across_J);
@@ -319,7 +321,7 @@ SlideWall slide_wall(const SeatContext& context, const part::Seat& wanted,
   if (find_group(context.groups, wanted.group, place).is_cylinder) {
     return cylinder_wall(along);
   }
-  if (type == JointType::kCylindrical || type == JointType::kScrew) {
+  if (mechanism::traits(type).needs_cylinder) {
     throw Error("L002", place,
                 fmt::format("\"{}\" is not a circular cylinder, but the joint "
                             "turns in it",
@@ -333,13 +335,13 @@ SlideWall slide_wall(const SeatContext& context, const part::Seat& wanted,
   wall.along_L = along;
   require_along(walls, along, wanted.group, place);
   const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(walls.normal_square);
-  wall.normal_L = type == JointType::kPlanar
-                      ? Vector3d(joint.frame->R_LJ.col(2))
-                      : Vector3d(eigen.eigenvectors().col(2));
+  const bool is_planar = mechanism::traits(type).slide_directions == 2;
+  wall.normal_L = is_planar ? Vector3d(joint.frame->R_LJ.col(2))
+                            : Vector3d(eigen.eigenvectors().col(2));
   wall.normal_L -= along.dot(wall.normal_L) * along;
   wall.normal_L.normalize();
   wall.across_L = wall.normal_L.cross(along);
-  if (type == JointType::kPlanar && !is_flat(walls, wall.normal_L)) {
+  if (is_planar && !is_flat(walls, wall.normal_L)) {
     throw Error(
         "L003", place,
         fmt::format("\"{}\" is not flat across the joint's axis", wanted.group),

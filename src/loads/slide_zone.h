@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "loads/load_history.h"
-#include "loads/part_seats.h"
+#include "loads/seat_context.h"
 #include "loads/seat_spans.h"
-#include "mechanism/motion.h"
+#include "mechanism/definition/motion.h"
 
 namespace clevis::loads {
 

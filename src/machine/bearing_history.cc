@@ -31,11 +31,6 @@ std::vector<const Instant*> in_time(const mechanism::Motion& motion) {
 
 }  // namespace
 
-bool takes_bearing(mechanism::JointType type) {
-  return type == mechanism::JointType::kRevolute ||
-         type == mechanism::JointType::kCylindrical;
-}
-
 std::vector<BearingInstant> bearing_history(
     const BearingDefinition& bearing,
     const mechanism::MechanismDefinition& mechanism,

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "machine/bearing.h"
-#include "mechanism/definition.h"
-#include "mechanism/motion.h"
+#include "mechanism/definition/definition.h"
+#include "mechanism/definition/motion.h"
 
 namespace clevis::machine {
 

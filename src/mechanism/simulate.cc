@@ -6,14 +6,14 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "mechanism/closed_joints.h"
-#include "mechanism/drive_law.h"
-#include "mechanism/driven_motion.h"
-#include "mechanism/dynamic_motion.h"
-#include "mechanism/force_model.h"
-#include "mechanism/joint_types.h"
-#include "mechanism/mobility.h"
-#include "mechanism/other_sharings.h"
+#include "mechanism/constraints/closed_joints.h"
+#include "mechanism/constraints/mobility.h"
+#include "mechanism/driven_search/driven_run.h"
+#include "mechanism/drives/drive_law.h"
+#include "mechanism/dynamic_motion/dynamic_motion.h"
+#include "mechanism/forces/force_model.h"
+#include "mechanism/joints/joint_types.h"
+#include "mechanism/reactions/other_sharings.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -102,12 +102,13 @@ Motion simulate(const MechanismDefinition& definition,
   }
   const bool is_dynamic = free || settings.motion == MotionKind::kDynamic;
   Motion motion = is_dynamic ? integrate_motion(definition, settings)
-                             : DrivenMotion(definition, settings).run(settings);
+                             : run_driven(definition, settings,
+                                          DrivenMotion(definition, settings));
   motion.left_free = std::move(free);
   const double length = SolvingFrame(definition).length;
   require_direction(definition, length, motion);
   forget_negligible(length, motion);
-  motion.drive_jumps = drive_jumps(definition, settings.duration);
+  motion.drive_jumps = drive_jumps(definition.drives, settings.duration);
   return motion;
 }
 

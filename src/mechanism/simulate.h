@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mechanism/definition.h"
-#include "mechanism/motion.h"
+#include "mechanism/definition/definition.h"
+#include "mechanism/definition/motion.h"
 
 namespace clevis::mechanism {
 

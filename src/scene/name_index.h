@@ -9,10 +9,6 @@
 
 namespace clevis::scene {
 
-/// "Did you mean …?" by edit distance, if one is near, and the known names.
-std::string suggestion(std::string_view name,
-                       const std::vector<std::string_view>& known);
-
 /// Names of one kind of entity in the order of the file.
 class NameIndex {
  public:

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mechanism/definition.h"
+#include "mechanism/definition/definition.h"
 
 namespace clevis::scene {
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "machine/bearing_history.h"
-#include "mechanism/joint_types.h"
+#include "mechanism/joints/joint_types.h"
 #include "scene/readers.h"
 
 namespace clevis::scene {
@@ -19,7 +19,7 @@ int read_joint(StrictTable& table,
   const Value joint = table["joint"];
   const int index = names.joints.find(joint.name(), joint);
   const auto& found = joints[static_cast<std::size_t>(index)];
-  if (!machine::takes_bearing(found.type)) {
+  if (!mechanism::traits(found.type).takes_bearing) {
     throw joint.refusal("S010",
                         fmt::format("names joint {}, which is {}", found.name,
                                     mechanism::name_of(found.type)),

@@ -36,7 +36,7 @@ ContactLaw read_contact_law(StrictTable& table, const LineUnits& units) {
 }
 
 /// Splines through `targets` at `times`, by axis.
-std::array<CubicSpline, 3> read_path(StrictTable& table) {
+std::array<numerics::CubicSpline, 3> read_path(StrictTable& table) {
   if (!table.has("targets")) {
     throw table.refusal("S003", "lacks the key \"target\" or \"targets\"",
                         "Give a point, or times and targets.");
@@ -56,10 +56,10 @@ std::array<CubicSpline, 3> read_path(StrictTable& table) {
                                       points[0].size(), times.size()),
                           "Give one point per time.");
   }
-  const SplineEnds ends = read_spline_ends(table);
-  std::array<CubicSpline, 3> path;
+  const numerics::SplineEnds ends = read_spline_ends(table);
+  std::array<numerics::CubicSpline, 3> path;
   for (std::size_t k = 0; k < 3; ++k) {
-    path[k] = interpolating_spline(times, points[k], ends);
+    path[k] = numerics::interpolating_spline(times, points[k], ends);
   }
   return path;
 }

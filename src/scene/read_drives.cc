@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "mechanism/joint_types.h"
+#include "mechanism/joints/joint_types.h"
 #include "scene/readers.h"
 
 namespace clevis::scene {
@@ -13,7 +13,7 @@ namespace {
 using mechanism::DriveDefinition;
 using mechanism::DriveLaw;
 using mechanism::JointDefinition;
-using mechanism::SplineEnds;
+using numerics::SplineEnds;
 
 double read_start(StrictTable& table) {
   const auto start = table.find("start");
@@ -69,7 +69,7 @@ double reachable(const Value& value, Dimension coordinate) {
       "Check the number and its unit.");
 }
 
-mechanism::CubicSpline read_table(StrictTable& table, Dimension coordinate) {
+numerics::CubicSpline read_table(StrictTable& table, Dimension coordinate) {
   const Value times = table["times"], positions = table["positions"];
   std::vector<double> t = increasing_times(times, 2), q;
   for (const Value& value : positions.elements()) {
@@ -80,8 +80,8 @@ mechanism::CubicSpline read_table(StrictTable& table, Dimension coordinate) {
         "S010", fmt::format("has {} entries for {} times", q.size(), t.size()),
         "Give one position for each time.");
   }
-  const SplineEnds ends = read_spline_ends(table);
-  return mechanism::interpolating_spline(std::move(t), std::move(q), ends);
+  const numerics::SplineEnds ends = read_spline_ends(table);
+  return numerics::interpolating_spline(std::move(t), std::move(q), ends);
 }
 
 }  // namespace
@@ -158,11 +158,12 @@ std::vector<double> increasing_times(const Value& times, std::size_t least,
   return t;
 }
 
-SplineEnds read_spline_ends(StrictTable& table) {
+numerics::SplineEnds read_spline_ends(StrictTable& table) {
   const auto given = table.find("ends");
-  if (!given) return SplineEnds::kClamped;
-  return given->choice<SplineEnds>(
-      {{"clamped", SplineEnds::kClamped}, {"natural", SplineEnds::kNatural}});
+  if (!given) return numerics::SplineEnds::kClamped;
+  return given->choice<numerics::SplineEnds>(
+      {{"clamped", numerics::SplineEnds::kClamped},
+       {"natural", numerics::SplineEnds::kNatural}});
 }
 
 std::vector<DriveDefinition> read_drives(

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "mechanism/joint_types.h"
+#include "mechanism/joints/joint_types.h"
 #include "scene/element_readers.h"
 
 namespace clevis::scene {
@@ -91,11 +91,9 @@ void read_following(StrictTable& table, const ElementLine& line,
     throw kinetic.refusal("S006", "is above the static friction",
                           "Friction at rest is at least that in motion.");
   }
-  const JointType type = line.kind == ElementLine::Kind::kJoint
-                             ? joints[static_cast<std::size_t>(line.joint)].type
-                             : JointType::kWeld;
-  if (type != JointType::kRevolute && type != JointType::kPrismatic &&
-      type != JointType::kCylindrical) {
+  if (line.kind != ElementLine::Kind::kJoint ||
+      !mechanism::traits(joints[static_cast<std::size_t>(line.joint)].type)
+           .takes_reaction_friction) {
     throw kinetic.refusal("S010", "follows the force of no such joint",
                           "Name a revolute, prismatic or cylindrical joint.");
   }
@@ -225,8 +223,8 @@ ServoLaw read_servo_on(StrictTable& table, const ElementLine& line,
 bool is_revolute(const ElementLine& line,
                  const std::vector<JointDefinition>& joints) {
   return line.kind == ElementLine::Kind::kJoint &&
-         joints[static_cast<std::size_t>(line.joint)].type ==
-             JointType::kRevolute;
+         mechanism::traits(joints[static_cast<std::size_t>(line.joint)].type)
+             .is_hinge();
 }
 
 double of_a_machine(const Value& value, double stiffness) {

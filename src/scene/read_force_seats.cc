@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "mechanism/joint_types.h"
+#include "mechanism/joints/joint_types.h"
 #include "scene/readers.h"
+#include "scene/suggestion.h"
 
 namespace clevis::scene {
 namespace {

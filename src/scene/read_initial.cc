@@ -1,3 +1,4 @@
+#include "mechanism/joints/joint_types.h"
 #include "scene/readers.h"
 
 namespace clevis::scene {
@@ -16,11 +17,11 @@ InitialJointState read_joint_state(StrictTable& table,
   const Value joint = table["joint"];
   initial.joint = names.joints.find(joint.name(), joint);
   const JointType type = joints[static_cast<std::size_t>(initial.joint)].type;
-  if (type != JointType::kRevolute && type != JointType::kPrismatic) {
+  if (mechanism::coordinates(type).size() != 1) {
     throw joint.refusal("S010", "has not one coordinate",
                         "Name a revolute or a prismatic joint, or a body.");
   }
-  const bool turns = type == JointType::kRevolute;
+  const bool turns = mechanism::traits(type).is_hinge();
   if (const auto position = table.find("position")) {
     initial.position =
         position->quantity(turns ? Dimension::kAngle : Dimension::kLength);

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "mechanism/joint_types.h"
+#include "mechanism/joints/joint_types.h"
 #include "scene/readers.h"
+#include "scene/suggestion.h"
 
 namespace clevis::scene {
 namespace {
@@ -130,7 +131,9 @@ CouplingDefinition read_coupling(StrictTable& table,
 void read_joint_properties(StrictTable& table,
                            const std::vector<BodyDefinition>& bodies,
                            JointDefinition& joint) {
-  if (joint.type == JointType::kScrew) {
+  using Parameter = mechanism::JointTraits::Parameter;
+  const Parameter parameter = mechanism::traits(joint.type).parameter;
+  if (parameter == Parameter::kLead) {
     const Value lead = table["lead"];
     joint.lead = lead.quantity(Dimension::kLength);
     if (joint.lead == 0.0) {
@@ -139,7 +142,7 @@ void read_joint_properties(StrictTable& table,
                          "thread, or use a revolute joint.");
     }
   }
-  if (joint.type == JointType::kDistance) {
+  if (parameter == Parameter::kLength) {
     joint.length = read_length(table, bodies, joint);
   }
   if (table.has("compliance")) {

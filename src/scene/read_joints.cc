@@ -1,11 +1,14 @@
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "mechanism/joint_types.h"
+#include "mechanism/joints/joint_types.h"
 #include "scene/readers.h"
+#include "scene/suggestion.h"
 
 namespace clevis::scene {
 namespace {
@@ -15,6 +18,7 @@ using Eigen::Vector3d;
 using mechanism::BodyDefinition;
 using mechanism::BodyIndex;
 using mechanism::JointDefinition;
+using mechanism::JointTraits;
 using mechanism::JointType;
 using mechanism::kGround;
 using mechanism::Pose;
@@ -121,8 +125,9 @@ PerBody default_normals(JointType type, const PerBody& axes,
   const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(),
                  z = Vector3d::UnitZ();
   constexpr double kNear = 0.9;  // cosine; one of three is always farther
-  const bool slides = type == JointType::kPrismatic || type == JointType::kWeld;
-  const auto candidates = slides ? std::array{z, x, y} : std::array{x, y, z};
+  const auto candidates = mechanism::traits(type).keeps_orientation
+                              ? std::array{z, x, y}
+                              : std::array{x, y, z};
   for (const Vector3d& candidate : candidates) {
     const PerBody normals = seen_by_bodies(candidate, joint);
     if (std::abs(normals[0].dot(axes[0])) < kNear &&
@@ -163,23 +168,30 @@ Matrix3d normal_first(const Vector3d& axis, const Vector3d& normal,
 void read_rotations(StrictTable& table, const Value& name,
                     const JointBodies& between, JointDefinition& joint) {
   // Welds and ball joints have no axis of their own; z of the world serves.
-  const bool has_axis =
-      joint.type != JointType::kWeld && joint.type != JointType::kSpherical;
-  const auto axis =
-      has_axis ? std::optional(table["axis"]) : table.find("axis");
+  const JointTraits& type = mechanism::traits(joint.type);
+  const auto axis = type.axis == JointTraits::Axis::kNeeded
+                        ? std::optional(table["axis"])
+                        : table.find("axis");
   const PerBody axes = axis ? read_directions(*axis, between)
                             : seen_by_bodies(Vector3d::UnitZ(), between);
   // The second axis of a universal joint is no matter of choice.
-  const auto normal = joint.type == JointType::kUniversal
-                          ? std::optional(table["normal"])
-                          : table.find("normal");
+  const auto normal =
+      type.needs_normal ? std::optional(table["normal"]) : table.find("normal");
   const PerBody normals = normal ? read_directions(*normal, between)
                                  : default_normals(joint.type, axes, between);
   const Value where = normal ? *normal : axis ? *axis : name;
   joint.frame_a.R_LJ = joint_rotation(axes[0], normals[0], where);
-  joint.frame_b.R_LJ = joint.type == JointType::kUniversal
+  joint.frame_b.R_LJ = type.needs_normal
                            ? normal_first(axes[1], normals[1], where)
                            : joint_rotation(axes[1], normals[1], where);
+}
+
+std::vector<std::pair<std::string_view, JointType>> joint_type_names() {
+  std::vector<std::pair<std::string_view, JointType>> names;
+  for (const JointTraits& type : mechanism::all_joint_types()) {
+    names.emplace_back(type.name, type.type);
+  }
+  return names;
 }
 
 JointDefinition read_joint(StrictTable& table,
@@ -190,23 +202,14 @@ JointDefinition read_joint(StrictTable& table,
   joint.name = name.name();
   joint.place = table.place();
   names.joints.add(joint.name, name);
-  joint.type =
-      table["type"].choice<JointType>({{"revolute", JointType::kRevolute},
-                                       {"prismatic", JointType::kPrismatic},
-                                       {"cylindrical", JointType::kCylindrical},
-                                       {"universal", JointType::kUniversal},
-                                       {"spherical", JointType::kSpherical},
-                                       {"planar", JointType::kPlanar},
-                                       {"screw", JointType::kScrew},
-                                       {"weld", JointType::kWeld},
-                                       {"distance", JointType::kDistance}});
+  joint.type = table["type"].choice(joint_type_names());
   const JointBodies between = read_between(table["between"], bodies, names);
   joint.body_a = between.indices[0];
   joint.body_b = between.indices[1];
   const PerBody origins = read_origins(table, between);
   joint.frame_a.p_LJ = origins[0];
   joint.frame_b.p_LJ = origins[1];
-  if (joint.type == JointType::kDistance) {
+  if (mechanism::traits(joint.type).axis == JointTraits::Axis::kNone) {
     joint.frame_a.R_LJ = between.placements[0].R_WL.transpose();
     joint.frame_b.R_LJ = between.placements[1].R_WL.transpose();
   } else {

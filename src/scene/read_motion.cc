@@ -98,8 +98,8 @@ mechanism::SimulationSettings read_simulation(StrictTable table) {
          {"dynamic", mechanism::MotionKind::kDynamic}});
   }
   if (const auto integrator = table.find("integrator")) {
-    using enum mechanism::IntegratorChoice;
-    settings.integrator = integrator->choice<mechanism::IntegratorChoice>(
+    using enum numerics::IntegratorChoice;
+    settings.integrator = integrator->choice<numerics::IntegratorChoice>(
         {{"auto", kAuto}, {"explicit", kExplicit}, {"implicit", kImplicit}});
   }
   if (const auto singularity = table.find("at_singularity")) {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "mechanism/slides.h"
+#include "mechanism/joints/joint_types.h"
 #include "scene/readers.h"
 
 namespace clevis::scene {
@@ -69,7 +69,7 @@ part::Seat read_pin(const mechanism::JointDefinition& joint,
                     const Value& value) {
   if (!value.is_table()) return {joint.name, value.text()};
   StrictTable pin(value, "part.pins");
-  if (!mechanism::slides(joint.type)) {
+  if (!mechanism::traits(joint.type).slides()) {
     const part::Seat seat{joint.name, pin["group"].text()};
     pin.finish(
         fmt::format("on joint \"{}\", which does not slide", joint.name));

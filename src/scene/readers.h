@@ -8,7 +8,7 @@
 #include "machine/bearing.h"
 #include "machine/ejector.h"
 #include "machine/transmission.h"
-#include "mechanism/definition.h"
+#include "mechanism/definition/definition.h"
 #include "part/part_definition.h"
 #include "scene/name_index.h"
 #include "scene/strict_table.h"
@@ -150,7 +150,7 @@ enum class Steps { kRefused, kAllowed };
 std::vector<double> increasing_times(const Value& times, std::size_t least,
                                      Steps steps = Steps::kRefused);
 /// `ends` of a spline, or clamped.
-mechanism::SplineEnds read_spline_ends(StrictTable& table);
+numerics::SplineEnds read_spline_ends(StrictTable& table);
 
 /// Index of a body, kGround for "ground". @throws Error S005, S007.
 mechanism::BodyIndex find_body_or_ground(const Value& name, const Names& names);

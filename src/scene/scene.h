@@ -8,7 +8,7 @@
 #include "machine/bearing.h"
 #include "machine/ejector.h"
 #include "machine/transmission.h"
-#include "mechanism/definition.h"
+#include "mechanism/definition/definition.h"
 #include "part/part_definition.h"
 
 namespace clevis::scene {

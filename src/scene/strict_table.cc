@@ -6,6 +6,7 @@
 
 #include "scene/keys.h"
 #include "scene/name_index.h"
+#include "scene/suggestion.h"
 
 namespace clevis::scene {
 namespace {

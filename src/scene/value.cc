@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/name_index.h"
+#include "scene/suggestion.h"
 
 namespace clevis::scene {
 namespace {

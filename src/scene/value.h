@@ -63,8 +63,13 @@ class Value {
 
   /// The choice that the text names. @throws Error S009 with the nearest one.
   template <typename Choice>
+  Choice choice(std::initializer_list<std::pair<std::string_view, Choice>>
+                    choices) const {
+    return choice(std::vector(choices));
+  }
+  template <typename Choice>
   Choice choice(
-      std::initializer_list<std::pair<std::string_view, Choice>> choices) const;
+      const std::vector<std::pair<std::string_view, Choice>>& choices) const;
 
   /// Elements of an array. @throws Error S005 if it is none.
   std::vector<Value> elements() const;
@@ -94,7 +99,7 @@ void require_name(const std::string& key, const Value& value);
 
 template <typename Choice>
 Choice Value::choice(
-    std::initializer_list<std::pair<std::string_view, Choice>> choices) const {
+    const std::vector<std::pair<std::string_view, Choice>>& choices) const {
   const std::string found = text();
   std::vector<std::string_view> names;
   for (const auto& [name, meaning] : choices) {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "elasticity/tabulation.h"
+#include "elasticity/fe_space/tabulation.h"
 
 namespace clevis::stress {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "mesh/part_mesh.h"
+#include "mesh/cells/part_mesh.h"
 
 namespace clevis::stress {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "elasticity/dense_product.h"
+#include "elasticity/algebra/dense_product.h"
 
 namespace clevis::stress {
 

@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/displacement_basis.h"
-#include "elasticity/stiffness.h"
+#include "elasticity/assembly/stiffness.h"
+#include "elasticity/problem/displacement_basis.h"
 #include "part/material.h"
 
 namespace clevis::stress {

@@ -7,10 +7,10 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "elasticity/dense_product.h"
-#include "elasticity/group_trace.h"
-#include "elasticity/load_vectors.h"
-#include "elasticity/supports.h"
+#include "elasticity/algebra/dense_product.h"
+#include "elasticity/assembly/supports.h"
+#include "elasticity/fe_space/group_trace.h"
+#include "elasticity/nodal_loads/load_vectors.h"
 
 namespace clevis::stress {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/displacement_basis.h"
+#include "elasticity/problem/displacement_basis.h"
 
 namespace clevis::stress {
 

@@ -5,7 +5,7 @@
 
 #include <deal.II/base/data_out_base.h>
 
-#include "mesh/simplex_basis.h"
+#include "mesh/basis/simplex_basis.h"
 
 namespace clevis::stress {
 namespace {

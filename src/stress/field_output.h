@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "mesh/part_mesh.h"
+#include "mesh/cells/part_mesh.h"
 #include "stress/stress_history.h"
 
 namespace clevis::stress {

@@ -5,8 +5,8 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "elasticity/dense_product.h"
-#include "elasticity/tabulation.h"
+#include "elasticity/algebra/dense_product.h"
+#include "elasticity/fe_space/tabulation.h"
 
 namespace clevis::stress {
 namespace {

@@ -6,10 +6,10 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "elasticity/dense_product.h"
-#include "elasticity/load_vectors.h"
-#include "elasticity/stiffness.h"
-#include "elasticity/supports.h"
+#include "elasticity/algebra/dense_product.h"
+#include "elasticity/assembly/stiffness.h"
+#include "elasticity/assembly/supports.h"
+#include "elasticity/nodal_loads/load_vectors.h"
 #include "stress/cell_field.h"
 #include "stress/held_piece.h"
 

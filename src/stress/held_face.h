@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/displacement_basis.h"
+#include "elasticity/problem/displacement_basis.h"
 #include "loads/load_history.h"
 #include "part/material.h"
 

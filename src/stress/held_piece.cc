@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "elasticity/group_trace.h"
+#include "elasticity/fe_space/group_trace.h"
 
 namespace clevis::stress {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/discretization.h"
+#include "elasticity/fe_space/discretization.h"
 #include "stress/plane_section.h"
 
 namespace clevis::stress {

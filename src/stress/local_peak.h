@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "elasticity/neighbourhood.h"
+#include "elasticity/solid/neighbourhood.h"
 #include "part/material.h"
 #include "stress/stress_history.h"
 

@@ -9,8 +9,8 @@
 #include <numeric>
 #include <utility>
 
-#include "elasticity/tabulation.h"
-#include "mesh/simplex_basis.h"
+#include "elasticity/fe_space/tabulation.h"
+#include "mesh/basis/simplex_basis.h"
 #include "stress/stress_history.h"
 
 namespace clevis::stress {

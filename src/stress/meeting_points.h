@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/neighbourhood.h"
+#include "elasticity/solid/neighbourhood.h"
 #include "part/material.h"
 
 namespace clevis::stress {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "elasticity/tabulation.h"
+#include "elasticity/fe_space/tabulation.h"
 #include "stress/cell_field.h"
 
 namespace clevis::stress {

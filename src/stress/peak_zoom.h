@@ -1,6 +1,6 @@
 #pragma once
 
-#include "elasticity/displacement_basis.h"
+#include "elasticity/problem/displacement_basis.h"
 #include "part/material.h"
 #include "stress/stress_history.h"
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/group_trace.h"
+#include "elasticity/fe_space/group_trace.h"
 
 namespace clevis::stress {
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/displacement_basis.h"
+#include "elasticity/problem/displacement_basis.h"
 #include "part/material.h"
 
 namespace clevis::stress {

@@ -13,16 +13,15 @@
 #include <Eigen/SVD>
 #include <fmt/format.h>
 
-#include "elasticity/wedge_exponent.h"
-#include "mesh/topology.h"
+#include "mesh/cells/topology.h"
 #include "stress/boundary_corner.h"
 #include "stress/wall.h"
+#include "stress/wedge_exponent.h"
 
 namespace clevis::stress {
 namespace {
 
 using Eigen::Vector3d;
-using elasticity::WedgeSide;
 using Hold = WedgeSide::Hold;
 
 constexpr double kPi = std::numbers::pi;
@@ -143,9 +142,8 @@ class Exponents {
     const bool smooth_antiplane = first.along_axis == second.along_axis &&
                                   (is_facet || angle < kPi + kNone);
     if (solid_ && !smooth_antiplane) {
-      result =
-          std::min(result, elasticity::antiplane_exponent(
-                               angle, first.along_axis, second.along_axis));
+      result = std::min(result, antiplane_exponent(angle, first.along_axis,
+                                                   second.along_axis));
     }
     return result;
   }
@@ -161,8 +159,8 @@ class Exponents {
                    second.hold, rounded(second.direction));
     const auto [entry, is_new] = known_.emplace(key, 1.0);
     if (is_new) {
-      const auto all = elasticity::wedge_exponents(std::min(angle, 2.0 * kPi),
-                                                   first, second, kolosov_);
+      const auto all =
+          wedge_exponents(std::min(angle, 2.0 * kPi), first, second, kolosov_);
       if (!all.empty()) entry->second = all.front();
     }
     return entry->second;
@@ -224,9 +222,8 @@ std::vector<Candidate> candidates(const mesh::PartMesh<dim>& mesh,
                                   const part::Material& material,
                                   const FixedGroups& fixed) {
   const double nu = material.poissons_ratio;
-  Exponents exponents(dim == 2 ? elasticity::kolosov_plane_stress(nu)
-                               : elasticity::kolosov_plane_strain(nu),
-                      dim == 3);
+  Exponents exponents(
+      dim == 2 ? kolosov_plane_stress(nu) : kolosov_plane_strain(nu), dim == 3);
   const auto corners = held_corners<dim>(mesh, fixed);
   const auto is_facet = facets_of_curves(corners);
   std::vector<Candidate> result;

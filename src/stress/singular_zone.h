@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "mesh/part_mesh.h"
+#include "mesh/cells/part_mesh.h"
 #include "part/material.h"
 
 namespace clevis::stress {

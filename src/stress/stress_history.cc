@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "elasticity/dense_product.h"
+#include "elasticity/algebra/dense_product.h"
 #include "stress/cell_field.h"
 
 namespace clevis::stress {

@@ -10,9 +10,9 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "elasticity/discretization.h"
-#include "elasticity/tabulation.h"
-#include "mesh/simplex_basis.h"
+#include "elasticity/fe_space/discretization.h"
+#include "elasticity/fe_space/tabulation.h"
+#include "mesh/basis/simplex_basis.h"
 #include "stress/stress_history.h"
 
 namespace clevis::stress {

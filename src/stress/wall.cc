@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "mesh/topology.h"
+#include "mesh/cells/topology.h"
 
 namespace clevis::stress {
 namespace {

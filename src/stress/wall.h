@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh/part_mesh.h"
+#include "mesh/cells/part_mesh.h"
 #include "stress/boundary_corner.h"
 
 namespace clevis::stress {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/displacement_basis.h"
+#include "elasticity/problem/displacement_basis.h"
 #include "part/material.h"
 #include "stress/singular_zone.h"
 #include "stress/stress_history.h"

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "elasticity/displacement_basis.h"
-#include "mesh/graded_mesh.h"
+#include "elasticity/problem/displacement_basis.h"
+#include "mesh/derived/graded_mesh.h"
 #include "part/material.h"
 #include "stress/stress_history.h"
 

@@ -6,13 +6,14 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include "assessment/level.h"
-#include "assessment/model_choice.h"
-#include "assessment/rung.h"
+#include "assessment/models/level.h"
+#include "assessment/models/model_choice.h"
+#include "assessment/models/rung.h"
+#include "assessment/part_check.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
-#include "mesh/mesh_reader.h"
-#include "mesh/split_cells.h"
+#include "mesh/derived/split_cells.h"
+#include "mesh/reading/mesh_reader.h"
 
 namespace clevis::study {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/part_check.h"
+#include "assessment/job/part_job.h"
 #include "study/run.h"
 
 namespace clevis::study {

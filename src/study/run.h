@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/part_result.h"
+#include "assessment/job/part_result.h"
 
 namespace clevis::study {
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "report/text_table.h"
+#include "report/text/text_table.h"
 
 namespace clevis::study {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "report/terminal.h"
+#include "report/text/terminal.h"
 #include "study/output.h"
 
 namespace clevis::study {

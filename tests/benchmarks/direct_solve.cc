@@ -13,12 +13,12 @@
 #include <fmt/format.h>
 
 #include "base/stopwatch.h"
-#include "elasticity/dense_product.h"
-#include "elasticity/displacement_basis.h"
-#include "elasticity/dissection.h"
-#include "elasticity/equations.h"
-#include "elasticity/frontal_cholesky.h"
-#include "elasticity/supports.h"
+#include "elasticity/algebra/dense_product.h"
+#include "elasticity/assembly/equations.h"
+#include "elasticity/assembly/supports.h"
+#include "elasticity/direct/dissection.h"
+#include "elasticity/direct/frontal_cholesky.h"
+#include "elasticity/problem/displacement_basis.h"
 #include "stress/stress_history.h"
 #include "support/structured_mesh.h"
 

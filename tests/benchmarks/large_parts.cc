@@ -17,9 +17,10 @@
 #include <sys/resource.h>
 
 #include "base/stopwatch.h"
-#include "elasticity/matrix_free_operator.h"
-#include "elasticity/multigrid_solver.h"
-#include "elasticity/supports.h"
+#include "elasticity/assembly/supports.h"
+#include "elasticity/multigrid/matrix_free_operator.h"
+#include "elasticity/multigrid/multigrid_solver.h"
+#include "elasticity/solid/solid_solve.h"
 #include "stress/stress_history.h"
 #include "support/eye_problem.h"
 #include "support/structured_mesh.h"

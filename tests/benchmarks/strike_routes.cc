@@ -10,7 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "elasticity/strike_response.h"
+#include "elasticity/problem/elastic_problem.h"
+#include "elasticity/vibration/strike_response.h"
 #include "support/structured_mesh.h"
 
 namespace clevis {

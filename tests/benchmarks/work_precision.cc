@@ -127,9 +127,9 @@ std::vector<Problem> problems() {
                 wall_events())};
 }
 
-void measure(const Problem& problem, IntegratorChoice choice,
+void measure(const Problem& problem, numerics::IntegratorChoice choice,
              const char* name) {
-  const int last = choice == IntegratorChoice::kAuto ? 12 : 10;
+  const int last = choice == numerics::IntegratorChoice::kAuto ? 12 : 10;
   for (int exponent = 3; exponent <= last; ++exponent) {
     SimulationSettings settings;
     settings.duration = problem.duration;
@@ -194,9 +194,9 @@ int main(int argc, char** argv) {
   print_header();
   for (const Problem& problem : problems()) {
     if (!wanted(problem.name, argc, argv)) continue;
-    measure(problem, IntegratorChoice::kAuto, "clevis");
-    measure(problem, IntegratorChoice::kExplicit, "clevis DOP853");
-    measure(problem, IntegratorChoice::kImplicit, "clevis Radau IIA");
+    measure(problem, numerics::IntegratorChoice::kAuto, "clevis");
+    measure(problem, numerics::IntegratorChoice::kExplicit, "clevis DOP853");
+    measure(problem, numerics::IntegratorChoice::kImplicit, "clevis Radau IIA");
   }
   if (wanted("landing_gear_stroke", argc, argv)) measure_stroke();
 }

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "mechanism/definition.h"
+#include "mechanism/definition/definition.h"
 #include "support/landing_gear.h"
 
 /// Bennett's loop of four hinges: opposite links alike, lengths a, b and

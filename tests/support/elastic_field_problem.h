@@ -10,12 +10,13 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include "elasticity/displacement_basis.h"
-#include "elasticity/load_vectors.h"
-#include "elasticity/sparse_cholesky.h"
-#include "elasticity/stiffness.h"
-#include "elasticity/supports.h"
-#include "elasticity/tabulation.h"
+#include "elasticity/algebra/sparse_cholesky.h"
+#include "elasticity/assembly/stiffness.h"
+#include "elasticity/assembly/supports.h"
+#include "elasticity/fe_space/tabulation.h"
+#include "elasticity/nodal_loads/load_vectors.h"
+#include "elasticity/problem/displacement_basis.h"
+#include "elasticity/problem/elastic_problem.h"
 
 namespace clevis::support {
 

@@ -4,8 +4,9 @@
 
 #include <Eigen/Geometry>
 
-#include "elasticity/displacement_basis.h"
-#include "mesh/mass_properties.h"
+#include "elasticity/problem/displacement_basis.h"
+#include "elasticity/problem/elastic_problem.h"
+#include "mesh/quality/mass_properties.h"
 #include "support/annulus_mesh.h"
 
 namespace clevis::support {

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "mechanism/definition.h"
+#include "mechanism/definition/definition.h"
 
 /// The landing gear of geometry/landing_gear, built without a scene
 /// file; masses are round numbers of the parts' order.

@@ -5,8 +5,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "mechanism/joint_types.h"
-#include "mechanism/motion.h"
+#include "mechanism/definition/drive_names.h"
+#include "mechanism/definition/motion.h"
+#include "mechanism/joints/joint_types.h"
 
 /// Newton–Euler balance of every body, recomputed from what is printed:
 /// poses, accelerations, reactions, efforts of drives and couplings in W.

@@ -4,9 +4,9 @@
 
 #include <Eigen/Geometry>
 
-#include "assessment/part_check.h"
-#include "mesh/mass_properties.h"
-#include "mesh/tensor_basis.h"
+#include "assessment/job/part_job.h"
+#include "mesh/basis/tensor_basis.h"
+#include "mesh/quality/mass_properties.h"
 
 namespace clevis::support {
 

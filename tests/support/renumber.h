@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "mesh/part_mesh.h"
+#include "mesh/cells/part_mesh.h"
 
 namespace clevis::support {
 

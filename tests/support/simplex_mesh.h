@@ -7,7 +7,7 @@
 
 #include <Eigen/LU>
 
-#include "mesh/simplex_basis.h"
+#include "mesh/basis/simplex_basis.h"
 #include "support/structured_mesh.h"
 
 namespace clevis::support {

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "mesh/part_mesh.h"
+#include "mesh/cells/part_mesh.h"
 
 namespace clevis::support {
 

@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
-#include "assessment/front_refinement.h"
-#include "assessment/impact_check.h"
-#include "assessment/sampled_peak.h"
+#include "assessment/impact/front_refinement.h"
+#include "assessment/impact/impact_check.h"
+#include "assessment/judge/sampled_peak.h"
 #include "support/plate_job.h"
 #include "support/rod_peak.h"
 #include "support/structured_mesh.h"

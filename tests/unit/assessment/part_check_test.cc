@@ -9,8 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
-#include "elasticity/displacement_basis.h"
-#include "mesh/mass_properties.h"
+#include "elasticity/problem/displacement_basis.h"
+#include "elasticity/solid/solid_solve.h"
+#include "mesh/quality/mass_properties.h"
 #include "support/annulus_mesh.h"
 
 namespace clevis::assessment {

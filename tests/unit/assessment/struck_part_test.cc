@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "assessment/impact_check.h"
+#include "assessment/impact/impact_check.h"
 #include "assessment/part_check.h"
 #include "base/errors.h"
 #include "dynamics/strike.h"

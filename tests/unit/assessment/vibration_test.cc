@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "assessment/load_pace.h"
 #include "assessment/part_check.h"
-#include "assessment/vibration_times.h"
-#include "mesh/mass_properties.h"
+#include "assessment/vibration/load_pace.h"
+#include "assessment/vibration/vibration_times.h"
+#include "mesh/quality/mass_properties.h"
 #include "support/structured_mesh.h"
 
 namespace clevis::assessment {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/errors.h"
+
 namespace clevis {
 namespace {
 

@@ -10,6 +10,7 @@
 #include "bar.h"
 #include "beam/formulas.h"
 #include "beam/pin_line.h"
+#include "loads/balance.h"
 
 namespace clevis::beam {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/mesh_reader.h"
+#include "mesh/reading/mesh_reader.h"
 #include "support/source_dir.h"
 
 namespace clevis::beam {

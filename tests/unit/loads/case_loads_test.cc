@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
+#include "loads/balance.h"
 #include "loads/part_loads.h"
 
 namespace clevis::loads {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
+#include "loads/balance.h"
 
 namespace clevis::loads {
 namespace {

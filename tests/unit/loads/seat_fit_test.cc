@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
+#include "loads/part_seats.h"
 
 namespace clevis::loads {
 namespace {

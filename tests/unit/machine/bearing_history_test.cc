@@ -124,12 +124,5 @@ TEST(BearingHistory, BearingOfAGearedJointCannotPass) {
             BearingVerdict::kNotJudged);
 }
 
-TEST(BearingHistory, BearingsSitInJointsThatTurnAboutOneAxis) {
-  using enum mechanism::JointType;
-  EXPECT_TRUE(takes_bearing(kRevolute) && takes_bearing(kCylindrical));
-  EXPECT_FALSE(takes_bearing(kPrismatic) || takes_bearing(kSpherical) ||
-               takes_bearing(kWeld) || takes_bearing(kScrew));
-}
-
 }  // namespace
 }  // namespace clevis::machine

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/forward_dynamics.h"
-#include "mechanism/initial_state.h"
-#include "mechanism/motion_integrator.h"
+#include "mechanism/dynamic_motion/initial_state.h"
+#include "mechanism/dynamic_motion/motion_integrator.h"
+#include "mechanism/equations_of_motion/forward_dynamics.h"
 #include "support/benchmark_mechanisms.h"
 #include "support/reference_motions.h"
 
@@ -32,7 +32,8 @@ namespace {
 
 /// Allocations of the steps from `skip` on.
 long allocations_of_steps(const MechanismDefinition& definition,
-                          IntegratorChoice choice, int skip, int steps) {
+                          numerics::IntegratorChoice choice, int skip,
+                          int steps) {
   const SolvingFrame frame = frame_at_centres(definition);
   ForwardDynamics dynamics(definition, frame, 1e-8, 1.0);
   const InitialState initial =
@@ -88,14 +89,16 @@ MechanismDefinition on_a_motor() {
 
 // Its steps need new Jacobians.
 TEST(Allocation, NoneInAStepThatLinearises) {
-  EXPECT_EQ(allocations_of_steps(testing::governor(),
-                                 IntegratorChoice::kImplicit, 30, 100),
-            0);
+  EXPECT_EQ(
+      allocations_of_steps(testing::governor(),
+                           numerics::IntegratorChoice::kImplicit, 30, 100),
+      0);
 }
 
 TEST(Allocation, NoneInAStep) {
-  for (const IntegratorChoice choice :
-       {IntegratorChoice::kExplicit, IntegratorChoice::kImplicit}) {
+  for (const numerics::IntegratorChoice choice :
+       {numerics::IntegratorChoice::kExplicit,
+        numerics::IntegratorChoice::kImplicit}) {
     EXPECT_EQ(
         allocations_of_steps(testing::simple_pendulum(0.5), choice, 2, 20), 0);
     EXPECT_EQ(

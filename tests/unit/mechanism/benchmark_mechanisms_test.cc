@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/forward_dynamics.h"
-#include "mechanism/initial_state.h"
-#include "mechanism/joint_types.h"
+#include "mechanism/dynamic_motion/initial_state.h"
+#include "mechanism/equations_of_motion/forward_dynamics.h"
+#include "mechanism/joints/joint_types.h"
 #include "mechanism/simulate.h"
-#include "mechanism/structure.h"
+#include "mechanism/structure/structure.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -51,7 +51,7 @@ TEST(Governor, StiffnessDoesNotEndNewtonsIterations) {
     values.stiffness *= stiffer;
     values.damping *= stiffer;
     SimulationSettings s = settings(2.0, 2, 1e-4);
-    s.integrator = IntegratorChoice::kImplicit;
+    s.integrator = numerics::IntegratorChoice::kImplicit;
     const Motion motion = simulate(testing::governor(values), s);
     EXPECT_LT(motion.integration->rejected, 10) << stiffer;
     EXPECT_LT(motion.integration->evaluations, 2000) << stiffer;

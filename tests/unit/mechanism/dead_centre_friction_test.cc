@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/forward_dynamics.h"
+#include "mechanism/equations_of_motion/forward_dynamics.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 

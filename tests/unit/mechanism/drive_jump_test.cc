@@ -115,10 +115,12 @@ TEST(DriveJump, OnlyLawsThatJumpInsideTheMotion) {
   drive.start = 0.25;
   EXPECT_NEAR(simulate(m, s).drive_jumps.at(0).behind, 0.2 * M_PI, 1e-12);
   drive.law = DriveLaw::kTable;
-  for (const auto ends : {SplineEnds::kClamped, SplineEnds::kNatural}) {
-    drive.table = interpolating_spline({0.0, 0.2, 0.5}, {0.0, 0.3, 0.1}, ends);
+  for (const auto ends :
+       {numerics::SplineEnds::kClamped, numerics::SplineEnds::kNatural}) {
+    drive.table =
+        numerics::interpolating_spline({0.0, 0.2, 0.5}, {0.0, 0.3, 0.1}, ends);
     EXPECT_EQ(simulate(m, s).drive_jumps.size(),
-              ends == SplineEnds::kClamped ? 0u : 2u);
+              ends == numerics::SplineEnds::kClamped ? 0u : 2u);
   }
 }
 

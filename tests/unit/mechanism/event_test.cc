@@ -16,11 +16,12 @@ using testing::on_joint;
 using testing::sliders;
 
 constexpr double kTolerances[] = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
-constexpr IntegratorChoice kChoices[] = {IntegratorChoice::kExplicit,
-                                         IntegratorChoice::kImplicit};
+constexpr numerics::IntegratorChoice kChoices[] = {
+    numerics::IntegratorChoice::kExplicit,
+    numerics::IntegratorChoice::kImplicit};
 
 SimulationSettings settings(double duration, double tolerance,
-                            IntegratorChoice choice) {
+                            numerics::IntegratorChoice choice) {
   return {.duration = duration,
           .instants = 11,
           .tolerance = tolerance,
@@ -39,8 +40,9 @@ LineElement constant_force(double force) {
   return on_joint(0, TableLaw{.times = {0.0}, .efforts = {force}});
 }
 
-std::string label(double tolerance, IntegratorChoice choice) {
-  return (choice == IntegratorChoice::kExplicit ? "explicit " : "implicit ") +
+std::string label(double tolerance, numerics::IntegratorChoice choice) {
+  return (choice == numerics::IntegratorChoice::kExplicit ? "explicit "
+                                                          : "implicit ") +
          std::to_string(tolerance);
 }
 
@@ -55,7 +57,7 @@ TEST(Events, StopJustBelowAnApex) {
   const double v = 10.0, g = 9.81, apex = v * v / (2.0 * g);
   for (const double part : {0.9, 0.99, 0.998, 0.999, 0.9999}) {
     for (const double tolerance : kTolerances) {
-      for (const IntegratorChoice choice : kChoices) {
+      for (const numerics::IntegratorChoice choice : kChoices) {
         MechanismDefinition m = sliders({1.0});
         m.elements = {on_joint(0, stop_above(part * apex)), constant_force(-g)};
         m.initial_joints = {start(0.0, v)};
@@ -80,7 +82,7 @@ TEST(Events, StopBesideAnAmplitude) {
     for (int k = 0; k < 5; ++k) {
       const double phase = -M_PI + 0.3 * k + 0.01;
       for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
-        for (const IntegratorChoice choice : kChoices) {
+        for (const numerics::IntegratorChoice choice : kChoices) {
           MechanismDefinition m = sliders({1.0});
           m.initial_joints = {start(amplitude * std::cos(phase),
                                     -w * amplitude * std::sin(phase))};
@@ -117,8 +119,8 @@ TEST(Events, RestThatOnlyTimeEnds) {
       m.elements = {
           on_joint(0, servo),
           on_joint(0, FrictionLaw{.breakaway = 10.0, .kinetic = 8.0})};
-      SimulationSettings s =
-          settings(10.0 / frequency, tolerance, IntegratorChoice::kAuto);
+      SimulationSettings s = settings(10.0 / frequency, tolerance,
+                                      numerics::IntegratorChoice::kAuto);
       const Motion motion = simulate(m, s);
       ASSERT_GE(motion.events.size(), 1u) << frequency << ' ' << tolerance;
       EXPECT_EQ(motion.events[0].what, "slip");
@@ -133,8 +135,9 @@ TEST(Events, RestThatOnlyTimeEnds) {
   MechanismDefinition m = sliders({1.0});
   m.elements = {on_joint(0, servo),
                 on_joint(0, FrictionLaw{.breakaway = 10.0, .kinetic = 8.0})};
-  EXPECT_TRUE(simulate(m, settings(10.0, 1e-8, IntegratorChoice::kAuto))
-                  .events.empty());
+  EXPECT_TRUE(
+      simulate(m, settings(10.0, 1e-8, numerics::IntegratorChoice::kAuto))
+          .events.empty());
 }
 
 // The speed would come to −dip once a period, without regard to friction's
@@ -144,7 +147,7 @@ TEST(Events, SlideThatDipsBelowRest) {
   for (const double dip : {1e-2, 1e-3, 1e-4}) {
     for (const double tolerance : kTolerances) {
       if (dip < 10.0 * tolerance) continue;
-      for (const IntegratorChoice choice : kChoices) {
+      for (const numerics::IntegratorChoice choice : kChoices) {
         // x'' = −k (x − r), slow against the spring's period: v = v₀ cos ω t
         // + c, c below v₀ by the dip, so that v is least at half a period
         const double w = 20.0, v0 = 1.0, c = v0 - dip;
@@ -192,7 +195,8 @@ TEST(Events, ContactGrazed) {
       initial.v_WLo = Vector3d(0.0, v, 0.0);
       m.initial_bodies = {initial};
       const Motion motion = simulate(
-          m, settings(1.9 * v / g, tolerance, IntegratorChoice::kAuto));
+          m,
+          settings(1.9 * v / g, tolerance, numerics::IntegratorChoice::kAuto));
       ASSERT_GE(motion.events.size(), 1u) << part << ' ' << tolerance;
       const double left = std::sqrt(1.0 - part);
       EXPECT_NEAR(motion.events[0].t, v / g * (1.0 - left),

@@ -489,8 +489,10 @@ TEST(Impedance, FollowsAMovingTarget) {
     impedance.point.body = 0;
     const Vector3d start(0.1, 0.2, 0.3), speed(0.2, -0.1, 0.3);
     for (int k = 0; k < 3; ++k) {
-      impedance.path_W[static_cast<std::size_t>(k)] = interpolating_spline(
-          {0.0, 1.0}, {start[k], start[k] + speed[k]}, SplineEnds::kNatural);
+      impedance.path_W[static_cast<std::size_t>(k)] =
+          numerics::interpolating_spline({0.0, 1.0},
+                                         {start[k], start[k] + speed[k]},
+                                         numerics::SplineEnds::kNatural);
     }
     impedance.stiffness = 200.0;
     impedance.damping = 8.0;

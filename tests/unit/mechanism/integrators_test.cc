@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/collocation.h"
-#include "mechanism/dop853.h"
-#include "mechanism/radau.h"
 #include "mechanism/simulate.h"
+#include "numerics/integrators/collocation.h"
+#include "numerics/integrators/dop853.h"
+#include "numerics/integrators/radau.h"
 #include "support/reference_motions.h"
 
 namespace clevis::mechanism {
@@ -17,7 +17,7 @@ namespace {
 using Eigen::VectorXd;
 
 /// y' = λ y with an error allowed per step.
-class Decay : public OdeSystem {
+class Decay : public numerics::OdeSystem {
  public:
   Decay(double lambda, double tolerance)
       : lambda_(lambda), tolerance_(tolerance) {}
@@ -55,15 +55,15 @@ TEST(Collocation, IsRadauIIA) {
   for (const int stages : {3, 5, 7}) {
     for (const double z : {-1e6, -30.0, -1.0, -0.1, 0.2}) {
       Decay decay(z, 1e-3);
-      Collocation collocation(decay);
-      collocation.use(radau_method(stages));
+      numerics::Collocation collocation(decay);
+      collocation.use(numerics::radau_method(stages));
       VectorXd y = VectorXd::Ones(1), slope(1), weights(1);
       collocation.start(0.0, y, slope);
       weights.setConstant(1e13);
-      collocation.linearise(0.0, y, slope, Collocation::Axes::kFixed);
+      collocation.linearise(0.0, y, slope, numerics::Collocation::Axes::kFixed);
       ASSERT_TRUE(collocation.factor(1.0));
       ASSERT_TRUE(collocation.solve(0.0, y, 1.0, weights)) << z;
-      const Collocation::Stages& z_end = collocation.stages();
+      const numerics::Collocation::Stages& z_end = collocation.stages();
       EXPECT_NEAR(1.0 + z_end[collocation.method().count() - 1][0],
                   pade(stages, z), 1e-13)
           << stages << " " << z;
@@ -75,7 +75,7 @@ TEST(Collocation, IsRadauIIA) {
 // degree it is exact for, not for one more.
 TEST(RadauMethod, ErrorIsOfItsOrder) {
   for (const int stages : {3, 5, 7}) {
-    const RadauMethod& method = radau_method(stages);
+    const numerics::RadauMethod& method = numerics::radau_method(stages);
     for (int degree = 1; degree <= stages + 1; ++degree) {
       double error = degree == 1 ? 1.0 : 0.0;  // the slope at the start
       for (std::size_t i = 0; i < method.count(); ++i) {
@@ -92,7 +92,7 @@ TEST(RadauMethod, ErrorIsOfItsOrder) {
 
 TEST(Radau, StateWithinAStepIsAsAccurateAsItsEnd) {
   Decay decay(-1.0, 1e-8);
-  Radau radau(decay);
+  numerics::Radau radau(decay);
   VectorXd y = VectorXd::Ones(1);
   radau.restart(0.0, y, 0.0);
   double polynomial = 0.0, exact = 0.0;
@@ -109,7 +109,7 @@ TEST(Radau, StateWithinAStepIsAsAccurateAsItsEnd) {
 }
 
 SimulationSettings settings(double duration, int instants, double tolerance,
-                            IntegratorChoice choice) {
+                            numerics::IntegratorChoice choice) {
   SimulationSettings s;
   s.duration = duration;
   s.instants = instants;
@@ -119,9 +119,9 @@ SimulationSettings settings(double duration, int instants, double tolerance,
   return s;
 }
 
-constexpr IntegratorChoice kChoices[] = {IntegratorChoice::kAuto,
-                                         IntegratorChoice::kExplicit,
-                                         IntegratorChoice::kImplicit};
+constexpr numerics::IntegratorChoice kChoices[] = {
+    numerics::IntegratorChoice::kAuto, numerics::IntegratorChoice::kExplicit,
+    numerics::IntegratorChoice::kImplicit};
 constexpr double kTolerances[] = {1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10};
 
 /// Over six tolerances: the error is at most the one asked for times `size`,
@@ -141,8 +141,9 @@ void expect_falling(const std::function<double(double)>& error, double size,
 TEST(Integrators, SpatialSliderCrank) {
   const double known[] = {0.226787189, 0.184952630, 0.211721661, 0.240719574};
   const std::size_t at[] = {1, 5, 10, 50};
-  for (const IntegratorChoice choice :
-       {IntegratorChoice::kAuto, IntegratorChoice::kImplicit}) {
+  for (const numerics::IntegratorChoice choice :
+       {numerics::IntegratorChoice::kAuto,
+        numerics::IntegratorChoice::kImplicit}) {
     const auto error = [&](double tolerance) {
       const Motion motion = simulate(testing::spatial_slider_crank(),
                                      settings(5.0, 51, tolerance, choice));
@@ -161,7 +162,7 @@ TEST(Integrators, SpatialSliderCrank) {
 }
 
 TEST(Integrators, TimesOfStickAndSlip) {
-  for (const IntegratorChoice choice : kChoices) {
+  for (const numerics::IntegratorChoice choice : kChoices) {
     expect_falling(
         [choice](double tolerance) {
           const Motion motion =
@@ -182,9 +183,9 @@ TEST(Integrators, BristlesAreStiff) {
   long steps = 0;
   expect_falling(
       [&steps](double tolerance) {
-        const Motion motion =
-            simulate(testing::pulled(testing::bristles()),
-                     settings(25.0, 26, tolerance, IntegratorChoice::kAuto));
+        const Motion motion = simulate(
+            testing::pulled(testing::bristles()),
+            settings(25.0, 26, tolerance, numerics::IntegratorChoice::kAuto));
         const IntegrationSummary& run = *motion.integration;
         EXPECT_EQ(run.method, "DOP853 and Radau IIA");
         EXPECT_GT(run.implicit_steps, 0);
@@ -199,7 +200,7 @@ TEST(Integrators, BristlesAreStiff) {
 // Elastic wall of 1e8 N/m under a spring of 100 N/m: times of touch and
 // release by halves of both periods.
 TEST(Integrators, WallOf1e8) {
-  for (const IntegratorChoice choice : kChoices) {
+  for (const numerics::IntegratorChoice choice : kChoices) {
     expect_falling(
         [choice](double tolerance) {
           const Motion motion =
@@ -228,7 +229,7 @@ TEST(Integrators, StiffDamperTakesFewSteps) {
   m.initial_joints = {
       {.joint = 0, .position = 0.1, .rate = {}, .place = "initial"}};
   const Motion motion =
-      simulate(m, settings(1e4, 11, 1e-6, IntegratorChoice::kAuto));
+      simulate(m, settings(1e4, 11, 1e-6, numerics::IntegratorChoice::kAuto));
   for (const Instant& i : motion.instants) {
     EXPECT_NEAR(i.bodies[0].pose.p_WL.x(), 0.1 * std::exp(-1e-4 * i.t), 1e-6);
   }
@@ -253,8 +254,8 @@ TEST(Integrators, RestsOnAStiffFloorForLong) {
   push.body = 0;
   push.v_WLo = {0.5, 0.0, 0.0};
   m.initial_bodies = {push};
-  const Motion motion =
-      simulate(m, settings(1000.0, 11, 1e-6, IntegratorChoice::kAuto));
+  const Motion motion = simulate(
+      m, settings(1000.0, 11, 1e-6, numerics::IntegratorChoice::kAuto));
   const Instant& end = motion.instants.back();
   EXPECT_NEAR(end.elements[0].effort, 9.81, 1e-4);
   EXPECT_NEAR(end.bodies[0].pose.p_WL.z(), 0.1 - 9.81e-8, 1e-9);
@@ -264,7 +265,8 @@ TEST(Integrators, RestsOnAStiffFloorForLong) {
 
 // Pin of the pendulum: 3 m g at the bottom, between the instants.
 TEST(ReactionPeaks, PendulumAtTheBottom) {
-  SimulationSettings s = settings(1.0, 3, 1e-9, IntegratorChoice::kAuto);
+  SimulationSettings s =
+      settings(1.0, 3, 1e-9, numerics::IntegratorChoice::kAuto);
   s.at_peaks = true;
   const Motion motion = simulate(testing::simple_pendulum(1.0), s);
   const auto bottom =
@@ -286,7 +288,8 @@ TEST(ReactionPeaks, BlowBetweenInstants) {
       0, StopLaw{.lower = {}, .upper = 0.5, .contact = {.stiffness = 1e6}})};
   m.initial_joints = {
       {.joint = 0, .position = {}, .rate = 1.0, .place = "initial"}};
-  SimulationSettings s = settings(1.0, 11, 1e-9, IntegratorChoice::kAuto);
+  SimulationSettings s =
+      settings(1.0, 11, 1e-9, numerics::IntegratorChoice::kAuto);
   double peak = 0.0;
   for (const bool at_peaks : {false, true}) {
     s.at_peaks = at_peaks;

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
-#include "mechanism/drive_law.h"
+#include "mechanism/drives/drive_law.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 
@@ -183,9 +183,9 @@ TEST(SpeedLaw, JumpsAtALaterStart) {
   MechanismDefinition m = testing::sliders({1.0});
   m.drives = {{.joint = 0, .law = DriveLaw::kSpeed, .place = "drive"}};
   m.drives[0].speed = 2.0;
-  EXPECT_TRUE(drive_jumps(m, 1.0).empty());
+  EXPECT_TRUE(drive_jumps(m.drives, 1.0).empty());
   m.drives[0].start = 0.25;
-  const auto jumps = drive_jumps(m, 1.0);
+  const auto jumps = drive_jumps(m.drives, 1.0);
   ASSERT_EQ(jumps.size(), 1u);
   EXPECT_EQ(jumps[0].t, 0.25);
   EXPECT_EQ(jumps[0].before, 0.0);

@@ -7,9 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/joint_types.h"
+#include "mechanism/definition/drive_names.h"
+#include "mechanism/joints/joint_types.h"
 #include "mechanism/simulate.h"
-#include "mechanism/structure.h"
+#include "mechanism/structure/structure.h"
 #include "support/bennett.h"
 #include "support/newton_euler.h"
 

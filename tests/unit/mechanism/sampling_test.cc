@@ -110,8 +110,8 @@ TEST(Sampling, BothSidesOfADrivesBend) {
   m.elements.clear();
   DriveDefinition& drive = m.drives[0];
   drive.law = DriveLaw::kTable;
-  drive.table = interpolating_spline({0.0, 1.0, 2.0}, {0.0, 0.1, 0.0},
-                                     SplineEnds::kClamped);
+  drive.table = numerics::interpolating_spline({0.0, 1.0, 2.0}, {0.0, 0.1, 0.0},
+                                               numerics::SplineEnds::kClamped);
   drive.start = 0.35;
   const Motion motion = simulate(m, at_peaks(3.0, 31));
   const auto next = std::ranges::find_if(motion.instants, [](const Instant& i) {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
-#include "mechanism/friction_laws.h"
+#include "mechanism/force_laws/friction_laws.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 

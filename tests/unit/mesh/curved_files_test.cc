@@ -7,10 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
-#include "mesh/cells.h"
-#include "mesh/gate.h"
-#include "mesh/mass_properties.h"
-#include "mesh/section.h"
+#include "mesh/cells/section.h"
+#include "mesh/gmsh/gmsh_reader.h"
+#include "mesh/quality/gate.h"
+#include "mesh/quality/mass_properties.h"
+#include "mesh/reading/cells.h"
 #include "unit/mesh/mesh_data.h"
 
 namespace clevis::mesh {

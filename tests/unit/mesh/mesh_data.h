@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string>
 
-#include "mesh/mesh_reader.h"
+#include "mesh/reading/mesh_reader.h"
 #include "support/source_dir.h"
 
 namespace clevis::mesh {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "report/result_files.h"
+#include "report/check/result_files.h"
 #include "sample_report.h"
 
 namespace clevis::report {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "report/check_report.h"
+#include "report/check/check_report.h"
 
 namespace clevis::report {
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/suggestion.h"
+
 namespace clevis::scene {
 namespace {
 

@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "elasticity/supports.h"
+#include "elasticity/assembly/supports.h"
+#include "elasticity/solid/solid_solve.h"
 #include "stress/stress_history.h"
 #include "support/eye_problem.h"
 

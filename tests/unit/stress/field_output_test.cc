@@ -6,7 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "elasticity/tabulation.h"
+#include "elasticity/fe_space/tabulation.h"
+#include "elasticity/solid/solid_solve.h"
 #include "support/eye_problem.h"
 
 namespace clevis::stress {

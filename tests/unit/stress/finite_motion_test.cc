@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "elasticity/solid/solid_solve.h"
 #include "support/structured_mesh.h"
 
 namespace clevis::stress {

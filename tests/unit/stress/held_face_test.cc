@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "elasticity/solid/solid_solve.h"
 #include "support/annulus_mesh.h"
 #include "support/structured_mesh.h"
 

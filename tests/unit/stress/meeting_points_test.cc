@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "elasticity/supports.h"
+#include "elasticity/assembly/supports.h"
 #include "stress/stress_history.h"
 #include "support/simplex_mesh.h"
 #include "support/structured_mesh.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/mesh_reader.h"
+#include "mesh/reading/mesh_reader.h"
 #include "stress/boundary_corner.h"
 #include "support/annulus_mesh.h"
 #include "support/corner_mesh.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "elasticity/supports.h"
+#include "elasticity/assembly/supports.h"
 #include "support/structured_mesh.h"
 
 namespace clevis::stress {

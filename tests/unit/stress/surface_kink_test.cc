@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "elasticity/tabulation.h"
+#include "elasticity/fe_space/tabulation.h"
 #include "support/annulus_mesh.h"
 #include "support/simplex_mesh.h"
 

@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "elasticity/neighbourhood.h"
+#include "elasticity/problem/elastic_problem.h"
+#include "elasticity/solid/neighbourhood.h"
 #include "stress/local_peak.h"
 #include "stress/peak_zoom.h"
 #include "stress/probe.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "elasticity/displacement_basis.h"
-#include "mesh/part_mesh.h"
+#include "elasticity/problem/displacement_basis.h"
+#include "mesh/cells/part_mesh.h"
 #include "stress/peak_band.h"
 #include "support/elastic_field_problem.h"
 #include "support/field_error.h"

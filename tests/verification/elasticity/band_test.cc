@@ -14,7 +14,8 @@
 #include <gtest/gtest.h>
 
 #include "band_catalogue.h"
-#include "elasticity/displacement_basis.h"
+#include "elasticity/problem/displacement_basis.h"
+#include "elasticity/solid/solid_solve.h"
 #include "stress/energy_error.h"
 #include "support/annulus_mesh.h"
 

@@ -1,4 +1,4 @@
-#include "elasticity/buckling.h"
+#include "elasticity/buckling/buckling.h"
 
 #include <cmath>
 #include <numbers>

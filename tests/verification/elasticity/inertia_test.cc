@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
-#include "elasticity/displacement_basis.h"
+#include "elasticity/problem/displacement_basis.h"
+#include "elasticity/solid/solid_solve.h"
 #include "stress/stress_history.h"
 #include "support/elastic_field_problem.h"
 #include "support/field_error.h"

@@ -7,7 +7,8 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include "elasticity/displacement_basis.h"
+#include "elasticity/problem/displacement_basis.h"
+#include "elasticity/solid/solid_solve.h"
 #include "stress/stress_history.h"
 #include "support/elastic_field_problem.h"
 #include "support/eye_problem.h"

@@ -6,7 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "elasticity/displacement_basis.h"
+#include "elasticity/problem/displacement_basis.h"
+#include "elasticity/solid/solid_solve.h"
 #include "stress/stress_history.h"
 #include "support/annulus_mesh.h"
 #include "support/convergence.h"

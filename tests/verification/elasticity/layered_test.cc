@@ -6,11 +6,12 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "elasticity/layered_solve.h"
-#include "elasticity/layered_stiffness.h"
-#include "elasticity/plate_layer.h"
-#include "elasticity/stiffness.h"
-#include "elasticity/supports.h"
+#include "elasticity/assembly/stiffness.h"
+#include "elasticity/assembly/supports.h"
+#include "elasticity/plate/layered_solve.h"
+#include "elasticity/plate/layered_stiffness.h"
+#include "elasticity/plate/plate_layer.h"
+#include "elasticity/solid/solid_solve.h"
 #include "stress/probe.h"
 #include "stress/stress_history.h"
 #include "support/eye_problem.h"

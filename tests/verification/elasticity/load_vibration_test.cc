@@ -2,7 +2,7 @@
 // against the wave in it. Source: docs/theory.md, "Vibration under a load
 // history".
 
-#include "elasticity/load_vibration.h"
+#include "elasticity/vibration/load_vibration.h"
 
 #include <cmath>
 

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "elasticity/stiffness.h"
-#include "elasticity/tabulation.h"
+#include "elasticity/assembly/stiffness.h"
+#include "elasticity/fe_space/tabulation.h"
 #include "support/convergence.h"
 #include "support/elastic_field_problem.h"
 #include "support/manufactured_field.h"

@@ -12,7 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "base/stopwatch.h"
-#include "elasticity/revolution_solve.h"
+#include "elasticity/revolution/revolution_solve.h"
+#include "elasticity/solid/solid_solve.h"
 #include "stress/stress_history.h"
 #include "support/annulus_mesh.h"
 #include "support/field_error.h"

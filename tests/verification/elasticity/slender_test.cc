@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "elasticity/displacement_basis.h"
+#include "elasticity/problem/displacement_basis.h"
+#include "elasticity/solid/solid_solve.h"
 #include "stress/stress_history.h"
 #include "support/field_error.h"
 #include "support/structured_mesh.h"

@@ -12,7 +12,8 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-#include "elasticity/strike_response.h"
+#include "elasticity/problem/elastic_problem.h"
+#include "elasticity/vibration/strike_response.h"
 #include "stress/stress_history.h"
 #include "support/rod_peak.h"
 #include "support/structured_mesh.h"

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "elasticity/eigenmodes.h"
-#include "elasticity/supports.h"
-#include "elasticity/vibrating_part.h"
+#include "elasticity/assembly/supports.h"
+#include "elasticity/vibration/eigenmodes.h"
+#include "elasticity/vibration/vibrating_part.h"
 #include "support/convergence.h"
 #include "support/structured_mesh.h"
 #include "support/weld.h"

@@ -12,8 +12,8 @@
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
-#include "mesh/mass_properties.h"
-#include "mesh/mesh_reader.h"
+#include "mesh/quality/mass_properties.h"
+#include "mesh/reading/mesh_reader.h"
 #include "plane_region.h"
 #include "support/source_dir.h"
 

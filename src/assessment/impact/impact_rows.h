@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "assessment/impact/struck_run.h"
+#include "beam/struck_part.h"
+
+namespace clevis::assessment {
+
+/// The part as a bar that beam theory knows; nothing if it is none, or is held
+/// otherwise than clamped at one face.
+std::optional<beam::BarOfPart> bar_of(const PartJob& job,
+                                      const ImpactJob& impact);
+
+/// What beam theory's models say of a blow, as published and corrected.
+void add_beam_rows(const beam::BarOfPart& bar, const loads::Strike& strike,
+                   std::vector<ImpactRow>& rows);
+
+/// Dynamic over static stress by the corrected beam; 0: it has none [1].
+double beam_factor(const beam::BarOfPart& bar, const loads::Strike& strike);
+
+/// What elements in time say.
+/// @param error  of the stress [1].
+template <int dim>
+ImpactRow struck_row(const StruckRun<dim>& run, int degree, double error);
+
+/// Which side of the judged model a model is on, and why.
+/// @param face  way of the struck face by the judged model [m].
+/// @param part_stiffness  of the struck face [N/m].
+std::string remark_on(const ImpactRow& row, const ImpactResult& impact,
+                      double face, double part_stiffness);
+
+}  // namespace clevis::assessment

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "assessment/job/part_result.h"
+#include "loads/load_history.h"
+#include "loads/part_loads.h"
+#include "loads/strike.h"
+#include "mesh/cells/part_mesh.h"
+#include "part/mass_properties.h"
+#include "part/part_definition.h"
+#include "stress/stress_history.h"
+
+namespace clevis::assessment {
+
+/// Loads that share their supports, solved with one factorisation.
+struct LoadSet {
+  loads::LoadHistory history;
+  std::map<std::string, std::array<bool, 3>> fixed;  ///< empty: free part
+  part::Foundations foundations = {};
+};
+
+/// A blow on the part, resolved.
+struct ImpactJob {
+  loads::Strike strike;
+  std::map<std::string, std::array<bool, 3>> fixed;
+  std::string source;  ///< "given", "contact touch"
+  int samples = 1200;  ///< instants at which it is judged
+  double front =
+      0.0;  ///< waves that take less are damped, but not by steps [s]
+};
+
+/// An impact somewhere in the mechanism, as it loads the part.
+struct ImpactLoad {
+  std::string name;
+  double duration{};   ///< [s]
+  double rise_time{};  ///< until its largest force [s]
+  /// This one's and those of all impacts of the same contact or end of a stop
+  /// that are at least a tenth as hard [s].
+  std::vector<double> touches;
+};
+
+/// The loads of a set as its reactions may be shared otherwise, where
+/// equilibrium leaves them open.
+struct OpenSharing {
+  std::size_t set{};           ///< of the load sets
+  loads::LoadHistory checked;  ///< those of its instants that are shared
+  std::vector<loads::LoadHistory> others;
+  bool is_complete = true;  ///< between them lies every sharing
+  std::string remedy;       ///< what makes it certain
+};
+
+enum class ModelChoice { kAuto, kPlaneStress, kLayered, kRevolution, kSolid };
+
+/// All that the check of one part needs.
+struct PartJob {
+  part::PartDefinition part;
+  mesh::PartMesh<3> mesh;
+  part::MassProperties mass;
+  std::vector<loads::GroupGeometry> groups;
+  std::vector<LoadSet> load_sets;
+  std::vector<OpenSharing> open_sharings;
+  std::vector<ImpactJob> impacts;
+  std::vector<ImpactLoad> impact_loads;
+  double tolerance = 0.01;                ///< of the peak stress [1]
+  std::optional<double> buckling_length;  ///< of a sliding pair [m]
+  ModelChoice model = ModelChoice::kAuto;
+  std::vector<std::string> notes;  ///< of the mesh, for the result
+};
+
+/// What the part carries at one instant or in one case.
+struct InstantRow {
+  std::string label;       ///< of the case, or "t = 1.25 s"
+  double time{};           ///< [s]
+  double peak{};           ///< largest von Mises [Pa]
+  double strain_energy{};  ///< [J]
+};
+
+/// How the part buckles, at the instant that governs.
+struct BucklingShape {
+  mesh::CellShape shape{};
+  stress::InstantField field;  ///< the largest displacement 1 mm
+};
+
+/// Fields of the highest degree, for output.
+struct PartFields {
+  int dim = 3;
+  mesh::CellShape shape{};
+  stress::StressHistory worst;  ///< of the governing load set
+  std::vector<double> times;    ///< of its instants [s]
+  int peak_instant{};
+  std::vector<InstantRow> history;  ///< of all load sets
+  /// Singular zone of each lattice point, 0 outside; points × cells. Nothing
+  /// if the part has none.
+  std::optional<Eigen::MatrixXd> zones;
+  std::optional<BucklingShape> buckling;
+  /// Displacement and stress at an instant on a lattice.
+  std::function<stress::InstantField(int instant, int subdivisions)> at;
+};
+
+struct PartAssessment {
+  PartResult result;
+  PartFields fields;
+};
+
+}  // namespace clevis::assessment

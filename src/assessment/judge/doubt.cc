@@ -1,0 +1,50 @@
+#include "assessment/judge/doubt.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace clevis::assessment {
+namespace {
+
+struct Source {
+  double ErrorShares::*share;
+  const char* name;
+  bool is_always_told;
+  const char* remedy;
+};
+
+constexpr std::array kSources{
+    Source{&ErrorShares::mesh, "mesh", true, "mesh finer there"},
+    Source{&ErrorShares::model, "model", true,
+           "take a higher model (--model 3d)"},
+    Source{&ErrorShares::time, "time", false,
+           "give more instants (`instants` of [simulation])"},
+    Source{&ErrorShares::sharing, "sharing of reactions", false,
+           "give the joints their `compliance`"},
+};
+
+}  // namespace
+
+std::string doubt_text(const PeakStress& peak) {
+  std::string text;
+  for (const Source& source : kSources) {
+    const double share = peak.shares.*source.share;
+    if (share == 0.0 && !source.is_always_told) continue;
+    text += fmt::format("{}{:.2g} % {}", text.empty() ? "" : " + ",
+                        peak.value > 0.0 ? 100.0 * share / peak.value : 0.0,
+                        source.name);
+  }
+  return text;
+}
+
+std::string doubt_remedy(const ErrorShares& shares) {
+  const auto* largest =
+      std::ranges::max_element(kSources, {}, [&](const Source& source) {
+        return shares.*source.share;
+      });
+  return largest->remedy;
+}
+
+}  // namespace clevis::assessment

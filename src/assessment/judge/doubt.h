@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "assessment/job/part_result.h"
+
+namespace clevis::assessment {
+
+/// "0.3 % mesh + 0.1 % model", with time, contact and sharing where there are
+/// any; of the peak.
+std::string doubt_text(const PeakStress& peak);
+
+/// What makes the largest of them smaller: "give more instants" …
+std::string doubt_remedy(const ErrorShares& shares);
+
+}  // namespace clevis::assessment

@@ -1,0 +1,106 @@
+#include "assessment/judge/model_band.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "assessment/judge/doubt.h"
+#include "assessment/judge/finite_motion.h"
+
+namespace clevis::assessment {
+namespace {
+
+void widen(double tolerance, double model_error, PeakStress& peak) {
+  peak.discretization_error =
+      std::max(peak.band_high - peak.value, peak.value - peak.band_low);
+  peak.model_error = model_error * peak.value;
+  // What lies between instants can only rise.
+  peak.shares.mesh = std::max(peak.value - peak.band_low,
+                              peak.band_high - peak.value - peak.shares.time);
+  peak.shares.model = peak.model_error;
+  peak.band_low -= peak.model_error;
+  peak.band_high += peak.model_error;
+  const double half_width = peak.discretization_error + peak.model_error;
+  if (peak.verdict == PeakVerdict::kConverged && model_error > 0.0 &&
+      half_width > tolerance * peak.value) {
+    peak.verdict = PeakVerdict::kNotConverged;
+  }
+}
+
+/// With a singular peak the other's stands outside of the zones.
+void keep_singular(const PeakStress& other, PartResult& result) {
+  if (other.verdict != PeakVerdict::kSingular ||
+      result.peak.verdict == PeakVerdict::kSingular) {
+    return;
+  }
+  result.peak_outside = std::exchange(result.peak, other);
+}
+
+void add_checks(const SelfChecks& other, SelfChecks& checks) {
+  checks.equilibrium = std::max(checks.equilibrium, other.equilibrium);
+  checks.residual = std::max(checks.residual, other.residual);
+  checks.energy = std::max(checks.energy, other.energy);
+  checks.compression = std::max(checks.compression, other.compression);
+}
+
+template <class T>
+void append(const std::vector<T>& other, std::vector<T>& all) {
+  all.insert(all.end(), other.begin(), other.end());
+}
+
+}  // namespace
+
+void add_model_error(double tolerance, double model_error, PartResult& result) {
+  const bool is_outside = !result.peak_outside.sequence.empty();
+  widen(tolerance, is_outside ? 0.0 : model_error, result.peak);
+  if (is_outside) widen(tolerance, model_error, result.peak_outside);
+  // What a model leaves out it leaves out of stiffness too, and less of it.
+  const double rest = model_error * result.deflection;
+  result.deflection_low = std::max(0.0, result.deflection_low - rest);
+  result.deflection_high += rest;
+  const PeakStress& peak = is_outside ? result.peak_outside : result.peak;
+  result.stopped_because = fmt::format(
+      "{}: {}, {:.3g} % wanted",
+      peak.verdict != PeakVerdict::kConverged ? "highest degree done"
+      : is_outside ? "within tolerance away from the singular zones"
+                   : "within tolerance",
+      doubt_text(peak), 100.0 * tolerance);
+}
+
+void add_seconds(const PartSeconds& earlier, PartSeconds& seconds) {
+  seconds.assemble += earlier.assemble;
+  seconds.factor += earlier.factor;
+  seconds.solve += earlier.solve;
+  seconds.recover += earlier.recover;
+}
+
+PartAssessment join(PartAssessment first, PartAssessment second) {
+  if (judged_peak(second.result).band_high >
+      judged_peak(first.result).band_high) {
+    std::swap(first, second);
+  }
+  PartResult& result = first.result;
+  const PartResult& other = second.result;
+  keep_singular(other.peak, result);
+  append(other.singular_zones, result.singular_zones);
+  append(other.probes, result.probes);
+  append(second.fields.history, first.fields.history);
+  add_checks(other.self_checks, result.self_checks);
+  add_seconds(other.seconds, result.seconds);
+  result.load_columns += other.load_columns;
+  if (other.held.band_high > result.held.band_high) result.held = other.held;
+  result.strain_energy = std::max(result.strain_energy, other.strain_energy);
+  result.finite_motion = farther(result.finite_motion, other.finite_motion);
+  result.deflection_high =
+      std::max(result.deflection_high, other.deflection_high);
+  if (other.deflection > result.deflection) {
+    result.deflection = other.deflection;
+    result.deflection_low = other.deflection_low;
+    result.deflection_at = other.deflection_at;
+    result.deflection_instant = other.deflection_instant;
+  }
+  return first;
+}
+
+}  // namespace clevis::assessment

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "assessment/job/part_job.h"
+
+namespace clevis::assessment {
+
+/// Widens the judged peak's band by the model's error and says what the rung
+/// has achieved.
+/// @param tolerance, model_error  of the peak [1].
+void add_model_error(double tolerance, double model_error, PartResult& result);
+
+void add_seconds(const PartSeconds& earlier, PartSeconds& seconds);
+
+/// One result of two that load the same part apart from each other: that with
+/// the higher judged peak, and of the other zones, deflection, probes and
+/// time. A stress without bound of either one stays.
+PartAssessment join(PartAssessment first, PartAssessment second);
+
+}  // namespace clevis::assessment

@@ -1,0 +1,373 @@
+#include "assessment/judge/verdict.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "assessment/judge/doubt.h"
+#include "assessment/judge/finite_motion.h"
+#include "part/buckling_limit.h"
+
+namespace clevis::assessment {
+namespace {
+
+constexpr double kMega = 1e6;
+constexpr double kMilli = 1e-3;
+constexpr double kLargestConcentration = 5.0;  // of holes and fillets
+
+void set(PartResult& result, PartVerdict verdict, std::string why) {
+  result.verdict = verdict;
+  result.why = std::move(why);
+}
+
+std::string unsettled_remedy(const PeakStress& peak) {
+  if (peak.verdict == PeakVerdict::kSingular) {
+    return "round the corner, or support the part without a sharp edge";
+  }
+  return fmt::format("in doubt by {}: {}", doubt_text(peak),
+                     doubt_remedy(peak.shares));
+}
+
+/// Whether a peak that is not converged lies within the limit all the same:
+/// what is wider than the tolerance is an estimate from degrees that are far
+/// from settled, and has to hold with twice its reach; beside a singular zone,
+/// whose own cells may be as large as the zone, with five times.
+bool is_clearly_within(const PeakStress& peak, bool beside_zone,
+                       double allowed) {
+  const double safety = beside_zone ? 5.0 : 2.0;
+  return peak.verdict == PeakVerdict::kNotConverged && peak.has_band &&
+         peak.value + safety * (peak.band_high - peak.value) <= allowed;
+}
+
+/// "edge of root at (0, 0) mm and 1 more" of the zones that govern, of those
+/// only that are of this kind.
+std::string governing_zones(const PartResult& result,
+                            std::optional<bool> has_section = {}) {
+  std::string first;
+  int more = 0;
+  for (const ZoneResult& zone : result.singular_zones) {
+    if (!zone.governs ||
+        zone.has_section != has_section.value_or(zone.has_section))
+      continue;
+    if (first.empty()) {
+      first = zone.name;
+    } else {
+      ++more;
+    }
+  }
+  return more == 0 ? first : fmt::format("{} and {} more", first, more);
+}
+
+/// A part whose stress is unbounded somewhere cannot pass unless the user
+/// leaves such zones out; it can fail by its stress elsewhere.
+bool is_singular_only(const part::PartDefinition& part,
+                      const PartResult& result, double allowed) {
+  return &judged_peak(result) != &result.peak &&
+         !part.limits.exclude_singular_zones &&
+         result.peak_outside.band_low <= allowed;
+}
+
+/// The peak that decides: with vibration where that was computed.
+PeakStress governing_peak(const PartResult& result) {
+  PeakStress peak = judged_peak(result);
+  if (!result.vibration.governs) return peak;
+  peak.value = result.vibration.peak;
+  peak.band_low = result.vibration.band_low;
+  peak.band_high = result.vibration.band_high;
+  peak.group = result.vibration.group;
+  const VibrationResult& vibration = result.vibration;
+  peak.shares.mesh +=
+      (vibration.degree_error + vibration.shape_error) * vibration.peak;
+  peak.shares.time +=
+      (vibration.sampling_error + vibration.path_error) * vibration.peak;
+  return peak;
+}
+
+bool judge_stress(const part::PartDefinition& part, PartResult& result) {
+  const PeakStress peak = governing_peak(result);
+  const double wanted = part.limits.safety_factor.value_or(1.0);
+  const double allowed = part.material.yield_strength / wanted;
+  const bool is_decided =
+      peak.verdict == PeakVerdict::kConverged ||
+      (peak.verdict == PeakVerdict::kNotConverged && peak.band_low > allowed) ||
+      is_clearly_within(peak, &judged_peak(result) != &result.peak, allowed);
+  if (peak.value == 0.0 && result.peak.value > 0.0) {
+    set(result, PartVerdict::kNotJudged,
+        fmt::format("the singular zones cover the whole part ({}): mesh finer",
+                    governing_zones(result)));
+    return false;
+  }
+  if (peak.value == 0.0) {
+    set(result, PartVerdict::kNotJudged,
+        "nothing stresses the part: its loads cancel, or act on held surfaces "
+        "only");
+    return false;
+  }
+  if (is_singular_only(part, result, allowed)) {
+    set(result, PartVerdict::kNotJudged,
+        fmt::format(
+            "stress without bound at {}; elsewhere {:.4g} MPa ({}). Round the "
+            "corner or spread the support, or judge without it by limits = {{ "
+            "singular_zones = \"exclude\" }}",
+            governing_zones(result), peak.value / kMega,
+            peak.verdict == PeakVerdict::kConverged ? "converged"
+                                                    : "not converged"));
+    return false;
+  }
+  if (!is_decided) {
+    set(result, PartVerdict::kNotJudged,
+        fmt::format("peak {} at {}: [{:.4g}, {:.4g}] MPa; {}",
+                    peak.verdict == PeakVerdict::kSingular
+                        ? "singular (grows without bound under refinement)"
+                        : "not converged",
+                    peak.group, peak.band_low / kMega, peak.band_high / kMega,
+                    unsettled_remedy(peak)));
+    return false;
+  }
+  const std::string limit =
+      part.limits.safety_factor
+          ? fmt::format("{:.4g} MPa (safety factor {:.4g})", allowed / kMega,
+                        wanted)
+          : fmt::format("yield strength {:.4g} MPa", allowed / kMega);
+  if (peak.band_low > allowed) {
+    set(result, PartVerdict::kFail,
+        fmt::format("peak {:.4g} MPa{} exceeds {}", peak.value / kMega,
+                    result.vibration.governs ? " with vibration" : "", limit));
+    return false;
+  }
+  if (peak.band_high > allowed) {
+    const bool vibrates = result.vibration.governs;
+    set(result, PartVerdict::kNotJudged,
+        fmt::format(
+            "{} lies inside the band of the peak{}, [{:.4g}, {:.4g}] "
+            "MPa: {}",
+            limit, vibrates ? " with vibration" : "", peak.band_low / kMega,
+            peak.band_high / kMega,
+            vibrates ? "give the part its damping, or mesh finer"
+                     : "tighten --tolerance, or " + doubt_remedy(peak.shares)));
+    return false;
+  }
+  if (!result.vibration.failure.empty()) {
+    set(result, PartVerdict::kNotJudged,
+        fmt::format("its vibration after impacts could not be computed ({}), "
+                    "without it the peak is {:.4g} MPa",
+                    result.vibration.failure, peak.value / kMega));
+    return false;
+  }
+  return true;
+}
+
+bool leaves_zones_out(const part::PartDefinition& part,
+                      const PartResult& result) {
+  return part.limits.exclude_singular_zones &&
+         &judged_peak(result) != &result.peak;
+}
+
+/// The nominal stress of a section that may lie in a zone left out.
+struct Nominal {
+  double low{}, value{}, high{};  ///< [Pa]; 0: unknown
+  std::string what;               ///< "section root, impact blow"
+};
+
+/// The largest of the held faces' and of beam theory's sections. Formulas of
+/// lugs are none of a section.
+Nominal largest_nominal(const PartResult& result) {
+  Nominal largest;
+  if (result.beam.governing.starts_with("axial + bending")) {
+    const double stress = result.beam.peak_stress;
+    largest = {stress, stress, stress, result.beam.governing};
+  }
+  const HeldStress& held = result.held;
+  if (held.band_high <= largest.high) return largest;
+  return {held.band_low, held.value, held.band_high,
+          fmt::format("section {}, {}", held.section, held.label)};
+}
+
+/// Where a zone is left out, the nominal stress of the section stands for what
+/// it hides: a part is not judged by less.
+bool judge_nominal(const part::PartDefinition& part, PartResult& result) {
+  if (!leaves_zones_out(part, result)) return true;
+  const Nominal nominal = largest_nominal(result);
+  const double allowed =
+      part.material.yield_strength / part.limits.safety_factor.value_or(1.0);
+  if (nominal.high <= allowed) return true;
+  const bool fails = nominal.low > allowed;
+  set(result, fails ? PartVerdict::kFail : PartVerdict::kNotJudged,
+      fmt::format("nominal stress {:.4g} [{:.4g}, {:.4g}] MPa ({}), hidden by "
+                  "the zone left out, {} {:.4g} MPa",
+                  nominal.value / kMega, nominal.low / kMega,
+                  nominal.high / kMega, nominal.what,
+                  fails ? "exceeds" : "may exceed", allowed / kMega));
+  return false;
+}
+
+/// Of zones whose section is not known.
+std::string without(const std::string& zones) {
+  return fmt::format(
+      "WITHOUT {}: the nominal stress there may be higher than what is judged, "
+      "and no formula of beam theory applies that would say so",
+      zones);
+}
+
+/// Of a part that passes though its peak is not converged.
+std::string wide_band(const PartResult& result) {
+  const PeakStress& peak = judged_peak(result);
+  if (peak.verdict != PeakVerdict::kNotConverged) return "";
+  return fmt::format(
+      "by its band, which lies within the limit as a whole though the peak is "
+      "not converged ({})",
+      doubt_text(peak));
+}
+
+/// What a part that passes without its zones was not held against.
+std::string left_out(const part::PartDefinition& part,
+                     const PartResult& result) {
+  if (!leaves_zones_out(part, result)) return "";
+  const Nominal nominal = largest_nominal(result);
+  if (nominal.value == 0.0) return without(governing_zones(result));
+  const bool is_held = result.held.value > 0.0;  // not a link of beam theory
+  const std::string known = governing_zones(result, is_held);
+  const std::string unknown = is_held ? governing_zones(result, false) : "";
+  std::string text;
+  if (!known.empty()) {
+    text = fmt::format(
+        "without {}, where the nominal stress ({}) is {:.4g} MPa and the "
+        "corner's own is not judged",
+        known, nominal.what, nominal.value / kMega);
+  }
+  if (!unknown.empty()) text += (text.empty() ? "" : "; ") + without(unknown);
+  return text;
+}
+
+/// Euler's strut decides where there are no finite elements, and where it is
+/// longer than the part.
+bool judge_euler(double wanted, PartResult& result) {
+  const BucklingResult& buckling = result.buckling;
+  const double euler = buckling.euler;
+  const bool counts = buckling.factor == 0.0 || buckling.strut_is_longer;
+  if (!counts || euler == 0.0 || euler >= wanted) return true;
+  set(result, PartVerdict::kFail,
+      fmt::format("buckling: Euler's load is {:.3g} times the compression, "
+                  "{:.4g} is wanted",
+                  euler, wanted));
+  return false;
+}
+
+bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
+  const double wanted = part::wanted_buckling_factor(part.limits);
+  const BucklingResult& buckling = result.buckling;
+  if (!judge_euler(wanted, result)) return false;
+  if (part.limits.buckling && buckling.factor == 0.0 &&
+      !buckling.remark.empty()) {
+    set(result, PartVerdict::kNotJudged,
+        "the limit of buckling is not held against: " + buckling.remark);
+    return false;
+  }
+  if (buckling.factor == 0.0 || buckling.band_low >= wanted) return true;
+  const bool fails = buckling.band_high < wanted;
+  set(result, fails ? PartVerdict::kFail : PartVerdict::kNotJudged,
+      fmt::format("buckling: the part buckles under {:.4g} [{:.4g}, {:.4g}] "
+                  "times the loads of {}, {:.4g} is wanted{}",
+                  buckling.factor, buckling.band_low, buckling.band_high,
+                  buckling.label, wanted, fails ? "" : ": mesh finer"));
+  return false;
+}
+
+/// What turns or strains far has no stress that linear theory knows.
+bool judge_finite_motion(const part::PartDefinition&, PartResult& result) {
+  std::string why = beyond_small_displacements(result.finite_motion);
+  if (why.empty()) return true;
+  set(result, PartVerdict::kNotJudged, std::move(why));
+  return false;
+}
+
+bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
+  if (!part.limits.deflection) return true;
+  const bool has_band = result.deflection_high > 0.0;
+  const double low = has_band ? result.deflection_low : result.deflection;
+  const double high = has_band ? result.deflection_high : result.deflection;
+  if (high <= *part.limits.deflection) return true;
+  if (low <= *part.limits.deflection) {
+    set(result, PartVerdict::kNotJudged,
+        fmt::format("{:.4g} mm lies inside the band of the deflection, "
+                    "[{:.4g}, {:.4g}] mm: mesh finer",
+                    *part.limits.deflection / kMilli, low / kMilli,
+                    high / kMilli));
+    return false;
+  }
+  set(result, PartVerdict::kFail,
+      fmt::format("deflection {:.4g} mm exceeds {:.4g} mm",
+                  result.deflection / kMilli,
+                  *part.limits.deflection / kMilli));
+  return false;
+}
+
+}  // namespace
+
+double governing_stress(const part::PartDefinition& part,
+                        const PartResult& result) {
+  const double peak = judged_peak(result).value;
+  return leaves_zones_out(part, result)
+             ? std::max(peak, largest_nominal(result).value)
+             : peak;
+}
+
+const PeakStress& judged_peak(const PartResult& result) {
+  return result.peak_outside.sequence.empty() ? result.peak
+                                              : result.peak_outside;
+}
+
+// What one limit cannot tell another may: a part fails by any of them.
+void judge(const part::PartDefinition& part, PartResult& result) {
+  std::string open;
+  for (const auto holds : {judge_finite_motion, judge_stress, judge_nominal,
+                           judge_buckling, judge_deflection}) {
+    if (holds(part, result)) continue;
+    if (result.verdict == PartVerdict::kFail) {
+      std::string far = beyond_small_displacements(result.finite_motion);
+      if (!far.empty()) result.notes.push_back(std::move(far));
+      return;
+    }
+    if (open.empty()) open = result.why;
+  }
+  if (open.empty()) {
+    const std::string wide = wide_band(result);
+    const std::string out = left_out(part, result);
+    const bool both = !wide.empty() && !out.empty();
+    set(result, PartVerdict::kPass, wide + (both ? "; " : "") + out);
+  } else {
+    set(result, PartVerdict::kNotJudged, open);
+  }
+}
+
+std::string explain_ratio(const PeakStress& peak, const BeamComparison& beam) {
+  const double ratio = beam.ratio_fe_to_beam;
+  if (beam.peak_stress == 0.0) return "no beam formula applies";
+  if (ratio >= 0.8 && ratio <= 1.25) return "";
+  const std::string& group = peak.group;
+  if (ratio > 1.25) {
+    if (ratio > kLargestConcentration) {
+      return fmt::format("\"{}\" does not describe what loads {}",
+                         beam.governing, group);
+    }
+    if (group.starts_with("bore_")) {
+      return fmt::format(
+          "the hole concentrates the stress at {} by {:.2f} over the nominal "
+          "\"{}\"",
+          group, ratio, beam.governing);
+    }
+    if (group.starts_with("round_") || group.starts_with("fillet")) {
+      return fmt::format(
+          "the change of section at {} concentrates the stress by {:.2f}",
+          group, ratio);
+    }
+    return fmt::format("the load path near {} is not a slender beam's", group);
+  }
+  return fmt::format(
+      "\"{}\" is a nominal value for slender parts; here the part is stocky "
+      "and the load spreads",
+      beam.governing);
+}
+
+}  // namespace clevis::assessment

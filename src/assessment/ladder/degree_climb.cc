@@ -1,0 +1,266 @@
+#include "assessment/ladder/degree_climb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "assessment/judge/time_doubt.h"
+#include "assessment/ladder/few_instants.h"
+#include "assessment/ladder/probe_band.h"
+#include "assessment/places/local_error.h"
+#include "assessment/places/meeting_places.h"
+#include "base/errors.h"
+#include "base/stopwatch.h"
+#include "stress/peak_zoom.h"
+
+namespace clevis::assessment {
+namespace {
+
+using stress::Convergence;
+
+/// What the samples may miss widens a band upwards.
+stress::Band widened(stress::Band band, double sampling_error,
+                     double tolerance) {
+  band.high += sampling_error;
+  if (band.verdict == Convergence::kConverged &&
+      band.high - band.value > tolerance * band.value) {
+    band.verdict = Convergence::kNotConverged;
+  }
+  return band;
+}
+
+stress::Band band_of(const std::vector<SequenceMember>& sequence,
+                     double sampling_error, double tolerance) {
+  std::vector<stress::SequenceValue> values;
+  for (const auto& member : sequence) {
+    values.push_back({member.degree, member.peak});
+  }
+  return widened(stress::peak_band(values, tolerance), sampling_error,
+                 tolerance);
+}
+
+template <int dim>
+stress::Band outer_band_of(const ZoneWatch<dim>& zones, double tolerance) {
+  std::vector<SequenceMember> sequence;
+  for (const auto& peak : zones.outside()) sequence.push_back(peak.member);
+  const OutsidePeak& last = zones.outside().back();
+  return band_of(sequence, last.sampling_error + last.time_error, tolerance);
+}
+
+/// One climb.
+template <int dim>
+class Climb {
+ public:
+  Climb(const PartJob& job, const mesh::PartMesh<dim>& mesh,
+        const Rung<dim>& rung, PartSeconds& seconds)
+      : job_(job), rung_(rung), seconds_(seconds), ladder_(job, mesh) {}
+
+  /// Adds a degree, solved for these sets.
+  void take(const std::vector<LoadSet>& sets, int degree) {
+    ladder_.level = solve_level<dim>(job_, sets, ladder_.zones.mesh(), rung_,
+                                     degree, seconds_);
+    ladder_.sequence.push_back(ladder_.level.member);
+    ladder_.probes.push_back(ladder_.level.probes);
+    ladder_.held.push_back(ladder_.level.held);
+    ladder_.deflections.take(sets, ladder_.level);
+    ladder_.zones.take(ladder_.level);
+    const double tolerance = job_.tolerance - rung_.model_error;
+    const auto& history = ladder_.level.history();
+    ladder_.time_error =
+        time_doubt(sets[ladder_.level.set].history, history.peak);
+    ladder_.band =
+        band_of(ladder_.sequence, history.sampling_error + ladder_.time_error,
+                tolerance);
+    if (ladder_.zones.is_singular()) {
+      ladder_.time_error = ladder_.zones.outside().back().time_error;
+      ladder_.outer_band = outer_band_of(ladder_.zones, tolerance);
+    }
+    if (ladder_.sequence.size() < 3 || ladder_.level.member.peak <= 0.0) return;
+    if (rung_.looks_at_places) {
+      look_at_places(sets, tolerance);
+    } else if (ladder_.zones.is_singular() || !rung_.looks_nearby ||
+               !look_nearby(sets, tolerance)) {
+      join_cells(tolerance);
+    }
+  }
+  void drop() {
+    ladder_.sequence.pop_back();
+    ladder_.probes.pop_back();
+    ladder_.held.pop_back();
+    ladder_.deflections.drop();
+  }
+  bool is_within() const {
+    const auto& judged =
+        ladder_.zones.is_singular() ? ladder_.outer_band : ladder_.band;
+    return ladder_.sequence.size() > 2 &&
+           judged.verdict == Convergence::kConverged &&
+           probes_are_within(ladder_, job_, job_.tolerance);
+  }
+  const DegreeLadder<dim>& ladder() const { return ladder_; }
+  DegreeLadder<dim> finish() { return std::move(ladder_); }
+
+ private:
+  /// Puts the band of the peak's neighbourhood in place of the sequence's.
+  /// @return whether there is one.
+  bool look_nearby(const std::vector<LoadSet>& sets, double tolerance) {
+    Stopwatch watch;
+    const auto& sequence = ladder_.sequence;
+    const auto values =
+        local_peak<dim>(job_, sets, ladder_.zones.mesh(), ladder_.level,
+                        sequence[sequence.size() - 2].field_peak);
+    seconds_.recover += watch.lap();
+    if (!values) return false;
+    stress::Band band = stress::local_band(*values, tolerance);
+    band.value = sequence.back().peak;
+    band.low = std::min(band.low, band.value);
+    ladder_.band = widened(band, ladder_.time_error, tolerance);
+    return true;
+  }
+
+  /// The sequence may come to rest by chance: a peak, which is by one cell
+  /// alone, is in doubt by what its neighbours say as well.
+  void join_cells(double tolerance) {
+    const bool is_outer = ladder_.zones.is_singular();
+    stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;
+    const auto cells = cell_agreement<dim>(
+        ladder_.level,
+        is_outer ? ladder_.zones.outside_histories() : ladder_.level.histories);
+    ladder_.jump = cells.jump;
+    const double doubt = kErrorOfJump * cells.jump;
+    judged.low = std::min(judged.low - doubt, cells.mean);
+    judged.high += doubt;
+    if (!is_outer) judged.high += above_lattice();
+    const double reach =
+        std::max(judged.high - judged.value, judged.value - judged.low);
+    if (judged.verdict == Convergence::kConverged &&
+        reach > tolerance * judged.value) {
+      judged.verdict = Convergence::kNotConverged;
+    }
+  }
+
+  /// What the field rises to between the points of the lattice [Pa]: bending
+  /// has its peak beside the face of a plate, not on it.
+  double above_lattice() const {
+    const auto& history = ladder_.level.history();
+    return stress::field_maximum<dim>(*ladder_.level.governing,
+                                      job_.part.material, history) -
+           history.largest();
+  }
+
+  /// What may come to a peak from outside of its neighbourhood [1]: a share of
+  /// what the strain energy of the same instant, or else the peak, still
+  /// changes by.
+  double pollution() const {
+    constexpr double kShareOfEnergy = 0.1;
+    constexpr double kShareOfPeak = 0.01;
+    const SequenceMember& last = ladder_.sequence.back();
+    const SequenceMember& before = *std::prev(ladder_.sequence.end(), 2);
+    return last.label == before.label
+               ? kShareOfEnergy *
+                     std::abs(1.0 - before.strain_energy / last.strain_energy)
+               : kShareOfPeak * std::abs(1.0 - before.peak / last.peak);
+  }
+
+  /// Puts the band of all places that the peak may stand at in the place of the
+  /// sequence's.
+  void look_at_places(const std::vector<LoadSet>& sets, double tolerance) {
+    Stopwatch watch;
+    const bool is_outer = ladder_.zones.is_singular();
+    ladder_.nearby.reset();
+    // Elastic beds are not in the equations of the places.
+    if (std::ranges::all_of(sets, [](const LoadSet& set) {
+          return set.foundations.empty();
+        })) {
+      ladder_.nearby =
+          nearby_peak<dim>(job_, sets, ladder_.zones.mesh(), ladder_.level,
+                           is_outer ? ladder_.zones.outside_histories()
+                                    : ladder_.level.histories,
+                           pollution(), tolerance);
+    }
+    seconds_.recover += watch.lap();
+    stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;
+    if (!ladder_.nearby) {
+      join_cells(tolerance);
+      judged.verdict = Convergence::kNotConverged;
+      return;
+    }
+    ladder_.jump = ladder_.nearby->jump;
+    judged = widened(
+        ladder_.nearby->band,
+        ladder_.time_error +
+            (is_outer ? ladder_.zones.outside().back().sampling_error : 0.0),
+        tolerance);
+  }
+
+  const PartJob& job_;
+  const Rung<dim>& rung_;
+  PartSeconds& seconds_;
+  DegreeLadder<dim> ladder_;
+};
+
+template <int dim>
+DegreeLadder<dim> climb_with_all(const PartJob& job,
+                                 const mesh::PartMesh<dim>& mesh,
+                                 const Rung<dim>& rung, PartSeconds& seconds) {
+  Climb<dim> climb(job, mesh, rung, seconds);
+  for (int degree = rung.first_degree; degree <= rung.highest_degree;
+       ++degree) {
+    try {
+      climb.take(job.load_sets, degree);
+    } catch (const Error& error) {
+      // What the memory does not hold ends the sequence; three have a band.
+      if (error.code() != "F004" || climb.ladder().sequence.size() < 3) throw;
+      break;
+    }
+    if (climb.is_within()) break;
+  }
+  return climb.finish();
+}
+
+}  // namespace
+
+template <int dim>
+DegreeLadder<dim> climb_degrees(const PartJob& job,
+                                const mesh::PartMesh<dim>& mesh,
+                                const Rung<dim>& rung,
+                                const std::vector<LoadSet>& governing,
+                                PartSeconds& seconds) {
+  // The fourth degree is most often the last: solved for all at once.
+  constexpr int kFirstDegrees = 3;
+  const FewInstants few(job, governing);
+  Climb<dim> climb(job, mesh, rung, seconds);
+  if (few.sets().empty() || climb.ladder().zones.has_zones()) {
+    return climb_with_all(job, mesh, rung, seconds);
+  }
+  for (int degree = rung.first_degree; degree <= rung.highest_degree;
+       ++degree) {
+    bool all = degree >= rung.first_degree + kFirstDegrees;
+    climb.take(all ? job.load_sets : few.sets(), degree);
+    if (!all && (climb.is_within() || degree == rung.highest_degree)) {
+      climb.drop();
+      climb.take(job.load_sets, degree);
+      all = true;
+    }
+    if (!all) continue;
+    const Level<dim>& level = climb.ladder().level;
+    if (!few.contains(level.set, level.history().peak_instant)) {
+      return climb_with_all(job, mesh, rung, seconds);
+    }
+    if (climb.is_within()) break;
+  }
+  return climb.finish();
+}
+
+template DegreeLadder<2> climb_degrees<2>(const PartJob&,
+                                          const mesh::PartMesh<2>&,
+                                          const Rung<2>&,
+                                          const std::vector<LoadSet>&,
+                                          PartSeconds&);
+template DegreeLadder<3> climb_degrees<3>(const PartJob&,
+                                          const mesh::PartMesh<3>&,
+                                          const Rung<3>&,
+                                          const std::vector<LoadSet>&,
+                                          PartSeconds&);
+
+}  // namespace clevis::assessment

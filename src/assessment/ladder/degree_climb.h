@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "assessment/ladder/degree_ladder.h"
+
+namespace clevis::assessment {
+
+/// Solves degree after degree until the peak is within the tolerance less the
+/// rung's model error.
+/// @param job  outlives the result.
+/// @param governing  instants that the first degrees are content with; the
+///   last is solved for all, and if the peak is at none of these, so are the
+///   first. Empty: all instants with every degree.
+/// @param seconds  the stages' times are added here.
+/// @throws Error as solve_level.
+template <int dim>
+DegreeLadder<dim> climb_degrees(const PartJob& job,
+                                const mesh::PartMesh<dim>& mesh,
+                                const Rung<dim>& rung,
+                                const std::vector<LoadSet>& governing,
+                                PartSeconds& seconds);
+
+}  // namespace clevis::assessment

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "assessment/job/part_job.h"
+#include "assessment/ladder/deflection_band.h"
+#include "assessment/ladder/zone_watch.h"
+#include "assessment/models/level.h"
+#include "assessment/models/rung.h"
+#include "assessment/places/nearby_peak.h"
+#include "stress/peak_band.h"
+
+namespace clevis::assessment {
+
+/// What climbing the degrees of a rung has left: the last degree, all
+/// instants solved, and the values of all degrees.
+template <int dim>
+struct DegreeLadder {
+  explicit DegreeLadder(const PartJob& job, const mesh::PartMesh<dim>& mesh)
+      : zones(job, mesh) {}
+
+  ZoneWatch<dim> zones;
+  Level<dim> level;
+  std::vector<SequenceMember> sequence;
+  std::vector<std::vector<stress::PointValue>> probes;  ///< per degree
+  std::vector<HeldStress> held;                         ///< per degree
+  DeflectionWatch deflections;
+  stress::Band band;
+  stress::Band outer_band;  ///< away from zones; only if one governs
+  double time_error{};      ///< between instants, of the judged peak [Pa]
+  double jump{};  ///< between cells that meet near the judged peak [Pa]
+  /// Of the judged band, where finer solutions nearby gave it.
+  std::optional<NearbyPeak> nearby;
+};
+
+}  // namespace clevis::assessment

@@ -1,0 +1,150 @@
+#include "assessment/models/level.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "base/stopwatch.h"
+#include "elasticity/problem/elastic_problem.h"
+#include "stress/deflection.h"
+#include "stress/held_face.h"
+#include "stress/peak_zoom.h"
+
+namespace clevis::assessment {
+namespace {
+
+/// Value of one probe of a case.
+template <int dim>
+stress::PointValue probe_value(const PartJob& job, const Level<dim>& level,
+                               const part::LoadCaseDefinition& load_case,
+                               const part::Probe& probe) {
+  for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
+    const auto& instants = job.load_sets[s].history.instants;
+    const auto instant =
+        std::ranges::find(instants, load_case.name, &loads::InstantLoad::label);
+    if (instant == instants.end()) continue;
+    const auto location =
+        stress::locate<dim>(level.bases[s]->discretization, probe.at);
+    if (location.empty()) {
+      throw Error("L005", "part " + job.part.name + ", probe " + probe.name,
+                  fmt::format("({:.6g}, {:.6g}, {:.6g}) mm is outside the part",
+                              probe.at.x() * 1e3, probe.at.y() * 1e3,
+                              probe.at.z() * 1e3),
+                  "give `at` in the part's frame, inside it or on its surface");
+    }
+    return stress::probe<dim>(*level.bases[s], job.part.material, location,
+                              probe.quantity,
+                              static_cast<int>(instant - instants.begin()));
+  }
+  throw Error("X001", "part " + job.part.name,
+              "no load set holds case " + load_case.name,
+              "please report this scene");
+}
+
+template <int dim>
+std::vector<stress::PointValue> probe_values(const PartJob& job,
+                                             const Level<dim>& level) {
+  std::vector<stress::PointValue> values;
+  for (const auto& load_case : job.part.cases) {
+    for (const auto& probe : load_case.probes) {
+      values.push_back(probe_value<dim>(job, level, load_case, probe));
+    }
+  }
+  return values;
+}
+
+template <int dim>
+void note_held(const PartJob& job, const LoadSet& set,
+               const elasticity::DisplacementBasis<dim>& basis,
+               Level<dim>& level) {
+  HeldStress& held = level.held;
+  for (const auto& face : stress::held_faces<dim>(
+           basis, job.part.material, set.fixed, set.history, job.part.name)) {
+    level.held_sections.insert(level.held_sections.end(), face.groups.begin(),
+                               face.groups.end());
+    Eigen::Index at = 0;
+    const double value = face.nominal.maxCoeff(&at);
+    if (value <= held.value) continue;
+    const auto& instant = set.history.instants[static_cast<std::size_t>(at)];
+    held = {value, value, value, face.name, instant.time, instant.label};
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> reference_groups(const LoadSet& set) {
+  std::vector<std::string> groups;
+  for (const auto& seat : set.history.seats) {
+    if (seat.kind == loads::SeatKind::kBearing && groups.size() < 2) {
+      groups.push_back(seat.group);
+    }
+  }
+  return groups;
+}
+
+template <int dim>
+Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
+                       const mesh::PartMesh<dim>& mesh, const Rung<dim>& rung,
+                       int degree, PartSeconds& seconds) {
+  Level<dim> level;
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    const LoadSet& set = sets[s];
+    auto basis =
+        std::make_shared<elasticity::DisplacementBasis<dim>>(rung.solve(
+            {mesh, job.part.material, set.history, set.fixed, job.part.name,
+             elasticity::LinearSolver::kAuto, set.foundations},
+            degree));
+    seconds.assemble += basis->seconds.assemble;
+    seconds.factor += basis->seconds.factor;
+    seconds.solve += basis->seconds.solve;
+    if (set.fixed.empty() && set.foundations.empty()) {
+      stress::remove_rigid_motion<dim>(*basis, reference_groups(set));
+    }
+    Stopwatch watch;
+    note_held<dim>(job, set, *basis, level);
+    auto history = stress::stress_history<dim>(*basis, job.part.material,
+                                               rung.subdivisions);
+    level.deflections.push_back(stress::largest_deflection<dim>(*basis));
+    level.member.deflection =
+        std::max(level.member.deflection, level.deflections.back().value);
+    seconds.recover += watch.lap();
+    level.bases.push_back(basis);
+    level.histories.push_back(std::move(history));
+    if (level.governing &&
+        level.histories[s].largest() <= level.history().largest()) {
+      continue;
+    }
+    level.governing = basis;
+    level.set = s;
+  }
+  level.probes = probe_values<dim>(job, level);
+  level.member.degree = degree;
+  level.member.dofs = level.governing->equations > 0
+                          ? level.governing->equations
+                          : level.governing->discretization.dofs();
+  level.member.peak = level.history().largest();
+  if (rung.looks_nearby) {
+    level.member.field_peak = stress::field_maximum<dim>(
+        *level.governing, job.part.material, level.history());
+  }
+  level.member.label =
+      sets[level.set]
+          .history
+          .instants[static_cast<std::size_t>(level.history().peak_instant)]
+          .label;
+  level.member.strain_energy =
+      level.governing->strain_energy[level.history().peak_instant];
+  return level;
+}
+
+template Level<2> solve_level<2>(const PartJob&, const std::vector<LoadSet>&,
+                                 const mesh::PartMesh<2>&, const Rung<2>&, int,
+                                 PartSeconds&);
+template Level<3> solve_level<3>(const PartJob&, const std::vector<LoadSet>&,
+                                 const mesh::PartMesh<3>&, const Rung<3>&, int,
+                                 PartSeconds&);
+
+}  // namespace clevis::assessment

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "assessment/job/part_job.h"
+#include "assessment/models/rung.h"
+#include "elasticity/problem/displacement_basis.h"
+#include "stress/deflection.h"
+#include "stress/probe.h"
+
+namespace clevis::assessment {
+
+/// One degree: all load sets solved, the governing one kept.
+template <int dim>
+struct Level {
+  std::shared_ptr<elasticity::DisplacementBasis<dim>> governing;
+  std::vector<std::shared_ptr<elasticity::DisplacementBasis<dim>>>
+      bases;                                     ///< per set
+  std::vector<stress::StressHistory> histories;  ///< per set
+  std::vector<stress::Deflection> deflections;   ///< per set
+  std::size_t set{};                             ///< the governing one
+  SequenceMember member;
+  HeldStress held;                         ///< without band
+  std::vector<std::string> held_sections;  ///< groups with plane faces
+  std::vector<stress::PointValue> probes;  ///< case after case
+
+  const stress::StressHistory& history() const { return histories[set]; }
+};
+
+/// Surfaces of the first two seats, which deflections refer to.
+std::vector<std::string> reference_groups(const LoadSet& set);
+
+/// Solves load sets of a part with one degree of a rung; displacements
+/// relative to its pins.
+/// @param sets  the job's, or of each some instants.
+/// @param seconds  the stages' times are added here.
+/// @throws Error L005 if a probe lies outside the part; see elasticity.
+template <int dim>
+Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
+                       const mesh::PartMesh<dim>& mesh, const Rung<dim>& rung,
+                       int degree, PartSeconds& seconds);
+
+}  // namespace clevis::assessment

@@ -1,0 +1,227 @@
+#include "assessment/models/model_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "elasticity/plate/layered_solve.h"
+#include "elasticity/solid/solid_solve.h"
+#include "stress/peak_zoom.h"
+#include "stress/singular_zone.h"
+#include "stress/stress_history.h"
+#include "stress/zone_mask.h"
+
+namespace clevis::assessment {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr int kFewestTerms = 2;
+constexpr int kMostTerms = 4;
+constexpr int kFirstDegree = 2;
+constexpr int kDegree = 3;       // of plane stress: 2 doubles its difference
+constexpr int kTermsDegree = 2;  // of terms among each other
+constexpr int kPlaneSubdivisions = 8;
+
+elasticity::ElasticProblem<2> problem(const PartJob& job,
+                                      const mesh::PartMesh<2>& plate,
+                                      const LoadSet& set) {
+  return {plate, job.part.material, set.history, set.fixed, job.part.name};
+}
+
+/// Peak of each instant of a set; away from singular zones, where there are
+/// any, of those points where that instant is the worst.
+template <int dim>
+VectorXd peaks_of(const PartJob& job, const mesh::PartMesh<2>& plate,
+                  const LoadSet& set,
+                  const elasticity::DisplacementBasis<dim>& basis,
+                  int subdivisions) {
+  const auto history =
+      stress::stress_history<dim>(basis, job.part.material, subdivisions);
+  const auto zones = plate_zones<dim>(job, plate, set);
+  if (zones.empty() && history.largest() > 0.0) {
+    // Bending has its peak beside the face of a plate: between the points.
+    return history.peak / history.largest() *
+           stress::field_maximum<dim>(basis, job.part.material, history);
+  }
+  if (zones.empty()) return history.peak;
+  const auto zone_of =
+      stress::zone_of_points<dim>(basis.discretization, subdivisions, zones);
+  VectorXd peaks = VectorXd::Zero(history.peak.size());
+  for (Eigen::Index cell = 0; cell < zone_of.cols(); ++cell) {
+    for (Eigen::Index point = 0; point < zone_of.rows(); ++point) {
+      if (zone_of(point, cell) >= 0) continue;
+      double& peak = peaks[history.worst_instant(point, cell)];
+      peak = std::max(peak, history.worst(point, cell));
+    }
+  }
+  return peaks;
+}
+
+VectorXd plane_peaks(const PartJob& job, const mesh::PartMesh<2>& plate,
+                     const LoadSet& set, int degree) {
+  return peaks_of<2>(job, plate, set,
+                     elasticity::solve<2>(problem(job, plate, set), degree),
+                     kPlaneSubdivisions);
+}
+
+/// The lattice's own error must stay below the difference that matters.
+int subdivisions(const PartJob& job) {
+  constexpr double kFine = 0.005;
+  return job.tolerance < kFine ? 8 : 4;
+}
+
+VectorXd layered_peaks(const PartJob& job, const mesh::PartMesh<2>& plate,
+                       const LoadSet& set, int degree, int terms) {
+  return peaks_of<3>(
+      job, plate, set,
+      elasticity::solve_layered(problem(job, plate, set), degree, terms),
+      subdivisions(job));
+}
+
+/// Peaks of all governing instants, set after set; of a set with singular
+/// zones the largest alone: in another model another instant may be a point's
+/// worst.
+template <class Peaks>
+VectorXd all_peaks(const PartJob& job, const mesh::PartMesh<2>& plate,
+                   const std::vector<LoadSet>& sets, const Peaks& peaks_of) {
+  VectorXd all;
+  for (const LoadSet& set : sets) {
+    VectorXd peaks = peaks_of(set);
+    if (!plate_zones<2>(job, plate, set).empty()) {
+      peaks = VectorXd::Constant(1, peaks.maxCoeff());
+    }
+    all.conservativeResize(all.size() + peaks.size());
+    all.tail(peaks.size()) = peaks;
+  }
+  return all;
+}
+
+/// Largest difference at an instant over the largest peak.
+double difference(const VectorXd& ours, const VectorXd& theirs) {
+  const double largest = theirs.maxCoeff();
+  if (!(largest > 0.0)) return 0.0;
+  return (ours - theirs).cwiseAbs().maxCoeff() / largest;
+}
+
+/// The instant of the largest peak and the largest ones away from it.
+std::vector<std::size_t> highest_instants(VectorXd peaks, double floor) {
+  constexpr int kMost = 3;
+  std::vector<std::size_t> found;
+  const Eigen::Index apart = std::max<Eigen::Index>(1, peaks.size() / 10);
+  while (static_cast<int>(found.size()) < kMost) {
+    Eigen::Index at = 0;
+    const double largest = peaks.maxCoeff(&at);
+    if (largest < floor) break;
+    found.push_back(static_cast<std::size_t>(at));
+    const Eigen::Index begin = std::max<Eigen::Index>(0, at - apart + 1);
+    const Eigen::Index end = std::min(peaks.size(), at + apart);
+    peaks.segment(begin, end - begin).setConstant(-1.0);
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<stress::SingularZone> plate_zones(const PartJob& job,
+                                              const mesh::PartMesh<2>& plate,
+                                              const LoadSet& set) {
+  auto zones = stress::singular_zones<2>(plate, job.part.material, set.fixed);
+  if constexpr (dim == 3) {
+    const Eigen::Vector3d half(0.0, 0.0, 0.5 * plate.thickness);
+    for (auto& zone : zones) {
+      for (auto& [from, to] : zone.edges) {
+        from -= half;
+        to += half;
+      }
+    }
+  }
+  return zones;
+}
+
+template std::vector<stress::SingularZone> plate_zones<2>(
+    const PartJob&, const mesh::PartMesh<2>&, const LoadSet&);
+template std::vector<stress::SingularZone> plate_zones<3>(
+    const PartJob&, const mesh::PartMesh<2>&, const LoadSet&);
+
+std::vector<LoadSet> governing_loads(const PartJob& job,
+                                     const mesh::PartMesh<2>& plate,
+                                     bool in_plane) {
+  constexpr double kNear = 0.9;
+  std::vector<VectorXd> peaks;
+  double largest = 0.0;
+  for (const LoadSet& set : job.load_sets) {
+    peaks.push_back(
+        in_plane ? plane_peaks(job, plate, set, kFirstDegree)
+                 : layered_peaks(job, plate, set, kFirstDegree, kFewestTerms));
+    largest = std::max(largest, peaks.back().maxCoeff());
+  }
+  std::vector<LoadSet> governing;
+  for (std::size_t s = 0; s < peaks.size(); ++s) {
+    const LoadSet& set = job.load_sets[s];
+    LoadSet few{{set.history.seats, {}}, set.fixed};
+    for (const std::size_t i : highest_instants(peaks[s], kNear * largest)) {
+      few.history.instants.push_back(set.history.instants[i]);
+    }
+    if (!few.history.instants.empty()) governing.push_back(std::move(few));
+  }
+  return governing;
+}
+
+double plane_stress_error(const PartJob& job, const mesh::PartMesh<2>& plate,
+                          const std::vector<LoadSet>& governing) {
+  constexpr int kTerms = 4;      // fewer may agree with plane stress by chance
+  constexpr double kRest = 1.2;  // for what a higher degree would change
+  const VectorXd plane =
+      all_peaks(job, plate, governing, [&](const LoadSet& set) {
+        return plane_peaks(job, plate, set, kDegree);
+      });
+  const VectorXd layered =
+      all_peaks(job, plate, governing, [&](const LoadSet& set) {
+        return layered_peaks(job, plate, set, kDegree, kTerms);
+      });
+  return kRest * difference(plane, layered);
+}
+
+bool plane_stress_is_far(const PartJob& job, const mesh::PartMesh<2>& plate,
+                         const std::vector<LoadSet>& governing) {
+  constexpr double kSure = 2.5;  // what degree and terms may feign
+  const VectorXd plane =
+      all_peaks(job, plate, governing, [&](const LoadSet& set) {
+        return plane_peaks(job, plate, set, kFirstDegree);
+      });
+  const VectorXd layered =
+      all_peaks(job, plate, governing, [&](const LoadSet& set) {
+        return layered_peaks(job, plate, set, kFirstDegree, kFewestTerms);
+      });
+  return difference(plane, layered) > kSure * job.tolerance;
+}
+
+ThicknessChoice choose_terms(const PartJob& job, const mesh::PartMesh<2>& plate,
+                             const std::vector<LoadSet>& governing,
+                             double allowed) {
+  constexpr double kRest = 1.5;  // for what even more terms would change
+  std::vector<VectorXd> peaks;   // from kFewestTerms on
+  const auto of_terms = [&](int terms) -> const VectorXd& {
+    while (static_cast<int>(peaks.size()) <= terms - kFewestTerms) {
+      const int next = kFewestTerms + static_cast<int>(peaks.size());
+      peaks.push_back(all_peaks(job, plate, governing, [&](const LoadSet& set) {
+        return layered_peaks(job, plate, set, kTermsDegree, next);
+      }));
+    }
+    return peaks[static_cast<std::size_t>(terms - kFewestTerms)];
+  };
+  ThicknessChoice choice;
+  for (int terms = kFewestTerms; terms <= kMostTerms; ++terms) {
+    of_terms(terms + 2);
+    choice = {
+        terms,
+        kRest * std::max(difference(of_terms(terms), of_terms(terms + 1)),
+                         difference(of_terms(terms), of_terms(terms + 2)))};
+    if (choice.model_error <= allowed) break;
+  }
+  return choice;
+}
+
+}  // namespace clevis::assessment

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "assessment/job/part_job.h"
+#include "mesh/cells/part_mesh.h"
+#include "stress/singular_zone.h"
+
+namespace clevis::assessment {
+
+/// The singular zones of a plate's plane model; for dim = 3 through the
+/// thickness.
+template <int dim>
+std::vector<stress::SingularZone> plate_zones(const PartJob& job,
+                                              const mesh::PartMesh<2>& plate,
+                                              const LoadSet& set);
+
+/// The instants that govern a part: of each load set those whose peaks, by
+/// plane stress or a few thickness terms of a low degree, come near to the
+/// largest of all. A handful, so that models are compared at little cost.
+std::vector<LoadSet> governing_loads(const PartJob& job,
+                                     const mesh::PartMesh<2>& plate,
+                                     bool in_plane);
+
+/// How far the peak by plane stress is from that of 3-D elasticity, measured
+/// with thickness terms of the same degree; over the peak [1].
+double plane_stress_error(const PartJob& job, const mesh::PartMesh<2>& plate,
+                          const std::vector<LoadSet>& governing);
+
+/// Whether two terms of a low degree already say that plane stress cannot meet
+/// the tolerance: the cheap part of plane_stress_error().
+bool plane_stress_is_far(const PartJob& job, const mesh::PartMesh<2>& plate,
+                         const std::vector<LoadSet>& governing);
+
+/// Thickness terms and what is still missing with them.
+struct ThicknessChoice {
+  int terms{};
+  double model_error{};  ///< over the peak [1]
+};
+
+/// The fewest terms whose peak differs from those with one and with two more
+/// by less than `allowed` of it; the highest number of terms if none does.
+/// One more alone may agree by chance.
+ThicknessChoice choose_terms(const PartJob& job, const mesh::PartMesh<2>& plate,
+                             const std::vector<LoadSet>& governing,
+                             double allowed);
+
+}  // namespace clevis::assessment

@@ -1,0 +1,57 @@
+#include "assessment/notes/beam_comparison.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "assessment/judge/verdict.h"
+#include "beam/beam_estimate.h"
+
+namespace clevis::assessment {
+
+BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
+  BeamComparison comparison;
+  for (const LoadSet& set : job.load_sets) {
+    const auto estimate =
+        beam::estimate(job.mesh, job.part.material, job.mass, job.groups,
+                       set.history, job.buckling_length);
+    if (!estimate.stresses.empty() &&
+        estimate.stresses.front().stress > comparison.peak_stress) {
+      comparison.peak_stress = estimate.stresses.front().stress;
+      comparison.governing = estimate.stresses.front().formula + ", " +
+                             estimate.stresses.front().where;
+    }
+    comparison.deflection =
+        std::max(comparison.deflection, estimate.deflection);
+    if (estimate.buckling_safety > 0.0 &&
+        (comparison.buckling_safety == 0.0 ||
+         estimate.buckling_safety < comparison.buckling_safety)) {
+      comparison.buckling_safety = estimate.buckling_safety;
+    }
+  }
+  // of blows the held section's stress in time is no beam theory
+  if (job.impacts.empty() && result.held.value > comparison.peak_stress) {
+    comparison.peak_stress = result.held.value;
+    comparison.governing = fmt::format(
+        "section {} by its support's force and moment", result.held.section);
+  }
+  if (comparison.peak_stress > 0.0) {
+    comparison.ratio_fe_to_beam =
+        judged_peak(result).value / comparison.peak_stress;
+  }
+  const bool held = std::ranges::any_of(job.load_sets, [](const LoadSet& set) {
+    return !set.fixed.empty() || !set.foundations.empty();
+  });
+  if (comparison.peak_stress > 0.0 || !held) {
+    comparison.reason = explain_ratio(judged_peak(result), comparison);
+  } else {
+    comparison.reason =
+        job.impacts.empty()
+            ? "the supports by `fixed` are no plane sections, and no formula "
+              "of lugs applies"
+            : "the beam models of a blow stand in its own table";
+  }
+  return comparison;
+}
+
+}  // namespace clevis::assessment

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "assessment/job/part_job.h"
+
+namespace clevis::assessment {
+
+/// What the cases of a part took for granted: reactions of the pins that hold
+/// it, loads that its inertia took up.
+void note_cases(const PartJob& job, PartResult& result);
+
+}  // namespace clevis::assessment

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assessment/job/part_job.h"
+
+namespace clevis::assessment {
+
+/// What the user should know of the part as given: a size that few links of
+/// mechanisms have, physical groups that hold nothing.
+std::vector<std::string> part_notes(const PartJob& job);
+
+}  // namespace clevis::assessment

@@ -1,0 +1,231 @@
+#include "assessment/stability/buckling_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "assessment/models/model_choice.h"
+#include "assessment/stability/sharing_check.h"
+#include "base/errors.h"
+#include "base/stopwatch.h"
+#include "elasticity/buckling/buckling.h"
+#include "elasticity/plate/plate_layer.h"
+#include "part/buckling_limit.h"
+
+namespace clevis::assessment {
+namespace {
+
+using elasticity::BucklingMode;
+using elasticity::Discretization;
+
+constexpr int kFirstDegree = 2;
+constexpr int kHighestDegree = 4;
+
+/// The part's discretisation for bending and twisting: of plates one layer.
+class BucklingModel {
+ public:
+  explicit BucklingModel(const PartJob& job)
+      : job_(job), plate_(plate_model(job)) {}
+
+  Discretization<3> discretize(int degree) const {
+    constexpr int kHighestThroughThickness = 3;  // warps as shear wants
+    if (!plate_) return elasticity::discretize<3>(job_.mesh, degree);
+    return elasticity::layer_over(
+        elasticity::discretize<2>(plate_->quadrangles, degree),
+        std::min(degree, kHighestThroughThickness));
+  }
+  std::string name(int degree) const {
+    return fmt::format("{}, p = {}", plate_ ? "2-D x thickness" : "3-D",
+                       degree);
+  }
+
+ private:
+  const PartJob& job_;
+  std::optional<PlateModel> plate_;
+};
+
+/// Each way in which two pins of a free part may hold it.
+std::vector<std::vector<std::string>> holds_of(const LoadSet& set) {
+  std::vector<std::string> groups;
+  for (const auto& seat : set.history.seats) {
+    if (seat.kind == loads::SeatKind::kBearing &&
+        std::ranges::find(groups, seat.group) == groups.end()) {
+      groups.push_back(seat.group);
+    }
+  }
+  if (groups.size() < 2) return {groups};
+  std::vector<std::vector<std::string>> pairs;
+  for (std::size_t a = 0; a < groups.size(); ++a) {
+    for (std::size_t b = a + 1; b < groups.size(); ++b) {
+      pairs.push_back({groups[a], groups[b]});
+    }
+  }
+  return pairs;
+}
+
+/// What is looked at with one degree.
+struct Candidate {
+  std::size_t set{};
+  loads::LoadHistory history;
+  std::vector<std::vector<std::string>> holds;
+};
+
+/// The lowest factor of candidates, which are left with the instant and the
+/// hold that govern each.
+struct Found {
+  BucklingMode mode;
+  std::string label;
+  double instant{};
+};
+Found lowest(const PartJob& job, const Discretization<3>& discretization,
+             std::vector<Candidate>& candidates) {
+  std::optional<Found> best;
+  for (Candidate& candidate : candidates) {
+    auto mode = elasticity::lowest_buckling(
+        {discretization, job.part.material, candidate.history,
+         job.load_sets[candidate.set].fixed, candidate.holds, job.part.name,
+         job.load_sets[candidate.set].foundations});
+    const auto instant =
+        candidate.history.instants[static_cast<std::size_t>(mode.instant)];
+    candidate.history.instants = {instant};
+    candidate.holds = {candidate.holds[mode.hold]};
+    if (best && best->mode.factor <= mode.factor) continue;
+    best = {std::move(mode), instant.label, instant.time};
+  }
+  return std::move(*best);
+}
+
+BucklingShape shape_of(const PartJob& job,
+                       const Discretization<3>& discretization,
+                       const BucklingMode& mode) {
+  constexpr double kAmplitude = 1e-3;  // [m]
+  constexpr int kSubdivisions = 2;
+  elasticity::DisplacementBasis<3> basis;
+  basis.discretization = discretization;
+  basis.columns = mode.shape;
+  basis.coefficients = Eigen::MatrixXd::Constant(1, 1, kAmplitude);
+  return {discretization.shape,
+          stress::instant_field<3>(basis, job.part.material, kSubdivisions, 0)};
+}
+
+/// Of the first degree alone, where the memory holds no other: on cells that
+/// are not long it has less than three times the factor.
+constexpr double kFirst = 2.0 / 3.0;
+
+/// Factors fall with the degree to that of the model: what is still to come is
+/// no more than the last change.
+/// @param before  the degree's before; nothing: it is the first.
+void set_band(std::optional<double> before, double now,
+              BucklingResult& result) {
+  constexpr double kAbove = 0.1;  // of the change: the stresses' own error
+  const double change = before ? std::abs(*before - now) : kFirst * now;
+  result.factor = now;
+  result.band_low = std::max(0.0, now - change);
+  result.band_high = now + (before ? kAbove * change : 0.0);
+}
+
+/// The limit lies outside the band, well beyond it where the band is wide.
+bool is_decided(const BucklingResult& result, double wanted) {
+  constexpr double kNarrow = 0.05, kFar = 2.0;
+  const bool narrow =
+      result.band_high - result.band_low < kNarrow * result.factor;
+  return result.band_low > kFar * wanted ||
+         (narrow && (result.band_low > wanted || result.band_high < wanted));
+}
+
+/// Takes one degree in.
+/// @param before  factor of the degree before.
+void take(const PartJob& job, const BucklingModel& model, int degree,
+          std::optional<double> before, std::vector<Candidate>& candidates,
+          BucklingCheck& check) {
+  const auto discretization = model.discretize(degree);
+  const Found found = lowest(job, discretization, candidates);
+  check.result.label = found.label;
+  check.result.instant = found.instant;
+  check.result.model = model.name(degree);
+  if (found.mode.is_above) {
+    check.shape.reset();
+    const double bound = (before ? 1.0 : 1.0 - kFirst) * found.mode.factor;
+    check.result.factor = bound;
+    check.result.band_low = check.result.band_high = bound;
+    return;
+  }
+  check.shape = shape_of(job, discretization, found.mode);
+  set_band(before, found.mode.factor, check.result);
+}
+
+/// Whether a part without this can be told of all the same: its supports hold
+/// it in its plane only, its cells fold with a low degree, memory.
+bool is_bearable(const Error& error) {
+  return error.code() == "F001" || error.code() == "F002" ||
+         error.code() == "F004" || error.code() == "M005";
+}
+
+/// Climbs the degrees until the limit is decided, by two at least: of the first
+/// thin cells may lock by any factor.
+BucklingCheck climb(const PartJob& job, const BucklingModel& model,
+                    std::vector<Candidate> candidates) {
+  const double wanted = part::wanted_buckling_factor(job.part.limits);
+  BucklingCheck check;
+  std::optional<double> before;
+  for (int degree = kFirstDegree; degree <= kHighestDegree; ++degree) {
+    try {
+      take(job, model, degree, before, candidates, check);
+    } catch (const Error& error) {
+      if (!is_bearable(error)) throw;
+      if (before) return check;  // its band holds what is missing
+      check.result.remark = "not computed: " + error.problem();
+      if (error.code() != "M005") return check;
+      continue;
+    }
+    check.result.remark.clear();
+    if (before && is_decided(check.result, wanted)) return check;
+    before = check.result.factor;
+  }
+  return check;
+}
+
+/// The loads as they are checked.
+std::vector<Candidate> checked_loads(const PartJob& job) {
+  std::vector<Candidate> candidates;
+  for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
+    const LoadSet& set = job.load_sets[s];
+    candidates.push_back({s, set.history, holds_of(set)});
+  }
+  return candidates;
+}
+
+/// The loads of other sharings of what equilibrium leaves open.
+std::vector<Candidate> other_sharings(const PartJob& job) {
+  std::vector<Candidate> candidates;
+  for (const OpenSharing& sharing : job.open_sharings) {
+    const LoadSet& set = job.load_sets[sharing.set];
+    if (sharing.others.empty()) continue;
+    candidates.push_back({sharing.set,
+                          {set.history.seats, heaviest_of_others(job, sharing)},
+                          holds_of(set)});
+  }
+  return candidates;
+}
+
+}  // namespace
+
+BucklingCheck check_buckling(const PartJob& job) {
+  Stopwatch watch;
+  BucklingCheck check;
+  if (job.load_sets.empty()) return check;
+  const BucklingModel model(job);
+  check = climb(job, model, checked_loads(job));
+  auto others = other_sharings(job);
+  if (check.result.factor > 0.0 && !others.empty()) {
+    const auto of_others = climb(job, model, std::move(others)).result;
+    check.result.band_low = std::min(check.result.band_low, of_others.band_low);
+  }
+  check.seconds = watch.lap();
+  return check;
+}
+
+}  // namespace clevis::assessment

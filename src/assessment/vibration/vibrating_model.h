@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "assessment/job/part_job.h"
+#include "assessment/vibration/vibration_times.h"
+#include "dynamics/load_answer.h"
+#include "dynamics/load_path.h"
+#include "elasticity/vibration/load_vibration.h"
+#include "stress/singular_zone.h"
+#include "stress/zone_mask.h"
+
+namespace clevis::assessment {
+
+/// Peak of a part that vibrates about its quasi-static answer, over the times
+/// of its windows and all instants.
+template <int dim>
+struct VibratingAnswer {
+  stress::PartialPeak peak;  ///< outside the singular zones
+  double time{};             ///< of it [s]
+  double sampling_error{};   ///< between the times [1]
+  std::string group;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]
+  int shapes{};
+  double lowest{}, highest{};                ///< of them [Hz]
+  elasticity::DisplacementBasis<dim> basis;  ///< of all times
+};
+
+/// A part under the loads of its motion at one degree.
+template <int dim>
+class VibratingModel {
+ public:
+  /// @param job, mesh, set, windows  outlive the object; the set floats.
+  /// @throws Error of elasticity::LoadVibration.
+  VibratingModel(const PartJob& job, const mesh::PartMesh<dim>& mesh,
+                 const LoadSet& set, int degree,
+                 const std::vector<VibrationWindow>& windows);
+
+  /// @param path  that of the loads, or thinned.
+  VibratingAnswer<dim> answer(int shapes, const dynamics::LoadPath& path);
+
+  /// Of the quasi-static answer.
+  const dynamics::LoadPath& path() const { return path_; }
+  /// Quasi-static peak over all instants [Pa].
+  double still() const { return still_; }
+
+ private:
+  using Basis = elasticity::DisplacementBasis<dim>;
+
+  dynamics::LoadPath make_path() const;
+  stress::PartialPeak peak_of(const Basis& basis) const;
+  /// Cells that come near the peak, by every sixth time.
+  std::vector<int> cells_near_peak(const Basis& basis) const;
+  Basis basis_of(const typename elasticity::LoadVibration<dim>::Shapes& shapes,
+                 const dynamics::LoadAnswer& moving) const;
+
+  const PartJob& job_;
+  const LoadSet& set_;
+  const std::vector<VibrationWindow>& windows_;
+  elasticity::LoadVibration<dim> part_;
+  std::vector<stress::SingularZone> zones_;
+  dynamics::LoadPath path_;
+  double still_{};
+};
+
+}  // namespace clevis::assessment

@@ -1,0 +1,140 @@
+#include "assessment/vibration/vibration_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "assessment/models/level.h"
+#include "assessment/models/model_choice.h"
+#include "assessment/vibration/vibrating_model.h"
+#include "base/errors.h"
+#include "base/stopwatch.h"
+#include "stress/deflection.h"
+
+namespace clevis::assessment {
+namespace {
+
+constexpr int kFewest = 16, kMost = 96;  // shapes
+
+double change(double from, double to) {
+  return std::abs(from / to - 1.0);
+}
+
+template <int dim>
+VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
+                        const LoadSet& set,
+                        const std::vector<VibrationWindow>& windows) {
+  const int highest = mesh.shape == mesh::CellShape::kSimplex ? 2
+                      : dim == 2                              ? 4
+                                                              : 3;
+  VibrationResult result;
+  int count = kFewest;
+  double low_ratio = 0.0;
+  {
+    VibratingModel<dim> low(job, mesh, set, highest - 1, windows);
+    double before = low.answer(count, low.path()).peak.value;
+    for (;;) {
+      count *= 2;
+      const auto more = low.answer(count, low.path());
+      result.shape_error = change(before, more.peak.value);
+      before = more.peak.value;
+      if (count >= kMost || more.shapes < count ||
+          result.shape_error < 0.3 * job.tolerance) {
+        break;
+      }
+    }
+    low_ratio = before / low.still();
+    result.path_error =
+        change(low.answer(count, thinned(low.path())).peak.value, before) / 3.0;
+  }
+  VibratingModel<dim> high(job, mesh, set, highest, windows);
+  if (!(high.still() > 0.0)) return {};  // the zones are all that is loaded
+  auto found = high.answer(count, high.path());
+  result.peak = found.peak.value;
+  result.ratio = result.peak / high.still();
+  result.degree_error = change(low_ratio, result.ratio);
+  result.sampling_error = found.sampling_error;
+  result.at = found.at;
+  result.group = found.group;
+  result.time = found.time;
+  result.shapes = found.shapes;
+  result.lowest_frequency = found.lowest;
+  result.highest_frequency = found.highest;
+  result.model =
+      fmt::format("{}, p = {}", dim == 2 ? "plane stress" : "3-D", highest);
+  stress::remove_rigid_motion<dim>(found.basis, reference_groups(set));
+  result.deflection = stress::largest_deflection<dim>(found.basis).value;
+  return result;
+}
+
+/// Whether the checked peak is one of the motion, not of a case.
+bool is_of_motion(const PeakStress& peak, const LoadSet& set) {
+  return std::ranges::any_of(set.history.instants, [&](const auto& instant) {
+    return instant.label == peak.label && instant.time == peak.instant;
+  });
+}
+
+/// Puts the dynamic deflection in place of that at rest; beside cases only if
+/// it is larger. Its band has the error of both.
+void deflect(bool beside_cases, const VibrationResult& found,
+             PartResult& result) {
+  if (beside_cases && found.deflection <= result.deflection) return;
+  const double still = result.deflection > 0.0
+                           ? result.deflection_high / result.deflection - 1.0
+                           : 0.0;
+  const double error = (still + found.error()) * found.deflection;
+  result.deflection = found.deflection;
+  result.deflection_low = std::max(0.0, found.deflection - error);
+  result.deflection_high = found.deflection + error;
+}
+
+/// Puts the dynamic peak on the ladder's, or where a case has that beside it.
+void judge_vibration(const PartJob& job, const LoadSet& set, PartResult& result,
+                     VibrationResult& found) {
+  const PeakStress& still = judged_peak(result);
+  const double error = found.error();
+  const bool of_motion = is_of_motion(still, set);
+  if (of_motion) {
+    found.peak = found.ratio * still.value;
+    found.band_low = found.ratio * still.band_low;
+    found.band_high = found.ratio * still.band_high;
+  } else {
+    found.band_low = found.band_high = found.peak;
+  }
+  found.band_low -= error * found.peak;
+  found.band_high += error * found.peak;
+  found.governs = of_motion || found.band_high > still.value;
+  deflect(!job.part.cases.empty(), found, result);
+  if (found.governs) {
+    result.safety_factor = job.part.material.yield_strength / found.peak;
+  }
+}
+
+}  // namespace
+
+void check_vibration(const PartJob& job, PartResult& result) {
+  auto windows = vibration_windows(job, result);
+  if (windows.empty() || !(judged_peak(result).value > 0.0)) return;
+  Stopwatch watch;
+  PartJob moving = job;
+  moving.load_sets = {motion_loads(job)};
+  const LoadSet& set = moving.load_sets.front();
+  VibrationResult found;
+  try {
+    const auto plate = plate_model(moving);
+    found = plate && plate->suits_plane_stress
+                ? vibrate<2>(moving, plate->mesh, set, windows)
+                : vibrate<3>(moving, moving.mesh, set, windows);
+  } catch (const Error& error) {
+    found.failure = fmt::format("{}: {}", error.code(), error.what());
+  }
+  found.from = windows.front().from;
+  found.to = windows.back().to;
+  found.seconds = watch.lap();
+  if (found.ratio > 0.0) judge_vibration(job, set, result, found);
+  result.vibration = std::move(found);
+}
+
+}  // namespace clevis::assessment

@@ -1,0 +1,109 @@
+#include "assessment/vibration/vibration_times.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assessment/vibration/load_pace.h"
+
+namespace clevis::assessment {
+
+std::vector<VibrationWindow> vibration_windows(const PartJob& job,
+                                               const PartResult& result) {
+  constexpr double kPressing = 10.0, kAfter = 5.0;  // first periods
+  std::vector<VibrationWindow> all;
+  for (std::size_t i = 0; i < result.paces.size(); ++i) {
+    if (!wants_elements_in_time(result.paces[i])) continue;
+    const ImpactLoad& load = job.impact_loads[i];
+    const double follow =
+        std::min(load.duration, kPressing * result.first_period) +
+        kAfter * result.first_period;
+    for (const double start : load.touches) {
+      all.push_back({start, start + follow});
+    }
+  }
+  std::ranges::sort(all, {}, &VibrationWindow::from);
+  std::vector<VibrationWindow> joined;
+  for (const VibrationWindow& window : all) {
+    if (!joined.empty() && window.from <= joined.back().to) {
+      joined.back().to = std::max(joined.back().to, window.to);
+    } else {
+      joined.push_back(window);
+    }
+  }
+  return joined;
+}
+
+std::vector<Eigen::Index> instants_within(
+    const std::vector<VibrationWindow>& windows,
+    const std::vector<loads::InstantLoad>& instants) {
+  std::vector<Eigen::Index> within;
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    const double t = instants[i].time;
+    if (std::ranges::any_of(windows, [t](const VibrationWindow& window) {
+          return t >= window.from && t <= window.to;
+        })) {
+      within.push_back(static_cast<Eigen::Index>(i));
+    }
+  }
+  return within;
+}
+
+Eigen::VectorXd times_within(const std::vector<VibrationWindow>& windows,
+                             double step, int most) {
+  double total = 0.0;
+  for (const VibrationWindow& window : windows)
+    total += window.to - window.from;
+  const double apart = std::max(step, total / most);
+  std::vector<double> times;
+  for (const VibrationWindow& window : windows) {
+    const auto count = static_cast<int>((window.to - window.from) / apart);
+    for (int i = 0; i <= count; ++i) times.push_back(window.from + i * apart);
+  }
+  return Eigen::Map<const Eigen::VectorXd>(
+      times.data(), static_cast<Eigen::Index>(times.size()));
+}
+
+Eigen::VectorXd with_times_near_peaks(
+    const Eigen::VectorXd& even, const Eigen::VectorXd& time,
+    const Eigen::VectorXd& peak, const std::vector<VibrationWindow>& windows) {
+  constexpr std::size_t kLargest = 60;
+  constexpr int kBetween = 8;
+  std::vector<Eigen::Index> order;
+  for (Eigen::Index i = 1; i + 1 < time.size(); ++i) {
+    const bool tops = peak[i] >= peak[i - 1] && peak[i] >= peak[i + 1];
+    if (tops && std::ranges::any_of(windows, [&](const auto& window) {
+          return time[i] >= window.from && time[i] <= window.to;
+        })) {
+      order.push_back(i);
+    }
+  }
+  std::ranges::sort(order, std::ranges::greater{}, [&](Eigen::Index i) {
+    return peak[i];
+  });
+  if (order.size() > kLargest) order.resize(kLargest);
+  std::vector<double> times(even.begin(), even.end());
+  for (const Eigen::Index i : order) {
+    for (const Eigen::Index j : {i - 1, i}) {
+      for (int k = 1; k < kBetween; ++k) {
+        times.push_back(time[j] + k * (time[j + 1] - time[j]) / kBetween);
+      }
+    }
+  }
+  std::ranges::sort(times);
+  return Eigen::Map<const Eigen::VectorXd>(
+      times.data(), static_cast<Eigen::Index>(times.size()));
+}
+
+LoadSet motion_loads(const PartJob& job) {
+  LoadSet set = job.load_sets.front();
+  auto& instants = set.history.instants;
+  std::size_t motion = 1;
+  while (motion < instants.size() &&
+         instants[motion].time > instants[motion - 1].time) {
+    ++motion;
+  }
+  instants.resize(motion);
+  return set;
+}
+
+}  // namespace clevis::assessment

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "assessment/job/part_job.h"
+
+namespace clevis::assessment {
+
+/// A stretch of the motion in which a part vibrates most.
+struct VibrationWindow {
+  double from{}, to{};  ///< [s]
+};
+
+/// From the touch of each impact that wants elements in time until five first
+/// periods after its force has gone (or, where it stays, after ten); joined
+/// where they meet. None: the loads of the instants suffice.
+std::vector<VibrationWindow> vibration_windows(const PartJob& job,
+                                               const PartResult& result);
+
+/// Instants of the motion in the windows.
+std::vector<Eigen::Index> instants_within(
+    const std::vector<VibrationWindow>& windows,
+    const std::vector<loads::InstantLoad>& instants);
+
+/// Even times in the windows, one every `step` [s] but so many in all at most;
+/// rising.
+Eigen::VectorXd times_within(const std::vector<VibrationWindow>& windows,
+                             double step, int most);
+
+/// These times, and more beside the sixty highest of those in the windows at
+/// which the peak stress tops its neighbours'; rising.
+/// @param time, peak  of all times that were looked at [s], [Pa].
+Eigen::VectorXd with_times_near_peaks(
+    const Eigen::VectorXd& even, const Eigen::VectorXd& time,
+    const Eigen::VectorXd& peak, const std::vector<VibrationWindow>& windows);
+
+/// The loads over the motion of the part's body, without its cases.
+LoadSet motion_loads(const PartJob& job);
+
+}  // namespace clevis::assessment

@@ -1,0 +1,21 @@
+#pragma once
+
+namespace clevis {
+
+/// What a process of clevis returns (README, "Exit codes").
+enum class ExitCode {
+  kPass = 0,
+  kLimitExceeded = 1,
+  kUsage = 2,
+  kRegression = 3,
+  kNotJudged = 4,
+  kSceneInvalid = 10,
+  kMeshInvalid = 11,
+  kModelInvalid = 12,
+  kSolverFailed = 20,
+  kResourceLimit = 21,
+  kIo = 22,
+  kInternal = 70,
+};
+
+}  // namespace clevis

@@ -1,0 +1,223 @@
+#include "elasticity/assembly/stiffness.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "elasticity/algebra/dense_product.h"
+
+namespace clevis::elasticity {
+namespace {
+
+template <int dim>
+void build_pattern(const Discretization<dim>& discretization,
+                   StiffnessMatrix<dim>& matrix) {
+  const auto nodes = static_cast<std::size_t>(discretization.nodes);
+  std::vector<std::vector<int>> cells_of(nodes);
+  for (int c = 0; c < discretization.cells(); ++c) {
+    for (int i : discretization.cell_nodes[static_cast<std::size_t>(c)]) {
+      cells_of[static_cast<std::size_t>(i)].push_back(c);
+    }
+  }
+  std::vector<int> last_row(nodes, -1);
+  matrix.row_start.assign(1, 0);
+  for (std::size_t row = 0; row < nodes; ++row) {
+    const auto begin = static_cast<std::ptrdiff_t>(matrix.column.size());
+    for (int c : cells_of[row]) {
+      for (int j : discretization.cell_nodes[static_cast<std::size_t>(c)]) {
+        auto& seen = last_row[static_cast<std::size_t>(j)];
+        if (j < static_cast<int>(row) || seen == static_cast<int>(row))
+          continue;
+        seen = static_cast<int>(row);
+        matrix.column.push_back(j);
+      }
+    }
+    std::sort(matrix.column.begin() + begin, matrix.column.end());
+    matrix.row_start.push_back(static_cast<int>(matrix.column.size()));
+  }
+  matrix.block.assign(matrix.column.size(),
+                      StiffnessMatrix<dim>::Block::Zero());
+}
+
+/// Products of gradients ∫ ∂_a N_i ∂_b N_j dV for a <= b, each functions ×
+/// functions: all that an isotropic element matrix is made of.
+template <int dim>
+using GradientProducts = std::array<std::array<Eigen::MatrixXd, dim>, dim>;
+
+template <int dim>
+GradientProducts<dim> gradient_products(
+    const std::vector<Eigen::MatrixXd>& gradients,
+    const Eigen::VectorXd& weights) {
+  GradientProducts<dim> products;
+  for (std::size_t b = 0; b < dim; ++b) {
+    const Eigen::MatrixXd weighted = weights.asDiagonal() * gradients[b];
+    for (std::size_t a = 0; a <= b; ++a) {
+      products[a][b] = transposed_product(gradients[a], weighted);
+    }
+  }
+  return products;
+}
+
+/// K_ij(a, b) = λ G_ab(i,j) + μ G_ba(i,j) + δ_ab μ Σ_c G_cc(i,j), where
+/// G_ba(i,j) = G_ab(j,i).
+template <int dim>
+typename StiffnessMatrix<dim>::Block element_block(
+    const GradientProducts<dim>& products, const LameConstants<dim>& lame,
+    Eigen::Index i, Eigen::Index j) {
+  const auto product = [&](std::size_t a, std::size_t b) {
+    return a <= b ? products[a][b](i, j) : products[b][a](j, i);
+  };
+  typename StiffnessMatrix<dim>::Block block;
+  double trace = 0.0;
+  for (std::size_t c = 0; c < dim; ++c) trace += product(c, c);
+  for (std::size_t a = 0; a < dim; ++a) {
+    for (std::size_t b = 0; b < dim; ++b) {
+      block(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) =
+          lame.lambda * product(a, b) + lame.mu * product(b, a) +
+          (a == b ? lame.mu * trace : 0.0);
+    }
+  }
+  return block;
+}
+
+template <int dim>
+void scatter(const std::vector<int>& ids, const GradientProducts<dim>& products,
+             const LameConstants<dim>& lame, StiffnessMatrix<dim>& matrix) {
+  std::vector<Eigen::Index> sorted(ids.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::ranges::sort(sorted, {}, [&](Eigen::Index i) {
+    return ids[static_cast<std::size_t>(i)];
+  });
+  for (std::size_t r = 0; r < sorted.size(); ++r) {
+    const int row = ids[static_cast<std::size_t>(sorted[r])];
+    auto at = static_cast<std::size_t>(
+        matrix.row_start[static_cast<std::size_t>(row)]);
+    for (std::size_t s = r; s < sorted.size(); ++s) {
+      const int column = ids[static_cast<std::size_t>(sorted[s])];
+      while (matrix.column[at] != column) ++at;
+      matrix.block[at] +=
+          element_block<dim>(products, lame, sorted[r], sorted[s]);
+    }
+  }
+}
+
+}  // namespace
+
+void require_positive(const Eigen::VectorXd& determinant, std::size_t cell,
+                      int degree, const std::string& place) {
+  if (determinant.minCoeff() > 0.0) return;  // NaN falls through
+  throw Error("M005", place,
+              fmt::format("cell {} folds when its geometry is interpolated "
+                          "with degree {}",
+                          cell, degree),
+              "mesh the place finer");
+}
+
+template <int dim>
+Quadrature<dim> stiffness_quadrature(
+    const Discretization<dim>& discretization) {
+  const bool curved = discretization.geometry_degree > 1;
+  const int more = discretization.shape == mesh::CellShape::kTensor && curved;
+  return gauss<dim>(discretization.shape,
+                    {discretization.degree + 1 + more,
+                     discretization.thickness_degree + 1 + more});
+}
+
+template <int dim>
+LameConstants<dim> lame_constants(const part::Material& material) {
+  const double E = material.youngs_modulus;
+  const double nu = material.poissons_ratio;
+  const double mu = E / (2.0 * (1.0 + nu));
+  if constexpr (dim == 2) return {E * nu / (1.0 - nu * nu), mu};
+  return {E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), mu};
+}
+
+template <int dim>
+StiffnessMatrix<dim> StiffnessMatrix<dim>::absolute() const {
+  StiffnessMatrix result = *this;
+  for (Block& entries : result.block) entries = entries.cwiseAbs().eval();
+  return result;
+}
+
+template <int dim>
+Eigen::MatrixXd StiffnessMatrix<dim>::multiply(const Eigen::MatrixXd& x) const {
+  // Rows of all columns side by side: one pass through the matrix.
+  using RowMajor =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const RowMajor rows = x;
+  RowMajor y = RowMajor::Zero(x.rows(), x.cols());
+  for (int i = 0; i < nodes(); ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    const auto end = static_cast<std::size_t>(row_start[n + 1]);
+    for (auto k = static_cast<std::size_t>(row_start[n]); k < end; ++k) {
+      const int j = column[k];
+      for (int a = 0; a < dim; ++a) {
+        for (int b = 0; b < dim; ++b) {
+          const double value = block[k](a, b);
+          y.row(dim * i + a) += value * rows.row(dim * j + b);
+          if (j != i) y.row(dim * j + b) += value * rows.row(dim * i + a);
+        }
+      }
+    }
+  }
+  return y;
+}
+
+template <int dim>
+bool folds(const Discretization<dim>& discretization) {
+  const auto rule = stiffness_quadrature(discretization);
+  const auto geometry = tabulate_geometry<dim>(
+      discretization.shape, discretization.mapping_degree(), rule.points);
+  return std::ranges::any_of(
+      discretization.cell_points, [&](const auto& points) {
+        return !(cell_geometry<dim>(points, geometry).determinant.minCoeff() >
+                 0.0);
+      });
+}
+
+template <int dim>
+StiffnessMatrix<dim> assemble_stiffness(
+    const Discretization<dim>& discretization, const part::Material& material,
+    const std::string& place) {
+  StiffnessMatrix<dim> matrix;
+  build_pattern(discretization, matrix);
+  const auto lame = lame_constants<dim>(material);
+  const auto rule = stiffness_quadrature(discretization);
+  const auto displacement = tabulate_displacement<dim>(
+      discretization.shape, discretization.displacement_degree(), rule.points);
+  const auto geometry = tabulate_geometry<dim>(
+      discretization.shape, discretization.mapping_degree(), rule.points);
+  for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
+    const auto cell =
+        cell_geometry<dim>(discretization.cell_points[c], geometry);
+    require_positive(cell.determinant, c, discretization.geometry_degree,
+                     place);
+    const auto gradients = physical_gradients(cell, displacement);
+    const Eigen::VectorXd weights =
+        rule.weights.cwiseProduct(cell.determinant) * discretization.thickness;
+    scatter<dim>(discretization.cell_nodes[c],
+                 gradient_products<dim>(gradients, weights), lame, matrix);
+  }
+  return matrix;
+}
+
+template Quadrature<2> stiffness_quadrature<2>(const Discretization<2>&);
+template Quadrature<3> stiffness_quadrature<3>(const Discretization<3>&);
+template LameConstants<2> lame_constants<2>(const part::Material&);
+template LameConstants<3> lame_constants<3>(const part::Material&);
+template struct StiffnessMatrix<2>;
+template struct StiffnessMatrix<3>;
+template bool folds<2>(const Discretization<2>&);
+template bool folds<3>(const Discretization<3>&);
+template StiffnessMatrix<2> assemble_stiffness<2>(const Discretization<2>&,
+                                                  const part::Material&,
+                                                  const std::string&);
+template StiffnessMatrix<3> assemble_stiffness<3>(const Discretization<3>&,
+                                                  const part::Material&,
+                                                  const std::string&);
+
+}  // namespace clevis::elasticity

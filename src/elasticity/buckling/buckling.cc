@@ -1,0 +1,308 @@
+#include "elasticity/buckling/buckling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <set>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+
+#include "dynamics/block_krylov.h"
+#include "elasticity/algebra/dense_product.h"
+#include "elasticity/assembly/equations.h"
+#include "elasticity/assembly/foundation.h"
+#include "elasticity/assembly/initial_stress.h"
+#include "elasticity/assembly/stiffness.h"
+#include "elasticity/assembly/supports.h"
+#include "elasticity/buckling/pin_hold.h"
+#include "elasticity/direct/dissection.h"
+#include "elasticity/direct/frontal_cholesky.h"
+#include "elasticity/direct/memory_forecast.h"
+#include "elasticity/nodal_loads/load_vectors.h"
+#include "elasticity/problem/self_checks.h"
+
+namespace clevis::elasticity {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kCompressionTolerance = 1e-4;
+constexpr Index kBlock = 4;
+
+/// The same numbers on every run and platform.
+MatrixXd start_block(Index rows, Index columns) {
+  std::mt19937 random(1);
+  MatrixXd block(rows, columns);
+  for (Index j = 0; j < columns; ++j) {
+    for (Index i = 0; i < rows; ++i) {
+      block(i, j) = static_cast<double>(random()) / 4294967296.0 - 0.5;
+    }
+  }
+  return block;
+}
+
+/// The part with its stiffness factored, K = F Fᵀ, and the displacements of its
+/// loads. Unknowns are Y = Fᵀ X: the energy of X in K is the square of Y.
+class StressedPart {
+ public:
+  explicit StressedPart(const BucklingProblem& problem)
+      : part_(problem.discretization), place_("part " + problem.name) {
+    const auto positions = node_positions(part_);
+    const FoundationStiffness<3> bed(part_, problem.foundations, problem.name);
+    const bool is_free = problem.fixed.empty() && bed.empty();
+    const std::vector<int> held =
+        is_free ? determinate_supports<3>(part_, positions)
+                : fixed_supports(part_, positions, problem.fixed, place_, &bed);
+    numbers_ = number_equations(part_.dofs(), held);
+    const auto dissection = dissect(part_);
+    require_memory(9.0 * 8.0 * dissection.entries, part_.dofs(),
+                   usable_memory(), place_);
+    stiffness_ = assemble_stiffness(part_, problem.material, place_);
+    bed.add_to(stiffness_);
+    factor_ = std::make_unique<FrontalCholesky>(
+        free_equations(stiffness_, numbers_),
+        front_tree(dissection, 3, numbers_.equation), place_);
+    const double density = problem.material.density;
+    LoadBasis loads =
+        load_columns(part_, problem.history, density, problem.name);
+    if (is_free) {
+      SolveChecks checks;
+      balance_free_part<3>(part_, positions, density, loads, checks);
+    }
+    loads = compress(loads, kCompressionTolerance);
+    coefficients_ = loads.coefficients;
+    stress_ = std::make_unique<InitialStress>(
+        part_, problem.material,
+        extend_rows(factor_->solve(restrict_rows(loads.columns, numbers_)),
+                    numbers_));
+    if (!is_free) return;
+    for (const auto& groups : problem.holds) holds_.emplace_back(part_, groups);
+  }
+
+  Index instants() const { return coefficients_.cols(); }
+  Index equations() const { return numbers_.count; }
+  std::size_t holds() const { return std::max<std::size_t>(1, holds_.size()); }
+  const MatrixXd& coefficients() const { return coefficients_; }
+  const InitialStress& stress() const { return *stress_; }
+  const StiffnessMatrix<3>& stiffness() const { return stiffness_; }
+
+  /// Displacements F⁻ᵀ Y as the hold has them.
+  MatrixXd shapes(const MatrixXd& unknowns, std::size_t hold) const {
+    MatrixXd u = extend_rows(factor_->solve_upper(unknowns), numbers_);
+    return holds_.empty() ? u : holds_[hold].project(u);
+  }
+
+  /// F⁻¹ (sign · S) F⁻ᵀ: K⁻¹ S as it acts on Y, without a product with K.
+  /// @param matrix  S, of nodes; outlives the operator.
+  dynamics::SelfAdjoint answer_to(const MassMatrix& matrix, double sign,
+                                  std::size_t hold) const {
+    return {numbers_.count,
+            [](const MatrixXd& y) {
+              return y;
+            },
+            [this, &matrix, sign, hold](const MatrixXd& y, const MatrixXd&) {
+              MatrixXd f = sign * multiply(matrix, shapes(y, hold));
+              if (!holds_.empty()) f = holds_[hold].balance(f);
+              return factor_->solve_lower(restrict_rows(f, numbers_));
+            }};
+  }
+
+ private:
+  const Discretization<3>& part_;
+  std::string place_;
+  EquationNumbers numbers_;
+  StiffnessMatrix<3> stiffness_;
+  std::unique_ptr<FrontalCholesky> factor_;
+  MatrixXd coefficients_;
+  std::unique_ptr<InitialStress> stress_;
+  std::vector<PinHold> holds_;
+};
+
+/// Unknowns that yield most to stress of 1 Pa in all directions: what bends or
+/// twists easily, whatever the loads.
+MatrixXd yielding_shapes(const StressedPart& part, std::size_t hold) {
+  constexpr int kSteps = 3;
+  constexpr Index kShapes = 8;
+  const MassMatrix unit = part.stress().unit_stiffness(part.stiffness());
+  dynamics::BlockKrylov space(
+      part.answer_to(unit, 1.0, hold),
+      start_block(part.equations(), std::min(kBlock, part.equations())), {});
+  for (int step = 0; step < kSteps && !space.is_closed(); ++step) {
+    space.extend();
+  }
+  const auto ritz = space.ritz_values();
+  const Index n = std::min(kShapes, space.size());
+  return space.basis() * ritz.vectors.leftCols(n);
+}
+
+/// Shapes that are tried with the stresses of every instant.
+class TrialSpace {
+ public:
+  TrialSpace(const StressedPart& part, std::size_t hold,
+             const MatrixXd& unknowns)
+      : part_(part), hold_(hold), forms_(0, part.coefficients().rows()) {
+    add(unknowns);
+  }
+  void add(const MatrixXd& unknowns) {
+    const Index before = unknowns_.cols();
+    append(unknowns, unknowns_);
+    append(part_.shapes(unknowns, hold_), shapes_);
+    const MatrixXd more = part_.stress().forms(shapes_, before);
+    forms_.conservativeResize(forms_.rows() + more.rows(), Eigen::NoChange);
+    forms_.bottomRows(more.rows()) = more;
+    orthonormalise();
+  }
+  /// Largest 1/λ of an instant in the space, and its shapes.
+  double yield(Index instant) const {
+    return solved(instant).eigenvalues().tail<1>()[0];
+  }
+  MatrixXd best(Index instant, Index count) const {
+    return unknowns_ * to_orthonormal_ *
+           solved(instant).eigenvectors().rightCols(
+               std::min(count, to_orthonormal_.cols()));
+  }
+
+ private:
+  static void append(const MatrixXd& more, MatrixXd& columns) {
+    columns.conservativeResize(more.rows(), columns.cols() + more.cols());
+    columns.rightCols(more.cols()) = more;
+  }
+  void orthonormalise() {
+    const MatrixXd gram = transposed_product(unknowns_, unknowns_);
+    const VectorXd scale = gram.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> metric(
+        scale.asDiagonal() * gram * scale.asDiagonal());
+    constexpr double kSame = 1e-9;  // what is dependent is left out
+    const Index kept = (metric.eigenvalues().array() > kSame).count();
+    to_orthonormal_ =
+        scale.asDiagonal() * metric.eigenvectors().rightCols(kept) *
+        metric.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  }
+  Eigen::SelfAdjointEigenSolver<MatrixXd> solved(Index instant) const {
+    const VectorXd entries = forms_ * part_.coefficients().col(instant);
+    const Index m = unknowns_.cols();
+    MatrixXd form(m, m);
+    Index pair = 0;
+    for (Index b = 0; b < m; ++b) {
+      for (Index a = 0; a <= b; ++a) form(a, b) = form(b, a) = entries[pair++];
+    }
+    return Eigen::SelfAdjointEigenSolver<MatrixXd>(
+        -to_orthonormal_.transpose() * form * to_orthonormal_);
+  }
+
+  const StressedPart& part_;
+  std::size_t hold_;
+  MatrixXd unknowns_, shapes_, to_orthonormal_;
+  MatrixXd forms_;  ///< of the unknowns' shapes, a column per load column
+};
+
+/// The largest 1/λ of one instant.
+struct Yield {
+  double value{};     ///< 1/λ; 0: below 1/kHighestFactor
+  double residual{};  ///< relative
+  MatrixXd shapes;    ///< unknowns of the largest few, the largest first
+};
+
+Yield largest_yield(const StressedPart& part, std::size_t hold, Index instant,
+                    const MatrixXd& start) {
+  constexpr double kTolerance = 3e-4;  // λ has its square as error
+  constexpr int kMostSteps = 40;
+  constexpr int kFewest = 2;
+  const MassMatrix geometric = part.stress().stiffness(
+      part.stiffness(), part.coefficients().col(instant));
+  dynamics::BlockKrylov space(part.answer_to(geometric, -1.0, hold), start, {});
+  for (int step = 1;; ++step) {
+    space.extend();
+    const auto ritz = space.ritz_values();
+    const double theta = ritz.theta[0];
+    const double rest = ritz.residual[0];
+    const bool is_low = theta + rest < 1.0 / kHighestFactor;
+    const bool settled = rest < kTolerance * theta;
+    const bool is_last = space.is_closed() || step == kMostSteps;
+    if (!is_last && (step < kFewest || !(settled || is_low))) continue;
+    const Index n = std::min<Index>(2, space.size());
+    return {theta, rest / std::abs(theta),
+            space.basis() * ritz.vectors.leftCols(n)};
+  }
+}
+
+VectorXd to_unit(VectorXd shape) {
+  double largest = 0.0;
+  for (Index row = 0; row < shape.size(); row += 3) {
+    largest = std::max(largest, shape.segment<3>(row).norm());
+  }
+  return largest > 0.0 ? VectorXd(shape / largest) : shape;
+}
+
+/// The largest 1/λ of all instants with one hold.
+/// @param yielding  shapes that are tried at first; serve all holds.
+BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
+                         const MatrixXd& yielding) {
+  constexpr double kGain = 1.0 + 1e-3;
+  // By trial factors are too high, of shapes near the right ones little.
+  constexpr double kFarAbove = 0.1 / kHighestFactor;
+  BucklingMode best;
+  best.hold = hold;
+  best.is_above = true;
+  best.factor = kHighestFactor;
+  TrialSpace space(part, hold, yielding);
+  std::set<Index> solved;
+  double largest = 0.0;
+  while (true) {
+    Index next = -1;
+    double expected = -1.0;
+    for (Index i = 0; i < part.instants(); ++i) {
+      if (solved.contains(i)) continue;
+      const double yield = space.yield(i);
+      if (next < 0 || yield > expected) {
+        next = i;
+        expected = yield;
+      }
+    }
+    if (solved.empty()) best.instant = next;
+    // With one hold one is solved for whatever the trial says.
+    const bool must = solved.empty() && hold == 0;
+    if (next < 0 ||
+        (!must && expected <= std::max(kGain * largest, kFarAbove))) {
+      break;
+    }
+    const Yield yield =
+        largest_yield(part, hold, next, space.best(next, kBlock));
+    solved.insert(next);
+    space.add(yield.shapes);
+    if (yield.value > largest) {
+      largest = yield.value;
+      best.instant = next;
+      best.residual = yield.residual;
+      best.shape = to_unit(part.shapes(yield.shapes.leftCols(1), hold));
+    }
+  }
+  best.is_above = !(largest > 1.0 / kHighestFactor);
+  best.factor = best.is_above ? kHighestFactor : 1.0 / largest;
+  return best;
+}
+
+}  // namespace
+
+BucklingMode lowest_buckling(const BucklingProblem& problem) {
+  const StressedPart part(problem);
+  if (part.coefficients().rows() == 0) {  // nothing stresses it
+    BucklingMode none;
+    none.is_above = true;
+    none.factor = kHighestFactor;
+    return none;
+  }
+  const MatrixXd yielding = yielding_shapes(part, 0);
+  BucklingMode lowest = lowest_with(part, 0, yielding);
+  for (std::size_t hold = 1; hold < part.holds(); ++hold) {
+    BucklingMode mode = lowest_with(part, hold, yielding);
+    if (mode.factor < lowest.factor) lowest = std::move(mode);
+  }
+  return lowest;
+}
+
+}  // namespace clevis::elasticity

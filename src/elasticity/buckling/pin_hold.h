@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "elasticity/fe_space/discretization.h"
+
+namespace clevis::elasticity {
+
+/// How pins hold a free part as a whole, and no more: the mean displacement of
+/// the first group's surface, that of the second across the line between both,
+/// and the first's mean rotation about that line. With one group, or two about
+/// one centre, all of its mean rotation; with none, all nodes'. Six conditions
+/// on rigid motions, so that loads in balance leave them without reaction.
+class PinHold {
+ public:
+  /// @param groups  two at the most.
+  PinHold(const Discretization<3>& discretization,
+          const std::vector<std::string>& groups);
+
+  /// P u: the rigid motion taken out that breaks the conditions; u are
+  /// displacements, dofs × columns.
+  Eigen::MatrixXd project(const Eigen::MatrixXd& u) const;
+  /// Pᵀ f: forces with the conditions' reactions, in balance.
+  Eigen::MatrixXd balance(const Eigen::MatrixXd& f) const;
+
+ private:
+  Eigen::MatrixXd rigid_;       ///< rigid motions, dofs × 6
+  Eigen::MatrixXd conditions_;  ///< 6 × dofs, of unit effect on rigid_
+};
+
+}  // namespace clevis::elasticity

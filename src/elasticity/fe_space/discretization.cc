@@ -1,0 +1,295 @@
+#include "elasticity/fe_space/discretization.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include <Eigen/LU>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+
+#include "base/errors.h"
+#include "elasticity/algebra/dense_product.h"
+#include "elasticity/fe_space/simplex_numbering.h"
+
+namespace clevis::elasticity {
+namespace {
+
+using mesh::CellShape;
+using mesh::PartMesh;
+
+template <int dim>
+void build_triangulation(const PartMesh<dim>& mesh,
+                         dealii::Triangulation<dim>& triangulation) {
+  std::vector<dealii::Point<dim>> vertices;
+  for (const auto& vertex : mesh.vertices) {
+    dealii::Point<dim> point;
+    for (int d = 0; d < dim; ++d) point[static_cast<unsigned>(d)] = vertex[d];
+    vertices.push_back(point);
+  }
+  std::vector<dealii::CellData<dim>> cells;
+  for (const auto& ids : mesh.cells) {
+    dealii::CellData<dim> cell(static_cast<unsigned>(ids.size()));
+    cell.vertices = ids;
+    cells.push_back(cell);
+  }
+  dealii::GridTools::consistently_order_cells(cells);
+  triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
+}
+
+/// How deal.II's orientation of a cell lies in the mesh's: its direction d is
+/// the mesh's direction axis[d], reversed if flip[d].
+template <int dim>
+struct Orientation {
+  std::array<int, dim> axis{};
+  std::array<bool, dim> flip{};
+};
+
+template <int dim>
+Orientation<dim> orientation(const std::vector<unsigned>& mesh_vertices,
+                             const std::array<unsigned, 1U << dim>& vertices) {
+  const auto corner = [&](unsigned vertex) {
+    return static_cast<unsigned>(std::ranges::find(mesh_vertices, vertex) -
+                                 mesh_vertices.begin());
+  };
+  Orientation<dim> result;
+  const unsigned origin = corner(vertices[0]);
+  for (unsigned d = 0; d < dim; ++d) {
+    const unsigned changed = origin ^ corner(vertices[1U << d]);
+    int axis = 0;
+    while ((changed >> axis) != 1U) ++axis;
+    result.axis[d] = axis;
+    result.flip[d] = ((origin >> axis) & 1U) != 0;
+  }
+  return result;
+}
+
+template <int dim>
+Eigen::Matrix<double, dim, Eigen::Dynamic> permute_points(
+    const Eigen::Matrix<double, dim, Eigen::Dynamic>& points, int degree,
+    const Orientation<dim>& to_mesh) {
+  Eigen::Matrix<double, dim, Eigen::Dynamic> result(dim, points.cols());
+  const int n = degree + 1;
+  for (int index = 0; index < points.cols(); ++index) {
+    int rest = index;
+    int source = 0;
+    for (unsigned d = 0; d < dim; ++d) {
+      int position = rest % n;
+      rest /= n;
+      if (to_mesh.flip[d]) position = degree - position;
+      int stride = 1;
+      for (int k = 0; k < to_mesh.axis[d]; ++k) stride *= n;
+      source += position * stride;
+    }
+    result.col(index) = points.col(source);
+  }
+  return result;
+}
+
+template <int dim>
+int permute_face(int mesh_face, const Orientation<dim>& to_mesh) {
+  for (unsigned d = 0; d < dim; ++d) {
+    if (to_mesh.axis[d] != mesh_face / 2) continue;
+    const int side = (mesh_face % 2) ^ static_cast<int>(to_mesh.flip[d]);
+    return 2 * static_cast<int>(d) + side;
+  }
+  return -1;
+}
+
+template <int dim>
+void take_cell(const typename dealii::DoFHandler<dim>::active_cell_iterator& at,
+               const PartMesh<dim>& mesh, const Eigen::MatrixXd& to_degree,
+               std::vector<Orientation<dim>>& orientations,
+               Discretization<dim>& result) {
+  const unsigned c = at->active_cell_index();
+  std::vector<dealii::types::global_dof_index> indices(
+      at->get_fe().n_dofs_per_cell());
+  at->get_dof_indices(indices);
+  result.cell_nodes[c].assign(indices.begin(), indices.end());
+  std::array<unsigned, 1U << dim> vertices{};
+  for (unsigned v = 0; v < vertices.size(); ++v) {
+    vertices[v] = at->vertex_index(v);
+  }
+  orientations[c] = orientation<dim>(mesh.cells[c], vertices);
+  result.cell_points[c] =
+      permute_points<dim>(mesh.cell_points[c], mesh.degree, orientations[c]) *
+      to_degree;
+  for (unsigned v = 0; v < at->n_vertices(); ++v) {
+    result.vertex_nodes[at->vertex_index(v)] =
+        static_cast<int>(at->vertex_dof_index(v, 0));
+  }
+}
+
+/// Numbers the nodes by deal.II and takes its orientation of the cells.
+template <int dim>
+void add_tensor_cells(const PartMesh<dim>& mesh,
+                      const Eigen::MatrixXd& to_degree,
+                      Discretization<dim>& result) {
+  dealii::Triangulation<dim> triangulation;
+  build_triangulation(mesh, triangulation);
+  dealii::DoFHandler<dim> handler(triangulation);
+  handler.distribute_dofs(
+      dealii::FE_Q<dim>(static_cast<unsigned>(result.degree)));
+  result.nodes = static_cast<int>(handler.n_dofs());
+  result.cell_nodes.resize(mesh.cells.size());
+  result.cell_points.resize(mesh.cells.size());
+  result.vertex_nodes.assign(mesh.vertices.size(), -1);
+  std::vector<Orientation<dim>> orientations(mesh.cells.size());
+  for (const auto& cell : handler.active_cell_iterators()) {
+    take_cell<dim>(cell, mesh, to_degree, orientations, result);
+  }
+  for (const auto& face : mesh.boundary) {
+    if (face.group < 0) continue;
+    const auto cell = static_cast<std::size_t>(face.cell);
+    result.group_faces[static_cast<std::size_t>(face.group)].push_back(
+        {face.cell, permute_face<dim>(face.face, orientations[cell])});
+  }
+}
+
+template <int dim>
+void add_simplices(const PartMesh<dim>& mesh, const Eigen::MatrixXd& to_degree,
+                   Discretization<dim>& result) {
+  SimplexNumbering numbering = number_simplices<dim>(mesh, result.degree);
+  result.nodes = numbering.nodes;
+  result.cell_nodes = std::move(numbering.cell_nodes);
+  result.vertex_nodes = std::move(numbering.vertex_nodes);
+  for (const auto& points : mesh.cell_points) {
+    result.cell_points.emplace_back(points * to_degree);
+  }
+  for (const auto& face : mesh.boundary) {
+    if (face.group < 0) continue;
+    result.group_faces[static_cast<std::size_t>(face.group)].push_back(
+        {face.cell, face.face});
+  }
+}
+
+}  // namespace
+
+template <int dim>
+Discretization<dim> discretize(const PartMesh<dim>& mesh, int degree) {
+  Discretization<dim> result;
+  result.shape = mesh.shape;
+  result.degree = degree;
+  result.geometry_degree = std::min(mesh.degree, degree);
+  result.thickness_degree = degree;
+  result.geometry_thickness_degree = result.geometry_degree;
+  result.vertices = mesh.vertices;
+  result.groups = mesh.groups;
+  result.group_faces.resize(mesh.groups.size());
+  if (dim == 2) {
+    result.thickness = mesh.thickness;
+    result.mid_plane_z = mesh.mid_plane_z;
+  }
+  const Eigen::MatrixXd to_degree =
+      tabulate_geometry<dim>(
+          mesh.shape, mesh.degree,
+          geometry_support_points<dim>(mesh.shape, result.geometry_degree))
+          .values.transpose();
+  if (mesh.shape == CellShape::kTensor) {
+    add_tensor_cells<dim>(mesh, to_degree, result);
+  } else {
+    add_simplices<dim>(mesh, to_degree, result);
+  }
+  return result;
+}
+
+template <int dim>
+std::vector<int> group_nodes(const Discretization<dim>& discretization,
+                             int group) {
+  // A basis function lives on a face exactly if it does not vanish at the
+  // face's own quadrature points.
+  std::vector<int> nodes;
+  std::array<std::vector<int>, 2 * dim> on_face;
+  for (const auto& [cell, face] :
+       discretization.group_faces[static_cast<std::size_t>(group)]) {
+    auto& functions = on_face[static_cast<std::size_t>(face)];
+    if (functions.empty()) {
+      const auto rule = face_gauss<dim>(discretization.shape, face, 4);
+      const auto table = tabulate_displacement<dim>(
+          discretization.shape, discretization.displacement_degree(),
+          rule.points);
+      for (int i = 0; i < table.values.cols(); ++i) {
+        if (table.values.col(i).cwiseAbs().maxCoeff() > 1e-10) {
+          functions.push_back(i);
+        }
+      }
+    }
+    const auto& ids = discretization.cell_nodes[static_cast<std::size_t>(cell)];
+    for (int i : functions) nodes.push_back(ids[static_cast<std::size_t>(i)]);
+  }
+  std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+template <int dim>
+CellGeometry<dim> cell_geometry(
+    const Eigen::Matrix<double, dim, Eigen::Dynamic>& cell_points,
+    const Tabulation& geometry) {
+  const auto n = geometry.values.rows();
+  CellGeometry<dim> result;
+  const Eigen::MatrixXd nodes = cell_points.transpose();
+  result.points = product(geometry.values, nodes).transpose();
+  result.inverse_jacobian.resize(static_cast<std::size_t>(n));
+  result.determinant.resize(n);
+  std::array<Eigen::MatrixXd, dim> columns;  // points × dim
+  for (std::size_t d = 0; d < dim; ++d) {
+    columns[d] = product(geometry.gradients[d], nodes);
+  }
+  for (Eigen::Index q = 0; q < n; ++q) {
+    Eigen::Matrix<double, dim, dim> jacobian;
+    for (std::size_t d = 0; d < dim; ++d) {
+      jacobian.col(static_cast<Eigen::Index>(d)) = columns[d].row(q);
+    }
+    result.determinant[q] = jacobian.determinant();
+    result.inverse_jacobian[static_cast<std::size_t>(q)] = jacobian.inverse();
+  }
+  return result;
+}
+
+template <int dim>
+std::vector<Eigen::MatrixXd> physical_gradients(
+    const CellGeometry<dim>& geometry, const Tabulation& displacement) {
+  const auto n = displacement.values.rows();
+  const auto functions = displacement.values.cols();
+  std::vector<Eigen::MatrixXd> result(dim, Eigen::MatrixXd(n, functions));
+  // ∂N/∂x_d = Σ_k ∂N/∂ξ_k ∂ξ_k/∂x_d
+  for (std::size_t d = 0; d < dim; ++d) {
+    Eigen::Array<double, Eigen::Dynamic, dim> factor(n, dim);
+    for (Eigen::Index q = 0; q < n; ++q) {
+      factor.row(q) = geometry.inverse_jacobian[static_cast<std::size_t>(q)]
+                          .col(static_cast<Eigen::Index>(d))
+                          .transpose()
+                          .array();
+    }
+    const auto term = [&](std::size_t k, Eigen::Index i) {
+      return factor.col(static_cast<Eigen::Index>(k)) *
+             displacement.gradients[k].col(i).array();
+    };
+    for (Eigen::Index i = 0; i < functions; ++i) {
+      auto column = result[d].col(i).array();
+      if constexpr (dim == 2) {
+        column = term(0, i) + term(1, i);
+      } else {
+        column = term(0, i) + term(1, i) + term(2, i);
+      }
+    }
+  }
+  return result;
+}
+
+#define CLEVIS_INSTANTIATE(dim)                                                \
+  template Discretization<dim> discretize<dim>(const PartMesh<dim>&, int);     \
+  template std::vector<int> group_nodes<dim>(const Discretization<dim>&, int); \
+  template CellGeometry<dim> cell_geometry<dim>(                               \
+      const Eigen::Matrix<double, dim, Eigen::Dynamic>&, const Tabulation&);   \
+  template std::vector<Eigen::MatrixXd> physical_gradients<dim>(               \
+      const CellGeometry<dim>&, const Tabulation&);
+CLEVIS_INSTANTIATE(2)
+CLEVIS_INSTANTIATE(3)
+#undef CLEVIS_INSTANTIATE
+
+}  // namespace clevis::elasticity

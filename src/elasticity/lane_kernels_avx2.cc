@@ -1,2 +1,0 @@
-#define CLEVIS_LANES avx2
-#include "elasticity/lane_kernels_source.h"

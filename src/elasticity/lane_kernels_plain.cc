@@ -1,2 +1,0 @@
-#define CLEVIS_LANES plain
-#include "elasticity/lane_kernels_source.h"

@@ -1,0 +1,2 @@
+#define CLEVIS_LANES plain
+#include "elasticity/lanes/lane_kernels_source.h"

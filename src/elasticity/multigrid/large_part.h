@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "elasticity/fe_space/discretization.h"
+#include "part/material.h"
+
+namespace clevis::elasticity {
+
+/// Whether MultigridSolver can take the part: hexahedra of one degree, 2…4,
+/// and ν <= 0.45 (towards ½ it converges ever more slowly).
+bool suits_multigrid(const Discretization<3>& discretization,
+                     const part::Material& material);
+
+/// What a direct solve would take.
+struct DirectCost {
+  double flops{};  ///< of all factors
+  double bytes{};  ///< of all factors, kept together
+};
+
+/// Whether it should: where the factors do not fit into memory, and where
+/// they would take clearly longer and the cells are not too anisotropic.
+/// @param columns  right-hand sides of all classes together.
+/// @param memory  of the machine [bytes].
+bool prefers_multigrid(const Discretization<3>& discretization,
+                       const part::Material& material, const DirectCost& direct,
+                       double columns, double memory);
+
+/// Longest over shortest side that 95 % of the hexahedra do not exceed.
+double cell_aspect(const Discretization<3>& discretization);
+
+}  // namespace clevis::elasticity

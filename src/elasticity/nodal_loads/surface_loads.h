@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "elasticity/fe_space/discretization.h"
+#include "loads/load_history.h"
+
+namespace clevis::elasticity {
+
+/// Consistent nodal loads on one group of the surface.
+struct SurfaceLoads {
+  std::vector<int> nodes;  ///< of the group, sorted
+  /// Row dim*k + d: component d at nodes[k], a column per instant [N].
+  Eigen::MatrixXd values;
+};
+
+/// Loads of all seats, then of all loaded faces: bearing or linear traction at
+/// the quadrature points of the group, plus the correction that makes the
+/// discrete resultant the wrench to round-off.
+/// @throws Error M003 if the mesh lacks a group, L002 if a bearing seat's
+///   group is no cylinder.
+template <int dim>
+std::vector<SurfaceLoads> surface_loads(
+    const Discretization<dim>& discretization,
+    const loads::LoadHistory& history, const std::string& part_name);
+
+}  // namespace clevis::elasticity

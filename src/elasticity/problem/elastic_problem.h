@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+
+#include "loads/load_history.h"
+#include "mesh/cells/part_mesh.h"
+#include "part/material.h"
+#include "part/part_definition.h"
+
+namespace clevis::elasticity {
+
+/// How the equations are solved.
+enum class LinearSolver {
+  kAuto,      ///< as prefers_multigrid() says
+  kDirect,    ///< sparse Cholesky
+  kMultigrid  ///< MultigridSolver; hexahedra of degree 2…4 only
+};
+
+/// One linear elastic problem: mesh, material, loads, supports, degree.
+template <int dim>
+struct ElasticProblem {
+  const mesh::PartMesh<dim>& mesh;
+  const part::Material& material;
+  const loads::LoadHistory& history;
+  /// Components held at zero; empty: a free part in balance, held at
+  /// determinate components.
+  std::map<std::string, std::array<bool, 3>> fixed;
+  std::string name;  ///< of the part, for messages
+  LinearSolver solver = LinearSolver::kAuto;
+  part::Foundations foundations = {};
+};
+
+}  // namespace clevis::elasticity

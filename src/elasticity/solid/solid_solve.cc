@@ -1,0 +1,206 @@
+#include "elasticity/solid/solid_solve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "base/stopwatch.h"
+#include "elasticity/assembly/foundation.h"
+#include "elasticity/assembly/stiffness.h"
+#include "elasticity/assembly/supports.h"
+#include "elasticity/direct/frontal_cholesky.h"
+#include "elasticity/direct/memory_forecast.h"
+#include "elasticity/mirror_symmetry/folding.h"
+#include "elasticity/mirror_symmetry/parity_classes.h"
+#include "elasticity/multigrid/large_part.h"
+#include "elasticity/multigrid/multigrid_solver.h"
+#include "elasticity/nodal_loads/load_basis.h"
+#include "elasticity/nodal_loads/load_vectors.h"
+#include "elasticity/problem/refinement.h"
+
+namespace clevis::elasticity {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double kCompressionTolerance = 3e-7;
+
+template <int dim>
+bool uses_multigrid(const ElasticProblem<dim>& problem,
+                    const Folding<dim>& folding, double columns) {
+  if constexpr (dim == 3) {
+    if (problem.solver == LinearSolver::kDirect) return false;
+    if (!problem.foundations.empty()) return false;  // it knows no beds
+    if (problem.solver == LinearSolver::kMultigrid) {
+      return suits_multigrid(folding.part, problem.material);
+    }
+    const double classes = folding.classes();
+    return prefers_multigrid(
+        folding.part, problem.material,
+        {classes * folding.factor_flops(), classes * folding.factor_bytes()},
+        classes * columns, usable_memory());
+  } else {
+    return false;
+  }
+}
+
+/// Before the loads are assembled, with as many columns as there may be.
+template <int dim>
+void require_memory_for(const ElasticProblem<dim>& problem,
+                        const Folding<dim>& folding, const std::string& place) {
+  constexpr double kMostColumns = 60.0;
+  const Discretization<dim>& part = folding.part;
+  const double classes = folding.classes();
+  const double columns = std::min(
+      static_cast<double>(problem.history.instants.size()), kMostColumns);
+  if constexpr (dim == 3) {
+    if (uses_multigrid(problem, folding, columns)) {
+      require_multigrid_memory(part.degree, coarse_degree(part), part.dofs(),
+                               classes * columns, usable_memory(), place);
+      return;
+    }
+  }
+  require_memory(classes * folding.factor_bytes(), classes * part.dofs(),
+                 usable_memory(), place);
+}
+
+/// One factorisation per class; fills the classes' columns, the checks, the
+/// strain energy and the seconds.
+template <int dim>
+void solve_by_factors(const ElasticProblem<dim>& problem,
+                      const Folding<dim>& folding, const LoadBasis& loads,
+                      const std::string& place,
+                      std::vector<ParityClass>& classes,
+                      DisplacementBasis<dim>& result) {
+  Stopwatch watch;
+  const Discretization<dim>& part = folding.part;
+  auto stiffness = assemble_stiffness(part, problem.material, place);
+  FoundationStiffness<dim> bed(result.discretization, problem.foundations,
+                               problem.name);
+  bed.renumber(folding.node);  // the folded part has no groups
+  bed.add_to(stiffness);
+  for (ParityClass& c : classes) {
+    c.numbers = number_equations(part.dofs(), c.held);
+    const UpperTriangle upper = free_equations(stiffness, c.numbers);
+    result.seconds.assemble += watch.lap();
+    c.factor = std::make_unique<FrontalCholesky>(
+        upper, front_tree(folding.dissection, dim, c.numbers.equation), place);
+    result.seconds.factor += watch.lap();
+    c.columns = extend_rows(
+        c.factor->solve(restrict_rows(c.loads.columns, c.numbers)), c.numbers);
+    result.seconds.solve += watch.lap();
+  }
+  const auto check = [&](const StiffnessAction& action) {
+    result.strain_energy =
+        check_classes(action, classes, folding.classes(), loads, result.checks);
+  };
+  check(action_of(stiffness));
+  if (wants_refinement(result.checks)) {
+    const auto forces = [&](const MatrixXd& u) {
+      MatrixXd sum = forces_by_strain(part, problem.material, u);
+      bed.add_forces(u, sum);
+      return sum;
+    };
+    const StiffnessAction by_strain{forces,
+                                    action_of(stiffness).multiply_absolute};
+    for (ParityClass& c : classes) {
+      refine(by_strain, *c.factor, c.numbers, c.loads, c.columns);
+    }
+    check(by_strain);
+  }
+  result.seconds.solve += watch.lap();
+}
+
+/// Likewise without factors: `seconds.factor` is the preconditioner's setup.
+template <int dim>
+void solve_by_multigrid(const ElasticProblem<dim>& problem,
+                        const Folding<dim>& folding, const LoadBasis& loads,
+                        const std::string& place,
+                        std::vector<ParityClass>& classes,
+                        DisplacementBasis<dim>& result) {
+  if constexpr (dim == 3) {
+    Stopwatch watch;
+    std::unique_ptr<MultigridSolver> solver;
+    for (ParityClass& c : classes) {
+      solver.reset();  // before the next: memory
+      solver = std::make_unique<MultigridSolver>(folding.part, problem.material,
+                                                 c.held, place);
+      result.seconds.factor += watch.lap();
+      c.columns = solver->solve(c.loads.columns);
+      result.seconds.solve += watch.lap();
+    }
+    // K with the rows of the supports is the same for all classes.
+    const StiffnessAction action{[&](const MatrixXd& u) {
+                                   return solver->multiply(u);
+                                 },
+                                 [&](const MatrixXd& u) {
+                                   return solver->multiply_absolute_diagonal(u);
+                                 }};
+    result.strain_energy =
+        check_classes(action, classes, folding.classes(), loads, result.checks);
+    result.seconds.solve += watch.lap();
+  }
+}
+
+}  // namespace
+
+template <int dim>
+DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
+  Stopwatch watch;
+  const std::string place = "part " + problem.name;
+  const double density = problem.material.density;
+  const bool has_bed = !problem.foundations.empty();
+  const bool is_free = problem.fixed.empty() && !has_bed;
+  DisplacementBasis<dim> result;
+  result.discretization = discretize(problem.mesh, degree);
+  const auto& whole = result.discretization;
+  const auto positions = node_positions(whole);
+  std::vector<int> fixed;
+  if (!is_free) {
+    const FoundationStiffness<dim> bed(whole, problem.foundations,
+                                       problem.name);
+    fixed = fixed_supports(whole, positions, problem.fixed, place, &bed);
+  }
+  const Folding<dim> folding =
+      fold<dim>(whole, positions,
+                has_bed ? std::vector<Mirror>{}
+                        : common_mirrors<dim>(whole, positions, fixed));
+  const Discretization<dim>& part = folding.part;
+  require_memory_for(problem, folding, place);
+  LoadBasis loads = load_columns(whole, problem.history, density, problem.name);
+  if (is_free) {
+    balance_free_part<dim>(whole, positions, density, loads, result.checks);
+  }
+  loads = compress(loads, kCompressionTolerance);
+  result.checks.compression = loads.compression_error;
+  result.coefficients = loads.coefficients;
+  const auto folded_positions = node_positions(part);
+  auto classes = loaded_classes<dim>(folding, folded_positions, loads, is_free,
+                                     result.checks.compression);
+  for (ParityClass& c : classes) {
+    if (has_bed && fixed.empty()) continue;  // its bed alone holds it
+    hold<dim>(folding, fixed, folded_positions, c);
+  }
+  result.seconds.assemble = watch.lap();
+  const auto columns = static_cast<double>(loads.columns.cols());
+  if (uses_multigrid(problem, folding, columns)) {
+    solve_by_multigrid(problem, folding, loads, place, classes, result);
+  } else {
+    solve_by_factors(problem, folding, loads, place, classes, result);
+  }
+  watch.lap();
+  result.columns = MatrixXd::Zero(whole.dofs(), loads.columns.cols());
+  for (const ParityClass& c : classes) {
+    add_unfolded(folding, c.parity, c.columns, result.columns);
+  }
+  result.seconds.solve += watch.lap();
+  require_checks(result.checks, whole.geometry_degree, problem.name);
+  return result;
+}
+
+template DisplacementBasis<2> solve<2>(const ElasticProblem<2>&, int);
+template DisplacementBasis<3> solve<3>(const ElasticProblem<3>&, int);
+
+}  // namespace clevis::elasticity

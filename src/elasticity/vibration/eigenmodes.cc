@@ -1,0 +1,75 @@
+#include "elasticity/vibration/eigenmodes.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "dynamics/eigenmodes.h"
+#include "elasticity/problem/elastic_problem.h"
+#include "elasticity/vibration/vibrating_part.h"
+
+namespace clevis::elasticity {
+namespace {
+
+using Eigen::MatrixXd;
+
+/// Unit displacement of all equations along each direction.
+template <int dim>
+MatrixXd uniform_displacements(const VibratingPart<dim>& part) {
+  MatrixXd all = MatrixXd::Zero(part.discretization.dofs(), dim);
+  for (int row = 0; row < all.rows(); ++row) all(row, row % dim) = 1.0;
+  return restrict_rows(all, part.numbers);
+}
+
+}  // namespace
+
+template <int dim>
+Eigenmodes<dim> eigenmodes(const ElasticProblem<dim>& problem, int degree,
+                           int count) {
+  const auto part = vibrating_part(problem, degree);
+  const auto modes =
+      dynamics::lowest_modes(part.system, count, "part " + problem.name);
+  Eigenmodes<dim> result;
+  result.frequencies =
+      modes.squares.cwiseMax(0.0).cwiseSqrt() / (2.0 * std::numbers::pi);
+  result.shapes = extend_rows(modes.shapes, part.numbers);
+  result.rigid = modes.rigid;
+  result.participation =
+      (modes.shapes.transpose() * part.system.mass(uniform_displacements(part)))
+          .cwiseAbs2() /
+      part.mass;
+  result.residual = modes.residual;
+  result.mass = part.mass;
+  result.equations = part.numbers.count;
+  result.discretization = part.discretization;
+  return result;
+}
+
+template <int dim>
+double first_period(const ElasticProblem<dim>& problem, int degree) {
+  const int rigid = problem.fixed.empty() && problem.foundations.empty()
+                        ? (dim == 2 ? 3 : 6)
+                        : 0;
+  const auto modes = eigenmodes(problem, degree, rigid + 1);
+  return 1.0 / modes.frequencies[rigid];
+}
+
+template <int dim>
+double period_along(const ElasticProblem<dim>& problem, int degree,
+                    const Eigen::Vector3d& direction) {
+  constexpr int kModes = 16;
+  const auto modes = eigenmodes(problem, degree, kModes);
+  Eigen::Index along = 0;
+  (modes.participation * direction.head<dim>().cwiseAbs2()).maxCoeff(&along);
+  return 1.0 / modes.frequencies[along];
+}
+
+template Eigenmodes<2> eigenmodes<2>(const ElasticProblem<2>&, int, int);
+template Eigenmodes<3> eigenmodes<3>(const ElasticProblem<3>&, int, int);
+template double first_period<2>(const ElasticProblem<2>&, int);
+template double first_period<3>(const ElasticProblem<3>&, int);
+template double period_along<2>(const ElasticProblem<2>&, int,
+                                const Eigen::Vector3d&);
+template double period_along<3>(const ElasticProblem<3>&, int,
+                                const Eigen::Vector3d&);
+
+}  // namespace clevis::elasticity

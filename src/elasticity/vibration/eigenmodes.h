@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "elasticity/fe_space/discretization.h"
+#include "elasticity/problem/displacement_basis.h"
+#include "elasticity/problem/elastic_problem.h"
+
+namespace clevis::elasticity {
+
+/// Free vibrations of a part, lowest first; of a free part the rigid motions
+/// before them, at 0 Hz.
+template <int dim>
+struct Eigenmodes {
+  Discretization<dim> discretization;
+  Eigen::VectorXd frequencies;  ///< [Hz]
+  /// Columns with φᵀ M φ = 1, dofs × modes [1/√kg].
+  Eigen::MatrixXd shapes;
+  int rigid{};  ///< how many of them are rigid
+  /// (φᵀ M e_d)² over the part's mass: share of it that vibrates with the mode
+  /// under a shake along direction d; modes × dim [1].
+  Eigen::MatrixXd participation;
+  /// Of the equation, see dynamics::Modes [1].
+  Eigen::VectorXd residual;
+  double mass{};    ///< [kg]
+  int equations{};  ///< unknowns
+};
+
+/// @param count  modes wanted, rigid ones counted in.
+/// @throws Error F001, F002, F003 if a mode fails its check, F004, M005.
+template <int dim>
+Eigenmodes<dim> eigenmodes(const ElasticProblem<dim>& problem, int degree,
+                           int count);
+
+/// Period of the lowest elastic vibration [s]. Quick with degree 2: within a
+/// per cent or so on meshes that suit stress.
+template <int dim>
+double first_period(const ElasticProblem<dim>& problem, int degree);
+
+/// Of a held part the period of that among the lowest sixteen vibrations in
+/// which most of the mass moves along a direction [s]: bending for a blow
+/// across a bar, stretching for one along it.
+/// @param direction  unit, in L; only its square counts.
+template <int dim>
+double period_along(const ElasticProblem<dim>& problem, int degree,
+                    const Eigen::Vector3d& direction);
+
+}  // namespace clevis::elasticity

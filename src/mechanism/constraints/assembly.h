@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include <Eigen/Core>
+
+#include "mechanism/constraints/constraint_system.h"
+#include "numerics/factors/jacobian_factor.h"
+
+namespace clevis::mechanism {
+
+/// Result of the search for a configuration that closes all rows.
+struct Assembled {
+  Configuration x;
+  bool closed = false;
+  Eigen::VectorXd residual;
+};
+
+/// Configuration nearest to `guess` that satisfies the rows of the system:
+/// damped Gauss–Newton with steps of minimal norm and limited length.
+/// @param tolerance  of the residual [m].
+/// @param rank_threshold  SolvingFrame::rank_threshold().
+Assembled assemble(const ConstraintSystem& system, Configuration guess,
+                   const Eigen::VectorXd& targets, double tolerance,
+                   double rank_threshold = numerics::kRankThreshold);
+
+/// "B by 12.3 mm, cylinder (drive) by 4 mm": rows that stay open.
+std::string open_joints(const MechanismDefinition& definition,
+                        const ConstraintSystem& system,
+                        const Eigen::VectorXd& residual, double tolerance);
+
+}  // namespace clevis::mechanism

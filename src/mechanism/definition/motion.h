@@ -1,0 +1,185 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mechanism/definition/definition.h"
+
+namespace clevis::mechanism {
+
+/// Motion of a body at an instant; L is its frame, Lo the origin.
+struct BodyState {
+  Pose pose;
+  Eigen::Vector3d v_WLo = Eigen::Vector3d::Zero();     ///< [m/s]
+  Eigen::Vector3d w_WL = Eigen::Vector3d::Zero();      ///< [rad/s], in W
+  Eigen::Vector3d a_WLo = Eigen::Vector3d::Zero();     ///< [m/s²]
+  Eigen::Vector3d alpha_WL = Eigen::Vector3d::Zero();  ///< [rad/s²], in W
+};
+
+/// What a joint does to body b at the origin of its frame J on b, without the
+/// effort of a drive; body a feels the opposite at the same point. In W.
+struct JointReaction {
+  Eigen::Vector3d p_WJ = Eigen::Vector3d::Zero();  ///< origin of J on b [m]
+  Eigen::Vector3d f_W = Eigen::Vector3d::Zero();   ///< [N]
+  Eigen::Vector3d t_W = Eigen::Vector3d::Zero();   ///< about p_WJ [N m]
+  bool unique = true;  ///< false where redundancy leaves it undetermined
+  /// Axes of frame J on body a: columns.
+  Eigen::Matrix3d R_WJ = Eigen::Matrix3d::Identity();
+  /// The same by component: force, then moment, along x, y, z of frame J.
+  /// What is not unique is shared by the joints' compliance. A planar
+  /// mechanism without loads across its plane has none across it either:
+  /// those count as unique.
+  std::array<bool, 6> unique_components{true, true, true, true, true, true};
+  /// Largest change of a component, to first order, if each joint's
+  /// compliance is doubled or halved [N], [N m].
+  std::array<double, 6> spread{};
+
+  /// Force, then moment, in frame J.
+  Eigen::Matrix<double, 6, 1> components() const {
+    Eigen::Matrix<double, 6, 1> w;
+    w << R_WJ.transpose() * f_W, R_WJ.transpose() * t_W;
+    return w;
+  }
+};
+
+/// What a coupling does to the bodies b of its two joints, at the origins of
+/// their frames J; the bodies a feel the opposite at the same points. In W.
+struct CouplingState {
+  double effort{};  ///< generalised force on coordinate 1 [N] or [N m]; on
+                    ///< coordinate 2 it is −ratio times that
+  Eigen::Vector3d f_1_W = Eigen::Vector3d::Zero();  ///< [N]
+  Eigen::Vector3d t_1_W = Eigen::Vector3d::Zero();  ///< [N m]
+  Eigen::Vector3d f_2_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d t_2_W = Eigen::Vector3d::Zero();
+  bool unique = true;
+};
+
+/// Prescribed coordinate and what it takes.
+struct DriveState {
+  double position{}, rate{}, acceleration{};  ///< [m] or [rad] …
+  double effort{};  ///< [N] or [N m]; power = effort * rate; > 0 pushes apart
+  /// Force, or moment, on body b per effort; a unit vector but for angles of
+  /// spherical joints.
+  Eigen::Vector3d axis_W = Eigen::Vector3d::Zero();
+};
+
+/// What a force element does to one of its bodies, in W.
+struct ElementAction {
+  BodyIndex body = kGround;
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< point of attack [m]
+  Eigen::Vector3d f_W = Eigen::Vector3d::Zero();  ///< [N]
+  Eigen::Vector3d t_W = Eigen::Vector3d::Zero();  ///< about p_W [N m]
+};
+
+/// What a force element does.
+struct ElementState {
+  double position{}, rate{};  ///< of its line; a contact's depth [m] or [rad]
+  double effort{};     ///< on b, > 0 pushes apart; a contact's normal force
+  double friction{};   ///< of a contact [N]
+  double power{};      ///< [W]
+  bool unique = true;  ///< false: friction at rest that lines share somehow
+  std::vector<GasChamberState> chambers{};  ///< of a gas cylinder
+  std::array<ElementAction, 2> actions{};   ///< on a and on b
+  std::optional<MotorState> motor{};
+  std::optional<double> target{};            ///< of a servo [m] or [rad]
+  std::optional<GasInterface> interface {};  ///< of gas that is coupled
+};
+
+/// A change of an element's mode: touch, release, stick, slip.
+struct MotionEvent {
+  double t{};  ///< [s]
+  int element{};
+  std::string what;
+};
+
+/// A contact, or an end of a stop, from its first touch until it lets go. Of a
+/// stop in a joint that turns: angles, moments, inertias.
+struct Impact {
+  int element{};
+  int end{};                ///< of a stop: 0 lower, 1 upper
+  double t{};               ///< of the touch [s]
+  double approach_speed{};  ///< along the normal [m/s] or [rad/s]
+  /// What a (a contact's plane) and b weigh there along the normal, joints and
+  /// drives holding [kg] or [kg m²]; infinite where they cannot give way.
+  double mass_a{}, mass_b{};
+  double mass{};   ///< of both against one another
+  double force{};  ///< of all else that presses them together at the touch [N]
+  std::optional<double> duration;  ///< [s]; none: it still presses at the end
+  double exit_speed{};             ///< with which they part
+  double peak_force{};             ///< [N] or [N m]
+  double peak_at{};                ///< [s]
+  double impulse{};                ///< [N s] or [N m s]
+};
+
+struct Instant {
+  double t{};  ///< [s]
+  std::vector<BodyState> bodies;
+  std::vector<JointReaction> joints;
+  std::vector<DriveState> drives;
+  std::vector<CouplingState> couplings;
+  std::vector<ElementState> elements;
+  /// Rigid reactions have no bound here: those of joints that give way stand
+  /// in their place, and balance in the deflected position only.
+  bool is_change_point = false;
+  double closure_error{};        ///< largest joint gap [m]
+  double power_balance_error{};  ///< |drives + loads − d(kinetic)/dt| over the
+                                 ///< largest of them over the motion [1]
+};
+
+/// A change point that the motion passed between two instants. It stayed on
+/// its branch, but rigid reactions grow without bound towards the point, so
+/// their largest value is a matter of sampling.
+struct ChangePoint {
+  double t_before{}, t_after{};  ///< instants before and behind [s]
+  double t{};                    ///< the point itself [s]
+  /// The same, with the reactions of joints that give way; nothing where even
+  /// those do not hold the loads.
+  std::optional<Instant> at = std::nullopt;
+};
+
+/// How an integrated motion was found.
+struct IntegrationSummary {
+  std::string method;  ///< "DOP853", "Radau IIA", or both
+  long steps{}, rejected{}, evaluations{};
+  long factorisations{};  ///< of Radau IIA's pairs of matrices
+  long implicit_steps{};  ///< those of Radau IIA
+  /// Largest |kinetic energy − work of all forces| [J], and over the largest
+  /// of them in the motion [1].
+  double energy_error{}, relative_energy_error{};
+};
+
+/// Why a motion was integrated although `motion` did not ask for it.
+struct LeftFree {
+  int freedom{};  ///< degrees that no drive fixes; 0: forces have a history
+  /// Joint coordinates that the drives leave loose, as names.
+  std::vector<std::string> coordinates;
+};
+
+/// How a motion was searched for its largest loads between the instants.
+struct LoadSearch {
+  long looks{};       ///< states that were solved
+  bool ended{};       ///< before all was looked at, for lack of looks
+  double ended_at{};  ///< [s]
+  /// By how much loads between instants may exceed those at the instants
+  /// beside them, over the largest of their kind: by body, the greatest of all
+  /// that act on it [1].
+  std::vector<double> bodies;
+};
+
+/// The whole history, what `loads` and `report` take.
+struct Motion {
+  std::vector<Instant> instants;
+  std::vector<ChangePoint> change_points;
+  std::vector<MotionEvent> events;
+  std::vector<DriveJump> drive_jumps;
+  std::vector<Impact> impacts;  ///< of integrated motions, as they begin
+  std::optional<IntegrationSummary> integration;  ///< of integrated motions
+  std::optional<LeftFree> left_free;
+  std::optional<LoadSearch> search;  ///< with SimulationSettings::at_peaks
+};
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mechanism/forces/force_model.h"
+
+namespace clevis::mechanism {
+
+/// Functions of a driven motion that vanish where the law of a force element
+/// goes from one piece to the next: a contact or stop touches or lets go, a
+/// line passes a point of its table or turns round, friction or sliding enters
+/// the narrow speeds about rest, a servo meets its limit.
+class DrivenGuards {
+ public:
+  explicit DrivenGuards(const ForceModel& forces);
+
+  Eigen::Index size() const { return static_cast<Eigen::Index>(all_.size()); }
+  bool empty() const { return all_.empty(); }
+  /// As of ForceModel::evaluate() at t.
+  Eigen::VectorXd values(const ForceModel& forces, double t) const;
+  /// Their rates, as far as evaluate() tells; else NaN.
+  Eigen::VectorXd rates(const ForceModel& forces) const;
+  /// Whether its zero changes anything, as of evaluate(): what lets go must
+  /// press.
+  bool matters(Eigen::Index guard, const ForceModel& forces) const;
+  /// Whether loads may jump at its zero; else they bend.
+  bool jumps(Eigen::Index guard) const {
+    return all_[static_cast<std::size_t>(guard)].kind != Kind::kPosition;
+  }
+
+ private:
+  enum class Kind { kDepth, kForce, kRate, kPosition, kServo, kSliding };
+  struct Guard {
+    int element{};
+    Kind kind{};
+    std::size_t end{};  ///< of a stop
+    double level{};
+  };
+  void add_line(int k, const LineElement& line, const ActingElement& e);
+  void add_ends(int k, const ForceElement& element, const ContactLaw& law);
+
+  std::vector<Guard> all_;
+};
+
+}  // namespace clevis::mechanism

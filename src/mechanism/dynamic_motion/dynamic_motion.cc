@@ -1,0 +1,62 @@
+#include "mechanism/dynamic_motion/dynamic_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "mechanism/dynamic_motion/dynamic_run.h"
+#include "mechanism/sampling/law_times.h"
+
+namespace clevis::mechanism {
+namespace {
+
+/// @throws Error K006 if a body is so light beside another that accelerations
+///   by it have no digit left.
+void refuse_massless(const MechanismDefinition& definition) {
+  constexpr double kLightest = 1e-12;
+  double heaviest = 0.0;
+  for (const BodyDefinition& body : definition.bodies) {
+    heaviest = std::max(heaviest, body.mass_properties.mass);
+  }
+  for (const BodyDefinition& body : definition.bodies) {
+    const double mass = body.mass_properties.mass;
+    if (mass >= kLightest * heaviest) continue;
+    throw Error("K006", body.place,
+                fmt::format("body {} has {:.3g} kg beside one of {:.3g} kg: "
+                            "massless, for double precision",
+                            body.name, mass, heaviest),
+                "give the body its mass, or replace a link between two joints "
+                "by a joint of type \"distance\"");
+  }
+}
+
+}  // namespace
+
+Motion integrate_motion(const MechanismDefinition& definition,
+                        const SimulationSettings& settings) {
+  refuse_massless(definition);
+  if (!settings.at_peaks) return DynamicRun(definition, settings).run();
+  // the same run twice: the first tells when loads are largest
+  DynamicRun first(definition, settings);
+  first.watch();
+  const Motion found = first.run();
+  std::vector<double> others = first.peaks().times();
+  DynamicRun::Beside beside{{}, settings.duration / (settings.instants - 1)};
+  for (const ChangePoint& point : found.change_points) {
+    beside.change_points.push_back(point.t);
+  }
+  std::erase_if(others, [&](double t) {
+    return beside.contains(t);
+  });
+  const std::vector<double> bends = instants_of_laws(
+      law_times(definition, settings.duration, 0.0), settings.duration);
+  others.insert(others.end(), bends.begin(), bends.end());
+  DynamicRun second(definition, settings, others);
+  second.refine(first.peaks().largest(), beside);
+  return second.run();
+}
+
+}  // namespace clevis::mechanism

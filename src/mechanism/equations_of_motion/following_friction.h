@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include "mechanism/constraints/constraint_system.h"
+#include "mechanism/equations_of_motion/constrained_mass.h"
+#include "mechanism/forces/force_model.h"
+
+namespace clevis::mechanism {
+
+/// Friction that is proportional to the reaction of its own joint, which in
+/// turn depends on the friction: both are found together, from the reactions
+/// without that friction and with one unit of each.
+/// Source: docs/theory.md, "Joint friction that follows the reaction".
+class FollowingFriction {
+ public:
+  /// @param columns, most_rows  of the factored mass.
+  FollowingFriction(const ForceModel& forces, const ConstraintSystem& system,
+                    int columns, int most_rows);
+
+  bool empty() const { return lines_.empty(); }
+  /// Gives the lines their loads and efforts.
+  /// @param mass  factored. @param a, lambda  those without this friction;
+  ///   with it on return. @return power of the friction [W]; NaN if no
+  ///   efforts fit, or several may: the joint jams.
+  double solve(ForceModel& forces, ConstrainedMass& mass, Eigen::VectorXd& a,
+               Eigen::VectorXd& lambda);
+  /// Whether the last solve() failed so.
+  bool jams() const { return jams_; }
+
+ private:
+  void respond(const ForceModel& forces, ConstrainedMass& mass);
+  bool contracts();
+  bool find_efforts();
+  Eigen::Vector2d reaction(std::size_t line,
+                           const Eigen::VectorXd& lambda) const;
+
+  struct Line {
+    std::size_t element{};
+    std::vector<int> rows;  ///< one or two of its joint, across its axis
+    double per_load{};
+    Eigen::Vector2d free = Eigen::Vector2d::Zero();  ///< reaction without [N]
+  };
+  const ConstraintSystem& system_;
+  std::vector<Line> lines_;
+  bool jams_ = false;
+  Eigen::MatrixXd levers_, accelerations_, multipliers_;  ///< of unit efforts
+  Eigen::MatrixXd newton_;
+  Eigen::VectorXd none_, Q_, a_, lambda_, efforts_, rest_, growth_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+};
+
+}  // namespace clevis::mechanism

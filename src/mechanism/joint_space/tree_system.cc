@@ -1,0 +1,197 @@
+#include "mechanism/joint_space/tree_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace clevis::mechanism {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+
+std::size_t index(Index i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Inertia by velocity of rotors that turn or slide with a joint.
+std::vector<double> armatures(const MechanismDefinition& definition,
+                              const JointCoordinates& coordinates,
+                              const ForceModel& forces) {
+  std::vector<double> result(index(coordinates.velocities()), 0.0);
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    if (!(forces.inertia(k) > 0.0)) continue;
+    const ElementLine& line =
+        std::get<LineElement>(definition.elements[k]).line;
+    const auto at = coordinates.measured(line.joint, forces.element(k).row);
+    result[index(at->u)] += forces.inertia(k);
+  }
+  return result;
+}
+
+}  // namespace
+
+TreeSystem::TreeSystem(const MechanismDefinition& definition,
+                       ForwardDynamics& dynamics, JointCoordinates& coordinates)
+    : dynamics_(dynamics),
+      coordinates_(coordinates),
+      loads_(dynamics.applied()),
+      bodies_(definition, coordinates,
+              armatures(definition, coordinates, dynamics.forces())),
+      x_(dynamics.configuration()),
+      twists_(x_.size()),
+      levers_(x_.size()),
+      turned_(coordinates.links().size()),
+      start_y_(VectorXd::Zero(dynamics.size())),
+      internal_(VectorXd::Zero(dynamics.forces().internal_states())) {
+  for (std::vector<double>* q : {&q_, &q_rate_, &q_size_, &q_start_}) {
+    q->resize(index(coordinates.coordinates()));
+  }
+  for (std::vector<double>* u : {&u_, &u_rate_, &response_, &u_size_}) {
+    u->resize(index(coordinates.velocities()));
+  }
+  for (std::size_t k = 0; k < definition.elements.size(); ++k) {
+    const auto* line = std::get_if<LineElement>(&definition.elements[k]);
+    if (line == nullptr || line->line.kind != ElementLine::Kind::kJoint ||
+        !dynamics.forces().is_angle(k)) {
+      continue;
+    }
+    const auto at = coordinates.measured(line->line.joint,
+                                         dynamics.forces().element(k).row);
+    if (at) counted_.push_back({k, *at, 0.0});
+  }
+}
+
+bool TreeSystem::can_follow(const MechanismDefinition& definition,
+                            const JointCoordinates& coordinates,
+                            const ForceModel& forces) {
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    if (!(forces.inertia(k) > 0.0)) continue;
+    const ElementLine& line =
+        std::get<LineElement>(definition.elements[k]).line;
+    if (line.kind != ElementLine::Kind::kJoint ||
+        !coordinates.measured(line.joint, forces.element(k).row)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void TreeSystem::place(double t, const VectorXd& z) {
+  Index at = 0;
+  for (const Index i : coordinates_.open_coordinates()) q_[index(i)] = z[at++];
+  for (const Index i : coordinates_.open_velocities()) u_[index(i)] = z[at++];
+  for (const JointCoordinates::Driven& driven : coordinates_.driven()) {
+    const DriveTarget target = dynamics_.target(driven.drive, t);
+    q_[index(driven.q)] = target.position;
+    u_[index(driven.u)] = target.rate;
+    u_rate_[index(driven.u)] = target.acceleration;
+  }
+  coordinates_.place(q_.data(), u_.data(), u_rate_.data(), x_, twists_);
+  for (const Counted& counted : counted_) {
+    const auto& [q, u, sign] = counted.at;
+    loads_.forces().anchor(counted.element,
+                           sign * q_[index(q)] + counted.offset,
+                           sign * u_[index(u)], t);
+  }
+}
+
+/// Of values by coordinate and by velocity.
+void TreeSystem::put_open(const std::vector<double>& q,
+                          const std::vector<double>& u,
+                          Eigen::Ref<VectorXd> z) const {
+  Index at = 0;
+  for (const Index i : coordinates_.open_coordinates()) z[at++] = q[index(i)];
+  for (const Index i : coordinates_.open_velocities()) z[at++] = u[index(i)];
+}
+
+void TreeSystem::rate(double t, const VectorXd& z, VectorXd& rate) {
+  place(t, z);
+  loads_.evaluate(t, x_, twists_, z.data() + internal_index());
+  if (!bodies_.factor(x_)) {
+    rate.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
+  bodies_.accelerate(loads_.wrenches(), x_, &twists_, u_rate_.data());
+  coordinates_.rates(q_.data(), u_.data(), q_rate_.data());
+  put_open(q_rate_, u_rate_, rate);
+  loads_.forces().internal_rates(rate.data() + internal_index());
+  rate[work_index()] =
+      loads_.power(twists_) + bodies_.drive_power(u_.data(), u_rate_.data());
+}
+
+void TreeSystem::hold_tangents(double t, const VectorXd& z) {
+  place(t, z);
+  loads_.hold_tangents(t, x_, twists_, z.data() + internal_index());
+}
+
+void TreeSystem::effort_response(Index k, Eigen::Ref<VectorXd> rate) {
+  const ActingElement& e = loads_.element_of_effort(k);
+  std::ranges::fill(levers_, Twist{});
+  levers_[index(e.line.a)] = e.levers.a;
+  levers_[index(e.line.b)] = e.levers.b;
+  rate.setZero();
+  bodies_.accelerate(levers_, x_, nullptr, response_.data());
+  std::ranges::fill(q_rate_, 0.0);
+  put_open(q_rate_, response_, rate);
+  rate[work_index()] =
+      e.rate + bodies_.drive_power(u_.data(), response_.data());
+}
+
+void TreeSystem::start(double t, const VectorXd& y, VectorXd& z) {
+  read(t, y, z);
+  start_y_ = y;
+  q_start_ = q_;
+  loads_.evaluate(t, dynamics_.configuration(), dynamics_.twists(),
+                  z.data() + internal_index());
+  count_turns();
+  place(t, z);
+  set_scales();
+}
+
+/// Elements say how many turns they are apart from their coordinates.
+void TreeSystem::count_turns() {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  for (Counted& counted : counted_) {
+    const double q = counted.at.sign * q_[index(counted.at.q)];
+    const double turns =
+        (loads_.forces().element(counted.element).q - q) / kTurn;
+    counted.offset = kTurn * std::round(turns);
+  }
+}
+
+void TreeSystem::read(double t, const VectorXd& y, VectorXd& z) {
+  dynamics_.place(t, y);
+  coordinates_.read(dynamics_.configuration(), dynamics_.twists(), q_.data(),
+                    u_.data());
+  put_open(q_, u_, z);
+  z.tail(z.size() - internal_index()) =
+      y.tail(y.size() - dynamics_.internal_index());
+}
+
+void TreeSystem::expand(double t, const VectorXd& z, VectorXd& y) {
+  place(t, z);
+  const auto& links = coordinates_.links();
+  for (std::size_t k = 0; k < links.size() && dynamics_.is_planar(); ++k) {
+    const auto& link = links[k];
+    turned_[k] = link.parent < 0 ? 0.0 : turned_[index(link.parent)];
+    for (int j = 0; j < link.count; ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      const auto q = index(link.q + link.order[at]);
+      turned_[k] +=
+          coordinates_.motions()[k].S[at].w.z() * (q_[q] - q_start_[q]);
+    }
+  }
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    const std::size_t slot = links[k].slot;
+    dynamics_.put_body(slot, x_[slot], twists_[slot], start_y_, turned_[k], y);
+  }
+  y.tail(y.size() - dynamics_.internal_index()) =
+      z.tail(z.size() - internal_index());
+  if (!dynamics_.is_planar()) dynamics_.anchor_turns(t, x_);
+}
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,286 @@
+#include "mechanism/reactions/equilibrium.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanism/compliance/compliant_balance.h"
+
+namespace clevis::mechanism {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Largest force, and moment over length, in the given components.
+double largest(const std::vector<Twist>& wrenches, Motions motions,
+               double length) {
+  double result = 0.0;
+  for (const Twist& wrench : wrenches) {
+    for (const int k : twist_components(motions)) {
+      result = std::max(result, k < 3 ? std::abs(wrench.v[k])
+                                      : std::abs(wrench.w[k - 3]) / length);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Equilibrium::Equilibrium(const MechanismDefinition& definition,
+                         const SolvingFrame& frame,
+                         const ConstraintSystem& system)
+    : frame_(frame),
+      system_(system),
+      out_of_plane_(frame, {}, Motions::kOutOfPlane,
+                    ConstraintSystem::Drives::kNone),
+      in_space_(frame, definition.drives, Motions::kSpatial,
+                ConstraintSystem::Drives::kAll),
+      inertia_(definition.bodies.size() + 1),
+      gravity_(frame.R_WP.transpose() * definition.gravity_W) {
+  for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
+    const part::MassProperties& given = definition.bodies[i].mass_properties;
+    inertia_[i + 1] = {given.mass, given.p_LCm - frame.p_LM[i],
+                       given.inertia_LCm};
+  }
+  for (const ForceDefinition& force : definition.forces) {
+    loads_.push_back({force.body + 1,
+                      force.p_LP - frame.p_LM[index(force.body)],
+                      frame.R_WP.transpose() * force.f_W,
+                      frame.R_WP.transpose() * force.t_W});
+  }
+}
+
+std::vector<Twist> Equilibrium::required_wrenches(
+    const Configuration& x, const std::vector<Twist>& twists,
+    const std::vector<Twist>& accelerations,
+    std::span<const Twist> applied) const {
+  std::vector<Twist> required(x.size());
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    const Inertia& body = inertia_[i];
+    const Vector3d c = x[i].R * body.p_MCm;
+    const Vector3d& w = twists[i].w;
+    const Vector3d& alpha = accelerations[i].w;
+    const Vector3d a_cm =
+        accelerations[i].v + alpha.cross(c) + w.cross(w.cross(c));
+    const Matrix3d inertia = x[i].R * body.about_cm * x[i].R.transpose();
+    required[i].v = body.mass * (a_cm - gravity_);
+    required[i].w = c.cross(required[i].v) + inertia * alpha +
+                    w.cross(Vector3d(inertia * w));
+  }
+  for (const Load& load : loads_) {
+    Twist& wrench = required[index(load.slot)];
+    wrench.v -= load.f;
+    wrench.w -= load.t + (x[index(load.slot)].R * load.p_MP).cross(load.f);
+  }
+  for (std::size_t i = 1; i < applied.size(); ++i) {
+    required[i].v -= applied[i].v;
+    required[i].w -= applied[i].w;
+  }
+  return required;
+}
+
+void Equilibrium::add(Solution& solution,
+                      const std::vector<PlacedJoint>& placed,
+                      const ConstraintSystem& rows,
+                      const VectorXd& lambda) const {
+  for (int i = 0; i < rows.joint_rows(); ++i) {
+    const auto& row = rows.row_list()[index(i)];
+    const double value = rows.multiplier(row, lambda[i]);
+    if (row.coupling >= 0) {
+      const CouplingModel& coupling = frame_.couplings[index(row.coupling)];
+      const Twist first = placed[index(coupling.joint_1)].action(row.row);
+      const Twist second =
+          placed[index(coupling.joint_2)].action(coupling.row_2);
+      const double value_2 = -coupling.ratio * value;
+      solution.couplings[index(row.coupling)] = {.effort = value,
+                                                 .f_1_W = value * first.v,
+                                                 .t_1_W = value * first.w,
+                                                 .f_2_W = value_2 * second.v,
+                                                 .t_2_W = value_2 * second.w};
+      continue;
+    }
+    JointReaction& reaction = solution.joints[index(row.joint)];
+    const Twist action = placed[index(row.joint)].action(row.row);
+    reaction.f_W += value * action.v;
+    reaction.t_W += value * action.w;
+  }
+}
+
+void Equilibrium::mark(Solution& solution, const SharedReactions& shared) {
+  for (std::size_t i = 0; i < shared.unique.size(); ++i) {
+    if (shared.unique[i]) continue;
+    const std::size_t j = i / 6;
+    if (j >= solution.joints.size()) {
+      solution.couplings[i - 6 * solution.joints.size()].unique = false;
+      continue;
+    }
+    JointReaction& reaction = solution.joints[j];
+    reaction.unique = reaction.unique_components[i % 6] = false;
+    reaction.spread[i % 6] += shared.spread[static_cast<Eigen::Index>(i)];
+  }
+}
+
+bool Equilibrium::acts_across_plane(const std::vector<PlacedJoint>& placed,
+                                    const std::vector<Twist>& required) const {
+  constexpr double kRoundOff = 1e-12;
+  const double beside = kRoundOff * frame_.length;
+  for (std::size_t j = 0; j < placed.size(); ++j) {
+    const JointModel& joint = frame_.joints[j];
+    if (joint.a > 0 && std::abs(placed[j].r_a.z()) > beside) return true;
+    if (joint.b > 0 && std::abs(placed[j].r_b.z()) > beside) return true;
+  }
+  return largest(required, Motions::kOutOfPlane, frame_.length) >
+         kRoundOff * largest(required, Motions::kInPlane, frame_.length);
+}
+
+void Equilibrium::solve_out_of_plane(Solution& solution,
+                                     const std::vector<PlacedJoint>& placed,
+                                     std::vector<Twist> required) const {
+  // what the reactions and drives in the plane already do across it
+  std::vector<Vector3d> forces(placed.size());
+  for (std::size_t j = 0; j < placed.size(); ++j) {
+    forces[j] = solution.joints[j].f_W;
+  }
+  for (std::size_t i = 0; i < solution.efforts.size(); ++i) {
+    const auto& row = system_.row_list()[index(system_.joint_rows()) + i];
+    forces[index(row.joint)] +=
+        solution.efforts[i] * placed[index(row.joint)].action(row.row).v;
+  }
+  for (std::size_t k = 0; k < solution.couplings.size(); ++k) {
+    forces[index(frame_.couplings[k].joint_1)] += solution.couplings[k].f_1_W;
+    forces[index(frame_.couplings[k].joint_2)] += solution.couplings[k].f_2_W;
+  }
+  for (std::size_t j = 0; j < placed.size(); ++j) {
+    const Vector3d& f = forces[j];
+    const Vector3d& t = solution.joints[j].t_W;
+    Twist& on_a = required[index(frame_.joints[j].a)];
+    Twist& on_b = required[index(frame_.joints[j].b)];
+    on_b.v -= f;
+    on_b.w -= t + placed[j].r_b.cross(f);
+    on_a.v += f;
+    on_a.w += t + (placed[j].r_a + placed[j].d).cross(f);
+  }
+  required[0] = Twist{};
+  const MatrixXd J = out_of_plane_.jacobian(placed);
+  numerics::JacobianFactor factor;
+  factor.compute(J, nullptr, frame_.rank_threshold());
+  const SharedReactions shared =
+      share_reactions(frame_, out_of_plane_, placed, factor,
+                      out_of_plane_.wrench_vector(required));
+  add(solution, placed, out_of_plane_, shared.lambda);
+  mark(solution, shared);
+}
+
+std::optional<Equilibrium::Solution> Equilibrium::solve_in_space(
+    const std::vector<PlacedJoint>& placed,
+    const std::vector<Twist>& required) const {
+  constexpr double kInBalance = 1e-9;
+  const VectorXd f = in_space_.wrench_vector(required);
+  const MatrixXd J = in_space_.jacobian(placed);
+  numerics::JacobianFactor factor;
+  factor.compute(J, nullptr, frame_.rank_threshold());
+  const SharedReactions shared =
+      share_reactions(frame_, in_space_, placed, factor, f);
+  const VectorXd left = J.transpose() * shared.lambda - f;
+  if (left.norm() > kInBalance * f.norm()) return std::nullopt;
+  Solution solution = empty_solution(placed);
+  add(solution, placed, in_space_, shared.lambda);
+  add_efforts(solution, in_space_, shared.lambda);
+  mark(solution, shared);
+  return solution;
+}
+
+Equilibrium::Solution Equilibrium::empty_solution(
+    const std::vector<PlacedJoint>& placed) const {
+  Solution solution;
+  solution.joints.resize(placed.size());
+  solution.couplings.resize(frame_.couplings.size());
+  for (std::size_t j = 0; j < placed.size(); ++j) {
+    solution.joints[j].p_WJ = placed[j].p_b;
+    solution.joints[j].R_WJ = placed[j].axes_a;
+  }
+  return solution;
+}
+
+void Equilibrium::add_efforts(Solution& solution, const ConstraintSystem& rows,
+                              const VectorXd& lambda) const {
+  for (int i = rows.joint_rows(); i < rows.rows(); ++i) {
+    const auto& row = rows.row_list()[index(i)];
+    solution.efforts.push_back(rows.multiplier(row, lambda[i]));
+  }
+}
+
+Equilibrium::Solution Equilibrium::solve(
+    const Configuration& x, const std::vector<PlacedJoint>& placed,
+    const numerics::JacobianFactor& factor, const std::vector<Twist>& twists,
+    const std::vector<Twist>& accelerations,
+    std::span<const Twist> applied) const {
+  const std::vector<Twist> required =
+      required_wrenches(x, twists, accelerations, applied);
+  const bool across = frame_.planar && acts_across_plane(placed, required);
+  const bool open = system_.rows() > factor.rank();
+  if (across && open) {
+    if (auto solution = solve_in_space(placed, required)) return *solution;
+  }
+  const VectorXd f = system_.wrench_vector(required);
+  SharedReactions shared;
+  if (open) {
+    shared = share_reactions(frame_, system_, placed, factor, f);
+  } else {
+    shared.lambda = factor.solve_transposed(f);
+  }
+  if (!factor.is_regular()) balance_nearly_dependent(placed, f, shared);
+  Solution solution = empty_solution(placed);
+  add(solution, placed, system_, shared.lambda);
+  add_efforts(solution, system_, shared.lambda);
+  mark(solution, shared);
+  if (across) {
+    solve_out_of_plane(solution, placed, required);
+  }
+  return solution;
+}
+
+/// Rows that are nearly dependent count after all where the loads cannot be
+/// held without them, as long as that takes no boundless reactions.
+void Equilibrium::balance_nearly_dependent(
+    const std::vector<PlacedJoint>& placed, const VectorXd& f,
+    SharedReactions& shared) const {
+  constexpr double kInBalance = 1e-7, kBoundless = 1e7;
+  constexpr double kRoundOff = 1e-12;
+  const MatrixXd J = system_.jacobian(placed);
+  const auto left = [&](const VectorXd& lambda) {
+    return VectorXd(J.transpose() * lambda - f).norm();
+  };
+  if (left(shared.lambda) <= kInBalance * f.norm()) return;
+  numerics::JacobianFactor factor;
+  factor.compute(J, nullptr, kRoundOff);
+  SharedReactions balanced =
+      share_reactions(frame_, system_, placed, factor, f);
+  if (left(balanced.lambda) <= kInBalance * f.norm() &&
+      balanced.lambda.norm() <= kBoundless * f.norm()) {
+    shared = std::move(balanced);
+  }
+}
+
+std::optional<Equilibrium::Solution> Equilibrium::solve_compliant(
+    const Configuration& x, const std::vector<PlacedJoint>& placed,
+    const std::vector<Twist>& twists, const std::vector<Twist>& accelerations,
+    std::span<const Twist> applied, const MatrixXd& held) const {
+  const VectorXd f = system_.wrench_vector(
+      required_wrenches(x, twists, accelerations, applied));
+  const CompliantBalance balance =
+      compliant_balance(frame_, system_, x, f, held);
+  if (!balance.found) return std::nullopt;
+  Solution solution = empty_solution(placed);
+  add(solution, placed, system_, balance.lambda);
+  add_efforts(solution, system_, balance.lambda);
+  return solution;
+}
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,331 @@
+#include "mechanism/reactions/other_sharings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "mechanism/constraints/constraint_system.h"
+#include "mechanism/constraints/solving_frame.h"
+#include "mechanism/force_laws/force_element.h"
+#include "mechanism/reactions/body_motion.h"
+#include "mechanism/reactions/equilibrium.h"
+#include "numerics/factors/jacobian_factor.h"
+
+namespace clevis::mechanism {
+namespace {
+
+using Eigen::Vector3d;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Compliance of a joint's forces or moments, as a coordinate of the box.
+struct Coordinate {
+  std::size_t joint{};
+  bool is_moment{};
+  double factor{};  ///< to either side of what it is
+};
+
+/// One corner: per coordinate whether it is soft.
+using Corner = std::vector<bool>;
+
+/// Largest reaction of a motion; moments over a length [N].
+double largest_reaction(const Motion& motion, double length) {
+  double largest = 0.0;
+  for (const Instant& instant : motion.instants) {
+    for (const JointReaction& joint : instant.joints) {
+      largest =
+          std::max({largest, joint.f_W.norm(), joint.t_W.norm() / length});
+    }
+  }
+  return largest;
+}
+
+/// Whether a component of a joint is open and matters at some instant.
+bool is_open(const Motion& motion, std::size_t joint, std::size_t component,
+             double negligible) {
+  return std::ranges::any_of(motion.instants, [&](const Instant& instant) {
+    const JointReaction& reaction = instant.joints[joint];
+    if (reaction.unique_components[component]) return false;
+    const auto k = static_cast<Eigen::Index>(component);
+    return reaction.spread[component] > negligible ||
+           std::abs(reaction.components()[k]) > negligible;
+  });
+}
+
+/// Whether a force strains an elastic link elsewhere than at its joints: what
+/// it does to the sharing is left out.
+bool is_loaded_elsewhere(const MechanismDefinition& definition,
+                         BodyIndex body) {
+  if (body == kGround || !definition.bodies[index(body)].compliance) {
+    return false;
+  }
+  return std::ranges::any_of(definition.forces,
+                             [body](const ForceDefinition& force) {
+                               return force.body == body;
+                             }) ||
+         std::ranges::any_of(definition.elements,
+                             [&](const ForceElement& element) {
+                               return acts_on(element, definition.joints, body);
+                             });
+}
+
+bool is_loaded_elsewhere(const MechanismDefinition& definition,
+                         const JointDefinition& joint) {
+  return is_loaded_elsewhere(definition, joint.body_a) ||
+         is_loaded_elsewhere(definition, joint.body_b);
+}
+
+double range_of(const MechanismDefinition& definition, std::size_t joint) {
+  const JointDefinition& of = definition.joints[joint];
+  if (is_loaded_elsewhere(definition, of)) return kUnknownCompliance;
+  if (of.compliance) return kGivenCompliance;
+  const bool elastic =
+      std::ranges::any_of(definition.bodies, [](const BodyDefinition& body) {
+        return body.compliance.has_value();
+      });
+  return elastic ? kBesideElasticLinks : kUnknownCompliance;
+}
+
+std::vector<Coordinate> open_coordinates(const MechanismDefinition& definition,
+                                         const Motion& motion, double length) {
+  std::vector<Coordinate> coordinates;
+  const double force = kNegligibleReaction * largest_reaction(motion, length);
+  for (std::size_t j = 0; j < definition.joints.size(); ++j) {
+    for (const bool is_moment : {false, true}) {
+      const std::size_t first = is_moment ? 3 : 0;
+      const double negligible = is_moment ? force * length : force;
+      if (is_open(motion, j, first, negligible) ||
+          is_open(motion, j, first + 1, negligible) ||
+          is_open(motion, j, first + 2, negligible)) {
+        coordinates.push_back({j, is_moment, range_of(definition, j)});
+      }
+    }
+  }
+  return coordinates;
+}
+
+/// All corners of `count` coordinates.
+std::vector<Corner> all_corners(std::size_t count) {
+  std::vector<Corner> corners;
+  for (std::size_t bits = 0; bits < (std::size_t{1} << count); ++bits) {
+    Corner& corner = corners.emplace_back(count);
+    for (std::size_t i = 0; i < count; ++i) corner[i] = (bits >> i & 1U) != 0;
+  }
+  return corners;
+}
+
+/// Each coordinate against the rest, and each joint.
+std::vector<Corner> some_corners(const std::vector<Coordinate>& coordinates) {
+  std::vector<Corner> corners;
+  const auto add = [&](auto is_apart) {
+    for (const bool soft : {false, true}) {
+      Corner& corner = corners.emplace_back(coordinates.size());
+      for (std::size_t i = 0; i < coordinates.size(); ++i) {
+        corner[i] = is_apart(i) == soft;
+      }
+    }
+  };
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    add([&](std::size_t k) {
+      return k == i;
+    });
+    const std::size_t joint = coordinates[i].joint;
+    if (i > 0 && coordinates[i - 1].joint == joint) {
+      add([&](std::size_t k) {
+        return coordinates[k].joint == joint;
+      });
+    }
+  }
+  return corners;
+}
+
+/// Compliances of all joints in the same ratio share as before.
+bool changes_nothing(const std::vector<Coordinate>& coordinates,
+                     const Corner& corner, bool has_links) {
+  if (has_links) return false;
+  return std::ranges::all_of(coordinates, [&](const Coordinate& coordinate) {
+    const auto i = static_cast<std::size_t>(&coordinate - coordinates.data());
+    return corner[i] == corner[0] && coordinate.factor == coordinates[0].factor;
+  });
+}
+
+}  // namespace
+
+struct OtherSharings::Solver {
+  static constexpr std::size_t kMostCoordinates = 6;  // 64 corners
+
+  Solver(const MechanismDefinition& given, const Motion& motion_of)
+      : definition(given),
+        motion(motion_of),
+        frame(definition),
+        system(frame, definition.drives,
+               frame.planar ? Motions::kInPlane : Motions::kSpatial,
+               ConstraintSystem::Drives::kAll),
+        equilibrium(definition, frame, system),
+        coordinates(open_coordinates(definition, motion, frame.length)) {
+    corners = coordinates.size() <= kMostCoordinates
+                  ? all_corners(coordinates.size())
+                  : some_corners(coordinates);
+    std::erase_if(corners, [&](const Corner& corner) {
+      return corner.empty() ||
+             changes_nothing(coordinates, corner, !frame.links.empty());
+    });
+    for (const Coordinate& coordinate : coordinates) {
+      const JointDefinition& joint = definition.joints[coordinate.joint];
+      leaves_forces_out |= is_loaded_elsewhere(definition, joint);
+      auto& names = joint.compliance ? given_names : unknown_names;
+      if (names.empty() || names.back() != joint.name) {
+        names.push_back(joint.name);
+      }
+    }
+    for (const JointModel& joint : frame.joints) {
+      compliances.push_back(joint.compliance);
+    }
+  }
+
+  Configuration configuration(const Instant& instant) const {
+    Configuration x = frame.placement;
+    for (std::size_t i = 0; i < instant.bodies.size(); ++i) {
+      const Pose& pose = instant.bodies[i].pose;
+      BodyPlacement& body = x[i + 1];
+      body.R = frame.R_WP.transpose() * pose.R_WL;
+      body.q = Eigen::Quaterniond(body.R);
+      body.p = frame.R_WP.transpose() * (pose.p_WL + pose.R_WL * frame.p_LM[i]);
+    }
+    return x;
+  }
+
+  /// Velocities and accelerations of the points M, by slot.
+  std::array<std::vector<Twist>, 2> rates(const Instant& instant) const {
+    std::array<std::vector<Twist>, 2> result;
+    result[0].resize(instant.bodies.size() + 1);
+    result[1] = result[0];
+    const auto R_PW = frame.R_WP.transpose();
+    for (std::size_t i = 0; i < instant.bodies.size(); ++i) {
+      const BodyState& body = instant.bodies[i];
+      const Vector3d arm = body.pose.R_WL * frame.p_LM[i];
+      result[0][i + 1] = {R_PW * (body.v_WLo + body.w_WL.cross(arm)),
+                          R_PW * body.w_WL};
+      result[1][i + 1] = {R_PW * (body.a_WLo + body.alpha_WL.cross(arm) +
+                                  body.w_WL.cross(body.w_WL.cross(arm))),
+                          R_PW * body.alpha_WL};
+    }
+    return result;
+  }
+
+  /// What force elements do, about the points M, by slot.
+  std::vector<Twist> applied(const Instant& instant,
+                             const Configuration& x) const {
+    std::vector<Twist> result(x.size());
+    const auto R_PW = frame.R_WP.transpose();
+    for (const ElementState& element : instant.elements) {
+      for (const ElementAction& action : element.actions) {
+        if (action.body == kGround) continue;
+        const auto slot = index(action.body) + 1;
+        const Vector3d f = R_PW * action.f_W;
+        result[slot].v += f;
+        result[slot].w +=
+            R_PW * action.t_W + (R_PW * action.p_W - x[slot].p).cross(f);
+      }
+    }
+    return result;
+  }
+
+  void set(const Corner& corner) {
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+      const Coordinate& c = coordinates[i];
+      const double factor = corner[i] ? c.factor : 1.0 / c.factor;
+      Vector6& compliance = frame.joints[c.joint].compliance;
+      const Vector6& before = compliances[c.joint];
+      if (c.is_moment) {
+        compliance.tail<3>() = factor * before.tail<3>();
+      } else {
+        compliance.head<3>() = factor * before.head<3>();
+      }
+    }
+  }
+
+  Motion shared(const Corner& corner) {
+    set(corner);
+    Motion result = motion;
+    for (Instant& instant : result.instants) {
+      const Configuration x = configuration(instant);
+      const auto placed = system.place(x);
+      numerics::JacobianFactor factor;
+      factor.compute(system.jacobian(placed), nullptr, frame.rank_threshold());
+      const auto [twists, accelerations] = rates(instant);
+      put_forces(frame, system, placed,
+                 equilibrium.solve(x, placed, factor, twists, accelerations,
+                                   applied(instant, x)),
+                 instant);
+    }
+    return result;
+  }
+
+  MechanismDefinition definition;
+  const Motion& motion;
+  SolvingFrame frame;
+  ConstraintSystem system;
+  Equilibrium equilibrium;
+  std::vector<Coordinate> coordinates;
+  std::vector<Corner> corners;
+  std::vector<Vector6> compliances;
+  std::vector<std::string> unknown_names, given_names;
+  bool leaves_forces_out = false;
+};
+
+OtherSharings::OtherSharings(const MechanismDefinition& definition,
+                             const Motion& motion)
+    : solver_(std::make_unique<Solver>(definition, motion)) {}
+OtherSharings::~OtherSharings() = default;
+OtherSharings::OtherSharings(OtherSharings&&) noexcept = default;
+OtherSharings& OtherSharings::operator=(OtherSharings&&) noexcept = default;
+
+std::size_t OtherSharings::size() const {
+  return solver_->corners.size();
+}
+
+Motion OtherSharings::motion(std::size_t index) const {
+  return solver_->shared(solver_->corners[index]);
+}
+
+bool OtherSharings::is_complete() const {
+  return solver_->coordinates.size() <= Solver::kMostCoordinates;
+}
+
+const std::vector<std::string>& OtherSharings::unknown() const {
+  return solver_->unknown_names;
+}
+
+const std::vector<std::string>& OtherSharings::given() const {
+  return solver_->given_names;
+}
+
+bool OtherSharings::leaves_forces_out() const {
+  return solver_->leaves_forces_out;
+}
+
+void forget_negligible(double length, Motion& motion) {
+  if (motion.instants.empty()) return;
+  const double force = kNegligibleReaction * largest_reaction(motion, length);
+  const std::size_t joints = motion.instants.front().joints.size();
+  for (std::size_t j = 0; j < joints; ++j) {
+    bool matters = false;
+    for (std::size_t k = 0; k < 6; ++k) {
+      matters |= is_open(motion, j, k, k < 3 ? force : force * length);
+    }
+    if (matters) continue;
+    for (Instant& instant : motion.instants) {
+      instant.joints[j].unique = true;
+      instant.joints[j].unique_components.fill(true);
+    }
+  }
+}
+
+}  // namespace clevis::mechanism

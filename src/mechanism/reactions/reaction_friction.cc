@@ -1,0 +1,142 @@
+#include "mechanism/reactions/reaction_friction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+
+namespace clevis::mechanism {
+namespace {
+
+constexpr double kSettled = 1e-13;  // of the largest effort
+
+}  // namespace
+
+int followed_joint(const ForceElement& element) {
+  const auto* line = std::get_if<LineElement>(&element);
+  const auto* law = line ? std::get_if<FrictionLaw>(&line->law) : nullptr;
+  return law != nullptr && law->follows_reaction ? line->line.joint : -1;
+}
+
+Equilibrium::Solution balance_with_friction(
+    ForceModel& forces, std::size_t slots,
+    const std::function<Equilibrium::Solution(std::span<const Twist>)>&
+        balance) {
+  constexpr int kMost = 300;
+  std::vector<Twist> applied(slots);
+  forces.add_to(applied);
+  Equilibrium::Solution solution = balance(applied);
+  for (int i = 0; i < kMost; ++i) {
+    double change = 0.0, largest = 0.0;
+    for (std::size_t k = 0; k < forces.size(); ++k) {
+      const int joint = followed_joint(*forces.element(k).definition);
+      if (joint < 0) continue;
+      const auto& reaction = solution.joints[static_cast<std::size_t>(joint)];
+      const double before = forces.element(k).load;
+      forces.set_load(k, reaction.components().head<2>().norm());
+      const double load = forces.element(k).load;
+      change = std::max(change, std::abs(load - before));
+      largest = std::max(largest, load);
+    }
+    if (!std::isfinite(largest)) break;
+    if (change <= kSettled * largest) return solution;
+    std::ranges::fill(applied, Twist{});
+    forces.add_to(applied);
+    solution = balance(applied);
+  }
+  throw Error("K011", "mechanism",
+              "joint friction that follows the reaction grows with it without "
+              "bound",
+              "reduce the friction coefficient or the pin radius, or drive "
+              "another joint");
+}
+
+namespace {
+
+bool some_friction_rests(const ForceModel& forces) {
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    if (forces.is_dry(k) && std::abs(forces.element(k).modes[0]) != 1) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether equilibrium leaves open the reaction that an element follows.
+bool is_open(const ForceElement& element,
+             const std::vector<JointReaction>& joints) {
+  const int followed = followed_joint(element);
+  if (followed < 0) return false;
+  const auto& unique =
+      joints[static_cast<std::size_t>(followed)].unique_components;
+  return !unique[0] || !unique[1];
+}
+
+/// Whether friction at rest holds more than the reaction lets it, as the
+/// compliances share that.
+bool exceeds_its_most(const ForceElement& element, const ActingElement& acting,
+                      const std::vector<JointReaction>& joints) {
+  constexpr double kMargin = 1e-6;
+  const auto j = static_cast<std::size_t>(followed_joint(element));
+  const double load = joints[j].components().head<2>().norm();
+  const double most = switched_friction(element)->breakaway * load;
+  return std::abs(acting.effort) > (1.0 + kMargin) * most;
+}
+
+[[noreturn]] void refuse_open_load(const MechanismDefinition& definition,
+                                   const ForceModel& forces, std::size_t k) {
+  const ForceElement& element = definition.elements[k];
+  const auto j = static_cast<std::size_t>(followed_joint(element));
+  const bool rests = some_friction_rests(forces);
+  throw Error("K011", std::get<LineElement>(element).place,
+              fmt::format("friction {} follows the reaction of joint {}, "
+                          "which equilibrium leaves open{}",
+                          name_of(element), definition.joints[j].name,
+                          rests ? ": friction at rest shares it" : ""),
+              rests ? "give the friction itself, or model = \"regularized\"; "
+                      "remove redundant constraints if there are any"
+                    : "remove redundant constraints (dimension = \"planar\" if "
+                      "the mechanism moves in a plane), or give the friction "
+                      "itself");
+}
+
+}  // namespace
+
+void require_unique_loads(const MechanismDefinition& definition,
+                          const ForceModel& forces,
+                          const std::vector<JointReaction>& joints) {
+  for (std::size_t k = 0; k < definition.elements.size(); ++k) {
+    const ForceElement& element = definition.elements[k];
+    if (!is_open(element, joints)) continue;
+    const bool slides = std::abs(forces.element(k).modes[0]) == 1;
+    const bool fails =
+        slides || (forces.is_dry(k) &&
+                   exceeds_its_most(element, forces.element(k), joints));
+    if (fails) refuse_open_load(definition, forces, k);
+  }
+}
+
+void refuse_open_loads(const MechanismDefinition& definition,
+                       const ForceModel& forces,
+                       const std::vector<JointReaction>& joints) {
+  for (std::size_t k = 0; k < definition.elements.size(); ++k) {
+    if (is_open(definition.elements[k], joints)) {
+      refuse_open_load(definition, forces, k);
+    }
+  }
+}
+
+void refuse_jam(double t) {
+  throw Error("K011", "mechanism",
+              fmt::format("at t = {:.9g} s joint friction that follows the "
+                          "reaction jams: no friction, or more than one, fits "
+                          "the motion",
+                          t),
+              "reduce the friction coefficient or the pin radius; rigid "
+              "bodies have no answer here");
+}
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "mechanism/forces/force_model.h"
+#include "mechanism/reactions/equilibrium.h"
+
+namespace clevis::mechanism {
+
+/// The joint on whose reaction the friction of an element depends, or −1.
+int followed_joint(const ForceElement& element);
+
+/// Reactions and the friction that is proportional to them, at known
+/// accelerations, by iteration.
+/// @param balance  reactions under wrenches about M by slot.
+/// @throws Error K011 if the friction does not settle.
+Equilibrium::Solution balance_with_friction(
+    ForceModel& forces, std::size_t slots,
+    const std::function<Equilibrium::Solution(std::span<const Twist>)>&
+        balance);
+
+/// @throws Error K011 if friction follows a reaction that equilibrium leaves
+///   open and slides, or holds more than that lets it. @param joints  of an
+///   instant.
+void require_unique_loads(const MechanismDefinition& definition,
+                          const ForceModel& forces,
+                          const std::vector<JointReaction>& joints);
+
+/// @throws Error K011 if any friction follows such a reaction: for where a
+///   motion cannot go on.
+void refuse_open_loads(const MechanismDefinition& definition,
+                       const ForceModel& forces,
+                       const std::vector<JointReaction>& joints);
+
+/// @throws Error K011, always: a joint with such friction jams.
+[[noreturn]] void refuse_jam(double t);
+
+}  // namespace clevis::mechanism

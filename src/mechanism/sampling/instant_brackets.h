@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "mechanism/definition/motion.h"
+
+namespace clevis::mechanism {
+
+/// Sets the instants before and behind each point.
+void put_between(const std::vector<Instant>& instants,
+                 std::vector<ChangePoint>& points);
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,181 @@
+#include "mesh/basis/tensor_basis.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace clevis::mesh {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// P_n(x) and P_{n-1}(x) on [-1, 1].
+std::pair<double, double> legendre(int n, double x) {
+  double before = 1.0, value = x;
+  if (n == 0) return {1.0, 0.0};
+  for (int k = 2; k <= n; ++k) {
+    before =
+        std::exchange(value, ((2 * k - 1) * x * value - (k - 1) * before) / k);
+  }
+  return {value, before};
+}
+
+double legendre_slope(int n, double x) {
+  const auto [value, before] = legendre(n, x);
+  return n * (x * value - before) / (x * x - 1.0);
+}
+
+}  // namespace
+
+Quadrature gauss(int n) {
+  Quadrature rule{VectorXd(n), VectorXd(n)};
+  for (int i = 0; i < n; ++i) {
+    double x = -std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5));
+    for (int newton = 0; newton < 10; ++newton) {
+      x -= legendre(n, x).first / legendre_slope(n, x);
+    }
+    const double slope = legendre_slope(n, x);
+    rule.points[i] = 0.5 * (1.0 + x);
+    rule.weights[i] = 1.0 / ((1.0 - x * x) * slope * slope);
+  }
+  return rule;
+}
+
+VectorXd gauss_lobatto(int degree) {
+  VectorXd points(degree + 1);
+  points[0] = 0.0;
+  points[degree] = 1.0;
+  // The inner points are the zeros of P'; Newton with
+  // (1 - x²) P'' = 2 x P' - n (n + 1) P.
+  for (int i = 1; i < degree; ++i) {
+    double x = -std::cos(std::numbers::pi * i / degree);
+    for (int newton = 0; newton < 10; ++newton) {
+      const double slope = legendre_slope(degree, x);
+      const double curvature =
+          (2.0 * x * slope -
+           degree * (degree + 1) * legendre(degree, x).first) /
+          (1.0 - x * x);
+      x -= slope / curvature;
+    }
+    points[i] = 0.5 * (1.0 + x);
+  }
+  return points;
+}
+
+LagrangeBasis lagrange(const VectorXd& nodes, const VectorXd& points) {
+  const Index n = nodes.size();
+  LagrangeBasis basis{MatrixXd(points.size(), n), MatrixXd(points.size(), n)};
+  for (Index p = 0; p < points.size(); ++p) {
+    for (Index i = 0; i < n; ++i) {
+      double value = 1.0, slope = 0.0;
+      for (Index j = 0; j < n; ++j) {
+        if (j == i) continue;
+        const double scale = 1.0 / (nodes[i] - nodes[j]);
+        const double factor = (points[p] - nodes[j]) * scale;
+        slope = slope * factor + value * scale;
+        value *= factor;
+      }
+      basis.value(p, i) = value;
+      basis.slope(p, i) = slope;
+    }
+  }
+  return basis;
+}
+
+namespace {
+
+/// For each of `right` slices, target (left × out) = source (left × in)
+/// basisᵀ, all column-major. Most of the time of reading a mesh goes here.
+__attribute__((target_clones("avx2", "default"))) void contract(
+    const double* __restrict source, const MatrixXd& basis,
+    double* __restrict target, Index left, Index right) {
+  const Index in = basis.cols(), out = basis.rows();
+  const double* __restrict weights = basis.data();
+  for (Index r = 0; r < right; ++r, source += left * in) {
+    for (Index o = 0; o < out; ++o, target += left) {
+      if (left == 3) {  // too short for the vector loop below
+        double x = 0.0, y = 0.0, z = 0.0;
+        for (Index i = 0; i < in; ++i) {
+          const double weight = weights[o + i * out];
+          x += weight * source[3 * i];
+          y += weight * source[3 * i + 1];
+          z += weight * source[3 * i + 2];
+        }
+        target[0] = x;
+        target[1] = y;
+        target[2] = z;
+        continue;
+      }
+      for (Index l = 0; l < left; ++l) target[l] = 0.0;
+      for (Index i = 0; i < in; ++i) {
+        const double weight = weights[o + i * out];
+        const double* __restrict from = source + i * left;
+        for (Index l = 0; l < left; ++l) target[l] += weight * from[l];
+      }
+    }
+  }
+}
+
+}  // namespace
+
+template <int dim>
+Eigen::Matrix<double, dim, Eigen::Dynamic> interpolate(
+    const Eigen::Matrix<double, dim, Eigen::Dynamic>& nodal,
+    const std::array<const MatrixXd*, dim>& along) {
+  MatrixXd now = nodal;
+  Index left = dim;  // components and the directions already done
+  for (const MatrixXd* basis : along) {
+    const Index in = basis->cols(), out = basis->rows();
+    const Index right = now.size() / (left * in);
+    MatrixXd next(left * out, right);
+    contract(now.data(), *basis, next.data(), left, right);
+    now = std::move(next);
+    left *= out;
+  }
+  return Eigen::Map<const Eigen::Matrix<double, dim, Eigen::Dynamic>>(
+      now.data(), dim, now.size() / dim);
+}
+
+std::array<Eigen::Matrix3Xd, 3> tangents_at_nodes(
+    const Eigen::Matrix3Xd& cell_points, const MatrixXd& slope) {
+  std::array<Eigen::Matrix3Xd, 3> tangents;
+  const Index n = slope.rows();
+  Index left = 3;
+  for (auto& tangent : tangents) {
+    tangent.resize(3, cell_points.cols());
+    contract(cell_points.data(), slope, tangent.data(), left,
+             cell_points.size() / (left * n));
+    left *= n;
+  }
+  return tangents;
+}
+
+template <int dim>
+MappedGrid<dim> map_grid(
+    const Eigen::Matrix<double, dim, Eigen::Dynamic>& cell_points,
+    const std::array<const LagrangeBasis*, dim>& along) {
+  MappedGrid<dim> grid;
+  std::array<const MatrixXd*, dim> bases{};
+  for (unsigned d = 0; d < dim; ++d) bases[d] = &along[d]->value;
+  grid.points = interpolate<dim>(cell_points, bases);
+  for (unsigned d = 0; d < dim; ++d) {
+    bases[d] = &along[d]->slope;
+    grid.tangents[d] = interpolate<dim>(cell_points, bases);
+    bases[d] = &along[d]->value;
+  }
+  return grid;
+}
+
+template Eigen::Matrix2Xd interpolate<2>(const Eigen::Matrix2Xd&,
+                                         const std::array<const MatrixXd*, 2>&);
+template Eigen::Matrix3Xd interpolate<3>(const Eigen::Matrix3Xd&,
+                                         const std::array<const MatrixXd*, 3>&);
+template MappedGrid<2> map_grid<2>(const Eigen::Matrix2Xd&,
+                                   const std::array<const LagrangeBasis*, 2>&);
+template MappedGrid<3> map_grid<3>(const Eigen::Matrix3Xd&,
+                                   const std::array<const LagrangeBasis*, 3>&);
+
+}  // namespace clevis::mesh

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "mesh/cells/part_mesh.h"
+
+namespace clevis::mesh {
+
+/// Each hexahedron cut into n³ along its own coordinates: the same geometry
+/// (every piece is its parent's polynomial restricted), the same groups, and
+/// vertices shared where the parents share a face, an edge or a corner.
+/// Piece (i, j, k) of cell c is cell i + n (j + n (k + n c)).
+/// @pre tensor cells; n ≥ 1.
+PartMesh<3> split_cells(const PartMesh<3>& mesh, int n);
+
+}  // namespace clevis::mesh

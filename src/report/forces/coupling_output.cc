@@ -1,0 +1,93 @@
+#include "report/forces/coupling_output.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "mechanism/joints/joint_types.h"
+#include "report/summary/mechanism_summary.h"
+#include "report/text/text_table.h"
+
+namespace clevis::report {
+namespace {
+
+using nlohmann::ordered_json;
+
+bool turns(const MotionReport& report, std::size_t k) {
+  const auto& coupling = report.definition.couplings[k];
+  const auto joint = static_cast<std::size_t>(coupling.joint_1);
+  return coordinate_row(report.definition.joints[joint].type,
+                        coupling.coordinate_1)
+      .is_angle();
+}
+
+Peak peak_effort(const MotionReport& report, std::size_t k) {
+  Peak peak;
+  for (const auto& instant : report.motion.instants) {
+    const double here = std::abs(instant.couplings[k].effort);
+    if (here > peak.value) peak = {here, instant.t};
+  }
+  return peak;
+}
+
+bool is_unique(const MotionReport& report, std::size_t k) {
+  return std::ranges::all_of(report.motion.instants, [k](const auto& instant) {
+    return instant.couplings[k].unique;
+  });
+}
+
+}  // namespace
+
+ordered_json couplings_json(const MotionReport& report) {
+  ordered_json couplings = ordered_json::array();
+  for (std::size_t k = 0; k < report.definition.couplings.size(); ++k) {
+    const bool angle = turns(report, k);
+    const Peak peak = peak_effort(report, k);
+    ordered_json shown = ordered_json::array();
+    for (const std::size_t i : shown_instants(report.motion)) {
+      const auto& instant = report.motion.instants[i];
+      shown.push_back({{"t_s", instant.t},
+                       {angle ? "effort_N_m" : "effort_N",
+                        instant.couplings[k].effort + 0.0}});
+    }
+    couplings.push_back(
+        {{"name", report.definition.couplings[k].name},
+         {angle ? "peak_effort_N_m" : "peak_effort_N", peak.value},
+         {"peak_effort_at_s", peak.at},
+         {"unique", is_unique(report, k)},
+         {"instants", shown}});
+  }
+  return couplings;
+}
+
+std::string couplings_text(const MotionReport& report, Colour colour) {
+  if (report.definition.couplings.empty()) return {};
+  std::vector<TextTable::Column> columns{{"coupling"}};
+  const std::vector<std::size_t> shown = shown_instants(report.motion);
+  for (const std::size_t i : shown) {
+    columns.push_back({fmt::format("at {:.6g} s", report.motion.instants[i].t),
+                       Align::kRight});
+  }
+  columns.push_back({"peak", Align::kRight});
+  columns.push_back({"at s", Align::kRight});
+  columns.push_back({"unique"});
+  TextTable table(columns);
+  for (std::size_t k = 0; k < report.definition.couplings.size(); ++k) {
+    const char* unit = turns(report, k) ? " N m" : " N";
+    std::vector<TextTable::Cell> cells{{report.definition.couplings[k].name}};
+    for (const std::size_t i : shown) {
+      const double effort = report.motion.instants[i].couplings[k].effort;
+      cells.push_back({fmt::format("{:.4g}{}", effort + 0.0, unit)});
+    }
+    const Peak peak = peak_effort(report, k);
+    cells.push_back({fmt::format("{:.4g}{}", peak.value, unit)});
+    cells.push_back({fmt::format("{:.6g}", peak.at)});
+    cells.push_back({is_unique(report, k) ? "yes" : "no"});
+    table.add_row(cells);
+  }
+  return table.text(colour);
+}
+
+}  // namespace clevis::report

@@ -1,0 +1,189 @@
+#include "report/machine/bearing_output.h"
+
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "report/text/csv_field.h"
+#include "report/text/text_table.h"
+
+namespace clevis::report {
+namespace {
+
+using machine::BearingResult;
+using machine::BearingVerdict;
+using nlohmann::ordered_json;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kHour = 3600.0;
+constexpr double kPercent = 100.0;
+
+Tone tone_of(BearingVerdict verdict) {
+  switch (verdict) {
+    case BearingVerdict::kPass:
+      return Tone::kGood;
+    case BearingVerdict::kFail:
+      return Tone::kBad;
+    case BearingVerdict::kNotJudged:
+      break;
+  }
+  return Tone::kDoubtful;
+}
+
+std::optional<double> hours(const std::optional<double>& seconds) {
+  if (!seconds) return std::nullopt;
+  return *seconds / kHour;
+}
+
+/// A life or safety without bound shows as "-".
+std::string or_dash(const std::optional<double>& value) {
+  return value ? fmt::format("{:.4g}", *value) : "-";
+}
+
+/// `null` where there is no bound.
+ordered_json or_null(const std::optional<double>& value) {
+  return value ? ordered_json(*value) : ordered_json();
+}
+
+std::vector<TextTable::Cell> row(const BearingReport& bearing) {
+  const BearingResult& r = bearing.result;
+  return {{r.name},
+          {bearing.joint},
+          {machine::name_of(r.kind)},
+          {fmt::format("{:.6g}", r.mean_load)},
+          {fmt::format("{:.6g}", r.static_load)},
+          {or_dash(r.static_safety)},
+          {fmt::format("{:.2f}", r.swing / kDegree)},
+          {fmt::format("{:.2f}", r.travel / kDegree)},
+          {or_dash(r.life)},
+          {or_dash(r.life_cycles)},
+          {or_dash(hours(r.life_seconds))},
+          {fmt::format("{:.1e}", r.life_error)},
+          {machine::name_of(r.verdict), tone_of(r.verdict)}};
+}
+
+ordered_json bearing_json(const BearingReport& bearing) {
+  const BearingResult& r = bearing.result;
+  ordered_json warnings = ordered_json::array();
+  for (const auto& warning : r.warnings) {
+    warnings.push_back({{"code", warning.code}, {"text", warning.text}});
+  }
+  return {{"name", r.name},
+          {"joint", bearing.joint},
+          {"kind", machine::name_of(r.kind)},
+          {"verdict", machine::name_of(r.verdict)},
+          {"why", r.why},
+          {"dynamic_rating_N", r.dynamic_rating},
+          {"static_rating_N", r.static_rating},
+          {"mean_load_N", r.mean_load},
+          {"peak_load_N", r.peak_load},
+          {"static_load_N", r.static_load},
+          {"static_load_at_s", r.static_load_at},
+          {"peak_radial_N", r.peak_radial},
+          {"peak_axial_N", r.peak_axial},
+          {"peak_tilt_N_m", r.peak_tilt},
+          {"static_safety", or_null(r.static_safety)},
+          {"static_safety_wanted", r.static_safety_wanted},
+          {"swing_deg", r.swing / kDegree},
+          {"travel_deg", r.travel / kDegree},
+          {"mean_speed_rad_per_s", r.mean_speed},
+          {"life_revolutions", or_null(r.life)},
+          {"life_cycles", or_null(r.life_cycles)},
+          {"life_h", or_null(hours(r.life_seconds))},
+          {"life_wanted_h", or_null(hours(r.life_wanted))},
+          {"mean_load_error_percent", kPercent * r.mean_load_error},
+          {"travel_error_percent", kPercent * r.travel_error},
+          {"life_error_percent", kPercent * r.life_error},
+          {"warnings", warnings}};
+}
+
+}  // namespace
+
+std::vector<BearingReport> bearing_reports(
+    const std::vector<BearingResult>& results,
+    const mechanism::MechanismDefinition& definition) {
+  std::vector<BearingReport> reports;
+  for (const BearingResult& result : results) {
+    reports.push_back(
+        {result,
+         definition.joints[static_cast<std::size_t>(result.joint)].name});
+  }
+  return reports;
+}
+
+std::string bearings_text(const std::vector<BearingReport>& bearings,
+                          Colour colour) {
+  if (bearings.empty()) return {};
+  TextTable table({{"bearing"},
+                   {"joint"},
+                   {"kind"},
+                   {"P_m N", Align::kRight},
+                   {"P0 N", Align::kRight},
+                   {"C0/P0", Align::kRight},
+                   {"swing deg", Align::kRight},
+                   {"travel deg", Align::kRight},
+                   {"L10 rev", Align::kRight},
+                   {"L10 cycles", Align::kRight},
+                   {"L10 h", Align::kRight},
+                   {"sampling", Align::kRight},
+                   {"verdict"}});
+  for (const BearingReport& bearing : bearings) {
+    table.add_row(row(bearing));
+    for (const auto& warning : bearing.result.warnings) {
+      table.add_note(fmt::format("{}: {}: {}", bearing.result.name,
+                                 warning.code, warning.text));
+    }
+    if (!bearing.result.why.empty()) {
+      table.add_note(fmt::format("{}: {}: {}", bearing.result.name,
+                                 machine::name_of(bearing.result.verdict),
+                                 bearing.result.why));
+    }
+  }
+  table.add_note(
+      "a cycle is the motion; sampling: relative change of L10 when every "
+      "second instant is left out");
+  return table.text(colour);
+}
+
+ordered_json bearings_json(const std::vector<BearingReport>& bearings) {
+  ordered_json list = ordered_json::array();
+  for (const BearingReport& bearing : bearings) {
+    list.push_back(bearing_json(bearing));
+  }
+  return list;
+}
+
+std::string bearings_csv(const std::vector<BearingReport>& bearings) {
+  std::string titles, rows;
+  for (const BearingReport& bearing : bearings) {
+    std::string line;
+    titles.clear();
+    const ordered_json json = bearing_json(bearing);
+    for (const auto& [key, value] : json.items()) {
+      std::string text = value.is_string() ? value.get<std::string>()
+                         : value.is_null() ? ""
+                                           : value.dump();
+      if (key == "warnings") {
+        text.clear();
+        for (const auto& warning : bearing.result.warnings) {
+          if (!text.empty()) text += ' ';
+          text += warning.code;
+        }
+      }
+      if (!titles.empty()) {
+        titles += ',';
+        line += ',';
+      }
+      titles += key;
+      line += csv_field(text);
+    }
+    rows += line;
+    rows += '\n';
+  }
+  titles += '\n';
+  return titles + rows;
+}
+
+}  // namespace clevis::report

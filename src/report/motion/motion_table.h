@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "report/summary/motion_report.h"
+#include "report/text/terminal.h"
+
+namespace clevis::report {
+
+/// What `clevis simulate` prints: structure, quality of the motion, peak
+/// reactions, drives, paths of the markers, closed form.
+std::string motion_table(const MotionReport& report, Colour colour);
+
+}  // namespace clevis::report

@@ -1,0 +1,358 @@
+#include "report/parts/part_impact_output.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "report/text/text_table.h"
+#include "report/text/units.h"
+
+namespace clevis::report {
+namespace {
+
+using assessment::ImpactResult;
+using assessment::ImpactRow;
+using assessment::LoadPace;
+using assessment::PartResult;
+using nlohmann::ordered_json;
+
+constexpr double kMillisecond = 1e-3, kPercent = 100.0;
+
+std::string or_dash(double value, const char* format) {
+  return value > 0.0 ? fmt::format(fmt::runtime(format), value) : "-";
+}
+
+std::string head_of(const PartResult& part, const ImpactResult& impact) {
+  return printable(fmt::format(
+             "impact {} on {} ({}): {:.4g} kg at {:.5g} m/s, pushed by {:.4g} "
+             "N, {}{:.4g} N/m{}",
+             impact.name, part.name, impact.source, impact.mass, impact.speed,
+             impact.force,
+             impact.is_ideal ? "ideal step, computed with " : "contact ",
+             impact.stiffness, impact.exponent == 1.0 ? "" : "^1.5")) +
+         fmt::format(
+             "\n  mass ratio {:.3g}; load for {:.4g} ms, {:.3g} periods "
+             "of {:.4g} ms along the blow; peak {:.4g} N after {:.3g} ms\n",
+             impact.mass / impact.part_mass,
+             impact.load_duration / kMillisecond,
+             impact.load_duration / impact.first_period,
+             impact.first_period / kMillisecond, impact.peak_force,
+             impact.rise_time / kMillisecond);
+}
+
+/// "stress 330, 345, 361 MPa with fronts of 8, 4, 2 us: …"; empty for blows
+/// whose fronts the mesh carries.
+std::string refinement_of(const ImpactResult& impact) {
+  constexpr double kTold = 1e-3;
+  const auto& tried = impact.refinement;
+  if (tried.below + tried.above < kTold) return "";
+  const auto list = [](const std::vector<double>& values, double unit,
+                       const char* format) {
+    std::string text;
+    for (const double value : values) {
+      if (!text.empty()) text += ", ";
+      text += fmt::format(fmt::runtime(format), value / unit);
+    }
+    return text;
+  };
+  const std::string rival = tried.rival.empty()
+                                ? ""
+                                : fmt::format(" (for at {:.4g} ms it goes {})",
+                                              tried.rival_time / kMillisecond,
+                                              list(tried.rival, 1e6, "{:.4g}"));
+  return fmt::format(
+      "by p = {} stress {} MPa with fronts of {} us, the last that the mesh "
+      "carries: {:.2g} % more{} and {:.2g} % less are left, {}; deflection {} "
+      "mm",
+      tried.degree, list(tried.stress, 1e6, "{:.4g}"),
+      list(tried.fronts, 1e-6, "{:.3g}"), kPercent * tried.above, rival,
+      kPercent * tried.below,
+      tried.settles ? "settles"
+                    : "DOES NOT SETTLE: mesh finer along the wave's way, "
+                      "compare deflections, or give the contact its stiffness",
+      list(tried.deflection, 1e-3, "{:.4g}"));
+}
+
+/// Empty where nothing larger comes.
+std::string later_peaks_of(const ImpactResult& impact) {
+  if (impact.later_stress <= 1.0 && impact.later_deflection <= 1.0 &&
+      impact.later_root <= 1.0) {
+    return "";
+  }
+  return fmt::format(
+      "later, within {:.4g} ms, stress comes to {:.3g} times, deflection to "
+      "{:.3g}, a held section's stress to {:.3g} times these (by few shapes, "
+      "in "
+      "the bands){}",
+      impact.looked_for / kMillisecond, impact.later_stress,
+      impact.later_deflection, impact.later_root,
+      impact.force > 0.0 ? ": a force presses on, give the part its damping"
+                         : "");
+}
+
+/// What the free swing may come to, over the judged value; 0: no more.
+double swing_over(double swing, double later) {
+  constexpr double kMore = 1.02;
+  return swing > kMore ? swing * later : 0.0;
+}
+
+std::string swing_of(const ImpactResult& impact) {
+  const double stress = swing_over(impact.swing_stress, impact.later_stress);
+  const double way =
+      swing_over(impact.swing_deflection, impact.later_deflection);
+  if (stress == 0.0 && way == 0.0) return "";
+  return fmt::format(
+      "without damping its free swing comes to {:#.4g} MPa and {:#.4g} mm at "
+      "the most, whenever (sum of its shapes), which is not judged: give the "
+      "part its damping",
+      megapascals(impact.stress) * std::max(1.0, stress),
+      millimetres(impact.deflection) * std::max(1.0, way));
+}
+
+std::string table_of(const ImpactResult& impact, Colour colour) {
+  TextTable table({{"model"},
+                   {"stress MPa", Align::kRight},
+                   {"root MPa", Align::kRight},
+                   {"/judged", Align::kRight},
+                   {"face mm", Align::kRight},
+                   {"defl. mm", Align::kRight},
+                   {"error %", Align::kRight},
+                   {"s", Align::kRight},
+                   {""}});
+  for (const ImpactRow& row : impact.rows) {
+    table.add_row(
+        {{row.model},
+         {or_dash(megapascals(row.stress), "{:.1f}")},
+         {or_dash(megapascals(row.nominal), "{:.1f}")},
+         {fmt::format("{:.3f}", row.ratio)},
+         {fmt::format("{:.4f}", millimetres(row.face))},
+         {or_dash(millimetres(row.deflection), "{:.4f}")},
+         {row.error < 0.0 ? "-" : fmt::format("{:.2g}", kPercent * row.error)},
+         {fmt::format("{:.2g}", row.seconds)},
+         {row.remark}});
+  }
+  table.add_note(fmt::format(
+      "stress {:#.4g} [{:#.4g}, {:#.4g}] MPa, safety {:#.4g}; in time: {}",
+      megapascals(impact.stress), megapascals(impact.band_low),
+      megapascals(impact.band_high), impact.safety_factor, impact.reason));
+  if (impact.root.value > 0.0) table.add_note(held_section_text(impact.root));
+  if (impact.spread > 0.0) {
+    table.add_note(fmt::format(
+        "the striker bounces, and its course hangs on little things: 2 % of "
+        "its mass change the peaks by {:.2g} %, in the bands{}",
+        kPercent * impact.spread,
+        impact.force > 0.0 ? "; give the part its damping" : ""));
+  }
+  const std::string later = later_peaks_of(impact);
+  if (!later.empty()) table.add_note(later);
+  const std::string swing = swing_of(impact);
+  if (!swing.empty()) table.add_note(swing);
+  const std::string refinement = refinement_of(impact);
+  if (!refinement.empty()) table.add_note(refinement);
+  return table.text(colour);
+}
+
+std::string paces_text(const PartResult& part) {
+  std::string text;
+  for (const LoadPace& pace : part.paces) {
+    text += printable(fmt::format("{}, {}", part.name, pace.impact));
+    text += fmt::format(
+        ": for {:.4g} ms, {:.3g} of its first period of {:.4g} ms, "
+        "rising for {:.4g} ms; a mode answers {:.2f} times. {}\n",
+        pace.duration / kMillisecond, pace.ratio,
+        part.first_period / kMillisecond, pace.rise_time / kMillisecond,
+        pace.amplification, pace.treatment);
+  }
+  return text;
+}
+
+/// What vibration makes of the peak.
+std::string vibration_text(const PartResult& part) {
+  const assessment::VibrationResult& v = part.vibration;
+  if (!v.failure.empty()) {
+    return printable(fmt::format("{} with vibration: not computed: {}\n",
+                                 part.name, v.failure));
+  }
+  if (v.ratio == 0.0) return "";
+  return fmt::format(
+      "{} with vibration: {:#.5g} [{:#.5g}, {:#.5g}] MPa at {} ({:.1f}, "
+      "{:.1f}, "
+      "{:.1f}), t = {:.6g} s, {:.3f} of the quasi-static peak\n"
+      "  {}, {} shapes of {:.4g} to {:.4g} kHz, {:.6g} s to {:.6g} s; error "
+      "{:.2g} % (degree {:.2g}, shapes {:.2g}, samples {:.2g}, instants "
+      "{:.2g}); {:.2f} s\n",
+      printable(part.name), megapascals(v.peak), megapascals(v.band_low),
+      megapascals(v.band_high), v.group, millimetres(v.at.x()),
+      millimetres(v.at.y()), millimetres(v.at.z()), v.time, v.ratio, v.model,
+      v.shapes, v.lowest_frequency / 1e3, v.highest_frequency / 1e3, v.from,
+      v.to, kPercent * v.error(), kPercent * v.degree_error,
+      kPercent * v.shape_error, kPercent * v.sampling_error,
+      kPercent * v.path_error, v.seconds);
+}
+
+ordered_json row_json(const ImpactRow& row) {
+  ordered_json json = {{"model", row.model}};
+  json["stress_MPa"] =
+      row.stress > 0.0 ? ordered_json(megapascals(row.stress)) : ordered_json();
+  json["root_stress_MPa"] = row.nominal > 0.0
+                                ? ordered_json(megapascals(row.nominal))
+                                : ordered_json();
+  json["ratio"] = row.ratio;
+  json["face_deflection_mm"] = millimetres(row.face);
+  json["deflection_mm"] = row.deflection > 0.0
+                              ? ordered_json(millimetres(row.deflection))
+                              : ordered_json();
+  json["error_percent"] =
+      row.error < 0.0 ? ordered_json() : ordered_json(kPercent * row.error);
+  json["seconds"] = row.seconds;
+  json["remark"] = row.remark;
+  return json;
+}
+
+ordered_json ratio_or_null(double ratio) {
+  return ratio > 0.0 ? ordered_json(ratio) : ordered_json();
+}
+
+ordered_json refinement_json(const assessment::FrontRefinement& tried) {
+  if (tried.stress.empty()) return {};
+  ordered_json steps = ordered_json::array();
+  for (std::size_t i = 0; i < tried.stress.size(); ++i) {
+    steps.push_back({{"front_s", tried.fronts[i]},
+                     {"stress_MPa", megapascals(tried.stress[i])},
+                     {"deflection_mm", millimetres(tried.deflection[i])}});
+  }
+  return {{"degree", tried.degree},
+          {"stress_settles", tried.settles},
+          {"left_above_percent", kPercent * tried.above},
+          {"left_below_percent", kPercent * tried.below},
+          {"steps", steps}};
+}
+
+}  // namespace
+
+std::string part_impacts_text(const PartResult& part, Colour colour) {
+  std::string text;
+  for (const ImpactResult& impact : part.impacts) {
+    text += "\n" + head_of(part, impact) + table_of(impact, colour);
+  }
+  if (!part.paces.empty()) text += "\n" + paces_text(part);
+  text += vibration_text(part);
+  return text;
+}
+
+ordered_json part_impacts_json(const PartResult& part) {
+  ordered_json list = ordered_json::array();
+  for (const ImpactResult& i : part.impacts) {
+    ordered_json rows = ordered_json::array();
+    for (const ImpactRow& row : i.rows) rows.push_back(row_json(row));
+    list.push_back(
+        {{"name", i.name},
+         {"source", i.source},
+         {"mass_kg", i.mass},
+         {"speed_m_per_s", i.speed},
+         {"pushing_N", i.force},
+         {"contact_stiffness", i.stiffness},
+         {"contact_exponent", i.exponent},
+         {"ideal_step", i.is_ideal},
+         {"mass_ratio", i.mass / i.part_mass},
+         {"first_period_s", i.first_period},
+         {"load_duration_s", i.load_duration},
+         {"duration_over_first_period", i.load_duration / i.first_period},
+         {"rise_time_s", i.rise_time},
+         {"peak_force_N", i.peak_force},
+         {"dynamic_factor", i.dynamic_factor},
+         {"stress_MPa", megapascals(i.stress)},
+         {"band_MPa", {megapascals(i.band_low), megapascals(i.band_high)}},
+         {"held_section", held_section_json(i.root)},
+         {"deflection_mm", millimetres(i.deflection)},
+         {"deflection_band_mm",
+          {millimetres(i.deflection_low), millimetres(i.deflection_high)}},
+         {"looked_for_s", i.looked_for},
+         {"later_stress_ratio", i.later_stress},
+         {"later_section_ratio", i.later_root},
+         {"course_spread_percent", kPercent * i.spread},
+         {"later_deflection_ratio", i.later_deflection},
+         {"free_swing_stress_ratio", ratio_or_null(i.swing_stress)},
+         {"free_swing_deflection_ratio", ratio_or_null(i.swing_deflection)},
+         {"safety_factor", i.safety_factor},
+         {"reason", i.reason},
+         {"refinement", refinement_json(i.refinement)},
+         {"models", rows}});
+  }
+  return list;
+}
+
+ordered_json load_paces_json(const PartResult& part) {
+  ordered_json list = ordered_json::array();
+  for (const LoadPace& pace : part.paces) {
+    list.push_back({{"impact", pace.impact},
+                    {"duration_s", pace.duration},
+                    {"rise_time_s", pace.rise_time},
+                    {"first_period_s", part.first_period},
+                    {"duration_over_first_period", pace.ratio},
+                    {"amplification", pace.amplification},
+                    {"treatment", pace.treatment}});
+  }
+  return list;
+}
+
+ordered_json vibration_json(const PartResult& part) {
+  const assessment::VibrationResult& v = part.vibration;
+  if (!v.failure.empty()) return {{"failure", v.failure}};
+  if (v.ratio == 0.0) return {};
+  const Eigen::Vector3d at = millimetres(v.at);
+  return {{"ratio", v.ratio},
+          {"governs", v.governs},
+          {"peak_MPa", megapascals(v.peak)},
+          {"band_MPa", {megapascals(v.band_low), megapascals(v.band_high)}},
+          {"at_mm", {at.x(), at.y(), at.z()}},
+          {"group", v.group},
+          {"instant_s", v.time},
+          {"from_s", v.from},
+          {"to_s", v.to},
+          {"model", v.model},
+          {"shapes", v.shapes},
+          {"lowest_frequency_hz", v.lowest_frequency},
+          {"highest_frequency_hz", v.highest_frequency},
+          {"degree_error_percent", kPercent * v.degree_error},
+          {"shape_error_percent", kPercent * v.shape_error},
+          {"sampling_error_percent", kPercent * v.sampling_error},
+          {"instants_error_percent", kPercent * v.path_error},
+          {"seconds", v.seconds}};
+}
+
+std::string held_section_text(const assessment::HeldStress& held) {
+  return fmt::format(
+      "section {}, by its support's force and moment: {:#.5g} [{:#.5g}, "
+      "{:#.5g}] MPa at {:.4g} ms",
+      printable(held.section), megapascals(held.value),
+      megapascals(held.band_low), megapascals(held.band_high),
+      held.instant / kMillisecond);
+}
+
+ordered_json held_section_json(const assessment::HeldStress& held) {
+  if (held.value == 0.0) return {};
+  return {
+      {"section", held.section},
+      {"nominal_stress_MPa", megapascals(held.value)},
+      {"band_MPa", {megapascals(held.band_low), megapascals(held.band_high)}},
+      {"instant_s", held.instant},
+      {"instant", held.label}};
+}
+
+BeamImpactSummary beam_impact(const PartResult& part) {
+  BeamImpactSummary found;
+  for (const ImpactResult& impact : part.impacts) {
+    for (const ImpactRow& row : impact.rows) {
+      if (row.model != "beam, corrected" || row.nominal <= found.stress) {
+        continue;
+      }
+      found.stress = row.nominal;
+      found.factor = impact.beam_factor;
+    }
+  }
+  return found;
+}
+
+}  // namespace clevis::report

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "assessment/job/part_result.h"
+#include "report/text/terminal.h"
+
+namespace clevis::report {
+
+/// Blows on a part by all models, and how fast impacts of the mechanism load
+/// it; empty without either.
+std::string part_impacts_text(const assessment::PartResult& part,
+                              Colour colour);
+
+nlohmann::ordered_json part_impacts_json(const assessment::PartResult& part);
+nlohmann::ordered_json load_paces_json(const assessment::PartResult& part);
+/// Null where the loads of the instants suffice.
+nlohmann::ordered_json vibration_json(const assessment::PartResult& part);
+
+/// Nominal stress of the section at which the part is held.
+std::string held_section_text(const assessment::HeldStress& held);
+/// Null where no plane face holds the part.
+nlohmann::ordered_json held_section_json(const assessment::HeldStress& held);
+
+/// Stress by the corrected beam-theory impact model, the largest of the blows
+/// [Pa], and its factor over the static stress; 0: it says nothing.
+struct BeamImpactSummary {
+  double stress{}, factor{};
+};
+BeamImpactSummary beam_impact(const assessment::PartResult& part);
+
+}  // namespace clevis::report

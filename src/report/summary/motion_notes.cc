@@ -1,0 +1,158 @@
+#include "report/summary/motion_notes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "report/text/terminal.h"
+#include "report/text/units.h"
+
+namespace clevis::report {
+namespace {
+
+using Eigen::Vector3d;
+using mechanism::BodyDefinition;
+using mechanism::MechanismDefinition;
+using mechanism::Motion;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// Where a motion that forces decide begins.
+std::string start_of(const MechanismDefinition& definition) {
+  const bool moves =
+      std::ranges::any_of(definition.initial_joints,
+                          [](const auto& initial) {
+                            return initial.rate.value_or(0.0) != 0.0;
+                          }) ||
+      std::ranges::any_of(definition.initial_bodies, [](const auto& initial) {
+        return !initial.v_WLo.isZero(0.0) || !initial.w_WL.isZero(0.0);
+      });
+  const bool placed =
+      std::ranges::any_of(definition.initial_joints, [](const auto& initial) {
+        return initial.position.has_value();
+      });
+  return fmt::format("from {}, in the position of {}",
+                     moves ? "the rates of [[initial]]" : "rest",
+                     placed ? "[[initial]]" : "the placements");
+}
+
+/// Whether anything but weight and passive forces moves what is free.
+bool is_pushed(const MechanismDefinition& definition) {
+  return !definition.initial_joints.empty() ||
+         !definition.initial_bodies.empty() ||
+         std::ranges::any_of(definition.elements, [](const auto& element) {
+           return mechanism::motor_law(element) != nullptr ||
+                  mechanism::servo_law(element) != nullptr ||
+                  mechanism::gas_law(element) != nullptr;
+         });
+}
+
+void add_freedom(const MechanismDefinition& definition, const Motion& motion,
+                 std::vector<std::string>& notes) {
+  if (!motion.left_free) return;
+  const mechanism::LeftFree& free = *motion.left_free;
+  if (free.freedom == 0) {
+    notes.push_back(
+        "the motion is integrated: gas, motors or bristles have a history of "
+        "their own");
+    return;
+  }
+  notes.push_back(fmt::format(
+      "no drive fixes {} degree{} of freedom{}: forces decide, the motion is "
+      "integrated {}. {}",
+      free.freedom, free.freedom == 1 ? "" : "s",
+      free.coordinates.empty()
+          ? ""
+          : fmt::format(" ({})", fmt::join(free.coordinates, ", ")),
+      start_of(definition),
+      is_pushed(definition)
+          ? "Say motion = \"dynamic\" if that is meant"
+          : "If a drive was forgotten, add it; else say motion = \"dynamic\""));
+}
+
+/// Lengths of the mechanism's order, by its joints [m].
+double extent(const MechanismDefinition& definition) {
+  double length = 0.0;
+  for (const auto& joint : definition.joints) {
+    for (const auto& [body, frame] : {std::pair(joint.body_a, joint.frame_a),
+                                      std::pair(joint.body_b, joint.frame_b)}) {
+      if (body != mechanism::kGround) {
+        length = std::max(length, frame.p_LJ.norm());
+      }
+    }
+  }
+  return length;
+}
+
+/// Thousandths, without trailing zeros; no -0.
+std::string rounded(double value) {
+  return fmt::format("{:.6g}", std::round(1e3 * value) / 1e3 + 0.0);
+}
+
+/// Assembly closes the loops near the placements: where these are missing or
+/// far, it may be another branch than was meant.
+void add_assembly(const MechanismDefinition& definition, const Motion& motion,
+                  std::vector<std::string>& notes) {
+  constexpr double kFarTurn = 30.0 * kDegree, kFarWay = 0.3;
+  constexpr std::size_t kShown = 3;
+  if (motion.instants.empty()) return;
+  const double length = extent(definition);
+  std::vector<std::string> moved;
+  for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
+    const BodyDefinition& body = definition.bodies[i];
+    const mechanism::Pose& pose = motion.instants.front().bodies[i].pose;
+    const Vector3d way = pose.p_WL - body.placement.p_WL;
+    const double turn =
+        Eigen::AngleAxisd(pose.R_WL * body.placement.R_WL.transpose()).angle();
+    if (turn <= kFarTurn && way.norm() <= kFarWay * length) continue;
+    const Vector3d mm = millimetres(pose.p_WL);
+    moved.push_back(fmt::format(
+        "{} to ({}, {}, {}) mm, turned by {:.3g} deg{}", body.name,
+        rounded(mm.x()), rounded(mm.y()), rounded(mm.z()), turn / kDegree,
+        body.is_placed ? "" : " (it has no placement)"));
+  }
+  if (moved.empty()) return;
+  const std::size_t more = moved.size() - std::min(kShown, moved.size());
+  moved.resize(moved.size() - more);
+  notes.push_back(fmt::format(
+      "to close the joints at the start bodies were moved far from their "
+      "placements: {}{}. Loops may close in another position too: give "
+      "placements near the one that is meant",
+      fmt::join(moved, "; "),
+      more > 0 ? fmt::format("; and {} more", more) : ""));
+}
+
+void add_search(const Motion& motion, std::vector<std::string>& notes) {
+  if (!motion.search || !motion.search->ended) return;
+  notes.push_back(fmt::format(
+      "the largest loads were looked for in {} positions, which was too few: "
+      "from about t = {:.6g} s on larger ones may lie between the instants. "
+      "Ask for a shorter motion, or correct the quickest drive",
+      motion.search->looks, motion.search->ended_at));
+}
+
+}  // namespace
+
+std::vector<std::string> motion_notes(const MechanismDefinition& definition,
+                                      const Motion& motion) {
+  std::vector<std::string> notes;
+  add_freedom(definition, motion, notes);
+  add_assembly(definition, motion, notes);
+  add_search(motion, notes);
+  return notes;
+}
+
+std::string note_lines(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) {
+    text += printable(fmt::format("  note: {}", note)) + "\n";
+  }
+  return text;
+}
+
+}  // namespace clevis::report

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mechanism/definition/definition.h"
+#include "mechanism/definition/motion.h"
+
+namespace clevis::report {
+
+/// What a reader must know of how a motion came about, one sentence each:
+/// freedom that no drive fixes and that was integrated, from which start;
+/// bodies that assembly moved far from their placement, or that had none; a
+/// search for the largest loads that did not come to its end.
+std::vector<std::string> motion_notes(
+    const mechanism::MechanismDefinition& definition,
+    const mechanism::Motion& motion);
+
+/// The same as lines of a table, "  note: …".
+std::string note_lines(const std::vector<std::string>& notes);
+
+}  // namespace clevis::report

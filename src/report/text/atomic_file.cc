@@ -1,0 +1,129 @@
+#include "report/text/atomic_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "base/errors.h"
+
+namespace clevis::report {
+namespace {
+
+constexpr std::size_t kLongestName = 64;
+
+[[noreturn]] void refuse(const std::filesystem::path& file,
+                         const std::string& step, const std::string& reason) {
+  throw Error("I002", file.string(), "cannot " + step + ": " + reason,
+              "Check that the folder may be written and that the disk is not "
+              "full, or choose another folder with --out.");
+}
+
+/// The temporary file: closed and removed unless it was renamed.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::filesystem::path& target)
+      : target_(target),
+        path_(target.parent_path() / fmt::format(".{}.{}.tmp",
+                                                 target.filename().string(),
+                                                 ::getpid())) {
+    // A file of this name can only be left from a killed process of the same
+    // number.
+    ::unlink(path_.c_str());
+    descriptor_ =
+        ::open(path_.c_str(),
+               O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) refuse(target_, "create file", std::strerror(errno));
+  }
+  ~TemporaryFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!published_) ::unlink(path_.c_str());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  void write(std::string_view content) {
+    while (!content.empty()) {
+      const ssize_t written =
+          ::write(descriptor_, content.data(), content.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) refuse(target_, "write file", std::strerror(errno));
+      content.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+
+  void publish() {
+    if (::fsync(descriptor_) != 0) {
+      refuse(target_, "write file", std::strerror(errno));
+    }
+    const int closed = ::close(descriptor_);
+    descriptor_ = -1;
+    if (closed != 0) refuse(target_, "write file", std::strerror(errno));
+    if (::rename(path_.c_str(), target_.c_str()) != 0) {
+      refuse(target_, "rename file into place", std::strerror(errno));
+    }
+    published_ = true;
+  }
+
+ private:
+  std::filesystem::path target_, path_;
+  int descriptor_ = -1;
+  bool published_ = false;
+};
+
+/// Makes the rename itself survive a power cut. Not every file system allows
+/// it, and the content is safe already: no error.
+void sync_folder(const std::filesystem::path& folder) {
+  const int descriptor =
+      ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+}  // namespace
+
+bool is_file_name(std::string_view name) {
+  constexpr std::string_view kAllowed =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
+  return !name.empty() && name.size() <= kLongestName && name != "." &&
+         name != ".." &&
+         name.find_first_not_of(kAllowed) == std::string_view::npos;
+}
+
+void write_file(const std::filesystem::path& file, std::string_view content) {
+  const std::string name = file.filename().string();
+  if (!is_file_name(name)) {
+    throw Error("I002", file.string(),
+                "\"" + name + "\" is not allowed as the name of a file",
+                "Use names of 1 to 64 letters, digits, '.', '_' or '-'.");
+  }
+  const std::filesystem::path target = std::filesystem::absolute(file);
+  std::error_code failure;
+  std::filesystem::create_directories(target.parent_path(), failure);
+  if (failure) refuse(target.parent_path(), "create folder", failure.message());
+  TemporaryFile temporary(target);
+  temporary.write(content);
+  temporary.publish();
+  sync_folder(target.parent_path());
+}
+
+void remove_unfinished(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;  // no folder: nothing is left
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with('.') && name.ends_with(".tmp")) {
+      left.push_back(entry.path());
+    }
+  }
+  for (const fs::path& file : left) fs::remove(file, ignored);
+}
+
+}  // namespace clevis::report

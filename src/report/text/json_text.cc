@@ -1,0 +1,78 @@
+#include "report/text/json_text.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+
+namespace clevis::report {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* kRestore =
+    "Run `clevis check` again, or restore the baseline.";
+
+}  // namespace
+
+void refuse_non_finite(const ordered_json& document, const std::string& place) {
+  const ordered_json flat = document.flatten();
+  for (const auto& [pointer, value] : flat.items()) {
+    if (value.is_number_float() && !std::isfinite(value.get<double>())) {
+      throw Error("F003", place,
+                  fmt::format("{} is {}, not a finite number",
+                              pointer.substr(1), value.get<double>()),
+                  "Please report the scene: a result must be finite.");
+    }
+  }
+}
+
+std::string json_text(const ordered_json& document) {
+  return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) +
+         "\n";
+}
+
+std::string valid_utf8(const std::string& text) {
+  const auto replace = ordered_json::error_handler_t::replace;
+  return ordered_json::parse(ordered_json(text).dump(-1, ' ', false, replace))
+      .get<std::string>();
+}
+
+ordered_json read_json(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream content;
+  // A folder opens as a stream but cannot be read; an empty file sets
+  // failbit on `content` only.
+  if (stream) content << stream.rdbuf();
+  if (!stream || std::filesystem::is_directory(file)) {
+    throw Error("I001", file.string(),
+                std::string("cannot read file: ") + std::strerror(errno),
+                "Give a result.json or the folder that holds it.");
+  }
+  const std::string text = content.str();
+  try {
+    return ordered_json::parse(text);
+  } catch (const ordered_json::parse_error& error) {
+    const std::size_t end =
+        std::min(error.byte > 0 ? error.byte - 1 : 0, text.size());
+    const std::string before = text.substr(0, end);
+    const auto line = 1 + std::ranges::count(before, '\n');
+    const std::size_t start = before.rfind('\n') + 1;  // npos + 1 = 0
+    throw Error(
+        "I003",
+        fmt::format("{}:{}:{}", file.string(), line, before.size() - start + 1),
+        text.empty() ? "the file is empty" : "the text is not JSON", kRestore);
+  } catch (const ordered_json::out_of_range&) {
+    throw Error("I003", file.string(), "a number is too large", kRestore);
+  }
+}
+
+}  // namespace clevis::report

@@ -1,0 +1,133 @@
+"""Modules and rooms: who may include whom, and which headers are public.
+docs/architecture.md says the same in words."""
+
+LAYERS = {  # module: (modules it may include, outside libraries it may include)
+    "base": ("", "Eigen fmt udunits2"),
+    "numerics": ("base", "Eigen"),
+    "part": ("base", "Eigen fmt"),
+    "mechanism": ("base numerics part", "Eigen fmt"),
+    "machine": ("base part mechanism", "Eigen fmt"),
+    "scene": ("base numerics part mechanism machine", "Eigen fmt toml"),
+    "mesh": ("base part", "Eigen fmt"),
+    "loads": ("base part mechanism", "Eigen fmt"),
+    "dynamics": ("base loads", "Eigen fmt"),
+    "beam": ("base part machine mesh loads", "Eigen fmt"),
+    "elasticity": ("base part mesh loads dynamics", "deal.II petsc Eigen fmt"),
+    "calculix": ("base part mesh loads elasticity", "Eigen fmt"),
+    "stress": ("base part mesh loads dynamics elasticity", "deal.II Eigen fmt"),
+    "assessment": ("base part mesh loads dynamics beam elasticity stress", "Eigen fmt"),
+    "report": ("base part mechanism machine beam assessment", "Eigen fmt nlohmann"),
+    "study": ("base part mesh loads elasticity stress assessment report",
+              "Eigen fmt nlohmann"),
+    "app": ("base part mechanism machine scene mesh loads dynamics beam elasticity calculix"
+            " stress assessment study report", "Eigen fmt nlohmann CLI"),
+}
+
+# Rooms of a module, bottom to top: each may include those above it in the list.
+# Files beside the rooms are the module's door: they may include all.
+ROOMS = {
+    "numerics": {
+        "factors": "small LU, rank-revealing QR, Cholesky of normal equations",
+        "curves": "splines, tables, roots in an interval",
+        "integrators": "DOP853, Radau IIA, and the choice between them",
+    },
+    "mechanism": {
+        "joints": "joint types: what each holds and leaves free, in numbers and in space",
+        "drives": "prescribed coordinates over time",
+        "force_laws": "force elements as data, and their laws: spring, friction, gas, motor",
+        "definition": "a mechanism as the user wrote it, its settings, and its motion",
+        "constraints": "equations of the joints: Jacobian, assembly, continuation, mobility",
+        "forces": "force elements in place: lines, modes, wrenches on bodies",
+        "compliance": "joints and links that give way, and how they share reactions",
+        "reactions": "inverse dynamics: reactions, friction that depends on them, power balance",
+        "change_points": "positions at which the Jacobian loses rank, and the branches there",
+        "structure": "links and pairs, Assur groups, structural formula",
+        "sampling": "which instants are wanted; loads as lists of numbers",
+        "driven_motion": "motions that drives fix, from instant to instant",
+        "driven_search": "when the loads of such a motion are largest or jump",
+        "equations_of_motion": "accelerations from forces, stick and slip",
+        "joint_space": "the same in joint coordinates (articulated bodies)",
+        "events": "zeros, impacts and load peaks along an integration",
+        "dynamic_motion": "motions that forces decide: one run from start to end",
+    },
+    "mesh": {
+        "basis": "Lagrange bases and quadrature of cells",
+        "cells": "PartMesh, its topology, sections",
+        "gmsh": "the .msh format",
+        "quality": "what a mesh must satisfy; mass properties",
+        "rounds": "cylinders behind faces, and cells that follow them",
+        "reading": "from the file to a PartMesh with exact geometry",
+        "derived": "meshes made of meshes: mid-planes, meridians, graded, parts of them",
+    },
+    "elasticity": {
+        "algebra": "dense and sparse matrices",
+        "fe_space": "shape functions, numbering, discretisation, traces on groups",
+        "assembly": "stiffness, mass, beds, supports, equations",
+        "nodal_loads": "tractions and loads as vectors of the equations",
+        "direct": "multifrontal Cholesky: dissection, fronts, memory",
+        "problem": "an elastic problem, its solution, the checks of that",
+        "mirror_symmetry": "symmetric parts, solved on one side of their mirrors",
+        "lanes": "kernels over several cells at once (SIMD), threads",
+        "multigrid": "large parts without a matrix",
+        "solid": "plane stress and 3-D: solve, neighbourhoods, compliance of seats",
+        "plate": "terms through the thickness of a plate",
+        "revolution": "Fourier terms about an axis",
+        "vibration": "modes, answer to a strike and to a load history",
+        "buckling": "lowest buckling factor",
+    },
+    "assessment": {
+        "job": "what the check of a part needs, and what it gives",
+        "judge": "bands, doubt, verdict",
+        "notes": "what a user should know beside the verdict; beam theory",
+        "models": "the models of a part, and the error of one against the next",
+        "places": "where the peak may stand, and finer solutions there",
+        "ladder": "one model with rising degrees until its band is narrow enough",
+        "stability": "buckling, and open reactions shared otherwise",
+        "impact": "blows in time, by beam theory and finite elements",
+        "vibration": "what loads over time excite",
+    },
+    "report": {
+        "text": "files, tables, JSON and terminals",
+        "machine": "bearings, transmissions, ejectors",
+        "summary": "what is said of a motion: extremes, jumps, impacts, notes",
+        "forces": "force elements and couplings over a motion",
+        "motion": "the motion as JSON, CSV and table",
+        "parts": "a part's result",
+        "check": "a check's result: table, JSON, CSV, JUnit",
+        "compare": "a result against a baseline",
+    },
+}
+
+# Headers that other modules may include, of modules with rooms.
+PUBLIC = {
+    "numerics": "factors/jacobian_factor factors/normal_cholesky curves/brent"
+                " curves/cubic_spline curves/dip curves/linear_table"
+                " integrators/integrator_choice integrators/ode_system"
+                " integrators/switching_integrator",
+    "mechanism": "definition/definition definition/drive_names definition/motion"
+                 " force_laws/force_element joints/joint_types"
+                 " reactions/other_sharings simulate structure/structure",
+    "mesh": "basis/simplex_basis basis/tensor_basis cells/part_mesh cells/section"
+            " cells/topology derived/graded_mesh derived/quadrangles"
+            " derived/revolution derived/split_cells derived/sub_mesh"
+            " gmsh/gmsh_element quality/mass_properties reading/mesh_reader",
+    "elasticity": "algebra/dense_product assembly/stiffness assembly/supports"
+                  " buckling/buckling fe_space/discretization fe_space/group_trace"
+                  " fe_space/tabulation nodal_loads/load_vectors plate/layered_solve"
+                  " plate/plate_layer problem/displacement_basis"
+                  " problem/elastic_problem revolution/revolution_solve"
+                  " solid/neighbourhood solid/open_reactions solid/plane_loads"
+                  " solid/seat_compliance solid/solid_solve vibration/eigenmodes"
+                  " vibration/load_vibration vibration/strike_response",
+    "assessment": "impact/impact_check job/part_job job/part_result models/level"
+                  " models/model_choice models/rung part_check",
+    "report": "check/check_table check/result_files check/result_json"
+              " compare/comparison compare/comparison_output"
+              " compare/result_reader machine/ejector_output"
+              " machine/transmission_output motion/motion_csv motion/motion_files"
+              " motion/motion_json motion/motion_table parts/part_result_json"
+              " summary/motion_report text/atomic_file text/csv_field"
+              " text/json_text text/progress text/terminal text/text_table",
+}
+
+MOST_FILES_OF_A_ROOM = 16

@@ -1,0 +1,159 @@
+// The peak of tetrahedra by finer solutions near the places where it may
+// stand, against closed forms.
+
+#include "assessment/places/nearby_peak.h"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "assessment/models/rung.h"
+#include "assessment/part_check.h"
+#include "assessment/places/local_solve.h"
+#include "elasticity/assembly/supports.h"
+#include "elasticity/nodal_loads/load_vectors.h"
+#include "mesh/quality/mass_properties.h"
+#include "stress/meeting_points.h"
+#include "support/simplex_mesh.h"
+
+namespace clevis::assessment {
+namespace {
+
+using Eigen::Vector3d;
+
+const part::Material kSteel{"steel", 210e9, 0.3, 7850.0, 355e6};
+
+PartJob job_of(mesh::PartMesh<3> mesh,
+               const std::vector<loads::SurfaceLoad>& loads) {
+  PartJob job;
+  job.part.name = "part";
+  job.part.material = kSteel;
+  job.mesh = std::move(mesh);
+  job.mass = mesh::mass_properties(job.mesh, kSteel.density);
+  job.model = ModelChoice::kSolid;
+  LoadSet set;
+  loads::InstantLoad instant;
+  instant.label = "load";
+  instant.surface_loads = loads;
+  set.history.instants.push_back(instant);
+  job.load_sets.push_back(set);
+  return job;
+}
+
+/// Quarter of a ring, radii 10 and 20 mm, 10 MPa in its bore, cells of all
+/// shapes. Lamé: σ_θ = p (a² + b²)/(b² − a²), σ_r = −p, σ_z = 0 at the bore.
+constexpr double kInner = 0.01;
+constexpr double kOuter = 0.02;
+constexpr double kThickness = 0.006;
+constexpr double kPressure = 10e6;
+
+PartJob ring(int radial, int angular, double disorder) {
+  auto mesh = support::simplex_mesh<3>(
+      {radial, angular, 2}, 4, [&](const Vector3d& x) -> Vector3d {
+        const double bump = disorder * std::sin(std::numbers::pi * x[0]) *
+                            std::sin(std::numbers::pi * x[1]);
+        const double s = x[0] + bump * std::cos(5.0 * x[1] + 7.0 * x[2]);
+        const double t = x[1] + bump * std::sin(6.0 * x[0] + 4.0 * x[2]);
+        const double r = kInner + (kOuter - kInner) * s;
+        const double angle = 0.5 * std::numbers::pi * t;
+        return {r * std::cos(angle), r * std::sin(angle), kThickness * x[2]};
+      });
+  loads::SurfaceLoad load;
+  load.group = "x0";
+  load.pressure = kPressure;
+  const double push = kPressure * kInner * kThickness;
+  load.resultant.force = {push, push, 0.0};
+  load.resultant.moment =
+      Vector3d(0.0, 0.0, kThickness / 2).cross(load.resultant.force);
+  load.total = push * std::numbers::pi / 2;
+  auto job = job_of(std::move(mesh), {load});
+  job.load_sets[0].fixed = {{"y0", {false, true, false}},
+                            {"y1", {true, false, false}},
+                            {"z0", {false, false, true}}};
+  return job;
+}
+
+double lames_peak() {
+  const double hoop = kPressure * 5.0 / 3.0;
+  return std::sqrt(hoop * hoop + kPressure * kPressure + hoop * kPressure);
+}
+
+TEST(NearbyPeak, BandHoldsLamesStressOnIrregularTetrahedra) {
+  const double exact = lames_peak();
+  int converged = 0;
+  for (const double disorder : {0.0, 0.03, 0.05}) {
+    for (const int cells : {2, 3}) {
+      const PartResult result = check_part(ring(cells, cells, disorder)).result;
+      const PeakStress& peak = result.peak;
+      std::printf(
+          "%d cells, disorder %.2f: %.4f [%.4f, %.4f], exact %.4f; %s\n", cells,
+          disorder, peak.value / 1e6, peak.band_low / 1e6, peak.band_high / 1e6,
+          exact / 1e6, result.model.c_str());
+      EXPECT_LE(peak.band_low, exact);
+      EXPECT_GE(peak.band_high, exact);
+      EXPECT_GT(peak.degree_nearby, 0);
+      converged += peak.verdict == PeakVerdict::kConverged ? 1 : 0;
+    }
+  }
+  EXPECT_GE(converged, 3);
+}
+
+// What stands far from the neighbourhood needs no discretisation, but the
+// loaded groups do, whole: as with the whole mesh.
+TEST(LocalSolve, OnSomeCellsIsThatOnAllOfThem) {
+  const PartJob job = ring(3, 6, 0.05);
+  PartSeconds seconds;
+  const auto level = solve_level<3>(job, job.load_sets, job.mesh,
+                                    solid_rung(job.mesh), 2, seconds);
+  const auto& basis = *level.governing;
+  const LoadSet& set = job.load_sets[0];
+  const std::vector<int> centre = {0, 3};
+  const auto some =
+      solve_nearby<3>(job, set, job.mesh, basis, {centre, 1, 0, 3});
+  const auto fine = elasticity::discretize<3>(job.mesh, 3);
+  const Eigen::MatrixXd load =
+      elasticity::assemble_loads<3>(fine, set.history, kSteel.density, "part");
+  const auto all = elasticity::enrich<3>(
+      {basis.discretization, basis.columns * basis.coefficients, fine, load,
+       elasticity::held_on_groups<3>(fine, set.fixed), kSteel},
+      centre);
+  ASSERT_EQ(some.cells, all.cells);
+  ASSERT_LT(some.cells.size(), job.mesh.cells.size() / 2);
+  const auto a = stress::joined_stress<3>(some.basis, kSteel, 4);
+  const auto b = stress::joined_stress<3>(all.basis, kSteel, 4);
+  EXPECT_LT((a.mean - b.mean).cwiseAbs().maxCoeff(), 1e-8 * lames_peak());
+  EXPECT_GT(a.mean.maxCoeff(), 0.9 * lames_peak());
+}
+
+// A uniform stress is in every space: nothing is in doubt.
+TEST(NearbyPeak, OfAFieldInTheSpaceHasNoError) {
+  auto mesh = support::simplex_mesh<3>({3, 2, 2}, 1, [](const Vector3d& x) {
+    const double bump = 0.3 * x[0] * (1.0 - x[0]) * x[1] * (1.0 - x[1]);
+    return Vector3d(0.03 * (x[0] + bump), 0.01 * (x[1] - bump), 0.01 * x[2]);
+  });
+  std::vector<loads::SurfaceLoad> loads;
+  for (const auto& [name, side] : {std::pair{"x0", -1.0}, {"x1", 1.0}}) {
+    loads::SurfaceLoad load;
+    load.group = name;
+    load.traction = Vector3d(side * 10e6, 0, 0);
+    load.resultant.force = 0.01 * 0.01 * load.traction;
+    load.resultant.moment = Vector3d(side < 0 ? 0.0 : 0.03, 0.005, 0.005)
+                                .cross(load.resultant.force);
+    loads.push_back(load);
+  }
+  const auto peak = check_part(job_of(std::move(mesh), loads)).result.peak;
+  EXPECT_EQ(peak.verdict, PeakVerdict::kConverged);
+  EXPECT_NEAR(peak.value, 10e6, 10.0);
+  EXPECT_LT(peak.band_high - peak.band_low, 1e-5 * 10e6);
+  EXPECT_LE(peak.band_low, peak.value);
+  EXPECT_GE(peak.band_high, peak.value);
+  EXPECT_LT(peak.jump, 10.0);
+}
+
+}  // namespace
+}  // namespace clevis::assessment

@@ -1,0 +1,88 @@
+#include "report/check/parts_csv.h"
+
+#include <map>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "unit/report/sample_report.h"
+
+namespace clevis::report {
+namespace {
+
+/// Rows of an RFC 4180 text, written from the RFC's grammar.
+std::vector<std::vector<std::string>> parse(const std::string& csv) {
+  std::vector<std::vector<std::string>> rows(1, {""});
+  bool quoted = false;
+  for (std::size_t i = 0; i < csv.size(); ++i) {
+    const char c = csv[i];
+    if (quoted && c == '"' && i + 1 < csv.size() && csv[i + 1] == '"') {
+      rows.back().back() += csv[++i];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (!quoted && c == ',') {
+      rows.back().emplace_back();
+    } else if (!quoted && c == '\r' && csv.substr(i, 2) == "\r\n") {
+      rows.push_back({""});
+      ++i;
+    } else {
+      rows.back().back() += c;
+    }
+  }
+  rows.pop_back();  // every row ends with CRLF
+  return rows;
+}
+
+std::map<std::string, std::string> row_by_title(const CheckReport& report,
+                                                std::size_t row) {
+  const auto rows = parse(parts_csv(report));
+  std::map<std::string, std::string> cells;
+  for (std::size_t i = 0; i < rows[0].size(); ++i) {
+    cells[rows[0][i]] = rows.at(row).at(i);
+  }
+  return cells;
+}
+
+TEST(PartsCsv, ColumnsHoldTheirUnits) {
+  const auto row = row_by_title(sample_report(), 2);
+  EXPECT_EQ(row.at("part"), "BC");
+  EXPECT_EQ(row.at("verdict"), "pass");
+  EXPECT_EQ(row.at("model"), "plane stress, p = 4");
+  EXPECT_EQ(row.at("mass[kg]"), "0.75");
+  EXPECT_DOUBLE_EQ(std::stod(row.at("peak_von_mises[MPa]")), 125.0);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("band_low[MPa]")), 124.5);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("band_high[MPa]")), 125.75);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("peak_x[mm]")), 12.5);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("peak_y[mm]")), -3.0);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("peak_z[mm]")), 4.0);
+  EXPECT_EQ(row.at("peak_instant[s]"), "1.25");
+  EXPECT_EQ(row.at("safety_factor[1]"), "2.84");
+  EXPECT_DOUBLE_EQ(std::stod(row.at("deflection[mm]")), 0.125);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("deflection_low[mm]")), 0.124);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("deflection_high[mm]")), 0.127);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("time_error[MPa]")), 0.25);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("strain_energy[mJ]")), 6.65709);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("beam_stress[MPa]")), 100.0);
+  EXPECT_DOUBLE_EQ(std::stod(row.at("beam_deflection[mm]")), 0.11);
+  EXPECT_EQ(row.at("ratio_fe_to_beam[1]"), "1.25");
+}
+
+TEST(PartsCsv, CommasQuotesAndLineBreaksSurvive) {
+  CheckReport report = sample_report();
+  report.parts[0].why = "limit \"1,5\"\r\nexceeded";
+  EXPECT_EQ(row_by_title(report, 1).at("why"), report.parts[0].why);
+  EXPECT_EQ(row_by_title(report, 2).at("why"), report.parts[1].why);
+}
+
+TEST(PartsCsv, NumbersReadBackToTheSameBits) {
+  CheckReport report = sample_report();
+  report.parts[0].mass = 1.0 / 3.0;
+  EXPECT_EQ(std::stod(row_by_title(report, 1).at("mass[kg]")), 1.0 / 3.0);
+}
+
+TEST(PartsCsv, OneRowPerPart) {
+  EXPECT_EQ(parse(parts_csv(sample_report())).size(), 3u);
+}
+
+}  // namespace
+}  // namespace clevis::report

@@ -1,0 +1,99 @@
+#include "report/text/atomic_file.h"
+
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+#include "base/errors.h"
+#include "unit/report/sample_report.h"
+
+namespace clevis::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string refusal(const fs::path& file) {
+  try {
+    write_file(file, "content");
+  } catch (const Error& error) {
+    return error.code() + " " + error.problem();
+  }
+  return {};
+}
+
+std::ptrdiff_t entries(const fs::path& folder) {
+  return std::distance(fs::directory_iterator(folder), {});
+}
+
+TEST(AtomicFile, CreatesFoldersAndReplacesOldContent) {
+  const TestFolder folder;
+  const fs::path file = folder / "a/b/result.json";
+  write_file(file, "a longer first content");
+  write_file(file, "second");
+  EXPECT_EQ(content_of(file), "second");
+  EXPECT_EQ(entries(file.parent_path()), 1) << "temporary file left behind";
+}
+
+TEST(AtomicFile, KeepsEveryByte) {
+  const TestFolder folder;
+  std::string bytes(3'000'000, '\0');
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    bytes[i] = static_cast<char>(i * 2654435761u >> 13);
+  }
+  write_file(folder / "field.vtu", bytes);
+  EXPECT_TRUE(content_of(folder / "field.vtu") == bytes);
+}
+
+TEST(AtomicFile, NamesThatLeaveTheWhitelistAreRefused) {
+  EXPECT_TRUE(is_file_name("DCE-2_b.vtu"));
+  EXPECT_TRUE(is_file_name(std::string(64, 'x')));
+  for (const std::string& name :
+       {std::string(), std::string("."), std::string(".."), std::string("a/b"),
+        std::string("a b"), std::string("a\n"), std::string("bore_\xc3\xa4"),
+        std::string("a\0b", 3), std::string(65, 'x')}) {
+    EXPECT_FALSE(is_file_name(name)) << name;
+  }
+  const TestFolder folder;
+  EXPECT_EQ(refusal(folder / "..").substr(0, 4), "I002");
+  EXPECT_EQ(refusal(folder / "$(x)").substr(0, 4), "I002");
+  EXPECT_EQ(entries(folder.path()), 0);
+}
+
+// The test may run as root, whom permissions do not stop: a file in the
+// place of a folder and a folder in the place of a file do.
+TEST(AtomicFile, FailureNamesTheReasonAndLeavesNothing) {
+  const TestFolder folder;
+  std::ofstream(folder / "plain") << "x";
+  fs::create_directories(folder / "result.json");
+  EXPECT_NE(refusal(folder / "plain/result.json").find("Not a directory"),
+            std::string::npos);
+  EXPECT_NE(refusal(folder / "result.json").find("Is a directory"),
+            std::string::npos);
+  EXPECT_EQ(entries(folder.path()), 2) << "temporary file left behind";
+}
+
+TEST(AtomicFile, LinkIsReplacedNotFollowed) {
+  const TestFolder folder;
+  write_file(folder / "other", "untouched");
+  fs::create_symlink(folder / "other", folder / "result.json");
+  write_file(folder / "result.json", "content");
+  EXPECT_FALSE(fs::is_symlink(folder / "result.json"));
+  EXPECT_EQ(content_of(folder / "result.json"), "content");
+  EXPECT_EQ(content_of(folder / "other"), "untouched");
+}
+
+TEST(AtomicFile, RemainsOfKilledProcessesAreRemovedAndNothingElse) {
+  const TestFolder folder;
+  write_file(folder / "result.json", "content");
+  write_file(folder / "frames/AB_0000.vtu", "content");
+  std::ofstream(folder / "frames/.AB_0001.vtu.42.tmp") << "half";
+  std::ofstream(folder / ".result.json.42.tmp") << "half";
+  remove_unfinished(folder.path());
+  EXPECT_EQ(entries(folder.path()), 2);  // result.json and frames
+  EXPECT_EQ(entries(folder / "frames"), 1);
+  EXPECT_NO_THROW(remove_unfinished(folder / "not there"));
+}
+
+}  // namespace
+}  // namespace clevis::report
