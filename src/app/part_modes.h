@@ -9,6 +9,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/load_scene.h"
+#include "part/supports.h"
 
 namespace clevis::app {
 
@@ -16,7 +17,7 @@ namespace clevis::app {
 struct ModesRequest {
   std::string supports;  ///< "free", or the case or blow that holds the part
   int number{};          ///< of its set of supports, for names of files
-  std::map<std::string, std::array<bool, 3>> fixed;
+  part::Supports fixed;
   int count{};         ///< of modes, rigid ones of a free part counted in
   double tolerance{};  ///< of the frequencies, for the climb of degrees [1]
   part::Foundations foundations = {};

@@ -139,7 +139,7 @@ PartStudy empty_study(const PartJob& job, const study::Governing& governing) {
   for (const auto& load_case : job.part.cases) {
     for (const auto& probe : load_case.probes) {
       study.probe_names.push_back(probe.name + " " + probe.quantity);
-      study.is_stress.push_back(!probe.quantity.starts_with("displacement"));
+      study.is_stress.push_back(!part::is_displacement(probe.quantity));
     }
   }
   return study;

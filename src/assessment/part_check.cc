@@ -26,6 +26,7 @@
 #include "assessment/vibration/load_pace.h"
 #include "assessment/vibration/vibration_check.h"
 #include "base/stopwatch.h"
+#include "part/verdict.h"
 
 namespace clevis::assessment {
 namespace {
@@ -192,7 +193,7 @@ PartAssessment climb_all(const PartJob& job, CheckedBlows& blows) {
 }
 
 void explain_unsettled(PartResult& result) {
-  if (result.verdict != PartVerdict::kNotJudged) return;
+  if (result.verdict != part::Verdict::kNotJudged) return;
   for (const ImpactResult& impact : result.impacts) {
     if (impact.is_cut) {
       result.why = "the duration of impact " + impact.name +

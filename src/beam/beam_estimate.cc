@@ -44,6 +44,12 @@ bool is_self_balanced(const loads::LoadHistory& history,
 class Worst {
  public:
   explicit Worst(std::string formula) { worst_.formula = std::move(formula); }
+  /// Of the nominal stress of sections.
+  static Worst of_sections(std::string formula) {
+    Worst worst(std::move(formula));
+    worst.worst_.is_section = true;
+    return worst;
+  }
 
   template <typename Where>
   void offer(double stress, double instant, const Where& where) {
@@ -62,7 +68,8 @@ class Worst {
 
 void add_span_stresses(const Span& span, const loads::LoadHistory& history,
                        std::vector<BeamStress>& stresses) {
-  Worst fibre("axial + bending"), neutral("axial + shear");
+  Worst fibre = Worst::of_sections("axial + bending");
+  Worst neutral("axial + shear");
   for (std::size_t k = 0; k < span.stations.size(); ++k) {
     const Station& station = span.stations[k];
     const auto offer = [&](double position) {

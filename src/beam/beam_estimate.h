@@ -19,6 +19,8 @@ struct BeamStress {
   std::string where;    ///< "C-B at 30 mm", "bore_C"
   double stress{};      ///< equivalent stress [Pa], >= 0
   double instant{};     ///< [s]
+  /// The nominal stress of a section; else a formula of shear, lugs or walls.
+  bool is_section = false;
 };
 
 /// What beam and lug theory say of a part (docs/theory.md, "Beams and lugs").

@@ -12,18 +12,6 @@ const char* name_of(BearingKind kind) {
   return kind == BearingKind::kBall ? "ball" : "roller";
 }
 
-const char* name_of(BearingVerdict verdict) {
-  switch (verdict) {
-    case BearingVerdict::kPass:
-      return "pass";
-    case BearingVerdict::kFail:
-      return "fail";
-    case BearingVerdict::kNotJudged:
-      break;
-  }
-  return "not judged";
-}
-
 double dynamic_equivalent(const BearingDefinition& bearing, double radial,
                           double axial) {
   double load = radial;

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "part/verdict.h"
+
 namespace clevis::machine {
 
 enum class BearingKind { kBall, kRoller };
@@ -42,8 +44,6 @@ struct BearingInstant {
   bool unique = true;  ///< false where redundancy leaves the load open
 };
 
-enum class BearingVerdict { kPass, kFail, kNotJudged };
-
 /// A remark by its code in the catalogue of diagnostics.
 struct BearingWarning {
   std::string code, text;
@@ -80,7 +80,7 @@ struct BearingResult {
   double static_safety_wanted{};
   std::optional<double> life_wanted;  ///< [s]
 
-  BearingVerdict verdict{};
+  part::Verdict verdict{};
   std::string why;  ///< unless it passes
   std::vector<BearingWarning> warnings;
 };
@@ -90,8 +90,6 @@ double life_exponent(BearingKind kind);
 
 /// "ball", "roller".
 const char* name_of(BearingKind kind);
-/// "pass", "fail", "not judged".
-const char* name_of(BearingVerdict verdict);
 
 /// P = K (X F_r + Y F_a) (ISO 281) with the service factor K [N].
 /// @pre radial, axial >= 0.

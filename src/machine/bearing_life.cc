@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "machine/bearing_history.h"
+#include "part/verdict.h"
 
 namespace clevis::machine {
 namespace {
@@ -145,7 +146,7 @@ bool warned(const BearingResult& result, const char* code) {
 void decide(BearingResult& result) {
   if (result.static_safety &&
       *result.static_safety < result.static_safety_wanted) {
-    result.verdict = BearingVerdict::kFail;
+    result.verdict = part::Verdict::kFail;
     result.why =
         fmt::format("static safety C0/P0 = {:.4g} < {:.4g}",
                     *result.static_safety, result.static_safety_wanted);
@@ -154,13 +155,13 @@ void decide(BearingResult& result) {
   const bool life_fails = result.life_wanted && result.life_seconds &&
                           *result.life_seconds < *result.life_wanted;
   if (life_fails) {
-    result.verdict = BearingVerdict::kFail;
+    result.verdict = part::Verdict::kFail;
     result.why =
         fmt::format("life {:.4g} h < {:.4g} h", *result.life_seconds / kHour,
                     *result.life_wanted / kHour);
     return;
   }
-  result.verdict = BearingVerdict::kNotJudged;
+  result.verdict = part::Verdict::kNotJudged;
   if (warned(result, "B002")) {
     result.why = "axial load without its factors (B002)";
   } else if (warned(result, "B005")) {
@@ -170,7 +171,7 @@ void decide(BearingResult& result) {
   } else if (result.life_wanted && warned(result, "B004")) {
     result.why = "load beyond the range of the life formula (B004)";
   } else {
-    result.verdict = BearingVerdict::kPass;
+    result.verdict = part::Verdict::kPass;
   }
 }
 

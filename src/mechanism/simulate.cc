@@ -64,8 +64,8 @@ void require_direction(const MechanismDefinition& definition, double length,
 /// What the drives of a motion that may be either leave free, so that it is
 /// integrated; nothing if they fix it.
 std::optional<LeftFree> left_free(const MechanismDefinition& definition,
+                                  const SolvingFrame& frame,
                                   const SimulationSettings& settings) {
-  const SolvingFrame frame(definition);
   // bristles and gas have a history of their own
   const ForceModel forces(definition, frame);
   if (settings.motion == MotionKind::kDriven) {
@@ -96,18 +96,18 @@ std::optional<LeftFree> left_free(const MechanismDefinition& definition,
 Motion simulate(const MechanismDefinition& definition,
                 const SimulationSettings& settings) {
   require_mass(definition);
+  const SolvingFrame frame(definition);
   std::optional<LeftFree> free;
   if (settings.motion != MotionKind::kDynamic) {
-    free = left_free(definition, settings);
+    free = left_free(definition, frame, settings);
   }
   const bool is_dynamic = free || settings.motion == MotionKind::kDynamic;
   Motion motion = is_dynamic ? integrate_motion(definition, settings)
                              : run_driven(definition, settings,
                                           DrivenMotion(definition, settings));
   motion.left_free = std::move(free);
-  const double length = SolvingFrame(definition).length;
-  require_direction(definition, length, motion);
-  forget_negligible(length, motion);
+  require_direction(definition, frame.length, motion);
+  forget_negligible(frame.length, motion);
   motion.drive_jumps = drive_jumps(definition.drives, settings.duration);
   return motion;
 }

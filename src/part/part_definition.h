@@ -5,12 +5,14 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "part/material.h"
 #include "part/slide_contact.h"
+#include "part/supports.h"
 
 namespace clevis::part {
 
@@ -56,6 +58,11 @@ struct Probe {
   std::optional<double> reference = {};  ///< known value, for studies [SI]
 };
 
+/// Whether a quantity of a probe is a displacement [m]; else a stress [Pa].
+inline bool is_displacement(std::string_view quantity) {
+  return quantity.starts_with("displacement_");
+}
+
 /// Elastic bed of a face: traction against its displacement [N/m³].
 struct Foundation {
   double normal{};      ///< across the face
@@ -72,8 +79,7 @@ struct LoadCaseDefinition {
   std::map<std::string, Eigen::Vector3d> pins;      ///< force on bore group [N]
   std::map<std::string, double> pressure;           ///< pushes on the face [Pa]
   std::map<std::string, Eigen::Vector3d> traction;  ///< [Pa]
-  std::map<std::string, std::array<bool, 3>>
-      fixed;  ///< components held at zero
+  part::Supports fixed;                             ///< components held at zero
   Foundations foundations;
   std::vector<std::string> held_by_pin;  ///< bores whose pins hold the part
   Eigen::Vector3d acceleration =
@@ -91,8 +97,7 @@ struct ImpactDefinition {
   std::string group;  ///< physical group that is struck
   /// Of the striker's velocity, unit.
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
-  std::map<std::string, std::array<bool, 3>>
-      fixed;  ///< components held at zero
+  part::Supports fixed;  ///< components held at zero
   /// Contact or stop of the mechanism whose hardest impact it is; empty: the
   /// three below are given.
   std::string contact;

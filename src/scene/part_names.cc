@@ -4,21 +4,20 @@
 
 #include <fmt/format.h>
 
+#include "part/supports.h"
 #include "scene/readers.h"
 
 namespace clevis::scene {
 namespace {
 
-using Supports = std::map<std::string, std::array<bool, 3>>;
-
 /// Of how many supports `export` and `modes` write a file each: NAME, NAME_2 …
 int supports_of(const part::PartDefinition& part,
                 const mechanism::MechanismDefinition& mechanism) {
-  std::set<Supports> all;
+  std::set<part::Supports> all;
   if (std::ranges::find(mechanism.bodies, part.name,
                         &mechanism::BodyDefinition::part) !=
       mechanism.bodies.end()) {
-    all.insert(Supports{});
+    all.insert(part::Supports{});
   }
   for (const auto& load_case : part.cases) all.insert(load_case.fixed);
   for (const auto& impact : part.impacts) all.insert(impact.fixed);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "part/supports.h"
 #include "scene/readers.h"
 
 namespace clevis::scene {
@@ -47,8 +48,8 @@ std::vector<Probe> read_probes(StrictTable& table) {
                 read_quantity_name(entry["quantity"])};
     if (const auto reference = entry.find("reference")) {
       probe.reference = reference->quantity(
-          probe.quantity.starts_with("displacement") ? Dimension::kLength
-                                                     : Dimension::kStress);
+          part::is_displacement(probe.quantity) ? Dimension::kLength
+                                                : Dimension::kStress);
     }
     probes.push_back(std::move(probe));
   }
@@ -146,7 +147,7 @@ void require_load(const StrictTable& table) {
 
 }  // namespace
 
-std::map<std::string, std::array<bool, 3>> read_fixed(StrictTable& table) {
+part::Supports read_fixed(StrictTable& table) {
   return read_groups<std::array<bool, 3>>(table, "fixed", read_components);
 }
 

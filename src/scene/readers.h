@@ -10,6 +10,7 @@
 #include "machine/transmission.h"
 #include "mechanism/definition/definition.h"
 #include "part/part_definition.h"
+#include "part/supports.h"
 #include "scene/name_index.h"
 #include "scene/strict_table.h"
 
@@ -117,7 +118,7 @@ void require_own_files(std::vector<StrictTable>& tables,
 
 part::LoadCaseDefinition read_case(StrictTable table);
 /// `fixed` of a case or an impact; empty without.
-std::map<std::string, std::array<bool, 3>> read_fixed(StrictTable& table);
+part::Supports read_fixed(StrictTable& table);
 
 /// An [[impact]] that is read but for its contact's spring, which needs the
 /// part.

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "elasticity/fe_space/tabulation.h"
+#include "mesh/cells/topology.h"
 
 namespace clevis::stress {
 namespace {
@@ -222,7 +223,8 @@ class Collector {
       ++entry.sides;
       // The cell's material lies counter-clockwise of its first side.
       const bool first = (sine > 0.0) == (s == 0);
-      corner.sides[first ? 0 : 1] = {side[s], group};
+      corner.sides[first ? 0 : 1] = {
+          side[s], group, extent(cell, local.face[s], corner.at, axis)};
     }
     for (const unsigned v : mesh_.cells[cell]) {
       const Vector3d arm =
@@ -231,6 +233,21 @@ class Collector {
       corner.reach =
           std::max(corner.reach, (arm - axis.dot(arm) * axis).norm());
     }
+  }
+
+  /// How far a face of a cell reaches from a point across an axis [m].
+  double extent(std::size_t cell, int face, const Vector3d& from,
+                const Vector3d& axis) const {
+    double farthest = 0.0;
+    for (const unsigned v :
+         mesh::face_vertices(mesh_, static_cast<int>(cell), face)) {
+      if (v == mesh::kNoVertex) continue;
+      const Vector3d arm =
+          in_space<dim>(mesh_.vertices[v], dim == 2 ? mesh_.mid_plane_z : 0.0) -
+          from;
+      farthest = std::max(farthest, (arm - axis.dot(arm) * axis).norm());
+    }
+    return farthest;
   }
 
   const mesh::PartMesh<dim>& mesh_;

@@ -13,6 +13,7 @@ namespace clevis::stress {
 struct CornerSide {
   Eigen::Vector3d direction;  ///< unit, along the surface away from the corner
   int group = -1;             ///< of its face; -1: unnamed
+  double extent{};            ///< of its face, across the edge [m]
 };
 
 /// A boundary vertex of a plane mesh or a surface edge of a solid one, seen

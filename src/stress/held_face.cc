@@ -10,6 +10,7 @@
 #include "elasticity/assembly/stiffness.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/nodal_loads/load_vectors.h"
+#include "part/supports.h"
 #include "stress/cell_field.h"
 #include "stress/held_piece.h"
 
@@ -20,8 +21,6 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
-
-using Fixed = std::map<std::string, std::array<bool, 3>>;
 
 /// ∫ σ ∇N dV of cells.
 template <int dim>
@@ -128,7 +127,7 @@ std::string name_of(const HeldPiece& piece,
 template <int dim>
 std::vector<HeldFace> held_faces(
     const elasticity::DisplacementBasis<dim>& basis,
-    const part::Material& material, const Fixed& fixed,
+    const part::Material& material, const part::Supports& fixed,
     const loads::LoadHistory& history, const std::string& part_name) {
   const auto& discretization = basis.discretization;
   const auto pieces = held_pieces<dim>(discretization, fixed);
@@ -172,7 +171,7 @@ std::vector<HeldFace> held_faces(
 #define CLEVIS_INSTANTIATE(dim)                                         \
   template std::vector<HeldFace> held_faces<dim>(                       \
       const elasticity::DisplacementBasis<dim>&, const part::Material&, \
-      const Fixed&, const loads::LoadHistory&, const std::string&);
+      const part::Supports&, const loads::LoadHistory&, const std::string&);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)
 

@@ -10,6 +10,7 @@
 #include "elasticity/problem/displacement_basis.h"
 #include "loads/load_history.h"
 #include "part/material.h"
+#include "part/supports.h"
 
 namespace clevis::stress {
 
@@ -39,8 +40,7 @@ struct HeldFace {
 template <int dim>
 std::vector<HeldFace> held_faces(
     const elasticity::DisplacementBasis<dim>& basis,
-    const part::Material& material,
-    const std::map<std::string, std::array<bool, 3>>& fixed,
+    const part::Material& material, const part::Supports& fixed,
     const loads::LoadHistory& history, const std::string& part_name);
 
 }  // namespace clevis::stress

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "elasticity/fe_space/group_trace.h"
+#include "part/supports.h"
 
 namespace clevis::stress {
 namespace {
@@ -185,7 +186,7 @@ Matrix3Xd outermost(const Matrix3Xd& points, const Vector3d& normal) {
 template <int dim>
 std::vector<HeldPiece> held_pieces(
     const elasticity::Discretization<dim>& discretization,
-    const std::map<std::string, std::array<bool, 3>>& fixed) {
+    const part::Supports& fixed) {
   std::vector<Patch> patches;
   for (std::size_t g = 0; g < discretization.groups.size(); ++g) {
     if (!fixed.contains(discretization.groups[g].name)) continue;
@@ -207,10 +208,8 @@ std::vector<HeldPiece> held_pieces(
 }
 
 template std::vector<HeldPiece> held_pieces<2>(
-    const elasticity::Discretization<2>&,
-    const std::map<std::string, std::array<bool, 3>>&);
+    const elasticity::Discretization<2>&, const part::Supports&);
 template std::vector<HeldPiece> held_pieces<3>(
-    const elasticity::Discretization<3>&,
-    const std::map<std::string, std::array<bool, 3>>&);
+    const elasticity::Discretization<3>&, const part::Supports&);
 
 }  // namespace clevis::stress

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/fe_space/discretization.h"
+#include "part/supports.h"
 #include "stress/plane_section.h"
 
 namespace clevis::stress {
@@ -27,6 +28,6 @@ struct HeldPiece {
 template <int dim>
 std::vector<HeldPiece> held_pieces(
     const elasticity::Discretization<dim>& discretization,
-    const std::map<std::string, std::array<bool, 3>>& fixed);
+    const part::Supports& fixed);
 
 }  // namespace clevis::stress

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "part/part_definition.h"
 #include "stress/cell_field.h"
 #include "stress/stress_history.h"
 
@@ -89,7 +90,7 @@ Index stress_component(const std::string& quantity) {
 double take(const std::string& quantity, const MatrixXd& stress,
             const Eigen::Vector3d& displacement) {
   if (quantity == "von_mises") return von_mises(stress)[0];
-  if (quantity.starts_with("displacement_")) {
+  if (part::is_displacement(quantity)) {
     return displacement[quantity.back() - 'x'];
   }
   return stress(0, stress_component(quantity));

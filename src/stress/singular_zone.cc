@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "mesh/cells/topology.h"
+#include "part/supports.h"
 #include "stress/boundary_corner.h"
 #include "stress/wall.h"
 #include "stress/wedge_exponent.h"
@@ -28,6 +29,7 @@ constexpr double kPi = std::numbers::pi;
 /// Over straight, of sides held alike: λ = 0.95, a tenth more stress where the
 /// distance falls to a tenth [degrees].
 constexpr double kSmallestNotch = 4.7;
+constexpr double kSmallKink = 15.0;   // degrees
 constexpr double kSkewRoller = 15.0;  // degrees
 constexpr double kRadiusOfWay = 0.5;
 constexpr double kNearlyWhole = 355.0 / 180.0 * kPi;  // a crack
@@ -106,20 +108,67 @@ bool turn_alike(const HeldCorner& one, const HeldCorner& other) {
   return across < near && across > std::abs(axis.dot(arm));
 }
 
-/// Which corners are those between facets of a curve: small kinks beside
-/// others like them. One that stands alone is a notch, however blunt.
+/// On which side of a corner another stands like it, one facet away: 0 or 1;
+/// nothing if it does not.
+std::optional<std::size_t> side_of_next(const HeldCorner& one,
+                                        const HeldCorner& other) {
+  constexpr double kAlong = 0.85;  // facets of curved cells bend a little
+  constexpr double kNear = 1.1;
+  if (!turn_alike(one, other)) return std::nullopt;
+  const Vector3d& axis = one.corner.axis;
+  const Vector3d arm = other.corner.at - one.corner.at;
+  const Vector3d across = arm - axis.dot(arm) * axis;
+  for (std::size_t s = 0; s < 2; ++s) {
+    const CornerSide& side = one.corner.sides[s];
+    if (across.norm() < kNear * side.extent &&
+        across.dot(side.direction) > kAlong * across.norm()) {
+      return s;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Which of some corners have another like them, a facet away, on either side.
+std::vector<bool> in_the_middle_of_rows(const std::vector<HeldCorner>& corners,
+                                        const std::vector<std::size_t>& some,
+                                        const std::vector<std::size_t>& all) {
+  std::vector<bool> result(corners.size(), false);
+  for (const std::size_t k : some) {
+    std::array<bool, 2> is_there{};
+    for (const std::size_t other : all) {
+      if (other == k) continue;
+      const auto side = side_of_next(corners[k], corners[other]);
+      if (side) is_there[*side] = true;
+    }
+    result[k] = is_there[0] && is_there[1];
+  }
+  return result;
+}
+
+/// Which corners are those between facets of a curve: kinks of a few degrees
+/// beside another like them, larger ones in a row of three and more with one
+/// facet between each two. Others are notches, however blunt: a groove or a
+/// chamfer has two of them.
 std::vector<bool> facets_of_curves(const std::vector<HeldCorner>& corners) {
-  std::vector<std::size_t> small;
+  std::vector<std::size_t> small, large, all;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const auto& kink = corners[k].kink;
     const double size = kink ? std::abs(*kink) : 0.0;
-    if (size > 1e-6 && size < kFacetKink / 180.0 * kPi) small.push_back(k);
+    if (!(size > 1e-6 && size < kFacetKink / 180.0 * kPi)) continue;
+    all.push_back(k);
+    (size < kSmallKink / 180.0 * kPi ? small : large).push_back(k);
   }
   std::vector<bool> result(corners.size(), false);
   for (const std::size_t k : small) {
     result[k] = std::ranges::any_of(small, [&](std::size_t other) {
       return other != k && turn_alike(corners[k], corners[other]);
     });
+  }
+  const auto is_middle = in_the_middle_of_rows(corners, large, all);
+  for (const std::size_t k : large) {
+    result[k] = is_middle[k] || std::ranges::any_of(large, [&](std::size_t o) {
+                  return is_middle[o] && side_of_next(corners[k], corners[o]);
+                });
   }
   return result;
 }
@@ -175,7 +224,8 @@ class Exponents {
 struct Candidate {
   BoundaryCorner corner;
   double exponent{};
-  std::string kind;  // "edge of root", "notch"
+  std::string kind;     // "edge of root", "notch"
+  std::string edge_of;  // the group that holds one side; empty: none or both
 };
 
 /// Names of the groups on both sides that hold something.
@@ -192,7 +242,7 @@ std::string kind_of(double angle, const std::string& first,
 
 template <int dim>
 std::vector<HeldCorner> held_corners(const mesh::PartMesh<dim>& mesh,
-                                     const FixedGroups& fixed) {
+                                     const part::Supports& fixed) {
   std::vector<HeldCorner> result;
   for (const BoundaryCorner& corner : boundary_corners<dim>(mesh)) {
     HeldCorner& entry = result.emplace_back();
@@ -220,7 +270,7 @@ std::vector<HeldCorner> held_corners(const mesh::PartMesh<dim>& mesh,
 template <int dim>
 std::vector<Candidate> candidates(const mesh::PartMesh<dim>& mesh,
                                   const part::Material& material,
-                                  const FixedGroups& fixed) {
+                                  const part::Supports& fixed) {
   const double nu = material.poissons_ratio;
   Exponents exponents(
       dim == 2 ? kolosov_plane_stress(nu) : kolosov_plane_strain(nu), dim == 3);
@@ -232,7 +282,8 @@ std::vector<Candidate> candidates(const mesh::PartMesh<dim>& mesh,
     const double exponent = exponents.smallest(corners[k], is_facet[k]);
     if (exponent > kSmoothExponent) continue;
     result.push_back(
-        {corner, exponent, kind_of(corner.angle, name[0], name[1])});
+        {corner, exponent, kind_of(corner.angle, name[0], name[1]),
+         name[0].empty() || name[1].empty() ? name[0] + name[1] : ""});
   }
   return result;
 }
@@ -309,6 +360,7 @@ SingularZone make_zone(const mesh::PartMesh<dim>& mesh,
   SingularZone zone;
   const Candidate& middle = *members[members.size() / 2];
   zone.exponent = 1.0;
+  zone.edge_of = middle.edge_of;
   zone.at = middle.corner.at;
   double wall = std::numeric_limits<double>::max();
   for (const Candidate* member : members) {
@@ -319,6 +371,7 @@ SingularZone make_zone(const mesh::PartMesh<dim>& mesh,
     zone.vertices.insert(zone.vertices.end(), corner.vertices.begin(),
                          corner.vertices.end());
     wall = std::min(wall, wall_behind<dim>(mesh, corner));
+    zone.reach = std::max(zone.reach, corner.reach);
   }
   std::ranges::sort(zone.vertices);
   const auto twice = std::ranges::unique(zone.vertices);
@@ -353,7 +406,7 @@ double share_across(const BoundaryCorner& corner,
 template <int dim>
 std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
                                          const part::Material& material,
-                                         const FixedGroups& fixed) {
+                                         const part::Supports& fixed) {
   const auto all = candidates<dim>(mesh, material, fixed);
   const auto root = connected(all);
   std::map<std::size_t, std::vector<const Candidate*>> chains;
@@ -368,7 +421,7 @@ std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
   return zones;
 }
 
-double facet_kink(const mesh::PartMesh<3>& mesh, const FixedGroups& fixed,
+double facet_kink(const mesh::PartMesh<3>& mesh, const part::Supports& fixed,
                   const Vector3d& at, const Eigen::Matrix3d& stress) {
   const auto corners = held_corners<3>(mesh, fixed);
   const auto is_facet = facets_of_curves(corners);
@@ -400,9 +453,9 @@ double distance(const SingularZone& zone, const Vector3d& point) {
 
 template std::vector<SingularZone> singular_zones<2>(const mesh::PartMesh<2>&,
                                                      const part::Material&,
-                                                     const FixedGroups&);
+                                                     const part::Supports&);
 template std::vector<SingularZone> singular_zones<3>(const mesh::PartMesh<3>&,
                                                      const part::Material&,
-                                                     const FixedGroups&);
+                                                     const part::Supports&);
 
 }  // namespace clevis::stress

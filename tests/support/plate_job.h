@@ -7,6 +7,7 @@
 #include "assessment/job/part_job.h"
 #include "mesh/basis/tensor_basis.h"
 #include "mesh/quality/mass_properties.h"
+#include "part/supports.h"
 
 namespace clevis::support {
 
@@ -80,8 +81,7 @@ inline FlatFace flat_face(const mesh::PartMesh<3>& mesh,
 inline assessment::PartJob job_of(
     mesh::PartMesh<3> mesh,
     const std::map<std::string, Eigen::Vector3d>& tractions,
-    const std::map<std::string, std::array<bool, 3>>& fixed,
-    double poissons_ratio = 0.3) {
+    const part::Supports& fixed, double poissons_ratio = 0.3) {
   assessment::PartJob job;
   job.part.name = "part";
   job.part.material = {"steel", 210e9, poissons_ratio, 7850.0, 355e6};

@@ -15,6 +15,7 @@
 #include "mesh/cells/part_mesh.h"
 #include "part/mass_properties.h"
 #include "part/part_definition.h"
+#include "part/supports.h"
 #include "stress/stress_history.h"
 
 namespace clevis::assessment {
@@ -22,14 +23,14 @@ namespace clevis::assessment {
 /// Loads that share their supports, solved with one factorisation.
 struct LoadSet {
   loads::LoadHistory history;
-  std::map<std::string, std::array<bool, 3>> fixed;  ///< empty: free part
+  part::Supports fixed;  ///< empty: free part
   part::Foundations foundations = {};
 };
 
 /// A blow on the part, resolved.
 struct ImpactJob {
   loads::Strike strike;
-  std::map<std::string, std::array<bool, 3>> fixed;
+  part::Supports fixed;
   std::string source;  ///< "given", "contact touch"
   int samples = 1200;  ///< instants at which it is judged
   double front =

@@ -5,9 +5,10 @@
 
 #include <Eigen/Core>
 
+#include "part/verdict.h"
+
 namespace clevis::assessment {
 
-enum class PartVerdict { kPass, kFail, kNotJudged };
 enum class PeakVerdict { kConverged, kSingular, kNotConverged };
 
 /// One member of the p-sequence.
@@ -66,6 +67,7 @@ struct ZoneResult {
   bool governs{};
   /// Whether it is the edge of a plane held face, whose section is known.
   bool has_section{};
+  std::string edge_of = {};  ///< the held group whose edge it is; empty: none
 };
 
 /// Linear buckling: by how much all loads of an instant may grow until the
@@ -81,6 +83,12 @@ struct BucklingResult {
   double euler{};  ///< of the strut beside it; 0: it is none [1]
   /// It reaches through a slide into another body: it decides, too.
   bool strut_is_longer = false;
+
+  /// Whether Euler's strut falls short where it decides: without finite
+  /// elements, or longer than the part.
+  bool euler_fails(double wanted) const {
+    return (factor == 0.0 || strut_is_longer) && euler > 0.0 && euler < wanted;
+  }
 };
 
 /// How far the displacements are from small ones.
@@ -95,6 +103,7 @@ struct BeamComparison {
   double peak_stress{};  ///< governing of all beam and lug formulas [Pa]
   std::string
       governing;  ///< "axial + bending, C-B at 30 mm", "lug E net section"
+  bool is_section = false;     ///< nominal stress of a section between pins
   double deflection{};         ///< [m]
   double buckling_safety = 0;  ///< Euler load / axial force; 0: not in pressure
   double ratio_fe_to_beam{};   ///< peak stresses [1]
@@ -249,7 +258,7 @@ const PeakStress& judged_peak(const PartResult& result);
 /// All that is known of a part after the check.
 struct PartResult {
   std::string name;
-  PartVerdict verdict{};
+  part::Verdict verdict{};
   std::string why;    ///< one line: limit and value, or why not judged
   std::string model;  ///< "plane stress, p = 4"
   std::string stopped_because;  ///< why the ladder went no further

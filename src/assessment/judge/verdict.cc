@@ -8,6 +8,7 @@
 #include "assessment/judge/doubt.h"
 #include "assessment/judge/finite_motion.h"
 #include "part/buckling_limit.h"
+#include "part/verdict.h"
 
 namespace clevis::assessment {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kMega = 1e6;
 constexpr double kMilli = 1e-3;
 constexpr double kLargestConcentration = 5.0;  // of holes and fillets
 
-void set(PartResult& result, PartVerdict verdict, std::string why) {
+void set(PartResult& result, part::Verdict verdict, std::string why) {
   result.verdict = verdict;
   result.why = std::move(why);
 }
@@ -93,19 +94,19 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
       (peak.verdict == PeakVerdict::kNotConverged && peak.band_low > allowed) ||
       is_clearly_within(peak, &judged_peak(result) != &result.peak, allowed);
   if (peak.value == 0.0 && result.peak.value > 0.0) {
-    set(result, PartVerdict::kNotJudged,
+    set(result, part::Verdict::kNotJudged,
         fmt::format("the singular zones cover the whole part ({}): mesh finer",
                     governing_zones(result)));
     return false;
   }
   if (peak.value == 0.0) {
-    set(result, PartVerdict::kNotJudged,
+    set(result, part::Verdict::kNotJudged,
         "nothing stresses the part: its loads cancel, or act on held surfaces "
         "only");
     return false;
   }
   if (is_singular_only(part, result, allowed)) {
-    set(result, PartVerdict::kNotJudged,
+    set(result, part::Verdict::kNotJudged,
         fmt::format(
             "stress without bound at {}; elsewhere {:.4g} MPa ({}). Round the "
             "corner or spread the support, or judge without it by limits = {{ "
@@ -116,7 +117,7 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
     return false;
   }
   if (!is_decided) {
-    set(result, PartVerdict::kNotJudged,
+    set(result, part::Verdict::kNotJudged,
         fmt::format("peak {} at {}: [{:.4g}, {:.4g}] MPa; {}",
                     peak.verdict == PeakVerdict::kSingular
                         ? "singular (grows without bound under refinement)"
@@ -131,14 +132,14 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
                         wanted)
           : fmt::format("yield strength {:.4g} MPa", allowed / kMega);
   if (peak.band_low > allowed) {
-    set(result, PartVerdict::kFail,
+    set(result, part::Verdict::kFail,
         fmt::format("peak {:.4g} MPa{} exceeds {}", peak.value / kMega,
                     result.vibration.governs ? " with vibration" : "", limit));
     return false;
   }
   if (peak.band_high > allowed) {
     const bool vibrates = result.vibration.governs;
-    set(result, PartVerdict::kNotJudged,
+    set(result, part::Verdict::kNotJudged,
         fmt::format(
             "{} lies inside the band of the peak{}, [{:.4g}, {:.4g}] "
             "MPa: {}",
@@ -149,7 +150,7 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
     return false;
   }
   if (!result.vibration.failure.empty()) {
-    set(result, PartVerdict::kNotJudged,
+    set(result, part::Verdict::kNotJudged,
         fmt::format("its vibration after impacts could not be computed ({}), "
                     "without it the peak is {:.4g} MPa",
                     result.vibration.failure, peak.value / kMega));
@@ -174,7 +175,7 @@ struct Nominal {
 /// lugs are none of a section.
 Nominal largest_nominal(const PartResult& result) {
   Nominal largest;
-  if (result.beam.governing.starts_with("axial + bending")) {
+  if (result.beam.is_section) {
     const double stress = result.beam.peak_stress;
     largest = {stress, stress, stress, result.beam.governing};
   }
@@ -193,7 +194,7 @@ bool judge_nominal(const part::PartDefinition& part, PartResult& result) {
       part.material.yield_strength / part.limits.safety_factor.value_or(1.0);
   if (nominal.high <= allowed) return true;
   const bool fails = nominal.low > allowed;
-  set(result, fails ? PartVerdict::kFail : PartVerdict::kNotJudged,
+  set(result, fails ? part::Verdict::kFail : part::Verdict::kNotJudged,
       fmt::format("nominal stress {:.4g} [{:.4g}, {:.4g}] MPa ({}), hidden by "
                   "the zone left out, {} {:.4g} MPa",
                   nominal.value / kMega, nominal.low / kMega,
@@ -240,17 +241,12 @@ std::string left_out(const part::PartDefinition& part,
   return text;
 }
 
-/// Euler's strut decides where there are no finite elements, and where it is
-/// longer than the part.
 bool judge_euler(double wanted, PartResult& result) {
-  const BucklingResult& buckling = result.buckling;
-  const double euler = buckling.euler;
-  const bool counts = buckling.factor == 0.0 || buckling.strut_is_longer;
-  if (!counts || euler == 0.0 || euler >= wanted) return true;
-  set(result, PartVerdict::kFail,
+  if (!result.buckling.euler_fails(wanted)) return true;
+  set(result, part::Verdict::kFail,
       fmt::format("buckling: Euler's load is {:.3g} times the compression, "
                   "{:.4g} is wanted",
-                  euler, wanted));
+                  result.buckling.euler, wanted));
   return false;
 }
 
@@ -260,13 +256,13 @@ bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
   if (!judge_euler(wanted, result)) return false;
   if (part.limits.buckling && buckling.factor == 0.0 &&
       !buckling.remark.empty()) {
-    set(result, PartVerdict::kNotJudged,
+    set(result, part::Verdict::kNotJudged,
         "the limit of buckling is not held against: " + buckling.remark);
     return false;
   }
   if (buckling.factor == 0.0 || buckling.band_low >= wanted) return true;
   const bool fails = buckling.band_high < wanted;
-  set(result, fails ? PartVerdict::kFail : PartVerdict::kNotJudged,
+  set(result, fails ? part::Verdict::kFail : part::Verdict::kNotJudged,
       fmt::format("buckling: the part buckles under {:.4g} [{:.4g}, {:.4g}] "
                   "times the loads of {}, {:.4g} is wanted{}",
                   buckling.factor, buckling.band_low, buckling.band_high,
@@ -278,7 +274,7 @@ bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
 bool judge_finite_motion(const part::PartDefinition&, PartResult& result) {
   std::string why = beyond_small_displacements(result.finite_motion);
   if (why.empty()) return true;
-  set(result, PartVerdict::kNotJudged, std::move(why));
+  set(result, part::Verdict::kNotJudged, std::move(why));
   return false;
 }
 
@@ -289,14 +285,14 @@ bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
   const double high = has_band ? result.deflection_high : result.deflection;
   if (high <= *part.limits.deflection) return true;
   if (low <= *part.limits.deflection) {
-    set(result, PartVerdict::kNotJudged,
+    set(result, part::Verdict::kNotJudged,
         fmt::format("{:.4g} mm lies inside the band of the deflection, "
                     "[{:.4g}, {:.4g}] mm: mesh finer",
                     *part.limits.deflection / kMilli, low / kMilli,
                     high / kMilli));
     return false;
   }
-  set(result, PartVerdict::kFail,
+  set(result, part::Verdict::kFail,
       fmt::format("deflection {:.4g} mm exceeds {:.4g} mm",
                   result.deflection / kMilli,
                   *part.limits.deflection / kMilli));
@@ -324,7 +320,7 @@ void judge(const part::PartDefinition& part, PartResult& result) {
   for (const auto holds : {judge_finite_motion, judge_stress, judge_nominal,
                            judge_buckling, judge_deflection}) {
     if (holds(part, result)) continue;
-    if (result.verdict == PartVerdict::kFail) {
+    if (result.verdict == part::Verdict::kFail) {
       std::string far = beyond_small_displacements(result.finite_motion);
       if (!far.empty()) result.notes.push_back(std::move(far));
       return;
@@ -335,9 +331,9 @@ void judge(const part::PartDefinition& part, PartResult& result) {
     const std::string wide = wide_band(result);
     const std::string out = left_out(part, result);
     const bool both = !wide.empty() && !out.empty();
-    set(result, PartVerdict::kPass, wide + (both ? "; " : "") + out);
+    set(result, part::Verdict::kPass, wide + (both ? "; " : "") + out);
   } else {
-    set(result, PartVerdict::kNotJudged, open);
+    set(result, part::Verdict::kNotJudged, open);
   }
 }
 

@@ -83,6 +83,7 @@ class Climb {
                !look_nearby(sets, tolerance)) {
       join_cells(tolerance);
     }
+    if (ladder_.zones.is_singular()) widen_beside_zones(tolerance);
   }
   void drop() {
     ladder_.sequence.pop_back();
@@ -101,6 +102,16 @@ class Climb {
   DegreeLadder<dim> finish() { return std::move(ladder_); }
 
  private:
+  /// Cells that are many times as large as a zone do not show what stands
+  /// beside it.
+  void widen_beside_zones(double tolerance) {
+    stress::Band& band = ladder_.outer_band;
+    const double missing =
+        (ladder_.zones.unresolved_growth() - 1.0) * band.value -
+        (band.high - band.value);
+    band = widened(band, std::max(0.0, missing), tolerance);
+  }
+
   /// Puts the band of the peak's neighbourhood in place of the sequence's.
   /// @return whether there is one.
   bool look_nearby(const std::vector<LoadSet>& sets, double tolerance) {

@@ -7,13 +7,6 @@
 #include "assessment/places/meeting_places.h"
 
 namespace clevis::assessment {
-namespace {
-
-bool is_displacement(const std::string& quantity) {
-  return quantity.starts_with("displacement");
-}
-
-}  // namespace
 
 template <int dim>
 stress::Band probe_band(const DegreeLadder<dim>& ladder, std::size_t index,
@@ -29,7 +22,7 @@ stress::Band probe_band(const DegreeLadder<dim>& ladder, std::size_t index,
   const double doubt = kErrorOfJump * ladder.probes.back()[index].jump;
   band.low = std::min(band.low, band.value - doubt);
   band.high = std::max(band.high, band.value + doubt);
-  if (is_displacement(quantity)) {
+  if (part::is_displacement(quantity)) {
     const double error = std::abs(band.value) *
                          ladder.deflections.probe_error(load_case, values);
     band.low = band.value - error;
@@ -49,7 +42,8 @@ bool probes_are_within(const DegreeLadder<dim>& ladder, const PartJob& job,
                                    probe.quantity, tolerance);
       const double reach =
           std::max(band.high - band.value, band.value - band.low);
-      if (!is_displacement(probe.quantity) && reach > allowed) return false;
+      if (!part::is_displacement(probe.quantity) && reach > allowed)
+        return false;
     }
   }
   return true;

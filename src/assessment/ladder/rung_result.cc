@@ -83,7 +83,7 @@ void fill_zones(const PartJob& job, const DegreeLadder<dim>& ladder,
   for (ZoneResult& zone : result.singular_zones) {
     zone.has_section =
         std::ranges::any_of(level.held_sections, [&](const std::string& group) {
-          return zone.name.starts_with("edge of " + group + " at ");
+          return zone.edge_of == group;
         });
   }
   if (!zones.is_singular()) return;

@@ -16,6 +16,7 @@ constexpr int kLayers = 8;  // innermost ring: 0.15^7 = 2e-6 of a cell
 // radius.
 constexpr double kReached = 0.1;
 constexpr double kFinest = 1e-6;
+constexpr double kResolved = 5.0;  // of the radius: three cells to the wall
 
 }  // namespace
 
@@ -151,6 +152,20 @@ bool ZoneWatch<dim>::is_singular() const {
 }
 
 template <int dim>
+double ZoneWatch<dim>::unresolved_growth() const {
+  double growth = 1.0;
+  for (const Set& set : sets_) {
+    for (const Zone& zone : set.zones) {
+      if (!zone.governs || !zone.rings.empty()) continue;
+      const double cells = zone.zone.reach / (kResolved * zone.zone.radius);
+      if (cells <= 1.0) continue;
+      growth = std::max(growth, std::pow(cells, 1.0 - zone.zone.exponent));
+    }
+  }
+  return growth;
+}
+
+template <int dim>
 std::vector<stress::StressHistory> ZoneWatch<dim>::outside_histories() const {
   constexpr double kLeftOut = -1.0;
   auto histories = taken_.back().histories;
@@ -172,7 +187,8 @@ std::vector<ZoneResult> ZoneWatch<dim>::results() const {
   for (const Set& set : sets_) {
     for (const Zone& zone : set.zones) {
       results.push_back({zone.zone.name, zone.zone.exponent, zone.exponent,
-                         zone.zone.at, zone.zone.radius, zone.governs, false});
+                         zone.zone.at, zone.zone.radius, zone.governs, false,
+                         zone.zone.edge_of});
     }
   }
   return results;

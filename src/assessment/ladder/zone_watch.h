@@ -44,6 +44,10 @@ class ZoneWatch {
 
   /// Whether a zone governs at the last degree.
   bool is_singular() const;
+  /// By how much the stress beside a governing zone may exceed what its cells
+  /// show, where they are many times as large as the zone: as distance^(λ − 1)
+  /// from kResolved radii to their size [1]; 1: they resolve it.
+  double unresolved_growth() const;
   /// The peaks outside of the zones that govern, per degree.
   const std::vector<OutsidePeak>& outside() const { return outside_; }
   /// Of the last degree's sets, with −1 in the zones that govern.

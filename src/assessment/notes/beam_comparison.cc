@@ -20,6 +20,7 @@ BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
       comparison.peak_stress = estimate.stresses.front().stress;
       comparison.governing = estimate.stresses.front().formula + ", " +
                              estimate.stresses.front().where;
+      comparison.is_section = estimate.stresses.front().is_section;
     }
     comparison.deflection =
         std::max(comparison.deflection, estimate.deflection);
@@ -32,6 +33,7 @@ BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
   // of blows the held section's stress in time is no beam theory
   if (job.impacts.empty() && result.held.value > comparison.peak_stress) {
     comparison.peak_stress = result.held.value;
+    comparison.is_section = false;  // it stands in PartResult::held
     comparison.governing = fmt::format(
         "section {} by its support's force and moment", result.held.section);
   }

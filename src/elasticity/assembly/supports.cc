@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "part/supports.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -159,9 +160,8 @@ std::vector<int> determinate_supports(const Discretization<dim>& discretization,
 }
 
 template <int dim>
-std::vector<int> held_on_groups(
-    const Discretization<dim>& discretization,
-    const std::map<std::string, std::array<bool, 3>>& fixed) {
+std::vector<int> held_on_groups(const Discretization<dim>& discretization,
+                                const part::Supports& fixed) {
   std::vector<int> held;
   for (std::size_t g = 0; g < discretization.groups.size(); ++g) {
     const auto entry = fixed.find(discretization.groups[g].name);
@@ -180,10 +180,11 @@ std::vector<int> held_on_groups(
 }
 
 template <int dim>
-std::vector<int> fixed_supports(
-    const Discretization<dim>& discretization, const Positions<dim>& positions,
-    const std::map<std::string, std::array<bool, 3>>& fixed,
-    const std::string& place, const FoundationStiffness<dim>* bed) {
+std::vector<int> fixed_supports(const Discretization<dim>& discretization,
+                                const Positions<dim>& positions,
+                                const part::Supports& fixed,
+                                const std::string& place,
+                                const FoundationStiffness<dim>* bed) {
   const std::vector<int> held = held_on_groups<dim>(discretization, fixed);
   const MatrixXd modes = rigid_modes<dim>(positions, positions.rowwise().mean(),
                                           extent<dim>(positions));
@@ -199,12 +200,11 @@ std::vector<int> fixed_supports(
       const Discretization<dim>&, const Positions<dim>&);                    \
   template std::vector<int> determinate_supports<dim>(                       \
       const Discretization<dim>&, const MatrixXd&, const std::vector<int>&); \
-  template std::vector<int> held_on_groups<dim>(                             \
-      const Discretization<dim>&,                                            \
-      const std::map<std::string, std::array<bool, 3>>&);                    \
+  template std::vector<int> held_on_groups<dim>(const Discretization<dim>&,  \
+                                                const part::Supports&);      \
   template std::vector<int> fixed_supports<dim>(                             \
       const Discretization<dim>&, const Positions<dim>&,                     \
-      const std::map<std::string, std::array<bool, 3>>&, const std::string&, \
+      const part::Supports&, const std::string&,                             \
       const FoundationStiffness<dim>*);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)

@@ -9,6 +9,7 @@
 
 #include "elasticity/assembly/foundation.h"
 #include "elasticity/fe_space/discretization.h"
+#include "part/supports.h"
 
 namespace clevis::elasticity {
 
@@ -48,9 +49,8 @@ std::vector<int> determinate_supports(const Discretization<dim>& discretization,
 /// Components held at zero on groups (a case's `fixed`), sorted; whether they
 /// hold the part is not asked.
 template <int dim>
-std::vector<int> held_on_groups(
-    const Discretization<dim>& discretization,
-    const std::map<std::string, std::array<bool, 3>>& fixed);
+std::vector<int> held_on_groups(const Discretization<dim>& discretization,
+                                const part::Supports& fixed);
 
 /// The same of a part that they must hold.
 /// @param bed  holds the part too; or null.
@@ -59,7 +59,7 @@ template <int dim>
 std::vector<int> fixed_supports(
     const Discretization<dim>& discretization,
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions,
-    const std::map<std::string, std::array<bool, 3>>& fixed,
-    const std::string& place, const FoundationStiffness<dim>* bed = nullptr);
+    const part::Supports& fixed, const std::string& place,
+    const FoundationStiffness<dim>* bed = nullptr);
 
 }  // namespace clevis::elasticity

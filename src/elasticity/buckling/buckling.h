@@ -11,6 +11,7 @@
 #include "loads/load_history.h"
 #include "part/material.h"
 #include "part/part_definition.h"
+#include "part/supports.h"
 
 namespace clevis::elasticity {
 
@@ -20,7 +21,7 @@ struct BucklingProblem {
   const part::Material& material;
   const loads::LoadHistory& history;
   /// Components held at zero; empty: a free part in balance.
-  std::map<std::string, std::array<bool, 3>> fixed;
+  part::Supports fixed;
   /// Of a free part: pairs of groups whose pins hold it as a whole (PinHold);
   /// each is taken by itself, the lowest factor counts. Not empty.
   std::vector<std::vector<std::string>> holds;

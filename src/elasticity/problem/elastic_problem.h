@@ -8,6 +8,7 @@
 #include "mesh/cells/part_mesh.h"
 #include "part/material.h"
 #include "part/part_definition.h"
+#include "part/supports.h"
 
 namespace clevis::elasticity {
 
@@ -26,7 +27,7 @@ struct ElasticProblem {
   const loads::LoadHistory& history;
   /// Components held at zero; empty: a free part in balance, held at
   /// determinate components.
-  std::map<std::string, std::array<bool, 3>> fixed;
+  part::Supports fixed;
   std::string name;  ///< of the part, for messages
   LinearSolver solver = LinearSolver::kAuto;
   part::Foundations foundations = {};

@@ -21,6 +21,7 @@
 #include "elasticity/revolution/harmonic_loads.h"
 #include "elasticity/revolution/meridian_stiffness.h"
 #include "elasticity/revolution/revolved_discretization.h"
+#include "part/supports.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -51,9 +52,9 @@ double extent(const Discretization<2>& meridian) {
 }
 
 /// Amplitudes that are zero: on the axis, and on fixed groups.
-std::vector<int> held_amplitudes(
-    const Discretization<2>& meridian, const mesh::Revolution& solid,
-    const std::map<std::string, std::array<bool, 3>>& fixed, int order) {
+std::vector<int> held_amplitudes(const Discretization<2>& meridian,
+                                 const mesh::Revolution& solid,
+                                 const part::Supports& fixed, int order) {
   std::vector<int> held;
   for (int node : axis_nodes(meridian)) {
     if (order != 0) held.push_back(3 * node);
@@ -258,8 +259,7 @@ int highest_order(int degree) {
   return 2 << degree;
 }
 
-bool supports_fit(const mesh::Revolution& solid,
-                  const std::map<std::string, std::array<bool, 3>>& fixed) {
+bool supports_fit(const mesh::Revolution& solid, const part::Supports& fixed) {
   if (fixed.empty()) return true;
   for (const auto& [name, components] : fixed) {
     if (!held_directions(solid, components)) return false;

@@ -10,6 +10,7 @@
 #include "loads/load_history.h"
 #include "mesh/derived/revolution.h"
 #include "part/material.h"
+#include "part/supports.h"
 
 namespace clevis::elasticity {
 
@@ -19,7 +20,7 @@ struct RevolutionProblem {
   const part::Material& material;
   const loads::LoadHistory& history;
   /// Components of L held at zero; empty: a free part in balance.
-  std::map<std::string, std::array<bool, 3>> fixed;
+  part::Supports fixed;
   std::string name;  ///< of the part, for messages
 };
 
@@ -39,8 +40,7 @@ int highest_order(int degree);
 /// Whether supports hold every term for itself, and hold the part: `fixed` is
 /// empty, or the components across the axis are held together and the part
 /// cannot move.
-bool supports_fit(const mesh::Revolution& solid,
-                  const std::map<std::string, std::array<bool, 3>>& fixed);
+bool supports_fit(const mesh::Revolution& solid, const part::Supports& fixed);
 
 /// One factorisation for each order that something loads.
 /// @param degree  of the displacement in the meridian, 1…4.

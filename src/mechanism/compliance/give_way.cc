@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "base/index.h"
+
 namespace clevis::mechanism {
 namespace {
 
@@ -11,10 +13,6 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Index joint_components(const SolvingFrame& frame) {
   return 6 * static_cast<Index>(frame.joints.size());

@@ -8,6 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "base/index.h"
 #include "mechanism/constraints/plane.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/joints/joint_types.h"
@@ -18,10 +19,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::vector<Vector3d> reference_points(const MechanismDefinition& definition) {
   std::vector<Vector3d> sum(definition.bodies.size(), Vector3d::Zero());

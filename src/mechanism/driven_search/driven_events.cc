@@ -113,8 +113,9 @@ void DrivenEvents::search(At left, const End& a, const End& b,
     hidden = hides(a.values[i], b.values[i], bend[i], floors_[i]);
   }
   const double shortest = 4.0 * kSides * course_.duration();
-  if (!hidden || depth == kDeepest || halvings_left_ <= 0 ||
-      b.t - a.t < shortest) {
+  const bool is_short = depth == kDeepest || b.t - a.t < shortest;
+  if (hidden && !is_short && halvings_left_ <= 0) missed_ = true;
+  if (!hidden || is_short || halvings_left_ <= 0) {
     roots(left, a, b);
     return;
   }
@@ -215,7 +216,7 @@ bool DrivenEvents::find(std::size_t most) {
     }
     left = right;
   }
-  return true;
+  return !missed_;
 }
 
 }  // namespace clevis::mechanism

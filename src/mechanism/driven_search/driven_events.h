@@ -16,7 +16,8 @@ class DrivenEvents {
 
   /// Looks on both sides of each; both are instants, and the course breaks
   /// there.
-  /// @param most  looks. @return whether that was enough.
+  /// @param most  looks. @return whether that, and the halvings between two
+  ///   looks, were enough.
   bool find(std::size_t most);
   const std::vector<MotionEvent>& events() const { return events_; }
 
@@ -41,6 +42,7 @@ class DrivenEvents {
   std::vector<double> found_, bends_;
   std::vector<MotionEvent> events_;
   int halvings_left_{};
+  bool missed_ = false;  ///< halvings ran out where events may hide
 };
 
 }  // namespace clevis::mechanism

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/index.h"
 #include "mechanism/equations_of_motion/forward_dynamics.h"
 #include "mechanism/joints/joint_types.h"
 
@@ -18,10 +19,6 @@ using Eigen::VectorXd;
 // Round-off of accelerations is that over the smallest pivot: motions that
 // come near change points are not the better for steps beyond that.
 constexpr double kRoundOff = 1e-16, kNearRank = 1e-11;
-
-std::size_t index(Index i) {
-  return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 

@@ -6,6 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "base/index.h"
+
 namespace clevis::mechanism {
 namespace {
 
@@ -13,10 +15,6 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-std::size_t index(Index i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Unknown of the rotor of each force element, or −1.
 std::vector<Index> rotor_unknowns(const ForceModel& forces, Index bodies) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "base/index.h"
 #include "mechanism/constraints/solving_frame.h"
 
 namespace clevis::mechanism {
@@ -48,7 +49,6 @@ class TreeMass {
 
  private:
   static constexpr int kMost = 6;
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   struct Row {
     double body[kMost], parent[kMost], scale;
   };

@@ -4,12 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "base/index.h"
+
 namespace clevis::mechanism {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Lobatto's five nodes of [0, 1] and weights, exact to degree 7.
 const double kInner = 0.5 * (1.0 - std::sqrt(3.0 / 7.0));

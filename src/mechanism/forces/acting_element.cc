@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/index.h"
 #include "mechanism/force_laws/force_laws.h"
 
 namespace clevis::mechanism {
@@ -17,10 +18,6 @@ using Eigen::Vector3d;
 
 // Points at a distance of zero push along no direction.
 constexpr double kShortest = 1e-12;  // [m]
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Matrix3d with_z_along(const Vector3d& z) {
   return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), z)

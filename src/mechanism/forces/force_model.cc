@@ -5,15 +5,12 @@
 #include <limits>
 #include <optional>
 
+#include "base/index.h"
 #include "mechanism/drives/drive_law.h"
 #include "mechanism/forces/element_modes.h"
 
 namespace clevis::mechanism {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 void add_wrench(Twist& sum, const Twist& wrench) {
   sum.v += wrench.v;

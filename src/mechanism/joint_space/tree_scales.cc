@@ -2,20 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.h"
 #include "mechanism/joint_space/tree_system.h"
 
 namespace clevis::mechanism {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-namespace {
-
-std::size_t index(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 /// Of what hangs on a link, from its centre of mass [m].
 double TreeSystem::reach(std::size_t link) const {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/index.h"
+
 namespace clevis::mechanism {
 
 using Eigen::Index;
@@ -12,10 +14,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 namespace {
-
-std::size_t index(Index i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Inertia by velocity of rotors that turn or slide with a joint.
 std::vector<double> armatures(const MechanismDefinition& definition,

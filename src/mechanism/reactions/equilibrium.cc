@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.h"
 #include "mechanism/compliance/compliant_balance.h"
 
 namespace clevis::mechanism {
@@ -12,10 +13,6 @@ using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Largest force, and moment over length, in the given components.
 double largest(const std::vector<Twist>& wrenches, Motions motions,

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/index.h"
 #include "mechanism/constraints/constraint_system.h"
 #include "mechanism/constraints/solving_frame.h"
 #include "mechanism/force_laws/force_element.h"
@@ -19,10 +20,6 @@ namespace {
 
 using Eigen::Vector3d;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Compliance of a joint's forces or moments, as a coordinate of the box.
 struct Coordinate {

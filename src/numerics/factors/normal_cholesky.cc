@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/index.h"
 #include "numerics/factors/jacobian_factor.h"
 
 namespace clevis::numerics {
@@ -19,10 +20,6 @@ namespace {
 // others; what is in between it does not judge.
 constexpr double kSafePivot = 1e-8;
 constexpr double kDependentPivot = 0.01 * kRankThreshold * kRankThreshold;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Four sums, so that one product need not wait for the last.
 double dot(const double* a, const double* b, int n) {

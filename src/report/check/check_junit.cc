@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "part/verdict.h"
 #include "report/parts/buckling_output.h"
 #include "report/text/junit.h"
 #include "report/text/units.h"
@@ -13,8 +14,8 @@ namespace clevis::report {
 namespace {
 
 using assessment::PartResult;
-using assessment::PartVerdict;
 using assessment::PeakVerdict;
+using part::Verdict;
 
 /// The part's own words, where the case needs an explanation.
 std::string reason(JunitStatus status, const PartResult& part) {
@@ -24,18 +25,18 @@ std::string reason(JunitStatus status, const PartResult& part) {
 
 /// A limit that is kept says nothing as long as the part is not judged.
 JunitStatus status_of_limit(bool exceeded, const PartResult& part) {
-  if (exceeded && part.verdict == PartVerdict::kFail) {
+  if (exceeded && part.verdict == Verdict::kFail) {
     return JunitStatus::kFailure;
   }
-  return part.verdict == PartVerdict::kNotJudged ? JunitStatus::kError
-                                                 : JunitStatus::kPassed;
+  return part.verdict == Verdict::kNotJudged ? JunitStatus::kError
+                                             : JunitStatus::kPassed;
 }
 
 /// A regular peak may decide though its band is wider than the tolerance.
 bool is_settled(const PartResult& part) {
   return part.peak.verdict == PeakVerdict::kConverged ||
          (part.peak.verdict == PeakVerdict::kNotConverged &&
-          part.verdict != PartVerdict::kNotJudged);
+          part.verdict != Verdict::kNotJudged);
 }
 
 JunitCase convergence_case(const PartResult& part) {
@@ -99,8 +100,8 @@ std::vector<JunitCase> part_cases(const PartResult& part,
   const auto shows = [&](JunitStatus status) {
     return std::ranges::find(cases, status, &JunitCase::status) != cases.end();
   };
-  const bool fails = part.verdict == PartVerdict::kFail;
-  const bool unjudged = part.verdict == PartVerdict::kNotJudged;
+  const bool fails = part.verdict == Verdict::kFail;
+  const bool unjudged = part.verdict == Verdict::kNotJudged;
   if (fails && !shows(JunitStatus::kFailure)) {
     cases.push_back({{}, "verdict", JunitStatus::kFailure, part.why, 0.0});
   }
@@ -114,13 +115,12 @@ std::vector<JunitCase> part_cases(const PartResult& part,
 /// Static safety, and life if one is wanted; what the formulas leave open is
 /// an error.
 std::vector<JunitCase> bearing_cases(const BearingReport& bearing) {
-  using machine::BearingVerdict;
   constexpr double kHour = 3600.0;
   const machine::BearingResult& r = bearing.result;
   const auto status = [&r](bool fails) {
     if (fails) return JunitStatus::kFailure;
-    return r.verdict == BearingVerdict::kNotJudged ? JunitStatus::kError
-                                                   : JunitStatus::kPassed;
+    return r.verdict == Verdict::kNotJudged ? JunitStatus::kError
+                                            : JunitStatus::kPassed;
   };
   const bool breaks =
       r.static_safety && *r.static_safety < r.static_safety_wanted;

@@ -2,57 +2,47 @@
 
 #include <algorithm>
 
+#include "part/part_definition.h"
+#include "part/verdict.h"
+
 namespace clevis::report {
 
 using assessment::PartResult;
-using assessment::PartVerdict;
 using assessment::PeakVerdict;
+using part::Verdict;
 
-PartVerdict overall_verdict(const CheckReport& report) {
-  const auto any = [&](PartVerdict verdict) {
+part::Verdict overall_verdict(const CheckReport& report) {
+  const auto any = [&](part::Verdict verdict) {
     return std::ranges::find(report.parts, verdict, &PartResult::verdict) !=
            report.parts.end();
   };
-  const auto any_bearing = [&](machine::BearingVerdict verdict) {
+  const auto any_bearing = [&](part::Verdict verdict) {
     return std::ranges::any_of(report.bearings, [&](const auto& bearing) {
       return bearing.result.verdict == verdict;
     });
   };
-  using machine::BearingVerdict;
-  if (any(PartVerdict::kFail) || any_bearing(BearingVerdict::kFail)) {
-    return PartVerdict::kFail;
+  if (any(Verdict::kFail) || any_bearing(Verdict::kFail)) {
+    return Verdict::kFail;
   }
   // No part at all is no reason to say that the parts hold.
-  if (any(PartVerdict::kNotJudged) || any_bearing(BearingVerdict::kNotJudged) ||
+  if (any(Verdict::kNotJudged) || any_bearing(Verdict::kNotJudged) ||
       !report.failures.empty() || !report.complete || report.parts.empty()) {
-    return PartVerdict::kNotJudged;
+    return Verdict::kNotJudged;
   }
-  return PartVerdict::kPass;
+  return Verdict::kPass;
 }
 
 ExitCode exit_code(const CheckReport& report) {
   if (!report.failures.empty()) return report.failures[0].error.exit_code();
   switch (overall_verdict(report)) {
-    case PartVerdict::kPass:
+    case Verdict::kPass:
       return ExitCode::kPass;
-    case PartVerdict::kFail:
+    case Verdict::kFail:
       return ExitCode::kLimitExceeded;
-    case PartVerdict::kNotJudged:
+    case Verdict::kNotJudged:
       break;
   }
   return ExitCode::kNotJudged;
-}
-
-std::string_view text(PartVerdict verdict) {
-  switch (verdict) {
-    case PartVerdict::kPass:
-      return "pass";
-    case PartVerdict::kFail:
-      return "fail";
-    case PartVerdict::kNotJudged:
-      break;
-  }
-  return "not judged";
 }
 
 std::string_view text(PeakVerdict verdict) {
@@ -68,7 +58,7 @@ std::string_view text(PeakVerdict verdict) {
 }
 
 bool is_displacement(const assessment::ProbeResult& probe) {
-  return probe.quantity.starts_with("displacement");
+  return part::is_displacement(probe.quantity);
 }
 
 }  // namespace clevis::report

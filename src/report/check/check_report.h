@@ -11,6 +11,7 @@
 #include "assessment/job/part_result.h"
 #include "base/errors.h"
 #include "part/part_definition.h"
+#include "part/verdict.h"
 #include "report/machine/bearing_output.h"
 #include "report/summary/mechanism_summary.h"
 
@@ -43,13 +44,12 @@ struct CheckReport {
 
 /// Fail if a part or bearing fails; else not judged if one is not judged, could
 /// not be computed or was not reached; else pass.
-assessment::PartVerdict overall_verdict(const CheckReport& report);
+part::Verdict overall_verdict(const CheckReport& report);
 
 /// What the process returns: that of the first failure if there is one, else
 /// by the overall verdict.
 ExitCode exit_code(const CheckReport& report);
 
-std::string_view text(assessment::PartVerdict verdict);
 std::string_view text(assessment::PeakVerdict verdict);
 
 /// Whether a probe's quantity is a displacement [m] rather than a stress [Pa].

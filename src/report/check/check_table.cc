@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "part/verdict.h"
 #include "report/parts/buckling_output.h"
 #include "report/parts/part_impact_output.h"
 #include "report/summary/motion_notes.h"
@@ -16,20 +17,8 @@ namespace clevis::report {
 namespace {
 
 using assessment::PartResult;
-using assessment::PartVerdict;
 using assessment::PeakVerdict;
-
-Tone tone_of(PartVerdict verdict) {
-  switch (verdict) {
-    case PartVerdict::kPass:
-      return Tone::kGood;
-    case PartVerdict::kFail:
-      return Tone::kBad;
-    case PartVerdict::kNotJudged:
-      break;
-  }
-  return Tone::kDoubtful;
-}
+using part::Verdict;
 
 /// 0 stands for "beam theory says nothing here".
 std::string or_dash(double value, const char* format) {
@@ -189,7 +178,7 @@ std::string mechanism_line(const MechanismSummary& mechanism) {
 }
 
 std::string last_line(const CheckReport& report, Colour colour) {
-  const PartVerdict verdict = overall_verdict(report);
+  const part::Verdict verdict = overall_verdict(report);
   std::string line =
       "verdict: " + paint(text(verdict), tone_of(verdict), colour);
   if (!report.complete) line += " (interrupted: parts are missing)";

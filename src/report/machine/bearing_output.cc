@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "part/verdict.h"
 #include "report/text/csv_field.h"
 #include "report/text/text_table.h"
 
@@ -13,24 +14,12 @@ namespace clevis::report {
 namespace {
 
 using machine::BearingResult;
-using machine::BearingVerdict;
 using nlohmann::ordered_json;
+using part::Verdict;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kHour = 3600.0;
 constexpr double kPercent = 100.0;
-
-Tone tone_of(BearingVerdict verdict) {
-  switch (verdict) {
-    case BearingVerdict::kPass:
-      return Tone::kGood;
-    case BearingVerdict::kFail:
-      return Tone::kBad;
-    case BearingVerdict::kNotJudged:
-      break;
-  }
-  return Tone::kDoubtful;
-}
 
 std::optional<double> hours(const std::optional<double>& seconds) {
   if (!seconds) return std::nullopt;
@@ -61,7 +50,7 @@ std::vector<TextTable::Cell> row(const BearingReport& bearing) {
           {or_dash(r.life_cycles)},
           {or_dash(hours(r.life_seconds))},
           {fmt::format("{:.1e}", r.life_error)},
-          {machine::name_of(r.verdict), tone_of(r.verdict)}};
+          {std::string(text(r.verdict)), tone_of(r.verdict)}};
 }
 
 ordered_json bearing_json(const BearingReport& bearing) {
@@ -73,7 +62,7 @@ ordered_json bearing_json(const BearingReport& bearing) {
   return {{"name", r.name},
           {"joint", bearing.joint},
           {"kind", machine::name_of(r.kind)},
-          {"verdict", machine::name_of(r.verdict)},
+          {"verdict", text(r.verdict)},
           {"why", r.why},
           {"dynamic_rating_N", r.dynamic_rating},
           {"static_rating_N", r.static_rating},
@@ -137,7 +126,7 @@ std::string bearings_text(const std::vector<BearingReport>& bearings,
     }
     if (!bearing.result.why.empty()) {
       table.add_note(fmt::format("{}: {}: {}", bearing.result.name,
-                                 machine::name_of(bearing.result.verdict),
+                                 text(bearing.result.verdict),
                                  bearing.result.why));
     }
   }

@@ -37,13 +37,13 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeakStress, value, band_low, band_high,
                                    sequence, degree_nearby, field_maximum, jump)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ZoneResult, name, exponent,
                                    exponent_measured, at, radius, governs,
-                                   has_section)
+                                   has_section, edge_of)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BucklingResult, factor, band_low, band_high,
                                    instant, label, model, remark, euler,
                                    strut_is_longer)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FiniteMotion, rotation, strain, label)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BeamComparison, peak_stress, governing,
-                                   deflection, buckling_safety,
+                                   is_section, deflection, buckling_safety,
                                    ratio_fe_to_beam, reason)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SelfChecks, equilibrium, residual, energy,
                                    compression, reported_peak_is_field_maximum)

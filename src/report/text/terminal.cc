@@ -16,6 +16,18 @@ Colour colour_of(int descriptor) {
                                                         : Colour::kNone;
 }
 
+Tone tone_of(part::Verdict verdict) {
+  switch (verdict) {
+    case part::Verdict::kPass:
+      return Tone::kGood;
+    case part::Verdict::kFail:
+      return Tone::kBad;
+    case part::Verdict::kNotJudged:
+      break;
+  }
+  return Tone::kDoubtful;
+}
+
 std::string paint(std::string_view text, Tone tone, Colour colour) {
   if (colour == Colour::kNone || tone == Tone::kPlain) return std::string(text);
   const std::string_view code = tone == Tone::kGood  ? "\033[32m"

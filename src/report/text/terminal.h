@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "part/verdict.h"
+
 namespace clevis::report {
 
 enum class Colour { kNone, kAnsi };
@@ -12,6 +14,8 @@ enum class Colour { kNone, kAnsi };
 Colour colour_of(int descriptor);
 
 enum class Tone { kPlain, kGood, kBad, kDoubtful };
+
+Tone tone_of(part::Verdict verdict);
 
 /// `text` between the escape codes of `tone`, or as it is.
 std::string paint(std::string_view text, Tone tone, Colour colour);

@@ -9,6 +9,7 @@
 #include "assessment/part_check.h"
 #include "base/errors.h"
 #include "dynamics/strike.h"
+#include "part/verdict.h"
 #include "support/damped_blow.h"
 #include "support/dense_system.h"
 #include "support/plate_job.h"
@@ -162,7 +163,7 @@ TEST(StruckPart, DeflectsAsTimoshenkosBeamBeyondTheBlow) {
   EXPECT_EQ(result.deflection, impact.deflection);
   EXPECT_EQ(result.deflection, impact.rows.back().deflection);
   EXPECT_NEAR(impact.rows.back().face, beam.struck, 0.05 * beam.struck);
-  EXPECT_EQ(result.verdict, PartVerdict::kFail);
+  EXPECT_EQ(result.verdict, part::Verdict::kFail);
   EXPECT_TRUE(result.why.starts_with("deflection")) << result.why;
 }
 
@@ -214,7 +215,7 @@ TEST(StruckPart, RootHasTheMomentOfItsSupportInTime) {
     EXPECT_LT(result.held.band_high - result.held.band_low, 0.02 * beam.root);
     EXPECT_EQ(result.held.value, result.impacts[0].rows.back().nominal);
     EXPECT_LT(judged_peak(result).band_low, 0.95 * beam.root);
-    EXPECT_EQ(result.verdict, PartVerdict::kFail);
+    EXPECT_EQ(result.verdict, part::Verdict::kFail);
     EXPECT_TRUE(result.why.starts_with("nominal stress")) << result.why;
   }
 }
@@ -279,7 +280,7 @@ TEST(StruckPart, IsFollowedWhileAForcePresses) {
   EXPECT_GT(judged.band_high, 0.95 * late);
   EXPECT_LT(judged.band_high, 1.5 * late);
   EXPECT_GT(impact.later_stress, 1.0);
-  EXPECT_EQ(result.verdict, PartVerdict::kNotJudged);
+  EXPECT_EQ(result.verdict, part::Verdict::kNotJudged);
 }
 
 // Each mode loses at its own pace, 2 ζ ω: Timoshenko's beam by Runge and Kutta.
@@ -333,13 +334,13 @@ TEST(StruckPart, IsNotJudgedWhereItsTimeIsCut) {
   job.impacts[0].strike.duration = 5e-4;
   const PartResult cut = check_part(job).result;
   EXPECT_TRUE(cut.impacts[0].is_cut);
-  EXPECT_EQ(cut.verdict, PartVerdict::kNotJudged);
+  EXPECT_EQ(cut.verdict, part::Verdict::kNotJudged);
   EXPECT_NE(cut.why.find("still presses"), std::string::npos) << cut.why;
   EXPECT_GT(cut.impacts[0].later_stress, 1.1);
   job.impacts[0].strike.duration.reset();
   const PartResult whole = check_part(job).result;
   EXPECT_FALSE(whole.impacts[0].is_cut);
-  EXPECT_EQ(whole.verdict, PartVerdict::kPass) << whole.why;
+  EXPECT_EQ(whole.verdict, part::Verdict::kPass) << whole.why;
 }
 
 TEST(StruckPart, IsRefusedOnAHeldFace) {

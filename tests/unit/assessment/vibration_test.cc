@@ -10,6 +10,7 @@
 #include "assessment/vibration/load_pace.h"
 #include "assessment/vibration/vibration_times.h"
 #include "mesh/quality/mass_properties.h"
+#include "part/verdict.h"
 #include "support/structured_mesh.h"
 
 namespace clevis::assessment {
@@ -99,11 +100,11 @@ TEST(Vibration, DecidesTheVerdict) {
   PartJob job = bar(0.8 * transit());
   job.part.limits.safety_factor = 5.0;  // 7.5 at rest, 3.75 in the wave
   const PartResult result = check_part(job).result;
-  EXPECT_EQ(result.verdict, PartVerdict::kFail);
+  EXPECT_EQ(result.verdict, part::Verdict::kFail);
   EXPECT_NE(result.why.find("with vibration"), std::string::npos) << result.why;
   job.impact_loads.clear();
   const PartResult still = check_part(job).result;
-  EXPECT_NE(still.verdict, PartVerdict::kFail);
+  EXPECT_NE(still.verdict, part::Verdict::kFail);
   EXPECT_NEAR(still.safety_factor, 7.5, 1e-6);
 }
 

@@ -7,6 +7,7 @@
 
 #include "machine/bearing_life.h"
 #include "mechanism/simulate.h"
+#include "part/verdict.h"
 #include "support/landing_gear.h"
 
 namespace clevis::machine {
@@ -118,10 +119,10 @@ TEST(BearingHistory, BearingOfAGearedJointCannotPass) {
   bearing.dynamic_factors = AxialFactors{1.0, 1.0, 0.0};
   bearing.static_factors = AxialFactors{1.0, 1.0, 0.0};
   EXPECT_EQ(judge_bearings({bearing}, m, motion)[0].verdict,
-            BearingVerdict::kPass);
+            part::Verdict::kPass);
   m.couplings.push_back({.joint_1 = 1, .joint_2 = 0});
   EXPECT_EQ(judge_bearings({bearing}, m, motion)[0].verdict,
-            BearingVerdict::kNotJudged);
+            part::Verdict::kNotJudged);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "part/verdict.h"
+
 namespace clevis::machine {
 namespace {
 
@@ -58,7 +60,7 @@ TEST(BearingLife, OfTheSourcesBearing) {
   EXPECT_NEAR(*result.life_cycles / *result.life, 1.0, 1e-12);
   EXPECT_NEAR(*result.life_seconds / (2.0 * *result.life), 1.0, 1e-12);
   EXPECT_NEAR(*result.static_safety, 550.0 / 1118.033988749895, 1e-12);
-  EXPECT_EQ(result.verdict, BearingVerdict::kFail);
+  EXPECT_EQ(result.verdict, part::Verdict::kFail);
   EXPECT_EQ(codes(result), (std::vector<std::string>{"B001", "B004"}));
 }
 
@@ -165,22 +167,22 @@ TEST(BearingLoad, EquivalentLoadsByTheirFactors) {
 TEST(BearingVerdict, WhatTheFormulasDoNotCoverIsNotJudged) {
   auto some = history(1.0, 11, constant(100.0), constant(1.0));
   EXPECT_EQ(judge_bearing(bearing_1000096(), some).verdict,
-            BearingVerdict::kPass);
+            part::Verdict::kPass);
   auto axial = some;
   axial[5].axial = 10.0;
   auto result = judge_bearing(bearing_1000096(), axial);
   EXPECT_EQ(codes(result), (std::vector<std::string>{"B002", "B002"}));
-  EXPECT_EQ(result.verdict, BearingVerdict::kNotJudged);
+  EXPECT_EQ(result.verdict, part::Verdict::kNotJudged);
 
   BearingDefinition wide = bearing_1000096();
   wide.width = 5e-3;
   auto tilted = some;
   tilted[5].tilt = 0.24;  // as if 2.4 mm beside
-  EXPECT_EQ(judge_bearing(wide, tilted).verdict, BearingVerdict::kPass);
+  EXPECT_EQ(judge_bearing(wide, tilted).verdict, part::Verdict::kPass);
   tilted[5].tilt = 0.26;
   EXPECT_EQ(codes(judge_bearing(wide, tilted)),
             std::vector<std::string>{"B005"});
-  EXPECT_EQ(judge_bearing(wide, tilted).verdict, BearingVerdict::kNotJudged);
+  EXPECT_EQ(judge_bearing(wide, tilted).verdict, part::Verdict::kNotJudged);
 
   BearingDefinition strong = bearing_1000096();
   strong.static_rating = 2000.0;
@@ -188,14 +190,14 @@ TEST(BearingVerdict, WhatTheFormulasDoNotCoverIsNotJudged) {
   const auto heavy = history(1.0, 11, constant(800.0), constant(1.0));
   EXPECT_EQ(codes(judge_bearing(strong, heavy)),
             std::vector<std::string>{"B004"});
-  EXPECT_EQ(judge_bearing(strong, heavy).verdict, BearingVerdict::kNotJudged);
+  EXPECT_EQ(judge_bearing(strong, heavy).verdict, part::Verdict::kNotJudged);
 }
 
 TEST(BearingVerdict, ForceOfTeethIsMissedByName) {
   const auto some = history(1.0, 11, constant(100.0), constant(1.0));
   const auto result = judge_bearing(bearing_1000096(), some, true);
   EXPECT_EQ(codes(result), std::vector<std::string>{"B007"});
-  EXPECT_EQ(result.verdict, BearingVerdict::kNotJudged);
+  EXPECT_EQ(result.verdict, part::Verdict::kNotJudged);
 }
 
 TEST(BearingVerdict, LifeWantedIsALimit) {
@@ -203,9 +205,9 @@ TEST(BearingVerdict, LifeWantedIsALimit) {
   const auto load = history(1.0, 11, constant(500.0), constant(1.0));
   const double life = *judge_bearing(bearing, load).life_seconds;
   bearing.life_wanted = 0.999 * life;
-  EXPECT_EQ(judge_bearing(bearing, load).verdict, BearingVerdict::kPass);
+  EXPECT_EQ(judge_bearing(bearing, load).verdict, part::Verdict::kPass);
   bearing.life_wanted = 1.001 * life;
-  EXPECT_EQ(judge_bearing(bearing, load).verdict, BearingVerdict::kFail);
+  EXPECT_EQ(judge_bearing(bearing, load).verdict, part::Verdict::kFail);
 }
 
 TEST(BearingVerdict, JointThatDoesNotTurnHasNoLife) {
@@ -213,14 +215,14 @@ TEST(BearingVerdict, JointThatDoesNotTurnHasNoLife) {
       bearing_1000096(), history(1.0, 11, constant(100.0), constant(1e-17)));
   EXPECT_FALSE(result.life || result.life_cycles || result.life_seconds);
   EXPECT_EQ(codes(result), std::vector<std::string>{"B003"});
-  EXPECT_EQ(result.verdict, BearingVerdict::kPass);
+  EXPECT_EQ(result.verdict, part::Verdict::kPass);
 }
 
 TEST(BearingVerdict, NoLoadHasNoBound) {
   const auto result = judge_bearing(
       bearing_1000096(), history(1.0, 11, constant(0.0), constant(1.0)));
   EXPECT_FALSE(result.life || result.static_safety);
-  EXPECT_EQ(result.verdict, BearingVerdict::kPass);
+  EXPECT_EQ(result.verdict, part::Verdict::kPass);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "part/verdict.h"
+
 namespace clevis::report {
 
 using assessment::PeakVerdict;
@@ -11,7 +13,7 @@ using assessment::PeakVerdict;
 assessment::PartResult sample_part(const std::string& name) {
   assessment::PartResult part;
   part.name = name;
-  part.verdict = assessment::PartVerdict::kPass;
+  part.verdict = part::Verdict::kPass;
   part.why = "safety factor 2.84 >= 1.5";
   part.model = "plane stress, p = 4";
   part.dofs = 4758;

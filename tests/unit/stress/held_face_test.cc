@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "elasticity/solid/solid_solve.h"
+#include "part/supports.h"
 #include "support/annulus_mesh.h"
 #include "support/structured_mesh.h"
 
@@ -16,7 +17,6 @@ namespace clevis::stress {
 namespace {
 
 using Eigen::Vector3d;
-using Fixed = std::map<std::string, std::array<bool, 3>>;
 
 const part::Material kSteel{"steel", 210e9, 0.3, 7850.0, 355e6};
 const Vector3d kSize(0.2, 0.012, 0.02);
@@ -34,7 +34,7 @@ mesh::PartMesh<3> bar(int cells = 4, int degree = 1) {
 std::vector<HeldFace> held_by(const mesh::PartMesh<3>& mesh,
                               const std::string& side, const Vector3d& at,
                               const std::vector<loads::Wrench>& loads,
-                              const Fixed& fixed, int degree,
+                              const part::Supports& fixed, int degree,
                               const part::Material& material = kSteel) {
   loads::LoadHistory history;
   history.seats = {{"side", side, loads::SeatKind::kTraction, at}};
@@ -133,7 +133,8 @@ TEST(HeldFace, IsAConnectedPlanePiece) {
     return p.z() > 0.0;
   });
   const loads::Wrench bends{{300.0, -70.0, 40.0}, {0.0, 2.0, -1.0}};
-  const Fixed both{{"x0", {true, true, true}}, {"upper", {true, true, true}}};
+  const part::Supports both{{"x0", {true, true, true}},
+                            {"upper", {true, true, true}}};
   const auto whole =
       held_by(bar(), "x1", kTip, {bends}, {{"x0", {true, true, true}}}, 2);
   const auto halves = held_by(split, "x1", kTip, {bends}, both, 2);
@@ -163,7 +164,7 @@ TEST(HeldFace, HasTheLoadsOfItsOwnNodes) {
   loads::InstantLoad whirls;
   whirls.rigid.acceleration = Vector3d(2e5, 0.0, 0.0);
   history.instants = {whirls};
-  const Fixed fixed{{"x0", {true, true, true}}};
+  const part::Supports fixed{{"x0", {true, true, true}}};
   const auto mesh = bar(1);
   const auto basis =
       elasticity::solve<3>({mesh, kSteel, history, fixed, "bar"}, 1);
@@ -205,7 +206,7 @@ TEST(HeldFace, OfAPlateInItsPlane) {
   history.seats = {{"side", "x1", loads::SeatKind::kTraction, kTip}};
   history.instants.resize(1);
   history.instants[0].wrenches = {{{200.0, -50.0, 0.0}, Vector3d::Zero()}};
-  const Fixed fixed{{"x0", {true, true, true}}};
+  const part::Supports fixed{{"x0", {true, true, true}}};
   const auto basis =
       elasticity::solve<2>({plate, kSteel, history, fixed, "plate"}, 2);
   const auto faces = held_faces<2>(basis, kSteel, fixed, history, "plate");

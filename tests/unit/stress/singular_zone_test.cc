@@ -73,6 +73,34 @@ TEST(SingularZone, ConvexPlateAndFacetsOfACurveHaveNone) {
   EXPECT_TRUE(singular_zones<2>(ring, kSteel, {}).empty());
 }
 
+// Its two corners stand one cell apart, alike, and make no curve; three do.
+TEST(SingularZone, GrooveOfOneCellHasTwoNotches) {
+  const auto strip = [](int level_cells) {
+    const int cells = 4 + level_cells;
+    auto mesh = support::structured_mesh<2>(
+        {cells, 2}, 1, [&](const Vector2d& x) -> Vector2d {
+          const double at = cells * x.x();
+          const double lift =
+              std::clamp(std::min(at - 1.0, cells - 1.0 - at), 0.0, 1.0);
+          return 1e-3 * Vector2d(at, lift * (1.0 - x.y()) + 4.0 * x.y());
+        });
+    mesh.thickness = 0.005;
+    return mesh;
+  };
+  EXPECT_EQ(singular_zones<2>(strip(1), kSteel, {}).size(), 2u);
+  EXPECT_EQ(singular_zones<2>(strip(2), kSteel, {}).size(), 2u);
+}
+
+// 12 facets round a hole kink by 30 degrees each.
+TEST(SingularZone, CoarseHoleHasNone) {
+  const auto ring = support::structured_mesh<2>(
+      {2, 12}, 1, [](const Vector2d& x) -> Vector2d {
+        const double r = 0.01 * (1.0 + x.x()), angle = 1.5 * pi * x.y();
+        return {r * std::cos(angle), r * std::sin(angle)};
+      });
+  EXPECT_TRUE(singular_zones<2>(ring, kSteel, {}).empty());
+}
+
 TEST(SingularZone, FacetsOfACurveTellTheirKink) {
   const auto ring = support::ring_mesh<3>(
       {.inner = 0.005, .outer = 0.02, .radial = 3, .angular = 32, .degree = 1});

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "part/supports.h"
 #include "support/annulus_mesh.h"
 #include "support/structured_mesh.h"
 
@@ -18,7 +19,6 @@ namespace clevis::elasticity {
 namespace {
 
 using Eigen::Vector3d;
-using Fixed = std::map<std::string, std::array<bool, 3>>;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kTolerance = 5e-3;  // what the issue asks for
@@ -56,11 +56,10 @@ loads::LoadHistory one_instant(std::vector<loads::SurfaceLoad> surfaces) {
   return history;
 }
 
-BucklingMode buckling(const mesh::PartMesh<3>& mesh, int degree,
-                      const part::Material& material,
-                      const loads::LoadHistory& history, const Fixed& fixed,
-                      const std::vector<std::vector<std::string>>& holds = {
-                          {}}) {
+BucklingMode buckling(
+    const mesh::PartMesh<3>& mesh, int degree, const part::Material& material,
+    const loads::LoadHistory& history, const part::Supports& fixed,
+    const std::vector<std::vector<std::string>>& holds = {{}}) {
   return lowest_buckling(
       {discretize<3>(mesh, degree), material, history, fixed, holds, "box"});
 }

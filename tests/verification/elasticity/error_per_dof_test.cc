@@ -13,6 +13,7 @@
 
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/solid/solid_solve.h"
+#include "part/supports.h"
 #include "stress/stress_history.h"
 #include "support/annulus_mesh.h"
 #include "support/elastic_field_problem.h"
@@ -75,9 +76,9 @@ Measured bore_error(const elasticity::DisplacementBasis<dim>& basis,
 
 /// Supports of a quarter on its cuts; in 3-D plane strain.
 template <int dim>
-std::map<std::string, std::array<bool, 3>> quarter_supports() {
-  std::map<std::string, std::array<bool, 3>> fixed = {
-      {"y0", {false, true, false}}, {"y1", {true, false, false}}};
+part::Supports quarter_supports() {
+  part::Supports fixed = {{"y0", {false, true, false}},
+                          {"y1", {true, false, false}}};
   if (dim == 3) fixed["z0"] = fixed["z1"] = {false, false, true};
   return fixed;
 }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "part/supports.h"
 #include "stress/stress_history.h"
 #include "support/annulus_mesh.h"
 #include "support/convergence.h"
@@ -48,8 +49,8 @@ stress::InstantField solve_quarter(int cells, int degree) {
         t[1] = s[3] * n[0] + s[1] * n[1];
         return t;
       }};
-  std::map<std::string, std::array<bool, 3>> fixed = {
-      {"y0", {false, true, false}}, {"y1", {true, false, false}}};
+  part::Supports fixed = {{"y0", {false, true, false}},
+                          {"y1", {true, false, false}}};
   if (dim == 3) fixed["z0"] = fixed["z1"] = {false, false, true};
   const loads::LoadHistory none;
   const auto basis = support::solve_field<dim>(

@@ -8,6 +8,7 @@
 
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/solid/solid_solve.h"
+#include "part/supports.h"
 #include "stress/stress_history.h"
 #include "support/annulus_mesh.h"
 #include "support/convergence.h"
@@ -62,8 +63,8 @@ stress::InstantField solve_quarter(int cells, int degree) {
   loads::LoadHistory history;
   history.instants.push_back({});
   history.instants[0].surface_loads.push_back(load);
-  std::map<std::string, std::array<bool, 3>> fixed = {
-      {"y0", {false, true, false}}, {"y1", {true, false, false}}};
+  part::Supports fixed = {{"y0", {false, true, false}},
+                          {"y1", {true, false, false}}};
   if (dim == 3) {
     fixed["z0"] = fixed["z1"] = {false, false, true};
   }

@@ -12,6 +12,7 @@
 #include "elasticity/plate/layered_stiffness.h"
 #include "elasticity/plate/plate_layer.h"
 #include "elasticity/solid/solid_solve.h"
+#include "part/supports.h"
 #include "stress/probe.h"
 #include "stress/stress_history.h"
 #include "support/eye_problem.h"
@@ -171,8 +172,7 @@ TEST(Layered, ThickEyeUnderGeneralLoadsMatchesHexahedra) {
 // Held on a side, also across the plate: the supports of a case.
 TEST(Layered, FixedSidesMatchHexahedra) {
   ThickEye eye;
-  const std::map<std::string, std::array<bool, 3>> fixed = {
-      {"x0", {true, true, true}}};
+  const part::Supports fixed = {{"x0", {true, true, true}}};
   auto problem = eye.solid.problem();
   auto history = eye.solid.history;
   history.seats.erase(history.seats.begin());

@@ -16,6 +16,7 @@
 
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/solid/solid_solve.h"
+#include "part/supports.h"
 #include "stress/stress_history.h"
 #include "support/annulus_mesh.h"
 #include "support/elastic_field_problem.h"
@@ -28,7 +29,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using support::Vector6d;
-using Supports = std::map<std::string, std::array<bool, 3>>;
 
 void expect_published(const char* problem, double value, double published,
                       double tolerance, int dofs) {
@@ -91,7 +91,7 @@ double cook_deflection(const part::Material& material, int cells, int degree,
   load.resultant.moment =
       Vector3d(48, 52, dim == 3 ? 0.5 : 0.0).cross(load.resultant.force);
   history.instants[0].surface_loads.push_back(load);
-  Supports fixed = {{"x0", {true, true, false}}};
+  part::Supports fixed = {{"x0", {true, true, false}}};
   if (dim == 3) fixed["z0"] = fixed["z1"] = {false, false, true};
   const auto basis =
       elasticity::solve<dim>({mesh, material, history, fixed, "Cook"}, degree);

@@ -14,6 +14,8 @@
 #include <gtest/gtest.h>
 
 #include "assessment/part_check.h"
+#include "part/supports.h"
+#include "part/verdict.h"
 #include "support/annulus_mesh.h"
 #include "support/corner_mesh.h"
 #include "support/fillet_mesh.h"
@@ -29,7 +31,6 @@ using assessment::PeakVerdict;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using std::numbers::pi;
-using Held = std::map<std::string, std::array<bool, 3>>;
 using Tractions = std::map<std::string, Vector3d>;
 
 constexpr double kSize = 0.02;
@@ -44,14 +45,14 @@ struct Configuration {
 };
 
 PartJob plate_job(const mesh::PartMesh<2>& mesh, const Tractions& tractions,
-                  const Held& held, double nu = 0.3) {
+                  const part::Supports& held, double nu = 0.3) {
   auto job = support::job_of(support::extruded(mesh), tractions, held, nu);
   job.model = ModelChoice::kPlaneStress;
   return job;
 }
 
 PartJob solid_job(const mesh::PartMesh<3>& mesh, const Tractions& tractions,
-                  const Held& held) {
+                  const part::Supports& held) {
   auto job = support::job_of(mesh, tractions, held);
   job.model = ModelChoice::kSolid;
   return job;
@@ -131,7 +132,7 @@ void add_clamps(std::vector<Configuration>& all) {
     for (auto& face : half.boundary) {
       if (face.group == 2 && face.cell % 4 < 2) face.group = 4;
     }
-    Held held = {{"half", {!rolling, true, false}}};
+    part::Supports held = {{"half", {!rolling, true, false}}};
     if (rolling) held["x0"] = {true, false, false};
     all.push_back({rolling ? "rollers under one half" : "clamp under one half",
                    plate_job(half, {{"y1", Vector3d(0, 20e6, 0)}}, held), 0.5});
@@ -237,8 +238,8 @@ mesh::PartMesh<2> quarter_plate(double a, double b, int cells) {
 }
 
 void add_holes(std::vector<Configuration>& all) {
-  const Held rollers = {{"y0", {false, true, false}},
-                        {"y1", {true, false, false}}};
+  const part::Supports rollers = {{"y0", {false, true, false}},
+                                  {"y1", {true, false, false}}};
   for (const auto& [a, b, cells] : {std::tuple{0.25, 0.25, 4},
                                     {0.5, 0.5, 4},
                                     {0.25, 0.5, 6},
@@ -359,7 +360,7 @@ TEST(Singular, NoSingularConfigurationIsCalledConverged) {
     print(configuration, result);
     EXPECT_EQ(result.peak.verdict, PeakVerdict::kSingular)
         << configuration.name;
-    EXPECT_NE(result.verdict, assessment::PartVerdict::kPass);
+    EXPECT_NE(result.verdict, part::Verdict::kPass);
     // The zone that was built in is among those found.
     double nearest = 1.0;
     double measured = 1.0;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
+#include "part/supports.h"
 #include "support/structured_mesh.h"
 
 namespace clevis::elasticity {
@@ -22,7 +23,7 @@ Discretization<3> block() {
                        2);
 }
 
-std::string complaint(const std::map<std::string, std::array<bool, 3>>& fixed) {
+std::string complaint(const part::Supports& fixed) {
   const auto discretization = block();
   try {
     fixed_supports<3>(discretization, node_positions(discretization), fixed,

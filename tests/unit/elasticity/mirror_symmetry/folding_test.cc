@@ -8,6 +8,7 @@
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "elasticity/solid/solid_solve.h"
+#include "part/supports.h"
 #include "support/elastic_field_problem.h"
 #include "support/eye_problem.h"
 #include "support/structured_mesh.h"
@@ -111,8 +112,7 @@ loads::LoadHistory traction(const Vector3d& direction) {
 TEST(Folding, ClampedBlockMovesAsTheWhole) {
   const auto mesh = block({4, 2, 2});
   const part::Material material{"steel", 210e9, 0.3, 7850.0, 355e6};
-  const std::map<std::string, std::array<bool, 3>> clamp = {
-      {"x0", {true, true, true}}};
+  const part::Supports clamp = {{"x0", {true, true, true}}};
   const auto along = traction({1, 0, 0});
   expect_same_as_whole({mesh, material, along, clamp, "P"});
   const auto skew = traction({1, -2, 0.5});

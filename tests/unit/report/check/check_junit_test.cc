@@ -2,14 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "part/verdict.h"
 #include "report/text/junit.h"
 #include "unit/report/sample_report.h"
 
 namespace clevis::report {
 namespace {
 
-using assessment::PartVerdict;
 using assessment::PeakVerdict;
+using part::Verdict;
 
 /// The line of one test case.
 std::string line_of(const std::string& xml, const std::string& part,
@@ -24,7 +25,7 @@ bool holds(const std::string& text, const std::string& piece) {
   return text.find(piece) != std::string::npos;
 }
 
-CheckReport report_of(PartVerdict verdict) {
+CheckReport report_of(part::Verdict verdict) {
   CheckReport report = sample_report();
   report.parts.resize(1);
   report.parts[0].verdict = verdict;
@@ -32,7 +33,7 @@ CheckReport report_of(PartVerdict verdict) {
 }
 
 TEST(CheckJunit, PassingPartHasFourCasesWithNumbers) {
-  const std::string xml = check_junit(report_of(PartVerdict::kPass));
+  const std::string xml = check_junit(report_of(Verdict::kPass));
   EXPECT_TRUE(holds(xml,
                     "name=\"landing gear\" tests=\"4\" failures=\"0\" "
                     "errors=\"0\" skipped=\"1\" time=\"0.210\""));
@@ -43,7 +44,7 @@ TEST(CheckJunit, PassingPartHasFourCasesWithNumbers) {
 }
 
 TEST(CheckJunit, ExceededLimitIsAFailureAndTheKeptOneIsNot) {
-  CheckReport report = report_of(PartVerdict::kFail);
+  CheckReport report = report_of(Verdict::kFail);
   report.parts[0].safety_factor = 1.25;
   report.parts[0].why = "too weak";
   const std::string xml = check_junit(report);
@@ -57,7 +58,7 @@ TEST(CheckJunit, ExceededLimitIsAFailureAndTheKeptOneIsNot) {
 }
 
 TEST(CheckJunit, DeflectionAboveItsLimitIsAFailure) {
-  CheckReport report = report_of(PartVerdict::kFail);
+  CheckReport report = report_of(Verdict::kFail);
   report.parts[0].deflection = 0.6e-3;
   report.parts[0].deflection_low = 0.59e-3;
   report.parts[0].deflection_high = 0.61e-3;
@@ -67,7 +68,7 @@ TEST(CheckJunit, DeflectionAboveItsLimitIsAFailure) {
 }
 
 TEST(CheckJunit, UnsettledPeakIsAnErrorEverywhere) {
-  CheckReport report = report_of(PartVerdict::kNotJudged);
+  CheckReport report = report_of(Verdict::kNotJudged);
   report.parts[0].peak.verdict = PeakVerdict::kSingular;
   const std::string xml = check_junit(report);
   EXPECT_TRUE(holds(xml, "failures=\"0\" errors=\"3\""));
@@ -76,33 +77,33 @@ TEST(CheckJunit, UnsettledPeakIsAnErrorEverywhere) {
 
 // A band wider than the tolerance may decide all the same.
 TEST(CheckJunit, WideBandThatPassesIsNoError) {
-  CheckReport report = report_of(PartVerdict::kPass);
+  CheckReport report = report_of(Verdict::kPass);
   report.parts[0].peak.verdict = PeakVerdict::kNotConverged;
   EXPECT_TRUE(holds(check_junit(report), "failures=\"0\" errors=\"0\""));
-  report.parts[0].verdict = PartVerdict::kNotJudged;
+  report.parts[0].verdict = Verdict::kNotJudged;
   EXPECT_TRUE(holds(check_junit(report), "failures=\"0\" errors=\"3\""));
 }
 
 TEST(CheckJunit, AbsentLimitIsSkipped) {
-  CheckReport report = report_of(PartVerdict::kPass);
+  CheckReport report = report_of(Verdict::kPass);
   report.limits.clear();
   EXPECT_TRUE(holds(check_junit(report), "errors=\"0\" skipped=\"3\""));
 }
 
 // The verdict may rest on something that the three cases do not show.
 TEST(CheckJunit, NeverLooksBetterThanTheVerdict) {
-  CheckReport report = report_of(PartVerdict::kFail);
+  CheckReport report = report_of(Verdict::kFail);
   report.parts[0].why = "buckling";
   std::string xml = check_junit(report);
   EXPECT_TRUE(holds(line_of(xml, "DCE", "verdict"), "<failure"));
-  report = report_of(PartVerdict::kNotJudged);
+  report = report_of(Verdict::kNotJudged);
   report.limits.clear();
   xml = check_junit(report);
   EXPECT_TRUE(holds(line_of(xml, "DCE", "verdict"), "<error"));
 }
 
 TEST(CheckJunit, FailedAndMissingPartsAreErrors) {
-  CheckReport report = report_of(PartVerdict::kPass);
+  CheckReport report = report_of(Verdict::kPass);
   report.failures.push_back(
       {"AB", Error("F003", "part AB", "residual 0.1", "Report the scene.")});
   report.complete = false;

@@ -5,14 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include "part/verdict.h"
 #include "report/text/text_table.h"
 #include "unit/report/sample_report.h"
 
 namespace clevis::report {
 namespace {
 
-using assessment::PartVerdict;
 using assessment::PeakVerdict;
+using part::Verdict;
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream stream(text);
@@ -74,7 +75,7 @@ TEST(CheckTable, PartTakesOneLineWithAllItsFigures) {
 
 TEST(CheckTable, ReasonsStandBelowTheirPart) {
   CheckReport report = sample_report();
-  report.parts[0].verdict = PartVerdict::kNotJudged;
+  report.parts[0].verdict = Verdict::kNotJudged;
   report.parts[0].why = "the peak grows without bound";
   report.parts[0].peak.verdict = PeakVerdict::kSingular;
   const auto lines = lines_of(check_table(report, Colour::kNone));

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "part/verdict.h"
 #include "report/check/result_files.h"
 #include "support/json_schema.h"
 #include "support/source_dir.h"
@@ -168,23 +169,23 @@ TEST(ResultJson, NonFiniteResultIsRefusedByPartAndKey) {
 }
 
 TEST(CheckReport, VerdictIsTheWorstOfTheParts) {
-  using assessment::PartVerdict;
+  using part::Verdict;
   CheckReport report = sample_report();
   EXPECT_EQ(exit_code(report), ExitCode::kPass);
   report.complete = false;
   EXPECT_EQ(exit_code(report), ExitCode::kNotJudged);
   report.complete = true;
-  report.parts[0].verdict = PartVerdict::kNotJudged;
-  EXPECT_EQ(overall_verdict(report), PartVerdict::kNotJudged);
+  report.parts[0].verdict = Verdict::kNotJudged;
+  EXPECT_EQ(overall_verdict(report), Verdict::kNotJudged);
   EXPECT_EQ(exit_code(report), ExitCode::kNotJudged);
-  report.parts[1].verdict = PartVerdict::kFail;
-  EXPECT_EQ(overall_verdict(report), PartVerdict::kFail);
+  report.parts[1].verdict = Verdict::kFail;
+  EXPECT_EQ(overall_verdict(report), Verdict::kFail);
   EXPECT_EQ(exit_code(report), ExitCode::kLimitExceeded);
   report.failures.push_back({"AB", Error("M005", "AB", "folded", "Mesh it.")});
   EXPECT_EQ(exit_code(report), ExitCode::kMeshInvalid);
   report.parts.clear();
   report.failures.clear();
-  EXPECT_EQ(overall_verdict(report), PartVerdict::kNotJudged);
+  EXPECT_EQ(overall_verdict(report), Verdict::kNotJudged);
 }
 
 TEST(ResultFiles, AllAreWritten) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "part/verdict.h"
 #include "report/check/result_json.h"
 #include "report/compare/comparison_output.h"
 #include "report/compare/result_reader.h"
@@ -178,7 +179,7 @@ TEST(Comparison, ReactionsAreHeldToSixDigits) {
 
 TEST(Comparison, VerdictsAreExact) {
   EXPECT_EQ(regressions_after([](Report&, Part& part) {
-              part.verdict = assessment::PartVerdict::kFail;
+              part.verdict = part::Verdict::kFail;
             }),
             "check verdict, part DCE verdict");
   EXPECT_EQ(regressions_after([](Report&, Part& part) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "part/verdict.h"
 #include "report/check/check_junit.h"
 #include "report/check/check_table.h"
 #include "report/check/result_json.h"
@@ -17,10 +18,10 @@
 namespace clevis::report {
 namespace {
 
-using machine::BearingVerdict;
 using nlohmann::json;
+using part::Verdict;
 
-BearingReport sample_bearing(BearingVerdict verdict) {
+BearingReport sample_bearing(part::Verdict verdict) {
   machine::BearingResult result;
   result.name = "pin, left";
   result.dynamic_rating = 1470.0;
@@ -35,12 +36,12 @@ BearingReport sample_bearing(BearingVerdict verdict) {
   result.life_seconds = 7200.0;
   result.life_wanted = 3600.0;
   result.verdict = verdict;
-  if (verdict != BearingVerdict::kPass) result.why = "P0 too large";
+  if (verdict != Verdict::kPass) result.why = "P0 too large";
   result.warnings = {{"B001", "P0 > C0"}, {"B004", "P > C/2"}};
   return {result, "C"};
 }
 
-CheckReport report_with(BearingVerdict verdict) {
+CheckReport report_with(part::Verdict verdict) {
   CheckReport report = sample_report();
   report.bearings = {sample_bearing(verdict)};
   return report;
@@ -49,8 +50,8 @@ CheckReport report_with(BearingVerdict verdict) {
 TEST(BearingOutput, ResultFitsThePublishedSchema) {
   std::ifstream file(support::source_dir() / "docs/result.schema.json");
   const json schema = json::parse(file);
-  CheckReport report = report_with(BearingVerdict::kFail);
-  report.bearings.push_back(sample_bearing(BearingVerdict::kPass));
+  CheckReport report = report_with(Verdict::kFail);
+  report.bearings.push_back(sample_bearing(Verdict::kPass));
   auto& idle = report.bearings[1].result;
   idle.life = idle.life_cycles = idle.life_seconds = idle.static_safety =
       idle.life_wanted = std::nullopt;
@@ -63,26 +64,24 @@ TEST(BearingOutput, ResultFitsThePublishedSchema) {
 }
 
 TEST(BearingOutput, AFailedBearingFailsTheCheck) {
-  EXPECT_EQ(exit_code(report_with(BearingVerdict::kPass)), ExitCode::kPass);
-  EXPECT_EQ(exit_code(report_with(BearingVerdict::kFail)),
-            ExitCode::kLimitExceeded);
-  EXPECT_EQ(exit_code(report_with(BearingVerdict::kNotJudged)),
-            ExitCode::kNotJudged);
+  EXPECT_EQ(exit_code(report_with(Verdict::kPass)), ExitCode::kPass);
+  EXPECT_EQ(exit_code(report_with(Verdict::kFail)), ExitCode::kLimitExceeded);
+  EXPECT_EQ(exit_code(report_with(Verdict::kNotJudged)), ExitCode::kNotJudged);
 }
 
 TEST(BearingOutput, JunitTellsStaticSafetyAndLife) {
-  const std::string failed = check_junit(report_with(BearingVerdict::kFail));
+  const std::string failed = check_junit(report_with(Verdict::kFail));
   EXPECT_NE(failed.find("failures=\"1\" errors=\"0\""), std::string::npos);
   EXPECT_NE(failed.find("P0 1200 N, C0 550 N"), std::string::npos);
   EXPECT_NE(failed.find("L10 2 h, at least 1 h wanted"), std::string::npos);
-  CheckReport open = report_with(BearingVerdict::kNotJudged);
+  CheckReport open = report_with(Verdict::kNotJudged);
   open.bearings[0].result.static_safety = 1.5;
   EXPECT_NE(check_junit(open).find("failures=\"0\" errors=\"2\""),
             std::string::npos);
 }
 
 TEST(BearingOutput, TableAndCsvNameWarningsByCode) {
-  const CheckReport report = report_with(BearingVerdict::kFail);
+  const CheckReport report = report_with(Verdict::kFail);
   const std::string table = check_table(report, Colour::kNone);
   EXPECT_NE(table.find("B001: P0 > C0"), std::string::npos);
   EXPECT_NE(table.find("fail: P0 too large"), std::string::npos);
@@ -101,8 +100,8 @@ std::vector<std::string> moved_after(const BearingReport& changed) {
     std::ofstream(folder / "result.json") << result_json(report);
     return read_result(folder.path());
   };
-  const Comparison comparison = compare(
-      stored(changed), stored(sample_bearing(BearingVerdict::kPass)), {});
+  const Comparison comparison =
+      compare(stored(changed), stored(sample_bearing(Verdict::kPass)), {});
   std::vector<std::string> moved;
   for (const ComparisonRow& row : comparison.rows) {
     if (is_regression(row)) moved.push_back(row.subject + ": " + row.quantity);
@@ -111,14 +110,14 @@ std::vector<std::string> moved_after(const BearingReport& changed) {
 }
 
 TEST(BearingOutput, ComparisonSeesLoadLifeAndVerdict) {
-  BearingReport bearing = sample_bearing(BearingVerdict::kPass);
+  BearingReport bearing = sample_bearing(Verdict::kPass);
   EXPECT_TRUE(moved_after(bearing).empty());
   bearing.result.mean_load *= 1.0 + 1e-5;
   bearing.result.life_seconds = 7201.0;
   EXPECT_EQ(moved_after(bearing),
             (std::vector<std::string>{"bearing pin, left: bearing_life",
                                       "bearing pin, left: bearing_load"}));
-  bearing = sample_bearing(BearingVerdict::kPass);
+  bearing = sample_bearing(Verdict::kPass);
   bearing.result.life_seconds = std::nullopt;
   EXPECT_EQ(moved_after(bearing).size(), 1u);
   bearing.result.name = "another";

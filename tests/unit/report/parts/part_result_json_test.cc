@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
+#include "part/verdict.h"
 #include "unit/report/sample_report.h"
 
 namespace clevis::report {
@@ -17,7 +18,7 @@ using assessment::PartResult;
 // that is converted carelessly survives this.
 PartResult awkward_part() {
   PartResult part = sample_part("DCE");
-  part.verdict = assessment::PartVerdict::kNotJudged;
+  part.verdict = part::Verdict::kNotJudged;
   part.peak.verdict = assessment::PeakVerdict::kSingular;
   part.peak.value = std::nextafter(1.25e8, 2e8);
   part.peak.at = {1.0 / 3.0, -0.0, std::sqrt(2.0)};
