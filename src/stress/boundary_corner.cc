@@ -227,12 +227,17 @@ class Collector {
           side[s], group, extent(cell, local.face[s], corner.at, axis)};
     }
     for (const unsigned v : mesh_.cells[cell]) {
-      const Vector3d arm =
-          in_space<dim>(mesh_.vertices[v], dim == 2 ? mesh_.mid_plane_z : 0.0) -
-          corner.at;
-      corner.reach =
-          std::max(corner.reach, (arm - axis.dot(arm) * axis).norm());
+      corner.reach = std::max(corner.reach, across(v, corner.at, axis));
     }
+  }
+
+  /// Way from a point to a vertex across an axis [m].
+  double across(unsigned vertex, const Vector3d& from,
+                const Vector3d& axis) const {
+    const Vector3d arm = in_space<dim>(mesh_.vertices[vertex],
+                                       dim == 2 ? mesh_.mid_plane_z : 0.0) -
+                         from;
+    return (arm - axis.dot(arm) * axis).norm();
   }
 
   /// How far a face of a cell reaches from a point across an axis [m].
@@ -242,10 +247,7 @@ class Collector {
     for (const unsigned v :
          mesh::face_vertices(mesh_, static_cast<int>(cell), face)) {
       if (v == mesh::kNoVertex) continue;
-      const Vector3d arm =
-          in_space<dim>(mesh_.vertices[v], dim == 2 ? mesh_.mid_plane_z : 0.0) -
-          from;
-      farthest = std::max(farthest, (arm - axis.dot(arm) * axis).norm());
+      farthest = std::max(farthest, across(v, from, axis));
     }
     return farthest;
   }

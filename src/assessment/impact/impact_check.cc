@@ -348,11 +348,14 @@ void take_assessment(const PartAssessment& climbed, ImpactResult& impact) {
 /// @param stiffness  of the struck face [N/m].
 void compare_rows(double stiffness, ImpactResult& impact) {
   const ImpactRow judged = impact.rows.back();
-  const bool is_bar = impact.beam_factor > 0.0;
+  // beam theory's rows know the root's section alone
+  const bool by_section =
+      judged.nominal > 0.0 && std::ranges::any_of(impact.rows, [](auto& row) {
+        return row.stress == 0.0;
+      });
   for (ImpactRow& row : impact.rows) {
-    row.ratio = is_bar && judged.nominal > 0.0
-                    ? row.nominal / judged.nominal
-                    : std::max(row.stress, row.nominal) / judged.stress;
+    row.ratio =
+        by_section ? row.nominal / judged.nominal : row.stress / judged.stress;
     row.remark = remark_on(row, impact, judged.face, stiffness);
   }
   impact.rows.back().remark = "judged";

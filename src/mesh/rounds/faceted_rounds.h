@@ -19,7 +19,7 @@ struct FacetedRound {
 /// end: five and more vertices of a sharp rim, one after the other, on one
 /// circle (1e-5 of its radius) that turn the same way by at most 22.7° each
 /// (a circle of 16), 44° together, or that go all round a hole by at most 51.5°
-/// each (7, as coarse as gmsh makes a circle); and all faces beside such a rim,
+/// each (7); and all faces beside such a rim,
 /// and beside those, whose corners lie on that cylinder. Nothing for curved
 /// cells: their faces are what the file says.
 std::vector<FacetedRound> faceted_rounds(const PartMesh<3>& mesh);
