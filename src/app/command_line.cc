@@ -8,8 +8,8 @@
 
 #include "app/commands.h"
 #include "base/quantity.h"
-#include "scene/name_index.h"
-#include "scene/suggestion.h"
+#include "scene/text/name_index.h"
+#include "scene/text/suggestion.h"
 
 namespace clevis::app {
 namespace {

@@ -48,7 +48,7 @@ std::vector<Impact> presses(const MechanismDefinition& definition,
                             const Motion& motion) {
   std::vector<Impact> found;
   for (std::size_t e = 0; e < definition.elements.size(); ++e) {
-    if (contact_law(definition.elements[e]) == nullptr) continue;
+    if (!properties(definition.elements[e]).presses) continue;
     bool pressed = false;
     double before = motion.instants.front().t;
     for (const auto& instant : motion.instants) {
@@ -112,9 +112,8 @@ std::vector<assessment::ImpactJob> impact_jobs(
     strike.duration = given.duration;
     if (!given.contact.empty()) {
       const Impact& impact = hardest_of(definition, motion, given);
-      const auto* line =
-          std::get_if<mechanism::LineElement>(&element_of(definition, impact));
-      if (line && mechanism::is_angle(line->line, definition.joints)) {
+      if (mechanism::is_angle(element_of(definition, impact),
+                              definition.joints)) {
         throw Error("S010", given.place,
                     fmt::format("contact \"{}\" turns", given.contact),
                     "Name a contact or stop with a force, not a moment.");
@@ -150,7 +149,7 @@ std::vector<assessment::ImpactLoad> impact_loads(
     if (impact->peak_force < kCounts * largest) continue;
     const auto& element = element_of(definition, *impact);
     std::string name = name_of(element);
-    if (std::holds_alternative<mechanism::LineElement>(element)) {
+    if (mechanism::line_of(element) != nullptr) {
       name += impact->end == 0 ? ", lower" : ", upper";
     }
     const double end = motion.instants.back().t;

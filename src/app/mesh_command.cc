@@ -13,9 +13,9 @@
 #include "app/temporary_folder.h"
 #include "mesh/reading/mesh_reader.h"
 #include "report/text/atomic_file.h"
-#include "scene/name_index.h"
 #include "scene/scene.h"
-#include "scene/suggestion.h"
+#include "scene/text/name_index.h"
+#include "scene/text/suggestion.h"
 
 namespace clevis::app {
 namespace {

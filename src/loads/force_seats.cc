@@ -20,23 +20,11 @@ using mechanism::ForceElement;
 
 namespace {
 
-const ElementLine* line_of(const ForceElement& element) {
-  const auto* line = std::get_if<mechanism::LineElement>(&element);
-  return line == nullptr ? nullptr : &line->line;
-}
-
 /// Finds the force among those that act on the body.
 /// @return whether there is one.
 bool find_force(const SeatContext& context, const std::string& name,
                 ForceSeat& result) {
-  const auto& forces = context.definition.forces;
   const auto& elements = context.definition.elements;
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    if (forces[i].name != name || forces[i].body != context.body) continue;
-    result.is_constant = true;
-    result.index = i;
-    return true;
-  }
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (mechanism::name_of(elements[i]) != name ||
         !mechanism::acts_on(elements[i], context.definition.joints,
@@ -51,7 +39,7 @@ bool find_force(const SeatContext& context, const std::string& name,
 
 void find_chamber(const ForceElement& element, const part::ForceSeat& wanted,
                   ForceSeat& result) {
-  const mechanism::GasCylinderLaw* gas = mechanism::gas_law(element);
+  const mechanism::GasCylinderLaw* gas = mechanism::properties(element).gas;
   if (gas == nullptr) return;
   result.environment = gas->environment.pressure;
   const auto chamber = std::ranges::find(gas->chambers, wanted.chamber,
@@ -76,9 +64,8 @@ ForceSeat force_seat(const SeatContext& context,
                  .group = wanted.group,
                  .kind = SeatKind::kTraction,
                  .p_LS = group.centroid};
-  const ForceElement* element =
-      result.is_constant ? nullptr : &context.definition.elements[result.index];
-  const ElementLine* line = element == nullptr ? nullptr : line_of(*element);
+  const ForceElement& element = context.definition.elements[result.index];
+  const ElementLine* line = line_of(element);
   if (is_full_cylinder(group)) {
     result.seat.kind = SeatKind::kBearing;
     result.seat.p_LS = group.cylinder.p_LC;
@@ -87,7 +74,7 @@ ForceSeat force_seat(const SeatContext& context,
                       place);
     }
   }
-  if (element != nullptr) find_chamber(*element, wanted, result);
+  find_chamber(element, wanted, result);
   result.pressurized = pressurized_groups(context, wanted.pressurized, place);
   return result;
 }
@@ -109,18 +96,10 @@ void require_force_seats(const SeatContext& context) {
                             "\"GROUP\" }} }}, the bore or face that takes it",
                             name));
   };
-  for (const auto& force : context.definition.forces) {
-    if (force.body == context.body) require(force.name, force.place);
-  }
   for (const ForceElement& element : context.definition.elements) {
-    if (!mechanism::acts_on(element, context.definition.joints, context.body)) {
-      continue;
+    if (mechanism::acts_on(element, context.definition.joints, context.body)) {
+      require(name_of(element), place_of(element));
     }
-    std::visit(
-        [&](const auto& e) {
-          require(e.name, e.place);
-        },
-        element);
   }
 }
 
@@ -137,11 +116,6 @@ Wrench force_on(const SeatContext& context, const mechanism::Instant& instant,
   const auto& pose =
       instant.bodies[static_cast<std::size_t>(context.body)].pose;
   const Eigen::Matrix3d R_LW = pose.R_WL.transpose();
-  if (seat.is_constant) {
-    const auto& force = context.definition.forces[seat.index];
-    return about(R_LW * force.f_W, R_LW * force.t_W, force.p_LP,
-                 seat.seat.p_LS);
-  }
   for (const auto& action : instant.elements[seat.index].actions) {
     if (action.body != context.body) continue;
     return about(R_LW * action.f_W, R_LW * action.t_W,

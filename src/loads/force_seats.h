@@ -12,8 +12,7 @@ namespace clevis::loads {
 /// Where a [[force]] of the scene acts on the part.
 struct ForceSeat {
   Seat seat;
-  bool is_constant{};     ///< of MechanismDefinition::forces, else of elements
-  std::size_t index{};    ///< there
+  std::size_t index{};    ///< of MechanismDefinition::elements
   double area{};          ///< of the face [m²]
   std::size_t chamber{};  ///< of a gas cylinder
   double environment{};   ///< of it [Pa]

@@ -29,13 +29,14 @@ void require_mass(const MechanismDefinition& definition) {
 }
 
 /// @throws Error K002 if a force has states that no drive fixes.
-void refuse_history(const ForceModel& forces) {
+void refuse_history(const MechanismDefinition& definition,
+                    const ForceModel& forces) {
   for (std::size_t k = 0; k < forces.size(); ++k) {
     if (forces.element(k).internal < 0) continue;
     throw Error("K002", "mechanism",
                 fmt::format("force {} has a history of its own, which drives "
                             "do not fix",
-                            name_of(*forces.element(k).definition)),
+                            name_of(definition.elements[k])),
                 "choose motion = \"dynamic\", or leave the key out");
   }
 }
@@ -47,16 +48,16 @@ void require_direction(const MechanismDefinition& definition, double length,
   if (motion.instants.empty()) return;
   const Instant& start = motion.instants.front();
   for (std::size_t k = 0; k < definition.elements.size(); ++k) {
-    const auto* line = std::get_if<LineElement>(&definition.elements[k]);
-    if (line == nullptr || line->line.kind != ElementLine::Kind::kDistance) {
+    const ElementLine* line = line_of(definition.elements[k]);
+    if (line == nullptr || line->kind != ElementLine::Kind::kDistance) {
       continue;
     }
     const ElementState& state = start.elements[k];
     if (state.position > kCoincide * length || state.effort == 0.0) continue;
-    throw Error("S011", line->place,
+    throw Error("S011", place_of(definition.elements[k]),
                 fmt::format("force \"{}\" has {:.4g} N between two points that "
                             "coincide at the start: no direction to act along",
-                            line->name, state.effort),
+                            name_of(definition.elements[k]), state.effort),
                 "move one of its points, or give it an axis");
   }
 }
@@ -69,7 +70,7 @@ std::optional<LeftFree> left_free(const MechanismDefinition& definition,
   // bristles and gas have a history of their own
   const ForceModel forces(definition, frame);
   if (settings.motion == MotionKind::kDriven) {
-    refuse_history(forces);
+    refuse_history(definition, forces);
     return std::nullopt;
   }
   const ConstraintSystem system(

@@ -34,10 +34,13 @@ ROOMS = {
     "mechanism": {
         "joints": "joint types: what each holds and leaves free, in numbers and in space",
         "drives": "prescribed coordinates over time",
-        "force_laws": "force elements as data, and their laws: spring, friction, gas, motor",
+        "force_laws": "scalar laws: contact, friction, gas",
+        "element_base": "what force elements share: lines, place, modes, ends that press",
+        "line_elements": "force elements along a line, one file pair each, and their registry",
+        "force_elements": "all force elements: those beside lines, and the registry",
         "definition": "a mechanism as the user wrote it, its settings, and its motion",
         "constraints": "equations of the joints: Jacobian, assembly, continuation, mobility",
-        "forces": "force elements in place: lines, modes, wrenches on bodies",
+        "forces": "all forces of a mechanism in a state: wrenches on bodies, states, events",
         "compliance": "joints and links that give way, and how they share reactions",
         "reactions": "inverse dynamics: reactions, friction that depends on them, power balance",
         "change_points": "positions at which the Jacobian loses rank, and the branches there",
@@ -49,6 +52,15 @@ ROOMS = {
         "joint_space": "the same in joint coordinates (articulated bodies)",
         "events": "zeros, impacts and load peaks along an integration",
         "dynamic_motion": "motions that forces decide: one run from start to end",
+    },
+    "scene": {
+        "text": "the scene as text: values with places, tables with known keys, names",
+        "motion": "bodies, joints, couplings, drives, initial states, settings",
+        "element_base": "what readers of forces share: units of lines, plausible values",
+        "line_elements": "forces along a line: one reader each",
+        "force_elements": "the other forces, and the list of all readers",
+        "machine": "bearings, transmissions, ejectors",
+        "parts": "parts, materials, seats, load cases, impacts",
     },
     "mesh": {
         "basis": "Lagrange bases and quadrature of cells",
@@ -105,8 +117,9 @@ PUBLIC = {
                 " integrators/integrator_choice integrators/ode_system"
                 " integrators/switching_integrator",
     "mechanism": "definition/definition definition/drive_names definition/motion"
-                 " force_laws/force_element joints/joint_types"
+                 " force_elements/force_element joints/joint_types"
                  " reactions/other_sharings simulate structure/structure",
+    "scene": "scene text/name_index text/suggestion",
     "mesh": "basis/simplex_basis basis/tensor_basis cells/part_mesh cells/section"
             " cells/topology derived/graded_mesh derived/quadrangles"
             " derived/revolution derived/split_cells derived/sub_mesh"

@@ -136,10 +136,9 @@ inline MechanismDefinition landing_gear(double DD1 = 0.210, double lx = 0.160) {
 }
 
 /// Wheel load (500 N, 1000 N) at a distance below C on BC [m].
-inline ForceDefinition wheel_load(double below_C) {
+inline ConstantForce wheel_load(double below_C) {
   return {.name = "wheel load",
-          .body = kBodyBC,
-          .p_LP = {below_C, 0.0, 0.0},
+          .point = {kBodyBC, {below_C, 0.0, 0.0}},
           .f_W = {500.0, 1000.0, 0.0},
           .t_W = Vector3d::Zero(),
           .place = "force wheel load"};
@@ -167,9 +166,11 @@ inline MechanismDefinition moved(MechanismDefinition m, const Matrix3d& R,
     move(joint.body_a, joint.frame_a);
     move(joint.body_b, joint.frame_b);
   }
-  for (ForceDefinition& force : m.forces) {
-    force.f_W = R * force.f_W;
-    force.t_W = R * force.t_W;
+  for (ForceElement& element : m.elements) {
+    if (auto* force = std::get_if<ConstantForce>(&element)) {
+      force->f_W = R * force->f_W;
+      force->t_W = R * force->t_W;
+    }
   }
   m.gravity_W = R * m.gravity_W;
   return m;

@@ -74,9 +74,11 @@ inline double imbalance(const MechanismDefinition& m, const Instant& at) {
       wrench(m.couplings[k].joint_1, mesh.f_1_W, mesh.t_1_W);
       wrench(m.couplings[k].joint_2, mesh.f_2_W, mesh.t_2_W);
     }
-    for (const ForceDefinition& force : m.forces) {
-      if (force.body != static_cast<int>(i)) continue;
-      sum.add(force.f_W, R * (force.p_LP - mass.p_LCm), force.t_W);
+    for (const ForceElement& element : m.elements) {
+      const auto* force = std::get_if<ConstantForce>(&element);
+      if (force == nullptr || force->point.body != static_cast<int>(i))
+        continue;
+      sum.add(force->f_W, R * (force->point.p_L - mass.p_LCm), force->t_W);
     }
     worst = std::max({worst, sum.force.norm() / sum.scale,
                       sum.moment.norm() / (0.1 * sum.scale)});

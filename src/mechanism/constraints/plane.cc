@@ -100,18 +100,16 @@ bool all_hang_on_ground(const MechanismDefinition& definition) {
 bool presses_slides_across(const MechanismDefinition& definition,
                            const Vector3d& normal) {
   const auto follows = [&definition](const ForceElement& element) {
-    const auto* line = std::get_if<LineElement>(&element);
-    const auto* law = line ? std::get_if<FrictionLaw>(&line->law) : nullptr;
-    return law != nullptr && law->follows_reaction &&
-           !is_angle(line->line, definition.joints);
+    return properties(element).follows_reaction &&
+           !is_angle(element, definition.joints);
   };
   if (std::ranges::none_of(definition.elements, follows)) return false;
   const auto across = [&normal](const Vector3d& v) {
     return std::abs(v.dot(normal)) > kParallel * v.norm();
   };
   return across(definition.gravity_W) ||
-         std::ranges::any_of(definition.forces, [&](const auto& force) {
-           return across(force.f_W);
+         std::ranges::any_of(definition.elements, [&](const auto& element) {
+           return across(properties(element).fixed_force_W);
          });
 }
 

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "mechanism/drives/drive_definition.h"
-#include "mechanism/force_laws/force_element.h"
+#include "mechanism/force_elements/force_element.h"
 #include "mechanism/joints/joint_definition.h"
 #include "numerics/integrators/integrator_choice.h"
 #include "part/mass_properties.h"
@@ -55,16 +55,6 @@ struct CouplingDefinition {
   std::string place;
 };
 
-/// A constant force and moment on a body, directions fixed in W.
-struct ForceDefinition {
-  std::string name;
-  BodyIndex body{};
-  Eigen::Vector3d p_LP = Eigen::Vector3d::Zero();  ///< point of attack in L [m]
-  Eigen::Vector3d f_W = Eigen::Vector3d::Zero();   ///< [N]
-  Eigen::Vector3d t_W = Eigen::Vector3d::Zero();   ///< [N m]
-  std::string place;
-};
-
 /// Coordinate or rate of a joint at t = 0, of motions that are integrated.
 struct InitialJointState {
   int joint{};                     ///< index into MechanismDefinition::joints
@@ -101,7 +91,6 @@ struct MechanismDefinition {
   std::vector<JointDefinition> joints;
   std::vector<CouplingDefinition> couplings;
   std::vector<DriveDefinition> drives;
-  std::vector<ForceDefinition> forces;
   std::vector<ForceElement> elements;
   std::vector<MarkerDefinition> markers;
   std::vector<InitialJointState> initial_joints;

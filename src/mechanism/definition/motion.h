@@ -67,28 +67,6 @@ struct DriveState {
   Eigen::Vector3d axis_W = Eigen::Vector3d::Zero();
 };
 
-/// What a force element does to one of its bodies, in W.
-struct ElementAction {
-  BodyIndex body = kGround;
-  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< point of attack [m]
-  Eigen::Vector3d f_W = Eigen::Vector3d::Zero();  ///< [N]
-  Eigen::Vector3d t_W = Eigen::Vector3d::Zero();  ///< about p_W [N m]
-};
-
-/// What a force element does.
-struct ElementState {
-  double position{}, rate{};  ///< of its line; a contact's depth [m] or [rad]
-  double effort{};     ///< on b, > 0 pushes apart; a contact's normal force
-  double friction{};   ///< of a contact [N]
-  double power{};      ///< [W]
-  bool unique = true;  ///< false: friction at rest that lines share somehow
-  std::vector<GasChamberState> chambers{};  ///< of a gas cylinder
-  std::array<ElementAction, 2> actions{};   ///< on a and on b
-  std::optional<MotorState> motor{};
-  std::optional<double> target{};            ///< of a servo [m] or [rad]
-  std::optional<GasInterface> interface {};  ///< of gas that is coupled
-};
-
 /// A change of an element's mode: touch, release, stick, slip.
 struct MotionEvent {
   double t{};  ///< [s]

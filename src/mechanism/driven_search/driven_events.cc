@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "mechanism/forces/element_modes.h"
 #include "mechanism/sampling/driven_sampling.h"
 #include "numerics/curves/brent.h"
 #include "numerics/curves/dip.h"
@@ -138,7 +137,7 @@ void DrivenEvents::note_changes(At before, At behind, double t) {
     for (const int end : {0, 1}) {
       const auto i = 2 * k + static_cast<std::size_t>(end);
       const char* what =
-          name_of_change(course_.forces().element(k), end, modes[i]);
+          course_.forces().element(k).name_of_change(end, modes[i]);
       if (what != nullptr) events_.push_back({t, static_cast<int>(k), what});
     }
   }

@@ -26,20 +26,13 @@ class DrivenGuards {
   /// press.
   bool matters(Eigen::Index guard, const ForceModel& forces) const;
   /// Whether loads may jump at its zero; else they bend.
-  bool jumps(Eigen::Index guard) const {
-    return all_[static_cast<std::size_t>(guard)].kind != Kind::kPosition;
-  }
+  bool jumps(Eigen::Index guard) const;
 
  private:
-  enum class Kind { kDepth, kForce, kRate, kPosition, kServo, kSliding };
   struct Guard {
-    int element{};
-    Kind kind{};
-    std::size_t end{};  ///< of a stop
-    double level{};
+    std::size_t element{};
+    ElementGuard of;
   };
-  void add_line(int k, const LineElement& line, const ActingElement& e);
-  void add_ends(int k, const ForceElement& element, const ContactLaw& law);
 
   std::vector<Guard> all_;
 };

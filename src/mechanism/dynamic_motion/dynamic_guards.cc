@@ -84,7 +84,7 @@ void DynamicRun::require_resisting_friction() {
   dynamics_.evaluate_forces(integrator_.t(), y_);
   const std::size_t k = dynamics_.forces().line_against_its_mode();
   if (k == dynamics_.forces().size()) return;
-  throw Error("K012", std::get<LineElement>(definition_.elements[k]).place,
+  throw Error("K012", place_of(definition_.elements[k]),
               fmt::format("at t = {:.9g} s friction {} moves its line instead "
                           "of resisting: the integration failed",
                           integrator_.t(), name_of(definition_.elements[k])),

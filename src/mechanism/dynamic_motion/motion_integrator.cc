@@ -15,7 +15,7 @@ MotionIntegrator::MotionIntegrator(const MechanismDefinition& definition,
       y_(VectorXd::Zero(dynamics.size())),
       scratch_(y_) {
   if (!coordinates_ ||
-      !TreeSystem::can_follow(definition, *coordinates_, dynamics.forces())) {
+      !TreeSystem::can_follow(*coordinates_, dynamics.forces())) {
     return;
   }
   tree_ = std::make_unique<TreeSystem>(definition, dynamics, *coordinates_);

@@ -4,35 +4,6 @@
 #include "mechanism/equations_of_motion/forward_dynamics.h"
 
 namespace clevis::mechanism {
-namespace {
-
-/// A unit force that pushes a and b apart at a contact or stop.
-PlacedJoint::Levers apart(const ActingElement& e, int end) {
-  if (std::holds_alternative<LineElement>(*e.definition)) {
-    if (end == 0) return e.levers;
-    return {.a = {-e.levers.a.v, -e.levers.a.w},
-            .b = {-e.levers.b.v, -e.levers.b.w}};
-  }
-  const Eigen::Vector3d n = e.placed.axes_a.col(2);
-  const Eigen::Vector3d on_a = e.placed.r_a + e.placed.d;
-  return {.a = {-n, -on_a.cross(n)}, .b = {n, e.placed.r_b.cross(n)}};
-}
-
-/// What velocities alone add to the acceleration apart.
-double apart_bias(const ActingElement& e, int end,
-                  const std::vector<Twist>& twists) {
-  const Twist& a = twists[static_cast<std::size_t>(e.line.a)];
-  const Twist& b = twists[static_cast<std::size_t>(e.line.b)];
-  if (std::holds_alternative<LineElement>(*e.definition)) {
-    return (end == 0 ? 1.0 : -1.0) * e.placed.bias(e.row, a, b);
-  }
-  const Eigen::Vector3d n = e.placed.axes_a.col(2);
-  const Eigen::Vector3d on_a = e.placed.r_a + e.placed.d;
-  return n.dot(b.w.cross(b.w.cross(e.placed.r_b)) - a.w.cross(a.w.cross(on_a)));
-}
-
-}  // namespace
-
 void ForwardDynamics::evaluate_forces(double t, const Eigen::VectorXd& y) {
   place(t, y);
   forces_.evaluate(t, x_, twists_, y.data() + internal_index());
@@ -63,7 +34,7 @@ double ForwardDynamics::free_response(int slot, const Twist& lever) const {
 
 ContactInertia ForwardDynamics::contact_inertia(std::size_t element, int end) {
   const ActingElement& e = forces_.element(element);
-  const PlacedJoint::Levers levers = apart(e, end);
+  const PlacedJoint::Levers levers = e.apart(end);
   Eigen::VectorXd on_a = Eigen::VectorXd::Zero(columns_);
   Eigen::VectorXd on_b = on_a, response = on_a;
   Eigen::VectorXd none = Eigen::VectorXd::Zero(gamma_.size());
@@ -71,7 +42,10 @@ ContactInertia ForwardDynamics::contact_inertia(std::size_t element, int end) {
   put_lever(e.line.a, levers.a, on_a);
   put_lever(e.line.b, levers.b, on_b);
   const Eigen::VectorXd both = on_a + on_b;
-  const double opening = both.dot(acceleration_) + apart_bias(e, end, twists_);
+  const double opening =
+      both.dot(acceleration_) +
+      e.apart_bias(end, twists_[static_cast<std::size_t>(e.line.a)],
+                   twists_[static_cast<std::size_t>(e.line.b)]);
   const double free_a = free_response(e.line.a, levers.a);
   const double free_b = free_response(e.line.b, levers.b);
   const auto mass = [&](const Eigen::VectorXd& force, double free) {

@@ -8,7 +8,7 @@
 
 #include "mechanism/drives/drive_law.h"
 #include "mechanism/equations_of_motion/forward_dynamics.h"
-#include "mechanism/forces/element_modes.h"
+#include "mechanism/line_elements/friction.h"
 #include "numerics/factors/jacobian_factor.h"
 
 namespace clevis::mechanism {

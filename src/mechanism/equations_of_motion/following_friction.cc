@@ -25,7 +25,7 @@ FollowingFriction::FollowingFriction(const ForceModel& forces,
                                      int columns, int most_rows)
     : system_(system) {
   for (std::size_t k = 0; k < forces.size(); ++k) {
-    const int joint = followed_joint(*forces.element(k).definition);
+    const int joint = forces.element(k).followed_joint();
     if (joint < 0) continue;
     Line line{.element = k, .rows = {}};
     for (int i = 0; i < system.joint_rows(); ++i) {

@@ -104,13 +104,9 @@ ForwardDynamics::ForwardDynamics(const MechanismDefinition& definition,
   placed_ = system_.place(x_);
   for (const double angle : x_.angles) turns_.push_back({angle, 0.0});
   for (std::size_t k = 0; planar_ && k < forces_.size(); ++k) {
-    const auto* line = std::get_if<LineElement>(&definition.elements[k]);
-    if (line == nullptr || line->line.kind != ElementLine::Kind::kJoint ||
-        !forces_.is_angle(k)) {
-      continue;
-    }
-    plane_angles_.push_back({k, static_cast<std::size_t>(line->line.joint),
-                             forces_.element(k).q_start});
+    const ActingElement& e = forces_.element(k);
+    if (e.joint < 0 || !forces_.is_angle(k)) continue;
+    plane_angles_.push_back({k, static_cast<std::size_t>(e.joint), e.q_start});
   }
   rows_ = system_.rows();
   const Index most = rows_ + static_cast<Index>(forces_.size());

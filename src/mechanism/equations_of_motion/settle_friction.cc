@@ -1,12 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include <fmt/format.h>
 
 #include "base/errors.h"
 #include "mechanism/equations_of_motion/forward_dynamics.h"
-#include "mechanism/forces/element_modes.h"
+#include "mechanism/line_elements/friction.h"
 
 namespace clevis::mechanism {
 
@@ -154,13 +153,12 @@ double ForwardDynamics::first_step(double t, const VectorXd& y) {
   double step = 0.0;
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     const ActingElement& e = forces_.element(k);
-    const double zone = stribeck_zone(e);
+    const double zone = e.stribeck_zone();
     if (!(zone > 0.0) || e.modes[1] != 1 || std::abs(e.modes[0]) != 1) continue;
     rate(t, y, scratch_);
-    const double a =
-        std::holds_alternative<ContactElement>(*e.definition)
-            ? forces_.sliding_acceleration(k, system_.twists(acceleration_))
-            : std::abs(line_acceleration(k)) / row_scale(k);
+    const double a = e.is_line() ? std::abs(line_acceleration(k)) / row_scale(k)
+                                 : forces_.sliding_acceleration(
+                                       k, system_.twists(acceleration_));
     const double through = kPart * zone / std::max(a, 1e-300);
     if (through > kLong * duration) continue;
     step = step > 0.0 ? std::min(step, through) : through;

@@ -26,7 +26,8 @@ double longest_look(const MechanismDefinition& definition) {
   };
   for (const DriveDefinition& drive : definition.drives) mind(drive);
   for (const ForceElement& element : definition.elements) {
-    if (const ServoLaw* servo = servo_law(element)) mind(servo->reference);
+    const DriveDefinition* reference = properties(element).reference;
+    if (reference != nullptr) mind(*reference);
   }
   return look;
 }

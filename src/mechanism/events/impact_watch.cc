@@ -99,7 +99,7 @@ void ImpactWatch::pass(double t, const Eigen::VectorXd& y,
   bool evaluated = false;
   for (std::size_t event = 0; event < now.size(); ++event) {
     const auto& element = dynamics_.forces().element(event / 2);
-    if (contact_law(*element.definition) == nullptr) continue;
+    if (!element.presses()) continue;
     const bool pressed = before[event] == kPressing;
     const bool presses = now[event] == kPressing;
     if (pressed == presses) continue;

@@ -16,12 +16,6 @@ AppliedLoads::AppliedLoads(const MechanismDefinition& definition,
   for (std::size_t i = 1; i < masses_.size(); ++i) {
     masses_[i] = definition.bodies[i - 1].mass_properties.mass;
   }
-  for (const ForceDefinition& force : definition.forces) {
-    const auto body = static_cast<std::size_t>(force.body);
-    loads_.push_back({force.body + 1, force.p_LP - frame.p_LM[body],
-                      frame.R_WP.transpose() * force.f_W,
-                      frame.R_WP.transpose() * force.t_W});
-  }
 }
 
 void AppliedLoads::evaluate(double t, const Configuration& x,
@@ -34,12 +28,6 @@ void AppliedLoads::evaluate(double t, const Configuration& x,
   }
   take_efforts();
   forces_.add_to(wrenches_);
-  for (const Load& load : loads_) {
-    const auto slot = static_cast<std::size_t>(load.slot);
-    const Vector3d lever = x[slot].R * load.p_CmP;
-    wrenches_[slot].v += load.f;
-    wrenches_[slot].w += load.t + lever.cross(load.f);
-  }
 }
 
 double AppliedLoads::power(const std::vector<Twist>& twists) const {

@@ -11,7 +11,7 @@
 namespace clevis::mechanism {
 
 /// What acts on the bodies of a mechanism beside its joints and drives:
-/// weight, given loads, force elements. None of it allocates.
+/// weight and force elements. None of it allocates.
 class AppliedLoads {
  public:
   /// @param frame  referred to the bodies' centres of mass.
@@ -46,14 +46,8 @@ class AppliedLoads {
  private:
   void take_efforts();
 
-  struct Load {
-    int slot{};
-    Eigen::Vector3d p_CmP, f, t;
-  };
-
   ForceModel forces_;
   std::vector<double> masses_;  ///< by slot
-  std::vector<Load> loads_;
   Eigen::Vector3d gravity_;
   std::vector<Twist> wrenches_;
   std::vector<std::size_t> stiff_;          ///< elements of efforts()

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "mechanism/constraints/solving_frame.h"
 #include "mechanism/definition/motion.h"
-#include "mechanism/forces/acting_element.h"
 
 namespace clevis::mechanism {
 
@@ -41,7 +42,7 @@ class ForceModel {
   /// The angle of an element's line and its rate are known at t: turns are
   /// counted from there.
   void anchor(std::size_t k, double angle, double rate, double t) {
-    ActingElement& e = elements_[k];
+    ActingElement& e = *elements_[k];
     e.q_start = angle;
     e.rate_start = rate;
     e.t_start = t;
@@ -57,17 +58,16 @@ class ForceModel {
   void choose_modes();
 
   /// Sticking friction is a constraint: its row, as levers and bias.
-  bool sticks(std::size_t k) const;
+  bool sticks(std::size_t k) const { return elements_[k]->sticks(); }
   bool any_sticks() const;
   /// Whether the line of any element counts its turns.
   bool counts_turns() const;
-  bool is_angle(std::size_t k) const { return elements_[k].row.is_angle(); }
-  const ActingElement& element(std::size_t k) const { return elements_[k]; }
+  bool is_angle(std::size_t k) const { return elements_[k]->row.is_angle(); }
+  const ActingElement& element(std::size_t k) const { return *elements_[k]; }
   /// Whether an element brings a row of its own: it sticks, or a rotor turns
   /// with it.
   bool brings_row(std::size_t k) const { return sticks(k) || inertia(k) > 0.0; }
-  /// See line_inertia().
-  double inertia(std::size_t k) const { return line_inertia(elements_[k]); }
+  double inertia(std::size_t k) const { return elements_[k]->inertia(); }
   /// Part of the line's acceleration that velocities cause.
   double line_bias(std::size_t k, const std::vector<Twist>& twists) const;
   /// Rate of the joint's angle along which element k acts [rad/s].
@@ -80,11 +80,11 @@ class ForceModel {
   double sliding_acceleration(std::size_t k,
                               const std::vector<Twist>& accelerations) const;
   /// Coulomb friction, whose modes are decided together.
-  bool is_dry(std::size_t k) const;
+  bool is_dry(std::size_t k) const { return elements_[k]->is_dry(); }
   /// Gives a sticking element the effort that holds it, takes from a motor's
   /// what its rotor needs.
   void set_row_effort(std::size_t k, double effort);
-  double breakaway(std::size_t k) const;
+  double breakaway(std::size_t k) const { return elements_[k]->breakaway(); }
   /// Lines whose effort is a smooth function of states alone.
   std::vector<std::size_t> with_smooth_efforts() const;
   /// Gives such a line an effort in place of its law's.
@@ -96,7 +96,7 @@ class ForceModel {
   /// of evaluate(): at rest it moves, or slips with its own force. size() if
   /// there is none.
   std::size_t line_against_its_mode() const;
-  void set_mode(std::size_t k, int mode) { elements_[k].modes[0] = mode; }
+  void set_mode(std::size_t k, int mode) { elements_[k]->modes[0] = mode; }
 
   /// See OdeSystem. @param internal  of the last evaluate().
   void hold_tangents(const double* internal);
@@ -124,7 +124,7 @@ class ForceModel {
 
  private:
   std::vector<ForceElement> definitions_;
-  std::vector<ActingElement> elements_;
+  std::vector<std::unique_ptr<ActingElement>> elements_;
   int internal_states_ = 0;
   bool may_switch_ = false;
   double t_{};  ///< of evaluate()

@@ -16,15 +16,13 @@ using Eigen::VectorXd;
 namespace {
 
 /// Inertia by velocity of rotors that turn or slide with a joint.
-std::vector<double> armatures(const MechanismDefinition& definition,
-                              const JointCoordinates& coordinates,
+std::vector<double> armatures(const JointCoordinates& coordinates,
                               const ForceModel& forces) {
   std::vector<double> result(index(coordinates.velocities()), 0.0);
   for (std::size_t k = 0; k < forces.size(); ++k) {
     if (!(forces.inertia(k) > 0.0)) continue;
-    const ElementLine& line =
-        std::get<LineElement>(definition.elements[k]).line;
-    const auto at = coordinates.measured(line.joint, forces.element(k).row);
+    const ActingElement& e = forces.element(k);
+    const auto at = coordinates.measured(e.joint, e.row);
     result[index(at->u)] += forces.inertia(k);
   }
   return result;
@@ -38,7 +36,7 @@ TreeSystem::TreeSystem(const MechanismDefinition& definition,
       coordinates_(coordinates),
       loads_(dynamics.applied()),
       bodies_(definition, coordinates,
-              armatures(definition, coordinates, dynamics.forces())),
+              armatures(coordinates, dynamics.forces())),
       x_(dynamics.configuration()),
       twists_(x_.size()),
       levers_(x_.size()),
@@ -52,26 +50,19 @@ TreeSystem::TreeSystem(const MechanismDefinition& definition,
     u->resize(index(coordinates.velocities()));
   }
   for (std::size_t k = 0; k < definition.elements.size(); ++k) {
-    const auto* line = std::get_if<LineElement>(&definition.elements[k]);
-    if (line == nullptr || line->line.kind != ElementLine::Kind::kJoint ||
-        !dynamics.forces().is_angle(k)) {
-      continue;
-    }
-    const auto at = coordinates.measured(line->line.joint,
-                                         dynamics.forces().element(k).row);
+    const ActingElement& e = dynamics.forces().element(k);
+    if (e.joint < 0 || !dynamics.forces().is_angle(k)) continue;
+    const auto at = coordinates.measured(e.joint, e.row);
     if (at) counted_.push_back({k, *at, 0.0});
   }
 }
 
-bool TreeSystem::can_follow(const MechanismDefinition& definition,
-                            const JointCoordinates& coordinates,
+bool TreeSystem::can_follow(const JointCoordinates& coordinates,
                             const ForceModel& forces) {
   for (std::size_t k = 0; k < forces.size(); ++k) {
     if (!(forces.inertia(k) > 0.0)) continue;
-    const ElementLine& line =
-        std::get<LineElement>(definition.elements[k]).line;
-    if (line.kind != ElementLine::Kind::kJoint ||
-        !coordinates.measured(line.joint, forces.element(k).row)) {
+    const ActingElement& e = forces.element(k);
+    if (e.joint < 0 || !coordinates.measured(e.joint, e.row)) {
       return false;
     }
   }

@@ -23,8 +23,7 @@ class TreeSystem : public numerics::OdeSystem {
              JointCoordinates& coordinates);
 
   /// Whether the rotors of motors go with coordinates.
-  static bool can_follow(const MechanismDefinition& definition,
-                         const JointCoordinates& coordinates,
+  static bool can_follow(const JointCoordinates& coordinates,
                          const ForceModel& forces);
 
   int size() const override { return static_cast<int>(work_index()) + 1; }

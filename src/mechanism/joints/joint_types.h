@@ -32,6 +32,8 @@ struct JointRow {
     return kind == Kind::kRotation || kind == Kind::kUniversal ||
            kind == Kind::kCardan;
   }
+  /// Of a universal joint; a placed joint counts the turns of its first alone.
+  bool is_second_angle() const { return kind == Kind::kUniversal && axis == 1; }
 };
 
 /// A motion that a joint leaves free, and that a drive may prescribe.

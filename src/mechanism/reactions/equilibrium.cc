@@ -45,12 +45,6 @@ Equilibrium::Equilibrium(const MechanismDefinition& definition,
     inertia_[i + 1] = {given.mass, given.p_LCm - frame.p_LM[i],
                        given.inertia_LCm};
   }
-  for (const ForceDefinition& force : definition.forces) {
-    loads_.push_back({force.body + 1,
-                      force.p_LP - frame.p_LM[index(force.body)],
-                      frame.R_WP.transpose() * force.f_W,
-                      frame.R_WP.transpose() * force.t_W});
-  }
 }
 
 std::vector<Twist> Equilibrium::required_wrenches(
@@ -69,11 +63,6 @@ std::vector<Twist> Equilibrium::required_wrenches(
     required[i].v = body.mass * (a_cm - gravity_);
     required[i].w = c.cross(required[i].v) + inertia * alpha +
                     w.cross(Vector3d(inertia * w));
-  }
-  for (const Load& load : loads_) {
-    Twist& wrench = required[index(load.slot)];
-    wrench.v -= load.f;
-    wrench.w -= load.t + (x[index(load.slot)].R * load.p_MP).cross(load.f);
   }
   for (std::size_t i = 1; i < applied.size(); ++i) {
     required[i].v -= applied[i].v;

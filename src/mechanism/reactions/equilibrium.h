@@ -76,15 +76,10 @@ class Equilibrium {
     Eigen::Vector3d p_MCm;
     Eigen::Matrix3d about_cm;
   };
-  struct Load {
-    int slot{};
-    Eigen::Vector3d p_MP, f, t;  ///< f, t in P
-  };
   const SolvingFrame& frame_;
   const ConstraintSystem& system_;
   ConstraintSystem out_of_plane_, in_space_;
   std::vector<Inertia> inertia_;  ///< by slot
-  std::vector<Load> loads_;
   Eigen::Vector3d gravity_;
 };
 

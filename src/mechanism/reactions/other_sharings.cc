@@ -10,7 +10,7 @@
 #include "base/index.h"
 #include "mechanism/constraints/constraint_system.h"
 #include "mechanism/constraints/solving_frame.h"
-#include "mechanism/force_laws/force_element.h"
+#include "mechanism/force_elements/force_element.h"
 #include "mechanism/reactions/body_motion.h"
 #include "mechanism/reactions/equilibrium.h"
 #include "numerics/factors/jacobian_factor.h"
@@ -62,11 +62,7 @@ bool is_loaded_elsewhere(const MechanismDefinition& definition,
   if (body == kGround || !definition.bodies[index(body)].compliance) {
     return false;
   }
-  return std::ranges::any_of(definition.forces,
-                             [body](const ForceDefinition& force) {
-                               return force.body == body;
-                             }) ||
-         std::ranges::any_of(definition.elements,
+  return std::ranges::any_of(definition.elements,
                              [&](const ForceElement& element) {
                                return acts_on(element, definition.joints, body);
                              });

@@ -48,13 +48,6 @@ Power power(const MechanismDefinition& definition, const Instant& instant,
   for (const ElementState& element : instant.elements) {
     result.add(element.power);
   }
-  for (const ForceDefinition& force : definition.forces) {
-    const BodyState& body =
-        instant.bodies[static_cast<std::size_t>(force.body)];
-    const Vector3d lever = body.pose.R_WL * force.p_LP;
-    result.add(force.f_W.dot(body.v_WLo + body.w_WL.cross(lever)) +
-               force.t_W.dot(body.w_WL));
-  }
   for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
     const part::MassProperties& mass = definition.bodies[i].mass_properties;
     const BodyState& body = instant.bodies[i];

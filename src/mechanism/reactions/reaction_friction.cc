@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include <fmt/format.h>
 
@@ -15,12 +14,6 @@ constexpr double kSettled = 1e-13;  // of the largest effort
 
 }  // namespace
 
-int followed_joint(const ForceElement& element) {
-  const auto* line = std::get_if<LineElement>(&element);
-  const auto* law = line ? std::get_if<FrictionLaw>(&line->law) : nullptr;
-  return law != nullptr && law->follows_reaction ? line->line.joint : -1;
-}
-
 Equilibrium::Solution balance_with_friction(
     ForceModel& forces, std::size_t slots,
     const std::function<Equilibrium::Solution(std::span<const Twist>)>&
@@ -32,7 +25,7 @@ Equilibrium::Solution balance_with_friction(
   for (int i = 0; i < kMost; ++i) {
     double change = 0.0, largest = 0.0;
     for (std::size_t k = 0; k < forces.size(); ++k) {
-      const int joint = followed_joint(*forces.element(k).definition);
+      const int joint = forces.element(k).followed_joint();
       if (joint < 0) continue;
       const auto& reaction = solution.joints[static_cast<std::size_t>(joint)];
       const double before = forces.element(k).load;
@@ -66,9 +59,9 @@ bool some_friction_rests(const ForceModel& forces) {
 }
 
 /// Whether equilibrium leaves open the reaction that an element follows.
-bool is_open(const ForceElement& element,
+bool is_open(const ActingElement& element,
              const std::vector<JointReaction>& joints) {
-  const int followed = followed_joint(element);
+  const int followed = element.followed_joint();
   if (followed < 0) return false;
   const auto& unique =
       joints[static_cast<std::size_t>(followed)].unique_components;
@@ -77,21 +70,21 @@ bool is_open(const ForceElement& element,
 
 /// Whether friction at rest holds more than the reaction lets it, as the
 /// compliances share that.
-bool exceeds_its_most(const ForceElement& element, const ActingElement& acting,
+bool exceeds_its_most(const ActingElement& element,
                       const std::vector<JointReaction>& joints) {
   constexpr double kMargin = 1e-6;
-  const auto j = static_cast<std::size_t>(followed_joint(element));
+  const auto j = static_cast<std::size_t>(element.followed_joint());
   const double load = joints[j].components().head<2>().norm();
-  const double most = switched_friction(element)->breakaway * load;
-  return std::abs(acting.effort) > (1.0 + kMargin) * most;
+  const double most = element.breakaway_per_load() * load;
+  return std::abs(element.effort) > (1.0 + kMargin) * most;
 }
 
 [[noreturn]] void refuse_open_load(const MechanismDefinition& definition,
                                    const ForceModel& forces, std::size_t k) {
   const ForceElement& element = definition.elements[k];
-  const auto j = static_cast<std::size_t>(followed_joint(element));
+  const auto j = static_cast<std::size_t>(forces.element(k).followed_joint());
   const bool rests = some_friction_rests(forces);
-  throw Error("K011", std::get<LineElement>(element).place,
+  throw Error("K011", place_of(element),
               fmt::format("friction {} follows the reaction of joint {}, "
                           "which equilibrium leaves open{}",
                           name_of(element), definition.joints[j].name,
@@ -108,13 +101,12 @@ bool exceeds_its_most(const ForceElement& element, const ActingElement& acting,
 void require_unique_loads(const MechanismDefinition& definition,
                           const ForceModel& forces,
                           const std::vector<JointReaction>& joints) {
-  for (std::size_t k = 0; k < definition.elements.size(); ++k) {
-    const ForceElement& element = definition.elements[k];
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const ActingElement& element = forces.element(k);
     if (!is_open(element, joints)) continue;
-    const bool slides = std::abs(forces.element(k).modes[0]) == 1;
+    const bool slides = std::abs(element.modes[0]) == 1;
     const bool fails =
-        slides || (forces.is_dry(k) &&
-                   exceeds_its_most(element, forces.element(k), joints));
+        slides || (element.is_dry() && exceeds_its_most(element, joints));
     if (fails) refuse_open_load(definition, forces, k);
   }
 }
@@ -122,8 +114,8 @@ void require_unique_loads(const MechanismDefinition& definition,
 void refuse_open_loads(const MechanismDefinition& definition,
                        const ForceModel& forces,
                        const std::vector<JointReaction>& joints) {
-  for (std::size_t k = 0; k < definition.elements.size(); ++k) {
-    if (is_open(definition.elements[k], joints)) {
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    if (is_open(forces.element(k), joints)) {
       refuse_open_load(definition, forces, k);
     }
   }

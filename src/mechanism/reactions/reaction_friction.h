@@ -9,9 +9,6 @@
 
 namespace clevis::mechanism {
 
-/// The joint on whose reaction the friction of an element depends, or −1.
-int followed_joint(const ForceElement& element);
-
 /// Reactions and the friction that is proportional to them, at known
 /// accelerations, by iteration.
 /// @param balance  reactions under wrenches about M by slot.

@@ -31,22 +31,6 @@ const JointDefinition& joint_of(const MechanismDefinition& definition, int k) {
   return definition.joints[static_cast<std::size_t>(k)];
 }
 
-/// The bodies a and b of an element.
-std::array<int, 2> bodies_of(const MechanismDefinition& definition,
-                             const ForceElement& element) {
-  if (const auto* line = std::get_if<LineElement>(&element)) {
-    if (line->line.kind != ElementLine::Kind::kJoint) {
-      return {line->line.a.body, line->line.b.body};
-    }
-    const JointDefinition& joint = joint_of(definition, line->line.joint);
-    return {joint.body_a, joint.body_b};
-  }
-  if (const auto* contact = std::get_if<ContactElement>(&element)) {
-    return {contact->plane.body, contact->center.body};
-  }
-  return {kGround, std::get<ImpedanceElement>(element).point.body};
-}
-
 Vector3d in_frame_of(const Instant& instant, int body, const Vector3d& v_W) {
   const Pose& pose = instant.bodies[static_cast<std::size_t>(body)].pose;
   return pose.R_WL.transpose() * v_W;
@@ -81,15 +65,9 @@ BodyLoads::BodyLoads(const MechanismDefinition& definition, double length)
     add(1, moving({one.body_a, one.body_b, two.body_a, two.body_b}), true,
         false);
   }
-  for (const ForceDefinition& force : definition.forces) {
-    add(3, moving({force.body}), false, false);
-    add(3, moving({force.body}), true, false);
-  }
   for (const ForceElement& element : definition.elements) {
-    const auto [a, b] = bodies_of(definition, element);
-    const auto* line = std::get_if<LineElement>(&element);
-    add(2, {}, line != nullptr && is_angle(line->line, definition.joints),
-        true);
+    const auto [a, b] = bodies_of(element, definition.joints);
+    add(2, {}, is_angle(element, definition.joints), true);
     for (const int body : {a, b}) {
       if (body == kGround) continue;
       add(3, {body}, false, false);
@@ -139,11 +117,6 @@ VectorXd BodyLoads::of(const Instant& instant) const {
   for (const DriveState& drive : instant.drives) values[at++] = drive.effort;
   for (const CouplingState& coupling : instant.couplings) {
     values[at++] = coupling.effort;
-  }
-  for (const ForceDefinition& force : definition_.forces) {
-    values.segment<3>(at) = in_frame_of(instant, force.body, force.f_W);
-    values.segment<3>(at + 3) = in_frame_of(instant, force.body, force.t_W);
-    at += 6;
   }
   for (const ElementState& element : instant.elements) {
     values[at++] = element.effort;

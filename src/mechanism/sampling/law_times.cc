@@ -40,17 +40,11 @@ class Collector {
   }
 
   void element(const ForceElement& element) {
-    if (const auto* line = std::get_if<LineElement>(&element)) {
-      if (const auto* table = std::get_if<TableLaw>(&line->law)) {
-        for (const double t : table->times) add(t, times_.bends);
-        for (const double t : step_times(*table)) step(t);
-      }
-      if (const ServoLaw* servo = servo_law(element)) drive(servo->reference);
-    } else if (const auto* i = std::get_if<ImpedanceElement>(&element)) {
-      for (const numerics::CubicSpline& path : i->path_W) {
-        if (!path.times.empty()) spline(path, 0.0);
-      }
-    }
+    const ElementProperties given = properties(element);
+    for (const double t : given.bends) add(t, times_.bends);
+    for (const double t : given.steps) step(t);
+    if (given.reference != nullptr) drive(*given.reference);
+    for (const numerics::CubicSpline* path : given.paths) spline(*path, 0.0);
   }
 
  private:
@@ -106,14 +100,6 @@ void sort_once(std::vector<double>& times) {
 }
 
 }  // namespace
-
-std::vector<double> step_times(const TableLaw& table) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < table.times.size(); ++i) {
-    if (table.times[i] == table.times[i - 1]) steps.push_back(table.times[i]);
-  }
-  return steps;
-}
 
 LawTimes law_times(const MechanismDefinition& definition, double duration,
                    double most) {

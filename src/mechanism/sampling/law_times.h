@@ -29,7 +29,4 @@ LawTimes law_times(const MechanismDefinition& definition, double duration,
 /// kSides, and the time of a bend.
 std::vector<double> instants_of_laws(const LawTimes& times, double duration);
 
-/// Steps of a table over time: the later of two equal times.
-std::vector<double> step_times(const TableLaw& table);
-
 }  // namespace clevis::mechanism

@@ -9,30 +9,16 @@
 namespace clevis::mechanism {
 namespace {
 
-/// The joint that an actuator moves, or -1.
-int actuated_joint(const ForceElement& element) {
-  const auto* line = std::get_if<LineElement>(&element);
-  if (line == nullptr || line->line.kind != ElementLine::Kind::kJoint) {
-    return -1;
-  }
-  const auto* table = std::get_if<TableLaw>(&line->law);
-  const bool acts = std::holds_alternative<MotorLaw>(line->law) ||
-                    std::holds_alternative<ServoLaw>(line->law) ||
-                    std::holds_alternative<GasCylinderLaw>(line->law) ||
-                    (table != nullptr && !table->times.empty());
-  return acts ? line->line.joint : -1;
-}
-
 /// Actuated joints (motors and the like before forces over time), joints on
 /// ground, all others.
 std::vector<int> candidates(const MechanismDefinition& definition) {
   std::vector<int> joints, forced, others;
   for (const ForceElement& element : definition.elements) {
-    const int joint = actuated_joint(element);
-    if (joint < 0) continue;
-    const bool is_force =
-        std::holds_alternative<TableLaw>(std::get<LineElement>(element).law);
-    (is_force ? forced : joints).push_back(joint);
+    const ElementLine* line = line_of(element);
+    if (line == nullptr || line->kind != ElementLine::Kind::kJoint) continue;
+    const Actuation actuation = properties(element).actuation;
+    if (actuation == Actuation::kMachine) joints.push_back(line->joint);
+    if (actuation == Actuation::kForce) forced.push_back(line->joint);
   }
   joints.insert(joints.end(), forced.begin(), forced.end());
   for (const LinkGraph::Pair& pair : link_graph(definition, {}).pairs) {

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "mechanism/force_laws/force_element.h"
+#include "mechanism/force_elements/force_element.h"
 #include "report/forces/gas_output.h"
 #include "report/forces/motor_output.h"
 #include "report/summary/impact_output.h"
@@ -28,22 +28,17 @@ using nlohmann::ordered_json;
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 bool turns(const MotionReport& report, const ForceElement& element) {
-  const auto* line = std::get_if<mechanism::LineElement>(&element);
-  return line != nullptr &&
-         mechanism::is_angle(line->line, report.definition.joints);
+  return mechanism::is_angle(element, report.definition.joints);
 }
 
-bool is_contact(const ForceElement& element) {
-  return std::holds_alternative<mechanism::ContactElement>(element);
+/// Key of a channel with the unit of its line's coordinate.
+std::string key_of(const mechanism::ElementChannel& channel, const char* unit) {
+  return channel.is_coordinate ? channel.key + unit : channel.key;
 }
 
-const char* kind(const ForceElement& element) {
-  if (is_contact(element)) return "contact";
-  const auto* line = std::get_if<mechanism::LineElement>(&element);
-  if (line == nullptr) return "impedance";
-  constexpr const char* kNames[] = {"spring",       "friction", "stop", "table",
-                                    "gas_cylinder", "motor",    "servo"};
-  return kNames[line->law.index()];
+/// Coordinate of an element's line as JSON gives it: degrees or millimetres.
+double shown_coordinate(double value, bool angle) {
+  return angle ? value / kDegree : millimetres(value);
 }
 
 Peak peak_effort(const MotionReport& report, std::size_t k) {
@@ -92,58 +87,78 @@ void add_events(std::string& text, const MotionReport& report) {
   }
 }
 
-}  // namespace
+/// How forces.csv shows an element.
+struct ElementColumns {
+  std::vector<mechanism::ElementChannel> channels;
+  bool angle{};
+  /// Of coordinates: radians, millimetres.
+  double scale() const { return angle ? 1.0 : 1e3; }
+};
 
-std::string forces_csv(const MotionReport& report) {
-  std::string text = "t_s";
-  for (const ForceElement& element : report.definition.elements) {
-    const bool angle = turns(report, element);
-    const std::string& name = name_of(element);
-    for (const std::string& title :
-         {name + (angle ? ".position_rad" : ".position_mm"),
-          name + (angle ? ".rate_rad_per_s" : ".rate_m_per_s"),
-          name + (angle ? ".effort_N_m" : ".effort_N"), name + ".friction_N",
-          name + ".power_W"}) {
-      text += "," + csv_field(title);
-    }
-    add_chamber_titles(text, element);
-    add_interface_titles(text, element);
-    add_motor_titles(text, element);
-    if (servo_law(element) != nullptr) {
-      text += ',';
-      text += csv_field(name + (angle ? ".target_rad" : ".target_mm"));
-    }
+/// Titles of an element's columns, each behind a comma.
+void add_titles(std::string& text, const ForceElement& element,
+                const ElementColumns& columns) {
+  const bool angle = columns.angle;
+  const std::string& name = name_of(element);
+  for (const std::string& title :
+       {name + (angle ? ".position_rad" : ".position_mm"),
+        name + (angle ? ".rate_rad_per_s" : ".rate_m_per_s"),
+        name + (angle ? ".effort_N_m" : ".effort_N"), name + ".friction_N",
+        name + ".power_W"}) {
+    text += ',';
+    text += csv_field(title);
   }
-  text += "\n";
+  add_chamber_titles(text, element);
+  add_interface_titles(text, element);
+  add_motor_titles(text, element);
+  for (const auto& channel : columns.channels) {
+    text += ',';
+    text += csv_field(name + '.' + key_of(channel, angle ? "_rad" : "_mm"));
+  }
+}
+
+/// Values of an element's columns, each behind a comma.
+void add_values(std::string& text, const ElementState& state,
+                const ElementColumns& columns) {
   const auto add = [&text](double value) {
     fmt::format_to(std::back_inserter(text), FMT_COMPILE(",{:.12g}"),
                    value + 0.0);
   };
+  add(columns.scale() * state.position);
+  for (const double value :
+       {state.rate, state.effort, state.friction, state.power}) {
+    add(value);
+  }
+  for (const auto& chamber : state.chambers) {
+    for (const double value : chamber_values(chamber)) add(value);
+  }
+  if (state.interface) {
+    for (const double value : interface_values(*state.interface)) add(value);
+  }
+  if (state.motor) {
+    for (const double value : motor_values(*state.motor)) add(value);
+  }
+  for (std::size_t c = 0; c < state.channels.size(); ++c) {
+    const double scale =
+        columns.channels[c].is_coordinate ? columns.scale() : 1.0;
+    add(scale * state.channels[c]);
+  }
+}
+
+}  // namespace
+
+std::string forces_csv(const MotionReport& report) {
+  std::string text = "t_s";
+  std::vector<ElementColumns> columns;
+  for (const ForceElement& element : report.definition.elements) {
+    columns.push_back({properties(element).channels, turns(report, element)});
+    add_titles(text, element, columns.back());
+  }
+  text += "\n";
   for (const auto& instant : report.motion.instants) {
     fmt::format_to(std::back_inserter(text), "{:.12g}", instant.t);
     for (std::size_t k = 0; k < instant.elements.size(); ++k) {
-      const ElementState& state = instant.elements[k];
-      add((turns(report, report.definition.elements[k]) ? 1.0 : 1e3) *
-          state.position);
-      for (const double value :
-           {state.rate, state.effort, state.friction, state.power}) {
-        add(value);
-      }
-      for (const auto& chamber : state.chambers) {
-        for (const double value : chamber_values(chamber)) add(value);
-      }
-      if (state.interface) {
-        for (const double value : interface_values(*state.interface)) {
-          add(value);
-        }
-      }
-      if (state.motor) {
-        for (const double value : motor_values(*state.motor)) add(value);
-      }
-      if (state.target) {
-        add((turns(report, report.definition.elements[k]) ? 1.0 : 1e3) *
-            *state.target);
-      }
+      add_values(text, instant.elements[k], columns[k]);
     }
     text += "\n";
   }
@@ -164,39 +179,41 @@ ordered_json forces_json(const MotionReport& report) {
   const auto& motion = report.motion;
   for (std::size_t k = 0; k < report.definition.elements.size(); ++k) {
     const ForceElement& element = report.definition.elements[k];
+    const mechanism::ElementProperties given = properties(element);
     const bool angle = turns(report, element);
     const Peak peak = peak_effort(report, k);
     ordered_json shown = ordered_json::array();
     for (const std::size_t i : shown_instants(motion)) {
       const ElementState& state = motion.instants[i].elements[k];
-      shown.push_back(
-          {{"t_s", motion.instants[i].t},
-           {angle ? "position_deg" : "position_mm",
-            angle ? state.position / kDegree : millimetres(state.position)},
-           {angle ? "effort_N_m" : "effort_N", state.effort}});
-      if (is_contact(element)) shown.back()["friction_N"] = state.friction;
+      shown.push_back({{"t_s", motion.instants[i].t},
+                       {angle ? "position_deg" : "position_mm",
+                        shown_coordinate(state.position, angle)},
+                       {angle ? "effort_N_m" : "effort_N", state.effort}});
+      if (given.slides) shown.back()["friction_N"] = state.friction;
       if (!state.chambers.empty()) {
         shown.back()["chambers"] = chambers_json(element, state);
       }
       if (state.motor) shown.back()["motor"] = motor_json(*state.motor);
-      if (state.target) {
-        shown.back()[angle ? "target_deg" : "target_mm"] =
-            angle ? *state.target / kDegree : millimetres(*state.target);
+      for (std::size_t c = 0; c < state.channels.size(); ++c) {
+        const auto& channel = given.channels[c];
+        shown.back()[key_of(channel, angle ? "_deg" : "_mm")] =
+            channel.is_coordinate ? shown_coordinate(state.channels[c], angle)
+                                  : state.channels[c];
       }
     }
     forces.push_back({{"name", name_of(element)},
-                      {"type", kind(element)},
+                      {"type", given.type},
                       {angle ? "peak_effort_N_m" : "peak_effort_N", peak.value},
                       {"peak_effort_at_s", peak.at},
                       {"unique", is_unique(report, k)},
                       {"instants", shown}});
-    if (gas_law(element) != nullptr) {
+    if (given.gas != nullptr) {
       forces.back()["chambers"] = gas_summary_json(motion, k, element);
-      if (gas_law(element)->is_coupled()) {
+      if (given.gas->is_coupled()) {
         forces.back()["interface"] = interface_summary_json(motion, k, element);
       }
     }
-    if (motor_law(element) != nullptr) {
+    if (given.is_motor) {
       forces.back()["motor"] = motor_summary_json(motion, k);
     }
   }
@@ -227,7 +244,8 @@ std::string forces_text(const MotionReport& report, Colour colour) {
   for (std::size_t k = 0; k < report.definition.elements.size(); ++k) {
     const ForceElement& element = report.definition.elements[k];
     const char* unit = turns(report, element) ? " N m" : " N";
-    std::vector<TextTable::Cell> cells{{name_of(element)}, {kind(element)}};
+    std::vector<TextTable::Cell> cells{{name_of(element)},
+                                       {std::string(properties(element).type)}};
     for (const std::size_t i : instants) {
       const double effort = report.motion.instants[i].elements[k].effort;
       cells.push_back({fmt::format("{:.4g}{}", effort + 0.0, unit)});

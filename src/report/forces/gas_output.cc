@@ -62,7 +62,7 @@ Summary summary(const Motion& motion, std::size_t element, std::size_t k) {
 }  // namespace
 
 void add_chamber_titles(std::string& text, const ForceElement& element) {
-  const GasCylinderLaw* law = gas_law(element);
+  const GasCylinderLaw* law = properties(element).gas;
   if (law == nullptr) return;
   for (const auto& chamber : law->chambers) {
     for (const char* title : kTitles) {
@@ -79,7 +79,7 @@ std::array<double, 8> chamber_values(const GasChamberState& c) {
 }
 
 void add_interface_titles(std::string& text, const ForceElement& element) {
-  const GasCylinderLaw* law = gas_law(element);
+  const GasCylinderLaw* law = properties(element).gas;
   if (law == nullptr || !law->is_coupled()) return;
   for (const char* title :
        {"gas_position_mm", "gas_rate_m_per_s", "gas_effort_N",
@@ -103,7 +103,7 @@ ordered_json interface_summary_json(const Motion& motion, std::size_t element,
     lag = std::max(lag, std::abs(state.interface->gas_q - state.position));
   }
   const auto& last = *motion.instants.back().elements[element].interface;
-  return {{"step_s", gas_law(force)->step},
+  return {{"step_s", properties(force).gas->step},
           {"largest_position_gap_mm", 1e3 * lag},
           {"work_on_mechanism_J", last.work_on_mechanism},
           {"work_of_gas_J", last.work_of_gas},
@@ -114,7 +114,7 @@ ordered_json chambers_json(const ForceElement& element,
                            const mechanism::ElementState& state) {
   ordered_json chambers = ordered_json::array();
   for (std::size_t k = 0; k < state.chambers.size(); ++k) {
-    ordered_json chamber{{"name", gas_law(element)->chambers[k].name}};
+    ordered_json chamber{{"name", properties(element).gas->chambers[k].name}};
     const auto values = chamber_values(state.chambers[k]);
     for (std::size_t i = 0; i < values.size(); ++i) {
       chamber[kTitles[i]] = values[i];
@@ -127,7 +127,7 @@ ordered_json chambers_json(const ForceElement& element,
 ordered_json gas_summary_json(const Motion& motion, std::size_t element,
                               const ForceElement& force) {
   ordered_json chambers = ordered_json::array();
-  const GasCylinderLaw& law = *gas_law(force);
+  const GasCylinderLaw& law = *properties(force).gas;
   for (std::size_t k = 0; k < law.chambers.size(); ++k) {
     const Summary s = summary(motion, element, k);
     chambers.push_back({{"name", law.chambers[k].name},
@@ -153,7 +153,7 @@ std::string gas_text(const MotionReport& report, Colour colour) {
   bool any = false;
   const auto& elements = report.definition.elements;
   for (std::size_t e = 0; e < elements.size(); ++e) {
-    const GasCylinderLaw* law = gas_law(elements[e]);
+    const GasCylinderLaw* law = properties(elements[e]).gas;
     for (std::size_t k = 0; law != nullptr && k < law->chambers.size(); ++k) {
       const Summary s = summary(report.motion, e, k);
       any = true;

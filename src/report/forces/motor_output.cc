@@ -49,7 +49,7 @@ Summary summary(const mechanism::Motion& motion, std::size_t element) {
 
 void add_motor_titles(std::string& text,
                       const mechanism::ForceElement& element) {
-  if (motor_law(element) == nullptr) return;
+  if (!properties(element).is_motor) return;
   for (const char* title : kTitles) {
     text += ',';
     text += csv_field(fmt::format("{}.{}", name_of(element), title));
@@ -92,7 +92,7 @@ std::string motors_text(const MotionReport& report, Colour colour) {
   bool any = false;
   const auto& elements = report.definition.elements;
   for (std::size_t e = 0; e < elements.size(); ++e) {
-    if (motor_law(elements[e]) == nullptr) continue;
+    if (!properties(elements[e]).is_motor) continue;
     const Summary s = summary(report.motion, e);
     any = true;
     table.add_row({{name_of(elements[e])},

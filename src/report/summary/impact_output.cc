@@ -56,9 +56,9 @@ std::vector<NamedImpact> named_impacts(
     const auto& element =
         definition.elements[static_cast<std::size_t>(impact.element)];
     NamedImpact named{.force = name_of(element), .impact = impact};
-    if (const auto* line = std::get_if<mechanism::LineElement>(&element)) {
+    if (mechanism::line_of(element) != nullptr) {
       named.end = impact.end == 0 ? "lower" : "upper";
-      named.angular = mechanism::is_angle(line->line, definition.joints);
+      named.angular = mechanism::is_angle(element, definition.joints);
     }
     found.push_back(std::move(named));
   }

@@ -46,9 +46,8 @@ bool is_pushed(const MechanismDefinition& definition) {
   return !definition.initial_joints.empty() ||
          !definition.initial_bodies.empty() ||
          std::ranges::any_of(definition.elements, [](const auto& element) {
-           return mechanism::motor_law(element) != nullptr ||
-                  mechanism::servo_law(element) != nullptr ||
-                  mechanism::gas_law(element) != nullptr;
+           return properties(element).actuation ==
+                  mechanism::Actuation::kMachine;
          });
 }
 

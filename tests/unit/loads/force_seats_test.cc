@@ -147,13 +147,12 @@ void add_forces(MechanismDefinition& m) {
                      StopLaw{.lower = 1e-4, .upper = {}, .contact = hard}),
       contact,
       hold};
-  ForceDefinition wind;
+  ConstantForce wind;
   wind.name = "wind";
-  wind.body = 0;
-  wind.p_LP = {0.05, 0.01, 0.0};
+  wind.point = {0, {0.05, 0.01, 0.0}};
   wind.f_W = {3.0, -7.0, 0.0};
   wind.t_W = {0.0, 0.0, 0.4};
-  m.forces = {wind};
+  m.elements.emplace_back(wind);
 }
 
 Loaded loaded_link() {

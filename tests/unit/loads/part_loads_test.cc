@@ -289,11 +289,13 @@ TEST(PartLoads, EverythingOnTheBodyNeedsASeat) {
   s.part.drive_seats.clear();
   EXPECT_EQ(s.code(), "L004");
   s = general_link();
-  s.definition.forces.resize(1);
-  s.definition.forces[0].name = "wind";
-  s.definition.forces[0].body = 0;
+  mechanism::ConstantForce wind;
+  wind.name = "wind";
+  wind.point.body = 0;
+  s.definition.elements = {wind};
   EXPECT_EQ(s.code(), "L004");
-  s.definition.forces[0].body = 1;
+  wind.point.body = 1;
+  s.definition.elements = {wind};
   EXPECT_EQ(s.code(), "none");
 }
 

@@ -31,7 +31,7 @@ MechanismDefinition loaded_at_C() {
   MechanismDefinition m = landing_gear();
   m.gravity_W.setZero();
   m.drives[0].duration = 2000.0;
-  m.forces = {wheel_load(0.0)};
+  m.elements = {wheel_load(0.0)};
   return m;
 }
 

@@ -68,7 +68,7 @@ TEST(ChangePoint, ReactionsGrowWithoutBound) {
   const auto force = [l0](double distance) {
     MechanismDefinition m = landing_gear(0.190, l0 + distance);
     hold(m, l0 + distance);
-    m.forces = {wheel_load(0.14)};
+    m.elements = {wheel_load(0.14)};
     return simulate(m, {.duration = 1.0, .instants = 1})
         .instants[0]
         .joints[kA]
@@ -126,12 +126,11 @@ MechanismDefinition flat_parallelogram(double compliance) {
     joint.compliance = {Vector3d::Constant(compliance),
                         Vector3d::Constant(compliance)};
   }
-  ForceDefinition force;
+  ConstantForce force;
   force.name = "across";
-  force.body = 1;
-  force.p_LP = {2.0, 0.0, 0.0};  // hinge Q
+  force.point = {1, {2.0, 0.0, 0.0}};  // hinge Q
   force.f_W = {0.0, -3.0, 0.0};
-  m.forces = {force};
+  m.elements = {force};
   return m;
 }
 
@@ -157,7 +156,7 @@ TEST(ChangePoint, CompliantForcesOfTwoBarsInLine) {
 TEST(ChangePoint, ExactlyThereWithContinue) {
   const double l0 = change_point_length(0.190);
   MechanismDefinition m = landing_gear(0.190);
-  m.forces = {wheel_load(0.14)};
+  m.elements = {wheel_load(0.14)};
   m.drives[0].law = DriveLaw::kRamp;
   m.drives[0].to = 2.0 * l0 - m.drives[0].from;  // half-way at t = 1 s
   const Motion motion =

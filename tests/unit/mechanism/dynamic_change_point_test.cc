@@ -199,8 +199,8 @@ MechanismDefinition linkage(const Parallelograms& p) {
   m.initial_joints = {
       {.joint = 0, .position = {}, .rate = p.rate, .place = "initial"}};
   if (p.acceleration != 0.0) {
-    m.forces.push_back(
-        {.body = 0, .t_W = {0.0, 0.0, p.acceleration * inertia}});
+    m.elements.emplace_back(ConstantForce{
+        .point = {.body = 0}, .t_W = {0.0, 0.0, p.acceleration * inertia}});
   }
   return m;
 }

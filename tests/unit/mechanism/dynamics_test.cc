@@ -27,8 +27,8 @@ double largest_imbalance(const MechanismDefinition& m, double duration) {
 MechanismDefinition fast_and_loaded() {
   MechanismDefinition m = landing_gear();
   m.drives[0].duration = 0.05;
-  m.forces = {wheel_load(0.14)};
-  m.forces[0].t_W = {0.0, 0.0, 7.0};
+  m.elements = {wheel_load(0.14)};
+  std::get<ConstantForce>(m.elements[0]).t_W = {0.0, 0.0, 7.0};
   return m;
 }
 
@@ -52,8 +52,8 @@ TEST(Dynamics, LoadsAcrossThePlaneAreCarried) {
   m.bodies[kBodyDCE].mass_properties.p_LCm.z() = 0.004;
   m.bodies[kBodyDCE].mass_properties.inertia_LCm(0, 2) = 3e-5;
   m.bodies[kBodyDCE].mass_properties.inertia_LCm(2, 0) = 3e-5;
-  m.forces[0].p_LP.z() = 0.01;
-  m.forces[0].t_W = {1.0, 2.0, 3.0};
+  std::get<ConstantForce>(m.elements[0]).point.p_L.z() = 0.01;
+  std::get<ConstantForce>(m.elements[0]).t_W = {1.0, 2.0, 3.0};
   EXPECT_LT(largest_imbalance(m, 0.05), kRoundOff);
   const Instant at = simulate(m, {.duration = 0.05}).instants[100];
   EXPECT_FALSE(at.joints[kD].unique);

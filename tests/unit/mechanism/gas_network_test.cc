@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/force_laws/gas_cylinder.h"
+#include "mechanism/line_elements/gas_cylinder.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 

@@ -15,7 +15,7 @@ constexpr double kSame = 1e-10;
 
 MechanismDefinition loaded() {
   MechanismDefinition m = landing_gear();
-  m.forces = {wheel_load(0.14)};
+  m.elements = {wheel_load(0.14)};
   m.drives[0].duration = 0.1;
   return m;
 }

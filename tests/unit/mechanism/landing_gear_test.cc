@@ -143,7 +143,7 @@ struct Reactions {
 MechanismDefinition loaded_at(double below_C) {
   MechanismDefinition m = landing_gear();
   m.gravity_W.setZero();
-  m.forces = {wheel_load(below_C)};
+  m.elements = {wheel_load(below_C)};
   return m;
 }
 
@@ -194,7 +194,7 @@ TEST(LandingGear, CylinderForceByVirtualWork) {
 
 TEST(LandingGear, PowerBalanceWithInertiaAndLoad) {
   MechanismDefinition m = landing_gear();
-  m.forces = {wheel_load(0.14)};
+  m.elements = {wheel_load(0.14)};
   m.drives[0].duration = 0.05;  // inertia as large as the load
   for (const Instant& at :
        simulate(m, {.duration = 0.05, .instants = 101}).instants) {

@@ -246,8 +246,8 @@ TEST(Reactions, SceneRotationDoesNotMatter) {
       Eigen::AngleAxisd(2.1, Vector3d(1.0, 2.0, -0.5).normalized())
           .toRotationMatrix();
   MechanismDefinition gear = landing_gear();
-  gear.forces = {wheel_load(0.14)};
-  gear.forces[0].p_LP.z() = 0.02;
+  gear.elements = {wheel_load(0.14)};
+  std::get<ConstantForce>(gear.elements[0]).point.p_L.z() = 0.02;
   gear.dimension = SpaceDimension::kSpatial;
   for (const MechanismDefinition& m : {bennett({}, 1.2), door(), gear}) {
     const Instant here = first_instant(m);
@@ -264,8 +264,8 @@ TEST(Reactions, UnitsDoNotMatter) {
     MechanismDefinition m = bennett({}, 1.2);
     if (spatial_gear) {
       m = landing_gear();
-      m.forces = {wheel_load(0.14)};
-      m.forces[0].p_LP.z() = 0.02;
+      m.elements = {wheel_load(0.14)};
+      std::get<ConstantForce>(m.elements[0]).point.p_L.z() = 0.02;
       m.dimension = SpaceDimension::kSpatial;
     }
     for (std::size_t j = 0; j < m.joints.size(); ++j) {
@@ -291,7 +291,9 @@ TEST(Reactions, UnitsDoNotMatter) {
         joint.compliance->force *= mm;   // mm/N
         joint.compliance->moment /= mm;  // rad/(N mm)
       }
-      for (ForceDefinition& force : other.forces) force.p_LP *= mm;
+      for (ForceElement& force : other.elements) {
+        std::get<ConstantForce>(force).point.p_L *= mm;
+      }
       for (DriveDefinition& drive : other.drives) {
         if (drives_angle(other, drive)) continue;
         drive.from *= mm;
@@ -312,8 +314,8 @@ TEST(Reactions, UnitsDoNotMatter) {
 TEST(Reactions, LandingGearInSpaceHasSixOpen) {
   MechanismDefinition m = landing_gear();
   m.dimension = SpaceDimension::kSpatial;
-  m.forces = {wheel_load(0.14)};
-  m.forces[0].p_LP.z() = 0.02;
+  m.elements = {wheel_load(0.14)};
+  std::get<ConstantForce>(m.elements[0]).point.p_L.z() = 0.02;
   const Structure s = analyse_structure(m);
   EXPECT_EQ(s.redundant, 6);
   const Instant at = first_instant(m);

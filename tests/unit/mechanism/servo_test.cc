@@ -60,7 +60,7 @@ TEST(Servo, GoesToAConstantAsADampedOscillator) {
     const double left = 0.3 * std::exp(-decay * t) *
                         (std::cos(w * t) + decay / w * std::sin(w * t));
     EXPECT_NEAR(servo_at(instant).position, 0.3 - left, 1e-9);
-    EXPECT_EQ(*servo_at(instant).target, 0.3);
+    EXPECT_EQ(servo_at(instant).channels.at(0), 0.3);
   }
 }
 
@@ -79,8 +79,8 @@ TEST(Servo, LagsBehindAnAcceleratedReferenceByItsBandwidth) {
   for (const Instant& instant : motion.instants) {
     if (instant.t < 1.0) continue;
     const double known = (off * std::exp(s * instant.t)).imag();
-    EXPECT_NEAR(servo_at(instant).position - *servo_at(instant).target, known,
-                1e-9);
+    EXPECT_NEAR(servo_at(instant).position - servo_at(instant).channels.at(0),
+                known, 1e-9);
   }
   EXPECT_NEAR(std::abs(off) / (0.5 * drive * drive / kSpeed / kSpeed), 1.0,
               1e-3);

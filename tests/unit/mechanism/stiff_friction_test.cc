@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
-#include "mechanism/force_laws/friction_laws.h"
+#include "mechanism/force_elements/contact.h"
+#include "mechanism/force_laws/friction_law.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 

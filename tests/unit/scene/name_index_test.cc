@@ -1,8 +1,8 @@
-#include "scene/name_index.h"
+#include "scene/text/name_index.h"
 
 #include <gtest/gtest.h>
 
-#include "scene/suggestion.h"
+#include "scene/text/suggestion.h"
 
 namespace clevis::scene {
 namespace {

@@ -57,7 +57,7 @@ TEST(SceneReader, DefaultsAreThoseOfTheFormat) {
   EXPECT_EQ(driven.simulation.tolerance, 1e-8);
   EXPECT_EQ(driven.peak_stress_tolerance, 0.01);
   EXPECT_EQ(driven.mechanism.dimension, mechanism::SpaceDimension::kAuto);
-  EXPECT_EQ(driven.mechanism.forces.at(0).name, "force_1");
+  EXPECT_EQ(name_of(driven.mechanism.elements.at(0)), "force_1");
   EXPECT_FALSE(driven.slide_lever);
 }
 
@@ -142,10 +142,11 @@ TEST(SceneReader, ReadsDrives) {
 
 TEST(SceneReader, ReadsForcesMarkersAndClosedForm) {
   const Scene scene = lever();
-  const auto& force = scene.mechanism.forces.at(0);
+  const auto& force =
+      std::get<mechanism::ConstantForce>(scene.mechanism.elements.at(0));
   EXPECT_EQ(force.name, "wheel");
-  EXPECT_EQ(force.body, 0);
-  expect_near(force.p_LP, {0.14, 0, 0});
+  EXPECT_EQ(force.point.body, 0);
+  expect_near(force.point.p_L, {0.14, 0, 0});
   expect_near(force.f_W, {500, 1000, 0});
   expect_near(force.t_W, {0, 0, 3});
   EXPECT_EQ(scene.mechanism.markers.at(0).name, "C");

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <toml++/toml.h>
 
-#include "scene/keys.h"
+#include "scene/text/keys.h"
 #include "support/source_dir.h"
 
 namespace clevis::scene {

@@ -1,4 +1,4 @@
-#include "scene/strict_table.h"
+#include "scene/text/strict_table.h"
 
 #include <functional>
 

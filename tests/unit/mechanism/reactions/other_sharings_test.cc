@@ -37,11 +37,11 @@ MechanismDefinition link_on_two_hinges() {
     hinge.frame_a.p_LJ = hinge.frame_b.p_LJ = {x, 0.0, 0.0};
     m.joints.push_back(hinge);
   }
-  ForceDefinition pull;
+  ConstantForce pull;
   pull.name = "pull";
-  pull.body = 0;
+  pull.point.body = 0;
   pull.f_W = {kForce, 0.0, 0.0};
-  m.forces = {pull};
+  m.elements = {pull};
   return m;
 }
 
@@ -198,7 +198,7 @@ TEST(OtherSharings, DeterminateMechanismHasNone) {
 TEST(OtherSharings, AHairOffThePlaneDecidesNothing) {
   for (const double off : {1e-9, 1e-2}) {
     MechanismDefinition m = link_on_two_hinges();
-    m.forces.clear();
+    m.elements.clear();
     m.gravity_W = {0.0, -9.81, 0.0};
     m.joints[0].compliance =
         JointCompliance{Vector3d::Constant(1e-9), Vector3d::Constant(1e-6)};

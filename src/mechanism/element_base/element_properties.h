@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mechanism/drives/drive_definition.h"
+
+namespace clevis::mechanism {
+
+struct GasCylinderLaw;
+
+/// What moves the line of an element, where its law alone does: nothing, a
+/// force over time, or a machine.
+enum class Actuation { kNone, kForce, kMachine };
+
+/// A number that an element adds to its position, rate, effort and power.
+struct ElementChannel {
+  std::string key;             ///< with its unit: "energy_J"
+  bool is_coordinate = false;  ///< [m] or [rad] of its line; key without unit
+};
+
+/// What the rest of the program asks of a force element, whatever its kind.
+/// Each kind fills it in its own file.
+struct ElementProperties {
+  std::string_view type;  ///< word of scenes and results
+  /// Ends press and let go: a contact or a stop.
+  bool presses = false;
+  Actuation actuation = Actuation::kNone;
+  /// Along a slide its effort may stand for a pressure on a piston.
+  bool may_be_pressure = false;
+  /// Friction per newton of the joint's force.
+  bool follows_reaction = false;
+  /// A contact: slides as well, with a friction of its own.
+  bool slides = false;
+  std::vector<ElementChannel> channels{};
+  /// Efforts over time bend there, and jump at steps [s].
+  std::vector<double> bends{}, steps{};
+  /// All times at which what is given over time bends [s].
+  std::vector<double> breaks{};
+  /// What its line is to follow, or null.
+  const DriveDefinition* reference = nullptr;
+  /// Paths of a target over time.
+  std::vector<const numerics::CubicSpline*> paths{};
+  /// A force that is the same at all times, in W [N]; else zero.
+  Eigen::Vector3d fixed_force_W = Eigen::Vector3d::Zero();
+  const GasCylinderLaw* gas = nullptr;  ///< of a gas cylinder, or null
+  bool is_motor = false;                ///< its states have a MotorState
+};
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "mechanism/element_base/acting_element.h"
+
+namespace clevis::mechanism {
+
+/// A force element with a scalar effort along a line.
+class LineForce : public ActingElement {
+ public:
+  LineForce(const LineDefinition& definition, const ReferenceFrame& frame);
+
+  bool is_line() const override { return true; }
+
+ protected:
+  /// Effort on b, > 0 pushes apart; q and rate are those of the state.
+  virtual double law_effort(const ActingState& state) = 0;
+  void act(const ActingState& state, const Twist& a, const Twist& b) override;
+  /// Sets levers and q of the placed line.
+  void measure();
+};
+
+/// A line force that may act in one sense of its motion alone: its second mode
+/// tells whether the line moves so.
+class OneSenseForce : public LineForce {
+ public:
+  OneSenseForce(const LineDefinition& definition, const ReferenceFrame& frame);
+
+  bool may_switch() const override { return sharp_sense_ != 0.0; }
+  void choose_modes() override;
+  double event_value(int end) const override;
+  void pass_event(int end) override;
+  const char* name_of_change(int end, int mode_before) const override;
+  std::vector<ElementGuard> guards() const override;
+
+ protected:
+  /// Effort of a line that acts in both senses.
+  virtual double full_effort(const ActingState& state) = 0;
+  double law_effort(const ActingState& state) final;
+  bool acts_in_both() const { return acts_on_ == ActsOn::kBoth; }
+  /// Sense in which the effort sets in at once, as a mode tells; else 0.
+  double sharp_sense() const { return sharp_sense_; }
+
+ private:
+  double part_in_sense() const;
+
+  ActsOn acts_on_;
+  double full_speed_;
+  double sharp_sense_;
+};
+
+/// Friction and senses turn late by so much of the slack, so that the turned
+/// mode does not find itself behind its own event.
+inline constexpr double kOfSlack = 1e-3;
+
+}  // namespace clevis::mechanism

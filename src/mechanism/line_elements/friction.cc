@@ -1,0 +1,179 @@
+#include "mechanism/line_elements/friction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "mechanism/element_base/line_force.h"
+
+namespace clevis::mechanism {
+namespace {
+
+class Friction final : public LineForce {
+ public:
+  Friction(const LineDefinition& definition, const FrictionLaw& law,
+           const ReferenceFrame& frame)
+      : LineForce(definition, frame), law_(law) {
+    if (is_switched()) modes[0] = 1;  // free, until modes are chosen
+    follows_reaction = law.follows_reaction;
+  }
+
+  int internal_states() const override { return has_bristles() ? 1 : 0; }
+  void scales(const double* own, double* scales) const override;
+
+  bool may_switch() const override { return is_switched(); }
+  void choose_modes() override;
+  double event_value(int end) const override;
+  void pass_event(int end) override;
+  const char* name_of_change(int end, int mode_before) const override;
+  std::vector<ElementGuard> guards() const override;
+
+  bool is_dry() const override { return law_.model == FrictionModel::kCoulomb; }
+  double breakaway_per_load() const override { return law_.breakaway; }
+  double stribeck_zone() const override;
+  double bristle_deflection() const override;
+  void hold_tangent(const double* states) override;
+  void release_tangent() override { tangent_.holds = false; }
+
+ protected:
+  double law_effort(const ActingState& state) override;
+
+ private:
+  bool has_bristles() const { return law_.model == FrictionModel::kLuGre; }
+  /// Whether events separate its modes.
+  bool is_switched() const { return law_.model != FrictionModel::kRegularized; }
+  double bristle(const double* states) const {
+    return has_bristles() ? states[internal] : 0.0;
+  }
+  double zone_value() const;
+
+  /// The law at the state of hold_tangent(); acts instead of it.
+  struct Tangent {
+    bool holds = false;
+    double rate{}, bristle{};
+    FrictionEffort effort;
+  };
+
+  const FrictionLaw& law_;
+  Tangent tangent_;
+};
+
+double Friction::law_effort(const ActingState& state) {
+  const double deflection = bristle(state.internal);
+  const FrictionEffort f =
+      tangent_.holds
+          ? friction_along_tangent(law_, tangent_.effort, rate - tangent_.rate,
+                                   deflection - tangent_.bristle)
+          : friction_effort(law_, modes[0], rate, deflection, slack);
+  if (has_bristles()) internal_rates[0] = f.bristle_rate;
+  load = law_.follows_reaction ? 0.0 : 1.0;
+  per_load = f.per_load;
+  own_effort = f.own;
+  return load * f.per_load + f.own;
+}
+
+void Friction::scales(const double* /*own*/, double* scales) const {
+  scales[0] = bristle_deflection();
+}
+
+double Friction::bristle_deflection() const {
+  return has_bristles() ? law_.breakaway / law_.bristle_stiffness
+                        : ActingElement::bristle_deflection();
+}
+
+double Friction::stribeck_zone() const {
+  constexpr double kTimesSpeed = 6.0;  // exp(−36) is round-off
+  return is_switched() ? kTimesSpeed * law_.stribeck_speed : 0.0;
+}
+
+void Friction::hold_tangent(const double* states) {
+  tangent_.rate = rate;
+  tangent_.bristle = bristle(states);
+  tangent_.effort =
+      friction_effort(law_, modes[0], rate, tangent_.bristle, slack);
+  tangent_.holds = true;
+}
+
+void Friction::choose_modes() {
+  if (!is_switched()) return;
+  modes[0] = rate > 0.0 ? 1 : rate < 0.0 ? -1 : 0;
+  modes[1] = std::abs(rate) < stribeck_zone() ? 1 : 0;
+  if (has_bristles() && modes[0] == 0) modes[0] = 1;
+}
+
+/// With the sign of the speed, so that no step over the zone and zero hides
+/// both.
+double Friction::zone_value() const {
+  const double zone = stribeck_zone();
+  if (zone <= 0.0) return 1.0;
+  const bool slips = std::abs(modes[0]) == 1;
+  const double inside = zone - (slips ? modes[0] * rate : std::abs(rate));
+  return modes[1] == 1 ? inside : -inside;
+}
+
+double Friction::event_value(int end) const {
+  if (!is_switched()) return 1.0;
+  if (end == 1) return zone_value();
+  if (sticks()) return breakaway() - std::abs(effort);
+  if (std::abs(modes[0]) >= 2) return leaving - std::abs(rate);
+  return modes[0] * rate + (has_bristles() ? 1.0 : kOfSlack) * slack;
+}
+
+void Friction::pass_event(int end) {
+  if (!is_switched()) return;
+  if (end == 1) {
+    modes[1] = 1 - modes[1];
+    return;
+  }
+  int& mode = modes[0];
+  if (has_bristles()) {
+    mode = -mode;
+  } else if (mode == 0) {
+    mode = effort > 0.0 ? -2 : 2;
+  } else if (std::abs(mode) >= 2) {
+    mode = rate > 0.0 ? 1 : -1;
+  } else {
+    mode = 0;
+  }
+}
+
+const char* Friction::name_of_change(int end, int mode_before) const {
+  if (!is_switched() || end == 1) return nullptr;
+  const int mode = modes[0];
+  const auto slips = [](int m) {
+    return std::abs(m) == 1;
+  };
+  if (mode == mode_before || (!slips(mode) && !slips(mode_before))) {
+    return nullptr;
+  }
+  if (!slips(mode)) return "stick";
+  return slips(mode_before) ? "turn" : "slip";
+}
+
+/// Rest, and the speeds about it in which friction changes most.
+std::vector<ElementGuard> Friction::guards() const {
+  using enum ElementGuard::Kind;
+  constexpr double kTimes = 4.0;
+  const double regular = is_switched() ? 0.0 : kTimes * law_.regularizing_speed;
+  const double quick = std::max(stribeck_zone(), regular);
+  std::vector<ElementGuard> all{{kRate, 0, 0.0}};
+  if (quick > 0.0) {
+    all.push_back({kRate, 0, quick});
+    all.push_back({kRate, 0, -quick});
+  }
+  return all;
+}
+
+}  // namespace
+
+ElementProperties properties(const FrictionLaw& law) {
+  return {.type = "friction", .follows_reaction = law.follows_reaction};
+}
+
+std::unique_ptr<ActingElement> place(const LineDefinition& definition,
+                                     const FrictionLaw& law,
+                                     const ReferenceFrame& frame) {
+  return std::make_unique<Friction>(definition, law, frame);
+}
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,38 @@
+#include "mechanism/line_elements/spring.h"
+
+#include "mechanism/element_base/line_force.h"
+
+namespace clevis::mechanism {
+namespace {
+
+class Spring final : public OneSenseForce {
+ public:
+  Spring(const LineDefinition& definition, const SpringLaw& law,
+         const ReferenceFrame& frame)
+      : OneSenseForce(definition, frame), law_(law) {}
+
+  bool has_smooth_effort() const override { return acts_in_both(); }
+
+ protected:
+  double full_effort(const ActingState& /*state*/) override {
+    return -law_.stiffness * (q - law_.free) - law_.damping * rate -
+           law_.preload;
+  }
+
+ private:
+  const SpringLaw& law_;
+};
+
+}  // namespace
+
+ElementProperties properties(const SpringLaw& /*law*/) {
+  return {.type = "spring"};
+}
+
+std::unique_ptr<ActingElement> place(const LineDefinition& definition,
+                                     const SpringLaw& law,
+                                     const ReferenceFrame& frame) {
+  return std::make_unique<Spring>(definition, law, frame);
+}
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,115 @@
+#include "mechanism/line_elements/table.h"
+
+#include <algorithm>
+
+#include "mechanism/element_base/line_force.h"
+
+namespace clevis::mechanism {
+namespace {
+
+/// The first mode of a table over positions is the piece that holds: 0 before
+/// the first point, positions.size() behind the last.
+class Table final : public OneSenseForce {
+ public:
+  Table(const LineDefinition& definition, const TableLaw& law,
+        const ReferenceFrame& frame)
+      : OneSenseForce(definition, frame), law_(law) {}
+
+  bool may_switch() const override {
+    return over_position() || OneSenseForce::may_switch();
+  }
+  void choose_modes() override;
+  double event_value(int end) const override;
+  void pass_event(int end) override;
+  const char* name_of_change(int end, int mode_before) const override {
+    return OneSenseForce::name_of_change(end, mode_before);
+  }
+  std::vector<ElementGuard> guards() const override;
+
+ protected:
+  double full_effort(const ActingState& state) override;
+
+ private:
+  bool over_position() const { return !law_.positions.empty(); }
+  double piece_effort() const;
+  double way_left(int end) const;
+
+  const TableLaw& law_;
+};
+
+double Table::full_effort(const ActingState& state) {
+  return over_position() ? piece_effort()
+                         : numerics::linear_at(law_.times, law_.efforts,
+                                               state.t, state.side);
+}
+
+/// Effort by the piece of the mode, which goes on beyond its ends.
+double Table::piece_effort() const {
+  const auto at = static_cast<std::size_t>(modes[0]);
+  if (at == 0) return law_.efforts.front();
+  if (at == law_.positions.size()) return law_.efforts.back();
+  const double s = (q - law_.positions[at - 1]) /
+                   (law_.positions[at] - law_.positions[at - 1]);
+  return law_.efforts[at - 1] + s * (law_.efforts[at] - law_.efforts[at - 1]);
+}
+
+/// How far the position is from an end of its piece; 1 where there is none.
+double Table::way_left(int end) const {
+  const auto at = static_cast<std::size_t>(modes[0]);
+  if (end == 0) return at == 0 ? 1.0 : q - law_.positions[at - 1];
+  return at == law_.positions.size() ? 1.0 : law_.positions[at] - q;
+}
+
+void Table::choose_modes() {
+  OneSenseForce::choose_modes();
+  if (!over_position()) return;
+  modes[0] = static_cast<int>(std::ranges::upper_bound(law_.positions, q) -
+                              law_.positions.begin());
+}
+
+double Table::event_value(int end) const {
+  const bool has_sense = sharp_sense() != 0.0;
+  if (!over_position() || (has_sense && end == 1)) {
+    return OneSenseForce::event_value(end);
+  }
+  return has_sense ? std::min(way_left(0), way_left(1)) : way_left(end);
+}
+
+void Table::pass_event(int end) {
+  const bool has_sense = sharp_sense() != 0.0;
+  if (!over_position() || (has_sense && end == 1)) {
+    OneSenseForce::pass_event(end);
+    return;
+  }
+  const bool back = has_sense ? way_left(0) < way_left(1) : end == 0;
+  modes[0] += back ? -1 : 1;
+}
+
+std::vector<ElementGuard> Table::guards() const {
+  std::vector<ElementGuard> all = OneSenseForce::guards();
+  for (const double at : law_.positions) {
+    all.push_back({ElementGuard::Kind::kPosition, 0, at});
+  }
+  return all;
+}
+
+}  // namespace
+
+ElementProperties properties(const TableLaw& law) {
+  ElementProperties result{.type = "table", .may_be_pressure = true};
+  if (!law.times.empty()) result.actuation = Actuation::kForce;
+  result.bends = law.times;
+  result.breaks = law.times;
+  for (std::size_t i = 1; i < law.times.size(); ++i) {
+    if (law.times[i] == law.times[i - 1]) result.steps.push_back(law.times[i]);
+  }
+  return result;
+}
+
+std::unique_ptr<ActingElement> place(const LineDefinition& definition,
+                                     const TableLaw& law,
+                                     const ReferenceFrame& frame) {
+  return std::make_unique<Table>(definition, law, frame);
+}
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "mechanism/definition/definition.h"
+#include "scene/text/names.h"
+#include "scene/text/strict_table.h"
+
+namespace clevis::scene {
+
+/// Adds the [[force]] tables to a mechanism that has its joints.
+void read_forces(StrictTable& root, Names& names,
+                 mechanism::MechanismDefinition& mechanism);
+
+}  // namespace clevis::scene

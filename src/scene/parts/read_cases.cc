@@ -1,0 +1,187 @@
+#include "scene/parts/read_cases.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "part/supports.h"
+#include "scene/text/name_index.h"
+
+namespace clevis::scene {
+namespace {
+
+using part::LoadCaseDefinition;
+using part::Probe;
+
+std::array<bool, 3> read_components(const Value& value) {
+  const auto elements = value.elements();
+  std::array<bool, 3> is_fixed{};
+  if (elements.empty()) {
+    throw value.refusal("S006", "holds nothing",
+                        "Name at least one of \"x\", \"y\", \"z\".");
+  }
+  for (const Value& element : elements) {
+    is_fixed.at(element.choice<std::size_t>({{"x", 0}, {"y", 1}, {"z", 2}})) =
+        true;
+  }
+  return is_fixed;
+}
+
+std::string read_quantity_name(const Value& value) {
+  return value.choice<std::string>({{"von_mises", "von_mises"},
+                                    {"stress_xx", "stress_xx"},
+                                    {"stress_yy", "stress_yy"},
+                                    {"stress_zz", "stress_zz"},
+                                    {"stress_xy", "stress_xy"},
+                                    {"stress_xz", "stress_xz"},
+                                    {"stress_yz", "stress_yz"},
+                                    {"displacement_x", "displacement_x"},
+                                    {"displacement_y", "displacement_y"},
+                                    {"displacement_z", "displacement_z"}});
+}
+
+std::vector<Probe> read_probes(StrictTable& table) {
+  std::vector<Probe> probes;
+  NameIndex names("probe");
+  for (StrictTable& entry : table.tables("probes")) {
+    const Value name = entry["name"];
+    names.add(name.name(), name);
+    Probe probe{name.name(), entry["at"].vector(Dimension::kLength),
+                read_quantity_name(entry["quantity"])};
+    if (const auto reference = entry.find("reference")) {
+      probe.reference = reference->quantity(
+          part::is_displacement(probe.quantity) ? Dimension::kLength
+                                                : Dimension::kStress);
+    }
+    probes.push_back(std::move(probe));
+  }
+  return probes;
+}
+
+/// A map from groups of the mesh to what acts on them.
+template <typename Content, typename Read>
+std::map<std::string, Content> read_groups(StrictTable& table,
+                                           std::string_view key, Read read) {
+  std::map<std::string, Content> groups;
+  const auto value = table.find(key);
+  if (!value) return groups;
+  for (const auto& [group, entry] : value->entries()) {
+    groups.emplace(group, read(entry));
+  }
+  return groups;
+}
+
+Eigen::Vector3d vector_or_zero(StrictTable& table, std::string_view key,
+                               Dimension dimension) {
+  const auto value = table.find(key);
+  return value ? value->vector(dimension) : Eigen::Vector3d::Zero();
+}
+
+/// A number: the same in all directions; a table: across and along the face.
+part::Foundation read_foundation(const Value& value) {
+  if (!value.is_table()) {
+    const double all = value.positive(Dimension::kBedding);
+    return {all, all};
+  }
+  part::Foundation foundation;
+  StrictTable table(value, "part.case.foundation");
+  if (const auto normal = table.find("normal")) {
+    foundation.normal = normal->positive(Dimension::kBedding);
+  }
+  if (const auto tangential = table.find("tangential")) {
+    foundation.tangential = tangential->positive(Dimension::kBedding);
+  }
+  if (foundation == part::Foundation{}) {
+    throw value.refusal("S006", "holds nothing",
+                        "Give normal, tangential or both.");
+  }
+  return foundation;
+}
+
+/// Bores whose pins hold the part; nothing else may hold it or load them.
+std::vector<std::string> read_held_by_pin(StrictTable& table,
+                                          const LoadCaseDefinition& load_case) {
+  std::vector<std::string> bores;
+  const auto value = table.find("held_by_pin");
+  if (!value) return bores;
+  for (const Value& element : value->elements()) {
+    const std::string bore = element.text();
+    if (std::ranges::find(bores, bore) != bores.end()) {
+      throw element.refusal("S008", fmt::format("names \"{}\" twice", bore),
+                            "Name each bore once.");
+    }
+    if (load_case.pins.contains(bore)) {
+      throw element.refusal(
+          "S010", fmt::format("holds \"{}\", which `pins` loads", bore),
+          "A pin either holds the part, by a reaction that is found, or loads "
+          "it by a force that is given.");
+    }
+    bores.push_back(bore);
+  }
+  if (bores.empty()) {
+    throw value->refusal("S006", "holds nothing", "Name at least one bore.");
+  }
+  if (table.has("fixed") || table.has("foundation")) {
+    throw value->refusal("S010",
+                         "and `fixed` or `foundation` hold the part together",
+                         "Pins hold a part that is free but for them: leave "
+                         "one of the two out.");
+  }
+  return bores;
+}
+
+void require_load(const StrictTable& table) {
+  constexpr std::string_view kLoads[] = {"pins",
+                                         "pressure",
+                                         "traction",
+                                         "acceleration",
+                                         "gravity",
+                                         "angular_velocity",
+                                         "angular_acceleration"};
+  if (std::ranges::none_of(kLoads, [&](auto key) {
+        return table.has(key);
+      })) {
+    throw table.refusal("S003", "has no load",
+                        "Give pins, pressure, traction, gravity or an "
+                        "acceleration.");
+  }
+}
+
+}  // namespace
+
+part::Supports read_fixed(StrictTable& table) {
+  return read_groups<std::array<bool, 3>>(table, "fixed", read_components);
+}
+
+LoadCaseDefinition read_case(StrictTable table) {
+  const auto force = [](const Value& v) {
+    return v.vector(Dimension::kForce);
+  };
+  const auto stress = [](const Value& v) {
+    return v.vector(Dimension::kStress);
+  };
+  const auto pressure = [](const Value& v) {
+    return v.quantity(Dimension::kStress);
+  };
+  LoadCaseDefinition load_case;
+  load_case.name = table["name"].title();
+  require_load(table);
+  load_case.pins = read_groups<Eigen::Vector3d>(table, "pins", force);
+  load_case.pressure = read_groups<double>(table, "pressure", pressure);
+  load_case.traction = read_groups<Eigen::Vector3d>(table, "traction", stress);
+  load_case.fixed = read_fixed(table);
+  load_case.foundations =
+      read_groups<part::Foundation>(table, "foundation", read_foundation);
+  load_case.held_by_pin = read_held_by_pin(table, load_case);
+  load_case.acceleration =
+      vector_or_zero(table, "acceleration", Dimension::kAcceleration) -
+      vector_or_zero(table, "gravity", Dimension::kAcceleration);
+  load_case.angular_velocity =
+      vector_or_zero(table, "angular_velocity", Dimension::kAngularVelocity);
+  load_case.angular_acceleration = vector_or_zero(
+      table, "angular_acceleration", Dimension::kAngularAcceleration);
+  load_case.probes = read_probes(table);
+  return load_case;
+}
+
+}  // namespace clevis::scene

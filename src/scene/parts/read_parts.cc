@@ -1,0 +1,103 @@
+#include "scene/parts/read_parts.h"
+
+#include <fmt/format.h>
+
+#include "scene/parts/read_cases.h"
+#include "scene/text/names.h"
+
+namespace clevis::scene {
+namespace {
+
+/// meshes/NAME/part.msh for a scene in geometry/NAME, else beside the
+/// geometry.
+std::filesystem::path mesh_of_geometry(const std::filesystem::path& geometry,
+                                       const std::filesystem::path& file) {
+  auto folder = std::filesystem::absolute(file).lexically_normal();
+  folder = folder.parent_path();
+  if (geometry.is_relative() && folder.parent_path().filename() == "geometry") {
+    folder = folder.parent_path().parent_path() / "meshes" / folder.filename();
+  }
+  return (folder / geometry)
+      .replace_extension(".msh")
+      .lexically_normal()
+      .lexically_proximate(std::filesystem::current_path());
+}
+
+double read_length_unit(const Value& value) {
+  try {
+    return parse_quantity("1 " + value.text(), Dimension::kLength,
+                          value.place());
+  } catch (const Error&) {
+    throw value.refusal(
+        "S004", fmt::format("= \"{:.60}\" is no unit of length", value.text()),
+        "Give the unit of the mesh's coordinates alone, e.g. "
+        "\"mm\".");
+  }
+}
+
+part::Limits read_limits(StrictTable table) {
+  constexpr double kLargestFactor = 1000.0;
+  part::Limits limits;
+  if (const auto factor = table.find("safety_factor")) {
+    limits.safety_factor = factor->number(0.0, kLargestFactor);
+    if (*limits.safety_factor < 1.0) {
+      throw factor->refusal(
+          "S006",
+          fmt::format("= {} lets the part yield, where linear elasticity says "
+                      "nothing of it",
+                      *limits.safety_factor),
+          "Give a factor from 1 to 1000, on the yield strength.");
+    }
+  }
+  if (const auto deflection = table.find("deflection")) {
+    limits.deflection = deflection->positive(Dimension::kLength);
+  }
+  if (const auto factor = table.find("buckling")) {
+    limits.buckling = factor->number(1.0, kLargestFactor);
+  }
+  if (const auto zones = table.find("singular_zones")) {
+    limits.exclude_singular_zones =
+        zones->choice<bool>({{"count", false}, {"exclude", true}});
+  }
+  return limits;
+}
+
+}  // namespace
+
+part::PartDefinition read_part(StrictTable& table, const Names& names,
+                               const std::vector<part::Material>& materials,
+                               const std::filesystem::path& file) {
+  part::PartDefinition part;
+  part.name = table["name"].name();
+  part.place = table.place();
+  const auto geometry = table.find("geometry");
+  const auto mesh = table.find("mesh");
+  if (!geometry && !mesh) {
+    throw table.refusal("S003", "lacks the key \"mesh\" or \"geometry\"",
+                        "Give a .msh file, or the .geo that it is made of.");
+  }
+  if (geometry) part.geometry = file.parent_path() / geometry->text();
+  part.mesh = mesh ? file.parent_path() / mesh->text()
+                   : mesh_of_geometry(geometry->text(), file);
+  part.length_unit = read_length_unit(table["length_unit"]);
+  if (const auto thickness = table.find("thickness")) {
+    part.thickness = thickness->positive(Dimension::kLength);
+  }
+  const Value material = table["material"];
+  part.material = materials[static_cast<std::size_t>(
+      names.materials.find(material.name(), material))];
+  if (table.has("limits")) part.limits = read_limits(table.table("limits"));
+  if (const auto damping = table.find("damping")) {
+    constexpr double kLargestDamping = 0.5;
+    part.damping = damping->number(0.0, kLargestDamping);
+  }
+  NameIndex cases("case");
+  for (StrictTable& entry : table.tables("case")) {
+    const Value name = entry["name"];
+    cases.add(name.title(), name);
+    part.cases.push_back(read_case(entry));
+  }
+  return part;
+}
+
+}  // namespace clevis::scene

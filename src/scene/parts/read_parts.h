@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "part/part_definition.h"
+#include "scene/text/names.h"
+#include "scene/text/strict_table.h"
+
+namespace clevis::scene {
+
+/// A part without its seats, which need the mechanism.
+/// @param file  the scene's, which the part's paths are relative to.
+part::PartDefinition read_part(StrictTable& table, const Names& names,
+                               const std::vector<part::Material>& materials,
+                               const std::filesystem::path& file);
+
+}  // namespace clevis::scene
