@@ -106,7 +106,9 @@ def contract(clevis, root, checks):
         checks.expect("left out" in document["calculix"],
                       "a missing ccx is told", document["calculix"])
         series = {r["series"] for r in part["runs"] if "left_out" not in r}
-        checks.expect({"plane stress", "3-D", "clevis check"} <= series,
+        checks.expect({"plane stress", "2-D x 2+2 terms", "2-D x 3+3 terms",
+                       "2-D x 4+4 terms", "axisymmetric", "3-D",
+                       "3-D, cells halved", "clevis check"} == series,
                       "every model is there", series)
         checks.expect(not any(s.startswith("CalculiX") for s in series),
                       "no CalculiX without ccx", series)
@@ -118,6 +120,13 @@ def contract(clevis, root, checks):
         got = part["reference"]["probes"][0]["value_mm"]
         checks.expect(abs(got - exact) < 1e-4 * abs(exact),
                       f"reference of the probe is Lame's {exact:.6g} mm", got)
+        revolved = [abs(r["probes"][0]["value_mm"] / exact - 1)
+                    for r in part["runs"] if r["series"] == "axisymmetric"]
+        checks.expect(len(revolved) == 4
+                      and revolved == sorted(revolved, reverse=True)
+                      and revolved[-1] < 1e-4,
+                      "by Fourier terms each degree comes nearer to Lame",
+                      revolved)
         for r in part["runs"]:
             checks.expect("left_out" in r or (
                 r["memory_MB"] > 10 and r["seconds"]["total"] > 0
