@@ -36,6 +36,12 @@ name = "squeezed"
 pressure = {{ bore_A = "{inside}", round_rim = "10 MPa" }}
 probes = [{{ name = "P", at = ["13 mm", "4 mm", "5 mm"], quantity = "displacement_x" }}]
 """
+PRESSED = """
+thickness = "6 mm"
+[[part.case]]
+name = "pressed"
+pressure = { bore_A = "20 MPa", rim = "10 MPa" }
+"""
 SPUN = """
 [[part.case]]
 name = "spun"
@@ -152,6 +158,24 @@ pins = { bore_A = ["1 N", "0 N", "0 N"] }
                       "unbalanced part", refused)
 
 
+def triangles(clevis, root, checks):
+    """A flat mesh of triangles: terms through the thickness stand on
+    quadrangles. At the bore of Lame's ring: r -20, hoop 20/3, axial 0 MPa."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = scene(folder, root, "ring_flat_tri6.msh", PRESSED)
+        run = call(clevis, "study", file, "--json", "--out", folder, path="")
+    checks.expect(run.returncode == 0, "study of triangles", run)
+    runs = json.loads(run.stdout)["parts"][0]["runs"]
+    checks.expect(not any("left_out" in r for r in runs),
+                  "triangles: every run is made", runs)
+    exact = (400 + 400 / 9 + 400 / 3) ** 0.5
+    last = {r["series"]: r.get("peak_MPa", 0) for r in runs
+            if r["series"].endswith("terms")}
+    checks.expect(len(last) == 3 and all(abs(peak / exact - 1) < 1e-3
+                                         for peak in last.values()),
+                  f"triangles, terms: peak is Lame's {exact:.6g} MPa", last)
+
+
 def agreement(clevis, root, checks, mesh, case, limit):
     with tempfile.TemporaryDirectory() as folder:
         run = call(clevis, "study", scene(folder, root, mesh, case), "--json",
@@ -178,6 +202,7 @@ def main():
     checks = Checks()
     if sys.argv[3] == "contract":
         contract(clevis, root, checks)
+        triangles(clevis, root, checks)
     elif shutil.which("ccx") is None:
         print("skipped: no ccx (Debian: calculix-ccx)")
         return 77
