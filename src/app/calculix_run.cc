@@ -63,7 +63,7 @@ loads::LoadHistory history_of(const PartJob& job,
   return history;
 }
 
-/// The fastest of a few runs, as study::run_rung does.
+/// The fastest of a few runs, as study::solve_model does.
 ChildOutcome fastest_run(const fs::path& folder) {
   constexpr double kRepeatSeconds = 0.3;
   constexpr int kMostRepeats = 5;
@@ -154,8 +154,9 @@ study::Run run_calculix(const PartJob& job, const CalculixRequest& request) {
   run.seconds.total = outcome.seconds;
   run.cpu_seconds = outcome.cpu_seconds;
   run.memory = outcome.peak_memory;
-  // Plane stress alone cannot be compared with.
-  if (study::rungs_of(job).back() != study::Rung::kPlaneStressHalved) {
+  // What has plane models alone cannot be compared with.
+  const auto finest = study::series_of(job).back().model;
+  if (assessment::traits_of(finest).dim == 3) {
     run.displacement_difference =
         displacement_difference(job, history, model, request.split, steps);
   }

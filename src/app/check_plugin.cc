@@ -146,14 +146,6 @@ std::vector<std::string> moving_parts(const LoadedScene& loaded,
   return names;
 }
 
-assessment::ModelChoice model_choice(const std::string& name) {
-  if (name == "plane-stress") return assessment::ModelChoice::kPlaneStress;
-  if (name == "layered") return assessment::ModelChoice::kLayered;
-  if (name == "revolution") return assessment::ModelChoice::kRevolution;
-  if (name == "3d") return assessment::ModelChoice::kSolid;
-  return assessment::ModelChoice::kAuto;
-}
-
 void write_reactions(const LoadedScene& loaded, const mechanism::Motion& motion,
                      const fs::path& folder) {
   report::MotionReport motion_report;
@@ -197,7 +189,7 @@ ExitCode run_check(const Options& options) {
       part_jobs(loaded, loading, options.parts,
                 options.tolerance.value_or(loaded.scene.peak_stress_tolerance));
   for (auto& job : jobs) {
-    job.model = model_choice(options.model);
+    job.model = assessment::find_model(options.model);
     report.limits.emplace(job.part.name, job.part.limits);
   }
   report.seconds.emplace_back("loads", watch.lap());

@@ -5,8 +5,11 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/commands.h"
+#include "assessment/job/model_traits.h"
 #include "base/quantity.h"
 #include "scene/text/name_index.h"
 #include "scene/text/suggestion.h"
@@ -114,6 +117,22 @@ void add_impact(CLI::App& app, Parsed& parsed) {
   });
 }
 
+std::vector<std::string> model_words() {
+  std::vector<std::string> words{"auto"};
+  for (const auto& model : assessment::kModels) words.emplace_back(model.word);
+  return words;
+}
+
+std::string about_models() {
+  std::string text =
+      "auto takes the cheapest model that suits a part and meets the "
+      "tolerance:";
+  for (const auto& model : assessment::kModels) {
+    text += fmt::format("\n  {:<13} {}", model.word, model.suits);
+  }
+  return text;
+}
+
 void add_check(CLI::App& app, Parsed& parsed) {
   CLI::App* command = app.add_subcommand(
       "check", "does every part hold over the motion and its cases?");
@@ -130,14 +149,14 @@ void add_check(CLI::App& app, Parsed& parsed) {
                    "parts in parallel [one per core]")
       ->type_name("N")
       ->check(CLI::Range(1, kMostJobs));
+  const auto words = model_words();
   command
       ->add_option(
           "--model", parsed.options.model,
-          "force a model: auto, plane-stress, layered, revolution or 3d "
-          "[auto]")
+          fmt::format("force a model: {} [auto]", fmt::join(words, ", ")))
       ->type_name("MODEL")
-      ->check(CLI::IsMember(
-          {"auto", "plane-stress", "layered", "revolution", "3d"}));
+      ->check(CLI::IsMember(words));
+  command->footer(about_models());
   command->callback([&parsed, command] {
     parsed.run = [&parsed, command] {
       if (command->count("--tolerance") > 0) {

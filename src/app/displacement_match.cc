@@ -7,12 +7,12 @@
 
 #include <Eigen/Cholesky>
 
+#include "assessment/job/model_traits.h"
 #include "base/errors.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/solid/solid_solve.h"
 #include "mesh/cells/topology.h"
 #include "stress/stress_history.h"
-#include "study/clevis_run.h"
 
 namespace clevis::app {
 namespace {
@@ -99,9 +99,10 @@ double displacement_difference(const PartJob& job,
                                const std::vector<calculix::StepResult>& steps) {
   const auto& set = job.load_sets.front();
   // Tetrahedra in the space of C3D10: nothing but digits may differ.
-  const int degree = job.mesh.shape == mesh::CellShape::kTensor
-                         ? study::highest_degree(job, study::Rung::kSolid)
-                         : 2;
+  const int degree =
+      job.mesh.shape == mesh::CellShape::kTensor
+          ? assessment::traits_of(assessment::ModelKind::kSolid).highest_degree
+          : 2;
   const auto basis = elasticity::solve<3>(
       {job.mesh, job.part.material, history, set.fixed, job.part.name}, degree);
   const double size = mesh::size_of(job.mesh);

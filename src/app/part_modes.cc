@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string_view>
+#include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "assessment/models/model_list.h"
 #include "base/stopwatch.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "elasticity/vibration/eigenmodes.h"
-#include "mesh/reading/mesh_reader.h"
 #include "report/text/atomic_file.h"
 #include "stress/field_output.h"
 #include "stress/stress_history.h"
@@ -96,7 +98,7 @@ std::string write_shape(const part::PartDefinition& part,
 }
 
 template <int dim>
-ordered_json modes_of(const mesh::PartMesh<dim>& mesh, const char* model,
+ordered_json modes_of(const mesh::PartMesh<dim>& mesh, std::string_view model,
                       const part::PartDefinition& part,
                       const ModesRequest& request, const fs::path& folder) {
   Stopwatch watch;
@@ -128,25 +130,30 @@ ordered_json modes_of(const mesh::PartMesh<dim>& mesh, const char* model,
           {"modes", std::move(rows)}};
 }
 
-/// Supports that leave a plate free to leave its plane: it vibrates in it.
-bool holds_the_plane_only(const ModesRequest& request) {
-  return !request.fixed.empty() && request.foundations.empty() &&
-         std::ranges::none_of(request.fixed, [](const auto& entry) {
-           return entry.second[2];
-         });
+/// The part with the supports that are asked for, without loads.
+assessment::PartJob held_part(const LoadedPart& part,
+                              const ModesRequest& request) {
+  assessment::PartJob job;
+  job.part = part.definition;
+  job.mesh = part.mesh;
+  job.load_sets.push_back({.history = {},
+                           .fixed = request.fixed,
+                           .foundations = request.foundations});
+  return job;
 }
 
 }  // namespace
 
 ordered_json part_modes(const LoadedPart& part, const ModesRequest& request,
                         const fs::path& folder) {
-  if (holds_the_plane_only(request)) {
-    if (const auto plate = mesh::plate_mid_plane(part.mesh)) {
-      return modes_of<2>(*plate, "plane stress", part.definition, request,
-                         folder);
-    }
-  }
-  return modes_of<3>(part.mesh, "3-D", part.definition, request, folder);
+  const assessment::PartJob job = held_part(part, request);
+  const assessment::PartShape shape(job);
+  const assessment::Model& entry = assessment::finest_in_time(shape);
+  const auto modes = [&]<int dim>(const assessment::FeModel<dim>& model) {
+    return modes_of<dim>(*model.mesh, entry.traits.name, part.definition,
+                         request, folder);
+  };
+  return std::visit(modes, entry.make(shape, {}));
 }
 
 std::vector<ModesRequest> modes_requests(const LoadedPart& part, bool moves,

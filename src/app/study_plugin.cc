@@ -24,7 +24,6 @@ namespace fs = std::filesystem;
 using assessment::PartJob;
 using study::PartStudy;
 using study::Run;
-using study::Rung;
 
 /// Tolerances of the check's series.
 constexpr double kTolerances[] = {0.1, 0.03, 0.01, 0.003, 0.001};
@@ -65,12 +64,13 @@ std::vector<std::optional<study::Governing>> governing_loads(
 
 void plan_clevis(std::size_t part, const PartJob& job, int instant,
                  std::vector<PlannedRun>& plan) {
-  for (const Rung rung : study::rungs_of(job)) {
-    for (int degree = 1; degree <= study::highest_degree(job, rung); ++degree) {
-      plan.push_back({part, study::series_name(rung),
+  for (const study::Series& series : study::series_of(job)) {
+    const int highest = assessment::traits_of(series.model).highest_degree;
+    for (int degree = 1; degree <= highest; ++degree) {
+      plan.push_back({part, study::series_name(series),
                       fmt::format("p = {}", degree),
-                      [&job, rung, degree, instant] {
-                        return study::run_rung(job, rung, degree, instant);
+                      [&job, series, degree, instant] {
+                        return study::solve_model(job, series, degree, instant);
                       }});
     }
   }
@@ -146,21 +146,13 @@ PartStudy empty_study(const PartJob& job, const study::Governing& governing) {
 }
 
 void find_references(const PartJob& job, PartStudy& study) {
-  std::vector<std::string> series;
-  const auto rungs = study::rungs_of(job);
-  const bool is_plane = rungs.back() == Rung::kPlaneStressHalved;
-  for (const Rung rung : rungs) {
-    const bool is_solid = rung == Rung::kSolid || rung == Rung::kSolidHalved;
-    if (!is_solid && !is_plane) continue;
-    series.push_back(study::series_name(rung));
-  }
   std::vector<std::optional<double>> published;
   for (const auto& load_case : job.part.cases) {
     for (const auto& probe : load_case.probes) {
       published.push_back(probe.reference);
     }
   }
-  study::set_references(series, published, study);
+  study::set_references(study::exact_series(job), published, study);
 }
 
 void write_part(const PartStudy& part, const fs::path& folder) {

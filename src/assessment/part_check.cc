@@ -1,9 +1,9 @@
 #include "assessment/part_check.h"
 
-#include <algorithm>
-#include <memory>
 #include <optional>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -12,11 +12,8 @@
 #include "assessment/judge/verdict.h"
 #include "assessment/ladder/degree_climb.h"
 #include "assessment/ladder/degree_ladder.h"
-#include "assessment/ladder/rung_result.h"
-#include "assessment/models/model_choice.h"
-#include "assessment/models/model_error.h"
-#include "assessment/models/revolution_model.h"
-#include "assessment/models/rung.h"
+#include "assessment/ladder/model_result.h"
+#include "assessment/models/model_list.h"
 #include "assessment/notes/beam_comparison.h"
 #include "assessment/notes/case_notes.h"
 #include "assessment/notes/facet_doubt.h"
@@ -31,22 +28,7 @@
 namespace clevis::assessment {
 namespace {
 
-template <int dim>
-PartAssessment run_rung(const PartJob& job, const mesh::PartMesh<dim>& mesh,
-                        const Rung<dim>& rung,
-                        const std::vector<LoadSet>& governing = {}) {
-  PartSeconds seconds;
-  const auto ladder = climb_degrees<dim>(job, mesh, rung, governing, seconds);
-  return assess<dim>(job, rung, ladder, seconds);
-}
-
-bool is_held(const PartJob& job) {
-  return std::ranges::any_of(job.load_sets, [](const LoadSet& set) {
-    return !set.fixed.empty() || !set.foundations.empty();
-  });
-}
-
-/// Whether a higher rung has nothing to add. Of a free part a slow sequence of
+/// Whether a better model has nothing to add. Of a free part a slow sequence of
 /// degrees that looks singular may only want a higher one.
 bool is_settled(const PartJob& job, const PartResult& result) {
   if (result.peak.verdict != PeakVerdict::kSingular) {
@@ -57,137 +39,59 @@ bool is_settled(const PartJob& job, const PartResult& result) {
           result.peak_outside.verdict == PeakVerdict::kConverged);
 }
 
-/// Nothing if a higher rung is there and the error of the model alone is above
-/// the tolerance. A held part is climbed first: a stress without bound needs no
-/// better model.
-std::optional<PartAssessment> run_plane_stress(
-    const PartJob& job, const PlateModel& plate,
-    const std::vector<LoadSet>& governing) {
-  const bool may_skip = plate.suits_layers && !is_held(job) &&
-                        job.model != ModelChoice::kPlaneStress;
-  auto rung = plane_stress_rung(plate.mesh);
-  if (may_skip) {
-    if (plane_stress_is_far(job, plate.quadrangles, governing))
-      return std::nullopt;
-    rung.model_error = plane_stress_error(job, plate.quadrangles, governing);
-    if (rung.model_error > job.tolerance) return std::nullopt;
-  }
-  auto assessment = run_rung<2>(job, plate.mesh, rung, governing);
-  PartResult& result = assessment.result;
-  if (!may_skip && result.peak.value > 0.0) {
-    rung.model_error = plane_stress_error(job, plate.quadrangles, governing);
-  }
-  add_model_error(job.tolerance, rung.model_error, result);
-  return assessment;
-}
-
-/// Looks closer where that is cheap or asked for.
-int lattice_for(const PartJob& job) {
-  constexpr double kFine = 0.005;
-  constexpr std::size_t kFew = 10;
-  std::size_t instants = 0;
-  for (const LoadSet& set : job.load_sets) {
-    instants += set.history.instants.size();
-  }
-  return instants <= kFew || job.tolerance < kFine ? 8 : 4;
-}
-
-/// Whether hexahedra can be solved: supports of the plane alone leave them
-/// free to leave it.
-bool is_held_in_space(const PartJob& job) {
-  return std::ranges::all_of(job.load_sets, [](const LoadSet& set) {
-    return set.fixed.empty() || std::ranges::any_of(set.fixed, [](auto& f) {
-             return f.second[2];
-           });
-  });
-}
-
-PartAssessment run_layered(const PartJob& job, const PlateModel& plate,
-                           const std::vector<LoadSet>& governing) {
-  constexpr double kShare = 0.5;  // of the tolerance, for the model
-  const auto choice =
-      choose_terms(job, plate.quadrangles, governing, kShare * job.tolerance);
-  auto rung = layered_rung(plate.quadrangles, choice.terms, lattice_for(job));
-  rung.model_error = choice.model_error;
-  auto assessment = run_rung<3>(job, job.mesh, rung, governing);
-  assessment.result.cells = static_cast<int>(plate.quadrangles.cells.size());
-  add_model_error(job.tolerance, choice.model_error, assessment.result);
-  return assessment;
-}
-
-PartAssessment run_revolution(const PartJob& job,
-                              const mesh::Revolution& solid) {
-  const auto progress = std::make_shared<RevolutionProgress>();
-  auto assessment =
-      run_rung<3>(job, job.mesh, revolution_rung(solid, progress));
-  PartResult& result = assessment.result;
-  result.model =
-      fmt::format("axisymmetric, {} harmonic{}, p = {}", progress->harmonics,
-                  progress->harmonics == 1 ? "" : "s", progress->degree);
-  result.cells = static_cast<int>(solid.meridian.cells.size());
-  add_model_error(job.tolerance, 0.0, result);
-  if (result.peak.value > 0.0) {
-    result.stopped_because += fmt::format(
-        "; higher harmonics bring {:.2g} % at most, counted in the first",
-        100.0 * progress->truncation / result.peak.value);
-  }
-  return assessment;
-}
-
-/// The lowest rung that meets the tolerance, or the highest that the part
-/// and the job admit.
-PartAssessment climb(const PartJob& job) {
+template <int dim>
+PartAssessment assess_by(const PartJob& job, const FeModel<dim>& model,
+                         const std::vector<LoadSet>& governing) {
   PartSeconds seconds;
-  const auto solid = revolution_model(job);
-  if (solid && job.model == ModelChoice::kRevolution) {
-    return run_revolution(job, *solid);
-  }
-  const auto plate = plate_model(job);
-  std::vector<LoadSet> governing;
-  if (plate) {
-    governing =
-        governing_loads(job, plate->quadrangles, plate->suits_plane_stress);
-  }
-  if (plate && plate->suits_plane_stress &&
-      job.model != ModelChoice::kLayered) {
-    auto assessment = run_plane_stress(job, *plate, governing);
-    const bool is_last = !plate->suits_layers && !is_held_in_space(job);
-    if (assessment && (is_settled(job, assessment->result) || is_last ||
-                       job.model == ModelChoice::kPlaneStress)) {
-      return std::move(*assessment);
-    }
-    if (assessment) seconds = assessment->result.seconds;
-  }
-  if (plate && plate->suits_layers) {
-    auto assessment = run_layered(job, *plate, governing);
-    add_seconds(seconds, assessment.result.seconds);
-    const PeakStress& peak = assessment.result.peak;
-    // Where the degree falls short hexahedra of the same mesh do too.
-    if (is_settled(job, assessment.result) ||
-        job.model == ModelChoice::kLayered || !is_held_in_space(job) ||
-        peak.verdict == PeakVerdict::kSingular ||
-        peak.model_error < job.tolerance * peak.value) {
-      return assessment;
-    }
-    seconds = assessment.result.seconds;
-  }
-  if (solid) {
-    auto assessment = run_revolution(job, *solid);
-    add_seconds(seconds, assessment.result.seconds);
+  const auto ladder = climb_degrees<dim>(job, model, governing, seconds);
+  return assess<dim>(job, model, ladder, seconds);
+}
+
+/// Nothing if the error of the model alone is above the tolerance and a better
+/// one suits.
+std::optional<PartAssessment> solve_model(const Model& entry,
+                                          const PartShape& shape) {
+  const PartJob& job = shape.job();
+  const auto settings = entry.settings(shape);
+  if (!settings) return std::nullopt;
+  const auto solve = [&](const auto& model) {
+    PartAssessment assessment = assess_by(job, model, settings->governing);
+    PartResult& result = assessment.result;
+    const double error = settings->error           ? *settings->error
+                         : result.peak.value > 0.0 ? entry.error(shape)
+                                                   : 0.0;
+    add_model_error(job.tolerance, error, result);
+    if (model.remark) model.remark(result);
     return assessment;
+  };
+  return std::visit(solve, entry.make(shape, *settings));
+}
+
+/// By the cheapest model that meets the tolerance, or the best that the part
+/// and the job admit.
+PartAssessment solve_models(const PartJob& job) {
+  const PartShape shape(job);
+  const auto models = models_for(shape);
+  PartSeconds seconds;
+  std::optional<PartAssessment> found;
+  for (const Model* model : models) {
+    auto assessment = solve_model(*model, shape);
+    if (!assessment) continue;
+    found = std::move(assessment);
+    PartResult& result = found->result;
+    add_seconds(seconds, result.seconds);
+    if (is_settled(job, result) || !model->next_may_help(shape, result)) break;
+    seconds = result.seconds;
   }
-  auto assessment = run_rung<3>(job, job.mesh, solid_rung(job.mesh));
-  add_seconds(seconds, assessment.result.seconds);
-  add_model_error(job.tolerance, 0.0, assessment.result);
-  return assessment;
+  return std::move(*found);
 }
 
 /// What loads at rest and in motion do to the part, and its blows.
-PartAssessment climb_all(const PartJob& job, CheckedBlows& blows) {
+PartAssessment solve_all(const PartJob& job, CheckedBlows& blows) {
   if (job.load_sets.empty() && blows.assessment) {
     return std::move(*blows.assessment);
   }
-  PartAssessment found = climb(job);
+  PartAssessment found = solve_models(job);
   return blows.assessment ? join(std::move(found), std::move(*blows.assessment))
                           : std::move(found);
 }
@@ -221,7 +125,7 @@ void explain_unsettled(PartResult& result) {
 PartAssessment check_part(const PartJob& given) {
   Stopwatch watch;
   CheckedBlows blows = check_blows(given);
-  PartAssessment assessment = climb_all(given, blows);
+  PartAssessment assessment = solve_all(given, blows);
   PartJob job = given;  // with the blows as loads at rest, for beam theory
   job.load_sets.insert(job.load_sets.end(), blows.at_rest.begin(),
                        blows.at_rest.end());

@@ -55,15 +55,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "The factorisation would need more memory than the machine has. Mesh the "
      "part coarser."},
     {"F005", kModelInvalid, "model does not fit the part",
-     "--model plane-stress or layered was asked for, but the part is no plate "
-     "extruded along z with all loads on its sides, or (plane-stress) a load "
-     "leaves its plane; or --model revolution, but the part is no hollow solid "
-     "of revolution meshed in closed rings with all loads on whole rings. "
-     "Beds (`foundation`) are known to hexahedra and tetrahedra only, and not "
-     "to CalculiX. Leave "
-     "--model out: clevis takes the cheapest model "
-     "that "
-     "fits."},
+     "The model that --model asks for does not suit the part, its loads or its "
+     "supports; the message says why, `clevis check --help` what each model "
+     "suits. Beds (`foundation`) are known to 3-D only, and not to CalculiX. "
+     "Leave --model out: clevis takes the cheapest model that suits."},
     {"F006", kModelInvalid, "strike cannot be computed",
      "A striker needs a mass, a speed or a force towards the part, and a "
      "contact spring with a stiffness above zero. A Hertz contact (exponent "

@@ -1,14 +1,13 @@
 #include "study/clevis_run.h"
 
 #include <algorithm>
-#include <optional>
+#include <variant>
 
 #include <fmt/format.h>
 #include <sys/resource.h>
 
 #include "assessment/models/level.h"
-#include "assessment/models/model_choice.h"
-#include "assessment/models/rung.h"
+#include "assessment/models/model_list.h"
 #include "assessment/part_check.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
@@ -59,103 +58,64 @@ Run take(const assessment::Level<dim>& level, int instant) {
   return run;
 }
 
-mesh::PartMesh<2> mid_plane(const mesh::PartMesh<3>& mesh) {
-  auto plate = mesh::plate_mid_plane(mesh);
-  if (!plate) {
-    throw Error("X001", "study", "the mesh is no plate any more",
-                "please report this scene");
-  }
-  return *plate;
+assessment::AnyFeModel model_of(const assessment::PartShape& shape,
+                                const Series& series) {
+  constexpr int kSubdivisions = 6;  // of layered models' lattice
+  return assessment::entry_of(series.model)
+      .make(shape, {.terms = series.terms, .subdivisions = kSubdivisions});
 }
 
-/// Legendre terms of each field; 0 of the other rungs.
-int terms_of(Rung rung) {
-  switch (rung) {
-    case Rung::kTwoTerms:
-      return 2;
-    case Rung::kThreeTerms:
-      return 3;
-    case Rung::kFourTerms:
-      return 4;
-    default:
-      return 0;
-  }
-}
-
-bool is_plane(Rung rung) {
-  return rung == Rung::kPlaneStress || rung == Rung::kPlaneStressHalved;
-}
-
-/// Whether nothing but the plane keeps the part in its plane.
-bool is_held_in_plane_only(const PartJob& job) {
-  return std::ranges::any_of(job.load_sets, [](const auto& set) {
-    return !set.fixed.empty() &&
-           std::ranges::none_of(set.fixed, [](const auto& f) {
-             return f.second[2];
-           });
-  });
-}
-
+/// @throws Error F004 if the cells of a model in space are too many.
 template <int dim>
-Governing governing_of(const PartJob& job, const mesh::PartMesh<dim>& mesh,
-                       const assessment::Rung<dim>& model) {
-  constexpr int kDegree = 2;
-  assessment::PartSeconds seconds;
-  const auto level = assessment::solve_level<dim>(job, job.load_sets, mesh,
-                                                  model, kDegree, seconds);
-  const int instant = level.history().peak_instant;
-  return {level.set, instant,
-          job.load_sets[level.set]
-              .history.instants[static_cast<std::size_t>(instant)]
-              .label};
+void forbid_long_runs(const PartJob& job, const assessment::FeModel<dim>& model,
+                      int degree) {
+  if (dim == 2 || model.cells_in_plane) return;
+  const double dofs = forecast_dofs(job.mesh, degree);
+  if (dofs <= kMostDofs) return;
+  throw Error("F004", "part " + job.part.name,
+              fmt::format("{:.2g} degrees of freedom", dofs),
+              "a study solves no more than 450 000");
 }
 
 /// From the mesh file to the stresses, once.
-Run run_once(const PartJob& job, Rung rung, int degree, int instant) {
+/// @param job  whose mesh is read.
+Run run_once(PartJob job, const Series& series, int degree, int instant) {
   const double cpu = cpu_seconds();
   Stopwatch total;
   Stopwatch watch;
   assessment::PartSeconds seconds;
-  const auto mesh = mesh::read_part_mesh(job.part.mesh, job.part.length_unit,
-                                         job.part.thickness);
-  Run run;
-  const bool is_halved =
-      rung == Rung::kSolidHalved || rung == Rung::kPlaneStressHalved;
-  const auto cells = is_halved ? mesh::split_cells(mesh, 2) : mesh;
-  if (is_plane(rung)) {
-    const auto plate = mid_plane(cells);
+  job.mesh = mesh::read_part_mesh(job.part.mesh, job.part.length_unit,
+                                  job.part.thickness);
+  if (series.is_halved) job.mesh = mesh::split_cells(job.mesh, 2);
+  const assessment::PartShape shape(job);
+  const auto solve = [&]<int dim>(const assessment::FeModel<dim>& model) {
+    forbid_long_runs(job, model, degree);
     seconds.mesh = watch.lap();
-    run = take<2>(assessment::solve_level<2>(
-                      job, job.load_sets, plate,
-                      assessment::plane_stress_rung(plate), degree, seconds),
-                  instant);
-  } else if (terms_of(rung) > 0) {
-    const auto plate = mid_plane(mesh);
-    seconds.mesh = watch.lap();
-    constexpr int kSubdivisions = 6;  // of the lattice that peaks are sought on
-    run = take<3>(
-        assessment::solve_level<3>(
-            job, job.load_sets, mesh,
-            assessment::layered_rung(plate, terms_of(rung), kSubdivisions),
-            degree, seconds),
+    return take<dim>(
+        assessment::solve_level<dim>(job, job.load_sets, *model.mesh, model,
+                                     degree, seconds),
         instant);
-  } else {
-    seconds.mesh = watch.lap();
-    const double dofs = forecast_dofs(cells, degree);
-    if (dofs > kMostDofs) {
-      throw Error("F004", "part " + job.part.name,
-                  fmt::format("{:.2g} degrees of freedom", dofs),
-                  "a study solves no more than 450 000");
-    }
-    run = take<3>(assessment::solve_level<3>(job, job.load_sets, cells,
-                                             assessment::solid_rung(cells),
-                                             degree, seconds),
-                  instant);
-  }
+  };
+  Run run = std::visit(solve, model_of(shape, series));
   run.seconds = seconds;
   run.seconds.total = total.lap();
   run.cpu_seconds = cpu_seconds() - cpu;
   return run;
+}
+
+/// Each number of terms of a model; one series of a model without.
+std::vector<Series> series_of(const assessment::ModelTraits& model) {
+  std::vector<Series> series;
+  for (int terms = model.fewest_terms; terms <= model.most_terms; ++terms) {
+    series.push_back({.model = model.kind, .terms = terms});
+  }
+  return series;
+}
+
+/// Whether the part has plane models only.
+bool is_plane_problem(const PartJob& job,
+                      const std::vector<const assessment::Model*>& models) {
+  return assessment::leaves_plane_free(job) && models.front()->traits.dim == 2;
 }
 
 /// The fastest of a few repetitions.
@@ -175,57 +135,61 @@ Run fastest(Once once) {
 
 }  // namespace
 
-std::string series_name(Rung rung) {
-  switch (rung) {
-    case Rung::kPlaneStress:
-      return "plane stress";
-    case Rung::kPlaneStressHalved:
-      return "plane stress, cells halved";
-    case Rung::kTwoTerms:
-    case Rung::kThreeTerms:
-    case Rung::kFourTerms:
-      return fmt::format("2-D x {0}+{0} terms", terms_of(rung));
-    case Rung::kSolid:
-      return "3-D";
-    case Rung::kSolidHalved:
-      break;
-  }
-  return "3-D, cells halved";
+std::string series_name(const Series& series) {
+  const std::string name =
+      series.terms > 0 ? fmt::format("2-D x {0}+{0} terms", series.terms)
+                       : std::string(traits_of(series.model).name);
+  return series.is_halved ? name + ", cells halved" : name;
 }
 
-std::vector<Rung> rungs_of(const PartJob& job) {
-  std::vector<Rung> rungs;
+std::vector<Series> series_of(const PartJob& job) {
   PartJob free_choice = job;
-  free_choice.model = assessment::ModelChoice::kAuto;
-  const auto plate = assessment::plate_model(free_choice);
-  if (plate && plate->suits_plane_stress) rungs.push_back(Rung::kPlaneStress);
-  if (!rungs.empty() && is_held_in_plane_only(job)) {
-    rungs.push_back(Rung::kPlaneStressHalved);
-    return rungs;
+  free_choice.model.reset();
+  const assessment::PartShape shape(free_choice);
+  auto models = assessment::models_for(shape);
+  if (is_plane_problem(job, models)) {
+    std::erase_if(models, [](const auto* model) {
+      return model->traits.dim != 2;
+    });
   }
-  if (plate && plate->suits_layers) {
-    rungs.insert(rungs.end(),
-                 {Rung::kTwoTerms, Rung::kThreeTerms, Rung::kFourTerms});
+  std::vector<Series> series;
+  for (const auto* model : models) {
+    for (const Series& each : series_of(model->traits)) series.push_back(each);
   }
-  rungs.push_back(Rung::kSolid);
   if (job.mesh.shape == mesh::CellShape::kTensor) {
-    rungs.push_back(Rung::kSolidHalved);
+    series.push_back(series.back());
+    series.back().is_halved = true;
   }
-  return rungs;
+  return series;
 }
 
-int highest_degree(const PartJob& job, Rung rung) {
-  constexpr int kLayered = 5, kTensor = 4, kSimplex = 4;
-  if (terms_of(rung) > 0) return kLayered;
-  return job.mesh.shape == mesh::CellShape::kTensor ? kTensor : kSimplex;
+std::vector<std::string> exact_series(const PartJob& job) {
+  const auto all = series_of(job);
+  const bool is_plane = traits_of(all.back().model).dim == 2;
+  std::vector<std::string> names;
+  for (const Series& series : all) {
+    if (is_plane || traits_of(series.model).is_exact) {
+      names.push_back(series_name(series));
+    }
+  }
+  return names;
 }
 
 Governing find_governing(const PartJob& job) {
-  if (!is_plane(rungs_of(job).back())) {
-    return governing_of<3>(job, job.mesh, assessment::solid_rung(job.mesh));
-  }
-  const auto plate = mid_plane(job.mesh);
-  return governing_of<2>(job, plate, assessment::plane_stress_rung(plate));
+  constexpr int kDegree = 2;
+  const assessment::PartShape shape(job);
+  Series finest = series_of(job).back();
+  finest.is_halved = false;
+  const auto look = [&]<int dim>(const assessment::FeModel<dim>& model) {
+    assessment::PartSeconds seconds;
+    const auto level = assessment::solve_level<dim>(
+        job, job.load_sets, *model.mesh, model, kDegree, seconds);
+    const int instant = level.history().peak_instant;
+    const auto& instants = job.load_sets[level.set].history.instants;
+    return Governing{level.set, instant,
+                     instants[static_cast<std::size_t>(instant)].label};
+  };
+  return std::visit(look, model_of(shape, finest));
 }
 
 PartJob governed_job(const PartJob& job, const Governing& governing) {
@@ -239,11 +203,12 @@ PartJob governed_job(const PartJob& job, const Governing& governing) {
   return result;
 }
 
-Run run_rung(const PartJob& job, Rung rung, int degree, int instant) {
+Run solve_model(const PartJob& job, const Series& series, int degree,
+                int instant) {
   Run run = fastest([&] {
-    return run_once(job, rung, degree, instant);
+    return run_once(job, series, degree, instant);
   });
-  run.series = series_name(rung);
+  run.series = series_name(series);
   run.setting = fmt::format("p = {}", degree);
   return run;
 }
@@ -255,7 +220,7 @@ Run run_check(const PartJob& job, double tolerance) {
     Stopwatch watch;
     PartJob checked = job;
     checked.tolerance = tolerance;
-    checked.model = assessment::ModelChoice::kAuto;
+    checked.model.reset();
     checked.mesh = mesh::read_part_mesh(job.part.mesh, job.part.length_unit,
                                         job.part.thickness);
     const double reading = watch.lap();

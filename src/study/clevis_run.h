@@ -3,32 +3,30 @@
 #include <string>
 #include <vector>
 
+#include "assessment/job/model_traits.h"
 #include "assessment/job/part_job.h"
 #include "study/run.h"
 
 namespace clevis::study {
 
-/// A model of the ladder, forced.
-enum class Rung {
-  kPlaneStress,
-  kPlaneStressHalved,  ///< every quadrilateral cut into four
-  kTwoTerms,           ///< plate by 2 + 2 Legendre terms through the thickness
-  kThreeTerms,         ///< 3 + 3
-  kFourTerms,          ///< 4 + 4
-  kSolid,              ///< 3-D on the mesh as it is
-  kSolidHalved,        ///< 3-D, every hexahedron cut into eight
+/// Runs of rising degree that are compared: a model, set up in one way.
+struct Series {
+  assessment::ModelKind model{};
+  int terms{};             ///< through the thickness; 0 of a model without
+  bool is_halved = false;  ///< every cell's edges cut in two
 };
 
-/// What the series of a rung is called in tables and plots.
-std::string series_name(Rung rung);
+/// What a series is called in tables and plots.
+std::string series_name(const Series& series);
 
-/// The rungs that suit a part, the finest last. A part whose supports leave
-/// it free across its plane has plane stress only, and that on halved cells
-/// too.
-std::vector<Rung> rungs_of(const assessment::PartJob& job);
+/// The series of a part: each model that suits it, with each number of terms,
+/// the finest last; of a mesh of hexahedra that on halved cells too. A part
+/// whose supports leave it free across its plane has plane models only.
+std::vector<Series> series_of(const assessment::PartJob& job);
 
-/// Highest degree that a rung can take on the part's cells.
-int highest_degree(const assessment::PartJob& job, Rung rung);
+/// The names of those series that tend to what the part's loads truly do: of
+/// models without an error of their own; of a plane problem all.
+std::vector<std::string> exact_series(const assessment::PartJob& job);
 
 /// The load set and instant of the highest peak by a quick look (degree 2 of
 /// the finest model).
@@ -38,12 +36,12 @@ Governing find_governing(const assessment::PartJob& job);
 assessment::PartJob governed_job(const assessment::PartJob& job,
                                  const Governing& governing);
 
-/// Solves a part with one rung and degree, its mesh file read anew; repeated
+/// Solves a part with one model and degree, its mesh file read anew; repeated
 /// while that is quick, the fastest counts.
 /// @param job  of governed_job(): the first load set is solved.
 /// @throws Error of the modules below; F004 above kMostDofs.
-Run run_rung(const assessment::PartJob& job, Rung rung, int degree,
-             int instant);
+Run solve_model(const assessment::PartJob& job, const Series& series,
+                int degree, int instant);
 
 /// Runs `check` on a part with a tolerance: the model and degree that clevis
 /// itself chooses, with the band.

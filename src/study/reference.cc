@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace clevis::study {
 namespace {
@@ -17,6 +18,22 @@ std::vector<const Run*> runs_of(const PartStudy& study,
     if (run.series == series && run.left_out.empty()) runs.push_back(&run);
   }
   return runs;
+}
+
+/// The last series with at least three runs, else with two, else with any: two
+/// tell nothing of how the changes shrink.
+std::vector<const Run*> finest_of(const PartStudy& study,
+                                  std::span<const std::string> series) {
+  constexpr std::size_t kTellsTheRate = 3;
+  std::vector<const Run*> finest;
+  for (const std::string& name : series) {
+    auto runs = runs_of(study, name);
+    if (!runs.empty() &&
+        (runs.size() >= std::min(finest.size(), kTellsTheRate))) {
+      finest = std::move(runs);
+    }
+  }
+  return finest;
 }
 
 Reference extrapolate_runs(const std::vector<const Run*>& runs,
@@ -55,13 +72,7 @@ Reference extrapolate(std::span<const double> sequence) {
 void set_references(std::span<const std::string> series,
                     std::span<const std::optional<double>> published,
                     PartStudy& study) {
-  std::vector<const Run*> finest;
-  for (const std::string& name : series) {
-    const auto runs = runs_of(study, name);
-    if (runs.size() >= 2 || finest.empty()) {
-      if (!runs.empty()) finest = runs;
-    }
-  }
+  const auto finest = finest_of(study, series);
   if (finest.empty()) return;
   study.reference_run = finest.back()->series + ", " + finest.back()->setting;
   study.peak = extrapolate_runs(finest, [](const Run& r) {

@@ -13,9 +13,9 @@ namespace clevis::study {
 /// @pre not empty.
 Reference extrapolate(std::span<const double> sequence);
 
-/// Sets the references of a study from its finest three-dimensional series,
-/// the last with at least two runs among `series` (coarsest first); probes
-/// with a published value keep that.
+/// Sets the references of a study from the last of `series` (coarsest first)
+/// that has three runs, or as many as any before it; probes with a published
+/// value keep that.
 /// @param published  per probe, SI.
 void set_references(std::span<const std::string> series,
                     std::span<const std::optional<double>> published,

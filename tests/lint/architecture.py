@@ -91,7 +91,7 @@ ROOMS = {
         "job": "what the check of a part needs, and what it gives",
         "judge": "bands, doubt, verdict",
         "notes": "what a user should know beside the verdict; beam theory",
-        "models": "the models of a part, and the error of one against the next",
+        "models": "the list of models: what suits a part, how each solves it, its error against the next",
         "places": "where the peak may stand, and finer solutions there",
         "ladder": "one model with rising degrees until its band is narrow enough",
         "stability": "buckling, and open reactions shared otherwise",
@@ -132,8 +132,8 @@ PUBLIC = {
                   " solid/neighbourhood solid/open_reactions solid/plane_loads"
                   " solid/seat_compliance solid/solid_solve vibration/eigenmodes"
                   " vibration/load_vibration vibration/strike_response",
-    "assessment": "impact/impact_check job/part_job job/part_result models/level"
-                  " models/model_choice models/rung part_check",
+    "assessment": "impact/impact_check job/model_traits job/part_job"
+                  " job/part_result models/level models/model_list part_check",
     "report": "check/check_table check/result_files check/result_json"
               " compare/comparison compare/comparison_output"
               " compare/result_reader machine/ejector_output"

@@ -36,6 +36,12 @@ name = "squeezed"
 pressure = {{ bore_A = "{inside}", round_rim = "10 MPa" }}
 probes = [{{ name = "P", at = ["13 mm", "4 mm", "5 mm"], quantity = "displacement_x" }}]
 """
+PRESSED = """
+thickness = "6 mm"
+[[part.case]]
+name = "pressed"
+pressure = { bore_A = "20 MPa", rim = "10 MPa" }
+"""
 SPUN = """
 [[part.case]]
 name = "spun"
@@ -106,7 +112,9 @@ def contract(clevis, root, checks):
         checks.expect("left out" in document["calculix"],
                       "a missing ccx is told", document["calculix"])
         series = {r["series"] for r in part["runs"] if "left_out" not in r}
-        checks.expect({"plane stress", "3-D", "clevis check"} <= series,
+        checks.expect({"plane stress", "2-D x 2+2 terms", "2-D x 3+3 terms",
+                       "2-D x 4+4 terms", "axisymmetric", "3-D",
+                       "3-D, cells halved", "clevis check"} == series,
                       "every model is there", series)
         checks.expect(not any(s.startswith("CalculiX") for s in series),
                       "no CalculiX without ccx", series)
@@ -118,6 +126,13 @@ def contract(clevis, root, checks):
         got = part["reference"]["probes"][0]["value_mm"]
         checks.expect(abs(got - exact) < 1e-4 * abs(exact),
                       f"reference of the probe is Lame's {exact:.6g} mm", got)
+        revolved = [abs(r["probes"][0]["value_mm"] / exact - 1)
+                    for r in part["runs"] if r["series"] == "axisymmetric"]
+        checks.expect(len(revolved) == 4
+                      and revolved == sorted(revolved, reverse=True)
+                      and revolved[-1] < 1e-4,
+                      "by Fourier terms each degree comes nearer to Lame",
+                      revolved)
         for r in part["runs"]:
             checks.expect("left_out" in r or (
                 r["memory_MB"] > 10 and r["seconds"]["total"] > 0
@@ -141,6 +156,24 @@ pins = { bore_A = ["1 N", "0 N", "0 N"] }
         refused = call(clevis, "export", unbalanced)
         checks.expect(refused.returncode == 12 and "L001" in refused.stderr,
                       "unbalanced part", refused)
+
+
+def triangles(clevis, root, checks):
+    """A flat mesh of triangles: terms through the thickness stand on
+    quadrangles. At the bore of Lame's ring: r -20, hoop 20/3, axial 0 MPa."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = scene(folder, root, "ring_flat_tri6.msh", PRESSED)
+        run = call(clevis, "study", file, "--json", "--out", folder, path="")
+    checks.expect(run.returncode == 0, "study of triangles", run)
+    runs = json.loads(run.stdout)["parts"][0]["runs"]
+    checks.expect(not any("left_out" in r for r in runs),
+                  "triangles: every run is made", runs)
+    exact = (400 + 400 / 9 + 400 / 3) ** 0.5
+    last = {r["series"]: r.get("peak_MPa", 0) for r in runs
+            if r["series"].endswith("terms")}
+    checks.expect(len(last) == 3 and all(abs(peak / exact - 1) < 1e-3
+                                         for peak in last.values()),
+                  f"triangles, terms: peak is Lame's {exact:.6g} MPa", last)
 
 
 def agreement(clevis, root, checks, mesh, case, limit):
@@ -169,6 +202,7 @@ def main():
     checks = Checks()
     if sys.argv[3] == "contract":
         contract(clevis, root, checks)
+        triangles(clevis, root, checks)
     elif shutil.which("ccx") is None:
         print("skipped: no ccx (Debian: calculix-ccx)")
         return 77

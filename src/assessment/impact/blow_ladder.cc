@@ -9,7 +9,7 @@
 #include "assessment/judge/model_band.h"
 #include "assessment/ladder/degree_climb.h"
 #include "assessment/ladder/degree_ladder.h"
-#include "assessment/ladder/rung_result.h"
+#include "assessment/ladder/model_result.h"
 #include "elasticity/problem/elastic_problem.h"
 
 namespace clevis::assessment {
@@ -27,20 +27,6 @@ LoadSet instants_of(const ImpactJob& impact, const BlowTimes& times) {
     set.history.instants.push_back(instant);
   }
   return set;
-}
-
-template <int dim>
-Rung<dim> rung_of(const mesh::PartMesh<dim>& mesh) {
-  // Finer solutions nearby are for loads at rest.
-  if constexpr (dim == 2) {
-    Rung<2> rung = plane_stress_rung(mesh);
-    rung.looks_nearby = false;
-    return rung;
-  } else {
-    Rung<3> rung = solid_rung(mesh);
-    rung.looks_at_places = false;
-    return rung;
-  }
 }
 
 void judge_band(PeakStress& peak) {
@@ -83,7 +69,7 @@ void add_time_error(const BlowTimes& times, PeakStress& peak) {
 
 template <int dim>
 PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
-                          const BlowTimes& times, double model_error,
+                          const BlowTimes& times, FeModel<dim> model,
                           StruckFaces<dim>& faces) {
   PartJob blow = job;
   blow.load_sets = {instants_of(impact, times)};
@@ -92,9 +78,11 @@ PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
   timed.samples = times.samples();
   timed.front = times.front;
   std::optional<StruckFaces<dim>> graded;
-  Rung<dim> rung = rung_of<dim>(faces.mesh());
-  rung.model_error = model_error;
-  rung.solve = [&](const elasticity::ElasticProblem<dim>& problem, int degree) {
+  model.mesh = &faces.mesh();
+  // Finer solutions nearby are for loads at rest.
+  model.looks_nearby = model.looks_at_places = false;
+  model.solve = [&](const elasticity::ElasticProblem<dim>& problem,
+                    int degree) {
     const bool is_graded =
         problem.mesh.cells.size() != faces.mesh().cells.size();
     if (is_graded && !graded) graded.emplace(problem.mesh);
@@ -104,9 +92,9 @@ PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
     return at_samples(response.basis, times.telling);
   };
   PartSeconds seconds;
-  const auto ladder = climb_degrees<dim>(blow, faces.mesh(), rung, {}, seconds);
-  PartAssessment found = assess<dim>(blow, rung, ladder, seconds);
-  add_model_error(job.tolerance, model_error, found.result);
+  const auto ladder = climb_degrees<dim>(blow, model, {}, seconds);
+  PartAssessment found = assess<dim>(blow, model, ladder, seconds);
+  add_model_error(job.tolerance, model.model_error, found.result);
   for (PeakStress* peak : {&found.result.peak, &found.result.peak_outside}) {
     judge_band(*peak);
     add_time_error(times, *peak);
@@ -116,10 +104,10 @@ PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
 }
 
 template PartAssessment climb_blow<2>(const PartJob&, const ImpactJob&,
-                                      const BlowTimes&, double,
+                                      const BlowTimes&, FeModel<2>,
                                       StruckFaces<2>&);
 template PartAssessment climb_blow<3>(const PartJob&, const ImpactJob&,
-                                      const BlowTimes&, double,
+                                      const BlowTimes&, FeModel<3>,
                                       StruckFaces<3>&);
 
 }  // namespace clevis::assessment

@@ -2,6 +2,7 @@
 
 #include "assessment/impact/course_spread.h"
 #include "assessment/impact/struck_run.h"
+#include "assessment/models/fe_model.h"
 
 namespace clevis::assessment {
 
@@ -28,11 +29,12 @@ struct BlowTimes {
 ///
 /// What the highest degree leaves may be above the tolerance, as waves ask for
 /// more than loads at rest: up to a tenth the band is judged.
-/// @param model_error  of plane stress [1].
+/// @param model  of loads at rest, with its error.
+/// @param faces  of the model's mesh.
 /// @throws Error of StruckFace.
 template <int dim>
 PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
-                          const BlowTimes& times, double model_error,
+                          const BlowTimes& times, FeModel<dim> model,
                           StruckFaces<dim>& faces);
 
 }  // namespace clevis::assessment

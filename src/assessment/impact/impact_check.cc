@@ -4,9 +4,12 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "assessment/impact/blow_ladder.h"
 #include "assessment/impact/course_spread.h"
@@ -16,8 +19,7 @@
 #include "assessment/impact/struck_run.h"
 #include "assessment/judge/model_band.h"
 #include "assessment/judge/verdict.h"
-#include "assessment/models/model_choice.h"
-#include "assessment/models/model_error.h"
+#include "assessment/models/model_list.h"
 #include "base/errors.h"
 #include "elasticity/vibration/eigenmodes.h"
 
@@ -251,40 +253,21 @@ Computed compute(const PartJob& job, const ImpactJob& given,
   return found;
 }
 
-/// Plane stress where the blow suits it, else 3-D; what blows on one face share
-/// is kept.
+/// @throws Error F005 if the job asks for a model without an answer in time.
+void require_answer_in_time(const PartJob& job) {
+  if (!job.model || traits_of(*job.model).answers_in_time) return;
+  std::vector<std::string_view> names;
+  for (const ModelTraits& model : kModels) {
+    if (model.answers_in_time) names.push_back(model.name);
+  }
+  throw Error("F005", fmt::format("part {}", job.part.name),
+              fmt::format("a blow is computed by {}", fmt::join(names, " or ")),
+              "leave --model out");
+}
+
+/// The blows by the cheapest model in time that suits each; what blows on one
+/// face share is kept.
 class BlowModels {
- public:
-  explicit BlowModels(const PartJob& job) : job_(job), solid_(job.mesh) {
-    if (job.model == ModelChoice::kLayered ||
-        job.model == ModelChoice::kRevolution) {
-      throw Error("F005", fmt::format("part {}", job.part.name),
-                  "a blow is computed by plane stress or in 3-D",
-                  "leave --model out");
-    }
-    for (const ImpactJob& impact : job.impacts) {
-      blows_.push_back(compute_one(impact));
-    }
-  }
-
-  std::vector<Computed>& blows() { return blows_; }
-
-  PartAssessment climb(std::size_t index) {
-    const ImpactJob& impact = job_.impacts[index];
-    const BlowTimes& times = blows_[index].times;
-    const auto plate = plate_for(impact);
-    if (!plate) return climb_blow<3>(job_, impact, times, 0.0, solid_);
-    StruckFaces<2> faces(plate->mesh);
-    const PartJob rest = at_rest(impact, blows_[index].force);
-    return climb_blow<2>(
-        job_, impact, times,
-        plane_stress_error(rest, plate->quadrangles, rest.load_sets), faces);
-  }
-
-  LoadSet load_at_rest(std::size_t index) const {
-    return at_rest(job_.impacts[index], blows_[index].force).load_sets[0];
-  }
-
  private:
   PartJob at_rest(const ImpactJob& impact, double force) const {
     PartJob rest = job_;
@@ -295,19 +278,54 @@ class BlowModels {
     return rest;
   }
 
-  std::optional<PlateModel> plate_for(const ImpactJob& impact) const {
-    auto plate = plate_model(at_rest(impact, 1.0));
-    if (plate && !plate->suits_plane_stress) plate.reset();
-    return plate;
+  /// What `use` gives of the model of a blow and the faces of its mesh.
+  template <class Use>
+  auto by_model(const ImpactJob& impact, Use use) {
+    const PartJob rest = at_rest(impact, 1.0);
+    const PartShape shape(rest);
+    const Model& entry = cheapest_in_time(shape);
+    return std::visit(
+        [&]<int dim>(FeModel<dim> model) {
+          if constexpr (dim == 3) {
+            return use(entry, std::move(model), solid_);
+          } else {
+            StruckFaces<dim> faces(*model.mesh);
+            return use(entry, std::move(model), faces);
+          }
+        },
+        entry.make(shape, {}));
   }
 
-  Computed compute_one(const ImpactJob& impact) {
-    const auto plate = plate_for(impact);
-    if (!plate) return compute<3>(job_, impact, solid_);
-    StruckFaces<2> faces(plate->mesh);
-    return compute<2>(job_, impact, faces);
+ public:
+  explicit BlowModels(const PartJob& job) : job_(job), solid_(job.mesh) {
+    require_answer_in_time(job);
+    for (const ImpactJob& impact : job.impacts) {
+      blows_.push_back(
+          by_model(impact, [&]<int dim>(const Model&, const FeModel<dim>&,
+                                        StruckFaces<dim>& faces) {
+            return compute<dim>(job_, impact, faces);
+          }));
+    }
   }
 
+  std::vector<Computed>& blows() { return blows_; }
+
+  PartAssessment climb(std::size_t index) {
+    const ImpactJob& impact = job_.impacts[index];
+    const Computed& blow = blows_[index];
+    return by_model(impact, [&]<int dim>(const Model& entry, FeModel<dim> model,
+                                         StruckFaces<dim>& faces) {
+      const PartJob rest = at_rest(impact, blow.force);
+      model.model_error = entry.error(PartShape(rest));
+      return climb_blow<dim>(job_, impact, blow.times, model, faces);
+    });
+  }
+
+  LoadSet load_at_rest(std::size_t index) const {
+    return at_rest(job_.impacts[index], blows_[index].force).load_sets[0];
+  }
+
+ private:
   const PartJob& job_;
   StruckFaces<3> solid_;
   std::vector<Computed> blows_;

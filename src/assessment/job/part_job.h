@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "assessment/job/model_traits.h"
 #include "assessment/job/part_result.h"
 #include "loads/load_history.h"
 #include "loads/part_loads.h"
@@ -57,8 +58,6 @@ struct OpenSharing {
   std::string remedy;       ///< what makes it certain
 };
 
-enum class ModelChoice { kAuto, kPlaneStress, kLayered, kRevolution, kSolid };
-
 /// All that the check of one part needs.
 struct PartJob {
   part::PartDefinition part;
@@ -71,7 +70,8 @@ struct PartJob {
   std::vector<ImpactLoad> impact_loads;
   double tolerance = 0.01;                ///< of the peak stress [1]
   std::optional<double> buckling_length;  ///< of a sliding pair [m]
-  ModelChoice model = ModelChoice::kAuto;
+  /// Asked for; nothing: the cheapest that meets the tolerance.
+  std::optional<ModelKind> model = std::nullopt;
   std::vector<std::string> notes;  ///< of the mesh, for the result
 };
 

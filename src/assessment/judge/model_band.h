@@ -4,8 +4,8 @@
 
 namespace clevis::assessment {
 
-/// Widens the judged peak's band by the model's error and says what the rung
-/// has achieved.
+/// Widens the judged peak's band by the model's error and says what has been
+/// achieved.
 /// @param tolerance, model_error  of the peak [1].
 void add_model_error(double tolerance, double model_error, PartResult& result);
 

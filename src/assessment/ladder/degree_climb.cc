@@ -52,20 +52,22 @@ stress::Band outer_band_of(const ZoneWatch<dim>& zones, double tolerance) {
 template <int dim>
 class Climb {
  public:
-  Climb(const PartJob& job, const mesh::PartMesh<dim>& mesh,
-        const Rung<dim>& rung, PartSeconds& seconds)
-      : job_(job), rung_(rung), seconds_(seconds), ladder_(job, mesh) {}
+  Climb(const PartJob& job, const FeModel<dim>& model, PartSeconds& seconds)
+      : job_(job),
+        model_(model),
+        seconds_(seconds),
+        ladder_(job, *model.mesh) {}
 
   /// Adds a degree, solved for these sets.
   void take(const std::vector<LoadSet>& sets, int degree) {
-    ladder_.level = solve_level<dim>(job_, sets, ladder_.zones.mesh(), rung_,
+    ladder_.level = solve_level<dim>(job_, sets, ladder_.zones.mesh(), model_,
                                      degree, seconds_);
     ladder_.sequence.push_back(ladder_.level.member);
     ladder_.probes.push_back(ladder_.level.probes);
     ladder_.held.push_back(ladder_.level.held);
     ladder_.deflections.take(sets, ladder_.level);
     ladder_.zones.take(ladder_.level);
-    const double tolerance = job_.tolerance - rung_.model_error;
+    const double tolerance = job_.tolerance - model_.model_error;
     const auto& history = ladder_.level.history();
     ladder_.time_error =
         time_doubt(sets[ladder_.level.set].history, history.peak);
@@ -77,9 +79,9 @@ class Climb {
       ladder_.outer_band = outer_band_of(ladder_.zones, tolerance);
     }
     if (ladder_.sequence.size() < 3 || ladder_.level.member.peak <= 0.0) return;
-    if (rung_.looks_at_places) {
+    if (model_.looks_at_places) {
       look_at_places(sets, tolerance);
-    } else if (ladder_.zones.is_singular() || !rung_.looks_nearby ||
+    } else if (ladder_.zones.is_singular() || !model_.looks_nearby ||
                !look_nearby(sets, tolerance)) {
       join_cells(tolerance);
     }
@@ -205,17 +207,16 @@ class Climb {
   }
 
   const PartJob& job_;
-  const Rung<dim>& rung_;
+  const FeModel<dim>& model_;
   PartSeconds& seconds_;
   DegreeLadder<dim> ladder_;
 };
 
 template <int dim>
-DegreeLadder<dim> climb_with_all(const PartJob& job,
-                                 const mesh::PartMesh<dim>& mesh,
-                                 const Rung<dim>& rung, PartSeconds& seconds) {
-  Climb<dim> climb(job, mesh, rung, seconds);
-  for (int degree = rung.first_degree; degree <= rung.highest_degree;
+DegreeLadder<dim> climb_with_all(const PartJob& job, const FeModel<dim>& model,
+                                 PartSeconds& seconds) {
+  Climb<dim> climb(job, model, seconds);
+  for (int degree = model.first_degree; degree <= model.highest_degree;
        ++degree) {
     try {
       climb.take(job.load_sets, degree);
@@ -232,23 +233,21 @@ DegreeLadder<dim> climb_with_all(const PartJob& job,
 }  // namespace
 
 template <int dim>
-DegreeLadder<dim> climb_degrees(const PartJob& job,
-                                const mesh::PartMesh<dim>& mesh,
-                                const Rung<dim>& rung,
+DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
                                 const std::vector<LoadSet>& governing,
                                 PartSeconds& seconds) {
   // The fourth degree is most often the last: solved for all at once.
   constexpr int kFirstDegrees = 3;
   const FewInstants few(job, governing);
-  Climb<dim> climb(job, mesh, rung, seconds);
+  Climb<dim> climb(job, model, seconds);
   if (few.sets().empty() || climb.ladder().zones.has_zones()) {
-    return climb_with_all(job, mesh, rung, seconds);
+    return climb_with_all(job, model, seconds);
   }
-  for (int degree = rung.first_degree; degree <= rung.highest_degree;
+  for (int degree = model.first_degree; degree <= model.highest_degree;
        ++degree) {
-    bool all = degree >= rung.first_degree + kFirstDegrees;
+    bool all = degree >= model.first_degree + kFirstDegrees;
     climb.take(all ? job.load_sets : few.sets(), degree);
-    if (!all && (climb.is_within() || degree == rung.highest_degree)) {
+    if (!all && (climb.is_within() || degree == model.highest_degree)) {
       climb.drop();
       climb.take(job.load_sets, degree);
       all = true;
@@ -256,21 +255,17 @@ DegreeLadder<dim> climb_degrees(const PartJob& job,
     if (!all) continue;
     const Level<dim>& level = climb.ladder().level;
     if (!few.contains(level.set, level.history().peak_instant)) {
-      return climb_with_all(job, mesh, rung, seconds);
+      return climb_with_all(job, model, seconds);
     }
     if (climb.is_within()) break;
   }
   return climb.finish();
 }
 
-template DegreeLadder<2> climb_degrees<2>(const PartJob&,
-                                          const mesh::PartMesh<2>&,
-                                          const Rung<2>&,
+template DegreeLadder<2> climb_degrees<2>(const PartJob&, const FeModel<2>&,
                                           const std::vector<LoadSet>&,
                                           PartSeconds&);
-template DegreeLadder<3> climb_degrees<3>(const PartJob&,
-                                          const mesh::PartMesh<3>&,
-                                          const Rung<3>&,
+template DegreeLadder<3> climb_degrees<3>(const PartJob&, const FeModel<3>&,
                                           const std::vector<LoadSet>&,
                                           PartSeconds&);
 

@@ -7,7 +7,7 @@
 namespace clevis::assessment {
 
 /// Solves degree after degree until the peak is within the tolerance less the
-/// rung's model error.
+/// model's error.
 /// @param job  outlives the result.
 /// @param governing  instants that the first degrees are content with; the
 ///   last is solved for all, and if the peak is at none of these, so are the
@@ -15,9 +15,7 @@ namespace clevis::assessment {
 /// @param seconds  the stages' times are added here.
 /// @throws Error as solve_level.
 template <int dim>
-DegreeLadder<dim> climb_degrees(const PartJob& job,
-                                const mesh::PartMesh<dim>& mesh,
-                                const Rung<dim>& rung,
+DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
                                 const std::vector<LoadSet>& governing,
                                 PartSeconds& seconds);
 

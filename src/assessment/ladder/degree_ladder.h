@@ -6,14 +6,14 @@
 #include "assessment/job/part_job.h"
 #include "assessment/ladder/deflection_band.h"
 #include "assessment/ladder/zone_watch.h"
+#include "assessment/models/fe_model.h"
 #include "assessment/models/level.h"
-#include "assessment/models/rung.h"
 #include "assessment/places/nearby_peak.h"
 #include "stress/peak_band.h"
 
 namespace clevis::assessment {
 
-/// What climbing the degrees of a rung has left: the last degree, all
+/// What climbing the degrees of a model has left: the last degree, all
 /// instants solved, and the values of all degrees.
 template <int dim>
 struct DegreeLadder {

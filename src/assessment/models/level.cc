@@ -87,13 +87,14 @@ std::vector<std::string> reference_groups(const LoadSet& set) {
 
 template <int dim>
 Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
-                       const mesh::PartMesh<dim>& mesh, const Rung<dim>& rung,
-                       int degree, PartSeconds& seconds) {
+                       const mesh::PartMesh<dim>& mesh,
+                       const FeModel<dim>& model, int degree,
+                       PartSeconds& seconds) {
   Level<dim> level;
   for (std::size_t s = 0; s < sets.size(); ++s) {
     const LoadSet& set = sets[s];
     auto basis =
-        std::make_shared<elasticity::DisplacementBasis<dim>>(rung.solve(
+        std::make_shared<elasticity::DisplacementBasis<dim>>(model.solve(
             {mesh, job.part.material, set.history, set.fixed, job.part.name,
              elasticity::LinearSolver::kAuto, set.foundations},
             degree));
@@ -106,7 +107,7 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
     Stopwatch watch;
     note_held<dim>(job, set, *basis, level);
     auto history = stress::stress_history<dim>(*basis, job.part.material,
-                                               rung.subdivisions);
+                                               model.subdivisions);
     level.deflections.push_back(stress::largest_deflection<dim>(*basis));
     level.member.deflection =
         std::max(level.member.deflection, level.deflections.back().value);
@@ -126,7 +127,7 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
                           ? level.governing->equations
                           : level.governing->discretization.dofs();
   level.member.peak = level.history().largest();
-  if (rung.looks_nearby) {
+  if (model.looks_nearby) {
     level.member.field_peak = stress::field_maximum<dim>(
         *level.governing, job.part.material, level.history());
   }
@@ -141,10 +142,10 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
 }
 
 template Level<2> solve_level<2>(const PartJob&, const std::vector<LoadSet>&,
-                                 const mesh::PartMesh<2>&, const Rung<2>&, int,
-                                 PartSeconds&);
+                                 const mesh::PartMesh<2>&, const FeModel<2>&,
+                                 int, PartSeconds&);
 template Level<3> solve_level<3>(const PartJob&, const std::vector<LoadSet>&,
-                                 const mesh::PartMesh<3>&, const Rung<3>&, int,
-                                 PartSeconds&);
+                                 const mesh::PartMesh<3>&, const FeModel<3>&,
+                                 int, PartSeconds&);
 
 }  // namespace clevis::assessment

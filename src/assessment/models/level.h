@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "assessment/job/part_job.h"
-#include "assessment/models/rung.h"
+#include "assessment/models/fe_model.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "stress/deflection.h"
 #include "stress/probe.h"
@@ -32,14 +32,15 @@ struct Level {
 /// Surfaces of the first two seats, which deflections refer to.
 std::vector<std::string> reference_groups(const LoadSet& set);
 
-/// Solves load sets of a part with one degree of a rung; displacements
+/// Solves load sets of a part with one degree of a model; displacements
 /// relative to its pins.
 /// @param sets  the job's, or of each some instants.
 /// @param seconds  the stages' times are added here.
 /// @throws Error L005 if a probe lies outside the part; see elasticity.
 template <int dim>
 Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
-                       const mesh::PartMesh<dim>& mesh, const Rung<dim>& rung,
-                       int degree, PartSeconds& seconds);
+                       const mesh::PartMesh<dim>& mesh,
+                       const FeModel<dim>& model, int degree,
+                       PartSeconds& seconds);
 
 }  // namespace clevis::assessment

@@ -15,8 +15,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr int kFewestTerms = 2;
-constexpr int kMostTerms = 4;
+constexpr int kFewestTerms = traits_of(ModelKind::kLayered).fewest_terms;
+constexpr int kMostTerms = traits_of(ModelKind::kLayered).most_terms;
 constexpr int kFirstDegree = 2;
 constexpr int kDegree = 3;       // of plane stress: 2 doubles its difference
 constexpr int kTermsDegree = 2;  // of terms among each other

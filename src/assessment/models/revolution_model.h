@@ -1,29 +1,19 @@
 #pragma once
 
-#include <memory>
 #include <optional>
+#include <string>
 
-#include "assessment/models/rung.h"
-#include "mesh/derived/revolution.h"
+#include "assessment/models/fe_model.h"
+#include "assessment/models/part_shape.h"
 
+// Fourier terms about an axis: an entry of the list of models (model_list.h
+// says what each function answers).
 namespace clevis::assessment {
 
-/// A part that is a solid of revolution with all loads and supports on faces
-/// that go all round. Nothing if it is none or the job asks for another model.
-/// @throws Error F005 if the job asks for this model and it does not fit.
-std::optional<mesh::Revolution> revolution_model(const PartJob& job);
-
-/// What solving by Fourier terms has come to, over all load sets.
-struct RevolutionProgress {
-  int degree{};         ///< solved last
-  int harmonics{};      ///< terms of the series, the most of a load set
-  double truncation{};  ///< von Mises of its upper half of orders, largest at
-                        ///< all corners and instants [Pa]
-};
-
-/// @param solid  outlives the rung.
-/// @param progress  filled by every solve.
-Rung<3> revolution_rung(const mesh::Revolution& solid,
-                        std::shared_ptr<RevolutionProgress> progress);
+std::optional<std::string> why_not_revolution(const PartShape& shape);
+/// Its remark counts the terms that were solved, and says what those left out
+/// bring: it holds of all solutions of the model so far.
+AnyFeModel revolution_model(const PartShape& shape,
+                            const ModelSettings& settings);
 
 }  // namespace clevis::assessment

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "assessment/models/model_choice.h"
+#include "assessment/models/part_shape.h"
 #include "assessment/stability/sharing_check.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
@@ -27,24 +27,23 @@ constexpr int kHighestDegree = 4;
 /// The part's discretisation for bending and twisting: of plates one layer.
 class BucklingModel {
  public:
-  explicit BucklingModel(const PartJob& job)
-      : job_(job), plate_(plate_model(job)) {}
+  explicit BucklingModel(const PartJob& job) : job_(job), shape_(job) {}
 
   Discretization<3> discretize(int degree) const {
     constexpr int kHighestThroughThickness = 3;  // warps as shear wants
-    if (!plate_) return elasticity::discretize<3>(job_.mesh, degree);
+    if (!shape_.plate()) return elasticity::discretize<3>(job_.mesh, degree);
     return elasticity::layer_over(
-        elasticity::discretize<2>(plate_->quadrangles, degree),
+        elasticity::discretize<2>(shape_.plate()->quadrangles, degree),
         std::min(degree, kHighestThroughThickness));
   }
   std::string name(int degree) const {
-    return fmt::format("{}, p = {}", plate_ ? "2-D x thickness" : "3-D",
-                       degree);
+    const auto kind = shape_.plate() ? ModelKind::kLayered : ModelKind::kSolid;
+    return fmt::format("{}, p = {}", traits_of(kind).name, degree);
   }
 
  private:
   const PartJob& job_;
-  std::optional<PlateModel> plate_;
+  PartShape shape_;
 };
 
 /// Each way in which two pins of a free part may hold it.

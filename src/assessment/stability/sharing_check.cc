@@ -6,16 +6,14 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "assessment/models/level.h"
-#include "assessment/models/model_choice.h"
-#include "assessment/models/model_error.h"
-#include "elasticity/plate/layered_solve.h"
+#include "assessment/models/model_list.h"
 #include "elasticity/problem/displacement_basis.h"
-#include "elasticity/solid/solid_solve.h"
 #include "loads/balance.h"
 #include "stress/deflection.h"
 #include "stress/singular_zone.h"
@@ -65,44 +63,25 @@ Answers answers_of(const PartJob& job, const LoadSet& set,
           deflections<dim>(basis, set)};
 }
 
-/// By the cheapest model that fits the loads.
+/// By the cheapest model that suits the loads and is quick to look at.
 Answers rough_answers(const PartJob& job, const LoadSet& set) {
   PartJob alone;
   alone.part = job.part;
   alone.mesh = job.mesh;
   alone.load_sets = {set};
-  const auto plate = plate_model(alone);
-  const auto& material = job.part.material;
-  if (plate && plate->suits_plane_stress) {
-    return answers_of<2>(job, set, plate_zones<2>(job, plate->mesh, set),
-                         elasticity::solve<2>({.mesh = plate->mesh,
-                                               .material = material,
-                                               .history = set.history,
-                                               .fixed = set.fixed,
-                                               .name = job.part.name,
-                                               .foundations = set.foundations},
-                                              kPlaneDegree));
-  }
-  if (plate && plate->suits_layers) {
-    return answers_of<3>(
-        job, set, plate_zones<3>(job, plate->quadrangles, set),
-        elasticity::solve_layered({.mesh = plate->quadrangles,
-                                   .material = material,
-                                   .history = set.history,
-                                   .fixed = set.fixed,
-                                   .name = job.part.name,
-                                   .foundations = set.foundations},
-                                  kDegree, kTerms));
-  }
-  return answers_of<3>(job, set,
-                       stress::singular_zones<3>(job.mesh, material, set.fixed),
-                       elasticity::solve<3>({.mesh = job.mesh,
-                                             .material = material,
-                                             .history = set.history,
-                                             .fixed = set.fixed,
-                                             .name = job.part.name,
-                                             .foundations = set.foundations},
-                                            kDegree));
+  const PartShape shape(alone);
+  const auto answers = [&]<int dim>(const FeModel<dim>& model) {
+    const auto basis = model.solve({.mesh = *model.mesh,
+                                    .material = job.part.material,
+                                    .history = set.history,
+                                    .fixed = set.fixed,
+                                    .name = job.part.name,
+                                    .foundations = set.foundations},
+                                   dim == 2 ? kPlaneDegree : kDegree);
+    return answers_of<dim>(job, set, model.zones(set), basis);
+  };
+  return std::visit(answers, cheapest_for_many_instants(shape).make(
+                                 shape, {.terms = kTerms}));
 }
 
 /// Of one sharing: largest over its instants.

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
 #include "assessment/models/level.h"
-#include "assessment/models/model_choice.h"
+#include "assessment/models/model_list.h"
 #include "assessment/vibration/vibrating_model.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
@@ -25,7 +27,8 @@ double change(double from, double to) {
 template <int dim>
 VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
                         const LoadSet& set,
-                        const std::vector<VibrationWindow>& windows) {
+                        const std::vector<VibrationWindow>& windows,
+                        std::string_view model) {
   const int highest = mesh.shape == mesh::CellShape::kSimplex ? 2
                       : dim == 2                              ? 4
                                                               : 3;
@@ -62,8 +65,7 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   result.shapes = found.shapes;
   result.lowest_frequency = found.lowest;
   result.highest_frequency = found.highest;
-  result.model =
-      fmt::format("{}, p = {}", dim == 2 ? "plane stress" : "3-D", highest);
+  result.model = fmt::format("{}, p = {}", model, highest);
   stress::remove_rigid_motion<dim>(found.basis, reference_groups(set));
   result.deflection = stress::largest_deflection<dim>(found.basis).value;
   return result;
@@ -123,10 +125,14 @@ void check_vibration(const PartJob& job, PartResult& result) {
   const LoadSet& set = moving.load_sets.front();
   VibrationResult found;
   try {
-    const auto plate = plate_model(moving);
-    found = plate && plate->suits_plane_stress
-                ? vibrate<2>(moving, plate->mesh, set, windows)
-                : vibrate<3>(moving, moving.mesh, set, windows);
+    const PartShape shape(moving);
+    const Model& model = cheapest_in_time(shape);
+    found = std::visit(
+        [&]<int dim>(const FeModel<dim>& fe) {
+          return vibrate<dim>(moving, *fe.mesh, set, windows,
+                              model.traits.name);
+        },
+        model.make(shape, {}));
   } catch (const Error& error) {
     found.failure = fmt::format("{}: {}", error.code(), error.what());
   }

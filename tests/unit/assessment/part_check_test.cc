@@ -59,7 +59,7 @@ TEST(PartCheck, PlateInItsPlaneIsSolvedAsPlaneStress) {
 
 TEST(PartCheck, SolidAndPlaneModelAgreeWhereBothAreExact) {
   PartJob job = pulled_bar();
-  job.model = ModelChoice::kSolid;
+  job.model = ModelKind::kSolid;
   const PartResult result = check_part(job).result;
   EXPECT_EQ(result.model.substr(0, 3), "3-D");
   EXPECT_NEAR(result.peak.value, 10e6, 1.0);
@@ -187,7 +187,7 @@ TEST(PartCheck, ThickEyeClimbsToTermsThroughTheThickness) {
   EXPECT_EQ(climbed.peak.verdict, PeakVerdict::kConverged);
   EXPECT_GT(climbed.peak.model_error, 0.0);
   EXPECT_EQ(climbed.stopped_because.substr(0, 16), "within tolerance");
-  job.model = ModelChoice::kPlaneStress;
+  job.model = ModelKind::kPlaneStress;
   const PartResult plane = check_part(job).result;
   EXPECT_EQ(plane.peak.verdict, PeakVerdict::kNotConverged);
   EXPECT_GT(plane.peak.discretization_error + plane.peak.model_error,
@@ -225,7 +225,7 @@ TEST(PartCheck, LoadOnAFaceCallsForTheSolid) {
         Vector3d(0.03, 0.005, side * 0.004).cross(load.resultant.force);
   }
   EXPECT_EQ(check_part(job).result.model.substr(0, 3), "3-D");
-  job.model = ModelChoice::kLayered;
+  job.model = ModelKind::kLayered;
   EXPECT_THROW(check_part(job), Error);
 }
 
@@ -299,10 +299,10 @@ TEST(PartCheck, RingIsSolvedOnItsMeridian) {
 
 TEST(PartCheck, RevolutionAskedForMustFit) {
   PartJob ring = squeezed_ring(60e6, 0.0);
-  ring.model = ModelChoice::kRevolution;
+  ring.model = ModelKind::kRevolution;
   EXPECT_EQ(check_part(ring).result.model.substr(0, 12), "axisymmetric");
   PartJob bar = pulled_bar();
-  bar.model = ModelChoice::kRevolution;
+  bar.model = ModelKind::kRevolution;
   EXPECT_THROW(check_part(bar), Error);
 }
 

@@ -25,8 +25,9 @@ TEST(StudyReference, UnsteadySequenceKeepsItsLastValue) {
   EXPECT_EQ(extrapolate(std::array{4.0}).uncertainty, 4.0);
 }
 
-TEST(StudyReference, TakesTheFinestSeriesThatHasTwoRuns) {
+TEST(StudyReference, TakesTheFinestSeriesThatTellsItsRate) {
   PartStudy study = sample_study();
+  study.runs.push_back(run_of("3-D, cells halved", "p = 3", 80e6, 5.0));
   study.runs.push_back(run_of("3-D, cells halved", "p = 4", 90e6, 9.0));
   study::Run missing = run_of("3-D, cells halved", "p = 5", 1.0, 1.0);
   missing.left_out = "F004: too large";
@@ -35,6 +36,13 @@ TEST(StudyReference, TakesTheFinestSeriesThatHasTwoRuns) {
   set_references(series, {}, study);
   EXPECT_EQ(study.reference_run, "3-D, p = 4");
   EXPECT_EQ(study.peak.value, 99.95e6);
+  study.runs.push_back(run_of("3-D, cells halved", "p = 6", 90e6, 20.0));
+  set_references(series, {}, study);
+  EXPECT_EQ(study.reference_run, "3-D, cells halved, p = 6");
+  const std::array<std::string, 2> short_ones = {"plane stress",
+                                                 "CalculiX C3D20R"};
+  set_references(short_ones, {}, study);
+  EXPECT_EQ(study.reference_run, "CalculiX C3D20R, h/2");
 }
 
 TEST(StudyReference, PublishedValueOfAProbeStands) {

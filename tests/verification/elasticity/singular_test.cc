@@ -24,7 +24,7 @@
 namespace clevis {
 namespace {
 
-using assessment::ModelChoice;
+using assessment::ModelKind;
 using assessment::PartJob;
 using assessment::PartResult;
 using assessment::PeakVerdict;
@@ -47,14 +47,14 @@ struct Configuration {
 PartJob plate_job(const mesh::PartMesh<2>& mesh, const Tractions& tractions,
                   const part::Supports& held, double nu = 0.3) {
   auto job = support::job_of(support::extruded(mesh), tractions, held, nu);
-  job.model = ModelChoice::kPlaneStress;
+  job.model = ModelKind::kPlaneStress;
   return job;
 }
 
 PartJob solid_job(const mesh::PartMesh<3>& mesh, const Tractions& tractions,
                   const part::Supports& held) {
   auto job = support::job_of(mesh, tractions, held);
-  job.model = ModelChoice::kSolid;
+  job.model = ModelKind::kSolid;
   return job;
 }
 
@@ -373,7 +373,7 @@ TEST(Singular, NoSingularConfigurationIsCalledConverged) {
       }
     }
     EXPECT_LT(nearest, 1e-5) << configuration.name;
-    const bool plane = configuration.job.model == ModelChoice::kPlaneStress;
+    const bool plane = configuration.job.model == ModelKind::kPlaneStress;
     if (plane) {
       EXPECT_LT(measured, configuration.measured_within) << configuration.name;
     }
@@ -407,7 +407,7 @@ TEST(Singular, BandAwayFromAZoneHoldsTheModelsError) {
                        {{"y0", {false, true, false}}, {"y1", kAll}});
   job.part.limits.exclude_singular_zones = true;
   const PartResult plane = check_part(job).result;
-  job.model = ModelChoice::kAuto;
+  job.model = std::nullopt;
   const PartResult best = check_part(job).result;
   ASSERT_EQ(best.peak.verdict, PeakVerdict::kSingular);
   std::printf("plane stress %.2f [%.2f, %.2f], %s %.2f [%.2f, %.2f] MPa\n",

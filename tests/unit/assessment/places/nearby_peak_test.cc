@@ -12,7 +12,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "assessment/models/rung.h"
+#include "assessment/models/solid_model.h"
 #include "assessment/part_check.h"
 #include "assessment/places/local_solve.h"
 #include "elasticity/assembly/supports.h"
@@ -35,7 +35,7 @@ PartJob job_of(mesh::PartMesh<3> mesh,
   job.part.material = kSteel;
   job.mesh = std::move(mesh);
   job.mass = mesh::mass_properties(job.mesh, kSteel.density);
-  job.model = ModelChoice::kSolid;
+  job.model = ModelKind::kSolid;
   LoadSet set;
   loads::InstantLoad instant;
   instant.label = "load";
@@ -109,7 +109,7 @@ TEST(LocalSolve, OnSomeCellsIsThatOnAllOfThem) {
   const PartJob job = ring(3, 6, 0.05);
   PartSeconds seconds;
   const auto level = solve_level<3>(job, job.load_sets, job.mesh,
-                                    solid_rung(job.mesh), 2, seconds);
+                                    solid_model(job.mesh), 2, seconds);
   const auto& basis = *level.governing;
   const LoadSet& set = job.load_sets[0];
   const std::vector<int> centre = {0, 3};

@@ -35,7 +35,7 @@ PartJob column(double pressure) {
   PartJob job;
   job.part.name = "column";
   job.part.material = {"steel", kModulus, 0.0, 7850.0, 355e6};
-  job.model = ModelChoice::kSolid;
+  job.model = ModelKind::kSolid;
   job.mesh = support::structured_mesh<3>(
       {8, 1, 1}, 1, [](const Vector3d& x) -> Vector3d {
         return x.cwiseProduct(Vector3d(kLength, kWidth, kWidth));

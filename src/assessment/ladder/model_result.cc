@@ -1,4 +1,4 @@
-#include "assessment/ladder/rung_result.h"
+#include "assessment/ladder/model_result.h"
 
 #include <algorithm>
 #include <cmath>
@@ -279,7 +279,7 @@ void fill_probes(const PartJob& job, const DegreeLadder<dim>& ladder,
 }  // namespace
 
 template <int dim>
-PartAssessment assess(const PartJob& job, const Rung<dim>& rung,
+PartAssessment assess(const PartJob& job, const FeModel<dim>& model,
                       const DegreeLadder<dim>& ladder,
                       const PartSeconds& seconds) {
   const Level<dim>& level = ladder.level;
@@ -288,9 +288,10 @@ PartAssessment assess(const PartJob& job, const Rung<dim>& rung,
   PartResult& result = assessment.result;
   result.seconds = seconds;
   result.peak.sequence = ladder.sequence;
-  result.model = fmt::format("{}, p = {}", rung.name, level.member.degree);
+  result.model = fmt::format("{}, p = {}", model.name, level.member.degree);
   result.dofs = level.member.dofs;
-  result.cells = static_cast<int>(ladder.zones.mesh().cells.size());
+  result.cells = model.cells_in_plane.value_or(
+      static_cast<int>(ladder.zones.mesh().cells.size()));
   for (const auto& basis : level.bases) {
     result.load_columns += static_cast<int>(basis->columns.cols());
   }
@@ -317,9 +318,9 @@ PartAssessment assess(const PartJob& job, const Rung<dim>& rung,
   return assessment;
 }
 
-template PartAssessment assess<2>(const PartJob&, const Rung<2>&,
+template PartAssessment assess<2>(const PartJob&, const FeModel<2>&,
                                   const DegreeLadder<2>&, const PartSeconds&);
-template PartAssessment assess<3>(const PartJob&, const Rung<3>&,
+template PartAssessment assess<3>(const PartJob&, const FeModel<3>&,
                                   const DegreeLadder<3>&, const PartSeconds&);
 
 }  // namespace clevis::assessment

@@ -1,0 +1,115 @@
+#include "assessment/models/model_list.h"
+
+#include <algorithm>
+#include <array>
+#include <ranges>
+
+#include "assessment/models/plate_models.h"
+#include "assessment/models/revolution_model.h"
+#include "assessment/models/solid_model.h"
+#include "base/errors.h"
+
+namespace clevis::assessment {
+namespace {
+
+std::optional<ModelSettings> own_settings(const PartShape&) {
+  return ModelSettings{.error = 0.0};
+}
+
+double no_error(const PartShape&) {
+  return 0.0;
+}
+
+bool always(const PartShape&, const PartResult&) {
+  return true;
+}
+
+bool never(const PartShape&, const PartResult&) {
+  return false;
+}
+
+const std::array<Model, kModels.size()> kList = {
+    {{.traits = traits_of(ModelKind::kPlaneStress),
+      .why_not = why_not_plane_stress,
+      .settings = plane_stress_settings,
+      .make = plane_stress_model,
+      .error = plane_stress_error,
+      .next_may_help = always},
+     {.traits = traits_of(ModelKind::kLayered),
+      .why_not = why_not_layered,
+      .settings = layered_settings,
+      .make = layered_model,
+      .error = no_error,  // its settings know it
+      .next_may_help = solid_may_help},
+     {.traits = traits_of(ModelKind::kRevolution),
+      .why_not = why_not_revolution,
+      .settings = own_settings,
+      .make = revolution_model,
+      .error = no_error,
+      .next_may_help = never},
+     {.traits = traits_of(ModelKind::kSolid),
+      .why_not = why_not_solid,
+      .settings = own_settings,
+      .make = solid_model,
+      .error = no_error,
+      .next_may_help = never}}};
+
+/// @throws Error F005 if the model that the job asks for does not suit.
+const Model& asked_for(const PartShape& shape) {
+  const PartJob& job = shape.job();
+  const Model& model = entry_of(*job.model);
+  if (const auto reason = model.why_not(shape)) {
+    throw Error("F005", "part " + job.part.name, *reason, "leave --model out");
+  }
+  return model;
+}
+
+/// The first of some models that suits and has a trait; the last of the list if
+/// none does.
+template <class Models, class Trait>
+const Model& first_that_suits(const Models& models, const PartShape& shape,
+                              Trait trait) {
+  const auto suits = [&](const Model& model) {
+    return model.traits.*trait && !model.why_not(shape);
+  };
+  const auto found = std::ranges::find_if(models, suits);
+  return found == std::ranges::end(models) ? kList.back() : *found;
+}
+
+}  // namespace
+
+std::span<const Model> model_list() {
+  return kList;
+}
+
+const Model& entry_of(ModelKind kind) {
+  return kList[static_cast<std::size_t>(kind)];
+}
+
+std::vector<const Model*> models_for(const PartShape& shape) {
+  if (shape.job().model) return {&asked_for(shape)};
+  std::vector<const Model*> models;
+  for (const Model& model : kList) {
+    if (!model.why_not(shape)) models.push_back(&model);
+  }
+  if (models.empty()) models.push_back(&kList.back());
+  return models;
+}
+
+const Model& cheapest_in_time(const PartShape& shape) {
+  const auto& wanted = shape.job().model;
+  return wanted && traits_of(*wanted).answers_in_time
+             ? asked_for(shape)
+             : first_that_suits(kList, shape, &ModelTraits::answers_in_time);
+}
+
+const Model& finest_in_time(const PartShape& shape) {
+  return first_that_suits(kList | std::views::reverse, shape,
+                          &ModelTraits::answers_in_time);
+}
+
+const Model& cheapest_for_many_instants(const PartShape& shape) {
+  return first_that_suits(kList, shape, &ModelTraits::suits_many_instants);
+}
+
+}  // namespace clevis::assessment

@@ -1,0 +1,158 @@
+#include "assessment/models/model_list.h"
+
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include "base/errors.h"
+#include "support/annulus_mesh.h"
+#include "support/source_dir.h"
+
+namespace clevis::assessment {
+namespace {
+
+using Eigen::Vector3d;
+
+std::string document(const char* path) {
+  std::ifstream file(support::source_dir() / path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(ModelList, HasEveryKindOnceInTheOrderOfTheTraits) {
+  const auto list = model_list();
+  ASSERT_EQ(list.size(), kModels.size());
+  std::set<std::string_view> words;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    EXPECT_EQ(list[i].traits.word, kModels[i].word);
+    EXPECT_EQ(kModels[i].kind, static_cast<ModelKind>(i));
+    EXPECT_EQ(find_model(kModels[i].word), kModels[i].kind);
+    words.insert(kModels[i].word);
+  }
+  EXPECT_EQ(words.size(), kModels.size());
+  EXPECT_FALSE(find_model("auto"));
+  EXPECT_FALSE(find_model("plane"));
+}
+
+TEST(ModelList, DocumentsHaveItsTableAndItsWords) {
+  const std::string theory = document("docs/theory.md");
+  std::vector<std::string_view> words{"auto"};
+  for (const ModelTraits& model : kModels) {
+    const std::string row = fmt::format(
+        "| `{}` | {} | {} | {} | {} |", model.word, model.name, model.suits,
+        model.highest_degree, model.answers_in_time ? "yes" : "no");
+    EXPECT_NE(theory.find(row), std::string::npos) << row;
+    words.push_back(model.word);
+  }
+  const std::string option = fmt::format("[--model {}]", fmt::join(words, "|"));
+  EXPECT_NE(document("README.md").find(option), std::string::npos) << option;
+}
+
+/// A flat ring with a pressure in its bore.
+PartJob pressed_ring() {
+  PartJob job;
+  job.part.name = "ring";
+  job.part.material = {"steel", 210e9, 0.3, 7850.0, 300e6};
+  job.mesh = support::ring_mesh<3>({.inner = 0.02,
+                                    .outer = 0.04,
+                                    .thickness = 0.02,
+                                    .radial = 2,
+                                    .angular = 8,
+                                    .axial = 1});
+  loads::SurfaceLoad load;
+  load.group = "x0";
+  load.pressure = 60e6;
+  load.total = load.pressure * 2 * std::numbers::pi * 0.02 * 0.02;
+  LoadSet set;
+  set.history.instants.push_back({.label = "press", .surface_loads = {load}});
+  job.load_sets.push_back(set);
+  return job;
+}
+
+std::vector<std::string_view> words_for(const PartJob& job) {
+  const PartShape shape(job);
+  std::vector<std::string_view> words;
+  for (const Model* model : models_for(shape)) {
+    words.push_back(model->traits.word);
+  }
+  return words;
+}
+
+using Words = std::vector<std::string_view>;
+
+TEST(ModelList, SupportsAndLoadsDecideWhatSuits) {
+  PartJob job = pressed_ring();
+  EXPECT_EQ(words_for(job),
+            (Words{"plane-stress", "layered", "revolution", "3d"}));
+  auto& set = job.load_sets.front();
+  set.fixed["x1"] = {true, true, false};  // nothing holds it along the axis
+  EXPECT_EQ(words_for(job), (Words{"plane-stress", "layered"}));
+  set.fixed["x1"] = {true, true, true};
+  EXPECT_EQ(words_for(job), (Words{"revolution", "3d"}));
+  set.fixed["x1"] = {true, false, true};
+  EXPECT_EQ(words_for(job), (Words{"3d"}));
+  set.fixed.clear();
+  auto& load = set.history.instants.front().surface_loads.front();
+  load.group = "z1";  // a lid, all round
+  EXPECT_EQ(words_for(job), (Words{"revolution", "3d"}));
+  load.group = "x0";
+  load.traction = Vector3d(0.0, 0.0, 1e6);
+  EXPECT_EQ(words_for(job), (Words{"layered", "revolution", "3d"}));
+  set.foundations["z1"] = {};
+  EXPECT_EQ(words_for(job), (Words{"3d"}));
+}
+
+TEST(ModelList, OneAskedForStandsAloneOrIsRefused) {
+  PartJob job = pressed_ring();
+  for (const ModelTraits& model : kModels) {
+    job.model = model.kind;
+    EXPECT_EQ(words_for(job), (Words{model.word}));
+  }
+  job.load_sets.front().fixed["x1"] = {true, false, true};
+  for (const ModelKind kind :
+       {ModelKind::kPlaneStress, ModelKind::kRevolution}) {
+    job.model = kind;
+    try {
+      words_for(job);
+      FAIL() << traits_of(kind).word;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), "F005");
+    }
+  }
+  job.model = ModelKind::kLayered;  // dear where held across, but it suits
+  EXPECT_EQ(words_for(job), (Words{"layered"}));
+}
+
+TEST(ModelList, ImpactsVibrationAndModesTakeModelsThatAnswerInTime) {
+  PartJob job = pressed_ring();
+  const auto cheapest = [&job] {
+    return cheapest_in_time(PartShape(job)).traits.word;
+  };
+  const auto finest = [&job] {
+    return finest_in_time(PartShape(job)).traits.word;
+  };
+  EXPECT_EQ(cheapest(), "plane-stress");
+  EXPECT_EQ(finest(), "3d");
+  job.model = ModelKind::kSolid;
+  EXPECT_EQ(cheapest(), "3d");
+  job.model = ModelKind::kRevolution;  // which does not
+  EXPECT_EQ(cheapest(), "plane-stress");
+  job.model.reset();
+  auto& set = job.load_sets.front();
+  set.fixed["x1"] = {true, true, false};
+  EXPECT_EQ(finest(), "plane-stress");
+  set.fixed["x1"] = {true, true, true};
+  EXPECT_EQ(cheapest(), "3d");
+  set.history = {};  // modes have no loads
+  set.fixed["x1"] = {true, true, false};
+  EXPECT_EQ(finest(), "plane-stress");
+}
+
+}  // namespace
+}  // namespace clevis::assessment
