@@ -53,8 +53,8 @@ bool is_settled(const PartJob& job, const PartResult& result) {
     return result.peak.verdict == PeakVerdict::kConverged;
   }
   return is_held(job) &&
-         (!job.part.limits.exclude_singular_zones ||
-          result.peak_outside.verdict == PeakVerdict::kConverged);
+         (!job.part.limits.exclude_singular_zones || !result.peak_outside ||
+          result.peak_outside->verdict == PeakVerdict::kConverged);
 }
 
 /// Nothing if a higher rung is there and the error of the model alone is above

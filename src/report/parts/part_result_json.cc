@@ -21,6 +21,20 @@ struct adl_serializer<Eigen::Vector3d> {
   }
 };
 
+/// Null for what is not known.
+template <typename T>
+struct adl_serializer<std::optional<T>> {
+  template <typename Json>
+  static void to_json(Json& json, const std::optional<T>& value) {
+    json = value ? Json(*value) : Json();
+  }
+  template <typename Json>
+  static void from_json(const Json& json, std::optional<T>& value) {
+    value.reset();
+    if (!json.is_null()) value = json.template get<T>();
+  }
+};
+
 }  // namespace nlohmann
 
 // nlohmann finds these by argument, so they stand in the namespace of the

@@ -86,11 +86,16 @@ TEST(PartCheck, HeldSectionIsBeamTheorys) {
   // The cells at the clamp are many times as large as its zone: the rest of the
   // part passes far below the limit only.
   const PartResult result = check(4.0 * bent);
-  EXPECT_NEAR(result.held.value, bent, 1e-6 * bent);
-  EXPECT_LT(result.held.band_high - result.held.band_low, 1e-6 * bent);
-  EXPECT_EQ(result.held.label, "pull");
-  EXPECT_EQ(result.beam.peak_stress, result.held.value);
+  ASSERT_TRUE(result.held);
+  EXPECT_NEAR(result.held->value, bent, 1e-6 * bent);
+  EXPECT_LT(result.held->band_high - result.held->band_low, 1e-6 * bent);
+  EXPECT_EQ(result.held->label, "pull");
+  EXPECT_EQ(result.beam.peak_stress, result.held->value);
   EXPECT_EQ(result.verdict, part::Verdict::kPass) << result.why;
+  ASSERT_FALSE(result.singular_zones.empty());
+  for (const ZoneResult& zone : result.singular_zones) {
+    EXPECT_GT(zone.exponent_measured.value_or(zone.exponent), 0.0);
+  }
   const PartResult failed = check(0.99 * bent);
   EXPECT_EQ(failed.verdict, part::Verdict::kFail);
   EXPECT_TRUE(failed.why.starts_with("nominal stress")) << failed.why;

@@ -68,7 +68,10 @@ TEST(PartResultJson, RoundTripKeepsEveryBit) {
   EXPECT_EQ(back.singular_zones[0].exponent_measured, 1.0 / 3.0);
   EXPECT_EQ(back.singular_zones[0].at, part.singular_zones[0].at);
   EXPECT_TRUE(back.singular_zones[0].governs);
-  EXPECT_EQ(back.peak_outside.value, part.peak_outside.value);
+  ASSERT_TRUE(back.peak_outside);
+  EXPECT_EQ(back.peak_outside->value, part.peak_outside->value);
+  EXPECT_FALSE(back.held);
+  EXPECT_FALSE(back.first_period);
 }
 
 TEST(PartResultJson, RoundTripKeepsThePeak) {
