@@ -285,8 +285,10 @@ struct PartResult {
   double deflection{};             ///< relative to its pins [m]
   double deflection_low{}, deflection_high{};  ///< its band [m]
   Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();
-  double deflection_instant{};  ///< [s]
-  double strain_energy{};       ///< largest over the instants [J]
+  double deflection_instant{};               ///< [s]
+  double strain_energy{};                    ///< largest over the instants [J]
+  double strain_energy_instant{};            ///< when it is largest [s]
+  std::optional<double> mean_strain_energy;  ///< over the motion's time [J]
   /// Over the strain energy at the worst instant, by its last three degrees;
   /// absent: fewer stand at one instant [1].
   std::optional<double> strain_energy_error;

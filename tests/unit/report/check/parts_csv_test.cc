@@ -62,6 +62,8 @@ TEST(PartsCsv, ColumnsHoldTheirUnits) {
   EXPECT_DOUBLE_EQ(std::stod(row.at("deflection_high[mm]")), 0.127);
   EXPECT_DOUBLE_EQ(std::stod(row.at("time_error[MPa]")), 0.25);
   EXPECT_DOUBLE_EQ(std::stod(row.at("strain_energy[mJ]")), 6.65709);
+  EXPECT_EQ(row.at("strain_energy_instant[s]"), "1.5");
+  EXPECT_EQ(row.at("mean_strain_energy[J]"), "0.0025");
   EXPECT_DOUBLE_EQ(std::stod(row.at("beam_stress[MPa]")), 100.0);
   EXPECT_DOUBLE_EQ(std::stod(row.at("beam_deflection[mm]")), 0.11);
   EXPECT_EQ(row.at("ratio_fe_to_beam[1]"), "1.25");

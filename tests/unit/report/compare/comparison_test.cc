@@ -55,8 +55,8 @@ TEST(Comparison, SameResultDoesNotMoveAndAllIsCompared) {
   const Comparison comparison = compare_with_sample(sample_report());
   EXPECT_EQ(regressions(comparison), "");
   EXPECT_FALSE(is_regression(comparison));
-  // 2 check, 3 mechanism, 2 × 3 joints, 2 × 2 drives, 2 × (17 + 2 probes).
-  EXPECT_EQ(comparison.rows.size(), 2u + 3u + 6u + 4u + 38u);
+  // 2 check, 3 mechanism, 2 × 3 joints, 2 × 2 drives, 2 × (19 + 2 probes).
+  EXPECT_EQ(comparison.rows.size(), 2u + 3u + 6u + 4u + 42u);
 }
 
 TEST(Comparison, HalfAPercentOfStressIsCaughtATenthIsNot) {
@@ -135,6 +135,12 @@ TEST(Comparison, EveryQuantityOfAPartIsHeld) {
                 },
                 1.003),
             "part DCE strain_energy");
+  EXPECT_EQ(one(
+                [](Part& p) -> double& {
+                  return *p.mean_strain_energy;
+                },
+                1.003),
+            "part DCE mean_strain_energy");
   EXPECT_EQ(one(
                 [](Part& p) -> double& {
                   return *p.beam.peak_stress;
@@ -324,10 +330,10 @@ TEST(ComparisonOutput, TellsQuantityValuesChangeAndTolerance) {
                  "0.2 % + 1e-06 MPa  moved\n"),
       std::string::npos)
       << table;
-  EXPECT_NE(table.find("1 of 53 quantities moved: regression (R001)"),
+  EXPECT_NE(table.find("1 of 57 quantities moved: regression (R001)"),
             std::string::npos);
   const std::string xml = comparison_junit(comparison);
-  EXPECT_NE(xml.find("tests=\"53\" failures=\"1\" errors=\"0\""),
+  EXPECT_NE(xml.find("tests=\"57\" failures=\"1\" errors=\"0\""),
             std::string::npos);
 }
 
@@ -336,7 +342,7 @@ TEST(ComparisonOutput, SaysHowCloseAPassWas) {
   changed.parts[1].safety_factor *= 1.001;  // half of its 0.2 %
   const std::string table =
       comparison_table(compare_with_sample(changed), Colour::kNone);
-  EXPECT_NE(table.find("53 quantities within their tolerances, the largest "
+  EXPECT_NE(table.find("57 quantities within their tolerances, the largest "
                        "change takes 50 % of its own"),
             std::string::npos)
       << table;

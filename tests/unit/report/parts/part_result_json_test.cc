@@ -62,6 +62,8 @@ TEST(PartResultJson, RoundTripKeepsEveryBit) {
   EXPECT_EQ(back.deflection_at, part.deflection_at);
   EXPECT_EQ(back.deflection_instant, part.deflection_instant);
   EXPECT_EQ(back.strain_energy, part.strain_energy);
+  EXPECT_EQ(back.strain_energy_instant, part.strain_energy_instant);
+  EXPECT_EQ(back.mean_strain_energy, part.mean_strain_energy);
   EXPECT_EQ(back.mass, part.mass);
   ASSERT_EQ(back.singular_zones.size(), 1u);
   EXPECT_EQ(back.singular_zones[0].name, "notch");
