@@ -100,6 +100,7 @@ ROOMS = {
     },
     "report": {
         "text": "files, tables, JSON and terminals",
+        "quantities": "the table of a result's scalars, in JSON, CSV and with tolerances",
         "machine": "bearings, transmissions, ejectors",
         "summary": "what is said of a motion: extremes, jumps, impacts, notes",
         "forces": "force elements and couplings over a motion",

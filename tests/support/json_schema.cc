@@ -37,7 +37,8 @@ class Checker {
       } else if (keyword == "minimum") {
         expect(!value.is_number() || value >= wanted, place + ": too small");
       } else if (keyword == "minItems") {
-        expect(value.size() >= wanted, place + ": too short");
+        expect(!value.is_array() || value.size() >= wanted,
+               place + ": too short");
       } else if (keyword == "maxItems") {
         expect(value.size() <= wanted, place + ": too long");
       } else if (keyword == "items") {

@@ -95,11 +95,13 @@ PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
   const auto ladder = climb_degrees<dim>(blow, model, {}, seconds);
   PartAssessment found = assess<dim>(blow, model, ladder, seconds);
   add_model_error(job.tolerance, model.model_error, found.result);
-  for (PeakStress* peak : {&found.result.peak, &found.result.peak_outside}) {
+  for (PeakStress* peak : each_peak(found.result)) {
     judge_band(*peak);
     add_time_error(times, *peak);
   }
-  add_time_error(times, impact.strike.name, found.result.held);
+  if (found.result.held) {
+    add_time_error(times, impact.strike.name, *found.result.held);
+  }
   return found;
 }
 

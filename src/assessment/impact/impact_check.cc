@@ -58,19 +58,20 @@ void note_deflection(const StruckRun<dim>& best, double space,
 /// The held sections' nominal stress of a blow whose degrees are not climbed.
 /// @param coarse  of a lower degree.
 template <int dim>
-HeldStress held_stress(const StruckRun<dim>& best, const StruckRun<dim>& coarse,
-                       const ImpactResult& impact) {
+std::optional<HeldStress> held_stress(const StruckRun<dim>& best,
+                                      const StruckRun<dim>& coarse,
+                                      const ImpactResult& impact) {
   const double value = best.root.value;
-  if (value == 0.0) return {};
+  if (value == 0.0) return std::nullopt;
   const auto& fronts = impact.refinement;
   const double error =
       std::abs(coarse.root.value / value - 1.0) + best.error_in_time();
-  return {value,
-          std::max(0.0, value * (1.0 - error - fronts.root_below)),
-          value * (impact.later_root + error + fronts.root_above),
-          best.root.name,
-          best.response.motion().time[best.root.sample],
-          fmt::format("impact {}", impact.name)};
+  return HeldStress{value,
+                    std::max(0.0, value * (1.0 - error - fronts.root_below)),
+                    value * (impact.later_root + error + fronts.root_above),
+                    best.root.name,
+                    best.response.motion().time[best.root.sample],
+                    fmt::format("impact {}", impact.name)};
 }
 
 template <int dim>
@@ -89,8 +90,10 @@ void take_spread(const CourseSpread& spread, ImpactResult& impact) {
   impact.spread = spread.largest;
   widen(spread.stress_low, spread.stress_high, impact.band_low,
         impact.band_high);
-  widen(spread.root_low, spread.root_high, impact.root.band_low,
-        impact.root.band_high);
+  if (impact.root) {
+    widen(spread.root_low, spread.root_high, impact.root->band_low,
+          impact.root->band_high);
+  }
   widen(spread.deflection_low, spread.deflection_high, impact.deflection_low,
         impact.deflection_high);
 }
@@ -215,10 +218,12 @@ Computed compute(const PartJob& job, const ImpactJob& given,
       course_spread(job, impact, zones, low, coarse, fine, faces);
   const double space =
       std::abs(coarse.factor / fine.factor * fine.stress / same_front - 1.0);
+  std::optional<double> nominal;
+  if (fine.static_root > 0.0) nominal = force * fine.static_root;
   result.rows.push_back(
       {.model = fmt::format("static elements x factor, p = {}", high),
        .stress = force * fine.static_stress,
-       .nominal = force * fine.static_root,
+       .nominal = nominal,
        .face = force / stiffness,
        .deflection = force * fine.static_deflection,
        .error = std::abs(coarse.static_stress / fine.static_stress - 1.0),
@@ -336,7 +341,8 @@ void take_assessment(const PartAssessment& climbed, ImpactResult& impact) {
   const PartResult& part = climbed.result;
   const PeakStress& judged = judged_peak(part);
   ImpactRow& row = impact.rows.back();
-  impact.stress = row.stress = judged.value;
+  impact.stress = judged.value;
+  row.stress = judged.value;
   impact.band_low = judged.band_low;
   impact.band_high = judged.band_high;
   row.error = std::max(judged.band_high - judged.value,
@@ -357,7 +363,8 @@ void take_assessment(const PartAssessment& climbed, ImpactResult& impact) {
   }
   row.deflection = part.deflection;
   impact.root = part.held;
-  row.nominal = part.held.value;
+  row.nominal.reset();
+  if (part.held) row.nominal = part.held->value;
   impact.deflection_at = part.deflection_at;
   impact.deflection_time = part.deflection_instant;
 }
@@ -368,12 +375,12 @@ void compare_rows(double stiffness, ImpactResult& impact) {
   const ImpactRow judged = impact.rows.back();
   // beam theory's rows know the root's section alone
   const bool by_section =
-      judged.nominal > 0.0 && std::ranges::any_of(impact.rows, [](auto& row) {
-        return row.stress == 0.0;
+      judged.nominal && std::ranges::any_of(impact.rows, [](auto& row) {
+        return !row.stress;
       });
+  const auto stress = by_section ? &ImpactRow::nominal : &ImpactRow::stress;
   for (ImpactRow& row : impact.rows) {
-    row.ratio =
-        by_section ? row.nominal / judged.nominal : row.stress / judged.stress;
+    row.ratio = (row.*stress).value_or(0.0) / (judged.*stress).value();
     row.remark = remark_on(row, impact, judged.face, stiffness);
   }
   impact.rows.back().remark = "judged";
@@ -408,15 +415,16 @@ CheckedBlows check_blows(const PartJob& job) {
                                           : std::move(climbed);
     }
     compare_rows(models.blows()[i].stiffness, impact);
-    const double hidden =
-        job.part.limits.exclude_singular_zones ? impact.root.value : 0.0;
+    const double hidden = job.part.limits.exclude_singular_zones && impact.root
+                              ? impact.root->value
+                              : 0.0;
     impact.safety_factor =
         job.part.material.yield_strength / std::max(impact.stress, hidden);
     found.impacts.push_back(std::move(impact));
   }
   for (const ImpactResult& impact : found.impacts) {
-    HeldStress& held = found.assessment->result.held;
-    if (impact.root.band_high > held.band_high) held = impact.root;
+    auto& held = found.assessment->result.held;
+    held = larger(held, impact.root);
   }
   return found;
 }
@@ -435,7 +443,7 @@ void finish_impacts(std::vector<ImpactResult> impacts, PartResult& result) {
       std::ranges::any_of(impacts, [](const ImpactResult& i) {
         return !i.refinement.settles || i.is_cut;
       });
-  for (PeakStress* peak : {&result.peak, &result.peak_outside}) {
+  for (PeakStress* peak : each_peak(result)) {
     if (!unsettled) continue;
     peak->has_band = false;
     if (peak->verdict == PeakVerdict::kConverged) {

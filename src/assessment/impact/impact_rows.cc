@@ -54,23 +54,26 @@ void add_beam_rows(const beam::BarOfPart& bar, const loads::Strike& strike,
   });
 }
 
-double beam_factor(const beam::BarOfPart& bar, const loads::Strike& strike) {
+std::optional<double> beam_factor(const beam::BarOfPart& bar,
+                                  const loads::Strike& strike) {
   return beam::impact(bar.bar, {.mass = strike.mass,
                                 .speed = strike.speed,
                                 .force = strike.force})
-      .factor.value_or(0.0);
+      .factor;
 }
 
 template <int dim>
 ImpactRow struck_row(const StruckRun<dim>& run, int degree, double error) {
   const auto& solution = run.response.solution;
+  std::optional<double> nominal;
+  if (run.root.value > 0.0) nominal = run.root.value;
   return {.model = fmt::format("dynamic elements, {}, p = {}",
                                solution.is_modal
                                    ? fmt::format("{} shapes", solution.modes)
                                    : fmt::format("{} steps", solution.steps),
                                degree),
           .stress = run.stress,
-          .nominal = run.root.value,
+          .nominal = nominal,
           .face = run.response.motion().peak_contact,
           .deflection = run.deflection.value,
           .error = error,

@@ -17,8 +17,9 @@ std::optional<beam::BarOfPart> bar_of(const PartJob& job,
 void add_beam_rows(const beam::BarOfPart& bar, const loads::Strike& strike,
                    std::vector<ImpactRow>& rows);
 
-/// Dynamic over static stress by the corrected beam; 0: it has none [1].
-double beam_factor(const beam::BarOfPart& bar, const loads::Strike& strike);
+/// Dynamic over static stress by the corrected beam, where it has one [1].
+std::optional<double> beam_factor(const beam::BarOfPart& bar,
+                                  const loads::Strike& strike);
 
 /// What elements in time say.
 /// @param error  of the stress [1].

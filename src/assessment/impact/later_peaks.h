@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "assessment/impact/struck_run.h"
@@ -24,8 +25,8 @@ struct LaterPeaks {
   /// far as later peaks are larger.
   std::vector<BlowSpan> spans;
   /// Of a part that swings freely without damping: what it comes to at the
-  /// most, whenever, over the largest until `looked_for`; else 0 [1].
-  double swing_stress{}, swing_deflection{};
+  /// most, whenever, over the largest until `looked_for`; else absent [1].
+  std::optional<double> swing_stress, swing_deflection;
 };
 
 /// Follows a blow for twice its default or given duration, where a force goes

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,10 +50,11 @@ struct PeakStress {
   double instant{};   ///< [s]
   std::string label;  ///< "t = 1.25 s" or the case
   std::vector<SequenceMember> sequence;
-  /// Degree of the finer solution nearby that gives the value; 0: the last
-  /// degree's own field does.
-  int degree_nearby{};
-  double field_maximum{};  ///< of the field as solved, cell by cell [Pa]
+  /// Degree of the finer solution nearby that gives the value; absent: the last
+  /// degree's own field gives it.
+  std::optional<int> degree_nearby;
+  /// Of the field as solved, cell by cell; absent: not sought [Pa].
+  std::optional<double> field_maximum;
   double jump{};  ///< between the cells that meet at the peak, as solved [Pa]
 };
 
@@ -60,7 +62,8 @@ struct PeakStress {
 struct ZoneResult {
   std::string name;   ///< "edge of root at (0, 10, 2) mm"
   double exponent{};  ///< λ of theory: stress ~ distance^(λ − 1) [1]
-  double exponent_measured{};  ///< from the solved field; 0: not measured [1]
+  /// From the solved field; absent: the mesh is not graded there [1].
+  std::optional<double> exponent_measured;
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]
   double radius{};                               ///< left out around it [m]
   /// Whether its stress rises above the peak elsewhere.
@@ -73,21 +76,26 @@ struct ZoneResult {
 /// Linear buckling: by how much all loads of an instant may grow until the
 /// part buckles, by finite elements, least over the instants.
 struct BucklingResult {
-  double factor{};                 ///< 0: not computed, or nothing presses [1]
+  /// Absent: not computed, or nothing presses [1].
+  std::optional<double> factor;
   double band_low{}, band_high{};  ///< [1]
   double instant{};                ///< [s]
   std::string label;               ///< "t = 1.25 s" or the case
   std::string model;               ///< "plane stress, p = 4"
   /// Why there is none, or what it leaves out; one line, or empty.
   std::string remark;
-  double euler{};  ///< of the strut beside it; 0: it is none [1]
+  std::optional<double> euler;  ///< of the strut beside it, if it is one [1]
   /// It reaches through a slide into another body: it decides, too.
   bool strut_is_longer = false;
 
+  /// Whether anything is: a factor, or why there is none.
+  bool is_known() const { return factor || !remark.empty(); }
+  /// Whether no factor below it was found.
+  bool is_lower_bound() const { return factor && band_low == band_high; }
   /// Whether Euler's strut falls short where it decides: without finite
   /// elements, or longer than the part.
   bool euler_fails(double wanted) const {
-    return (factor == 0.0 || strut_is_longer) && euler > 0.0 && euler < wanted;
+    return (!factor || strut_is_longer) && euler && *euler < wanted;
   }
 };
 
@@ -100,14 +108,16 @@ struct FiniteMotion {
 
 /// What beam theory says of the same load history.
 struct BeamComparison {
-  double peak_stress{};  ///< governing of all beam and lug formulas [Pa]
+  /// Governing of all beam and lug formulas; absent: none applies [Pa].
+  std::optional<double> peak_stress;
   std::string
       governing;  ///< "axial + bending, C-B at 30 mm", "lug E net section"
-  bool is_section = false;     ///< nominal stress of a section between pins
-  double deflection{};         ///< [m]
-  double buckling_safety = 0;  ///< Euler load / axial force; 0: not in pressure
-  double ratio_fe_to_beam{};   ///< peak stresses [1]
-  std::string reason;          ///< why the ratio leaves 0.8–1.25, or empty
+  bool is_section = false;  ///< nominal stress of a section between pins
+  double deflection{};      ///< [m]
+  /// Euler load over axial force; absent: the part is not in pressure [1].
+  std::optional<double> buckling_safety;
+  std::optional<double> ratio_fe_to_beam;  ///< peak stresses [1]
+  std::string reason;  ///< why the ratio leaves 0.8–1.25, or empty
 };
 
 /// Every entry must be below its bound or the solve is refused (F003).
@@ -127,21 +137,21 @@ struct ProbeResult {
 /// Largest nominal stress of a plane face that holds the part, as the section
 /// of a bar (stress::held_faces), over the instants.
 struct HeldStress {
-  double value{};                  ///< [Pa]; 0: no plane face holds the part
+  double value{};                  ///< [Pa]
   double band_low{}, band_high{};  ///< [Pa]
   std::string section;             ///< "root", "left + right"
   double instant{};                ///< [s]
   std::string label;               ///< "t = 1.25 s" or the case
 };
 
-/// What one model says of a blow.
+/// What one model says of a blow; absent: it says nothing of that.
 struct ImpactRow {
-  std::string model;    ///< "beam, corrected", "dynamic FE, modal, p = 3"
-  double stress{};      ///< where the part is judged [Pa]; 0: it says nothing
-  double nominal{};     ///< of the root section [Pa]; 0: it says nothing
-  double face{};        ///< way of the struck face, along the blow [m]
-  double deflection{};  ///< largest of the part; 0: it says nothing [m]
-  double error = -1.0;  ///< estimated, of the stress; negative: not known [1]
+  std::string model;  ///< "beam, corrected", "dynamic FE, modal, p = 3"
+  std::optional<double> stress{};   ///< where the part is judged [Pa]
+  std::optional<double> nominal{};  ///< of the root section [Pa]
+  double face{};  ///< way of the struck face, along the blow [m]
+  std::optional<double> deflection{};  ///< largest of the part [m]
+  std::optional<double> error{};       ///< estimated, of the stress [1]
   double seconds{};
   double ratio{};        ///< nominal stress over that of the dynamic FE [1]
   std::string remark{};  ///< "unsafe by 12 %: …"
@@ -179,19 +189,19 @@ struct ImpactResult {
   /// one; in the bands; 0: nothing to speak of [1].
   double spread{};
   /// What its free swing comes to at the most, whenever, over the largest until
-  /// `looked_for`; 0: the part has damping, or the striker presses on [1].
-  double swing_stress{}, swing_deflection{};
+  /// `looked_for`; absent: the part has damping, or the striker presses on [1].
+  std::optional<double> swing_stress, swing_deflection;
   bool is_cut = false;    ///< its given duration ends while the striker presses
   double part_mass{};     ///< [kg]
   double first_period{};  ///< of the part's vibration along the blow [s]
   bool is_axial = false;  ///< along a rod
-  double load_duration{}, rise_time{};  ///< of the contact's force [s]
-  double peak_force{};                  ///< of the contact [N]
-  double beam_factor{};                 ///< of the corrected beam; 0: none [1]
-  double dynamic_factor{};              ///< dynamic over static FE [1]
+  double load_duration{}, rise_time{};       ///< of the contact's force [s]
+  double peak_force{};                       ///< of the contact [N]
+  std::optional<double> beam_factor;         ///< of the corrected beam [1]
+  double dynamic_factor{};                   ///< dynamic over static FE [1]
   double stress{}, band_low{}, band_high{};  ///< by the dynamic FE [Pa]
-  HeldStress root;                           ///< of the held faces
-  double deflection{};  ///< largest of the part over all times [m]
+  std::optional<HeldStress> root;  ///< of the held faces, where they are plane
+  double deflection{};             ///< largest of the part over all times [m]
   double deflection_low{}, deflection_high{};               ///< its band [m]
   Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();  ///< in L [m]
   double deflection_time{};                                 ///< [s]
@@ -213,7 +223,8 @@ struct LoadPace {
 
 /// What vibration makes of the peak over the motion of a part's body.
 struct VibrationResult {
-  double ratio{};       ///< dynamic over quasi-static peak; 0: not computed [1]
+  /// Dynamic over quasi-static peak; absent: not computed [1].
+  std::optional<double> ratio;
   bool governs{};       ///< a case of the part does not stress it more
   std::string failure;  ///< why it could not be, though it was wanted
   double peak{}, band_low{}, band_high{};  ///< that is judged [Pa]
@@ -267,27 +278,28 @@ struct PartResult {
   int dofs{}, cells{}, load_columns{};
   PeakStress peak;
   std::vector<ZoneResult> singular_zones;
-  /// Where a zone governs: the peak away from those that do; else with an
-  /// empty sequence.
-  PeakStress peak_outside;
-  HeldStress held;
-  double safety_factor{};                      ///< yield / peak
-  double deflection{};                         ///< relative to its pins [m]
+  /// Where a zone governs: the peak away from those that do.
+  std::optional<PeakStress> peak_outside;
+  std::optional<HeldStress> held;  ///< where a plane face holds the part
+  double safety_factor{};          ///< yield / peak
+  double deflection{};             ///< relative to its pins [m]
   double deflection_low{}, deflection_high{};  ///< its band [m]
   Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();
-  double deflection_instant{};  ///< [s]
-  double strain_energy{};       ///< largest over the instants [J]
+  double deflection_instant{};               ///< [s]
+  double strain_energy{};                    ///< largest over the instants [J]
+  double strain_energy_instant{};            ///< when it is largest [s]
+  std::optional<double> mean_strain_energy;  ///< over the motion's time [J]
   /// Over the strain energy at the worst instant, by its last three degrees;
-  /// negative: too few at one instant [1].
-  double strain_energy_error = -1.0;
+  /// absent: fewer stand at one instant [1].
+  std::optional<double> strain_energy_error;
   BucklingResult buckling;
   FiniteMotion finite_motion;
   BeamComparison beam;
   SelfChecks self_checks;
   std::vector<ProbeResult> probes;
   PartSeconds seconds;
-  double mass{};          ///< [kg]
-  double first_period{};  ///< of the free or held part [s]; 0: not asked for
+  double mass{};                       ///< [kg]
+  std::optional<double> first_period;  ///< of the free or held part [s]
   std::vector<ImpactResult> impacts;
   std::vector<LoadPace> paces;
   VibrationResult vibration;

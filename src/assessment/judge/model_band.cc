@@ -51,15 +51,27 @@ void append(const std::vector<T>& other, std::vector<T>& all) {
 
 }  // namespace
 
+std::vector<PeakStress*> each_peak(PartResult& result) {
+  std::vector<PeakStress*> peaks{&result.peak};
+  if (result.peak_outside) peaks.push_back(&*result.peak_outside);
+  return peaks;
+}
+
+std::optional<HeldStress> larger(const std::optional<HeldStress>& one,
+                                 const std::optional<HeldStress>& other) {
+  if (!one || !other) return one ? one : other;
+  return other->band_high > one->band_high ? other : one;
+}
+
 void add_model_error(double tolerance, double model_error, PartResult& result) {
-  const bool is_outside = !result.peak_outside.sequence.empty();
+  const bool is_outside = result.peak_outside.has_value();
   widen(tolerance, is_outside ? 0.0 : model_error, result.peak);
-  if (is_outside) widen(tolerance, model_error, result.peak_outside);
+  if (is_outside) widen(tolerance, model_error, *result.peak_outside);
   // What a model leaves out it leaves out of stiffness too, and less of it.
   const double rest = model_error * result.deflection;
   result.deflection_low = std::max(0.0, result.deflection_low - rest);
   result.deflection_high += rest;
-  const PeakStress& peak = is_outside ? result.peak_outside : result.peak;
+  const PeakStress& peak = judged_peak(result);
   result.stopped_because = fmt::format(
       "{}: {}, {:.3g} % wanted",
       peak.verdict != PeakVerdict::kConverged ? "highest degree done"
@@ -89,7 +101,7 @@ PartAssessment join(PartAssessment first, PartAssessment second) {
   add_checks(other.self_checks, result.self_checks);
   add_seconds(other.seconds, result.seconds);
   result.load_columns += other.load_columns;
-  if (other.held.band_high > result.held.band_high) result.held = other.held;
+  result.held = larger(result.held, other.held);
   result.strain_energy = std::max(result.strain_energy, other.strain_energy);
   result.finite_motion = farther(result.finite_motion, other.finite_motion);
   result.deflection_high =

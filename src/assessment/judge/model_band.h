@@ -1,8 +1,18 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "assessment/job/part_job.h"
 
 namespace clevis::assessment {
+
+/// The peak and, where there is one, that away from the singular zones.
+std::vector<PeakStress*> each_peak(PartResult& result);
+
+/// That whose band reaches higher; absent if both are.
+std::optional<HeldStress> larger(const std::optional<HeldStress>& one,
+                                 const std::optional<HeldStress>& other);
 
 /// Widens the judged peak's band by the model's error and says what has been
 /// achieved.

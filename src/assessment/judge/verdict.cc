@@ -66,7 +66,7 @@ bool is_singular_only(const part::PartDefinition& part,
                       const PartResult& result, double allowed) {
   return &judged_peak(result) != &result.peak &&
          !part.limits.exclude_singular_zones &&
-         result.peak_outside.band_low <= allowed;
+         result.peak_outside->band_low <= allowed;
 }
 
 /// The peak that decides: with vibration where that was computed.
@@ -167,38 +167,38 @@ bool leaves_zones_out(const part::PartDefinition& part,
 
 /// The nominal stress of a section that may lie in a zone left out.
 struct Nominal {
-  double low{}, value{}, high{};  ///< [Pa]; 0: unknown
+  double low{}, value{}, high{};  ///< [Pa]
   std::string what;               ///< "section root, impact blow"
 };
 
-/// The largest of the held faces' and of beam theory's sections. Formulas of
-/// lugs are none of a section.
-Nominal largest_nominal(const PartResult& result) {
-  Nominal largest;
-  if (result.beam.is_section) {
-    const double stress = result.beam.peak_stress;
+/// The largest of the held faces' and of beam theory's sections, if one is
+/// known. Formulas of lugs are none of a section.
+std::optional<Nominal> largest_nominal(const PartResult& result) {
+  std::optional<Nominal> largest;
+  if (result.beam.is_section && result.beam.peak_stress) {
+    const double stress = *result.beam.peak_stress;
     largest = {stress, stress, stress, result.beam.governing};
   }
-  const HeldStress& held = result.held;
-  if (held.band_high <= largest.high) return largest;
-  return {held.band_low, held.value, held.band_high,
-          fmt::format("section {}, {}", held.section, held.label)};
+  const std::optional<HeldStress>& held = result.held;
+  if (!held || (largest && held->band_high <= largest->high)) return largest;
+  return Nominal{held->band_low, held->value, held->band_high,
+                 fmt::format("section {}, {}", held->section, held->label)};
 }
 
 /// Where a zone is left out, the nominal stress of the section stands for what
 /// it hides: a part is not judged by less.
 bool judge_nominal(const part::PartDefinition& part, PartResult& result) {
   if (!leaves_zones_out(part, result)) return true;
-  const Nominal nominal = largest_nominal(result);
+  const std::optional<Nominal> nominal = largest_nominal(result);
   const double allowed =
       part.material.yield_strength / part.limits.safety_factor.value_or(1.0);
-  if (nominal.high <= allowed) return true;
-  const bool fails = nominal.low > allowed;
+  if (!nominal || nominal->high <= allowed) return true;
+  const bool fails = nominal->low > allowed;
   set(result, fails ? part::Verdict::kFail : part::Verdict::kNotJudged,
       fmt::format("nominal stress {:.4g} [{:.4g}, {:.4g}] MPa ({}), hidden by "
                   "the zone left out, {} {:.4g} MPa",
-                  nominal.value / kMega, nominal.low / kMega,
-                  nominal.high / kMega, nominal.what,
+                  nominal->value / kMega, nominal->low / kMega,
+                  nominal->high / kMega, nominal->what,
                   fails ? "exceeds" : "may exceed", allowed / kMega));
   return false;
 }
@@ -225,9 +225,9 @@ std::string wide_band(const PartResult& result) {
 std::string left_out(const part::PartDefinition& part,
                      const PartResult& result) {
   if (!leaves_zones_out(part, result)) return "";
-  const Nominal nominal = largest_nominal(result);
-  if (nominal.value == 0.0) return without(governing_zones(result));
-  const bool is_held = result.held.value > 0.0;  // not a link of beam theory
+  const std::optional<Nominal> nominal = largest_nominal(result);
+  if (!nominal) return without(governing_zones(result));
+  const bool is_held = result.held.has_value();  // not a link of beam theory
   const std::string known = governing_zones(result, is_held);
   const std::string unknown = is_held ? governing_zones(result, false) : "";
   std::string text;
@@ -235,7 +235,7 @@ std::string left_out(const part::PartDefinition& part,
     text = fmt::format(
         "without {}, where the nominal stress ({}) is {:.4g} MPa and the "
         "corner's own is not judged",
-        known, nominal.what, nominal.value / kMega);
+        known, nominal->what, nominal->value / kMega);
   }
   if (!unknown.empty()) text += (text.empty() ? "" : "; ") + without(unknown);
   return text;
@@ -246,7 +246,7 @@ bool judge_euler(double wanted, PartResult& result) {
   set(result, part::Verdict::kFail,
       fmt::format("buckling: Euler's load is {:.3g} times the compression, "
                   "{:.4g} is wanted",
-                  result.buckling.euler, wanted));
+                  *result.buckling.euler, wanted));
   return false;
 }
 
@@ -254,18 +254,17 @@ bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
   const double wanted = part::wanted_buckling_factor(part.limits);
   const BucklingResult& buckling = result.buckling;
   if (!judge_euler(wanted, result)) return false;
-  if (part.limits.buckling && buckling.factor == 0.0 &&
-      !buckling.remark.empty()) {
+  if (part.limits.buckling && !buckling.factor && !buckling.remark.empty()) {
     set(result, part::Verdict::kNotJudged,
         "the limit of buckling is not held against: " + buckling.remark);
     return false;
   }
-  if (buckling.factor == 0.0 || buckling.band_low >= wanted) return true;
+  if (!buckling.factor || buckling.band_low >= wanted) return true;
   const bool fails = buckling.band_high < wanted;
   set(result, fails ? part::Verdict::kFail : part::Verdict::kNotJudged,
       fmt::format("buckling: the part buckles under {:.4g} [{:.4g}, {:.4g}] "
                   "times the loads of {}, {:.4g} is wanted{}",
-                  buckling.factor, buckling.band_low, buckling.band_high,
+                  *buckling.factor, buckling.band_low, buckling.band_high,
                   buckling.label, wanted, fails ? "" : ": mesh finer"));
   return false;
 }
@@ -304,14 +303,13 @@ bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
 double governing_stress(const part::PartDefinition& part,
                         const PartResult& result) {
   const double peak = judged_peak(result).value;
-  return leaves_zones_out(part, result)
-             ? std::max(peak, largest_nominal(result).value)
-             : peak;
+  if (!leaves_zones_out(part, result)) return peak;
+  const std::optional<Nominal> nominal = largest_nominal(result);
+  return nominal ? std::max(peak, nominal->value) : peak;
 }
 
 const PeakStress& judged_peak(const PartResult& result) {
-  return result.peak_outside.sequence.empty() ? result.peak
-                                              : result.peak_outside;
+  return result.peak_outside ? *result.peak_outside : result.peak;
 }
 
 // What one limit cannot tell another may: a part fails by any of them.
@@ -338,8 +336,8 @@ void judge(const part::PartDefinition& part, PartResult& result) {
 }
 
 std::string explain_ratio(const PeakStress& peak, const BeamComparison& beam) {
-  const double ratio = beam.ratio_fe_to_beam;
-  if (beam.peak_stress == 0.0) return "no beam formula applies";
+  if (!beam.ratio_fe_to_beam) return "no beam formula applies";
+  const double ratio = *beam.ratio_fe_to_beam;
   if (ratio >= 0.8 && ratio <= 1.25) return "";
   const std::string& group = peak.group;
   if (ratio > 1.25) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -89,11 +90,10 @@ void fill_zones(const PartJob& job, const DegreeLadder<dim>& ladder,
   if (!zones.is_singular()) return;
   result.peak.verdict = PeakVerdict::kSingular;
   const OutsidePeak& last = zones.outside().back();
+  PeakStress& outside = result.peak_outside.emplace();
   fill_peak<dim>(job, ladder, ladder.outer_band,
-                 place_of(ladder, {last.set, last.at, last.instant}),
-                 result.peak_outside);
-  fill_nearby<dim>(ladder, result.peak_outside);
-  PeakStress& outside = result.peak_outside;
+                 place_of(ladder, {last.set, last.at, last.instant}), outside);
+  fill_nearby<dim>(ladder, outside);
   outside.discretization_error = std::max(outside.band_high - outside.value,
                                           outside.value - outside.band_low);
   for (const OutsidePeak& peak : zones.outside()) {
@@ -186,7 +186,7 @@ double check_reported_peak(const PartJob& job, const Level<dim>& level,
   }
   // Under even pressure von Mises is only the round-off of its components.
   const double round_off = 1e-12 * component;
-  const double peak = result.peak.field_maximum;
+  const double peak = result.peak.field_maximum.value();
   result.self_checks.reported_peak_is_field_maximum =
       std::isfinite(peak) &&
       std::abs(largest - peak) <=
@@ -238,8 +238,8 @@ PartFields make_fields(const PartJob& job, const Level<dim>& level) {
 }
 
 /// From the last three degrees if their worst instant is the same.
-double energy_error(const std::vector<SequenceMember>& sequence) {
-  constexpr double kUnknown = -1.0;
+std::optional<double> energy_error(
+    const std::vector<SequenceMember>& sequence) {
   std::vector<stress::EnergyValue> values;
   for (const SequenceMember& member : sequence) {
     if (member.label != sequence.back().label)
@@ -247,12 +247,15 @@ double energy_error(const std::vector<SequenceMember>& sequence) {
     else
       values.push_back({member.dofs, member.strain_energy});
   }
-  return values.size() < 3 ? kUnknown : stress::strain_energy_error(values);
+  if (values.size() < 3) return std::nullopt;
+  return stress::strain_energy_error(values);
 }
 
-/// The last degree's, the last change on both sides.
-HeldStress held_stress(const std::vector<HeldStress>& degrees) {
+/// The last degree's, the last change on both sides; nothing where no plane
+/// face holds the part, which a level tells by a stress of 0.
+std::optional<HeldStress> held_stress(const std::vector<HeldStress>& degrees) {
   HeldStress held = degrees.back();
+  if (held.value == 0.0) return std::nullopt;
   if (degrees.size() > 1) {
     const double change =
         std::abs(held.value - degrees[degrees.size() - 2].value);

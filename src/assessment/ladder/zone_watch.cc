@@ -27,7 +27,7 @@ ZoneWatch<dim>::ZoneWatch(const PartJob& job, const mesh::PartMesh<dim>& mesh)
     Set& own = sets_.emplace_back();
     for (auto& zone :
          stress::singular_zones<dim>(mesh, job.part.material, set.fixed)) {
-      own.zones.push_back({std::move(zone), {}, 0.0, false});
+      own.zones.push_back({std::move(zone), {}, {}, false});
     }
   }
   if (has_zones()) grade(mesh);

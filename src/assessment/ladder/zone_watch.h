@@ -61,7 +61,7 @@ class ZoneWatch {
   struct Zone {
     stress::SingularZone zone;
     std::vector<std::vector<int>> rings;  ///< empty: mesh not graded
-    double exponent{};                    ///< measured; 0: not
+    std::optional<double> exponent;       ///< as measured
     bool governs{};
   };
   struct Set {

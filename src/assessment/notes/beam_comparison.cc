@@ -16,7 +16,8 @@ BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
         beam::estimate(job.mesh, job.part.material, job.mass, job.groups,
                        set.history, job.buckling_length);
     if (!estimate.stresses.empty() &&
-        estimate.stresses.front().stress > comparison.peak_stress) {
+        estimate.stresses.front().stress >
+            comparison.peak_stress.value_or(0.0)) {
       comparison.peak_stress = estimate.stresses.front().stress;
       comparison.governing = estimate.stresses.front().formula + ", " +
                              estimate.stresses.front().where;
@@ -25,26 +26,27 @@ BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
     comparison.deflection =
         std::max(comparison.deflection, estimate.deflection);
     if (estimate.buckling_safety > 0.0 &&
-        (comparison.buckling_safety == 0.0 ||
-         estimate.buckling_safety < comparison.buckling_safety)) {
+        (!comparison.buckling_safety ||
+         estimate.buckling_safety < *comparison.buckling_safety)) {
       comparison.buckling_safety = estimate.buckling_safety;
     }
   }
   // of blows the held section's stress in time is no beam theory
-  if (job.impacts.empty() && result.held.value > comparison.peak_stress) {
-    comparison.peak_stress = result.held.value;
+  if (job.impacts.empty() && result.held &&
+      result.held->value > comparison.peak_stress.value_or(0.0)) {
+    comparison.peak_stress = result.held->value;
     comparison.is_section = false;  // it stands in PartResult::held
     comparison.governing = fmt::format(
-        "section {} by its support's force and moment", result.held.section);
+        "section {} by its support's force and moment", result.held->section);
   }
-  if (comparison.peak_stress > 0.0) {
+  if (comparison.peak_stress) {
     comparison.ratio_fe_to_beam =
-        judged_peak(result).value / comparison.peak_stress;
+        judged_peak(result).value / *comparison.peak_stress;
   }
   const bool held = std::ranges::any_of(job.load_sets, [](const LoadSet& set) {
     return !set.fixed.empty() || !set.foundations.empty();
   });
-  if (comparison.peak_stress > 0.0 || !held) {
+  if (comparison.peak_stress || !held) {
     comparison.reason = explain_ratio(judged_peak(result), comparison);
   } else {
     comparison.reason =

@@ -79,10 +79,10 @@ void add_facet_doubt(const PartJob& job, const PartFields& fields,
   if (!is_on_cylinder(job, result.peak)) {  // else spared a whole field
     error = widen(job, stress_at(fields, result.peak.at), result.peak);
   }
-  if (!result.peak_outside.sequence.empty()) {
+  if (result.peak_outside) {
     // Perhaps of another instant: its stress is not known here.
     error = std::max(error,
-                     widen(job, Eigen::Matrix3d::Zero(), result.peak_outside));
+                     widen(job, Eigen::Matrix3d::Zero(), *result.peak_outside));
   }
   if (error == 0.0) return;
   result.notes.push_back(fmt::format(

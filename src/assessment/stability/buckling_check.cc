@@ -127,10 +127,11 @@ void set_band(std::optional<double> before, double now,
 }
 
 /// The limit lies outside the band, well beyond it where the band is wide.
+/// @pre `result` has a factor.
 bool is_decided(const BucklingResult& result, double wanted) {
   constexpr double kNarrow = 0.05, kFar = 2.0;
   const bool narrow =
-      result.band_high - result.band_low < kNarrow * result.factor;
+      result.band_high - result.band_low < kNarrow * *result.factor;
   return result.band_low > kFar * wanted ||
          (narrow && (result.band_low > wanted || result.band_high < wanted));
 }
@@ -219,7 +220,7 @@ BucklingCheck check_buckling(const PartJob& job) {
   const BucklingModel model(job);
   check = climb(job, model, checked_loads(job));
   auto others = other_sharings(job);
-  if (check.result.factor > 0.0 && !others.empty()) {
+  if (check.result.factor && !others.empty()) {
     const auto of_others = climb(job, model, std::move(others)).result;
     check.result.band_low = std::min(check.result.band_low, of_others.band_low);
   }

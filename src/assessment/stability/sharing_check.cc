@@ -178,7 +178,7 @@ void widen(const Factors& factors, PeakStress& peak) {
 void widen(const Factors& stress, const Factors& deflection,
            PartResult& result) {
   widen(stress, result.peak);
-  widen(stress, result.peak_outside);
+  if (result.peak_outside) widen(stress, *result.peak_outside);
   result.finite_motion.rotation *= deflection.high;
   result.finite_motion.strain *= stress.high;
   result.vibration.band_low *= stress.low;

@@ -65,17 +65,18 @@ bool wants_elements_in_time(const LoadPace& pace) {
 void judge_paces(const PartJob& job, PartResult& result) {
   if (job.impact_loads.empty()) return;
   const loads::LoadHistory none;
-  result.first_period = elasticity::first_period<3>(
+  const double first = elasticity::first_period<3>(
       {job.mesh, job.part.material, none, {}, job.part.name},
       job.mesh.shape == mesh::CellShape::kSimplex ? 1 : 2);
-  const double waves = std::min(period_of_waves(job), result.first_period);
+  result.first_period = first;
+  const double waves = std::min(period_of_waves(job), first);
   for (const ImpactLoad& load : job.impact_loads) {
     LoadPace pace;
     pace.impact = load.name;
     pace.duration = load.duration;
     pace.rise_time = load.rise_time;
-    pace.ratio = load.duration / result.first_period;
-    for (const double period : {result.first_period, waves}) {
+    pace.ratio = load.duration / first;
+    for (const double period : {first, waves}) {
       pace.amplification = std::max(
           pace.amplification,
           pulse_amplification(load.duration / period, load.rise_time / period));

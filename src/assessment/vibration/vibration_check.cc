@@ -56,8 +56,9 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   if (!(high.still() > 0.0)) return {};  // the zones are all that is loaded
   auto found = high.answer(count, high.path());
   result.peak = found.peak.value;
-  result.ratio = result.peak / high.still();
-  result.degree_error = change(low_ratio, result.ratio);
+  const double ratio = result.peak / high.still();
+  result.ratio = ratio;
+  result.degree_error = change(low_ratio, ratio);
   result.sampling_error = found.sampling_error;
   result.at = found.at;
   result.group = found.group;
@@ -93,15 +94,16 @@ void deflect(bool beside_cases, const VibrationResult& found,
 }
 
 /// Puts the dynamic peak on the ladder's, or where a case has that beside it.
+/// @pre `found` has a ratio.
 void judge_vibration(const PartJob& job, const LoadSet& set, PartResult& result,
                      VibrationResult& found) {
   const PeakStress& still = judged_peak(result);
   const double error = found.error();
   const bool of_motion = is_of_motion(still, set);
   if (of_motion) {
-    found.peak = found.ratio * still.value;
-    found.band_low = found.ratio * still.band_low;
-    found.band_high = found.ratio * still.band_high;
+    found.peak = *found.ratio * still.value;
+    found.band_low = *found.ratio * still.band_low;
+    found.band_high = *found.ratio * still.band_high;
   } else {
     found.band_low = found.band_high = found.peak;
   }
@@ -139,7 +141,7 @@ void check_vibration(const PartJob& job, PartResult& result) {
   found.from = windows.front().from;
   found.to = windows.back().to;
   found.seconds = watch.lap();
-  if (found.ratio > 0.0) judge_vibration(job, set, result, found);
+  if (found.ratio) judge_vibration(job, set, result, found);
   result.vibration = std::move(found);
 }
 

@@ -14,9 +14,9 @@ std::vector<VibrationWindow> vibration_windows(const PartJob& job,
   for (std::size_t i = 0; i < result.paces.size(); ++i) {
     if (!wants_elements_in_time(result.paces[i])) continue;
     const ImpactLoad& load = job.impact_loads[i];
+    const double period = result.first_period.value();
     const double follow =
-        std::min(load.duration, kPressing * result.first_period) +
-        kAfter * result.first_period;
+        std::min(load.duration, kPressing * period) + kAfter * period;
     for (const double start : load.touches) {
       all.push_back({start, start + follow});
     }

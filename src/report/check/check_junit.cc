@@ -7,6 +7,7 @@
 
 #include "part/verdict.h"
 #include "report/parts/buckling_output.h"
+#include "report/parts/peak_quantities.h"
 #include "report/text/junit.h"
 #include "report/text/units.h"
 

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
-#include "part/part_definition.h"
 #include "part/verdict.h"
 
 namespace clevis::report {
 
 using assessment::PartResult;
-using assessment::PeakVerdict;
 using part::Verdict;
 
 part::Verdict overall_verdict(const CheckReport& report) {
@@ -43,22 +41,6 @@ ExitCode exit_code(const CheckReport& report) {
       break;
   }
   return ExitCode::kNotJudged;
-}
-
-std::string_view text(PeakVerdict verdict) {
-  switch (verdict) {
-    case PeakVerdict::kConverged:
-      return "converged";
-    case PeakVerdict::kSingular:
-      return "singular";
-    case PeakVerdict::kNotConverged:
-      break;
-  }
-  return "not converged";
-}
-
-bool is_displacement(const assessment::ProbeResult& probe) {
-  return part::is_displacement(probe.quantity);
 }
 
 }  // namespace clevis::report

@@ -50,9 +50,4 @@ part::Verdict overall_verdict(const CheckReport& report);
 /// by the overall verdict.
 ExitCode exit_code(const CheckReport& report);
 
-std::string_view text(assessment::PeakVerdict verdict);
-
-/// Whether a probe's quantity is a displacement [m] rather than a stress [Pa].
-bool is_displacement(const assessment::ProbeResult& probe);
-
 }  // namespace clevis::report

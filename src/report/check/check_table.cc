@@ -9,6 +9,8 @@
 #include "part/verdict.h"
 #include "report/parts/buckling_output.h"
 #include "report/parts/part_impact_output.h"
+#include "report/parts/peak_quantities.h"
+#include "report/parts/probe_quantities.h"
 #include "report/summary/motion_notes.h"
 #include "report/text/text_table.h"
 #include "report/text/units.h"
@@ -20,9 +22,11 @@ using assessment::PartResult;
 using assessment::PeakVerdict;
 using part::Verdict;
 
-/// 0 stands for "beam theory says nothing here".
-std::string or_dash(double value, const char* format) {
-  return value != 0.0 ? fmt::format(fmt::runtime(format), value) : "-";
+/// "-" where beam theory says nothing.
+/// @param unit  of the text, in SI.
+std::string or_dash(const std::optional<double>& value, double unit,
+                    const char* format) {
+  return value ? fmt::format(fmt::runtime(format), *value / unit) : "-";
 }
 
 std::vector<TextTable::Cell> part_row(const PartResult& part) {
@@ -44,8 +48,8 @@ std::vector<TextTable::Cell> part_row(const PartResult& part) {
       {part.model},
       {fmt::format("{:#.4g}", part.safety_factor)},
       {fmt::format("{:#.4g}", millimetres(part.deflection))},
-      {or_dash(megapascals(part.beam.peak_stress), "{:#.4g}")},
-      {or_dash(part.beam.ratio_fe_to_beam, "{:.3f}")},
+      {or_dash(part.beam.peak_stress, 1e6, "{:#.4g}")},
+      {or_dash(part.beam.ratio_fe_to_beam, 1.0, "{:.3f}")},
       {std::string(text(part.verdict)), tone_of(part.verdict)},
       {fmt::format("{:.2f}", part.seconds.total)},
   };
@@ -68,15 +72,15 @@ void add_zones(TextTable& table, const PartResult& part) {
   for (const auto& zone : part.singular_zones) {
     std::string line = fmt::format("singular zone: {}, stress ~ r^{:.4f}",
                                    zone.name, zone.exponent - 1.0);
-    if (zone.exponent_measured != 0.0) {
-      line += fmt::format(" (measured {:.4f})", zone.exponent_measured - 1.0);
+    if (zone.exponent_measured) {
+      line += fmt::format(" (measured {:.4f})", *zone.exponent_measured - 1.0);
     }
     line += fmt::format(", radius {:#.3g} mm", millimetres(zone.radius));
     table.add_note(zone.governs ? line : line + ", does not govern");
   }
-  if (part.held.value > 0.0) table.add_note(held_section_text(part.held));
-  const assessment::PeakStress& outside = part.peak_outside;
-  if (outside.sequence.empty()) return;
+  if (part.held) table.add_note(held_section_text(*part.held));
+  if (!part.peak_outside) return;
+  const assessment::PeakStress& outside = *part.peak_outside;
   table.add_note(fmt::format(
       "away from the singular zones: {:#.5g} [{:#.5g}, {:#.5g}] MPa at {} "
       "({:.1f}, {:.1f}, {:.1f}), {}",

@@ -77,7 +77,8 @@ void compare_subjects(const Subject& result, const Subject& baseline,
     }
     ComparisonRow row{result.name, quantity, std::nullopt, value};
     row.tolerance = tolerance;
-    row.outcome = Outcome::kNew;
+    row.outcome = rule_of(quantity).since == Since::kLater ? Outcome::kNoted
+                                                           : Outcome::kNew;
     rows.push_back(row);
   }
 }

@@ -12,7 +12,7 @@ namespace clevis::report {
 enum class Outcome {
   kSame,     ///< within the tolerance
   kMoved,    ///< above it
-  kNoted,    ///< moved, but only noted
+  kNoted,    ///< moved, but only noted, or added after the baseline was made
   kMissing,  ///< in the baseline, not in the result
   kNew,      ///< in the result, not in the baseline
 };

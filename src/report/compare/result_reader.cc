@@ -7,9 +7,15 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "report/check/check_quantities.h"
 #include "report/check/result_json.h"
-#include "report/compare/part_impact_reader.h"
+#include "report/compare/quantity_reader.h"
 #include "report/compare/transmission_reader.h"
+#include "report/machine/bearing_quantities.h"
+#include "report/parts/impact_quantities.h"
+#include "report/parts/part_quantities.h"
+#include "report/parts/probe_quantities.h"
+#include "report/summary/mechanism_quantities.h"
 #include "report/text/json_node.h"
 #include "report/text/json_text.h"
 
@@ -19,87 +25,63 @@ namespace {
 using nlohmann::ordered_json;
 using Node = JsonNode;
 
-Subject mechanism_subject(const Node& mechanism) {
-  Subject subject{"mechanism", {}};
-  for (const char* key : {"mobility", "redundant_constraints", "instants"}) {
-    subject.values[key] = mechanism.at(key).number();
-  }
-  return subject;
+/// "joint D".
+std::string name_of(const char* kind, const Node& node) {
+  return fmt::format("{} {}", kind, node.at("name").text());
 }
 
-Subject joint_subject(const Node& joint) {
-  return {"joint " + joint.at("name").text(),
-          {{"peak_force", joint.at("peak_force_N").number()},
-           {"peak_moment", joint.at("peak_moment_Nm").number()},
-           {"peak_instant", joint.at("at_s").number()}}};
+void add_mechanism(const Node& mechanism, std::vector<Subject>& subjects) {
+  subjects.push_back(
+      stored_subject("mechanism", mechanism_quantities(), mechanism));
+  for (const Node& joint : mechanism.at("joints").elements()) {
+    subjects.push_back(
+        stored_subject(name_of("joint", joint), joint_quantities(), joint));
+  }
+  for (const Node& drive : mechanism.at("drives").elements()) {
+    subjects.push_back(
+        stored_subject(name_of("drive", drive), drive_quantities(), drive));
+  }
 }
 
-Subject drive_subject(const Node& drive) {
-  Subject subject{"drive " + drive.at("name").text(),
-                  {{"peak_instant", drive.at("at_s").number()}}};
-  if (drive.has("peak_effort_Nm")) {
-    subject.values["peak_torque"] = drive.at("peak_effort_Nm").number();
-  } else {
-    subject.values["peak_effort"] = drive.at("peak_effort_N").number();
+/// A blow and its models, which are told apart by their order: degrees and
+/// shapes may change their names.
+void add_blow(const std::string& part, const Node& blow,
+              std::vector<Subject>& subjects) {
+  const std::string name =
+      fmt::format("impact {}/{}", part, blow.at("name").text());
+  subjects.push_back(stored_subject(name, blow_quantities(), blow));
+  int number = 0;
+  for (const Node& row : blow.at("models").elements()) {
+    subjects.push_back(
+        stored_subject(fmt::format("{}, model {}", name, ++number),
+                       blow_model_quantities(), row));
   }
-  return subject;
 }
 
-Subject part_subject(const Node& part) {
-  const Node peak = part.at("peak_von_mises");
-  const Node beam = part.at("beam");
-  const auto band = peak.at("band_MPa").numbers<2>();
-  Subject subject{"part " + part.at("name").text(),
-                  {{"verdict", part.at("verdict").text()},
-                   {"model", part.at("model").text()},
-                   {"mass", part.at("mass_kg").number()},
-                   {"peak_verdict", peak.at("verdict").text()},
-                   {"peak_von_mises", peak.at("value_MPa").number()},
-                   {"band_low", band[0]},
-                   {"band_high", band[1]},
-                   {"peak_position", peak.at("at_mm").numbers<3>()},
-                   {"peak_instant", peak.at("instant_s").number()},
-                   {"safety_factor", part.at("safety_factor").number()},
-                   {"deflection", part.at("deflection_mm").number()},
-                   {"strain_energy", part.at("strain_energy_mJ").number()},
-                   {"beam_stress", beam.at("peak_stress_MPa").number()},
-                   {"beam_deflection", beam.at("deflection_mm").number()}}};
-  if (beam.has("buckling_safety")) {
-    subject.values["buckling_safety"] = beam.at("buckling_safety").number();
-  }
-  if (part.has("buckling") && part.at("buckling").has("factor")) {
-    subject.values["buckling_factor"] =
-        part.at("buckling").at("factor").number();
-  }
-  add_held_section(part, subject);
-  return subject;
+Subject vibration_subject(const std::string& name, const Node& vibration) {
+  if (vibration.has("failure"))
+    return {name, {{"complete", std::string("no")}}};
+  return stored_subject(name, vibration_quantities(), vibration);
 }
 
-Subject bearing_subject(const Node& bearing) {
-  Subject subject{"bearing " + bearing.at("name").text(),
-                  {{"verdict", bearing.at("verdict").text()},
-                   {"bearing_load", bearing.at("mean_load_N").number()},
-                   {"static_load", bearing.at("static_load_N").number()}}};
-  // null without load or turning
-  if (bearing.has("static_safety")) {
-    subject.values["static_safety"] = bearing.at("static_safety").number();
+void add_part(const Node& part, std::vector<Subject>& subjects) {
+  const std::string name = part.at("name").text();
+  subjects.push_back(stored_subject("part " + name, part_quantities(), part));
+  if (part.has("impacts")) {
+    for (const Node& blow : part.at("impacts").elements()) {
+      add_blow(name, blow, subjects);
+    }
   }
-  if (bearing.has("life_h")) {
-    subject.values["bearing_life"] = bearing.at("life_h").number();
+  if (part.has("vibration")) {
+    subjects.push_back(
+        vibration_subject("vibration " + name, part.at("vibration")));
   }
-  return subject;
-}
-
-Subject probe_subject(const std::string& part, const Node& probe) {
-  Subject subject{fmt::format("probe {}/{} {}", part, probe.at("name").text(),
-                              probe.at("quantity").text()),
-                  {}};
-  if (probe.has("value_mm")) {
-    subject.values["probe_displacement"] = probe.at("value_mm").number();
-  } else {
-    subject.values["probe_stress"] = probe.at("value_MPa").number();
+  for (const Node& probe : part.at("probes").elements()) {
+    subjects.push_back(stored_subject(
+        fmt::format("probe {}/{} {}", name, probe.at("name").text(),
+                    probe.at("quantity").text()),
+        probe_quantities(), probe));
   }
-  return subject;
 }
 
 void refuse_duplicates(const StoredResult& result) {
@@ -126,32 +108,17 @@ void check_schema(const Node& document, const std::string& file) {
 /// Of a result.json.
 std::vector<Subject> check_subjects(const Node& document) {
   std::vector<Subject> subjects;
-  Subject check{"check", {{"verdict", document.at("verdict").text()}}};
-  check.values["complete"] =
-      document.at("complete").flag() ? std::string("yes") : std::string("no");
-  subjects.push_back(check);
+  subjects.push_back(stored_subject("check", check_quantities(), document));
   if (document.has("mechanism")) {
-    const Node mechanism = document.at("mechanism");
-    subjects.push_back(mechanism_subject(mechanism));
-    for (const Node& joint : mechanism.at("joints").elements()) {
-      subjects.push_back(joint_subject(joint));
-    }
-    for (const Node& drive : mechanism.at("drives").elements()) {
-      subjects.push_back(drive_subject(drive));
-    }
+    add_mechanism(document.at("mechanism"), subjects);
   }
   for (const Node& part : document.at("parts").elements()) {
-    subjects.push_back(part_subject(part));
-    for (Subject& subject : impact_subjects(part)) {
-      subjects.push_back(std::move(subject));
-    }
-    for (const Node& probe : part.at("probes").elements()) {
-      subjects.push_back(probe_subject(part.at("name").text(), probe));
-    }
+    add_part(part, subjects);
   }
   if (document.has("bearings")) {
     for (const Node& bearing : document.at("bearings").elements()) {
-      subjects.push_back(bearing_subject(bearing));
+      subjects.push_back(stored_subject(name_of("bearing", bearing),
+                                        bearing_quantities(), bearing));
     }
   }
   return subjects;

@@ -2,36 +2,12 @@
 
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
+#include "report/compare/rules.h"
+
 namespace clevis::report {
-
-/// How a quantity of a result is held against its baseline.
-enum class Treatment {
-  kCompare,  ///< a change above the tolerance is a regression
-  kNote,     ///< a change is told, and is no regression
-  kIgnore,   ///< not looked at
-};
-
-/// Allowed change = relative |baseline| + absolute.
-struct Tolerance {
-  Treatment treatment{};
-  double relative{};  ///< [1]
-  double absolute{};  ///< in the unit of the quantity
-};
-
-/// A quantity that `clevis compare` knows, with its default and the reason.
-struct ToleranceRule {
-  std::string_view quantity;  ///< "peak_von_mises"
-  std::string_view unit;      ///< as in result.json; empty for text and counts
-  Tolerance tolerance;
-  std::string_view reason;
-};
-
-/// All quantities, in the order of docs/results.md.
-std::span<const ToleranceRule> tolerance_rules();
 
 /// @pre `quantity` stands in tolerance_rules().
 const ToleranceRule& rule_of(std::string_view quantity);

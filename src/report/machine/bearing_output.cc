@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "part/verdict.h"
+#include "report/machine/bearing_quantities.h"
+#include "report/quantities/quantity_json.h"
 #include "report/text/csv_field.h"
 #include "report/text/text_table.h"
 
@@ -19,7 +21,6 @@ using part::Verdict;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kHour = 3600.0;
-constexpr double kPercent = 100.0;
 
 std::optional<double> hours(const std::optional<double>& seconds) {
   if (!seconds) return std::nullopt;
@@ -29,11 +30,6 @@ std::optional<double> hours(const std::optional<double>& seconds) {
 /// A life or safety without bound shows as "-".
 std::string or_dash(const std::optional<double>& value) {
   return value ? fmt::format("{:.4g}", *value) : "-";
-}
-
-/// `null` where there is no bound.
-ordered_json or_null(const std::optional<double>& value) {
-  return value ? ordered_json(*value) : ordered_json();
 }
 
 std::vector<TextTable::Cell> row(const BearingReport& bearing) {
@@ -54,38 +50,13 @@ std::vector<TextTable::Cell> row(const BearingReport& bearing) {
 }
 
 ordered_json bearing_json(const BearingReport& bearing) {
-  const BearingResult& r = bearing.result;
+  ordered_json json = quantities_json(bearing, bearing_quantities());
   ordered_json warnings = ordered_json::array();
-  for (const auto& warning : r.warnings) {
+  for (const auto& warning : bearing.result.warnings) {
     warnings.push_back({{"code", warning.code}, {"text", warning.text}});
   }
-  return {{"name", r.name},
-          {"joint", bearing.joint},
-          {"kind", machine::name_of(r.kind)},
-          {"verdict", text(r.verdict)},
-          {"why", r.why},
-          {"dynamic_rating_N", r.dynamic_rating},
-          {"static_rating_N", r.static_rating},
-          {"mean_load_N", r.mean_load},
-          {"peak_load_N", r.peak_load},
-          {"static_load_N", r.static_load},
-          {"static_load_at_s", r.static_load_at},
-          {"peak_radial_N", r.peak_radial},
-          {"peak_axial_N", r.peak_axial},
-          {"peak_tilt_N_m", r.peak_tilt},
-          {"static_safety", or_null(r.static_safety)},
-          {"static_safety_wanted", r.static_safety_wanted},
-          {"swing_deg", r.swing / kDegree},
-          {"travel_deg", r.travel / kDegree},
-          {"mean_speed_rad_per_s", r.mean_speed},
-          {"life_revolutions", or_null(r.life)},
-          {"life_cycles", or_null(r.life_cycles)},
-          {"life_h", or_null(hours(r.life_seconds))},
-          {"life_wanted_h", or_null(hours(r.life_wanted))},
-          {"mean_load_error_percent", kPercent * r.mean_load_error},
-          {"travel_error_percent", kPercent * r.travel_error},
-          {"life_error_percent", kPercent * r.life_error},
-          {"warnings", warnings}};
+  json["warnings"] = warnings;
+  return json;
 }
 
 }  // namespace

@@ -5,17 +5,11 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "machine/bearing.h"
 #include "mechanism/definition/definition.h"
+#include "report/machine/bearing_report.h"
 #include "report/text/terminal.h"
 
 namespace clevis::report {
-
-/// A bearing's result with the name of its joint.
-struct BearingReport {
-  machine::BearingResult result;
-  std::string joint;
-};
 
 std::vector<BearingReport> bearing_reports(
     const std::vector<machine::BearingResult>& results,

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "report/parts/impact_quantities.h"
+#include "report/quantities/quantity_json.h"
 #include "report/text/text_table.h"
 #include "report/text/units.h"
 
@@ -18,9 +20,12 @@ using assessment::PartResult;
 using nlohmann::ordered_json;
 
 constexpr double kMillisecond = 1e-3, kPercent = 100.0;
+constexpr double kMegapascal = 1e6, kMillimetre = 1e-3;
 
-std::string or_dash(double value, const char* format) {
-  return value > 0.0 ? fmt::format(fmt::runtime(format), value) : "-";
+/// @param unit  of the text, in SI.
+std::string or_dash(const std::optional<double>& value, double unit,
+                    const char* format) {
+  return value ? fmt::format(fmt::runtime(format), *value / unit) : "-";
 }
 
 std::string head_of(const PartResult& part, const ImpactResult& impact) {
@@ -92,9 +97,9 @@ std::string later_peaks_of(const ImpactResult& impact) {
 }
 
 /// What the free swing may come to, over the judged value; 0: no more.
-double swing_over(double swing, double later) {
+double swing_over(const std::optional<double>& swing, double later) {
   constexpr double kMore = 1.02;
-  return swing > kMore ? swing * later : 0.0;
+  return swing.value_or(0.0) > kMore ? *swing * later : 0.0;
 }
 
 std::string swing_of(const ImpactResult& impact) {
@@ -121,22 +126,21 @@ std::string table_of(const ImpactResult& impact, Colour colour) {
                    {"s", Align::kRight},
                    {""}});
   for (const ImpactRow& row : impact.rows) {
-    table.add_row(
-        {{row.model},
-         {or_dash(megapascals(row.stress), "{:.1f}")},
-         {or_dash(megapascals(row.nominal), "{:.1f}")},
-         {fmt::format("{:.3f}", row.ratio)},
-         {fmt::format("{:.4f}", millimetres(row.face))},
-         {or_dash(millimetres(row.deflection), "{:.4f}")},
-         {row.error < 0.0 ? "-" : fmt::format("{:.2g}", kPercent * row.error)},
-         {fmt::format("{:.2g}", row.seconds)},
-         {row.remark}});
+    table.add_row({{row.model},
+                   {or_dash(row.stress, kMegapascal, "{:.1f}")},
+                   {or_dash(row.nominal, kMegapascal, "{:.1f}")},
+                   {fmt::format("{:.3f}", row.ratio)},
+                   {fmt::format("{:.4f}", millimetres(row.face))},
+                   {or_dash(row.deflection, kMillimetre, "{:.4f}")},
+                   {or_dash(row.error, 1.0 / kPercent, "{:.2g}")},
+                   {fmt::format("{:.2g}", row.seconds)},
+                   {row.remark}});
   }
   table.add_note(fmt::format(
       "stress {:#.4g} [{:#.4g}, {:#.4g}] MPa, safety {:#.4g}; in time: {}",
       megapascals(impact.stress), megapascals(impact.band_low),
       megapascals(impact.band_high), impact.safety_factor, impact.reason));
-  if (impact.root.value > 0.0) table.add_note(held_section_text(impact.root));
+  if (impact.root) table.add_note(held_section_text(*impact.root));
   if (impact.spread > 0.0) {
     table.add_note(fmt::format(
         "the striker bounces, and its course hangs on little things: 2 % of "
@@ -161,7 +165,7 @@ std::string paces_text(const PartResult& part) {
         ": for {:.4g} ms, {:.3g} of its first period of {:.4g} ms, "
         "rising for {:.4g} ms; a mode answers {:.2f} times. {}\n",
         pace.duration / kMillisecond, pace.ratio,
-        part.first_period / kMillisecond, pace.rise_time / kMillisecond,
+        part.first_period.value() / kMillisecond, pace.rise_time / kMillisecond,
         pace.amplification, pace.treatment);
   }
   return text;
@@ -174,7 +178,7 @@ std::string vibration_text(const PartResult& part) {
     return printable(fmt::format("{} with vibration: not computed: {}\n",
                                  part.name, v.failure));
   }
-  if (v.ratio == 0.0) return "";
+  if (!v.ratio) return "";
   return fmt::format(
       "{} with vibration: {:#.5g} [{:#.5g}, {:#.5g}] MPa at {} ({:.1f}, "
       "{:.1f}, "
@@ -184,49 +188,33 @@ std::string vibration_text(const PartResult& part) {
       "{:.2g}); {:.2f} s\n",
       printable(part.name), megapascals(v.peak), megapascals(v.band_low),
       megapascals(v.band_high), v.group, millimetres(v.at.x()),
-      millimetres(v.at.y()), millimetres(v.at.z()), v.time, v.ratio, v.model,
+      millimetres(v.at.y()), millimetres(v.at.z()), v.time, *v.ratio, v.model,
       v.shapes, v.lowest_frequency / 1e3, v.highest_frequency / 1e3, v.from,
       v.to, kPercent * v.error(), kPercent * v.degree_error,
       kPercent * v.shape_error, kPercent * v.sampling_error,
       kPercent * v.path_error, v.seconds);
 }
 
-ordered_json row_json(const ImpactRow& row) {
-  ordered_json json = {{"model", row.model}};
-  json["stress_MPa"] =
-      row.stress > 0.0 ? ordered_json(megapascals(row.stress)) : ordered_json();
-  json["root_stress_MPa"] = row.nominal > 0.0
-                                ? ordered_json(megapascals(row.nominal))
-                                : ordered_json();
-  json["ratio"] = row.ratio;
-  json["face_deflection_mm"] = millimetres(row.face);
-  json["deflection_mm"] = row.deflection > 0.0
-                              ? ordered_json(millimetres(row.deflection))
-                              : ordered_json();
-  json["error_percent"] =
-      row.error < 0.0 ? ordered_json() : ordered_json(kPercent * row.error);
-  json["seconds"] = row.seconds;
-  json["remark"] = row.remark;
-  return json;
-}
-
-ordered_json ratio_or_null(double ratio) {
-  return ratio > 0.0 ? ordered_json(ratio) : ordered_json();
-}
-
-ordered_json refinement_json(const assessment::FrontRefinement& tried) {
-  if (tried.stress.empty()) return {};
+ordered_json refinement_steps(const assessment::FrontRefinement& tried) {
   ordered_json steps = ordered_json::array();
   for (std::size_t i = 0; i < tried.stress.size(); ++i) {
     steps.push_back({{"front_s", tried.fronts[i]},
                      {"stress_MPa", megapascals(tried.stress[i])},
                      {"deflection_mm", millimetres(tried.deflection[i])}});
   }
-  return {{"degree", tried.degree},
-          {"stress_settles", tried.settles},
-          {"left_above_percent", kPercent * tried.above},
-          {"left_below_percent", kPercent * tried.below},
-          {"steps", steps}};
+  return steps;
+}
+
+ordered_json blow_json(const ImpactResult& blow) {
+  ordered_json json = quantities_json(blow, blow_quantities());
+  if (json["refinement"].is_object()) {
+    json["refinement"]["steps"] = refinement_steps(blow.refinement);
+  }
+  json["models"] = ordered_json::array();
+  for (const ImpactRow& row : blow.rows) {
+    json["models"].push_back(quantities_json(row, blow_model_quantities()));
+  }
+  return json;
 }
 
 }  // namespace
@@ -243,83 +231,26 @@ std::string part_impacts_text(const PartResult& part, Colour colour) {
 
 ordered_json part_impacts_json(const PartResult& part) {
   ordered_json list = ordered_json::array();
-  for (const ImpactResult& i : part.impacts) {
-    ordered_json rows = ordered_json::array();
-    for (const ImpactRow& row : i.rows) rows.push_back(row_json(row));
-    list.push_back(
-        {{"name", i.name},
-         {"source", i.source},
-         {"mass_kg", i.mass},
-         {"speed_m_per_s", i.speed},
-         {"pushing_N", i.force},
-         {"contact_stiffness", i.stiffness},
-         {"contact_exponent", i.exponent},
-         {"ideal_step", i.is_ideal},
-         {"mass_ratio", i.mass / i.part_mass},
-         {"first_period_s", i.first_period},
-         {"load_duration_s", i.load_duration},
-         {"duration_over_first_period", i.load_duration / i.first_period},
-         {"rise_time_s", i.rise_time},
-         {"peak_force_N", i.peak_force},
-         {"dynamic_factor", i.dynamic_factor},
-         {"stress_MPa", megapascals(i.stress)},
-         {"band_MPa", {megapascals(i.band_low), megapascals(i.band_high)}},
-         {"held_section", held_section_json(i.root)},
-         {"deflection_mm", millimetres(i.deflection)},
-         {"deflection_band_mm",
-          {millimetres(i.deflection_low), millimetres(i.deflection_high)}},
-         {"looked_for_s", i.looked_for},
-         {"later_stress_ratio", i.later_stress},
-         {"later_section_ratio", i.later_root},
-         {"course_spread_percent", kPercent * i.spread},
-         {"later_deflection_ratio", i.later_deflection},
-         {"free_swing_stress_ratio", ratio_or_null(i.swing_stress)},
-         {"free_swing_deflection_ratio", ratio_or_null(i.swing_deflection)},
-         {"safety_factor", i.safety_factor},
-         {"reason", i.reason},
-         {"refinement", refinement_json(i.refinement)},
-         {"models", rows}});
-  }
+  for (const ImpactResult& blow : part.impacts) list.push_back(blow_json(blow));
   return list;
 }
 
 ordered_json load_paces_json(const PartResult& part) {
   ordered_json list = ordered_json::array();
   for (const LoadPace& pace : part.paces) {
-    list.push_back({{"impact", pace.impact},
-                    {"duration_s", pace.duration},
-                    {"rise_time_s", pace.rise_time},
-                    {"first_period_s", part.first_period},
-                    {"duration_over_first_period", pace.ratio},
-                    {"amplification", pace.amplification},
-                    {"treatment", pace.treatment}});
+    list.push_back(quantities_json(pace, load_pace_quantities()));
+    list.back()["first_period_s"] = part.first_period.value();
   }
   return list;
 }
 
 ordered_json vibration_json(const PartResult& part) {
-  const assessment::VibrationResult& v = part.vibration;
-  if (!v.failure.empty()) return {{"failure", v.failure}};
-  if (v.ratio == 0.0) return {};
-  const Eigen::Vector3d at = millimetres(v.at);
-  return {{"ratio", v.ratio},
-          {"governs", v.governs},
-          {"peak_MPa", megapascals(v.peak)},
-          {"band_MPa", {megapascals(v.band_low), megapascals(v.band_high)}},
-          {"at_mm", {at.x(), at.y(), at.z()}},
-          {"group", v.group},
-          {"instant_s", v.time},
-          {"from_s", v.from},
-          {"to_s", v.to},
-          {"model", v.model},
-          {"shapes", v.shapes},
-          {"lowest_frequency_hz", v.lowest_frequency},
-          {"highest_frequency_hz", v.highest_frequency},
-          {"degree_error_percent", kPercent * v.degree_error},
-          {"shape_error_percent", kPercent * v.shape_error},
-          {"sampling_error_percent", kPercent * v.sampling_error},
-          {"instants_error_percent", kPercent * v.path_error},
-          {"seconds", v.seconds}};
+  if (!part.vibration.failure.empty()) {
+    return {{"failure", part.vibration.failure}};
+  }
+  const auto* vibration = computed_vibration(part);
+  if (vibration == nullptr) return {};
+  return quantities_json(*vibration, vibration_quantities());
 }
 
 std::string held_section_text(const assessment::HeldStress& held) {
@@ -329,16 +260,6 @@ std::string held_section_text(const assessment::HeldStress& held) {
       printable(held.section), megapascals(held.value),
       megapascals(held.band_low), megapascals(held.band_high),
       held.instant / kMillisecond);
-}
-
-ordered_json held_section_json(const assessment::HeldStress& held) {
-  if (held.value == 0.0) return {};
-  return {
-      {"section", held.section},
-      {"nominal_stress_MPa", megapascals(held.value)},
-      {"band_MPa", {megapascals(held.band_low), megapascals(held.band_high)}},
-      {"instant_s", held.instant},
-      {"instant", held.label}};
 }
 
 BeamImpactSummary beam_impact(const PartResult& part) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <nlohmann/json_fwd.hpp>
@@ -21,13 +22,11 @@ nlohmann::ordered_json vibration_json(const assessment::PartResult& part);
 
 /// Nominal stress of the section at which the part is held.
 std::string held_section_text(const assessment::HeldStress& held);
-/// Null where no plane face holds the part.
-nlohmann::ordered_json held_section_json(const assessment::HeldStress& held);
 
 /// Stress by the corrected beam-theory impact model, the largest of the blows
-/// [Pa], and its factor over the static stress; 0: it says nothing.
+/// [Pa], and its factor over the static stress; absent: it says nothing.
 struct BeamImpactSummary {
-  double stress{}, factor{};
+  std::optional<double> stress, factor;
 };
 BeamImpactSummary beam_impact(const assessment::PartResult& part);
 

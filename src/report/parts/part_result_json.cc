@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "report/text/json_text.h"
+#include "report/text/member_count.h"
 
 namespace nlohmann {
 
@@ -21,67 +22,79 @@ struct adl_serializer<Eigen::Vector3d> {
   }
 };
 
+/// Null for what is not known.
+template <typename T>
+struct adl_serializer<std::optional<T>> {
+  template <typename Json>
+  static void to_json(Json& json, const std::optional<T>& value) {
+    json = value ? Json(*value) : Json();
+  }
+  template <typename Json>
+  static void from_json(const Json& json, std::optional<T>& value) {
+    value.reset();
+    if (!json.is_null()) value = json.template get<T>();
+  }
+};
+
 }  // namespace nlohmann
+
+// Carries all members of a type, or does not compile.
+#define CLEVIS_PIPED(Type, ...)                         \
+  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Type, __VA_ARGS__) \
+  static_assert(report::member_count<Type>() ==         \
+                report::name_count(#__VA_ARGS__));
 
 // nlohmann finds these by argument, so they stand in the namespace of the
 // types; nothing outside this file sees them. Reading throws if a member is
 // absent.
 namespace clevis::assessment {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SequenceMember, degree, dofs, peak,
-                                   strain_energy, label, field_peak, deflection)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorShares, mesh, model, time, sharing)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeakStress, value, band_low, band_high,
-                                   discretization_error, model_error, shares,
-                                   has_band, verdict, at, group, instant, label,
-                                   sequence, degree_nearby, field_maximum, jump)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ZoneResult, name, exponent,
-                                   exponent_measured, at, radius, governs,
-                                   has_section, edge_of)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BucklingResult, factor, band_low, band_high,
-                                   instant, label, model, remark, euler,
-                                   strut_is_longer)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FiniteMotion, rotation, strain, label)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BeamComparison, peak_stress, governing,
-                                   is_section, deflection, buckling_safety,
-                                   ratio_fe_to_beam, reason)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SelfChecks, equilibrium, residual, energy,
-                                   compression, reported_peak_is_field_maximum)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProbeResult, name, quantity, value, band_low,
-                                   band_high)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HeldStress, value, band_low, band_high,
-                                   section, instant, label)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ImpactRow, model, stress, nominal, face,
-                                   deflection, error, seconds, ratio, remark)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrontRefinement, fronts, stress, deflection,
-                                   below, above, root_below, root_above,
-                                   settles, degree, rival_time, rival)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    ImpactResult, name, source, mass, speed, force, stiffness, exponent,
-    is_ideal, part_mass, first_period, looked_for, later_stress,
-    later_deflection, later_root, spread, swing_stress, swing_deflection,
-    load_duration, rise_time, peak_force, beam_factor, dynamic_factor, stress,
-    band_low, band_high, root, deflection, deflection_low, deflection_high,
-    deflection_at, deflection_time, safety_factor, reason, refinement, rows)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LoadPace, impact, duration, rise_time, ratio,
-                                   amplification, treatment)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VibrationResult, ratio, governs, failure,
-                                   peak, band_low, band_high, degree_error,
-                                   shape_error, sampling_error, path_error, at,
-                                   group, time, from, to, deflection, model,
-                                   shapes, lowest_frequency, highest_frequency,
-                                   seconds)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PinReaction, label, group, force, moment,
-                                   unique)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PartSeconds, mesh, assemble, factor, solve,
-                                   recover, write, total)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    PartResult, name, verdict, why, model, stopped_because, notes, dofs, cells,
-    load_columns, peak, singular_zones, peak_outside, held, safety_factor,
-    deflection, deflection_low, deflection_high, deflection_at,
-    deflection_instant, strain_energy, strain_energy_error, buckling,
-    finite_motion, beam, self_checks, probes, seconds, mass, first_period,
-    impacts, paces, vibration, pin_reactions)
+CLEVIS_PIPED(SequenceMember, degree, dofs, peak, strain_energy, label,
+             field_peak, deflection)
+CLEVIS_PIPED(ErrorShares, mesh, model, time, sharing)
+CLEVIS_PIPED(PeakStress, value, band_low, band_high, discretization_error,
+             model_error, shares, has_band, verdict, at, group, instant, label,
+             sequence, degree_nearby, field_maximum, jump)
+CLEVIS_PIPED(ZoneResult, name, exponent, exponent_measured, at, radius, governs,
+             has_section, edge_of)
+CLEVIS_PIPED(BucklingResult, factor, band_low, band_high, instant, label, model,
+             remark, euler, strut_is_longer)
+CLEVIS_PIPED(FiniteMotion, rotation, strain, label)
+CLEVIS_PIPED(BeamComparison, peak_stress, governing, is_section, deflection,
+             buckling_safety, ratio_fe_to_beam, reason)
+CLEVIS_PIPED(SelfChecks, equilibrium, residual, energy, compression,
+             reported_peak_is_field_maximum)
+CLEVIS_PIPED(ProbeResult, name, quantity, value, band_low, band_high)
+CLEVIS_PIPED(HeldStress, value, band_low, band_high, section, instant, label)
+CLEVIS_PIPED(ImpactRow, model, stress, nominal, face, deflection, error,
+             seconds, ratio, remark)
+CLEVIS_PIPED(FrontRefinement, fronts, stress, deflection, below, above,
+             root_below, root_above, settles, degree, rival_time, rival)
+CLEVIS_PIPED(ImpactResult, name, source, mass, speed, force, stiffness,
+             exponent, is_ideal, part_mass, first_period, looked_for,
+             later_stress, later_deflection, later_root, spread, is_cut,
+             is_axial, swing_stress, swing_deflection, load_duration, rise_time,
+             peak_force, beam_factor, dynamic_factor, stress, band_low,
+             band_high, root, deflection, deflection_low, deflection_high,
+             deflection_at, deflection_time, safety_factor, reason, refinement,
+             rows)
+CLEVIS_PIPED(LoadPace, impact, duration, rise_time, ratio, amplification,
+             treatment)
+CLEVIS_PIPED(VibrationResult, ratio, governs, failure, peak, band_low,
+             band_high, degree_error, shape_error, sampling_error, path_error,
+             at, group, time, from, to, deflection, model, shapes,
+             lowest_frequency, highest_frequency, seconds)
+CLEVIS_PIPED(PinReaction, label, group, force, moment, unique)
+CLEVIS_PIPED(PartSeconds, mesh, assemble, factor, solve, recover, write, total)
+CLEVIS_PIPED(PartResult, name, verdict, why, model, stopped_because, notes,
+             dofs, cells, load_columns, peak, singular_zones, peak_outside,
+             held, safety_factor, deflection, deflection_low, deflection_high,
+             deflection_at, deflection_instant, strain_energy,
+             strain_energy_instant, mean_strain_energy, strain_energy_error,
+             buckling, finite_motion, beam, self_checks, probes, seconds, mass,
+             first_period, impacts, paces, vibration, pin_reactions)
+
+#undef CLEVIS_PIPED
 
 }  // namespace clevis::assessment
 

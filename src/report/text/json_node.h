@@ -37,6 +37,12 @@ class JsonNode {
     }
     return nodes;
   }
+  /// @pre `index` < `size`, of which the list must be.
+  JsonNode element(std::size_t index, std::size_t size) const {
+    const std::vector<JsonNode> nodes = elements();
+    if (nodes.size() != size) refuse(fmt::format("{} are expected", size));
+    return nodes[index];
+  }
   double number() const {
     if (!value_->is_number()) refuse("a number is expected here");
     return value_->get<double>();

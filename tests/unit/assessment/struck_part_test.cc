@@ -208,12 +208,12 @@ TEST(StruckPart, RootHasTheMomentOfItsSupportInTime) {
         timoshenko(job.impacts[0].strike, 2.0, false, at_tip);
     job.part.limits.safety_factor = 355e6 / (0.95 * beam.root);
     const PartResult result = check_part(job).result;
-    EXPECT_EQ(result.held.section, "x0");
+    EXPECT_EQ(result.held->section, "x0");
     // Poisson's ratio makes the clamp stiffer than the beam's
-    EXPECT_NEAR(result.held.value, beam.root, 0.025 * beam.root)
+    EXPECT_NEAR(result.held->value, beam.root, 0.025 * beam.root)
         << face << mass;
-    EXPECT_LT(result.held.band_high - result.held.band_low, 0.02 * beam.root);
-    EXPECT_EQ(result.held.value, result.impacts[0].rows.back().nominal);
+    EXPECT_LT(result.held->band_high - result.held->band_low, 0.02 * beam.root);
+    EXPECT_EQ(result.held->value, result.impacts[0].rows.back().nominal);
     // beam theory has no factor of a blow without a force; rows compare still
     EXPECT_EQ(result.impacts[0].rows.back().ratio, 1.0);
     EXPECT_LT(judged_peak(result).band_low, 0.95 * beam.root);
@@ -234,12 +234,12 @@ TEST(StruckPart, RootsOfAllBlowsCount) {
   heavy.strike.contact.stiffness = 3e5;
   job.impacts = {light, heavy};
   const PartResult result = check_part(job).result;
-  const double first = result.impacts[0].root.value;
-  const double second = result.impacts[1].root.value;
+  const double first = result.impacts[0].root->value;
+  const double second = result.impacts[1].root->value;
   EXPECT_GT(result.impacts[1].stress, result.impacts[0].stress);
   EXPECT_GT(first, second);
-  EXPECT_EQ(result.held.value, first);
-  EXPECT_EQ(result.held.label, "impact light");
+  EXPECT_EQ(result.held->value, first);
+  EXPECT_EQ(result.held->label, "impact light");
 }
 
 // A pressed striker that bounces hits the swinging part sooner or later, by
@@ -253,14 +253,14 @@ TEST(StruckPart, BandHoldsWhatLittleThingsMakeOfABouncingCourse) {
     job.impacts[0].strike.force = 20.0;
     const PartResult found = check_part(job).result;
     if (heavier == 1.0) result = found;
-    lowest = std::min(lowest, found.impacts[0].root.value);
-    highest = std::max(highest, found.impacts[0].root.value);
+    lowest = std::min(lowest, found.impacts[0].root->value);
+    highest = std::max(highest, found.impacts[0].root->value);
   }
   const ImpactResult& impact = result.impacts[0];
   EXPECT_GT(highest, 1.02 * lowest);
   EXPECT_GT(impact.spread, 0.02);
-  EXPECT_LE(impact.root.band_low, lowest);
-  EXPECT_GE(impact.root.band_high, highest);
+  EXPECT_LE(impact.root->band_low, lowest);
+  EXPECT_GE(impact.root->band_high, highest);
 }
 
 // What a force presses bounces on, and its largest blow comes late. The course
@@ -307,7 +307,7 @@ TEST(StruckPart, LosesByItsDamping) {
   EXPECT_LT(damped.largest[0], 0.96 * lossless.largest[0]);
   EXPECT_NEAR(found.deflection, damped.largest[0], 0.005 * damped.largest[0]);
   EXPECT_NEAR(found.peak_force, damped.force, 0.01 * damped.force);
-  EXPECT_NEAR(found.root.value, damped.largest[1], 0.02 * damped.largest[1]);
+  EXPECT_NEAR(found.root->value, damped.largest[1], 0.02 * damped.largest[1]);
   EXPECT_EQ(found.later_stress, 1.0);
   EXPECT_EQ(found.later_deflection, 1.0);
 }
@@ -321,12 +321,12 @@ TEST(StruckPart, SwingsNoFartherThanItsShapesTogether) {
   const BeamAnswer early = timoshenko(strike), late = timoshenko(strike, 60.0);
   const ImpactResult found = check_blows(job).impacts.front();
   EXPECT_GT(late.tip, 1.005 * early.tip);
-  EXPECT_GT(found.swing_deflection, late.tip / early.tip);
-  EXPECT_LT(found.swing_deflection, 1.4);
-  EXPECT_GT(found.swing_stress, late.stress / early.stress);
-  EXPECT_LT(found.swing_stress, 1.6);
+  EXPECT_GT(found.swing_deflection.value(), late.tip / early.tip);
+  EXPECT_LT(found.swing_deflection.value(), 1.4);
+  EXPECT_GT(found.swing_stress.value(), late.stress / early.stress);
+  EXPECT_LT(found.swing_stress.value(), 1.6);
   job.part.damping = 0.01;
-  EXPECT_EQ(check_blows(job).impacts.front().swing_stress, 0.0);
+  EXPECT_FALSE(check_blows(job).impacts.front().swing_stress);
 }
 
 // A time that ends while the striker presses leaves the worst out.

@@ -37,6 +37,8 @@ assessment::PartResult sample_part(const std::string& name) {
   part.deflection_at = {0.1, 0.02, -0.005};
   part.deflection_instant = 0.75;
   part.strain_energy = 6.65709e-3;
+  part.strain_energy_instant = 1.5;
+  part.mean_strain_energy = 2.5e-3;
   part.beam = {.peak_stress = 100e6,
                .governing = "lug E net section",
                .deflection = 0.11e-3,

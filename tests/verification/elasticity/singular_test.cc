@@ -340,14 +340,15 @@ void print(const Configuration& configuration, const PartResult& result) {
   std::printf("%-32s %-13s %8.2f MPa", configuration.name.c_str(),
               word(result.peak.verdict), result.peak.value / 1e6);
   for (const auto& zone : result.singular_zones) {
-    std::printf("  %.4f/%.4f%s", zone.exponent, zone.exponent_measured,
-                zone.governs ? "" : "-");
+    std::printf("  %.4f/%.4f%s", zone.exponent,
+                zone.exponent_measured.value_or(0.0), zone.governs ? "" : "-");
   }
-  if (!result.peak_outside.sequence.empty()) {
-    std::printf(
-        "  outside %.2f [%.2f, %.2f] %s", result.peak_outside.value / 1e6,
-        result.peak_outside.band_low / 1e6, result.peak_outside.band_high / 1e6,
-        word(result.peak_outside.verdict));
+  if (result.peak_outside) {
+    std::printf("  outside %.2f [%.2f, %.2f] %s",
+                result.peak_outside->value / 1e6,
+                result.peak_outside->band_low / 1e6,
+                result.peak_outside->band_high / 1e6,
+                word(result.peak_outside->verdict));
   }
   std::printf("\n");
 }
@@ -367,9 +368,9 @@ TEST(Singular, NoSingularConfigurationIsCalledConverged) {
     for (const auto& zone : result.singular_zones) {
       const double gap = std::abs(zone.exponent - configuration.exponent);
       nearest = std::min(nearest, gap);
-      if (gap < 1e-5 && zone.exponent_measured != 0.0) {
+      if (gap < 1e-5 && zone.exponent_measured) {
         measured = std::min(measured,
-                            std::abs(zone.exponent_measured - zone.exponent));
+                            std::abs(*zone.exponent_measured - zone.exponent));
       }
     }
     EXPECT_LT(nearest, 1e-5) << configuration.name;
@@ -411,16 +412,18 @@ TEST(Singular, BandAwayFromAZoneHoldsTheModelsError) {
   const PartResult best = check_part(job).result;
   ASSERT_EQ(best.peak.verdict, PeakVerdict::kSingular);
   std::printf("plane stress %.2f [%.2f, %.2f], %s %.2f [%.2f, %.2f] MPa\n",
-              plane.peak_outside.value / 1e6, plane.peak_outside.band_low / 1e6,
-              plane.peak_outside.band_high / 1e6, best.model.c_str(),
-              best.peak_outside.value / 1e6, best.peak_outside.band_low / 1e6,
-              best.peak_outside.band_high / 1e6);
+              plane.peak_outside->value / 1e6,
+              plane.peak_outside->band_low / 1e6,
+              plane.peak_outside->band_high / 1e6, best.model.c_str(),
+              best.peak_outside->value / 1e6, best.peak_outside->band_low / 1e6,
+              best.peak_outside->band_high / 1e6);
   EXPECT_TRUE(best.model.starts_with("2-D x thickness"));
-  EXPECT_GT(std::abs(best.peak_outside.value / plane.peak_outside.value - 1.0),
-            0.02);
-  EXPECT_LT(plane.peak_outside.band_low, best.peak_outside.band_high);
-  EXPECT_GT(plane.peak_outside.band_high, best.peak_outside.band_low);
-  EXPECT_NE(plane.peak_outside.verdict, PeakVerdict::kConverged);
+  EXPECT_GT(
+      std::abs(best.peak_outside->value / plane.peak_outside->value - 1.0),
+      0.02);
+  EXPECT_LT(plane.peak_outside->band_low, best.peak_outside->band_high);
+  EXPECT_GT(plane.peak_outside->band_high, best.peak_outside->band_low);
+  EXPECT_NE(plane.peak_outside->verdict, PeakVerdict::kConverged);
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ PartResult with_zone(double low, double value, double high) {
   result.singular_zones = {
       {"notch at (1.0, 2.0) mm", 0.54, 0.54, {}, 1e-3, true}};
   result.peak_outside = converged(low, value, high).peak;
-  result.peak_outside.sequence = {{4, 1000, value, 1.0}};
+  result.peak_outside->sequence = {{4, 1000, value, 1.0}};
   return result;
 }
 
@@ -139,13 +139,13 @@ TEST(Verdict, SingularPartIsJudgedAwayFromItsZoneOnlyIfAsked) {
   EXPECT_EQ(judged(part, with_zone(149e6, 150e6, 151e6)).verdict,
             part::Verdict::kPass);
   PartResult unsettled = with_zone(100e6, 150e6, 190e6);
-  unsettled.peak_outside.verdict = PeakVerdict::kNotConverged;
-  unsettled.peak_outside.has_band = true;
+  unsettled.peak_outside->verdict = PeakVerdict::kNotConverged;
+  unsettled.peak_outside->has_band = true;
   EXPECT_EQ(judged(part, unsettled).verdict, part::Verdict::kNotJudged);
   // With five times the reach: 20 + 5 · 15 of 300.
   PartResult far = with_zone(10e6, 20e6, 35e6);
-  far.peak_outside.verdict = PeakVerdict::kNotConverged;
-  far.peak_outside.has_band = true;
+  far.peak_outside->verdict = PeakVerdict::kNotConverged;
+  far.peak_outside->has_band = true;
   const PartResult passed = judged(part, far);
   EXPECT_EQ(passed.verdict, part::Verdict::kPass);
   EXPECT_NE(passed.why.find("not converged"), std::string::npos);
@@ -163,7 +163,7 @@ PartResult with_blow(double nominal) {
   blow.band_high = 155e6;
   result.impacts.push_back(blow);
   for (ZoneResult& zone : result.singular_zones) zone.has_section = true;
-  result.held = {
+  result.held = HeldStress{
       nominal, nominal * 145.0 / 150.0, nominal * 155.0 / 150.0, "root",
       0.0,     "impact hammer"};
   return result;

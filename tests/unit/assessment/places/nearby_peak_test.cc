@@ -96,7 +96,7 @@ TEST(NearbyPeak, BandHoldsLamesStressOnIrregularTetrahedra) {
           exact / 1e6, result.model.c_str());
       EXPECT_LE(peak.band_low, exact);
       EXPECT_GE(peak.band_high, exact);
-      EXPECT_GT(peak.degree_nearby, 0);
+      EXPECT_TRUE(peak.degree_nearby);
       converged += peak.verdict == PeakVerdict::kConverged ? 1 : 0;
     }
   }

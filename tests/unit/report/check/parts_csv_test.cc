@@ -62,9 +62,53 @@ TEST(PartsCsv, ColumnsHoldTheirUnits) {
   EXPECT_DOUBLE_EQ(std::stod(row.at("deflection_high[mm]")), 0.127);
   EXPECT_DOUBLE_EQ(std::stod(row.at("time_error[MPa]")), 0.25);
   EXPECT_DOUBLE_EQ(std::stod(row.at("strain_energy[mJ]")), 6.65709);
+  EXPECT_EQ(row.at("strain_energy_instant[s]"), "1.5");
+  EXPECT_EQ(row.at("mean_strain_energy[J]"), "0.0025");
   EXPECT_DOUBLE_EQ(std::stod(row.at("beam_stress[MPa]")), 100.0);
   EXPECT_DOUBLE_EQ(std::stod(row.at("beam_deflection[mm]")), 0.11);
   EXPECT_EQ(row.at("ratio_fe_to_beam[1]"), "1.25");
+}
+
+// A part may fail by any of these: its row must tell.
+TEST(PartsCsv, WhatDecidesTheVerdictStandsInTheRow) {
+  CheckReport report = sample_report();
+  assessment::PartResult& part = report.parts[0];
+  part.peak_outside = part.peak;
+  part.peak_outside->value = 90e6;
+  part.held = assessment::HeldStress{
+      .value = 80e6, .band_low = 79e6, .band_high = 82e6, .section = "root"};
+  part.buckling.factor = 1.25;
+  part.buckling.band_low = 1.2;
+  part.buckling.band_high = 1.5;
+  part.vibration = {.ratio = 1.5, .governs = true, .peak = 160e6};
+  part.impacts.resize(2);
+  part.impacts[0].name = "soft";
+  part.impacts[0].stress = 10e6;
+  part.impacts[0].safety_factor = 30.0;
+  part.impacts[1].name = "hard";
+  part.impacts[1].stress = 100e6;
+  part.impacts[1].safety_factor = 3.0;
+  const auto row = row_by_title(report, 1);
+  EXPECT_EQ(row.at("outside_von_mises[MPa]"), "90");
+  EXPECT_EQ(row.at("section"), "root");
+  EXPECT_EQ(row.at("section_stress[MPa]"), "80");
+  EXPECT_EQ(row.at("section_high[MPa]"), "82");
+  EXPECT_EQ(row.at("buckling_factor[1]"), "1.25");
+  EXPECT_EQ(row.at("buckling_low[1]"), "1.2");
+  EXPECT_EQ(row.at("vibration_ratio[1]"), "1.5");
+  EXPECT_EQ(row.at("vibration_von_mises[MPa]"), "160");
+  EXPECT_EQ(row.at("impact"), "hard");
+  EXPECT_EQ(row.at("impact_von_mises[MPa]"), "100");
+  EXPECT_EQ(row.at("impact_safety_factor[1]"), "3");
+}
+
+TEST(PartsCsv, WhatIsNotKnownIsEmpty) {
+  const auto row = row_by_title(sample_report(), 1);
+  for (const char* title :
+       {"outside_von_mises[MPa]", "section_stress[MPa]", "buckling_factor[1]",
+        "buckling_low[1]", "vibration_ratio[1]", "impact_von_mises[MPa]"}) {
+    EXPECT_EQ(row.at(title), "") << title;
+  }
 }
 
 TEST(PartsCsv, CommasQuotesAndLineBreaksSurvive) {

@@ -39,12 +39,12 @@ CheckReport report_with_everything() {
   report.failures.push_back(
       {"AB", Error("F003", "part AB", "residual 1", "Report it.")});
   report.complete = false;
-  report.parts[1].beam.buckling_safety = 0.0;
+  report.parts[1].beam.buckling_safety.reset();
   assessment::PartResult& sharp = report.parts[1];
   sharp.peak.verdict = assessment::PeakVerdict::kSingular;
   sharp.peak_outside = sharp.peak;
   sharp.singular_zones = {
-      {"notch at (1.0, 2.0) mm", 0.5445, 0.0, {1e-3, 2e-3, 0}, 1e-4, true},
+      {"notch at (1.0, 2.0) mm", 0.5445, {}, {1e-3, 2e-3, 0}, 1e-4, true},
       {"edge of root at (0.0, 0.0) mm", 0.7112, 0.7107, {}, 2e-4, false}};
   report.limits["BC"].exclude_singular_zones = true;
   return report;
@@ -122,6 +122,9 @@ TEST(ResultJson, KeysOfTheContractHoldTheirUnits) {
   EXPECT_DOUBLE_EQ(part["peak_von_mises"]["errors_MPa"]["mesh"], 0.5);
   EXPECT_DOUBLE_EQ(part["peak_von_mises"]["errors_MPa"]["time"], 0.25);
   EXPECT_DOUBLE_EQ(part["strain_energy_mJ"], 6.65709);
+  EXPECT_EQ(part["strain_energy_J"]["largest"], 6.65709e-3);
+  EXPECT_EQ(part["strain_energy_J"]["at_s"], 1.5);
+  EXPECT_EQ(part["strain_energy_J"]["mean"], 2.5e-3);
   EXPECT_DOUBLE_EQ(part["limits"]["deflection_mm"], 0.5);
   EXPECT_TRUE(result["parts"][1]["limits"]["safety_factor"].is_null());
   EXPECT_EQ(part["self_checks"]["equilibrium"], 1e-12);
@@ -151,6 +154,39 @@ TEST(ResultJson, PeakBeamAndProbesHoldTheirUnits) {
   EXPECT_DOUBLE_EQ(part["probes"][0]["value_MPa"], 5.5);
   EXPECT_DOUBLE_EQ(part["probes"][0]["band_MPa"][1], 5.6);
   EXPECT_DOUBLE_EQ(part["probes"][1]["value_mm"], 0.015);
+}
+
+// Beam theory without a formula, no plane face that holds the part …
+TEST(ResultJson, WhatIsNotKnownIsNull) {
+  CheckReport report = sample_report();
+  report.parts[0].beam = {};
+  report.parts[0].buckling.remark = "not computed: no memory";
+  EXPECT_EQ(all_errors(written(report)), "");
+  const json result = written(report);
+  const json& part = result["parts"][0];
+  EXPECT_TRUE(part["beam"]["peak_stress_MPa"].is_null());
+  EXPECT_TRUE(part["beam"]["ratio_fe_to_beam"].is_null());
+  EXPECT_TRUE(part["held_section"].is_null());
+  EXPECT_TRUE(part["vibration"].is_null());
+  EXPECT_TRUE(part["strain_energy_error_percent"].is_null());
+  EXPECT_TRUE(part["peak_von_mises"]["degree_nearby"].is_null());
+  EXPECT_FALSE(part.contains("peak_outside_singular_zones"));
+  EXPECT_TRUE(part["buckling"]["factor"].is_null());
+  EXPECT_TRUE(part["buckling"]["band"].is_null());
+  EXPECT_EQ(part["buckling"]["is_lower_bound"], false);
+  EXPECT_TRUE(result["parts"][1]["buckling"].is_null());
+}
+
+TEST(ResultJson, BucklingHasItsBand) {
+  CheckReport report = sample_report();
+  report.parts[0].buckling = {
+      .factor = 2.5, .band_low = 2.25, .band_high = 2.75};
+  report.parts[1].buckling = {.factor = 100, .band_low = 100, .band_high = 100};
+  EXPECT_EQ(all_errors(written(report)), "");
+  const json result = written(report);
+  EXPECT_EQ(result["parts"][0]["buckling"]["band"], json({2.25, 2.75}));
+  EXPECT_EQ(result["parts"][0]["buckling"]["is_lower_bound"], false);
+  EXPECT_EQ(result["parts"][1]["buckling"]["is_lower_bound"], true);
 }
 
 TEST(ResultJson, NonFiniteResultIsRefusedByPartAndKey) {

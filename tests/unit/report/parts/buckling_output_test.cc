@@ -1,7 +1,6 @@
 #include "report/parts/buckling_output.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 namespace clevis::report {
 namespace {
@@ -27,19 +26,6 @@ TEST(BucklingOutput, LineTellsFactorBandInstantAndEuler) {
   assessment::BucklingResult none;
   none.remark = "not computed: no memory";
   EXPECT_EQ(buckling_text(none), "buckling: not computed: no memory");
-}
-
-TEST(BucklingOutput, JsonHasNullForWhatIsNotKnown) {
-  EXPECT_TRUE(buckling_json({}).is_null());
-  const auto json =
-      buckling_json(part_that_buckles_at(2.25, 2.5, 2.75).buckling);
-  EXPECT_EQ(json["factor"], 2.5);
-  EXPECT_EQ(json["band"], nlohmann::ordered_json({2.25, 2.75}));
-  EXPECT_EQ(json["is_lower_bound"], false);
-  EXPECT_EQ(json["euler"], 1.25);
-  const auto above =
-      buckling_json(part_that_buckles_at(100.0, 100.0, 100.0).buckling);
-  EXPECT_EQ(above["is_lower_bound"], true);
 }
 
 TEST(BucklingOutput, JunitCaseFollowsTheBand) {

@@ -62,13 +62,18 @@ TEST(PartResultJson, RoundTripKeepsEveryBit) {
   EXPECT_EQ(back.deflection_at, part.deflection_at);
   EXPECT_EQ(back.deflection_instant, part.deflection_instant);
   EXPECT_EQ(back.strain_energy, part.strain_energy);
+  EXPECT_EQ(back.strain_energy_instant, part.strain_energy_instant);
+  EXPECT_EQ(back.mean_strain_energy, part.mean_strain_energy);
   EXPECT_EQ(back.mass, part.mass);
   ASSERT_EQ(back.singular_zones.size(), 1u);
   EXPECT_EQ(back.singular_zones[0].name, "notch");
   EXPECT_EQ(back.singular_zones[0].exponent_measured, 1.0 / 3.0);
   EXPECT_EQ(back.singular_zones[0].at, part.singular_zones[0].at);
   EXPECT_TRUE(back.singular_zones[0].governs);
-  EXPECT_EQ(back.peak_outside.value, part.peak_outside.value);
+  ASSERT_TRUE(back.peak_outside);
+  EXPECT_EQ(back.peak_outside->value, part.peak_outside->value);
+  EXPECT_FALSE(back.held);
+  EXPECT_FALSE(back.first_period);
 }
 
 TEST(PartResultJson, RoundTripKeepsThePeak) {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "machine/bearing.h"
+
+namespace clevis::report {
+
+/// A bearing's result with the name of its joint.
+struct BearingReport {
+  machine::BearingResult result;
+  std::string joint;
+};
+
+}  // namespace clevis::report
