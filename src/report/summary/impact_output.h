@@ -14,7 +14,7 @@ namespace clevis::report {
 /// An impact with the words that a reader needs.
 struct NamedImpact {
   std::string force;     ///< name of the contact or stop
-  std::string end{};       ///< "lower", "upper" of a stop, else empty
+  std::string end{};     ///< "lower", "upper" of a stop, else empty
   bool angular = false;  ///< moments and inertias
   mechanism::Impact impact;
 };

@@ -54,13 +54,14 @@ LineElement on_joint_named(const std::string& name, int joint,
 
 LineElement between(const std::string& name, ElementLine::Kind kind,
                     ElementPoint a, ElementPoint b, const SpringLaw& law) {
-  return {.name = name,
-          .line = {.kind = kind,
-                   .a = a,
-                   .b = b,
-                   .axis_L = Vector3d(1.0, 0.2, 0.0).normalized()},
-          .law = law,
-          .place = {}};
+  LineElement e;
+  e.name = name;
+  e.line = {.kind = kind,
+            .a = a,
+            .b = b,
+            .axis_L = Vector3d(1.0, 0.2, 0.0).normalized()};
+  e.law = law;
+  return e;
 }
 
 const Vector3d kSlide(0.03, 0.04, 0.0), kEye(0.1, 0.02, 0.01);

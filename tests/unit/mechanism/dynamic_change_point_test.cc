@@ -199,8 +199,10 @@ MechanismDefinition linkage(const Parallelograms& p) {
   m.initial_joints = {
       {.joint = 0, .position = {}, .rate = p.rate, .place = "initial"}};
   if (p.acceleration != 0.0) {
-    m.elements.emplace_back(ConstantForce{
-        .point = {.body = 0}, .t_W = {0.0, 0.0, p.acceleration * inertia}});
+    ConstantForce couple;
+    couple.point.body = 0;
+    couple.t_W = {0.0, 0.0, p.acceleration * inertia};
+    m.elements = {couple};
   }
   return m;
 }
