@@ -60,7 +60,7 @@ void DynamicRun::start() {
   dynamics_.enter_piece(0.0);
   dynamics_.project(0.0, y_);
   dynamics_.communicate(0.0, y_);
-  dynamics_.choose_modes(0.0, y_);
+  stick_slip_.choose_modes(0.0, y_);
   dynamics_.project(0.0, y_);
   dynamics_.accept(0.0, y_);
   slope_.setZero(y_.size());
@@ -104,8 +104,8 @@ void DynamicRun::pass(const EventFinder::Event& event) {
   ForceModel& forces = dynamics_.forces();
   const std::vector<int> before = forces.modes();
   forces.pass_event(event.index);
-  dynamics_.rest_or_turn(t, y_, static_cast<std::size_t>(event.index / 2));
-  dynamics_.settle(t, y_);
+  stick_slip_.rest_or_turn(t, y_, static_cast<std::size_t>(event.index / 2));
+  stick_slip_.settle(t, y_);
   dynamics_.project(t, y_);
   dynamics_.accept(t, y_);
   impacts_.pass(t, y_, before);
@@ -121,8 +121,11 @@ void DynamicRun::pass_bend(double t) {
   dynamics_.enter_piece(t);
   if (std::ranges::find(jumps_, t, &DriveJump::t) != jumps_.end()) {
     dynamics_.jump(t, y_);
+    stick_slip_.choose_modes(t, y_);
+    dynamics_.project(t, y_);
+    dynamics_.accept(t, y_);
   } else {
-    dynamics_.settle(t, y_);  // what rests may have to yield to a drive
+    stick_slip_.settle(t, y_);  // what rests may have to yield to a drive
   }
   restart(t);
 }
@@ -132,7 +135,7 @@ void DynamicRun::restart(double t) {
   if (peaks_) peaks_->restart(t, y_);
   if (sampler_) sampler_->restart(t, y_);
   change_points_.restart(y_);
-  integrator_.restart(t, y_, dynamics_.first_step(t, y_));
+  integrator_.restart(t, y_, stick_slip_.first_step(t, y_));
 }
 
 Motion DynamicRun::run() {

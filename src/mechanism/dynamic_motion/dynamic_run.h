@@ -8,7 +8,7 @@
 #include "mechanism/definition/motion.h"
 #include "mechanism/dynamic_motion/dynamic_change_points.h"
 #include "mechanism/dynamic_motion/motion_integrator.h"
-#include "mechanism/equations_of_motion/forward_dynamics.h"
+#include "mechanism/equations_of_motion/stick_slip.h"
 #include "mechanism/events/event_finder.h"
 #include "mechanism/events/impact_watch.h"
 #include "mechanism/events/load_sampler.h"
@@ -76,6 +76,7 @@ class DynamicRun {
   const SimulationSettings& settings_;
   SolvingFrame frame_;
   ForwardDynamics dynamics_;
+  StickSlip stick_slip_{dynamics_};
   Equilibrium equilibrium_;
   DynamicChangePoints change_points_;
   MotionIntegrator integrator_;

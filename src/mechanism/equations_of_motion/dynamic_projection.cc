@@ -37,9 +37,6 @@ void ForwardDynamics::jump(double t, VectorXd& y) {
   }
   project(t, y);
   y[work_index()] += kinetic_energy(y) - before;
-  choose_modes(t, y);
-  project(t, y);
-  accept(t, y);
 }
 
 void ForwardDynamics::move(VectorXd& y, const VectorXd& change) const {

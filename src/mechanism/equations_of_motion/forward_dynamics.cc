@@ -5,14 +5,19 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 
 #include "base/index.h"
 
 namespace clevis::mechanism {
 namespace {
 
+// Part of a combination of rows above which a row takes part in it.
+constexpr double kTakesPart = 1e-6;
+
 using Eigen::Index;
 using Eigen::Matrix3d;
+using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
@@ -215,6 +220,11 @@ void ForwardDynamics::add_loads(double t, const VectorXd& y) {
   }
 }
 
+void ForwardDynamics::evaluate_loads(double t, const VectorXd& y) {
+  place(t, y);
+  add_loads(t, y);
+}
+
 void ForwardDynamics::rate(double t, const VectorXd& y, VectorXd& rate) {
   place(t, y);
   set_targets(t);
@@ -293,6 +303,79 @@ void ForwardDynamics::guard_values(double t, const VectorXd& y,
   }
   evaluate_forces(t, y);
   forces_.event_values(values);
+}
+
+/// Orthonormal combinations of rows that vanish: what may be added to the
+/// multipliers.
+MatrixXd ForwardDynamics::open_multipliers() const {
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> rows;
+  rows.setThreshold(numerics::kRankThreshold);
+  rows.compute(J_.topRows(rows_));
+  const Index open = rows_ - rows.rank();
+  MatrixXd free = MatrixXd::Zero(rows_, open);
+  free.bottomRows(open).setIdentity();
+  if (open > 0) free.applyOnTheLeft(rows.householderQ());
+  return free;
+}
+
+void ForwardDynamics::share_among_sticking() {
+  Index row = system_.rows(), count = 0;
+  VectorXd ratio = VectorXd::Zero(rows_);
+  VectorXd weight = VectorXd::Zero(rows_);
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (!forces_.brings_row(k)) continue;
+    const double most = forces_.sticks(k) ? forces_.breakaway(k) : 0.0;
+    if (most > 0.0) {
+      weight[row] = row_scale(k) / most;
+      ++count;
+    }
+    ++row;
+  }
+  if (count == 0) return;
+  const MatrixXd free = open_multipliers();
+  if (free.cols() == 0) return;
+  ratio = weight.cwiseProduct(lambda_.head(rows_));
+  const MatrixXd shares = weight.asDiagonal() * free;
+  // combinations of joints' rows alone, which are redundant, have no part
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> sharing(shares.rows(),
+                                                           shares.cols());
+  sharing.setThreshold(kTakesPart * weight.maxCoeff() /
+                       std::max(shares.norm(), 1e-300));
+  sharing.compute(shares);
+  lambda_.head(rows_) -= free * sharing.solve(ratio);
+}
+
+void ForwardDynamics::evaluate_forces(double t, const Eigen::VectorXd& y) {
+  place(t, y);
+  forces_.evaluate(t, x_, twists_, y.data() + internal_index());
+}
+
+void ForwardDynamics::put_lever(int slot, const Twist& lever,
+                                Eigen::VectorXd& force) const {
+  if (slot == 0) return;
+  if (planar_) {
+    const Eigen::Index at = 3 * (slot - 1);
+    force.segment<2>(at) += lever.v.head<2>();
+    force[at + 2] += lever.w.z() / length_;
+  } else {
+    const Eigen::Index at = 6 * (slot - 1);
+    force.segment<3>(at) += lever.v;
+    force.segment<3>(at + 3) += lever.w / length_;
+  }
+}
+
+double ForwardDynamics::free_response(int slot, const Twist& lever) const {
+  if (slot == 0) return 0.0;
+  const auto at = static_cast<std::size_t>(slot);
+  const Eigen::Vector3d turn =
+      bodies_[at].turn_factor.transpose() * x_[at].R.transpose() * lever.w;
+  return lever.v.squaredNorm() / applied_.mass(at) +
+         turn.squaredNorm() / (length_ * length_);
+}
+
+void ForwardDynamics::respond(const VectorXd& force, VectorXd& accelerations) {
+  residual_.setZero();
+  mass_.accelerate(residual_, force, accelerations, response_rows_);
 }
 
 }  // namespace clevis::mechanism

@@ -28,12 +28,6 @@ inline Eigen::Vector4d quaternion_rate(const Eigen::Vector4d& q,
   return rate;
 }
 
-/// What two bodies weigh at their contact, along its normal; see Impact.
-struct ContactInertia {
-  double mass_a{}, mass_b{}, mass{};
-  double force{};
-};
-
 /// Equations of motion of a mechanism with free coordinates.
 ///
 /// State y: positions of the bodies (planar: x, y, length × angle; spatial:
@@ -86,27 +80,45 @@ class ForwardDynamics : public numerics::OdeSystem {
 
   /// State of bodies at rest, from which turns count. @throws Error K009.
   Eigen::VectorXd start(const Configuration& x);
-  /// Modes of the force elements from the state alone, then settle().
-  void choose_modes(double t, const Eigen::VectorXd& y);
-  /// Decides what sticks of what does not move, by the forces at hand.
-  void settle(double t, const Eigen::VectorXd& y);
-  /// Element k has just come to rest: takes its last speed from the motion if
-  /// only that goes; else, as a dependent line at a dead centre, it turns.
-  void rest_or_turn(double t, Eigen::VectorXd& y, std::size_t k);
   void event_values(double t, const Eigen::VectorXd& y,
                     Eigen::VectorXd& values);
   /// The same; computes no accelerations unless efforts that hold lines count.
   void guard_values(double t, const Eigen::VectorXd& y,
                     Eigen::VectorXd& values);
-  /// A step that does not leap over what forces do next [s]; 0: any.
-  double first_step(double t, const Eigen::VectorXd& y);
   ForceModel& forces() { return forces_; }
   const ForceModel& forces() const { return forces_; }
   AppliedLoads& applied() { return applied_; }
   /// The forces alone, without what they make of the motion.
   void evaluate_forces(double t, const Eigen::VectorXd& y);
-  /// Of a contact or an end of a stop, as of the last rate().
-  ContactInertia contact_inertia(std::size_t element, int end);
+  /// Configuration, wrenches and Q of a state.
+  void evaluate_loads(double t, const Eigen::VectorXd& y);
+  /// The lever as a force on the unknowns, added to it.
+  void put_lever(int slot, const Twist& lever, Eigen::VectorXd& force) const;
+  /// Acceleration along a lever per force along it, were the body free.
+  double free_response(int slot, const Twist& lever) const;
+  /// Accelerations that a force on the unknowns adds, as of the last rate().
+  void respond(const Eigen::VectorXd& force, Eigen::VectorXd& accelerations);
+  /// Scale of the row that element k brings: 1, or the length of angles [m].
+  double row_scale(std::size_t k) const {
+    return forces_.is_angle(k) ? length_ : 1.0;
+  }
+  /// Orthonormal combinations of rows that vanish: what may be added to the
+  /// multipliers, as of the last rate().
+  Eigen::MatrixXd open_multipliers() const;
+  /// By row, what drives ask of speeds and all rows of accelerations, as of
+  /// the last rate().
+  auto row_rates() const { return target_rates_.head(rows_); }
+  auto row_accelerations() const { return gamma_.head(rows_); }
+  const std::vector<DriveDefinition>& drives() const { return drives_; }
+  /// F with F Fᵀ = length² inertia⁻¹, in L of the body of a slot.
+  const Eigen::Matrix3d& turn_factor(std::size_t slot) const {
+    return bodies_[slot].turn_factor;
+  }
+  /// Of the unknowns in the state of the last place() [m/s].
+  const Eigen::VectorXd& speeds() const { return u_; }
+  /// Largest of them so far, and the least that counts in the duration [m/s].
+  double largest_speed() const { return speed_; }
+  double slowest_speed() const { return slowest_; }
 
   /// Moves positions and velocities, by the least mass norm, onto the
   /// constraints at time t. @return the largest gap that is left [m].
@@ -123,7 +135,8 @@ class ForwardDynamics : public numerics::OdeSystem {
     forces_.enter_piece(t);
   }
   /// Where drives jump: velocities change by the impulse that this takes,
-  /// which does the work that is gained; dry friction has no part in it.
+  /// which does the work that is gained; dry friction has no part in it, its
+  /// modes are to be chosen anew.
   void jump(double t, Eigen::VectorXd& y);
 
   /// When force elements communicate with the mechanism next [s].
@@ -208,32 +221,11 @@ class ForwardDynamics : public numerics::OdeSystem {
   void factor();
   bool factor_tree();
   void add_loads(double t, const Eigen::VectorXd& y);
-  /// Constant scale of the row that element k brings.
-  double row_scale(std::size_t k) const {
-    return forces_.is_angle(k) ? length_ : 1.0;
-  }
   std::vector<TreeLink> links() const;
   void place_rotors();
-  /// The lever as a force on the unknowns.
-  void put_lever(int slot, const Twist& lever, Eigen::VectorXd& force) const;
-  /// Acceleration along a lever per force along it, were the body free.
-  double free_response(int slot, const Twist& lever) const;
   /// Where sticking lines depend on one another: the multipliers at which the
   /// sum of squares of their efforts over their breakaways is least.
   void share_among_sticking();
-  Eigen::MatrixXd open_multipliers() const;
-  Eigen::VectorXd beginning_of_drives(double t) const;
-  bool yield_one_of_several(double t, const Eigen::VectorXd& y);
-  int first_at_its_most(const Eigen::VectorXd& push, std::size_t& first) const;
-  void rest_what_hardly_moves();
-  bool is_carried(double t, const Eigen::VectorXd& y, std::size_t k);
-  int mode_of_dependent_line(double t, const Eigen::VectorXd& y, std::size_t k);
-  bool free_what_cannot_stick(double t, const Eigen::VectorXd& y);
-  bool release_worst();
-  bool judge_lines_at_their_most(double t, const Eigen::VectorXd& y);
-  double line_acceleration(std::size_t k) const;
-  double free_acceleration(std::size_t k) const;
-  double acceleration_size() const;
   double correct_positions(double t, Eigen::VectorXd& y);
   void move(Eigen::VectorXd& y, const Eigen::VectorXd& change) const;
   void turn(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> v,
@@ -283,7 +275,7 @@ class ForwardDynamics : public numerics::OdeSystem {
   Eigen::RowVectorXd row_workspace_;
   Eigen::MatrixXd open_;
   int rows_{};  ///< of the system and of force elements
-  Eigen::VectorXd scratch_, before_rest_;
+  Eigen::VectorXd scratch_;
   Configuration x_;
   std::vector<PlacedJoint> placed_;
   std::vector<Twist> twists_;

@@ -84,7 +84,7 @@ void ImpactWatch::begin(int event, double t) {
   impact.end = event % 2;
   impact.t = impact.peak_at = t;
   impact.approach_speed = dynamics_.forces().element(element).depth_rate[end];
-  const ContactInertia inertia = dynamics_.contact_inertia(element, event % 2);
+  const ContactInertia inertia = contact_inertia(dynamics_, element, event % 2);
   impact.mass_a = inertia.mass_a;
   impact.mass_b = inertia.mass_b;
   impact.mass = inertia.mass;

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "mechanism/definition/motion.h"
-#include "mechanism/equations_of_motion/forward_dynamics.h"
+#include "mechanism/equations_of_motion/contact_inertia.h"
 #include "numerics/integrators/ode_system.h"
 
 namespace clevis::mechanism {

@@ -5,7 +5,7 @@
 
 #include "mechanism/dynamic_motion/initial_state.h"
 #include "mechanism/dynamic_motion/motion_integrator.h"
-#include "mechanism/equations_of_motion/forward_dynamics.h"
+#include "mechanism/equations_of_motion/stick_slip.h"
 #include "support/benchmark_mechanisms.h"
 #include "support/reference_motions.h"
 
@@ -42,7 +42,7 @@ long allocations_of_steps(const MechanismDefinition& definition,
   y.segment(dynamics.velocity_index(), initial.velocities.size()) =
       initial.velocities;
   dynamics.project(0.0, y);
-  dynamics.choose_modes(0.0, y);
+  StickSlip(dynamics).choose_modes(0.0, y);
   dynamics.accept(0.0, y);
   MotionIntegrator integrator(definition, frame, dynamics, choice);
   integrator.restart(0.0, y, 0.0);

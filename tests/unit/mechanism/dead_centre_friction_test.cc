@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/equations_of_motion/forward_dynamics.h"
+#include "mechanism/equations_of_motion/stick_slip.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 
@@ -299,7 +299,7 @@ TEST(DeadCentreFriction, LineAgainstItsModeIsFound) {
   ForwardDynamics dynamics(m, frame, 1e-8, 1.0);
   Eigen::VectorXd y = dynamics.start(frame.placement);
   y[dynamics.velocity_index()] = -0.3;
-  dynamics.choose_modes(0.0, y);
+  StickSlip(dynamics).choose_modes(0.0, y);
   dynamics.note_speed(y);
   dynamics.evaluate_forces(0.0, y);
   EXPECT_EQ(dynamics.forces().element(0).modes[0], -1);

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+#include "mechanism/equations_of_motion/forward_dynamics.h"
+
+namespace clevis::mechanism {
+
+/// What two bodies weigh at their contact along its normal, joints and drives
+/// holding [kg] or [kg m²]; infinite where they cannot give way.
+struct ContactInertia {
+  double mass_a{}, mass_b{}, mass{};
+  double force{};  ///< of all else that presses them together [N] or [N m]
+};
+
+/// Of a contact or an end of a stop, as of the last rate().
+ContactInertia contact_inertia(ForwardDynamics& dynamics, std::size_t element,
+                               int end);
+
+}  // namespace clevis::mechanism

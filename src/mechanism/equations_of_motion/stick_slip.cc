@@ -1,0 +1,327 @@
+#include "mechanism/equations_of_motion/stick_slip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "mechanism/drives/drive_law.h"
+#include "mechanism/line_elements/friction.h"
+
+namespace clevis::mechanism {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double kRoundOff = 1e-9;
+// A carried line that is accelerated by this part of speed² over length turns.
+constexpr double kClearTurn = 1e-2;
+// Part of a combination of rows above which a row takes part in it.
+constexpr double kTakesPart = 1e-6;
+constexpr double kMoment = 1e-6;  // of the duration
+// Coming to rest costs a motion the last speed of a line, an error: so many
+// times what steps may err by.
+constexpr double kTimesError = 1e3;
+
+/// @throws Error K011, always.
+[[noreturn]] void refuse_wedge(double t) {
+  throw Error("K011", "mechanism",
+              fmt::format("at t = {:.9g} s dry friction wedges: whichever "
+                          "joints rest or slip, one asks for the contrary",
+                          t),
+              "reduce the friction, or give it model = \"regularized\"; rigid "
+              "bodies have no answer here");
+}
+
+}  // namespace
+
+StickSlip::StickSlip(ForwardDynamics& dynamics)
+    : dynamics_(dynamics),
+      forces_(dynamics.forces()),
+      scratch_(VectorXd::Zero(dynamics.size())) {}
+
+void StickSlip::choose_modes(double t, const VectorXd& y) {
+  dynamics_.evaluate_loads(t, y);
+  forces_.choose_modes();
+  settle(t, y);
+}
+
+/// Lines whose speed is round-off come to rest together: friction in several
+/// joints of one loop.
+void StickSlip::rest_what_hardly_moves() {
+  const double fastest = std::max(dynamics_.largest_speed(),
+                                  dynamics_.speeds().lpNorm<Eigen::Infinity>());
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (std::abs(forces_.element(k).modes[0]) != 1 || !forces_.is_dry(k)) {
+      continue;
+    }
+    const double size = dynamics_.row_scale(k);
+    if (size * std::abs(forces_.element(k).rate) <= kRoundOff * fastest) {
+      forces_.set_mode(k, 0);
+    }
+  }
+}
+
+void StickSlip::rest_or_turn(double t, VectorXd& y, std::size_t k) {
+  if (!forces_.is_dry(k) || forces_.element(k).modes[0] != 0) return;
+  before_ = y;
+  dynamics_.project(t, y);
+  scratch_ = y - before_;
+  const double change =
+      scratch_.segment(dynamics_.velocity_index(), dynamics_.system().columns())
+          .lpNorm<Eigen::Infinity>();
+  if (change <= kTimesError * dynamics_.tolerance() * dynamics_.largest_speed())
+    return;
+  y = before_;
+  forces_.set_mode(k, kLetGo);
+  dynamics_.rate(t, y, scratch_);
+  forces_.set_mode(k, line_acceleration(k) > 0.0 ? 1 : -1);
+}
+
+/// Size of accelerations, free bodies' among them, of which round-off is a
+/// part [m/s²].
+double StickSlip::acceleration_size() const {
+  const double speed = dynamics_.speeds().lpNorm<Eigen::Infinity>();
+  const std::vector<Twist>& wrenches = dynamics_.applied().wrenches();
+  double size = dynamics_.accelerations().lpNorm<Eigen::Infinity>() +
+                speed * speed / dynamics_.length();
+  for (std::size_t i = 1; i < wrenches.size(); ++i) {
+    const double turning =
+        dynamics_.turn_factor(i).squaredNorm() / dynamics_.length();
+    size = std::max({size, wrenches[i].v.norm() / dynamics_.applied().mass(i),
+                     wrenches[i].w.norm() * turning});
+  }
+  return size;
+}
+
+/// The sticking line that asks most of its friction gives its most instead, if
+/// that is less. @return whether there was one.
+bool StickSlip::release_worst() {
+  double worst = 1.0 + kRoundOff;
+  std::size_t which = forces_.size();
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (!forces_.sticks(k)) continue;
+    const double breakaway = forces_.breakaway(k);
+    const double ratio =
+        breakaway > 0.0 ? std::abs(forces_.element(k).effort) / breakaway : 2.0;
+    if (ratio > worst) {
+      worst = ratio;
+      which = k;
+    }
+  }
+  if (which == forces_.size()) return false;
+  forces_.set_mode(which, forces_.element(which).effort > 0.0 ? -2 : 2);
+  return true;
+}
+
+/// Acceleration of a line [m/s²], turns times length, as of rate().
+double StickSlip::line_acceleration(std::size_t k) const {
+  return dynamics_.row_scale(k) *
+         forces_.line_acceleration(
+             k, dynamics_.system().twists(dynamics_.accelerations()),
+             dynamics_.twists());
+}
+
+/// What the friction of a line at its most would do to its bodies if nothing
+/// else held them, likewise.
+double StickSlip::free_acceleration(std::size_t k) const {
+  const ActingElement& e = forces_.element(k);
+  double sum = 0.0;
+  const auto add = [&](int slot, const Twist& lever) {
+    if (slot == 0) return;
+    const auto at = static_cast<std::size_t>(slot);
+    sum += lever.v.squaredNorm() / dynamics_.applied().mass(at) +
+           lever.w.squaredNorm() * dynamics_.turn_factor(at).squaredNorm() /
+               (dynamics_.length() * dynamics_.length());
+  };
+  add(e.line.a, e.levers.a);
+  add(e.line.b, e.levers.b);
+  return dynamics_.row_scale(k) * sum * std::abs(e.effort);
+}
+
+/// A line at its most slips unless the others hold it, that is, unless it
+/// would rest even without its friction; it sticks if they carry it back.
+/// @return whether one changed.
+bool StickSlip::judge_lines_at_their_most(double t, const VectorXd& y) {
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    const int mode = forces_.element(k).modes[0];
+    if (!forces_.is_dry(k) || std::abs(mode) != 2) continue;
+    const double round_off =
+        kRoundOff * std::max(free_acceleration(k), acceleration_size());
+    const double a = line_acceleration(k);
+    forces_.set_mode(k, kLetGo);
+    dynamics_.rate(t, y, scratch_);
+    const double free = line_acceleration(k);
+    const bool is_held = std::abs(free) <= round_off;
+    const bool goes_back = a * mode < -2.0 * round_off;
+    forces_.set_mode(k, is_held ? mode : goes_back ? 0 : mode / 2);
+    dynamics_.rate(t, y, scratch_);
+    if (!is_held) return true;
+  }
+  return false;
+}
+
+double StickSlip::first_step(double t, const VectorXd& y) {
+  constexpr double kPart = 0.05, kLong = 0.01;
+  const double duration = dynamics_.length() / dynamics_.slowest_speed();
+  double step = 0.0;
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    const ActingElement& e = forces_.element(k);
+    const double zone = e.stribeck_zone();
+    if (!(zone > 0.0) || e.modes[1] != 1 || std::abs(e.modes[0]) != 1) continue;
+    dynamics_.rate(t, y, scratch_);
+    const double a =
+        e.is_line()
+            ? std::abs(line_acceleration(k)) / dynamics_.row_scale(k)
+            : forces_.sliding_acceleration(
+                  k, dynamics_.system().twists(dynamics_.accelerations()));
+    const double through = kPart * zone / std::max(a, 1e-300);
+    if (through > kLong * duration) continue;
+    step = step > 0.0 ? std::min(step, through) : through;
+  }
+  return step;
+}
+
+void StickSlip::settle(double t, const VectorXd& y) {
+  dynamics_.rate(t, y, scratch_);
+  rest_what_hardly_moves();
+  const std::size_t most = 6 * forces_.size() + 2;
+  for (std::size_t tries = 0; tries < most; ++tries) {
+    dynamics_.rate(t, y, scratch_);
+    if (!yield_one_of_several(t, y) && !free_what_cannot_stick(t, y) &&
+        !release_worst() && !judge_lines_at_their_most(t, y)) {
+      return;
+    }
+  }
+  refuse_wedge(t);
+}
+
+/// By row, how drives begin to move, at once or within a moment; else 0.
+VectorXd StickSlip::beginning_of_drives(double t) const {
+  const double soon =
+      t + kMoment * dynamics_.length() / dynamics_.slowest_speed();
+  VectorXd rates = VectorXd::Zero(dynamics_.row_rates().size());
+  const ConstraintSystem& system = dynamics_.system();
+  for (std::size_t k = 0; k < dynamics_.drives().size(); ++k) {
+    const Index row = system.joint_rows() + static_cast<Index>(k);
+    const double now = dynamics_.row_rates()[row];
+    const double scale =
+        system.scale(system.row_list()[static_cast<std::size_t>(row)]);
+    const double later =
+        scale *
+        drive_target(dynamics_.drives()[k], soon, BendSide::kBefore).rate;
+    if (std::abs(now) <= kRoundOff * std::abs(later)) rates[row] = later;
+  }
+  return rates;
+}
+
+/// Several lines at rest that cannot all go on so, as joints and drives move or
+/// begin to: as these push, the first to reach its most gives that.
+/// @return whether there was one.
+bool StickSlip::yield_one_of_several(double t, const VectorXd& y) {
+  if (dynamics_.mass().rank() == dynamics_.row_rates().size()) return false;
+  const MatrixXd free = dynamics_.open_multipliers();
+  // multipliers grow along what the rows ask beyond what they can have
+  VectorXd push = free * (free.transpose() * dynamics_.row_accelerations());
+  if (push.lpNorm<Eigen::Infinity>() <= kRoundOff * acceleration_size()) {
+    push = free * (free.transpose() * beginning_of_drives(t));
+  }
+  // what joints and drives still do counts before what they will do
+  const VectorXd going = free * (free.transpose() * dynamics_.row_rates());
+  const bool goes_on =
+      going.dot(push) < 0.0 && going.norm() > kRoundOff * dynamics_.length() /
+                                                  dynamics_.slowest_speed() *
+                                                  push.norm();
+  if (goes_on) push = going;
+  std::size_t first = forces_.size();
+  const int mode = first_at_its_most(push, first);
+  if (mode == 0) return false;
+  forces_.set_mode(first, goes_on ? mode / 2 : mode);
+  dynamics_.rate(t, y, scratch_);
+  return true;
+}
+
+/// Of several lines at rest the one whose effort is the first to reach its
+/// most as multipliers grow along `push`. @return its mode then; 0: there are
+/// not several.
+int StickSlip::first_at_its_most(const VectorXd& push,
+                                 std::size_t& first) const {
+  const double least_part = kTakesPart * push.norm();
+  double least = std::numeric_limits<double>::infinity();
+  int mode = 0, taking_part = 0;
+  Index row = dynamics_.system().rows();
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (!forces_.brings_row(k)) continue;
+    const double along = push[row++];
+    if (!forces_.sticks(k) || !(std::abs(along) > least_part)) continue;
+    ++taking_part;
+    const double most = std::copysign(forces_.breakaway(k), along);
+    const double way =
+        (most - forces_.element(k).effort) / (dynamics_.row_scale(k) * along);
+    if (way >= least) continue;
+    least = way;
+    first = k;
+    mode = along < 0.0 ? 2 : -2;
+  }
+  return taking_part < 2 ? 0 : mode;
+}
+
+/// Whether joints and drives alone fix the speed of a line; the last rate() is
+/// then that without what sticks.
+bool StickSlip::is_carried(double t, const VectorXd& y, std::size_t k) {
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    if (i != k && forces_.sticks(i)) others.push_back(i);
+  }
+  for (const std::size_t i : others) forces_.set_mode(i, kLetGo);
+  forces_.set_mode(k, 0);
+  dynamics_.rate(t, y, scratch_);
+  const int with = dynamics_.mass().rank();
+  forces_.set_mode(k, kLetGo);
+  dynamics_.rate(t, y, scratch_);
+  const int without = dynamics_.mass().rank();
+  for (const std::size_t i : others) forces_.set_mode(i, 0);
+  return with == without;
+}
+
+/// Mode of a sticking line whose row the others imply, which is let go. If they
+/// move it, it slips; if joints and drives carry it, as a slider at its dead
+/// centre or a driven joint at rest, it holds nothing until it moves.
+int StickSlip::mode_of_dependent_line(double t, const VectorXd& y,
+                                      std::size_t k) {
+  const double beside_others = line_acceleration(k);
+  const double size = acceleration_size();
+  const bool carried = is_carried(t, y, k);
+  const double a = carried ? line_acceleration(k) : beside_others;
+  // slower, it is left to the event of leaving rest
+  const double clear = carried
+                           ? kClearTurn * dynamics_.largest_speed() *
+                                 dynamics_.largest_speed() / dynamics_.length()
+                           : 0.0;
+  if (std::abs(a) > std::max(kRoundOff * size, clear)) return a > 0.0 ? 1 : -1;
+  return carried ? kLetGo : 0;
+}
+
+/// @return whether there was a sticking line that can hold nothing.
+bool StickSlip::free_what_cannot_stick(double t, const VectorXd& y) {
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    if (!forces_.sticks(k)) continue;
+    const int rank = dynamics_.mass().rank();
+    forces_.set_mode(k, kLetGo);
+    dynamics_.rate(t, y, scratch_);
+    const int mode =
+        dynamics_.mass().rank() == rank ? mode_of_dependent_line(t, y, k) : 0;
+    forces_.set_mode(k, mode);
+    dynamics_.rate(t, y, scratch_);
+    if (mode != 0) return true;
+  }
+  return false;
+}
+
+}  // namespace clevis::mechanism

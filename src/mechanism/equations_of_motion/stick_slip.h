@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "mechanism/equations_of_motion/forward_dynamics.h"
+
+namespace clevis::mechanism {
+
+/// Which lines of dry friction stick, slip or turn: a complementarity problem.
+/// A line at rest sticks while its effort stays below its breakaway effort;
+/// where it does not, it slips in the sense of its acceleration. Modes are
+/// tried one by one until the equations of motion contradict none.
+class StickSlip {
+ public:
+  explicit StickSlip(ForwardDynamics& dynamics);
+
+  /// Modes of the force elements from the state alone, then settle().
+  /// @throws Error K011 where rigid bodies have no answer.
+  void choose_modes(double t, const Eigen::VectorXd& y);
+  /// Decides what sticks of what does not move, by the forces at hand.
+  /// @throws Error K011 where rigid bodies have no answer.
+  void settle(double t, const Eigen::VectorXd& y);
+  /// Element k has just come to rest: takes its last speed from the motion if
+  /// only that goes; else, as a dependent line at a dead centre, it turns.
+  void rest_or_turn(double t, Eigen::VectorXd& y, std::size_t k);
+  /// Upper bound of the first step so that Stribeck's zone is resolved [s];
+  /// 0: none.
+  double first_step(double t, const Eigen::VectorXd& y);
+
+ private:
+  void rest_what_hardly_moves();
+  bool release_worst();
+  bool judge_lines_at_their_most(double t, const Eigen::VectorXd& y);
+  Eigen::VectorXd beginning_of_drives(double t) const;
+  bool yield_one_of_several(double t, const Eigen::VectorXd& y);
+  int first_at_its_most(const Eigen::VectorXd& push, std::size_t& first) const;
+  bool is_carried(double t, const Eigen::VectorXd& y, std::size_t k);
+  int mode_of_dependent_line(double t, const Eigen::VectorXd& y, std::size_t k);
+  bool free_what_cannot_stick(double t, const Eigen::VectorXd& y);
+  double line_acceleration(std::size_t k) const;
+  double free_acceleration(std::size_t k) const;
+  double acceleration_size() const;
+
+  ForwardDynamics& dynamics_;
+  ForceModel& forces_;
+  Eigen::VectorXd scratch_, before_;  ///< states
+};
+
+}  // namespace clevis::mechanism
