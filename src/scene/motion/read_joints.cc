@@ -16,6 +16,22 @@
 #include "scene/text/suggestion.h"
 
 namespace clevis::scene {
+Eigen::Matrix3d joint_rotation(const Eigen::Vector3d& axis,
+                               const Eigen::Vector3d& normal,
+                               const Value& where) {
+  constexpr double kParallel = 1e-3;  // radians
+  const Eigen::Vector3d across = normal - normal.dot(axis) * axis;
+  if (across.norm() < kParallel) {
+    throw where.refusal("S006", "gives an axis parallel to the normal",
+                        "Give normal a direction across the axis.");
+  }
+  Eigen::Matrix3d rotation;
+  rotation.col(0) = across.normalized();
+  rotation.col(1) = axis.cross(rotation.col(0));
+  rotation.col(2) = axis;
+  return rotation;
+}
+
 namespace {
 
 using Eigen::Matrix3d;
@@ -141,23 +157,6 @@ PerBody default_normals(JointType type, const PerBody& axes,
     }
   }
   return seen_by_bodies(candidates[0], joint);  // refused if parallel
-}
-
-/// Columns: x along the normal as far as it is orthogonal to the axis, y, z
-/// along the axis.
-Matrix3d joint_rotation(const Vector3d& axis, const Vector3d& normal,
-                        const Value& where) {
-  constexpr double kParallel = 1e-3;  // radians
-  const Vector3d across = normal - normal.dot(axis) * axis;
-  if (across.norm() < kParallel) {
-    throw where.refusal("S006", "gives an axis parallel to the normal",
-                        "Give normal a direction across the axis.");
-  }
-  Matrix3d rotation;
-  rotation.col(0) = across.normalized();
-  rotation.col(1) = axis.cross(rotation.col(0));
-  rotation.col(2) = axis;
-  return rotation;
 }
 
 /// x exactly along the normal, z along the axis as far as it is across.
