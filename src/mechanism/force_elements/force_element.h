@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "mechanism/force_elements/bushing.h"
 #include "mechanism/force_elements/constant.h"
 #include "mechanism/force_elements/contact.h"
 #include "mechanism/force_elements/impedance.h"
@@ -15,8 +16,8 @@ namespace clevis::mechanism {
 
 /// Registry of the force elements. A kind has a name, a place in the scene,
 /// bodies(), properties() and place(); nothing else asks what kind it is.
-using ForceElement =
-    std::variant<LineElement, ContactElement, ImpedanceElement, ConstantForce>;
+using ForceElement = std::variant<LineElement, ContactElement, ImpedanceElement,
+                                  ConstantForce, BushingElement>;
 
 const std::string& name_of(const ForceElement& element);
 /// Where the scene gives it, file:line:column.

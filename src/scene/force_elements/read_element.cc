@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "mechanism/joints/joint_types.h"
+#include "scene/force_elements/read_bushing.h"
 #include "scene/force_elements/read_constant.h"
 #include "scene/force_elements/read_contact.h"
 #include "scene/force_elements/read_impedance.h"
@@ -95,6 +96,7 @@ constexpr ElementReader kReaders[] = {
     {"table", read_table, Needs::kAnyLine, true},
     {.type = "contact", .element = read_contact},
     {.type = "impedance", .element = read_impedance},
+    {.type = "bushing", .element = read_bushing},
     {"gas_cylinder", read_gas_cylinder, Needs::kAnyLine},
     {"motor", read_motor},
     {"servo", read_servo}};

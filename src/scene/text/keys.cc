@@ -99,7 +99,11 @@ constexpr Key kForce[] = {"name",
                           "damping_ratio",
                           "inertia",
                           "limit",
-                          "coupling"};
+                          "coupling",
+                          "angular_stiffness",
+                          "angular_damping",
+                          "axis_to",
+                          "normal_to"};
 constexpr Key kGasCoupling[] = {"step"};
 constexpr Key kGas[] = {"gas_constant", "specific_heat"};
 constexpr Key kGasState[] = {"pressure", "temperature"};
