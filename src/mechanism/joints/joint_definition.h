@@ -20,7 +20,8 @@ enum class JointType {
   kSpherical,
   kPlanar,
   kScrew,
-  kDistance
+  kDistance,
+  kPointOnLine
 };
 
 /// Frame J of a joint on one of its bodies: z is the joint axis (rotation,

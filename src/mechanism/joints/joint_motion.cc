@@ -44,6 +44,7 @@ std::optional<JointMotionKind> joint_motion_kind(JointType type, bool planar) {
     case JointType::kScrew:
       return Kind::kScrew;
     case JointType::kDistance:
+    case JointType::kPointOnLine:
       break;
   }
   return std::nullopt;

@@ -33,6 +33,7 @@ constexpr std::array kPlanarRows{JointRow{kT, 2}, JointRow{kR, 0},
 constexpr std::array kScrewRows{JointRow{kT, 0}, JointRow{kT, 1},
                                 JointRow{kR, 0}, JointRow{kR, 1},
                                 JointRow{JointRow::Kind::kScrew, 2}};
+constexpr std::array kPointOnLineRows{JointRow{kT, 1}, JointRow{kT, 0}};
 constexpr std::array kDistanceRows{JointRow{JointRow::Kind::kDistance, 0}};
 
 using Coordinate = JointCoordinate;
@@ -138,13 +139,21 @@ constexpr std::array kTypes{
                 .parameter = Parameter::kLength,
                 .in_plane = InPlane::kNoAxis,
                 .turns_about_z = false},
+    JointTraits{.type = JointType::kPointOnLine,
+                .name = "point_on_line",
+                .rows = kPointOnLineRows,
+                .rows_in_plane = 1,
+                .coordinates = kSlide,
+                .in_plane = InPlane::kAxisWithin,
+                .slide_directions = 1,
+                .turns_about_z = false},
 };
 
 constexpr bool is_in_order() {
   for (std::size_t k = 0; k < kTypes.size(); ++k) {
     if (static_cast<std::size_t>(kTypes[k].type) != k) return false;
   }
-  return static_cast<std::size_t>(JointType::kDistance) + 1 == kTypes.size();
+  return static_cast<std::size_t>(JointType::kPointOnLine) + 1 == kTypes.size();
 }
 static_assert(is_in_order(), "a row for each JointType, in its order");
 

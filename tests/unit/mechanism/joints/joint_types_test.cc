@@ -27,9 +27,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr JointType kTypes[] = {
-    JointType::kRevolute,  JointType::kPrismatic, JointType::kCylindrical,
-    JointType::kUniversal, JointType::kSpherical, JointType::kPlanar,
-    JointType::kScrew,     JointType::kWeld,      JointType::kDistance};
+    JointType::kRevolute,   JointType::kPrismatic, JointType::kCylindrical,
+    JointType::kUniversal,  JointType::kSpherical, JointType::kPlanar,
+    JointType::kScrew,      JointType::kWeld,      JointType::kDistance,
+    JointType::kPointOnLine};
 
 /// Numbers between −1 and 1, the same on every run.
 class Dice {
