@@ -50,6 +50,7 @@ BeamEstimate estimate(const mesh::PartMesh<3>& mesh,
                       std::optional<double> buckling_length = std::nullopt);
 
 /// The same for a part whose shape is given by other means than a mesh.
+/// @param buckling_length  as above [m].
 BeamEstimate estimate(const PartModel& model, const part::Material& material,
                       const part::MassProperties& mass,
                       const std::vector<loads::GroupGeometry>& groups,

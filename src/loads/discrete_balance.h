@@ -27,7 +27,7 @@ Wrench resultant(const GroupQuadrature& quadrature,
 class DiscreteBalance {
  public:
   /// @param quadrature  outlives this.
-  /// @param about       of the wrenches.
+  /// @param about       point of the wrenches, in L [m].
   DiscreteBalance(const GroupQuadrature& quadrature,
                   const Eigen::Vector3d& about);
 
@@ -36,7 +36,7 @@ class DiscreteBalance {
   /// @param wrench     wanted, in L.
   LinearTraction missing(const Wrench& wrench,
                          const Eigen::Matrix3Xd& tractions) const;
-  /// Adds it.
+  /// Adds it to the tractions [Pa].
   void correct(const Wrench& wrench, Eigen::Matrix3Xd& tractions) const;
 
  private:

@@ -42,6 +42,7 @@ class BearingTraction {
                              const Eigen::Matrix3Xd& outward) const {
     return tractions(WallPoints(bore_, points, outward));
   }
+  /// The same at one point p_LQ [m], outward a unit normal [Pa].
   Eigen::Vector3d traction(const Eigen::Vector3d& p_LQ,
                            const Eigen::Vector3d& outward_LQ) const;
 
@@ -68,6 +69,7 @@ class LinearTraction {
                  const Eigen::Matrix3d& second_moment, const Wrench& wrench,
                  const Eigen::Vector3d& about);
 
+  /// Traction at a point p_LQ [m], in L [Pa].
   Eigen::Vector3d traction(const Eigen::Vector3d& p_LQ) const;
 
  private:

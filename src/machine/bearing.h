@@ -85,7 +85,7 @@ struct BearingResult {
   std::vector<BearingWarning> warnings;
 };
 
-/// p of L10 = (C/P)^p: 3 for balls, 10/3 for rollers (ISO 281).
+/// Exponent p of L10 = (C/P)^p [1]: 3 for balls, 10/3 for rollers (ISO 281).
 double life_exponent(BearingKind kind);
 
 /// "ball", "roller".

@@ -23,7 +23,7 @@ UNIT = re.compile(
     rf"(?:{SYMBOL}(?!\w)|[2-6](?!\w)))*[\s)²³⁴⁵⁶⁻¹]*\]|\[[−-]?[01], ?1\]")
 # Words that say of numbers that they are pure, or carry the units of others.
 PURE = re.compile(
-    r"\b(relative|ratio|weights?|coefficients?|matrix|matrices|shape functions?"
+    r"\b(relative|ratio|pure numbers?|weights?|coefficients?|matrix|matrices|shape functions?"
     r"|unit (vectors?|normals?|length|axis|direction)|direction cosines"
     r"|SI|(in the )?units? of|scaled|orthonormal|reference (cell|coordinates))\b")
 
