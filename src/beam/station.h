@@ -21,10 +21,8 @@ class Station {
           MassMoments beyond);
 
   const Eigen::Vector3d& centroid() const { return centroid_; }  ///< in L [m]
-  const Eigen::Vector3d& normal() const {
-    return normal_;
-  }                                      ///< unit vector in L
-  double area() const { return area_; }  ///< [m²]
+  const Eigen::Vector3d& normal() const { return normal_; }      ///< in L [1]
+  double area() const { return area_; }                          ///< [m²]
   /// Smaller principal second moment [m⁴].
   double smallest_second_moment() const { return smallest_second_moment_; }
   const MassMoments& beyond() const { return beyond_; }

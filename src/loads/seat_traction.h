@@ -37,7 +37,7 @@ class BearingTraction {
   /// direction of the force: where it fills a bore, it presses on the wall on
   /// the side that the force points at.
   Eigen::Matrix3Xd tractions(const WallPoints& points) const;
-  /// @param points, outward  as of WallPoints.
+  /// The same [Pa]. @param points, outward  as of WallPoints.
   Eigen::Matrix3Xd tractions(const Eigen::Matrix3Xd& points,
                              const Eigen::Matrix3Xd& outward) const {
     return tractions(WallPoints(bore_, points, outward));

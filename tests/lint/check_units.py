@@ -20,12 +20,12 @@ SYMBOL = (r"(?:kg|km|mm|µm|m|N|rad|ms|µs|s|Pa|MPa|GPa|J|W|K|V|A|H|Wb|Hz|ohm|Ω
 # of pure numbers
 UNIT = re.compile(
     rf"\[\s*(?:1/)?\(?{SYMBOL}(?:(?:[\s/·(),;^²³⁴⁵⁶⁻¹]|\bor\b|\band\b)*"
-    rf"(?:{SYMBOL}(?!\w)|[2-6](?!\w)))*[\s)²³⁴⁵⁶⁻¹]*\]|\[[−-]?[01], ?1\]")
+    rf"(?:{SYMBOL}(?![a-zA-Z])|[2-6](?![a-zA-Z])))*[\s)²³⁴⁵⁶⁻¹]*\]|\[[−-]?[01], ?1\]")
 # Words that say of numbers that they are pure, or carry the units of others.
 PURE = re.compile(
-    r"\b(relative|ratio|pure numbers?|weights?|coefficients?|matrix|matrices|shape functions?"
-    r"|unit (vectors?|normals?|length|axis|direction)|direction cosines"
-    r"|SI|(in the )?units? of|scaled|orthonormal|reference (cell|coordinates))\b")
+    r"\b(SI|(?i:relative|ratio|pure numbers?|weights?|coefficients?|matrix|matrices"
+    r"|shape functions?|unit (vectors?|normals?|length|axis)|units of|orthonormal"
+    r"|reference (cell|coordinates)))\b")
 
 
 class Scope:

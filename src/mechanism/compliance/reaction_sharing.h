@@ -29,7 +29,7 @@ struct SharedReactions {
 };
 
 /// @param factor  of the Jacobian of `system` at `placed`.
-/// @param f       right-hand side, of ConstraintSystem::wrench_vector.
+/// @param f       right-hand side, of ConstraintSystem::wrench_vector [N].
 /// Source: docs/theory.md, "Reactions".
 SharedReactions share_reactions(const SolvingFrame& frame,
                                 const ConstraintSystem& system,

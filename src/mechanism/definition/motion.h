@@ -38,7 +38,7 @@ struct JointReaction {
   /// compliance is doubled or halved [N], [N m].
   std::array<double, 6> spread{};
 
-  /// Force, then moment, in frame J.
+  /// Force [N], then moment [N m], in frame J.
   Eigen::Matrix<double, 6, 1> components() const {
     Eigen::Matrix<double, 6, 1> w;
     w << R_WJ.transpose() * f_W, R_WJ.transpose() * t_W;

@@ -27,6 +27,7 @@ DriveTarget drive_target(const DriveDefinition& drive, double t,
                          BendSide side = BendSide::kStroke);
 
 /// Where drives change their speed in no time within a motion.
+/// @param duration  of the motion [s].
 std::vector<DriveJump> drive_jumps(const std::vector<DriveDefinition>& drives,
                                    double duration);
 

@@ -15,12 +15,14 @@
 namespace clevis::mechanism {
 
 /// Positions, rates, drives and elements of an integrated motion; no forces
-/// but the elements'. @pre dynamics.rate() at this state.
+/// but the elements'. @pre dynamics.rate() at this state and t [s].
+/// @param accelerations  by slot, of M, in P [m/s²], [rad/s²].
 Instant motion_at(const MechanismDefinition& definition,
                   const SolvingFrame& frame, const ForwardDynamics& dynamics,
                   double t, const std::vector<Twist>& accelerations);
 
-/// The change points that an integrated motion passes.
+/// The change points that an integrated motion passes. Times [s], states in the
+/// units of ForwardDynamics.
 class DynamicChangePoints {
  public:
   DynamicChangePoints(const MechanismDefinition& definition,

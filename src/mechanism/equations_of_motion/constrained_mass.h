@@ -44,7 +44,6 @@ class ConstrainedMass {
 
   /// Where J has the rows of a tree alone they need no more than that.
   /// @param links  of tree_links(), may be empty.
-
   void set_tree(std::vector<TreeLink> links, int width);
   TreeMass* tree() { return tree_ ? &*tree_ : nullptr; }
   /// `part` F of the columns of a body.

@@ -19,7 +19,8 @@ namespace clevis::mechanism {
 /// its centre of mass, so that the mass matrix is block diagonal.
 SolvingFrame frame_at_centres(const MechanismDefinition& definition);
 
-/// q' = (0, half) q of a quaternion x, y, z, w that turns at twice that rate.
+/// q' = (0, half) q [1/s] of a quaternion x, y, z, w that turns at twice the
+/// angular velocity `half` [rad/s].
 inline Eigen::Vector4d quaternion_rate(const Eigen::Vector4d& q,
                                        const Eigen::Vector3d& half) {
   Eigen::Vector4d rate;
@@ -28,7 +29,8 @@ inline Eigen::Vector4d quaternion_rate(const Eigen::Vector4d& q,
   return rate;
 }
 
-/// What two bodies weigh at their contact, along its normal; see Impact.
+/// Masses of two bodies reduced to their contact, along its normal; see
+/// Impact [kg], [N], or [kg m²], [N m] of a stop that turns.
 struct ContactInertia {
   double mass_a{}, mass_b{}, mass{};
   double force{};
@@ -36,9 +38,10 @@ struct ContactInertia {
 
 /// Equations of motion of a mechanism with free coordinates.
 ///
-/// State y: positions of the bodies (planar: x, y, length × angle; spatial:
-/// position and quaternion), their velocities (unknowns of the constraint
-/// system), internal states of forces, the work of all forces since the start.
+/// State y: positions of the bodies (planar: x, y, length × angle [m]; spatial:
+/// position [m] and quaternion [1]), their velocities (unknowns of the
+/// constraint system, [m/s]), internal states of forces [SI], the work of all
+/// forces since the start [J]. Times are in seconds [s].
 /// Drives are constraints that move. The rotor of a motor adds an unknown, its
 /// speed at the joint times the length, and the row that ties it to the joint;
 /// it is no state.
@@ -98,14 +101,15 @@ class ForwardDynamics : public numerics::OdeSystem {
   /// The same; computes no accelerations unless efforts that hold lines count.
   void guard_values(double t, const Eigen::VectorXd& y,
                     Eigen::VectorXd& values);
-  /// A step that does not leap over what forces do next [s]; 0: any.
+  /// Upper bound of the first step so that the Stribeck zone of sliding
+  /// friction is resolved [s]; 0: unbounded.
   double first_step(double t, const Eigen::VectorXd& y);
   ForceModel& forces() { return forces_; }
   const ForceModel& forces() const { return forces_; }
   AppliedLoads& applied() { return applied_; }
   /// The forces alone, without what they make of the motion.
   void evaluate_forces(double t, const Eigen::VectorXd& y);
-  /// Of a contact or an end of a stop, as of the last rate().
+  /// Inertia at a contact or an end of a stop, as of the last rate().
   ContactInertia contact_inertia(std::size_t element, int end);
 
   /// Moves positions and velocities, by the least mass norm, onto the
@@ -128,7 +132,7 @@ class ForwardDynamics : public numerics::OdeSystem {
 
   /// When force elements communicate with the mechanism next [s].
   double next_communication() const { return forces_.next_communication(); }
-  /// Lets those do so whose time it is.
+  /// Lets the force elements communicate whose time has come.
   void communicate(double t, const Eigen::VectorXd& y);
 
   /// Configuration and twists of a state.
@@ -142,7 +146,7 @@ class ForwardDynamics : public numerics::OdeSystem {
   void anchor_turns(double t, const Configuration& x);
   /// Whether nothing but joints, drives and rotors holds the bodies now.
   bool has_joints_alone() const;
-  /// What drive k is to do at t.
+  /// Coordinate, rate and acceleration that drive k prescribes at t.
   DriveTarget target(std::size_t k, double t) const;
   bool is_planar() const { return planar_; }
 
@@ -151,8 +155,9 @@ class ForwardDynamics : public numerics::OdeSystem {
   /// The same with quaternions, which planar motions do without.
   Configuration whole_configuration() const;
   const std::vector<Twist>& twists() const { return twists_; }
+  /// Of the unknowns [m/s²].
   const Eigen::VectorXd& accelerations() const { return acceleration_; }
-  /// By row of system(), scaled as it is.
+  /// By row of system(), scaled as it is [N].
   const Eigen::VectorXd& multipliers() const { return lambda_; }
   const ConstrainedMass& mass() const { return mass_; }
 
@@ -173,9 +178,10 @@ class ForwardDynamics : public numerics::OdeSystem {
   /// @return nothing where no regular branch leads on.
   std::optional<BranchMotion> branch_motion(double t, const Eigen::VectorXd& y,
                                             int freedom);
+  /// Of all bodies [J].
   double kinetic_energy(const Eigen::VectorXd& y);
-  double length() const { return length_; }  ///< of the mechanism [m]
-  double tolerance() const { return tolerance_; }
+  double length() const { return length_; }        ///< of the mechanism [m]
+  double tolerance() const { return tolerance_; }  ///< over length() [1]
   /// Of unknowns, for scales() [m/s].
   double speed_scale() const { return speed_ > 0.0 ? speed_ : length_; }
   /// Fills the rates of the positions alone.

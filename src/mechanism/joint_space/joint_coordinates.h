@@ -12,7 +12,8 @@
 namespace clevis::mechanism {
 
 /// Coordinates of the joints of a tree: every body by the joint on which it
-/// hangs, and free ones by their own placement.
+/// hangs, and free ones by their own placement. Coordinates are in [m], [rad],
+/// of quaternions [1]; velocities in [m/s] and [rad/s].
 class JointCoordinates {
  public:
   struct Link {

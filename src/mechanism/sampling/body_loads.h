@@ -12,7 +12,9 @@ namespace clevis::mechanism {
 /// The loads of a mechanism as its bodies feel them, as one list of numbers:
 /// forces and moments of joints, drives, couplings and elements and what
 /// inertia needs, in the frame of each body that they act on. A body that
-/// spins along with its loads feels none of them change.
+/// spins along with its loads feels none of them change. Forces are in [N],
+/// moments in [N m], angular accelerations and squares of angular velocities
+/// times √(tr I · m) in [N].
 class BodyLoads {
  public:
   /// Numbers that belong together.
