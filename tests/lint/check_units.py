@@ -24,7 +24,7 @@ UNIT = re.compile(
 # Words that say of numbers that they are pure, or carry the units of others.
 PURE = re.compile(
     r"\b(SI|(?i:relative|ratio|pure numbers?|weights?|coefficients?|matrix|matrices"
-    r"|shape functions?|unit (vectors?|normals?|length|axis)|units of|orthonormal"
+    r"|shape functions?|unit (vectors?|normals?|length|axis)|units? of|orthonormal"
     r"|reference (cell|coordinates)))\b")
 
 
