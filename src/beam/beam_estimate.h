@@ -23,7 +23,8 @@ struct BeamStress {
   bool is_section = false;
 };
 
-/// What beam and lug theory say of a part (docs/theory.md, "Beams and lugs").
+/// Stresses, deflection and buckling of a part by beam and lug theory
+/// (docs/theory.md, "Beams and lugs").
 struct BeamEstimate {
   std::vector<BeamStress> stresses;  ///< sorted, the governing one first
   double deflection{};               ///< relative to the first two pins [m]

@@ -40,7 +40,7 @@ StruckBar simple_beam(const part::Material& material, const BarSection& section,
 StruckBar rod(const part::Material& material, const BarSection& section,
               double length);
 
-/// What strikes.
+/// A striker at the moment of touch.
 struct Blow {
   double mass{};   ///< of the striker, reduced to the place [kg]
   double speed{};  ///< towards the bar [m/s]

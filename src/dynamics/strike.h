@@ -12,7 +12,7 @@
 
 namespace clevis::dynamics {
 
-/// How the struck body moves in time.
+/// Method by which the struck body is integrated in time.
 enum class Route {
   kAuto,    ///< modal, damped where the shapes do not suffice
   kDirect,  ///< all equations by the midpoint rule, or the damping scheme

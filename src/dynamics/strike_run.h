@@ -39,7 +39,7 @@ struct StrikeRun {
 StrikeRun run_strike(StruckBody& body, const loads::Strike& strike,
                      double duration, int samples, int stride);
 
-/// How far two runs with the same samples are apart [1]: largest of contact
+/// Difference of two runs with the same samples [1]: largest of contact
 /// displacement, impulse and strain energy over their largest, and of the peak
 /// force.
 double difference(const StrikeRun& a, const StrikeRun& b);

@@ -18,7 +18,7 @@ class StruckBody {
 
   /// @param step  [s]; factors or sines are made once for each.
   virtual void set_step(double step) = 0;
-  /// What a unit force over a step adds to y at its end [m/N].
+  /// Change of y at the end of a step per force over it [m/N].
   virtual double compliance() const = 0;
   /// y at the end of the next step without a force [m].
   virtual double free_contact() = 0;

@@ -31,7 +31,7 @@ class DiscreteBalance {
   DiscreteBalance(const GroupQuadrature& quadrature,
                   const Eigen::Vector3d& about);
 
-  /// What must be added for the wrench to be reached to round-off.
+  /// Traction to be added so that the wrench is reached to round-off [Pa].
   /// @param tractions  [Pa], one column per point.
   /// @param wrench     wanted, in L.
   LinearTraction missing(const Wrench& wrench,

@@ -11,7 +11,7 @@
 
 namespace clevis::loads {
 
-/// What pins can do to the part that they hold, each in five components: force
+/// Reactions of pins on the part that they hold, each in five components: force
 /// along three axes, the last the pin's own, moment about the first two. None
 /// takes a moment about its own axis.
 class PinReactions {
@@ -53,7 +53,7 @@ PinReactions pins_in(const std::vector<std::string>& bores,
                      const std::vector<GroupGeometry>& groups, double size,
                      const std::string& place);
 
-/// Lets pins hold the part: adds a bearing seat for each, whose reaction
+/// Supports the part by pins: adds a bearing seat for each, whose reaction
 /// balances the loads; of those that balance leaves open the least.
 /// @param size     of the part [m].
 /// @param history  its seats so far; those of the pins are appended.

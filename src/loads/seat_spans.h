@@ -30,8 +30,8 @@ Interval extent(const Eigen::Matrix3Xd& points,
 /// Points that span a group, in L [m]; of a cylinder the ends of its axis.
 Eigen::Matrix3Xd spanning_points(const GroupGeometry& group);
 
-/// What is known of where a joint touches one of its bodies, in the joint's
-/// frame J there.
+/// Known extent of a joint's contact on one of its bodies, in the joint's frame
+/// J there.
 struct SeatSpan {
   Eigen::Matrix3Xd points_J;  ///< of the body's own seat; none: not known [m]
   bool is_cylinder = false;

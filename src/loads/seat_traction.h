@@ -7,7 +7,7 @@
 
 namespace clevis::loads {
 
-/// How points of a wall lie on their cylinder, whatever presses there.
+/// Points of a wall in coordinates of their cylinder, whatever presses there.
 struct WallPoints {
   /// @param points   p_LQ [m], one a column, on the cylinder.
   /// @param outward  the part's outward unit normals: the pin lies on that

@@ -16,7 +16,7 @@
 
 namespace clevis::part {
 
-/// What the user allows the part.
+/// Limits that the user sets for the part.
 struct Limits {
   std::optional<double> safety_factor;  ///< yield strength / peak, >= this [1]
   std::optional<double> deflection;     ///< [m], <= this

@@ -13,11 +13,11 @@ struct DriveTarget {
   double acceleration{};  ///< [m/s²] or [rad/s²]
 };
 
-/// How to read a law at a time where it bends: as in its stroke, or as just
-/// before or behind that time.
+/// Side from which a law is read at a time where it bends: as in its stroke, or
+/// as just before or behind that time.
 enum class BendSide { kStroke, kBefore, kBehind };
 
-/// What the drive prescribes at time t [s].
+/// Coordinate and rates that the drive prescribes at time t [s].
 ///
 /// Constant: `from`. Ramp: linear, quintic: 10 s³ − 15 s⁴ + 6 s⁵, from `from`
 /// to `to` over [start, start + duration], at rest outside of it. Sine: at

@@ -51,7 +51,7 @@ class DynamicChangePoints {
 
   /// Rank of the Jacobian at general positions.
   int rank() const { return rank_; }
-  /// What J leaves open just at a change point.
+  /// Accelerations and forces at a change point, where J leaves them open.
   struct OnBranch {
     std::vector<Twist> accelerations;
     /// Of joints that give way; nothing if these do not hold the loads.
@@ -60,7 +60,7 @@ class DynamicChangePoints {
   /// @return nothing where no regular branch leads on.
   std::optional<OnBranch> on_branch(double t, const Eigen::VectorXd& y);
 
-  /// Those found, each between the instants before and behind it.
+  /// The change points found, each between the instants before and behind it.
   std::vector<ChangePoint> among(const std::vector<Instant>& instants) &&;
 
  private:

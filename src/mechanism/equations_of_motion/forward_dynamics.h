@@ -59,8 +59,8 @@ class ForwardDynamics : public numerics::OdeSystem {
                      Eigen::VectorXd& weights) const override;
   void scales(const Eigen::VectorXd& y, Eigen::VectorXd& scales) const override;
 
-  /// What joints and drives leave open of positions and of velocities, and
-  /// internal states.
+  /// Positions and velocities that joints and drives leave open, and internal
+  /// states.
   Eigen::Index tangents(double t, const Eigen::VectorXd& y,
                         Eigen::MatrixXd& T) override;
   /// Axes of each body.

@@ -10,8 +10,8 @@
 
 namespace clevis::mechanism {
 
-/// What acts on the bodies of a mechanism beside its joints and drives:
-/// weight and force elements. None of it allocates.
+/// Loads on the bodies of a mechanism beside those of joints and drives: weight
+/// and force elements. None of it allocates.
 class AppliedLoads {
  public:
   /// @param frame  referred to the bodies' centres of mass.

@@ -52,7 +52,7 @@ struct PlacedJoint {
   /// about z leave out that turn.
   Eigen::Vector3d rotation_error() const;
 
-  /// How far b is displaced against a in this row: [m] or [rad].
+  /// Displacement of b against a in this row: [m] or [rad].
   double displacement(const JointRow& row) const;
 
   /// Force and moment on b at its J per unit multiplier of the row.

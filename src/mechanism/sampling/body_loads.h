@@ -35,8 +35,8 @@ class BodyLoads {
   Eigen::VectorXd of(const Instant& instant) const;
   /// Lengths of the vectors.
   Eigen::VectorXd lengths(const Eigen::VectorXd& values) const;
-  /// What counts as a large change of each: its largest length, but a small
-  /// part of all that its bodies feel at least.
+  /// Scale of a change of each vector: its largest length, but at least 1e-4 of
+  /// the largest load on its bodies.
   /// @param largest  lengths over the motion.
   Eigen::VectorXd scales(const Eigen::VectorXd& largest) const;
 

@@ -24,7 +24,7 @@ class LoadList {
   Eigen::Index size() const {
     return static_cast<Eigen::Index>(vector_of_.size());
   }
-  /// How many vectors: forces and moments of joints, efforts of drives and
+  /// Number of vectors: forces and moments of joints, efforts of drives and
   /// elements, in this order.
   Eigen::Index vectors() const { return vectors_; }
   Eigen::Index force_of_joint(int j) const { return 2 * j; }
