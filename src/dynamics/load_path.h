@@ -39,8 +39,8 @@ class LoadPath {
   Eigen::MatrixXd start_, end_;  ///< slopes per interval
 };
 
-/// The path without every second instant of each smooth piece: what it does
-/// differently tells what lies between the instants.
+/// The path without every second instant of each smooth piece: its difference
+/// estimates the error of interpolation.
 LoadPath thinned(const LoadPath& path);
 
 }  // namespace clevis::dynamics

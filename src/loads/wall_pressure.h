@@ -17,7 +17,7 @@ namespace clevis::loads {
 /// or the other by its sign, so that a body that tilts presses at both ends.
 ///
 /// Components that normal pressures cannot carry (along the walls) are left
-/// out, as is round-off; `correction` carries both.
+/// out, as is round-off: DiscreteBalance adds both.
 /// @param outward  the part's unit normals at the points.
 /// @param wrench   on the part, about `about`, in L.
 /// @return tractions on the part [Pa]; nothing if the walls would have to pull.

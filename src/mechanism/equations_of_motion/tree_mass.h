@@ -17,8 +17,8 @@ struct TreeLink {
   std::vector<int> rows;
 };
 
-/// Bodies that hang on one another alone, each by its joint and its drives:
-/// outer ones first. Empty if couplings or loops tie them otherwise.
+/// Links of a tree, each body tied to its parent by one joint and its drives:
+/// outer ones first. Empty if couplings or loops tie the bodies otherwise.
 /// @param joint_of_row  by row of the constraint system.
 std::vector<TreeLink> tree_links(const SolvingFrame& frame,
                                  const std::vector<int>& joint_of_row);

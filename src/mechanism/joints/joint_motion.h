@@ -9,7 +9,7 @@
 
 namespace clevis::mechanism {
 
-/// Relative motion of b against a, as coordinates of a joint tell it.
+/// Relative motion of b against a, in the coordinates of a joint.
 enum class JointMotionKind {
   kFixed,
   kTurn,   ///< about z

@@ -43,7 +43,7 @@ class OdeSystem {
                          Eigen::Ref<Eigen::VectorXd> /*v*/) const {}
   /// From now on laws that bend within a small change of the state act by
   /// their tangents at (t, y): differences of rate() over steps of any length
-  /// tell its derivative. Until release_tangents().
+  /// give its derivative. Until release_tangents().
   virtual void hold_tangents(double /*t*/, const Eigen::VectorXd& /*y*/) {}
   virtual void release_tangents() {}
 
