@@ -68,6 +68,7 @@ struct StrikeSolution {
   bool is_ideal = false;
   bool within_tolerance = false;
 
+  /// Sum of both errors [1].
   double error() const { return time_error + mode_error; }
 };
 

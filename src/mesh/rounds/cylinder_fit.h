@@ -18,7 +18,8 @@ struct CylinderFit {
 /// taken from the normals. An axis that is a coordinate axis within the
 /// accuracy of the points becomes exactly that.
 ///
-/// @param normals  of facets between the points; length is their weight.
+/// @param points   of the surface, in L [m].
+/// @param normals  of facets between the points; lengths are their weights.
 /// @param place    group, for messages.
 /// @throws Error M009 if normals or points do not determine a cylinder.
 CylinderFit fit_cylinder(const Eigen::Matrix3Xd& points,
