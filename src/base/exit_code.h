@@ -2,7 +2,7 @@
 
 namespace clevis {
 
-/// What a process of clevis returns (README, "Exit codes").
+/// Exit code of a process of clevis (README, "Exit codes").
 enum class ExitCode {
   kPass = 0,
   kLimitExceeded = 1,

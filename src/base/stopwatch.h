@@ -7,7 +7,7 @@ namespace clevis {
 /// Wall-clock time between calls.
 class Stopwatch {
  public:
-  /// Seconds since the last call, or since construction.
+  /// Time since the last call, or since construction [s].
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     const double seconds = std::chrono::duration<double>(now - last_).count();

@@ -23,7 +23,8 @@ struct BeamStress {
   bool is_section = false;
 };
 
-/// What beam and lug theory say of a part (docs/theory.md, "Beams and lugs").
+/// Stresses, deflection and buckling of a part by beam and lug theory
+/// (docs/theory.md, "Beams and lugs").
 struct BeamEstimate {
   std::vector<BeamStress> stresses;  ///< sorted, the governing one first
   double deflection{};               ///< relative to the first two pins [m]
@@ -50,6 +51,7 @@ BeamEstimate estimate(const mesh::PartMesh<3>& mesh,
                       std::optional<double> buckling_length = std::nullopt);
 
 /// The same for a part whose shape is given by other means than a mesh.
+/// @param buckling_length  as above [m].
 BeamEstimate estimate(const PartModel& model, const part::Material& material,
                       const part::MassProperties& mass,
                       const std::vector<loads::GroupGeometry>& groups,

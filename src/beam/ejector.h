@@ -18,7 +18,7 @@ struct EjectorFormulas {
   Formula drive = Formula::kCorrected;
 };
 
-/// What the lever brings to the workpiece.
+/// Mass, force and speed of the lever at the workpiece.
 struct EjectorDrive {
   double pusher_mass{};   ///< J_C/CB² [kg]
   double pusher_force{};  ///< of magnet and spring at the blow [N]

@@ -5,7 +5,8 @@ namespace clevis::beam {
 /// Critical force of a straight column hinged at both ends,
 /// F = π² E I / l² [N].
 ///
-/// Elastic, straight, uniform section; I is the smallest second moment.
+/// Elastic, straight, uniform section. Young's modulus E [Pa], smallest second
+/// moment I [m⁴], length l [m].
 /// Source: docs/theory.md, "Buckling".
 double euler_load(double youngs_modulus, double second_moment, double length);
 
@@ -13,10 +14,10 @@ double euler_load(double youngs_modulus, double second_moment, double length);
 /// internal pressure, ends free (σ_z = 0).
 ///
 /// Lamé: σ_θ = p (b² + a²)/(b² − a²), σ_r = −p.
-/// @param inner  a [m].  @param outer  b > a [m].
+/// @param pressure  p [Pa]. @param inner  a [m].  @param outer  b > a [m].
 double lame_equivalent_stress(double pressure, double inner, double outer);
 
-/// √(σ² + 3τ²) [Pa].
+/// √(σ² + 3τ²) [Pa] of a normal stress σ and a shear stress τ [Pa].
 double equivalent_stress(double normal, double shear);
 
 }  // namespace clevis::beam

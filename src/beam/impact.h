@@ -17,7 +17,7 @@ struct StruckBar {
   double stiffness{};         ///< force per deflection of that place [N/m]
   double stress_per_force{};  ///< largest nominal stress per force [1/m²]
   double mass{};              ///< of the bar [kg]
-  double mass_part{};  ///< of it that counts at that place: 33/140, 17/35, 1/3
+  double mass_part{};         ///< κ at that place [1]: 33/140, 17/35, 1/3
 };
 
 /// Section of a bar in the plane of bending.
@@ -26,27 +26,28 @@ struct BarSection {
   double second_moment{};    ///< I [m⁴]
   double section_modulus{};  ///< W [m³]
 };
+/// Section of a round bar; diameter [m].
 BarSection round_section(double diameter);
 
-/// Struck at its free end: 3 E I/h³. As published 1/h³ E I: the factor 3 of
-/// the deflection is missing (I-yst).
+/// Struck at its free end, h the length [m]: 3 E I/h³. As published 1/h³ E I:
+/// the factor 3 of the deflection is missing (I-yst).
 StruckBar cantilever(const part::Material& material, const BarSection& section,
                      double length, Formula deflection = Formula::kCorrected);
-/// Struck in the middle between hinges: 48 E I/l³.
+/// Struck in the middle between hinges, l their distance [m]: 48 E I/l³.
 StruckBar simple_beam(const part::Material& material, const BarSection& section,
                       double length);
-/// Struck along its axis, the far end held: E A/l.
+/// Struck along its axis, the far end held, l the length [m]: E A/l.
 StruckBar rod(const part::Material& material, const BarSection& section,
               double length);
 
-/// What strikes.
+/// A striker at the moment of touch.
 struct Blow {
   double mass{};   ///< of the striker, reduced to the place [kg]
   double speed{};  ///< towards the bar [m/s]
   double force{};  ///< that goes on pushing the striker [N]; < 0 pulls it back
 };
 
-/// What beam theory says of a blow.
+/// Deflection and stress of a bar under a blow by beam theory.
 struct BarImpact {
   double static_deflection{},
       static_stress{};           ///< by the force alone [m], [Pa]
@@ -64,12 +65,12 @@ struct BarImpact {
 BarImpact impact(const StruckBar& bar, const Blow& blow,
                  StruckMass struck_mass = StruckMass::kLeftOut);
 
-/// The same, to the deflection at time t: exact for a bar without mass,
+/// Deflection [m] at a time [s] after the touch: exact for a bar without mass,
 /// y_st (1 − cos ωt) + (V/ω) sin ωt, ω² = k/m.
 double deflection_at(const StruckBar& bar, const Blow& blow, double time);
 
-/// Largest speed at which the stress of impact() stays within a limit [m/s];
-/// 0 if the force alone exceeds it.
+/// Largest speed at which impact() stays within a limit of stress [m/s]; 0 if
+/// the force alone exceeds it. @param stress  the limit [Pa].
 double largest_speed(const StruckBar& bar, const Blow& blow, double stress,
                      StruckMass struck_mass = StruckMass::kLeftOut);
 

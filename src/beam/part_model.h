@@ -20,7 +20,7 @@ struct Lump {
 /// Where a plane meets the part's surface.
 using Outline = std::vector<std::array<Eigen::Vector3d, 2>>;
 
-/// What beam theory needs to know of a part's shape, all in L.
+/// Shape of a part as beam theory needs it; points in L [m].
 struct PartModel {
   std::function<mesh::Section(const Eigen::Vector3d& point,
                               const Eigen::Vector3d& normal)>

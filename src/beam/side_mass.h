@@ -22,7 +22,8 @@ struct MassMoments {
 
 MassMoments moments_of(const part::MassProperties& mass);
 
-/// Force and moment about Lo of the inertia of that material (d'Alembert).
+/// Force [N] and moment [N m] about Lo of the inertia of that material
+/// (d'Alembert).
 loads::Wrench inertia_of(const MassMoments& moments,
                          const loads::RigidAcceleration& rigid);
 
@@ -32,6 +33,7 @@ loads::Wrench inertia_of(const MassMoments& moments,
 /// Lumps go to the side of their middle; what they miss of the exact mass
 /// properties is spread in proportion to the mass, so that the moments of
 /// both sides add up to those of the part exactly.
+/// @param direction  unit vector in L. @param positions  from Lo [m].
 std::vector<MassMoments> moments_beyond(const std::vector<Lump>& lumps,
                                         const part::MassProperties& mass,
                                         const Eigen::Vector3d& direction,

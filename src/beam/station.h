@@ -15,19 +15,19 @@ namespace clevis::beam {
 /// A section of the part with what is needed to evaluate it at every instant.
 class Station {
  public:
-  /// @param point, normal  the plane; normal is a unit vector in L.
+  /// @param normal  of the section's plane, a unit vector in L.
   /// @param beyond  the material on the side that the normal points at.
   Station(const mesh::Section& section, const Eigen::Vector3d& normal,
           MassMoments beyond);
 
-  const Eigen::Vector3d& centroid() const { return centroid_; }
-  const Eigen::Vector3d& normal() const { return normal_; }
-  double area() const { return area_; }
+  const Eigen::Vector3d& centroid() const { return centroid_; }  ///< in L [m]
+  const Eigen::Vector3d& normal() const { return normal_; }      ///< in L [1]
+  double area() const { return area_; }                          ///< [m²]
   /// Smaller principal second moment [m⁴].
   double smallest_second_moment() const { return smallest_second_moment_; }
   const MassMoments& beyond() const { return beyond_; }
 
-  /// g [1/m] times E: the stress gradient that a bending moment [N m] causes,
+  /// Stress gradient g [Pa/m] that a bending moment [N m] causes,
   /// σ(r) = g · r, r from the centroid: ∫ r × (n g·r) dA = M.
   Eigen::Vector3d bending_gradient(const Eigen::Vector3d& moment) const;
 
@@ -55,13 +55,15 @@ struct LoadsBeyond {
 };
 
 /// Seats by their reference point, surface loads by their group's centroid.
+/// @param point  of the plane, in L [m]. @param normal  points beyond it.
 LoadsBeyond loads_beyond(const loads::LoadHistory& history,
                          const std::vector<loads::GroupGeometry>& groups,
                          const Eigen::Vector3d& point,
                          const Eigen::Vector3d& normal);
 
-/// Force and moment (about the centroid) through a section at an instant: of
-/// all loads and inertia beyond it. Tension is a force along the normal.
+/// Force [N] and moment about the centroid [N m] through a section at an
+/// instant: of all loads and inertia beyond it. Tension is a force along the
+/// normal.
 loads::Wrench section_force(const loads::LoadHistory& history,
                             const loads::InstantLoad& instant,
                             const LoadsBeyond& beyond, const Station& station);

@@ -32,6 +32,7 @@ struct HeadOn {
   double force{};      ///< [N]
   double stiffness{};  ///< force over approach [N/m]
 };
+/// @param energy  of the striker, ½ m v² [J].
 HeadOn head_on(const loads::ContactSpring& spring, double energy);
 
 }  // namespace clevis::dynamics

@@ -20,14 +20,14 @@ struct DampedScheme {
   static constexpr double kPole = 0.57281606248213;  ///< γ
   static constexpr int kStages = 4;
 
-  /// a_1 … a_4.
+  /// Weights a_1 … a_4 [1].
   static const std::array<double, kStages>& weights();
 
-  /// R(i y) for y >= 0.
+  /// R(i y) for the phase y = ω h >= 0 of a step [rad].
   static std::complex<double> amplification(double phase);
 
-  /// The same over a part of the step: R(i y)^part on the branch that is next
-  /// to e^(i y part).
+  /// The same over a part of the step [1]: R(i y)^part on the branch that is
+  /// next to e^(i y part).
   static std::complex<double> amplification(double phase, double part);
 };
 

@@ -27,6 +27,7 @@ struct ReducedModel {
 /// Source: Wilson, Yuan & Dickens, Earthq. Eng. Struct. Dyn. 10 (1982) 813-821.
 class ExcitedShapes {
  public:
+  /// @param load  c, per unit of force [1].
   ExcitedShapes(const LinearSystem& system, const Eigen::VectorXd& load);
 
   /// cᵀ (K + s M)⁻¹ c, s = 0 for held bodies [m/N].

@@ -14,7 +14,7 @@ struct LoadAnswer {
   Eigen::VectorXd energy;  ///< Σ ½ (w'² + ω² w²): of the vibration [J]
 };
 
-/// What modes add to the quasi-static answer u = U c(t).
+/// Vibration of modes about the quasi-static answer u = U c(t).
 ///
 /// M u'' + K u = f with K U c = f has u = U c + Φ w, and for M-orthonormal
 /// modes without rigid motion

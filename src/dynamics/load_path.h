@@ -8,7 +8,8 @@ namespace clevis::dynamics {
 /// known: on each interval the cubic with the slopes of Fritsch & Butland,
 /// which never leaves the values at its ends and whose slope has no jump.
 /// Instants next to one another closer than `jump` are the two sides of an
-/// event; there the coordinates jump, and nothing lies between.
+/// event; there the coordinates jump, and nothing lies between. Times are in
+/// seconds [s], values in the units of the caller.
 ///
 /// Source: Fritsch & Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300-304.
 class LoadPath {
@@ -26,7 +27,7 @@ class LoadPath {
   /// a1, a2, a3; zero where the coordinates jump.
   Eigen::MatrixXd cubic(Eigen::Index i) const;
   bool is_jump(Eigen::Index i) const;
-  /// Slope that interval i has at its end [1/s].
+  /// Slope that interval i has at its end, per second.
   Eigen::VectorXd end_slope(Eigen::Index i) const { return end_.col(i); }
 
  private:
@@ -38,8 +39,8 @@ class LoadPath {
   Eigen::MatrixXd start_, end_;  ///< slopes per interval
 };
 
-/// The path without every second instant of each smooth piece: what it does
-/// differently tells what lies between the instants.
+/// The path without every second instant of each smooth piece: its difference
+/// estimates the error of interpolation.
 LoadPath thinned(const LoadPath& path);
 
 }  // namespace clevis::dynamics

@@ -16,7 +16,7 @@ namespace clevis::dynamics {
 /// Source: Wilson, Yuan & Dickens, Earthq. Eng. Struct. Dyn. 10 (1982) 813-821.
 class LoadShapes {
  public:
-  /// @param answers  static displacements, equations × loads.
+  /// @param answers  static displacements [m], equations × loads.
   LoadShapes(const LinearSystem& system, const Eigen::MatrixXd& answers);
 
   struct Shapes {

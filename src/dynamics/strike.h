@@ -12,7 +12,7 @@
 
 namespace clevis::dynamics {
 
-/// How the struck body moves in time.
+/// Method by which the struck body is integrated in time.
 enum class Route {
   kAuto,    ///< modal, damped where the shapes do not suffice
   kDirect,  ///< all equations by the midpoint rule, or the damping scheme
@@ -62,16 +62,17 @@ struct StrikeSolution {
   double rise_time{};           ///< of the contact force, modal route [s]
   double contact_compliance{};  ///< static, of the body alone [m/N]
   std::string reason;           ///< why this route
-  double contact_stiffness{};   ///< of the spring that was computed
+  double contact_stiffness{};   ///< of the spring computed [N/m^exponent]
   /// The contact was infinitely stiff: a spring of 1000 times the body's own
   /// stiffness was put in its place.
   bool is_ideal = false;
   bool within_tolerance = false;
 
+  /// Sum of both errors [1].
   double error() const { return time_error + mode_error; }
 };
 
-/// @param contact  c: its product with u is the displacement of the contact.
+/// @param contact  c [1]: cᵀu is the displacement of the contact [m].
 /// @param place    entity for messages ("part DCE").
 /// @throws Error F002; F005 for a strike without mass, spring or way.
 StrikeSolution solve_strike(const LinearSystem& system,
@@ -80,7 +81,7 @@ StrikeSolution solve_strike(const LinearSystem& system,
                             const StrikeOptions& options,
                             const std::string& place);
 
-/// The same on shapes that are there, of `system` and `contact`: those of
+/// The same on shapes that are there, of `system` and `contact` [1]: those of
 /// strikes before are not made again.
 StrikeSolution solve_strike(const LinearSystem& system,
                             const Eigen::VectorXd& contact,
@@ -90,7 +91,8 @@ StrikeSolution solve_strike(const LinearSystem& system,
 
 /// Whether values of ever finer models (degrees or meshes doubled) do not
 /// settle: the last change is above 1 % and not clearly below the one before,
-/// as of the root stress under an ideal velocity step.
+/// as of the root stress under an ideal velocity step. Only relative changes
+/// count.
 bool grows_with_refinement(const std::vector<double>& values);
 
 }  // namespace clevis::dynamics

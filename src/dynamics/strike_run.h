@@ -34,12 +34,12 @@ struct StrikeRun {
 /// round-off, whatever the step (Gonzalez, J. Nonlinear Sci. 6 (1996) 449-467;
 /// for contact Laursen & Chawla, Int. J. Numer. Meth. Eng. 40 (1997)
 /// 863-886).
-/// @param samples  after t = 0.
+/// @param duration  from t = 0 [s]. @param samples  after t = 0.
 /// @param stride   steps from one sample to the next.
 StrikeRun run_strike(StruckBody& body, const loads::Strike& strike,
                      double duration, int samples, int stride);
 
-/// How far two runs with the same samples are apart [1]: largest of contact
+/// Difference of two runs with the same samples [1]: largest of contact
 /// displacement, impulse and strain energy over their largest, and of the peak
 /// force.
 double difference(const StrikeRun& a, const StrikeRun& b);

@@ -14,6 +14,7 @@ double strike_duration(const loads::Strike& strike, double compliance,
                        double first_square);
 
 /// Steps per sample so that the striker alone on its contact is resolved.
+/// @param duration  of all samples [s].
 int contact_stride(const loads::Strike& strike, double duration, int samples);
 
 /// Whether the steps of `run` carry the rise of the contact force. Longer ones
@@ -24,9 +25,9 @@ int contact_stride(const loads::Strike& strike, double duration, int samples);
 bool carries_rise(const StruckBody& body, const loads::Strike& strike,
                   const StrikeRun& run, int steps, bool is_direct);
 
-/// Time in which the contact force rises against a body at rest, until its own
-/// doing turns it: of a rod Z/k, Z = A √(E ρ), of a light striker √(2 m/k) [s].
-/// @param longest  that is looked at [s].
+/// Rise time of the contact force against a body initially at rest [s].
+/// Of a rod it is Z/k with Z = A √(E ρ), of a light striker √(2 m/k).
+/// @param longest  duration that is searched [s].
 double rise_time(StruckBody& body, const loads::Strike& strike, double longest);
 
 /// The last of the runs with ever halved steps.

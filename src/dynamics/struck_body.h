@@ -18,7 +18,7 @@ class StruckBody {
 
   /// @param step  [s]; factors or sines are made once for each.
   virtual void set_step(double step) = 0;
-  /// What a unit force over a step adds to y at its end [m/N].
+  /// Change of y at the end of a step per force over it [m/N].
   virtual double compliance() const = 0;
   /// y at the end of the next step without a force [m].
   virtual double free_contact() = 0;
@@ -28,19 +28,19 @@ class StruckBody {
   virtual double contact() const = 0;        ///< y [m]
   virtual double strain_energy() const = 0;  ///< [J]
   virtual double energy() const = 0;         ///< kinetic and of strain [J]
-  /// The displacement: all equations, or coordinates of a basis.
+  /// Displacements of all equations [m], or coordinates of a basis.
   virtual Eigen::VectorXd state() const = 0;
   virtual void rest() = 0;  ///< back to the beginning
 };
 
 /// By the midpoint rule: (K + 4/h² M) ū = M (4/h² u + 2/h u') + c P.
-/// @param system, contact  outlive the body.
+/// @param contact  c [1]; outlives the body, as the system does.
 std::unique_ptr<StruckBody> direct_body(const LinearSystem& system,
                                         const Eigen::VectorXd& contact);
 
 /// By the damping scheme, four solves a step: waves too short for the step
 /// die out, those that it resolves stay.
-/// @param system, contact  outlive the body.
+/// @param contact  c [1]; outlives the body, as the system does.
 std::unique_ptr<StruckBody> damped_body(const LinearSystem& system,
                                         const Eigen::VectorXd& contact);
 

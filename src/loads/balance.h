@@ -31,10 +31,11 @@ void require_full_cylinder(const GroupGeometry& group,
                            const std::string& place);
 
 /// "(1, 0, -2.5)" for messages; components that are round-off of `scale` are
-/// shown as 0.
+/// shown as 0. Scale in the units of v.
 std::string vector_text(const Eigen::Vector3d& v, double scale);
 
-/// Force, and moment about `from`, as force and moment about `to`.
+/// Force [N] and moment about `to` [N m] of a force and a moment about `from`;
+/// points [m], all in one frame.
 Wrench about(const Eigen::Vector3d& force, const Eigen::Vector3d& moment,
              const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
@@ -46,15 +47,16 @@ bool is_full_cylinder(const GroupGeometry& group);
 Wrench residual(const LoadHistory& history, const InstantLoad& instant,
                 const part::MassProperties& mass);
 
-/// What the loads of an instant leave, and their sizes.
+/// Residual of the loads of an instant, and scales of these loads.
 struct Imbalance {
-  Wrench left;            ///< moment about Lo
+  Wrench left;            ///< moment about Lo [N], [N m]
   double force_scale{};   ///< sum of all forces' magnitudes, inertia's too [N]
-  double moment_scale{};  ///< sum of moments and of forces × the part's size
+  double moment_scale{};  ///< of moments and forces × size [N m]
 
   /// The larger of force and moment over its scale [1].
   double relative() const;
 };
+/// @param size  part_size() [m].
 Imbalance imbalance(const LoadHistory& history, const InstantLoad& instant,
                     const part::MassProperties& mass, double size);
 
@@ -62,12 +64,13 @@ Imbalance imbalance(const LoadHistory& history, const InstantLoad& instant,
 /// them; more is a load that was forgotten.
 inline constexpr double kLargestRelief = 1e-3;
 
-/// The acceleration by which a free part holds what its loads leave.
+/// Acceleration by which a free part balances a residual of its loads.
 RigidAcceleration relieving_acceleration(const Wrench& left,
                                          const part::MassProperties& mass);
 
 /// Gives the part the acceleration by which its inertia takes up a rest of the
 /// balance up to kLargestRelief, and notes the rest in `relief`.
+/// @param size  part_size() [m].
 /// @throws Error L001 if more is left.
 void relieve(const LoadHistory& history, const part::MassProperties& mass,
              double size, const std::string& place, InstantLoad& instant);
@@ -78,6 +81,7 @@ void relieve(const LoadHistory& history, const part::MassProperties& mass,
 /// inertia (of its moments plus these forces times the part's size). An
 /// instant that carries less than 1e-3 of the largest one is measured against
 /// that, because round-off of the motion is relative to its largest load.
+/// @param size  part_size() [m].
 /// @throws Error L001 with the residual force and moment.
 void require_balance(const LoadHistory& history,
                      const part::MassProperties& mass, double size,

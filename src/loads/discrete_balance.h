@@ -27,16 +27,16 @@ Wrench resultant(const GroupQuadrature& quadrature,
 class DiscreteBalance {
  public:
   /// @param quadrature  outlives this.
-  /// @param about       of the wrenches.
+  /// @param about       point of the wrenches, in L [m].
   DiscreteBalance(const GroupQuadrature& quadrature,
                   const Eigen::Vector3d& about);
 
-  /// What must be added for the wrench to be reached to round-off.
+  /// Traction to be added so that the wrench is reached to round-off [Pa].
   /// @param tractions  [Pa], one column per point.
   /// @param wrench     wanted, in L.
   LinearTraction missing(const Wrench& wrench,
                          const Eigen::Matrix3Xd& tractions) const;
-  /// Adds it.
+  /// Adds it to the tractions [Pa].
   void correct(const Wrench& wrench, Eigen::Matrix3Xd& tractions) const;
 
  private:

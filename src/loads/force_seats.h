@@ -26,7 +26,7 @@ void require_force_seats(const SeatContext& context);
 /// @throws Error L002, L003, L004, M003.
 std::vector<ForceSeat> force_seats(const SeatContext& context);
 
-/// What the force does to the part at an instant, about the seat's p_LS.
+/// Force [N] and moment about the seat's p_LS [N m] on the part at an instant.
 Wrench force_on(const SeatContext& context, const mechanism::Instant& instant,
                 const ForceSeat& seat);
 

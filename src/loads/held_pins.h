@@ -11,7 +11,7 @@
 
 namespace clevis::loads {
 
-/// What pins can do to the part that they hold, each in five components: force
+/// Reactions of pins on the part that they hold, each in five components: force
 /// along three axes, the last the pin's own, moment about the first two. None
 /// takes a moment about its own axis.
 class PinReactions {
@@ -26,10 +26,11 @@ class PinReactions {
   /// Reactions that balance one another: what balance leaves open; orthonormal.
   std::vector<std::vector<Wrench>> open() const;
 
-  /// How much of a pattern each pin's components take, size for moments:
-  /// columns of open(), rows of one pin.
+  /// Components of one pin in the patterns of open() [1]: rows of the pin's
+  /// five components (moments over the size), columns of the patterns.
   Eigen::MatrixXd open_components(std::size_t pin) const;
-  /// The components of a pin's wrench.
+  /// The five components of a pin's wrench about the middle of its bore,
+  /// moments over the size [N].
   Eigen::VectorXd components(std::size_t pin, const Wrench& wrench) const;
   std::size_t size() const { return pins_.size(); }
 
@@ -46,13 +47,15 @@ class PinReactions {
   Eigen::Vector3d middle_;
 };
 
-/// The pins in these bores. @throws Error L002, M003.
+/// The pins in these bores. @param size  of the part [m]. @throws Error L002,
+/// M003.
 PinReactions pins_in(const std::vector<std::string>& bores,
                      const std::vector<GroupGeometry>& groups, double size,
                      const std::string& place);
 
-/// Lets pins hold the part: adds a bearing seat for each, whose reaction
+/// Supports the part by pins: adds a bearing seat for each, whose reaction
 /// balances the loads; of those that balance leaves open the least.
+/// @param size     of the part [m].
 /// @param history  its seats so far; those of the pins are appended.
 /// @throws Error L001 if the loads turn the part about the axis of its pins,
 ///   L002, M003.

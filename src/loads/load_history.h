@@ -11,7 +11,7 @@
 
 namespace clevis::loads {
 
-/// How a seat takes its wrench.
+/// Model by which a seat takes its wrench.
 enum class SeatKind {
   kBearing,   ///< BearingTraction: cylinder pressed by a pin (bore) or by its
               ///< guide (piston)
@@ -71,10 +71,10 @@ struct InstantLoad {
 struct LoadHistory {
   std::vector<Seat> seats;
   std::vector<InstantLoad> instants;
-  /// By how much loads between the instants may exceed those at the instants,
+  /// Possible excess of loads between instants over those at the instants,
   /// over the largest [1].
   double unseen = 0.0;
-  /// What the user should know of how the seats were taken, a line each.
+  /// Notes for the user on how the seats were modelled, a line each.
   std::vector<std::string> notes = {};
 };
 

@@ -11,7 +11,7 @@
 
 namespace clevis::loads {
 
-/// What the seats of a part are found from.
+/// Input from which the seats of a part are found.
 struct SeatContext {
   const mechanism::MechanismDefinition& definition;
   mechanism::BodyIndex body;

@@ -21,15 +21,17 @@ struct Interval {
   double middle() const { return 0.5 * (low + high); }
 };
 
-/// What of a direction the points cover. @pre there are points.
+/// Interval of p · direction over the points [m]. @param direction  unit
+/// vector.
+/// @pre there are points.
 Interval extent(const Eigen::Matrix3Xd& points,
                 const Eigen::Vector3d& direction);
 
-/// Points that span a group; of a cylinder the ends of its axis.
+/// Points that span a group, in L [m]; of a cylinder the ends of its axis.
 Eigen::Matrix3Xd spanning_points(const GroupGeometry& group);
 
-/// What is known of where a joint touches one of its bodies, in the joint's
-/// frame J there.
+/// Known extent of a joint's contact on one of its bodies, in the joint's frame
+/// J there.
 struct SeatSpan {
   Eigen::Matrix3Xd points_J;  ///< of the body's own seat; none: not known [m]
   bool is_cylinder = false;
@@ -50,7 +52,8 @@ void add_seat_spans(const mechanism::MechanismDefinition& definition,
                     mechanism::BodyIndex body, const part::PartDefinition& part,
                     const std::vector<GroupGeometry>& groups, SeatSpans& spans);
 
-/// The slide's direction in a frame J: z, of a planar joint x.
+/// The slide's direction, a unit vector in L: z of frame J, of a planar joint
+/// x.
 Eigen::Vector3d slide_axis(mechanism::JointType type,
                            const mechanism::JointFrame& frame);
 

@@ -7,7 +7,7 @@
 
 namespace clevis::loads {
 
-/// How points of a wall lie on their cylinder, whatever presses there.
+/// Points of a wall in coordinates of their cylinder, whatever presses there.
 struct WallPoints {
   /// @param points   p_LQ [m], one a column, on the cylinder.
   /// @param outward  the part's outward unit normals: the pin lies on that
@@ -37,11 +37,12 @@ class BearingTraction {
   /// direction of the force: where it fills a bore, it presses on the wall on
   /// the side that the force points at.
   Eigen::Matrix3Xd tractions(const WallPoints& points) const;
-  /// @param points, outward  as of WallPoints.
+  /// The same [Pa]. @param points, outward  as of WallPoints.
   Eigen::Matrix3Xd tractions(const Eigen::Matrix3Xd& points,
                              const Eigen::Matrix3Xd& outward) const {
     return tractions(WallPoints(bore_, points, outward));
   }
+  /// The same at one point p_LQ [m], outward a unit normal [Pa].
   Eigen::Vector3d traction(const Eigen::Vector3d& p_LQ,
                            const Eigen::Vector3d& outward_LQ) const;
 
@@ -68,6 +69,7 @@ class LinearTraction {
                  const Eigen::Matrix3d& second_moment, const Wrench& wrench,
                  const Eigen::Vector3d& about);
 
+  /// Traction at a point p_LQ [m], in L [Pa].
   Eigen::Vector3d traction(const Eigen::Vector3d& p_LQ) const;
 
  private:

@@ -16,8 +16,8 @@ namespace clevis::loads {
 /// off beyond; between two walls that face each other it is linear, on the one
 /// or the other by its sign, so that a body that tilts presses at both ends.
 ///
-/// What normals cannot carry (along the walls) is left out, as is round-off:
-/// for `correction`.
+/// Components that normal pressures cannot carry (along the walls) are left
+/// out, as is round-off: DiscreteBalance adds both.
 /// @param outward  the part's unit normals at the points.
 /// @param wrench   on the part, about `about`, in L.
 /// @return tractions on the part [Pa]; nothing if the walls would have to pull.

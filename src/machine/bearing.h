@@ -10,7 +10,7 @@ namespace clevis::machine {
 
 enum class BearingKind { kBall, kRoller };
 
-/// How the axial load enters an equivalent load: X F_r + Y F_a where
+/// Factors of the axial load in an equivalent load: X F_r + Y F_a where
 /// F_a / F_r > threshold, else F_r.
 struct AxialFactors {
   double X = 1.0, Y = 0.0;
@@ -34,7 +34,7 @@ struct BearingDefinition {
   std::string place;                         ///< file:line:column
 };
 
-/// What the bearing feels at an instant.
+/// Loads and speed of the bearing at an instant.
 struct BearingInstant {
   double t{};          ///< [s]
   double radial{};     ///< F_r [N]
@@ -85,7 +85,7 @@ struct BearingResult {
   std::vector<BearingWarning> warnings;
 };
 
-/// p of L10 = (C/P)^p: 3 for balls, 10/3 for rollers (ISO 281).
+/// Exponent p of L10 = (C/P)^p [1]: 3 for balls, 10/3 for rollers (ISO 281).
 double life_exponent(BearingKind kind);
 
 /// "ball", "roller".

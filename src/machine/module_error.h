@@ -4,7 +4,7 @@
 
 namespace clevis::machine {
 
-/// What adds to the error of a module's output (5.77), on the output: [rad]
+/// Contributions to the error of a module's output (5.77), on the output [rad]
 /// or [m].
 struct ErrorShares {
   double control{};    ///< of the control and the motor
@@ -25,13 +25,15 @@ struct ModuleError {
   std::optional<double> reversal_run;  ///< the same by run_reversal()
 };
 
-/// @param load        torque or force on the output
-/// @param compliance  of the output
+/// @param load        on the output [N m] or [N].
+/// @param compliance  of the output [rad/(N m)] or [m/N].
 ModuleError module_error(const ErrorShares& shares, double load,
                          double compliance);
 
 /// Motor and load joined by a spring with dead travel; the load slides
-/// against dry friction. All seen from the output.
+/// against dry friction. All seen from the output, which turns or slides:
+/// inertias [kg m²] or [kg], compliance [rad/(N m)] or [m/N], backlash [rad]
+/// or [m], friction [N m] or [N].
 struct ReversalModel {
   double motor_inertia{}, load_inertia{};
   double compliance{}, backlash{};

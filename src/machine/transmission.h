@@ -13,8 +13,8 @@ namespace clevis::machine {
 /// Parts of a drive train that move together, loaded in series.
 struct TransmissionStage {
   std::string name;
-  /// How far this stage moves per motion of the next one, which carries that
-  /// many times its torque: [1] between rotations, [rad/m] into a
+  /// Motion of this stage per motion of the next one, which carries that many
+  /// times its torque: [1] between rotations, [rad/m] into a
   /// translation. 1 of the last stage.
   double ratio = 1.0;
   bool angular = true;

@@ -16,7 +16,7 @@
 
 namespace clevis::part {
 
-/// What the user allows the part.
+/// Limits that the user sets for the part.
 struct Limits {
   std::optional<double> safety_factor;  ///< yield strength / peak, >= this [1]
   std::optional<double> deflection;     ///< [m], <= this
@@ -25,14 +25,14 @@ struct Limits {
   bool exclude_singular_zones = false;
 };
 
-/// Where a joint of the mechanism acts on the part's surface.
+/// Group of the part's surface on which a joint of the mechanism acts.
 struct Seat {
   std::string joint;        ///< joint of the scene
   std::string group;        ///< physical group of the mesh
   SlideContact slide = {};  ///< of a joint that slides
 };
 
-/// Where the effort of a drive acts on the part.
+/// Groups of the part on which the effort of a drive acts.
 struct DriveSeat {
   std::string drive;  ///< joint that is driven
   std::string group;  ///< face that takes the effort as a pressure
@@ -41,7 +41,7 @@ struct DriveSeat {
   std::vector<std::string> pressurized;
 };
 
-/// Where a force of the scene acts on the part.
+/// Groups of the part on which a force of the scene acts.
 struct ForceSeat {
   std::string force;
   std::string group;  ///< bore or face that takes it
@@ -50,7 +50,7 @@ struct ForceSeat {
   std::string chamber = {};  ///< of a gas cylinder: whose pressure
 };
 
-/// A value that the user wants at a point.
+/// Displacement or stress component that the user asks for at a point.
 struct Probe {
   std::string name;
   Eigen::Vector3d at;  ///< in L [m]

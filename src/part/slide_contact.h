@@ -5,7 +5,7 @@
 
 namespace clevis::part {
 
-/// What the counterpart of a slide touches of the part, as the user says it.
+/// Contact area of a slide's counterpart on the part, as the user says it.
 struct SlideContact {
   std::string opposite;          ///< wall that faces the seat's group, or empty
   std::optional<double> length;  ///< along the slide [m]

@@ -7,8 +7,8 @@
 
 namespace clevis::mechanism {
 
-/// Finds the times at which rows of a Jacobian that changes with time become
-/// dependent.
+/// Finds the times [s] at which rows of a Jacobian that changes with time
+/// become dependent.
 ///
 /// Gram and Schmidt's vectors r_i of the rows, in a fixed order, change
 /// continuously and one passes zero, so that its direction turns round, where

@@ -19,7 +19,8 @@ struct RowDirections {
   Eigen::VectorXd sizes;       ///< of r_i, of rows of length 1
 };
 
-/// Which rows of a Jacobian count, and their directions.
+/// Selection of rows of a Jacobian, and their directions. Times [s]; sizes are
+/// those of rows of length 1 [1].
 class RowSelection {
  public:
   /// @param rank  of the rows in general; fewer than `rows` where constraints

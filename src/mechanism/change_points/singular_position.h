@@ -15,7 +15,8 @@ namespace clevis::mechanism {
 /// J a + b(v, v) = 0 exists only if wᵀ b(v, v) = 0 for all w with wᵀ J = 0:
 /// the velocities of the branches that meet here. Those near v on its branch
 /// satisfy wᵀ b(v, u) = 0. A position within kRankThreshold counts as
-/// singular. Source: docs/theory.md, "Change points".
+/// singular. Velocities are of the unknowns of ConstraintSystem [m/s].
+/// Source: docs/theory.md, "Change points".
 class SingularPosition {
  public:
   /// @param joints  system without drives; outlives this.
@@ -56,7 +57,7 @@ struct BranchPoint {
 /// by interpolation between regular positions on both sides: so they are as
 /// exact as those, where J itself leaves them open.
 /// @param x      closed within round-off or some part of kRankThreshold.
-/// @param along  a velocity of the branch; `slopes` is for its size.
+/// @param along  a velocity of the branch [m/s]; `slopes` is for its size.
 /// @param freedom  of the mechanism.
 /// @return nothing if no regular branch leads there on both sides.
 std::optional<BranchPoint> branch_point(const ConstraintSystem& joints,

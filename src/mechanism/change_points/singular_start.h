@@ -8,7 +8,8 @@
 
 namespace clevis::mechanism {
 
-/// What a scene asks of the velocities at the start: rows · velocities = rates.
+/// Velocities that a scene prescribes at the start: rows · velocities = rates,
+/// turns × length [m/s].
 /// Drives, then initial rates of joints, then components of bodies.
 struct WantedRates {
   Eigen::MatrixXd rows;  ///< by row the motion per unknown

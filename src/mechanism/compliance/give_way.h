@@ -8,8 +8,8 @@
 
 namespace clevis::mechanism {
 
-/// What the joints carry, and how joints and links give way under it, per
-/// scaled multiplier of the rows of a system.
+/// Linear maps from scaled multipliers [N] of the rows of a system to joint
+/// wrenches (components) and to compliance energy (energy_root).
 struct GiveWay {
   /// Components per multiplier: six per joint (force, moment in frame J on a,
   /// about J on b), then one per coupling. Drives have none.
@@ -26,12 +26,14 @@ struct GiveWay {
 GiveWay give_way(const SolvingFrame& frame, const ConstraintSystem& system,
                  const std::vector<PlacedJoint>& placed);
 
-/// Components (as of GiveWay) per scaled multiplier of the rows.
+/// Components (as of GiveWay) per scaled multiplier of the rows: [1], of
+/// moments [m].
 Eigen::MatrixXd components_of_rows(const SolvingFrame& frame,
                                    const ConstraintSystem& system,
                                    const std::vector<PlacedJoint>& placed);
 
-/// Compliance of the rows against scaled multipliers: Bᵀ B, zero for drives.
+/// Compliance of the rows against scaled multipliers: Bᵀ B, zero for drives
+/// [m/N].
 Eigen::MatrixXd row_compliance(const SolvingFrame& frame,
                                const ConstraintSystem& system,
                                const std::vector<PlacedJoint>& placed);

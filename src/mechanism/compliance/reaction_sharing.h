@@ -17,19 +17,19 @@ namespace clevis::mechanism {
 /// links add their strain energy. It depends neither on units nor on the order
 /// of the joints.
 struct SharedReactions {
-  Eigen::VectorXd lambda;  ///< scaled, by row
+  Eigen::VectorXd lambda;  ///< scaled, by row [N]
 
-  /// By component: six per joint (force, moment in frame J on a; moments in
-  /// N m), then one per coupling (scaled).
+  /// By component: six per joint (force [N], moment [N m] in frame J on a),
+  /// then one per coupling (scaled).
   Eigen::VectorXd components;
   std::vector<bool> unique;  ///< equilibrium alone determines it
-  /// By how much it changes at most, to first order, if each compliance is
+  /// Largest change of each component, to first order, if each compliance is
   /// doubled or halved.
   Eigen::VectorXd spread;
 };
 
 /// @param factor  of the Jacobian of `system` at `placed`.
-/// @param f       right-hand side, of ConstraintSystem::wrench_vector.
+/// @param f       right-hand side, of ConstraintSystem::wrench_vector [N].
 /// Source: docs/theory.md, "Reactions".
 SharedReactions share_reactions(const SolvingFrame& frame,
                                 const ConstraintSystem& system,

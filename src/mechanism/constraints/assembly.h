@@ -18,6 +18,7 @@ struct Assembled {
 
 /// Configuration nearest to `guess` that satisfies the rows of the system:
 /// damped Gauss–Newton with steps of minimal norm and limited length.
+/// @param targets    coordinates of the drives [m] or [rad].
 /// @param tolerance  of the residual [m].
 /// @param rank_threshold  SolvingFrame::rank_threshold().
 Assembled assemble(const ConstraintSystem& system, Configuration guess,
@@ -25,6 +26,7 @@ Assembled assemble(const ConstraintSystem& system, Configuration guess,
                    double rank_threshold = numerics::kRankThreshold);
 
 /// "B by 12.3 mm, cylinder (drive) by 4 mm": rows that stay open.
+/// @param residual, tolerance  turns × length [m].
 std::string open_joints(const MechanismDefinition& definition,
                         const ConstraintSystem& system,
                         const Eigen::VectorXd& residual, double tolerance);

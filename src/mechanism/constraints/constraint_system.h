@@ -14,8 +14,9 @@ namespace clevis::mechanism {
 /// The constraint equations c(x, t) = 0 of a mechanism for some motions of
 /// its bodies: the joints' rows, one row per coupling, one per drive.
 ///
-/// Unknowns of a body: displacement of M and length × turn, so that rows,
-/// columns and multipliers do not depend on the units or the size.
+/// Unknowns of a body: displacement of M and length × turn [m], so that rows,
+/// columns and multipliers do not depend on the units or the size. Multipliers
+/// are forces, moments over the length [N]; the Jacobian is of pure numbers.
 class ConstraintSystem {
  public:
   /// @param with_drives  kNone leaves the drives' rows out.
@@ -44,7 +45,7 @@ class ConstraintSystem {
   Eigen::VectorXd residual(const std::vector<PlacedJoint>& placed,
                            const Eigen::VectorXd& targets) const;
   Eigen::MatrixXd jacobian(const std::vector<PlacedJoint>& placed) const;
-  /// Part of the second derivative of c that velocities cause.
+  /// Part of the second derivative of c that velocities cause [m/s²].
   Eigen::VectorXd bias(const std::vector<PlacedJoint>& placed,
                        const std::vector<Twist>& twists) const;
 
@@ -64,15 +65,16 @@ class ConstraintSystem {
 
   /// Unknowns ↔ twists by slot.
   std::vector<Twist> twists(const Eigen::VectorXd& unknowns) const;
-  /// Wrenches about M by slot → right-hand side of Jᵀλ = wrench.
+  /// Wrenches about M by slot → right-hand side of Jᵀλ = wrench [N].
   Eigen::VectorXd wrench_vector(const std::vector<Twist>& wrenches) const;
   /// Multiplier of a row in N or N m from the scaled one.
   double multiplier(const Row& row, double scaled) const;
 
   void move(Configuration& x, const Eigen::VectorXd& unknowns) const;
-  /// Largest displacement between two configurations: |Δp| + length |Δturn|.
+  /// Largest displacement between two configurations: |Δp| + length |Δturn|
+  /// [m].
   double distance(const Configuration& x, const Configuration& y) const;
-  /// The displacement that moves x to y, of these motions.
+  /// The displacement that moves x to y, of these motions [m].
   Eigen::VectorXd difference(const Configuration& x,
                              const Configuration& y) const;
 

@@ -12,7 +12,7 @@ namespace clevis::mechanism {
 /// A configuration that closes all joints and drives, with its Jacobian.
 struct ClosedConfiguration {
   Configuration x;
-  Eigen::VectorXd targets;  ///< coordinates of the drives
+  Eigen::VectorXd targets;  ///< coordinates of the drives [m] or [rad]
   std::vector<PlacedJoint> placed;
   Eigen::MatrixXd jacobian;
   numerics::JacobianFactor factor;
@@ -32,6 +32,7 @@ class Continuation {
       : system_(system), tolerance_(tolerance) {}
 
   /// Jacobian and gap at a configuration that is closed.
+  /// @param targets  coordinates of the drives [m] or [rad].
   /// @param near  of a configuration nearby, or null.
   ClosedConfiguration close(
       Configuration x, const Eigen::VectorXd& targets,
@@ -41,7 +42,7 @@ class Continuation {
     ClosedConfiguration at;
     double part{};  ///< how far along the way: 1 if it arrived
   };
-  /// Configuration at new coordinates of the drives.
+  /// Configuration at new coordinates of the drives [m] or [rad].
   Reached follow(const ClosedConfiguration& from,
                  const Eigen::VectorXd& targets) const;
 

@@ -8,9 +8,9 @@
 
 namespace clevis::mechanism {
 
-/// Rotation R_WP whose z is the normal of the plane in which all bodies of the
-/// mechanism move, or nothing if the joints (in the reference placement) allow
-/// no such plane.
+/// Rotation matrix R_WP whose z is the normal of the plane in which all bodies
+/// of the mechanism move, or nothing if the joints (in the reference placement)
+/// allow no such plane.
 ///
 /// Planar: axes of revolutes (planar, cylindrical, spherical joints) parallel
 /// to z and of the same sense on both bodies, slides normal to it, all to

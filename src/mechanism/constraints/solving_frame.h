@@ -35,16 +35,17 @@ struct SolvingFrame : ReferenceFrame {
 
   bool planar{};
   bool is_tree{};  ///< no joint closes a loop
-  /// Lengths of the links' order [m]: turns are measured as turn × length.
+  /// Characteristic link length [m]. Rotations are scaled by it so that all
+  /// unknowns are lengths.
   double length{};
   std::vector<CouplingModel> couplings;
   std::vector<ElasticLink> links;  ///< those that are not rigid
   Configuration placement;         ///< as the user gave it, out of plane closed
 
   /// Part of the largest singular value of the joints' rows that counts as
-  /// zero. The rows of a tree never depend on one another, unless couplings or
-  /// drives repeat themselves; but they are far from one length where a slide
-  /// leads far away.
+  /// zero [1]. The rows of a tree never depend on one another, unless couplings
+  /// or drives repeat themselves; but they are far from one length where a
+  /// slide leads far away.
   double rank_threshold() const;
 };
 

@@ -20,8 +20,8 @@ struct Pose {
   Eigen::Matrix3d R_WL = Eigen::Matrix3d::Identity();  ///< columns: axes of L
 };
 
-/// How a link gives way at its joints: displacements and turns at `points`
-/// per force [N] and moment about the point [N m] there, in L, beside those of
+/// Compliance of a link at its joints: displacements and turns at `points` per
+/// force [N] and moment about the point [N m] there, in L, beside those of
 /// its rigid motion. Its loads are held by its inertia.
 struct LinkCompliance {
   std::vector<int> joints;              ///< indices
@@ -78,8 +78,8 @@ struct MarkerDefinition {
   Eigen::Vector3d p_LP = Eigen::Vector3d::Zero();  ///< [m]
 };
 
-/// What shares the reactions that equilibrium leaves open: joints that give
-/// way on rigid links, or the links as well.
+/// Compliances that share the reactions which equilibrium leaves open: of the
+/// joints on rigid links, or of the links as well.
 enum class LinkStiffness { kRigid, kElastic };
 
 enum class SpaceDimension { kAuto, kPlanar, kSpatial };
@@ -99,11 +99,11 @@ struct MechanismDefinition {
   SpaceDimension dimension = SpaceDimension::kAuto;
 };
 
-/// How a motion comes about: from the drives alone, or by integration of the
+/// Origin of a motion: from the drives alone, or by integration of the
 /// equations of motion. kAuto: the latter if the drives leave freedom.
 enum class MotionKind { kAuto, kDriven, kDynamic };
 
-/// What happens where the motion passes a change point.
+/// Policy where the motion passes a change point.
 enum class AtSingularity {
   kReport,    ///< it keeps its branch; an instant just there is refused
   kContinue,  ///< that instant gets the reactions of joints that give way

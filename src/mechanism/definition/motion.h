@@ -20,8 +20,9 @@ struct BodyState {
   Eigen::Vector3d alpha_WL = Eigen::Vector3d::Zero();  ///< [rad/s²], in W
 };
 
-/// What a joint does to body b at the origin of its frame J on b, without the
-/// effort of a drive; body a feels the opposite at the same point. In W.
+/// Force and moment of a joint on body b at the origin of its frame J on b,
+/// without the effort of a drive; body a feels the opposite at the same point.
+/// In W.
 struct JointReaction {
   Eigen::Vector3d p_WJ = Eigen::Vector3d::Zero();  ///< origin of J on b [m]
   Eigen::Vector3d f_W = Eigen::Vector3d::Zero();   ///< [N]
@@ -38,7 +39,7 @@ struct JointReaction {
   /// compliance is doubled or halved [N], [N m].
   std::array<double, 6> spread{};
 
-  /// Force, then moment, in frame J.
+  /// Force [N], then moment [N m], in frame J.
   Eigen::Matrix<double, 6, 1> components() const {
     Eigen::Matrix<double, 6, 1> w;
     w << R_WJ.transpose() * f_W, R_WJ.transpose() * t_W;
@@ -46,8 +47,9 @@ struct JointReaction {
   }
 };
 
-/// What a coupling does to the bodies b of its two joints, at the origins of
-/// their frames J; the bodies a feel the opposite at the same points. In W.
+/// Forces and moments of a coupling on the bodies b of its two joints, at the
+/// origins of their frames J; the bodies a feel the opposite at the same
+/// points. In W.
 struct CouplingState {
   double effort{};  ///< generalised force on coordinate 1 [N] or [N m]; on
                     ///< coordinate 2 it is −ratio times that
@@ -81,13 +83,14 @@ struct Impact {
   int end{};                ///< of a stop: 0 lower, 1 upper
   double t{};               ///< of the touch [s]
   double approach_speed{};  ///< along the normal [m/s] or [rad/s]
-  /// What a (a contact's plane) and b weigh there along the normal, joints and
-  /// drives holding [kg] or [kg m²]; infinite where they cannot give way.
+  /// Effective masses of a (a contact's plane) and b there along the normal,
+  /// joints and drives holding [kg] or [kg m²]; infinite where they cannot give
+  /// way.
   double mass_a{}, mass_b{};
-  double mass{};   ///< of both against one another
-  double force{};  ///< of all else that presses them together at the touch [N]
+  double mass{};   ///< of their relative motion [kg] or [kg m²]
+  double force{};  ///< of all else, at the touch; > 0 presses [N] or [N m]
   std::optional<double> duration;  ///< [s]; none: it still presses at the end
-  double exit_speed{};             ///< with which they part
+  double exit_speed{};             ///< with which they part [m/s] or [rad/s]
   double peak_force{};             ///< [N] or [N m]
   double peak_at{};                ///< [s]
   double impulse{};                ///< [N s] or [N m s]
@@ -119,7 +122,7 @@ struct ChangePoint {
   std::optional<Instant> at = std::nullopt;
 };
 
-/// How an integrated motion was found.
+/// Method and effort of an integrated motion.
 struct IntegrationSummary {
   std::string method;  ///< "DOP853", "Radau IIA", or both
   long steps{}, rejected{}, evaluations{};
@@ -137,12 +140,12 @@ struct LeftFree {
   std::vector<std::string> coordinates;
 };
 
-/// How a motion was searched for its largest loads between the instants.
+/// Extent of the search for the largest loads of a motion between instants.
 struct LoadSearch {
   long looks{};       ///< states that were solved
   bool ended{};       ///< before all was looked at, for lack of looks
   double ended_at{};  ///< [s]
-  /// By how much loads between instants may exceed those at the instants
+  /// Possible excess of loads between instants over those at the instants
   /// beside them, over the largest of their kind: by body, the greatest of all
   /// that act on it [1].
   std::vector<double> bodies;

@@ -8,7 +8,7 @@
 namespace clevis::mechanism {
 
 /// Cuts time where drives turn round and so short that none moves far, so
-/// that a motion is followed whatever its instants.
+/// that a motion is followed whatever its instants. Times are in seconds [s].
 class DrivePath {
  public:
   /// @param counts_turns  so that no turn is missed, without loops too.

@@ -16,7 +16,7 @@
 namespace clevis::mechanism {
 
 /// A motion that the drives fix: all that does not change from instant to
-/// instant.
+/// instant. Times are in seconds [s].
 class DrivenMotion {
  public:
   DrivenMotion(const MechanismDefinition& definition,
@@ -58,7 +58,7 @@ class DrivenMotion {
                AtSingularity policy, Motion& motion) const;
   /// To a time nearby, before or after.
   ClosedConfiguration follow(const Moment& from, double t) const;
-  /// One that was passed before.
+  /// A moment of a configuration that was passed before.
   Moment moment(const Configuration& x, double t) const {
     return {continuation_.close(x, drive_positions(definition_, t)), t};
   }
@@ -69,8 +69,8 @@ class DrivenMotion {
   const ForceModel& forces() const { return forces_; }
   /// Modes that the state of the last sense() suggests.
   std::vector<int> chosen_modes() const;
-  /// Angles and rates of the elements' lines of the last instant() or sense():
-  /// from there turns are counted.
+  /// Angles [rad] and rates [rad/s] of the elements' lines of the last
+  /// instant() or sense(): from there turns are counted.
   std::vector<double> line_angles() const;
   void set_line_angles(const std::vector<double>& lines, double t) const;
   double length() const { return frame_.length; }  ///< of the links' order [m]

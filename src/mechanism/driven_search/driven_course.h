@@ -12,13 +12,13 @@
 
 namespace clevis::mechanism {
 
-/// A motion that drives fix, looked at where and when anybody wants to.
+/// A motion that drives fix, evaluated at any time [s] on demand.
 class DrivenCourse {
  public:
   struct Look {
     double t{};  ///< [s]
     Configuration x;
-    Eigen::VectorXd loads;          ///< of BodyLoads
+    Eigen::VectorXd loads;          ///< of BodyLoads [N], [N m]
     Eigen::VectorXd guards, rates;  ///< of DrivenGuards
     Eigen::VectorXd bend;  ///< of the guards until the next look; DrivenEvents
     std::vector<double> lines;  ///< angles of elements' lines and rates

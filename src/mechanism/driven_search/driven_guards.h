@@ -18,9 +18,12 @@ class DrivenGuards {
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(all_.size()); }
   bool empty() const { return all_.empty(); }
-  /// As of ForceModel::evaluate() at t.
+  /// As of ForceModel::evaluate() at t [s]: depth and position [m] or [rad],
+  /// rate and sliding [m/s] or [rad/s], a servo's effort [N] or [N m]; of a
+  /// contact that lets go only the sign counts.
   Eigen::VectorXd values(const ForceModel& forces, double t) const;
-  /// Their rates, as far as evaluate() tells; else NaN.
+  /// Their rates, per second in the units of the values, where evaluate()
+  /// gives them; else NaN.
   Eigen::VectorXd rates(const ForceModel& forces) const;
   /// Whether its zero changes anything, as of evaluate(): what lets go must
   /// press.

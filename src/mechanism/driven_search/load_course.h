@@ -14,7 +14,8 @@ namespace clevis::mechanism {
 /// Stress is a convex function of the loads, so none is larger between.
 class LoadCourse {
  public:
-  /// @param beside  whether rigid reactions grow without bound about a time.
+  /// @param beside  whether rigid reactions grow without bound about a time
+  ///   [s].
   LoadCourse(DrivenCourse& course, std::function<bool(double)> beside);
 
   /// Looks until the cubic through the neighbours of each look meets it.

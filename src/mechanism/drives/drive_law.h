@@ -13,11 +13,11 @@ struct DriveTarget {
   double acceleration{};  ///< [m/s²] or [rad/s²]
 };
 
-/// How to read a law at a time where it bends: as in its stroke, or as just
-/// before or behind that time.
+/// Side from which a law is read at a time where it bends: as in its stroke, or
+/// as just before or behind that time.
 enum class BendSide { kStroke, kBefore, kBehind };
 
-/// What the drive prescribes at time t [s].
+/// Coordinate and rates that the drive prescribes at time t [s].
 ///
 /// Constant: `from`. Ramp: linear, quintic: 10 s³ − 15 s⁴ + 6 s⁵, from `from`
 /// to `to` over [start, start + duration], at rest outside of it. Sine: at
@@ -27,6 +27,7 @@ DriveTarget drive_target(const DriveDefinition& drive, double t,
                          BendSide side = BendSide::kStroke);
 
 /// Where drives change their speed in no time within a motion.
+/// @param duration  of the motion [s].
 std::vector<DriveJump> drive_jumps(const std::vector<DriveDefinition>& drives,
                                    double duration);
 

@@ -15,12 +15,14 @@
 namespace clevis::mechanism {
 
 /// Positions, rates, drives and elements of an integrated motion; no forces
-/// but the elements'. @pre dynamics.rate() at this state.
+/// but the elements'. @pre dynamics.rate() at this state and t [s].
+/// @param accelerations  by slot, of M, in P [m/s²], [rad/s²].
 Instant motion_at(const MechanismDefinition& definition,
                   const SolvingFrame& frame, const ForwardDynamics& dynamics,
                   double t, const std::vector<Twist>& accelerations);
 
-/// The change points that an integrated motion passes.
+/// The change points that an integrated motion passes. Times [s], states in the
+/// units of ForwardDynamics.
 class DynamicChangePoints {
  public:
   DynamicChangePoints(const MechanismDefinition& definition,
@@ -49,7 +51,7 @@ class DynamicChangePoints {
 
   /// Rank of the Jacobian at general positions.
   int rank() const { return rank_; }
-  /// What J leaves open just at a change point.
+  /// Accelerations and forces at a change point, where J leaves them open.
   struct OnBranch {
     std::vector<Twist> accelerations;
     /// Of joints that give way; nothing if these do not hold the loads.
@@ -58,7 +60,7 @@ class DynamicChangePoints {
   /// @return nothing where no regular branch leads on.
   std::optional<OnBranch> on_branch(double t, const Eigen::VectorXd& y);
 
-  /// Those found, each between the instants before and behind it.
+  /// The change points found, each between the instants before and behind it.
   std::vector<ChangePoint> among(const std::vector<Instant>& instants) &&;
 
  private:

@@ -17,7 +17,7 @@
 
 namespace clevis::mechanism {
 
-/// One run: integrates and samples.
+/// One run: integrates and samples. Times are in seconds [s].
 class DynamicRun {
  public:
   /// @param others  instants besides the uniform ones.
@@ -37,7 +37,8 @@ class DynamicRun {
   };
   /// Lets the run add instants so that large loads change little between
   /// them, and on both sides of events.
-  /// @param largest  as ReactionPeaks found them. @param beside  not there.
+  /// @param largest  ReactionPeaks::largest() [N²] or [N² m²].
+  /// @param beside  times at which none is added.
   void refine(const Eigen::VectorXd& largest, const Beside& beside) {
     sampler_.emplace(dynamics_, largest);
     beside_ = beside;

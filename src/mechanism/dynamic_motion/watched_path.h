@@ -7,7 +7,8 @@
 namespace clevis::mechanism {
 
 /// Positions of an integrated motion as one continuous function of time,
-/// through the corrected states at the ends of its steps.
+/// through the corrected states at the ends of its steps. Times [s], states in
+/// the units of ForwardDynamics.
 ///
 /// Within a step it is the dense output and a part of the end's correction that
 /// grows with time. Beside a change point accelerations of a step's stages, and

@@ -24,6 +24,9 @@ namespace clevis::mechanism {
 /// depends on the geometry only, not on the masses. Rows beyond the rank are
 /// left out: near a change point they would act as constraints with arbitrary
 /// multipliers.
+///
+/// Unknowns are those of ConstraintSystem, all lengths: M [kg], a and γ [m/s²],
+/// Q and λ [N], J [1].
 class ConstrainedMass {
  public:
   /// @param columns  a multiple of 3.
@@ -31,7 +34,7 @@ class ConstrainedMass {
   ConstrainedMass(int columns, int most_rows,
                   double threshold = numerics::kRankThreshold);
 
-  /// The k-th 3 × 3 block of F, M^(−1) = F Fᵀ; all others are zero.
+  /// The k-th 3 × 3 block of F [1/√kg], M^(−1) = F Fᵀ; all others are zero.
   void set_diagonal(int k, const Eigen::Vector3d& diagonal) {
     factors_[static_cast<std::size_t>(k)] = {
         diagonal.asDiagonal(), diagonal.cwiseInverse().asDiagonal(), true};
@@ -44,7 +47,6 @@ class ConstrainedMass {
 
   /// Where J has the rows of a tree alone they need no more than that.
   /// @param links  of tree_links(), may be empty.
-
   void set_tree(std::vector<TreeLink> links, int width);
   TreeMass* tree() { return tree_ ? &*tree_ : nullptr; }
   /// `part` F of the columns of a body.
@@ -59,9 +61,11 @@ class ConstrainedMass {
   /// a and λ (of the first rows; 0 for those left out).
   void accelerate(const Eigen::VectorXd& gamma, const Eigen::VectorXd& Q,
                   Eigen::VectorXd& a, Eigen::VectorXd& lambda);
-  /// The change of least mass norm with J change = −residual.
+  /// The change of least mass norm with J change = −residual; both [m] or
+  /// [m/s].
   void correct(const Eigen::VectorXd& residual, Eigen::VectorXd& change);
 
+  /// M v.
   Eigen::MatrixXd mass_times(const Eigen::MatrixXd& v) const;
 
   int rank() const { return rank_; }

@@ -19,7 +19,8 @@ namespace clevis::mechanism {
 /// its centre of mass, so that the mass matrix is block diagonal.
 SolvingFrame frame_at_centres(const MechanismDefinition& definition);
 
-/// q' = (0, half) q of a quaternion x, y, z, w that turns at twice that rate.
+/// q' = (0, half) q [1/s] of a quaternion x, y, z, w that turns at twice the
+/// angular velocity `half` [rad/s].
 inline Eigen::Vector4d quaternion_rate(const Eigen::Vector4d& q,
                                        const Eigen::Vector3d& half) {
   Eigen::Vector4d rate;
@@ -30,9 +31,10 @@ inline Eigen::Vector4d quaternion_rate(const Eigen::Vector4d& q,
 
 /// Equations of motion of a mechanism with free coordinates.
 ///
-/// State y: positions of the bodies (planar: x, y, length × angle; spatial:
-/// position and quaternion), their velocities (unknowns of the constraint
-/// system), internal states of forces, the work of all forces since the start.
+/// State y: positions of the bodies (planar: x, y, length × angle [m]; spatial:
+/// position [m] and quaternion [1]), their velocities (unknowns of the
+/// constraint system, [m/s]), internal states of forces [SI], the work of all
+/// forces since the start [J]. Times are in seconds [s].
 /// Drives are constraints that move. The rotor of a motor adds an unknown, its
 /// speed at the joint times the length, and the row that ties it to the joint;
 /// it is no state.
@@ -50,8 +52,8 @@ class ForwardDynamics : public numerics::OdeSystem {
                      Eigen::VectorXd& weights) const override;
   void scales(const Eigen::VectorXd& y, Eigen::VectorXd& scales) const override;
 
-  /// What joints and drives leave open of positions and of velocities, and
-  /// internal states.
+  /// Positions and velocities that joints and drives leave open, and internal
+  /// states.
   Eigen::Index tangents(double t, const Eigen::VectorXd& y,
                         Eigen::MatrixXd& T) override;
   /// Axes of each body.
@@ -141,7 +143,7 @@ class ForwardDynamics : public numerics::OdeSystem {
 
   /// When force elements communicate with the mechanism next [s].
   double next_communication() const { return forces_.next_communication(); }
-  /// Lets those do so whose time it is.
+  /// Lets the force elements communicate whose time has come.
   void communicate(double t, const Eigen::VectorXd& y);
 
   /// Configuration and twists of a state.
@@ -155,7 +157,7 @@ class ForwardDynamics : public numerics::OdeSystem {
   void anchor_turns(double t, const Configuration& x);
   /// Whether nothing but joints, drives and rotors holds the bodies now.
   bool has_joints_alone() const;
-  /// What drive k is to do at t.
+  /// Coordinate, rate and acceleration that drive k prescribes at t.
   DriveTarget target(std::size_t k, double t) const;
   bool is_planar() const { return planar_; }
 
@@ -164,8 +166,9 @@ class ForwardDynamics : public numerics::OdeSystem {
   /// The same with quaternions, which planar motions do without.
   Configuration whole_configuration() const;
   const std::vector<Twist>& twists() const { return twists_; }
+  /// Of the unknowns [m/s²].
   const Eigen::VectorXd& accelerations() const { return acceleration_; }
-  /// By row of system(), scaled as it is.
+  /// By row of system(), scaled as it is [N].
   const Eigen::VectorXd& multipliers() const { return lambda_; }
   const ConstrainedMass& mass() const { return mass_; }
 
@@ -186,9 +189,10 @@ class ForwardDynamics : public numerics::OdeSystem {
   /// @return nothing where no regular branch leads on.
   std::optional<BranchMotion> branch_motion(double t, const Eigen::VectorXd& y,
                                             int freedom);
+  /// Of all bodies [J].
   double kinetic_energy(const Eigen::VectorXd& y);
-  double length() const { return length_; }  ///< of the mechanism [m]
-  double tolerance() const { return tolerance_; }
+  double length() const { return length_; }        ///< of the mechanism [m]
+  double tolerance() const { return tolerance_; }  ///< over length() [1]
   /// Of unknowns, for scales() [m/s].
   double speed_scale() const { return speed_ > 0.0 ? speed_ : length_; }
   /// Fills the rates of the positions alone.

@@ -17,15 +17,16 @@ struct TreeLink {
   std::vector<int> rows;
 };
 
-/// Bodies that hang on one another alone, each by its joint and its drives:
-/// outer ones first. Empty if couplings or loops tie them otherwise.
+/// Links of a tree, each body tied to its parent by one joint and its drives:
+/// outer ones first. Empty if couplings or loops tie the bodies otherwise.
 /// @param joint_of_row  by row of the constraint system.
 std::vector<TreeLink> tree_links(const SolvingFrame& frame,
                                  const std::vector<int>& joint_of_row);
 
 /// M a = Q + Jᵀ λ, J a = γ on a tree, by articulated inertias from the outer
 /// bodies inwards (Featherstone 2008, 7) in coordinates in which M = 1; the
-/// rows of each joint as they are, also where gaps are open.
+/// rows of each joint as they are, also where gaps are open. Numbers are in the
+/// units of ConstraintSystem: a [m/s²], λ and Q [N].
 class TreeMass {
  public:
   /// @param width  unknowns of a body, 3 or 6.

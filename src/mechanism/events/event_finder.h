@@ -19,7 +19,7 @@ class EventFinder {
   ///   what rests.
   EventFinder(ForwardDynamics& dynamics, const MechanismDefinition& definition);
 
-  /// A state from which the modes hold.
+  /// A state from which the modes hold, of ForwardDynamics, at t [s].
   void start(double t, const Eigen::VectorXd& y);
 
   struct Event {

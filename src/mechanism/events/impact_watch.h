@@ -12,7 +12,7 @@ namespace clevis::mechanism {
 
 /// Records the impacts of an integration: each press of a contact or a stop's
 /// end, from then until it lets go. Force and impulse by Lobatto's rule on the
-/// dense output of the steps in between.
+/// dense output of the steps in between. Times are in seconds [s].
 class ImpactWatch {
  public:
   explicit ImpactWatch(ForwardDynamics& dynamics);

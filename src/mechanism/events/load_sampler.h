@@ -12,10 +12,12 @@
 namespace clevis::mechanism {
 
 /// Finds, along an integration, the times at which instants are wanted so
-/// that large loads change little from one to the next.
+/// that large loads change little from one to the next. Times are in seconds
+/// [s].
 class LoadSampler {
  public:
-  /// @param largest  squares by vector, as an earlier run found them.
+  /// @param largest  squares by vector, as an earlier run found them [N²],
+  ///   [N² m²].
   LoadSampler(ForwardDynamics& dynamics, const Eigen::VectorXd& largest);
 
   /// The start, and each state from which the integrator starts anew.

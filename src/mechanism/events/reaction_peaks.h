@@ -12,7 +12,7 @@ namespace clevis::mechanism {
 
 /// Watches an integration for the times at which each of its loads is largest:
 /// the force and the moment of each joint, as far as they hold the motion,
-/// the efforts of drives and force elements.
+/// the efforts of drives and force elements. Times are in seconds [s].
 class ReactionPeaks {
  public:
   explicit ReactionPeaks(ForwardDynamics& dynamics);
@@ -25,7 +25,7 @@ class ReactionPeaks {
   /// Increasing, those at the same time once.
   std::vector<double> times() const;
   const LoadList& list() const { return list_; }
-  /// By vector of the list: squares, and when [s].
+  /// By vector of the list: squares [N²] or [N² m²], and their times [s].
   const Eigen::VectorXd& largest() const { return largest_; }
   const Eigen::VectorXd& at() const { return at_; }
 

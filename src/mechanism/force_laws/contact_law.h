@@ -16,11 +16,12 @@ struct ContactLaw {
   double exponent = 1.5;
 };
 
-/// Effort of a penetration, without the bound at 0.
-/// @param depth  > 0 [m]; @param rate  of it [m/s].
+/// Effort of a penetration, without the bound at 0 [N] or [N m].
+/// @param depth  > 0 [m] or [rad]; @param rate  of it [m/s] or [rad/s].
 double contact_effort(const ContactLaw& law, double depth, double rate);
 
 /// Sign of that effort, without the factors that vanish with the depth.
+/// @param depth  >= 0 [m] or [rad]; @param rate  of it [m/s] or [rad/s].
 double contact_sign(const ContactLaw& law, double depth, double rate);
 
 /// Whether the law lets the bodies pull at one another until depth is 0.

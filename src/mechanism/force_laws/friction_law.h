@@ -19,7 +19,8 @@ struct FrictionLaw {
 };
 
 /// Friction of a line at a speed, with derivatives: effort = load × per_load +
-/// own, the load being 1 or the reaction that the friction follows.
+/// own [N] or [N m], the load being 1 or the reaction that the friction
+/// follows [N].
 struct FrictionEffort {
   double per_load{}, own{};
   double per_load_slope{}, own_slope{};  ///< by the speed
@@ -29,13 +30,15 @@ struct FrictionEffort {
 };
 
 /// @param mode  0 sticks, ±1 slips in that sense, ±2 gives its most against it,
-///   3 is left out. @param bristle  LuGre: its deflection.
-/// @param slack  speed below which speeds tell nothing: a regularizing speed
-///   below that acts as that.
+///   3 is left out. @param bristle  LuGre: its deflection
+///   [m] or [rad].
+/// @param speed  of the line [m/s] or [rad/s].
+/// @param slack  lower bound of the regularizing speed [m/s] or [rad/s].
 FrictionEffort friction_effort(const FrictionLaw& law, int mode, double speed,
                                double bristle, double slack = 0.0);
 
-/// The same by the tangent at another speed and bristle.
+/// The same by the tangent at another speed [m/s] or [rad/s] and bristle [m] or
+/// [rad].
 FrictionEffort friction_along_tangent(const FrictionLaw& law,
                                       const FrictionEffort& at, double speed,
                                       double bristle);

@@ -10,8 +10,9 @@
 
 namespace clevis::mechanism {
 
-/// What acts on the bodies of a mechanism beside its joints and drives:
-/// weight and force elements. None of it allocates.
+/// Loads on the bodies of a mechanism beside those of joints and drives: weight
+/// and force elements. None of it allocates. Times are in seconds [s], efforts
+/// in [N] or [N m], states of force elements in units of their own.
 class AppliedLoads {
  public:
   /// @param frame  referred to the bodies' centres of mass.
@@ -21,10 +22,11 @@ class AppliedLoads {
   /// @param internal  states of the force elements.
   void evaluate(double t, const Configuration& x,
                 const std::vector<Twist>& twists, const double* internal);
-  /// By slot, about the centres of mass, as of evaluate().
+  /// By slot, about the centres of mass [N], [N m], as of evaluate().
   const std::vector<Twist>& wrenches() const { return wrenches_; }
-  /// Of them all [W].
+  /// Power of all wrenches [W].
   double power(const std::vector<Twist>& twists) const;
+  /// Mass of a body [kg].
   double mass(std::size_t slot) const { return masses_[slot]; }
 
   ForceModel& forces() { return forces_; }

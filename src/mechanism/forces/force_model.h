@@ -12,6 +12,10 @@
 namespace clevis::mechanism {
 
 /// All force elements of a mechanism, evaluated without allocation.
+///
+/// SI: times [s], coordinates of lines [m] or [rad], their efforts [N] or
+/// [N m], accelerations [m/s²] or [rad/s²]; internal states in the units of
+/// their elements.
 class ForceModel {
  public:
   ForceModel(const MechanismDefinition& definition, const SolvingFrame& frame);
@@ -35,7 +39,8 @@ class ForceModel {
                 const std::vector<Twist>& twists, const double* internal);
   /// When elements communicate with the mechanism next [s].
   double next_communication() const;
-  /// Those whose time it is do, as of evaluate().
+  /// Exchanges data of all co-simulated elements whose communication time has
+  /// come. @pre evaluate(t).
   void communicate(double t);
   /// See accept() of an element.
   void accept(double t);
@@ -81,8 +86,8 @@ class ForceModel {
                               const std::vector<Twist>& accelerations) const;
   /// Coulomb friction, whose modes are decided together.
   bool is_dry(std::size_t k) const { return elements_[k]->is_dry(); }
-  /// Gives a sticking element the effort that holds it, takes from a motor's
-  /// what its rotor needs.
+  /// Gives a sticking element the effort that holds it. Adds to a motor's
+  /// effort that of the row of its rotor.
   void set_row_effort(std::size_t k, double effort);
   double breakaway(std::size_t k) const { return elements_[k]->breakaway(); }
   /// Lines whose effort is a smooth function of states alone.

@@ -11,11 +11,11 @@ namespace clevis::mechanism {
 
 /// Accelerations of a tree in the coordinates of its joints, by articulated
 /// inertias from the outer bodies inwards (Featherstone 2008, 7.3), referred
-/// to the centres of mass. None of it allocates.
+/// to the centres of mass, expressed in P. None of it allocates.
 class ArticulatedBodies {
  public:
   /// @param armatures  by velocity: inertia of what turns or slides with a
-  ///   coordinate alone.
+  ///   coordinate alone [kg m²] or [kg].
   ArticulatedBodies(const MechanismDefinition& definition,
                     const JointCoordinates& coordinates,
                     std::vector<double> armatures);
@@ -23,9 +23,9 @@ class ArticulatedBodies {
   /// Inertias as of coordinates.place(). @return false where a joint meets no
   ///   inertia.
   bool factor(const Configuration& x);
-  /// @param wrenches  by slot, about the centres of mass; @param twists
-  ///   nullptr: what wrenches alone do. @param u_rate  of all joints; open
-  ///   ones are filled.
+  /// @param wrenches  by slot, about the centres of mass [N], [N m].
+  /// @param twists  by slot; nullptr: wrenches act alone.
+  /// @param u_rate  of all joints [m/s²] or [rad/s²]; open ones are filled.
   void accelerate(const std::vector<Twist>& wrenches, const Configuration& x,
                   const std::vector<Twist>* twists, double* u_rate);
   /// Power of the drives, as of accelerate() [W]. @param u  of all joints.

@@ -12,7 +12,8 @@
 namespace clevis::mechanism {
 
 /// Coordinates of the joints of a tree: every body by the joint on which it
-/// hangs, and free ones by their own placement.
+/// hangs, and free ones by their own placement. Coordinates are in [m], [rad],
+/// of quaternions [1]; velocities in [m/s] and [rad/s].
 class JointCoordinates {
  public:
   struct Link {
@@ -34,7 +35,7 @@ class JointCoordinates {
     std::size_t drive{}, link{};
     Eigen::Index q{}, u{};
   };
-  /// What velocities u of its joint do to a body, at its centre of mass: with
+  /// Effect of velocities u of its joint on a body, at its centre of mass: with
   /// `shift` from the parent's, and for accelerations a and turning α of the
   /// parent,
   ///
@@ -53,8 +54,8 @@ class JointCoordinates {
   static std::optional<JointCoordinates> of(
       const SolvingFrame& frame, const std::vector<DriveDefinition>& drives);
 
-  /// What a row of a joint measures, among all coordinates and velocities:
-  /// sign times q.
+  /// Coordinate that a row of a joint measures, among all coordinates and
+  /// velocities: sign times q.
   struct Measured {
     Eigen::Index q{}, u{};
     double sign = 1.0;
@@ -67,7 +68,7 @@ class JointCoordinates {
   const std::vector<Motion>& motions() const { return motions_; }
 
   const std::vector<Driven>& driven() const { return driven_; }
-  /// Those that are not driven.
+  /// Indices of coordinates and velocities that no drive prescribes.
   const std::vector<Eigen::Index>& open_coordinates() const { return open_q_; }
   const std::vector<Eigen::Index>& open_velocities() const { return open_u_; }
 

@@ -15,7 +15,7 @@ namespace clevis::mechanism {
 /// these and drives alone hold the bodies.
 ///
 /// State z: open coordinates and velocities of JointCoordinates, internal
-/// states of forces, the work of all forces and drives.
+/// states of forces [SI], the work of all forces and drives [J]. Times [s].
 class TreeSystem : public numerics::OdeSystem {
  public:
   /// @param dynamics, coordinates  outlive this.

@@ -10,9 +10,11 @@ namespace clevis::mechanism {
 /// ω_ab = Σ q̇_k e_k, hence q̇_k = g_k · ω_ab with g the reciprocal axes.
 /// Left out: |q2| = 90°, where e_1 = ±e_3 and the rates have no bound.
 struct CardanAngles {
+  /// @param axes_a, axes_b  columns: unit vectors of the axes, in one frame.
   CardanAngles(const Eigen::Matrix3d& axes_a, const Eigen::Matrix3d& axes_b);
 
-  /// What velocities add to q̈_k = g_k · (α_b − α_a) + bias.
+  /// Bias of q̈_k = g_k · (α_b − α_a) + bias [rad/s²]; w_a, w_b the angular
+  /// velocities [rad/s].
   double bias(int k, const Eigen::Vector3d& w_a,
               const Eigen::Vector3d& w_b) const;
 

@@ -15,6 +15,7 @@ struct Configuration : std::vector<BodyPlacement> {
   /// By joint, to half a turn [rad]; move() keeps it up. Empty: all 0.
   std::vector<double> angles;
 
+  /// Angle of a joint [rad].
   double angle(std::size_t joint) const {
     return joint < angles.size() ? angles[joint] : 0.0;
   }

@@ -32,7 +32,7 @@ struct JointFrame {
   Eigen::Matrix3d R_LJ = Eigen::Matrix3d::Identity();
 };
 
-/// How far a joint gives way in frame J, per force [m/N] and per moment
+/// Compliance of a joint in frame J, per force [m/N] and per moment
 /// [rad/(N m)] along x, y, z. It decides how reactions are shared that
 /// equilibrium leaves open, and bounds them at change points; motion stays
 /// that of rigid joints.

@@ -15,7 +15,7 @@ struct BodyPlacement {
   Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
 
-  /// Displaces M and turns by a rotation vector, both in P.
+  /// Displaces M [m] and turns by a rotation vector [rad], both in P.
   void move(const Eigen::Vector3d& translation,
             const Eigen::Vector3d& rotation);
 };
@@ -52,7 +52,7 @@ struct PlacedJoint {
   /// about z leave out that turn.
   Eigen::Vector3d rotation_error() const;
 
-  /// How far b is displaced against a in this row: [m] or [rad].
+  /// Displacement of b against a in this row: [m] or [rad].
   double displacement(const JointRow& row) const;
 
   /// Force and moment on b at its J per unit multiplier of the row.
@@ -66,11 +66,12 @@ struct PlacedJoint {
   Levers levers(const JointRow& row) const { return levers(action(row)); }
   Levers levers(const Twist& action) const;
 
-  /// Second time derivative of the row that velocities alone cause.
+  /// Second time derivative of the row that velocities alone cause: [m/s²] or
+  /// [rad/s²].
   double bias(const JointRow& row, const Twist& twist_a,
               const Twist& twist_b) const;
 
-  /// Angle about the joint's axis, beyond half a turn as `angle` says.
+  /// Angle about the joint's axis, beyond half a turn as `angle` says [rad].
   double turned() const;
 
   JointType type{};

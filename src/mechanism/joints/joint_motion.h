@@ -9,7 +9,7 @@
 
 namespace clevis::mechanism {
 
-/// Relative motion of b against a, as coordinates of a joint tell it.
+/// Relative motion of b against a, in the coordinates of a joint.
 enum class JointMotionKind {
   kFixed,
   kTurn,   ///< about z
@@ -46,7 +46,8 @@ struct JointMotion {
   /// Angular acceleration against a at constant velocities.
   Eigen::Vector3d turning = Eigen::Vector3d::Zero();
 
-  /// @param q, u  coordinates and velocities.
+  /// @param slide_per_angle  of a screw [m/rad].
+  /// @param q, u  coordinates [m], [rad], [1]; velocities [m/s], [rad/s].
   void set(JointMotionKind kind, double slide_per_angle, const double* q,
            const double* u);
 };

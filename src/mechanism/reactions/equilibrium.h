@@ -27,8 +27,9 @@ class Equilibrium {
     std::vector<double> efforts;           ///< by drive
     std::vector<CouplingState> couplings;  ///< expressed in P
   };
-  /// @param twists, accelerations  by slot, of M, in P.
-  /// @param applied  further wrenches about M by slot, or none.
+  /// @param twists, accelerations  by slot, of M, in P [m/s], [rad/s]; [m/s²],
+  ///   [rad/s²].
+  /// @param applied  further wrenches about M by slot [N], [N m], or none.
   Solution solve(const Configuration& x, const std::vector<PlacedJoint>& placed,
                  const numerics::JacobianFactor& factor,
                  const std::vector<Twist>& twists,
@@ -36,7 +37,8 @@ class Equilibrium {
                  std::span<const Twist> applied = {}) const;
 
   /// The same with joints that give way, of the system's own motions only.
-  /// Nothing if no balance was found. @param held  see compliant_balance().
+  /// Nothing if no balance was found. @param held  columns of unknowns [m], see
+  /// compliant_balance().
   std::optional<Solution> solve_compliant(
       const Configuration& x, const std::vector<PlacedJoint>& placed,
       const std::vector<Twist>& twists, const std::vector<Twist>& accelerations,

@@ -8,8 +8,8 @@
 
 namespace clevis::mechanism {
 
-/// How far a compliance may lie from the one that shares reactions, as a
-/// factor to either side. Not given: from a pressed pin (0.01 nm/N) to a soft
+/// Factor to either side by which a compliance may differ from the one that
+/// shares reactions [1]. Not given: from a pressed pin (0.01 nm/N) to a soft
 /// bush (100 nm/N) about the default of 1 nm/N; beside links whose own
 /// compliance is known: a plain or rolling bearing at most.
 inline constexpr double kUnknownCompliance = 100.0;
@@ -43,7 +43,7 @@ class OtherSharings {
   bool is_complete() const;
   /// The joints whose compliance matters but was not given.
   const std::vector<std::string>& unknown() const;
-  /// Those whose compliance was given and matters.
+  /// Joints whose compliance was given and matters.
   const std::vector<std::string>& given() const;
   /// Whether forces strain elastic links elsewhere than at these joints, which
   /// shares reactions too and is not known.

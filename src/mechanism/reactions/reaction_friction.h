@@ -31,7 +31,7 @@ void refuse_open_loads(const MechanismDefinition& definition,
                        const ForceModel& forces,
                        const std::vector<JointReaction>& joints);
 
-/// @throws Error K011, always: a joint with such friction jams.
+/// @throws Error K011, always: a joint with such friction jams. @param t  [s].
 [[noreturn]] void refuse_jam(double t);
 
 }  // namespace clevis::mechanism

@@ -12,7 +12,9 @@ namespace clevis::mechanism {
 /// The loads of a mechanism as its bodies feel them, as one list of numbers:
 /// forces and moments of joints, drives, couplings and elements and what
 /// inertia needs, in the frame of each body that they act on. A body that
-/// spins along with its loads feels none of them change.
+/// spins along with its loads feels none of them change. Forces are in [N],
+/// moments in [N m], angular accelerations and squares of angular velocities
+/// times √(tr I · m) in [N].
 class BodyLoads {
  public:
   /// Numbers that belong together.
@@ -33,8 +35,8 @@ class BodyLoads {
   Eigen::VectorXd of(const Instant& instant) const;
   /// Lengths of the vectors.
   Eigen::VectorXd lengths(const Eigen::VectorXd& values) const;
-  /// What counts as a large change of each: its largest length, but a small
-  /// part of all that its bodies feel at least.
+  /// Scale of a change of each vector: its largest length, but at least 1e-4 of
+  /// the largest load on its bodies.
   /// @param largest  lengths over the motion.
   Eigen::VectorXd scales(const Eigen::VectorXd& largest) const;
 

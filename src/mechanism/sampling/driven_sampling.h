@@ -15,7 +15,7 @@ inline constexpr double kApart = 1e-9;
 /// jump, over the duration; all others are farther apart.
 inline constexpr double kSides = 4e-9;
 
-/// Adds times to increasing ones, but those that are there already.
+/// Adds times to increasing ones, but those that are there already [s].
 void add_times(const std::vector<double>& more, double duration,
                std::vector<double>& times);
 

@@ -21,12 +21,13 @@ struct LawTimes {
   bool all = true;  ///< false: too many for it
 };
 
+/// @param duration  of the motion [s].
 /// @param most  looks; beyond them those of the quickest sines are left out.
 LawTimes law_times(const MechanismDefinition& definition, double duration,
                    double most);
 
 /// Instants that steps and bends ask for: both sides of a step, as close as
-/// kSides, and the time of a bend.
+/// kSides, and the time of a bend [s].
 std::vector<double> instants_of_laws(const LawTimes& times, double duration);
 
 }  // namespace clevis::mechanism

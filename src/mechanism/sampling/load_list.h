@@ -13,6 +13,7 @@ namespace clevis::mechanism {
 /// The loads of a mechanism at a time as one list of numbers, and which of
 /// them belong together: per joint its force and its moment as far as they
 /// hold the motion, per drive its effort, per element its effort and friction.
+/// Forces are in [N], moments in [N m].
 class LoadList {
  public:
   /// @param x  any configuration of the system.
@@ -23,7 +24,7 @@ class LoadList {
   Eigen::Index size() const {
     return static_cast<Eigen::Index>(vector_of_.size());
   }
-  /// How many vectors: forces and moments of joints, efforts of drives and
+  /// Number of vectors: forces and moments of joints, efforts of drives and
   /// elements, in this order.
   Eigen::Index vectors() const { return vectors_; }
   Eigen::Index force_of_joint(int j) const { return 2 * j; }
@@ -36,7 +37,7 @@ class LoadList {
   void get(const ConstraintSystem& system, const Eigen::VectorXd& multipliers,
            const ForceModel& forces, Eigen::VectorXd& values) const;
   void get(const Instant& instant, Eigen::VectorXd& values) const;
-  /// Squares of the vectors' lengths.
+  /// Squares of the vectors' lengths [N²] or [N² m²].
   void squares(const Eigen::VectorXd& values, Eigen::VectorXd& squares) const;
   /// That of a − b.
   void squares_of_change(const Eigen::VectorXd& a, const Eigen::VectorXd& b,
@@ -50,7 +51,8 @@ class LoadList {
 
 /// Says where the loads of a motion change so much that an instant between
 /// two is wanted: by half a percent near a vector's largest length, more
-/// where it is smaller, and where it is below half of it never.
+/// where it is smaller, and where it is below half of it never. Loads are those
+/// of a LoadList [N], [N m].
 class LoadChange {
  public:
   /// @param largest  squares of the vectors' lengths over the motion.

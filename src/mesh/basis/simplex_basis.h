@@ -23,7 +23,8 @@ std::vector<SimplexIndex<dim>> simplex_lattice(int degree);
 template <int dim>
 using SimplexPoints = Eigen::Matrix<double, dim, Eigen::Dynamic>;
 
-/// Interpolation points of a degree in the order of simplex_lattice:
+/// Interpolation points of a degree in reference coordinates [1], in the order
+/// of simplex_lattice:
 /// Gauss–Lobatto on the edges, recursively blended inside (Isaac, "Recursive,
 /// parameter-free, explicitly defined interpolation nodes for simplices",
 /// SIAM J. Sci. Comput. 42, 2020); the same from every vertex, so that the
@@ -44,17 +45,19 @@ struct SimplexTable {
 template <int dim>
 SimplexTable<dim> bernstein(int degree, const SimplexPoints<dim>& points);
 
-/// Lagrange polynomials through simplex_nodes.
+/// Lagrange polynomials through simplex_nodes [1].
+/// @param points  in reference coordinates [1], dim × points.
 template <int dim>
 SimplexTable<dim> simplex_lagrange(int degree,
                                    const SimplexPoints<dim>& points);
 
-/// A simplex's mapping and its Jacobian columns at the points of a table.
+/// A simplex's mapping and its Jacobian columns at the points of a table [m].
+/// @param cell_points  of the cell, dim × nodes [m].
 template <int dim>
 MappedGrid<dim> map_simplex(const SimplexPoints<dim>& cell_points,
                             const SimplexTable<dim>& table);
 
-/// Columns from vertex 0 to the others of a cell that is affine to 1e-13 of
+/// Columns from vertex 0 to the others [m] of a cell that is affine to 1e-13 of
 /// its size; nothing if it is curved.
 /// @param nodes  simplex_nodes of the cell's degree.
 template <int dim>
@@ -84,7 +87,7 @@ template <int dim>
 const std::array<int, dim>& simplex_face(int face);
 
 /// +1 if the vertices of a tetrahedron's face turn so that their area vector
-/// points outward, else −1.
+/// points outward, else −1 [1].
 double simplex_face_sense(int face);
 
 /// Points of the lattice that lie on a face, as its vertices span them: the

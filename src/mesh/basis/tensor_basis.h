@@ -21,6 +21,7 @@ Eigen::VectorXd gauss_lobatto(int degree);
 struct LagrangeBasis {
   Eigen::MatrixXd value, slope;
 };
+/// @param nodes, points  on the reference interval [0, 1].
 LagrangeBasis lagrange(const Eigen::VectorXd& nodes,
                        const Eigen::VectorXd& points);
 
@@ -32,7 +33,8 @@ Eigen::Matrix<double, dim, Eigen::Dynamic> interpolate(
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& nodal,
     const std::array<const Eigen::MatrixXd*, dim>& along);
 
-/// A mapping x(ξ) and its Jacobian columns ∂x/∂ξ_d at a tensor grid.
+/// A mapping x(ξ) and its Jacobian columns ∂x/∂ξ_d at a grid of points [m];
+/// one column per point.
 template <int dim>
 struct MappedGrid {
   Eigen::Matrix<double, dim, Eigen::Dynamic> points;
@@ -45,12 +47,13 @@ struct MappedGrid {
   }
 };
 
-/// ∂x/∂ξ_d at the nodes of a hexahedron's mapping, for each d.
+/// ∂x/∂ξ_d at the nodes of a hexahedron's mapping, for each d [m].
 /// @param slope  of the 1-D basis at its own nodes.
 std::array<Eigen::Matrix3Xd, 3> tangents_at_nodes(
     const Eigen::Matrix3Xd& cell_points, const Eigen::MatrixXd& slope);
 
 /// Evaluates a cell's mapping; one 1-D basis per direction.
+/// @param cell_points  dim × nodes [m].
 template <int dim>
 MappedGrid<dim> map_grid(
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& cell_points,

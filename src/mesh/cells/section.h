@@ -20,6 +20,7 @@ struct Section {
 /// The section of the part by the plane through `point` normal to `normal`.
 /// Piecewise linear in each cell's subdivision; error O((h/parts)²), with four
 /// below 0.3 % of the area for the meshes of this project.
+/// @param point  in L [m]. @param normal  in L, of any length.
 /// @param parts  of a cell per direction.
 Section cut(const PartMesh<3>& mesh, const Eigen::Vector3d& point,
             const Eigen::Vector3d& normal, int parts = 4);

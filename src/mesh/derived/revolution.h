@@ -17,7 +17,7 @@ struct Revolution {
   /// Along the axis, and the directions of the angles 0 and 90° about it; in L.
   Eigen::Matrix3d axes;
 
-  /// Position in L of (along the axis, radius) at an angle.
+  /// Position in L [m] of (along the axis, radius) [m] at an angle [rad].
   Eigen::Vector3d at(const Eigen::Vector2d& meridian_point, double angle) const;
 };
 

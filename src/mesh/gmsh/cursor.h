@@ -26,10 +26,11 @@ class Cursor {
   void skip_behind(std::string_view text);
 
   std::int64_t text_integer();
+  /// A number as the file has it, in the units of the file.
   double text_real();
   int integer();
   std::uint64_t size();
-  double real();
+  double real();  ///< in the units of the file
 
   /// A count just read, whose records take at least `bytes_each` bytes: fails
   /// unless that many can follow, before anybody allocates for them.

@@ -46,7 +46,7 @@ std::vector<int> quadrangle_node_order(int order);
 /// the last two the other way round).
 std::vector<int> tetrahedron_node_order(int order);
 
-/// (27 × 20) values of the serendipity functions of gmsh's 20-node
+/// (27 × 20) values [1] of the serendipity functions of gmsh's 20-node
 /// hexahedron at the lexicographic nodes of the complete one.
 Eigen::MatrixXd serendipity_to_complete();
 

@@ -21,7 +21,7 @@ struct GmshElement {
   std::size_t first_node{};  ///< into GmshFile::element_nodes
 };
 
-/// What a .msh file holds, in the file's own unit; nodes and elements are
+/// Contents of a .msh file, in the file's own unit; nodes and elements are
 /// sorted by tag so that all variants of the format give the same.
 struct GmshFile {
   std::string name;  ///< for messages

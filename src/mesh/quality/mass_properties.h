@@ -12,6 +12,7 @@ namespace clevis::mesh {
 part::MassProperties mass_properties(const PartMesh<3>& mesh, double density);
 
 /// The same of the plate with its thickness; z from mid_plane_z.
+/// @param density [kg/m³].
 part::MassProperties mass_properties(const PartMesh<2>& mesh, double density);
 
 /// Area [m²], centroid [m] and second moment ∫ (|r|² I − r rᵀ) dA [m⁴] about

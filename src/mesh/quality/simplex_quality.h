@@ -23,6 +23,7 @@ class SimplexQuality {
 
   /// The smallest determinant is a lower bound if it is positive; if it is
   /// not, the cell folds, or could not be proved not to.
+  /// @param cell_points  3 × nodes [m].
   CellQuality of(const Eigen::Matrix3Xd& cell_points) const;
 
  private:

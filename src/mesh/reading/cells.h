@@ -10,6 +10,7 @@ namespace clevis::mesh {
 /// edges that two cells share point the same way in both, where the mesh
 /// allows it.
 ///
+/// @param length_unit  of the file [m].
 /// @throws Error M002 if faces do not fit the cells, M006 if a face has more
 ///   than two cells, M008 for cells that are not taken, M012 if a face is in
 ///   two named groups.

@@ -25,11 +25,12 @@ PartMesh<3> read_part_mesh(const std::filesystem::path& file,
                            double length_unit,
                            std::optional<double> thickness = {});
 
-/// The same with what was made of the file that it does not say.
+/// A mesh with notes on what the reader inferred from the file.
 struct ReadMesh {
   PartMesh<3> mesh;
   std::vector<std::string> notes;  ///< facets taken for cylinders
 };
+/// @param length_unit, thickness  as of read_part_mesh() [m].
 ReadMesh read_mesh_with_notes(const std::filesystem::path& file,
                               double length_unit,
                               std::optional<double> thickness = {});

@@ -21,7 +21,7 @@ struct RoundEntities {
 
 RoundEntities find_round_entities(const PartMesh<3>& mesh);
 
-/// Nearest point that lies on the cylinders of all the given groups.
+/// Nearest point to p [m] that lies on the cylinders of all the given groups.
 Eigen::Vector3d project_on_all(const PartMesh<3>& mesh,
                                const std::set<int>& groups, Eigen::Vector3d p);
 

@@ -10,7 +10,8 @@ namespace clevis::mesh {
 std::vector<unsigned> face_cycle(const PartMesh<3>& mesh,
                                  const BoundaryFace& face);
 
-/// Area vector through the corners of a face; its sign is that of the cycle.
+/// Area vector [m²] through the corners of a face; its sign is that of the
+/// cycle.
 Eigen::Vector3d area_vector(const PartMesh<3>& mesh,
                             const std::vector<unsigned>& cycle);
 

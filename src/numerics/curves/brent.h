@@ -6,7 +6,8 @@
 
 namespace clevis::numerics {
 
-/// Root of f in [a, b] by Brent's method, to round-off of t.
+/// Root of f in [a, b] by Brent's method, to its
+/// round-off; a and b in the units of f's argument.
 /// @pre f_a > 0 >= f_b. @return a point at or just beyond the root.
 template <typename Function>
 double brent_root(Function f, double a, double f_a, double b, double f_b) {

@@ -10,7 +10,8 @@ enum class SplineEnds {
   kNatural   ///< second derivative zero
 };
 
-/// Twice continuously differentiable piecewise cubic through given values.
+/// Twice continuously differentiable piecewise cubic through given values, in
+/// the units of these; times [s].
 struct CubicSpline {
   std::vector<double> times;   ///< increasing, two or more
   std::vector<double> values;  ///< one per time
@@ -27,7 +28,7 @@ struct CubicSpline {
 /// The interpolating spline, by the tridiagonal equations for its second
 /// derivatives m: h_{i−1} m_{i−1} + 2 (h_{i−1} + h_i) m_i + h_i m_{i+1} =
 /// 6 (s_i − s_{i−1}), s the slopes of the chords.
-/// @pre times increase, at least two.
+/// @param values  in any unit. @pre times [s] increase, at least two.
 CubicSpline interpolating_spline(std::vector<double> times,
                                  std::vector<double> values, SplineEnds ends);
 

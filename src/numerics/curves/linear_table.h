@@ -11,7 +11,8 @@ enum class StepSide { kBefore, kBehind };
 
 /// Linear between the points, constant outside; a step where two times are
 /// equal.
-/// @param times  not decreasing, one or more. @param values  one for each.
+/// @param times  not decreasing, one or more; t in the units of these.
+/// @param values  one for each. @return in the units of the values.
 inline double linear_at(const std::vector<double>& times,
                         const std::vector<double>& values, double t,
                         StepSide side = StepSide::kBehind) {

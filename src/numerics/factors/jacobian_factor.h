@@ -14,7 +14,7 @@ namespace clevis::numerics {
 /// dependent act as constraints with arbitrary multipliers.
 inline constexpr double kRankThreshold = 3e-5;
 
-/// Rank-revealing factorisation of a scaled constraint Jacobian J: fast LU
+/// Rank-revealing factorisation of a scaled constraint Jacobian J [1]: fast LU
 /// where J is square and clearly regular, else a complete orthogonal
 /// decomposition truncated at kRankThreshold.
 class JacobianFactor {
@@ -58,7 +58,7 @@ class JacobianFactor {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> orthogonal_;
 };
 
-/// What the rows of a Jacobian leave open, by singular values.
+/// Rank and dependent rows of a Jacobian [1], by singular values.
 struct RowDependence {
   int rank{};
   /// Rows that depend on others: their multipliers are not unique.

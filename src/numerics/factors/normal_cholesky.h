@@ -8,7 +8,7 @@ namespace clevis::numerics {
 
 /// Cholesky of W Wᵀ for rows of W of length 1 that touch few 3-blocks of
 /// columns each, within the skyline that this gives; and of the independent
-/// rows alone where others depend on them.
+/// rows alone where others depend on them. Rows of W are pure numbers.
 class NormalCholesky {
  public:
   /// @param columns  a multiple of 3.

@@ -21,7 +21,7 @@ class Collocation {
  public:
   explicit Collocation(OdeSystem& system);
 
-  /// Those of the method count.
+  /// One vector per stage; the first of them count, as many as the method has.
   using Stages = std::array<Eigen::VectorXd, RadauMethod::kMostStages>;
 
   void use(const RadauMethod& method);

@@ -4,7 +4,8 @@
 
 namespace clevis::numerics {
 
-/// y' = f(t, y), for the integrators. None of it allocates.
+/// y' = f(t, y), for the integrators. None of it allocates. Time t is in
+/// seconds [s], each component of y in a unit of its own, as the system says.
 class OdeSystem {
  public:
   virtual ~OdeSystem() = default;
@@ -42,27 +43,30 @@ class OdeSystem {
                          Eigen::Ref<Eigen::VectorXd> /*v*/) const {}
   /// From now on laws that bend within a small change of the state act by
   /// their tangents at (t, y): differences of rate() over steps of any length
-  /// tell its derivative. Until release_tangents().
+  /// give its derivative. Until release_tangents().
   virtual void hold_tangents(double /*t*/, const Eigen::VectorXd& /*y*/) {}
   virtual void release_tangents() {}
 
-  /// Efforts in which rates are linear and which states tell by stiff laws.
+  /// Number of stiff scalar efforts φ in which f(t, y, φ) is linear. Each is
+  /// given by a law φ(t, y).
   virtual Eigen::Index efforts() const { return 0; }
-  /// From now on these act, whatever their laws say; nullptr: as these say.
+  /// Holds the efforts at given values, whatever their laws say; nullptr: lets
+  /// the laws decide again.
   virtual void hold_efforts(const Eigen::VectorXd* /*given*/) {}
-  /// What the laws say, as of the last rate() or hold_tangents().
+  /// Efforts by their laws, as of the last rate() or hold_tangents().
   virtual void efforts_by_law(Eigen::VectorXd& /*efforts*/) const {}
   /// Derivative of the rate by effort k, as of the last rate().
   virtual void effort_response(Eigen::Index /*k*/,
                                Eigen::Ref<Eigen::VectorXd> /*rate*/) {}
 };
 
-/// What an integrator has done so far.
+/// Work of an integrator so far.
 struct StepCounts {
   long steps{}, rejected{}, evaluations{}, factorisations{};
 };
 
 /// One accepted step after another, with dense output over the last one.
+/// Times are in seconds [s], states as those of the system.
 class Integrator {
  public:
   virtual ~Integrator() = default;

@@ -8,15 +8,15 @@
 
 namespace clevis::scene {
 
-/// A quantity that may be zero but not negative. @throws Error S006.
+/// A quantity [SI] that may be zero but not negative. @throws Error S006.
 double not_negative(const Value& value, Dimension dimension);
 double not_negative_or(StrictTable& table, std::string_view key,
                        Dimension dimension, double otherwise);
 
 /// A stiffness above zero that some machine has: a cube of steel of 10 m has
-/// 2e12 N/m. @throws Error S006, S011.
+/// 2e12 N/m. In [N/m] or [N m/rad]. @throws Error S006, S011.
 double plausible_stiffness(const Value& value, Dimension dimension);
-/// The same, or zero.
+/// The same [N/m] or [N m/rad], or zero.
 double plausible_stiffness_or_zero(const Value& value, Dimension dimension);
 
 /// Dimensions of a line's coordinate, effort and constants.

@@ -10,7 +10,8 @@ namespace clevis::scene {
 /// Whether two equal times may follow one another, as a step between them.
 enum class Steps { kRefused, kAllowed };
 
-/// @param least  0 or 2. @throws Error S006 unless that many increase.
+/// Times [s]. @param least  0 or 2. @throws Error S006 unless that many
+/// increase.
 std::vector<double> increasing_times(const Value& times, std::size_t least,
                                      Steps steps = Steps::kRefused);
 

@@ -53,12 +53,13 @@ class Value {
 
   /// SI value of a text with unit. @throws Error S004, S005, S006.
   double quantity(Dimension dimension) const;
-  /// As quantity(), and > 0.
+  /// As quantity() [SI], and > 0.
   double positive(Dimension dimension) const;
   /// Three quantities [SI]. @throws also S005 if there are not three.
   Eigen::Vector3d vector(Dimension dimension) const;
 
-  /// Three pure numbers, normalised. @throws Error S006 if all are zero.
+  /// A unit vector of three numbers, normalised. @throws Error S006 if all are
+  /// zero.
   Eigen::Vector3d direction() const;
 
   /// The choice that the text names. @throws Error S009 with the nearest one.
