@@ -28,8 +28,8 @@ struct BarSection {
 };
 BarSection round_section(double diameter);
 
-/// Struck at its free end: 3 E I/h³. As published 1/h³ E I: the factor 3 of
-/// the deflection is missing (I-yst).
+/// Struck at its free end: 3 E I/h³. As published in [RotorLine] E I/h³:
+/// the factor 3 of the deflection is missing.
 StruckBar cantilever(const part::Material& material, const BarSection& section,
                      double length, Formula deflection = Formula::kCorrected);
 /// Struck in the middle between hinges: 48 E I/l³.

@@ -20,9 +20,9 @@ double kolosov_plane_stress(double poissons_ratio);
 
 /// Williams' exponents of a wedge: displacements go like r^λ, stresses like
 /// r^(λ − 1). All real parts in (0.05, 0.995), rising, each as often as its
-/// multiplicity; empty if the stress at the tip is bounded (λ ≥ 1). M. L.
-/// Williams, J. Appl. Mech. 19 (1952) 526; the general sides by
-/// Muskhelishvili's functions φ = a z^λ, ψ = b z^λ (docs/theory.md). To 1e-7.
+/// multiplicity; empty if the stress at the tip is bounded (λ ≥ 1). To 1e-7.
+/// Source: [Williams1952]; the general sides by the functions φ = a z^λ,
+/// ψ = b z^λ of [Muskhelishvili] (docs/theory.md, "Singular zones").
 /// @param angle  of the material at the tip, in (0, 2π] [rad].
 /// @param first, second  sides at θ = 0 and θ = angle.
 /// @param kolosov  of the plane state.

@@ -15,7 +15,7 @@ inline constexpr int kBlockColumns = lanes::kLanes<float>;
 /// its own recurrence; converged ones stand still.
 ///
 /// The direction is corrected by the Polak–Ribière formula, which bears the
-/// rounding of the single-precision preconditioner (Golub & Ye 1999).
+/// rounding of the single-precision preconditioner ([GolubYe1999]).
 class BlockCg {
  public:
   using Lanes = Eigen::Array<double, kBlockColumns, 1>;

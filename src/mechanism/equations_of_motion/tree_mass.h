@@ -24,7 +24,7 @@ std::vector<TreeLink> tree_links(const SolvingFrame& frame,
                                  const std::vector<int>& joint_of_row);
 
 /// M a = Q + Jᵀ λ, J a = γ on a tree, by articulated inertias from the outer
-/// bodies inwards (Featherstone 2008, 7) in coordinates in which M = 1; the
+/// bodies inwards ([Featherstone2008] 7) in coordinates in which M = 1; the
 /// rows of each joint as they are, also where gaps are open.
 class TreeMass {
  public:

@@ -10,7 +10,7 @@
 namespace clevis::mechanism {
 
 /// Accelerations of a tree in the coordinates of its joints, by articulated
-/// inertias from the outer bodies inwards (Featherstone 2008, 7.3), referred
+/// inertias from the outer bodies inwards ([Featherstone2008] 7.3), referred
 /// to the centres of mass. None of it allocates.
 class ArticulatedBodies {
  public:
