@@ -12,7 +12,8 @@ namespace clevis::elasticity {
 inline constexpr int kBlockColumns = lanes::kLanes<float>;
 
 /// Conjugate gradients for up to kBlockColumns independent columns, each with
-/// its own recurrence; converged ones stand still.
+/// its own recurrence; converged ones stand still. Loads are scaled
+/// to norm 1, so that solutions are per newton [m/N].
 ///
 /// The direction is corrected by the Polak–Ribière formula, which bears the
 /// rounding of the single-precision preconditioner ([GolubYe1999]).

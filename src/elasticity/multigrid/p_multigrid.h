@@ -43,7 +43,7 @@ class PMultigrid {
   /// Largest eigenvalue of the Jacobi-preconditioned matrix per level above
   /// the coarsest, as estimated.
   std::vector<double> largest_eigenvalues() const;
-  /// Seconds spent on the coarsest level so far.
+  /// Time spent on the coarsest level so far [s].
   double coarse_seconds() const;
 
  private:
