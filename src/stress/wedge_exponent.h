@@ -14,7 +14,8 @@ struct WedgeSide {
   double direction = 0.0;
 };
 
-/// Kolosov's constant: 3 − 4ν in plane strain, (3 − ν)/(1 + ν) in plane stress.
+/// Kolosov's constant: 3 − 4ν in plane strain, (3 − ν)/(1 + ν) in plane stress
+/// [1].
 double kolosov_plane_strain(double poissons_ratio);
 double kolosov_plane_stress(double poissons_ratio);
 
@@ -30,7 +31,8 @@ std::vector<double> wedge_exponents(double angle, const WedgeSide& first,
                                     const WedgeSide& second, double kolosov);
 
 /// Smallest exponent of the displacement across the plane (mode III): π over
-/// the angle, half of it if one side only is held.
+/// the angle, half of it if one side only is held [1].
+/// @param angle  of the material at the tip [rad].
 double antiplane_exponent(double angle, bool first_held, bool second_held);
 
 }  // namespace clevis::stress

@@ -40,8 +40,8 @@ Quadrature<dim> gauss(mesh::CellShape shape, Degree n);
 template <int dim>
 FaceQuadrature<dim> face_gauss(mesh::CellShape shape, int face, Degree n);
 
-/// Equidistant lattice with `subdivisions` + 1 points a direction, in reference
-/// coordinates, lexicographic (tensor cells), or the lattice of the simplex.
+/// Equidistant lattice in reference coordinates with `subdivisions` + 1 points
+/// a direction, lexicographic (tensor cells), or the lattice of the simplex.
 template <int dim>
 ReferencePoints<dim> lattice(mesh::CellShape shape, int subdivisions);
 

@@ -43,8 +43,8 @@ Folding<dim> fold(const Discretization<dim>& whole,
                   const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions,
                   std::vector<Mirror> mirrors);
 
-/// Loads of a class on the folded part: dofs of `part` × columns, in the units
-/// of `whole`.
+/// Loads of a class on the folded part, in the units of `whole`: dofs of `part`
+/// × columns.
 template <int dim>
 Eigen::MatrixXd fold_loads(const Folding<dim>& folding, unsigned parity,
                            const Eigen::MatrixXd& whole);
