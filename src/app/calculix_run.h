@@ -24,7 +24,7 @@ struct CalculixRequest {
 /// What tells the runs of CalculiX's series apart: "h", "h/2".
 std::string calculix_setting(int split);
 
-/// Degrees of freedom of the deck that a request makes, roughly.
+/// Number of degrees of freedom of the deck that a request makes, roughly [1].
 double calculix_dofs(const mesh::PartMesh<3>& mesh, int split);
 
 /// Writes the deck, runs ccx on one thread, reads its answer and compares the

@@ -19,6 +19,7 @@ struct MovingPart {
 /// Writes NAME.vtu (Lagrange cells) and NAME_linear.vtu at the worst instant
 /// in frame L; for a moving part also frames/NAME_####.vtu in the world and
 /// NAME.pvd over them; NAME_buckling.vtu with the shape in which it buckles.
+/// @param yield_strength  of the material [Pa].
 /// @throws Error I002.
 void write_part_files(const assessment::PartAssessment& assessment,
                       const std::optional<MovingPart>& moving,

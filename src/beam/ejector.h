@@ -9,12 +9,12 @@
 
 namespace clevis::beam {
 
-/// Which of the source's formulas stand as printed.
+/// Which formulas of [RotorLine] stand as printed.
 struct EjectorFormulas {
-  Formula deflection = Formula::kCorrected;  ///< I-yst: h³/(E I), or a third
-  Formula speed = Formula::kCorrected;       ///< I-V: 2 V_B, or V_B
-  /// I-work, I-spring: F0 S (1 − S/l) and (S_D − S_D0)², or F0 S (1 − S/(2l))
-  /// and (S_D0 + S_D)² − S_D0².
+  Formula deflection = Formula::kCorrected;  ///< y_st/F: h³/(E I), or a third
+  Formula speed = Formula::kCorrected;       ///< V: 2 V_B, or V_B
+  /// Work of magnet and spring: F0 S (1 − S/l) and (S_D − S_D0)², or F0 S (1 −
+  /// S/(2l)) and (S_D0 + S_D)² − S_D0².
   Formula drive = Formula::kCorrected;
 };
 

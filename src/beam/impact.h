@@ -29,8 +29,8 @@ struct BarSection {
 /// Section of a round bar; diameter [m].
 BarSection round_section(double diameter);
 
-/// Struck at its free end, h the length [m]: 3 E I/h³. As published 1/h³ E I:
-/// the factor 3 of the deflection is missing (I-yst).
+/// Struck at its free end, h the length [m]: 3 E I/h³. As published in
+/// [RotorLine] E I/h³: the factor 3 of the deflection is missing.
 StruckBar cantilever(const part::Material& material, const BarSection& section,
                      double length, Formula deflection = Formula::kCorrected);
 /// Struck in the middle between hinges, l their distance [m]: 48 E I/l³.

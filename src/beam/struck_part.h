@@ -12,7 +12,7 @@ namespace clevis::beam {
 /// A part as the bar that beam theory takes it for.
 struct BarOfPart {
   StruckBar bar;
-  /// With the published deflection h³/(E I); of a rod the same.
+  /// With the deflection h³/(E I) of [RotorLine]; of a rod the same.
   StruckBar published;
   double length{};      ///< from the held to the struck face [m]
   bool is_rod = false;  ///< struck along its axis, else a cantilever

@@ -23,7 +23,7 @@ class NodeReduction {
   const std::vector<std::size_t>& functions() const { return functions_; }
 
   /// Tᵀ f: what the dropped nodes carry goes to those that they follow.
-  /// @param full  3 × nodes of the discretisation rows.
+  /// @param full  loads, 3 × nodes of the discretisation rows [N].
   Eigen::MatrixXd reduce(const Eigen::MatrixXd& full) const;
 
  private:

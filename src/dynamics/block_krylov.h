@@ -27,8 +27,7 @@ struct SelfAdjoint {
 /// orthogonality that makes eigenvalues appear again does not arise. A block
 /// finds eigenvalues as often as they occur, up to its width.
 ///
-/// Source: Golub & Underwood, in Mathematical Software III (1977) 361-377;
-/// Grimes, Lewis & Simon, SIAM J. Matrix Anal. 15 (1994) 228-272.
+/// Source: [GolubUnderwood1977], [GrimesLewisSimon1994].
 class BlockKrylov {
  public:
   /// @param solve     B -> (K + s M)⁻¹ B.

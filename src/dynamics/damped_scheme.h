@@ -14,8 +14,7 @@ namespace clevis::dynamics {
 /// y = ω h < 0.5 alone (5e-4 of the amplitude a step at 0.5, 1.6 % at 1, 16 %
 /// at 2, all in the end) and delays none of those that it leaves.
 ///
-/// Source: Nørsett, BIT 14 (1974) 63-77; Hairer & Wanner, Solving Ordinary
-/// Differential Equations II (1996), table IV.6.4.
+/// Source: [Norsett1974]; [HairerWanner1996] table IV.6.4.
 struct DampedScheme {
   static constexpr double kPole = 0.57281606248213;  ///< γ
   static constexpr int kStages = 4;

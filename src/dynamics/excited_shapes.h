@@ -24,7 +24,7 @@ struct ReducedModel {
 /// that it does not. In such a space the answer to c converges in far fewer
 /// vectors than in eigenmodes.
 ///
-/// Source: Wilson, Yuan & Dickens, Earthq. Eng. Struct. Dyn. 10 (1982) 813-821.
+/// Source: [WilsonYuanDickens1982].
 class ExcitedShapes {
  public:
   /// @param load  c, per unit of force [1].

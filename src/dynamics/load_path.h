@@ -5,13 +5,10 @@
 namespace clevis::dynamics {
 
 /// Coordinates of a quasi-static answer between the instants at which they are
-/// known: on each interval the cubic with the slopes of Fritsch & Butland,
+/// known: on each interval the cubic with the slopes of [FritschButland1984],
 /// which never leaves the values at its ends and whose slope has no jump.
 /// Instants next to one another closer than `jump` are the two sides of an
-/// event; there the coordinates jump, and nothing lies between. Times are in
-/// seconds [s], values in the units of the caller.
-///
-/// Source: Fritsch & Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300-304.
+/// event; there the coordinates jump, and nothing lies between.
 class LoadPath {
  public:
   /// @param time    rising [s]. @param values  coordinates × instants.

@@ -13,7 +13,7 @@ namespace clevis::dynamics {
 /// (K + s M)⁻¹ M makes of the loads' static answers, without rigid motions.
 /// Those answers are in the space exactly, the lower modes first of all.
 ///
-/// Source: Wilson, Yuan & Dickens, Earthq. Eng. Struct. Dyn. 10 (1982) 813-821.
+/// Source: [WilsonYuanDickens1982].
 class LoadShapes {
  public:
   /// @param answers  static displacements [m], equations × loads.

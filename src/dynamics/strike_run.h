@@ -31,10 +31,9 @@ struct StrikeRun {
 
 /// Steps whose contact force is constant and equal to the mean of the contact
 /// spring over the step's own way: the sum of all energies is kept to
-/// round-off, whatever the step (Gonzalez, J. Nonlinear Sci. 6 (1996) 449-467;
-/// for contact Laursen & Chawla, Int. J. Numer. Meth. Eng. 40 (1997)
-/// 863-886).
-/// @param duration  from t = 0 [s]. @param samples  after t = 0.
+/// round-off, whatever the step.
+/// Source: [Gonzalez1996], for contact [LaursenChawla1997].
+/// @param samples  after t = 0.
 /// @param stride   steps from one sample to the next.
 StrikeRun run_strike(StruckBody& body, const loads::Strike& strike,
                      double duration, int samples, int stride);

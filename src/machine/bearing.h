@@ -85,18 +85,18 @@ struct BearingResult {
   std::vector<BearingWarning> warnings;
 };
 
-/// Exponent p of L10 = (C/P)^p [1]: 3 for balls, 10/3 for rollers (ISO 281).
+/// p of L10 = (C/P)^p: 3 for balls, 10/3 for rollers ([ISO281]).
 double life_exponent(BearingKind kind);
 
 /// "ball", "roller".
 const char* name_of(BearingKind kind);
 
-/// P = K (X F_r + Y F_a) (ISO 281) with the service factor K [N].
+/// P = K (X F_r + Y F_a) ([ISO281]) with the service factor K [N].
 /// @pre radial, axial >= 0.
 double dynamic_equivalent(const BearingDefinition& bearing, double radial,
                           double axial);
 
-/// P0 = max(F_r, X0 F_r + Y0 F_a) (ISO 76), without the service factor [N].
+/// P0 = max(F_r, X0 F_r + Y0 F_a) ([ISO76]), without the service factor [N].
 double static_equivalent(const BearingDefinition& bearing, double radial,
                          double axial);
 

@@ -22,7 +22,7 @@ TravelMean travel_mean(const BearingDefinition& bearing,
                        std::span<const BearingInstant> history,
                        std::size_t every = 1);
 
-/// Life and static safety of a bearing (ISO 281, ISO 76).
+/// Life and static safety of a bearing ([ISO281], [ISO76]).
 /// @param geared  a gear or rack acts on the joint's angle; the force of its
 ///   teeth is not in the history.
 /// @pre at least two instants.

@@ -6,7 +6,8 @@
 
 namespace clevis::machine {
 
-// Elements of a drive train whose compliance a formula gives (5.54)–(5.59).
+// Elements of a drive train whose compliance a formula gives:
+// [DriveLectures] (5.54)–(5.59).
 
 /// Bar pulled along its axis.
 struct Bar {
@@ -70,8 +71,8 @@ struct CompliantElement {
   std::string place;  ///< file:line:column
 };
 
-/// Unit of (5.59): the source prints mm/N; its exponents and values are those
-/// of µm/N.
+/// Unit of [DriveLectures] (5.59): mm/N is printed; exponents and values are
+/// those of µm/N.
 enum class BallScrewUnit { kCorrected, kPublished };
 
 /// [m/N] or [rad/(N m)].

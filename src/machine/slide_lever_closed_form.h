@@ -4,7 +4,7 @@
 
 namespace clevis::machine {
 
-/// Which form of the source's equations (docs/theory.md, "Slide-lever
+/// Form of the equations of [LandingGear] (docs/theory.md, "Slide-lever
 /// mechanism").
 ///
 /// Published, (2.9)–(2.16): y_C = l5 + l2 sin q4 + l4 sin q7, which takes q7

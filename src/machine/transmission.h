@@ -62,7 +62,8 @@ struct TransmissionResult {
   BallScrewUnit ball_screw_unit{};
   /// The same with the ball screws in the other unit; equal without any.
   double compliance_other_unit{};
-  /// Last stage and the teeth that drive it, as (5.76) takes for all.
+  /// Last stage and the teeth that drive it, which [DriveLectures] (5.76) takes
+  /// for the whole.
   double last_stage{};
   /// The same as printed: the teeth's compliance on the driving wheel is not
   /// reduced to the output.

@@ -13,8 +13,8 @@
 
 namespace clevis::scene {
 
-/// The landing gear's own closed form (2.1)–(2.14), as published and
-/// corrected, evaluated beside the simulation.
+/// Closed form of [LandingGear] (2.1)–(2.14), as published and corrected,
+/// evaluated beside the simulation.
 struct SlideLeverClosedForm {
   double FD{}, ED{}, DC{}, EC{}, AD{}, DD1{};  ///< [m]
   int drive{};                                 ///< the drive that gives l_x

@@ -18,6 +18,7 @@ template <int dim>
 class CellField {
  public:
   /// @param discretization  outlives the object.
+  /// @param points  dim × points in reference coordinates.
   CellField(const elasticity::Discretization<dim>& discretization,
             const part::Material& material,
             const elasticity::ReferencePoints<dim>& points);

@@ -12,9 +12,9 @@ struct EnergyValue {
 
 /// Error of the last strain energy over it [1], from the last three: with the
 /// limit E that makes log(E − E_i) a straight line over log(dofs) from one pair
-/// to the next as Szabó and Babuška take it (Finite element analysis, 1991,
-/// §4.3); where the energies do not rise like that, the last change. The
-/// relative error in the energy norm is its square root.
+/// to the next ([SzaboBabuska1991] §4.3); where the energies do not rise like
+/// that, the last change. The relative error in the energy norm is its square
+/// root.
 /// @pre at least three values.
 double strain_energy_error(std::span<const EnergyValue> sequence);
 

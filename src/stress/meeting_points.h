@@ -27,6 +27,7 @@ struct MeetingValues {
 };
 
 /// @param values  lattice points × cells, as in MeetingPoints::number.
+/// @return in the units of the values.
 MeetingValues meeting_values(const MeetingPoints& points,
                              const Eigen::MatrixXd& values);
 

@@ -16,8 +16,8 @@ namespace clevis::stress {
 template <int dim>
 using Location = std::vector<std::pair<int, Eigen::Matrix<double, dim, 1>>>;
 
-/// Finds a point of L by Newton's method on the cells whose bounds hold it; to
-/// 1e-6 of a cell. Empty if the point is outside the part. For dim = 2 the
+/// Finds a point of L [m] by Newton's method on the cells whose bounds hold it;
+/// to 1e-6 of a cell. Empty if the point is outside the part. For dim = 2 the
 /// point may lie anywhere in the thickness.
 template <int dim>
 Location<dim> locate(const elasticity::Discretization<dim>& discretization,

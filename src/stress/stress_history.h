@@ -28,6 +28,7 @@ struct StressHistory {
   double sampling_error{};
   int peak_instant{};
 
+  /// Largest peak of all instants [Pa].
   double largest() const { return peak[peak_instant]; }
 };
 
@@ -63,10 +64,10 @@ InstantField instant_field(const elasticity::DisplacementBasis<dim>& basis,
                            const part::Material& material, int subdivisions,
                            int instant);
 
-/// Von Mises stress of rows xx, yy, zz, xy, yz, xz.
+/// Von Mises stress of rows xx, yy, zz, xy, yz, xz [Pa].
 Eigen::VectorXd von_mises(const Eigen::MatrixXd& stress);
 
-/// The tensor of a row xx, yy, zz, xy, yz, xz.
+/// Stress tensor of a row xx, yy, zz, xy, yz, xz [Pa].
 Eigen::Matrix3d stress_tensor(const Eigen::Matrix<double, 1, 6>& row);
 
 /// Position of a lattice point in L [m]; the mid-plane's z for dim = 2.

@@ -45,6 +45,7 @@ Run solve_model(const assessment::PartJob& job, const Series& series,
 
 /// Runs `check` on a part with a tolerance: the model and degree that clevis
 /// itself chooses, with the band.
+/// @param tolerance  of the peak, relative [1].
 Run run_check(const assessment::PartJob& job, double tolerance);
 
 /// Peak memory of this process so far [byte].

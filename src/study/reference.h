@@ -9,7 +9,8 @@ namespace clevis::study {
 /// The value at the end of a sequence of rising degree, and how far it may be
 /// off: Aitken's extrapolation where the last changes shrink steadily
 /// (0 < d₂/d₁ ≤ 1/2), else the last value; the uncertainty is half the last
-/// change, or what the extrapolation adds if that is more.
+/// change, or what the extrapolation adds if that is more. Both are in the
+/// units of the sequence.
 /// @pre not empty.
 Reference extrapolate(std::span<const double> sequence);
 

@@ -17,6 +17,7 @@ std::string study_table(const Study& study, report::Colour colour);
 /// chance does not count. `is_clevis`: among clevis's forced models, or the
 /// other programs. Nothing if there is none.
 enum class Program { kClevis, kOther };
+/// @param tolerance  of the peak, relative [1].
 std::optional<Run> fastest_within(const PartStudy& part, double tolerance,
                                   Program program);
 

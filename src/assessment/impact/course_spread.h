@@ -18,7 +18,7 @@ struct CourseSpread {
   bool is_there() const { return stress_low <= stress_high; }
 };
 
-/// Widens a band to hold these.
+/// Widens a band to hold these, all in the units of the band.
 inline void widen(double low, double high, double& band_low,
                   double& band_high) {
   band_low = std::min(band_low, low);

@@ -45,8 +45,9 @@ double slowest_fall(double rise);
 /// front that comes late and is not seen yet counts. Below, where the peak
 /// fell with h, what is left of that; at least a tenth of what is left above,
 /// for the damping scheme overshoots a little behind a step.
-/// @param one, two, four  largest stress of each sample, by h, 2h, 4h.
+/// @param one, two, four  largest stress of each sample, by h, 2h, 4h [Pa].
 /// @param window          samples to either side.
+/// @param slowest         of slowest_fall() [1].
 FrontError front_error(const Eigen::VectorXd& one, const Eigen::VectorXd& two,
                        const Eigen::VectorXd& four, int window, double slowest);
 

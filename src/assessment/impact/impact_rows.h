@@ -13,7 +13,8 @@ namespace clevis::assessment {
 std::optional<beam::BarOfPart> bar_of(const PartJob& job,
                                       const ImpactJob& impact);
 
-/// What beam theory's models say of a blow, as published and corrected.
+/// Rows of the beam-theory models of a blow, as published in [RotorLine] and
+/// corrected.
 void add_beam_rows(const beam::BarOfPart& bar, const loads::Strike& strike,
                    std::vector<ImpactRow>& rows);
 

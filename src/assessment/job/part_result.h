@@ -92,8 +92,8 @@ struct BucklingResult {
   bool is_known() const { return factor || !remark.empty(); }
   /// Whether no factor below it was found.
   bool is_lower_bound() const { return factor && band_low == band_high; }
-  /// Whether Euler's strut falls short where it decides: without finite
-  /// elements, or longer than the part.
+  /// Whether Euler's strut falls short of the factor wanted [1] where it
+  /// decides: without finite elements, or longer than the part.
   bool euler_fails(double wanted) const {
     return (!factor || strut_is_longer) && euler && *euler < wanted;
   }
@@ -241,6 +241,7 @@ struct VibrationResult {
   double lowest_frequency{}, highest_frequency{};  ///< of them [Hz]
   double seconds{};
 
+  /// Sum of the errors of the ratio [1].
   double error() const {
     return degree_error + shape_error + sampling_error + path_error;
   }

@@ -54,7 +54,7 @@ class ZoneWatch {
   std::vector<stress::StressHistory> outside_histories() const;
   std::vector<ZoneResult> results() const;
   /// Zone of the set's lattice points, 1, 2 … in the order of results(), 0
-  /// outside; points × cells. Nothing if the set has no zones.
+  /// outside [1]; points × cells. Nothing if the set has no zones.
   std::optional<Eigen::MatrixXd> marks(std::size_t set) const;
 
  private:

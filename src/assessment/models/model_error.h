@@ -39,7 +39,7 @@ struct ThicknessChoice {
 };
 
 /// The fewest terms whose peak differs from those with one and with two more
-/// by less than `allowed` of it; the highest number of terms if none does.
+/// by less than `allowed` [1] of it; the highest number of terms if none does.
 /// One more alone may agree by chance.
 ThicknessChoice choose_terms(const PartJob& job, const mesh::PartMesh<2>& plate,
                              const std::vector<LoadSet>& governing,

@@ -14,7 +14,8 @@ std::optional<std::string> why_not_plane_stress(const PartShape& shape);
 std::optional<ModelSettings> plane_stress_settings(const PartShape& shape);
 AnyFeModel plane_stress_model(const PartShape& shape,
                               const ModelSettings& settings);
-/// Measured with thickness terms of the same degree.
+/// Model error, measured with thickness terms of the same degree, over the peak
+/// [1].
 double plane_stress_error(const PartShape& shape);
 
 std::optional<std::string> why_not_layered(const PartShape& shape);

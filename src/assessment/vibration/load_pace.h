@@ -6,11 +6,12 @@ namespace clevis::assessment {
 
 /// Largest answer of a mode without damping to a half-sine pulse over the
 /// answer to its largest value at rest, by the pulse's duration over the
-/// mode's period.
+/// mode's period [1].
 double half_sine_amplification(double duration_over_period);
 
 /// The same of a pulse whose force rises sooner than it falls: at least that of
-/// a force that rises evenly and stays, 1 + T/(π t_rise), at most 2.
+/// a force that rises evenly and stays, 1 + T/(π t_rise), at most 2
+/// [1].
 double pulse_amplification(double duration_over_period,
                            double rise_over_period);
 

@@ -8,6 +8,7 @@ namespace clevis::elasticity {
 
 /// Tall columns most of which may be zero but for some rows, as loads of
 /// surfaces are beside those of the body: products are taken over those rows.
+/// Products have the units of A times those of X.
 class ColumnSplit {
  public:
   /// @param columns  A; outlives this.

@@ -23,14 +23,16 @@ struct MutablePanel {
 using RowBlock = Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
 /// Factors the panel in place and subtracts what it takes from the later rows.
-/// @param border  later × later, by columns; its lower triangle is updated.
+/// @param border  later × later, by columns, in the units of the matrix; its
+///   lower triangle is updated.
 /// @return false if the own rows are not positive definite.
 bool eliminate(MutablePanel panel, double* border);
 
-/// own ← L₁⁻¹ own, border ← L₂ own.
+/// own ← L₁⁻¹ own, border ← L₂ own, with the matrices L₁ of the panel's own and
+/// L₂ of its later rows.
 void forward(Panel panel, RowBlock own, Eigen::MatrixXd& border);
 
-/// own ← L₁⁻ᵀ (own − L₂ᵀ border).
+/// own ← L₁⁻ᵀ (own − L₂ᵀ border), with the same matrices.
 void backward(Panel panel, const Eigen::MatrixXd& border, RowBlock own);
 
 }  // namespace clevis::elasticity

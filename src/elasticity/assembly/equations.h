@@ -23,8 +23,8 @@ template <int dim>
 UpperTriangle free_equations(const StiffnessMatrix<dim>& stiffness,
                              const EquationNumbers& numbers);
 
-/// Rows of degrees of freedom to rows of equations, and back with zero where
-/// held.
+/// Rows of degrees of freedom (dofs × columns) to rows of equations (count ×
+/// columns), and back with zero where held; in the units of the argument.
 Eigen::MatrixXd restrict_rows(const Eigen::MatrixXd& full,
                               const EquationNumbers& numbers);
 Eigen::MatrixXd extend_rows(const Eigen::MatrixXd& reduced,

@@ -33,7 +33,9 @@ class FoundationStiffness {
   void add_forces(const Eigen::MatrixXd& columns,
                   Eigen::MatrixXd& forces) const;
 
-  /// Modesᵀ F modes: what it takes to move the part as `modes` do.
+  /// Modesᵀ F modes: what it takes to move the part as `modes` do, modes ×
+  /// modes [N/m].
+  /// @param modes  displacements, dofs × modes [1].
   Eigen::MatrixXd on_modes(const Eigen::MatrixXd& modes) const;
 
  private:

@@ -13,8 +13,8 @@ namespace clevis::elasticity {
 /// body that moves on from them: the geometric stiffness ∫ ∇N_i·σ ∇N_j dV, the
 /// same for every component of the displacement. Integrated like the stiffness.
 ///
-/// Source: Zienkiewicz & Taylor, The Finite Element Method for Solid and
-/// Structural Mechanics, ch. 5 (initial stress matrix); theory.md.
+/// Source: [ZienkiewiczTaylor] 5 (initial stress matrix); docs/theory.md,
+/// "Linear buckling".
 class InitialStress {
  public:
   /// @param discretization  outlives the object.

@@ -21,6 +21,7 @@ struct MassMatrix {
 void add_element(const std::vector<int>& nodes, const Eigen::MatrixXd& element,
                  MassMatrix& matrix);
 
+/// Mass matrix, nodes × nodes [kg].
 /// @param pattern  of the same discretisation.
 /// @param density  [kg/m³].
 template <int dim>
@@ -32,7 +33,8 @@ MassMatrix assemble_mass(const Discretization<dim>& discretization,
 UpperTriangle free_equations(const MassMatrix& mass, int dim,
                              const EquationNumbers& numbers);
 
-/// A + s B. @param b  its pattern is part of a's.
+/// A + s B, s in the units of A over those of B.
+/// @param b  its pattern is part of a's.
 UpperTriangle weighted_sum(const UpperTriangle& a, double s,
                            const UpperTriangle& b);
 

@@ -47,7 +47,8 @@ Quadrature<dim> stiffness_quadrature(const Discretization<dim>& discretization);
 template <int dim>
 bool folds(const Discretization<dim>& discretization);
 
-/// @param determinant  of a cell's mapping at the points of a rule.
+/// @param determinant  of a cell's mapping at the points of a rule [m³], for
+///   dim = 2 [m²].
 /// @param degree  of the geometry, for the message.
 /// @throws Error M005 unless all are positive.
 void require_positive(const Eigen::VectorXd& determinant, std::size_t cell,

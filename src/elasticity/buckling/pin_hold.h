@@ -21,9 +21,10 @@ class PinHold {
           const std::vector<std::string>& groups);
 
   /// P u: the rigid motion taken out that breaks the conditions; u are
-  /// displacements, dofs × columns.
+  /// displacements, dofs × columns [m].
   Eigen::MatrixXd project(const Eigen::MatrixXd& u) const;
-  /// Pᵀ f: forces with the conditions' reactions, in balance.
+  /// Pᵀ f: forces with the conditions' reactions, in balance, dofs × columns
+  /// [N].
   Eigen::MatrixXd balance(const Eigen::MatrixXd& f) const;
 
  private:

@@ -15,8 +15,7 @@ namespace clevis::elasticity {
 /// the cells. Fronts are dense and known before the matrix: nothing is
 /// searched for entry by entry, and all arithmetic is that of dense blocks.
 ///
-/// Source: Duff & Reid, ACM Trans. Math. Softw. 9 (1983) 302-325; Liu, SIAM
-/// Review 34 (1992) 82-109.
+/// Source: [DuffReid1983], [Liu1992].
 class FrontalCholesky {
  public:
   /// @param matrix  couples only equations whose nodes share a cell.

@@ -4,8 +4,8 @@
 
 namespace clevis::elasticity {
 
-/// Bytes that a nested-dissection Cholesky factor of a mesh with so many
-/// degrees of freedom takes: 11 N^(4/3) entries in 3-D (calibrated on compact
+/// Memory [bytes] of a nested-dissection Cholesky factor of a mesh with so many
+/// degrees of freedom: 11 N^(4/3) entries in 3-D (calibrated on compact
 /// bodies; slender ones need less), 8 N log₂ N in the plane.
 double factor_bytes(int dim, double dofs);
 
@@ -19,14 +19,15 @@ bool holds(double bytes, double available);
 void require_memory(double bytes, double dofs, double available,
                     const std::string& place);
 
-/// Bytes of the iterative solve of a hexahedral mesh without its matrix: the
-/// vectors, the metric and the factor of the coarse level. Calibrated with
-/// tests/benchmarks/large_parts.
+/// Memory [bytes] of the iterative solve of a hexahedral mesh without its
+/// matrix: the vectors, the metric and the factor of the coarse level.
+/// Calibrated with tests/benchmarks/large_parts.
 /// @param degree   of the displacement, 2…4.
 /// @param coarse   degree of the level that is factored.
 /// @param columns  of loads.
 double multigrid_bytes(int degree, int coarse, double dofs, double columns);
 
+/// @param available  memory of the machine [bytes].
 /// @throws Error F004 if that would not fit.
 void require_multigrid_memory(int degree, int coarse, double dofs,
                               double columns, double available,

@@ -11,9 +11,7 @@ namespace clevis::elasticity {
 /// as that makes both share fewer nodes and leaves two fifths to either. The
 /// border through an irregular mesh is rough, and a factorisation costs with
 /// the cube of its nodes; that of a structured one stays.
-/// Source: the moves of positive gain of Fiduccia & Mattheyses, "A linear-time
-/// heuristic for improving network partitions", 19th Design Automation
-/// Conference (1982) 175-181.
+/// Source: the moves of positive gain of [FiducciaMattheyses1982].
 class Separator {
  public:
   /// @param cell_nodes  of all cells; outlives the object.

@@ -70,6 +70,7 @@ struct CellGeometry {
   std::vector<Eigen::Matrix<double, dim, dim>> inverse_jacobian;
   Eigen::VectorXd determinant;
 };
+/// @param cell_points  dim × points of the geometry basis [m].
 template <int dim>
 CellGeometry<dim> cell_geometry(
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& cell_points,

@@ -58,7 +58,7 @@ class TraceBuilder {
   explicit TraceBuilder(const Discretization<dim>& discretization)
       : discretization_(discretization) {}
   /// @param functions  of the cell that live on the face.
-  /// @param values     points × functions; outlive the trace.
+  /// @param values     points × functions [1]; outlive the trace.
   void add(int cell, const std::vector<std::size_t>& functions,
            const Eigen::MatrixXd& values, const WeightedSurface& surface);
   GroupTrace finish();

@@ -5,7 +5,8 @@
 namespace clevis::elasticity {
 
 /// Lagrange basis of any degree on the triangle or tetrahedron
-/// (mesh/simplex_basis.h), for displacement and geometry alike.
+/// (mesh/simplex_basis.h), for displacement and geometry alike, at points in
+/// reference coordinates.
 template <int dim>
 Tabulation tabulate_simplex(int degree, const ReferencePoints<dim>& points);
 
@@ -17,7 +18,7 @@ Quadrature<dim> gauss_simplex(int n);
 template <int dim>
 FaceQuadrature<dim> face_gauss_simplex(int face, int n);
 
-/// Equidistant lattice, first coordinate fastest.
+/// Equidistant lattice in reference coordinates, first coordinate fastest.
 template <int dim>
 ReferencePoints<dim> lattice_simplex(int subdivisions);
 

@@ -8,22 +8,25 @@ namespace clevis::elasticity {
 /// Displacement basis: Lagrange on Gauss–Lobatto points in the numbering of
 /// deal.II's FE_Q, lexicographic where the degrees differ; of simplices that
 /// of mesh::simplex_lattice.
+/// @param points  in reference coordinates.
 template <int dim>
 Tabulation tabulate_displacement(mesh::CellShape shape, Degree degree,
                                  const ReferencePoints<dim>& points);
 
 /// Geometry basis of PartMesh::cell_points: Lagrange on Gauss–Lobatto points,
 /// lexicographic; of simplices through mesh::simplex_nodes.
+/// @param points  in reference coordinates.
 template <int dim>
 Tabulation tabulate_geometry(mesh::CellShape shape, Degree degree,
                              const ReferencePoints<dim>& points);
 
-/// Points at which the displacement basis is nodal, in its numbering.
+/// Points at which the displacement basis is nodal, in its numbering; in
+/// reference coordinates.
 template <int dim>
 ReferencePoints<dim> displacement_support_points(mesh::CellShape shape,
                                                  Degree degree);
 
-/// Points of tabulate_geometry's basis, in its order.
+/// Points of tabulate_geometry's basis, in its order; in reference coordinates.
 template <int dim>
 ReferencePoints<dim> geometry_support_points(mesh::CellShape shape,
                                              Degree degree);
@@ -37,8 +40,8 @@ Quadrature<dim> gauss(mesh::CellShape shape, Degree n);
 template <int dim>
 FaceQuadrature<dim> face_gauss(mesh::CellShape shape, int face, Degree n);
 
-/// Equidistant lattice with `subdivisions` + 1 points a direction,
-/// lexicographic (tensor cells), or the lattice of the simplex.
+/// Equidistant lattice in reference coordinates with `subdivisions` + 1 points
+/// a direction, lexicographic (tensor cells), or the lattice of the simplex.
 template <int dim>
 ReferencePoints<dim> lattice(mesh::CellShape shape, int subdivisions);
 

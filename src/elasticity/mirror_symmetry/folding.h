@@ -31,7 +31,8 @@ struct Folding {
   Dissection dissection;  ///< of `part`
 
   unsigned classes() const { return 1U << mirrors.size(); }
-  /// What one Cholesky factor of the folded part takes.
+  /// Operations [1] and memory [bytes] of one Cholesky factor of the folded
+  /// part.
   double factor_flops() const { return dissection.flops * dim * dim * dim; }
   double factor_bytes() const { return 8.0 * dissection.entries * dim * dim; }
 };
@@ -42,12 +43,14 @@ Folding<dim> fold(const Discretization<dim>& whole,
                   const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions,
                   std::vector<Mirror> mirrors);
 
-/// Loads of a class on the folded part: dofs of `part` × columns.
+/// Loads of a class on the folded part, in the units of `whole`: dofs of `part`
+/// × columns.
 template <int dim>
 Eigen::MatrixXd fold_loads(const Folding<dim>& folding, unsigned parity,
                            const Eigen::MatrixXd& whole);
 
-/// Adds the displacements of a class to those of the whole part.
+/// Adds the displacements of a class to those of the whole part, dofs ×
+/// columns, in the units of `folded`.
 template <int dim>
 void add_unfolded(const Folding<dim>& folding, unsigned parity,
                   const Eigen::MatrixXd& folded, Eigen::MatrixXd& whole);

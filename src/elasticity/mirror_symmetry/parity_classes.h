@@ -29,6 +29,7 @@ struct ParityClass {
 };
 
 /// Mirrors of the mesh that the supports have too.
+/// @param positions  of the nodes [m].
 template <int dim>
 std::vector<Mirror> common_mirrors(const Discretization<dim>& discretization,
                                    const Positions<dim>& positions,
@@ -45,6 +46,7 @@ std::vector<ParityClass> loaded_classes(const Folding<dim>& folding,
 
 /// Components that a class holds: on the planes, by the fixed supports of the
 /// whole part, or determinate where it is free.
+/// @param folded_positions  of the folded part's nodes [m].
 template <int dim>
 void hold(const Folding<dim>& folding, const std::vector<int>& fixed,
           const Positions<dim>& folded_positions, ParityClass& parity_class);

@@ -12,10 +12,11 @@ namespace clevis::elasticity {
 inline constexpr int kBlockColumns = lanes::kLanes<float>;
 
 /// Conjugate gradients for up to kBlockColumns independent columns, each with
-/// its own recurrence; converged ones stand still.
+/// its own recurrence; converged ones stand still. Loads are scaled
+/// to norm 1, so that solutions are per newton [m/N].
 ///
 /// The direction is corrected by the Polak–Ribière formula, which bears the
-/// rounding of the single-precision preconditioner (Golub & Ye 1999).
+/// rounding of the single-precision preconditioner ([GolubYe1999]).
 class BlockCg {
  public:
   using Lanes = Eigen::Array<double, kBlockColumns, 1>;

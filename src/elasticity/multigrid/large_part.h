@@ -26,7 +26,7 @@ bool prefers_multigrid(const Discretization<3>& discretization,
                        const part::Material& material, const DirectCost& direct,
                        double columns, double memory);
 
-/// Longest over shortest side that 95 % of the hexahedra do not exceed.
+/// Longest over shortest side that 95 % of the hexahedra do not exceed [1].
 double cell_aspect(const Discretization<3>& discretization);
 
 }  // namespace clevis::elasticity

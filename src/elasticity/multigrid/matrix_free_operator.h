@@ -39,7 +39,7 @@ class MatrixFreeOperator {
   /// Diagonal 3 × 3 blocks of K: xx, xy, xz, yy, yz, zz [N/m].
   std::vector<std::array<double, 6>> diagonal() const;
 
-  /// Bytes read and written by one application if nothing is read twice:
+  /// Memory traffic [bytes] of one application if nothing is read twice:
   /// x, y (with the read before a write), node numbers, metric.
   double traffic() const;
 

@@ -18,7 +18,7 @@ struct MultigridReport {
   double coarse_seconds{};  ///< of solve_seconds, in the direct solve
 };
 
-/// K U = F for many columns without K: conjugate gradients in double
+/// K U = F for many columns without K [N/m]: conjugate gradients in double
 /// precision, a recurrence per column, preconditioned by PMultigrid.
 /// Bit-identical for any number of threads.
 class MultigridSolver {

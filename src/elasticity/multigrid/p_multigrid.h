@@ -25,8 +25,7 @@ int coarse_degree(const Discretization<3>& discretization);
 /// columns at once: Chebyshev smoothing of the fourth kind with 3 × 3 block
 /// Jacobi, sparse Cholesky on the coarsest level. Symmetric, so that it
 /// preconditions conjugate gradients.
-/// Source: Lottes, "Optimal polynomial smoothers for multigrid V-cycles",
-/// Numer. Linear Algebra Appl. 30 (2023).
+/// Source: [Lottes2023].
 class PMultigrid {
  public:
   /// @param held  degrees of freedom of `fine` that are zero.
@@ -44,7 +43,7 @@ class PMultigrid {
   /// Largest eigenvalue of the Jacobi-preconditioned matrix per level above
   /// the coarsest, as estimated.
   std::vector<double> largest_eigenvalues() const;
-  /// Seconds spent on the coarsest level so far.
+  /// Time spent on the coarsest level so far [s].
   double coarse_seconds() const;
 
  private:

@@ -16,7 +16,7 @@ using FacePoint = Eigen::Matrix<double, dim - 1, 1>;
 template <int dim>
 using FacePoints = Eigen::Matrix<double, dim - 1, Eigen::Dynamic>;
 
-/// Polynomials in the own coordinates of a cell's local face that span the
+/// Polynomials [1] in the own coordinates of a cell's local face that span the
 /// basis of displacement and geometry on it: at many points they take far less
 /// than the functions of the whole cell.
 template <int dim>

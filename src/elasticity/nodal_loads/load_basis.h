@@ -25,7 +25,7 @@ LoadBasis compress(const Eigen::MatrixXd& history, double tolerance);
 LoadBasis compress(const LoadBasis& loads, double tolerance,
                    double scale = 0.0);
 
-/// Norm of the largest instant.
+/// Norm of the largest instant, in the units of the loads.
 double largest_instant(const LoadBasis& loads);
 
 }  // namespace clevis::elasticity

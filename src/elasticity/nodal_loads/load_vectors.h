@@ -42,13 +42,14 @@ struct LoadBalance {
 /// interpolated geometry and its quadrature have not quite the exact mass,
 /// which leaves a residual that a rigid acceleration of the discrete mass takes
 /// up (inertia relief), as columns of its own.
-/// @param modes  rigid modes at the nodes, dofs × modes.
+/// @param density [kg/m³].
+/// @param modes  rigid modes at the nodes, dofs × modes [1].
 template <int dim>
 LoadBalance balance_loads(const Discretization<dim>& discretization,
                           double density, const Eigen::MatrixXd& modes,
                           LoadBasis& loads);
 
-/// The same of loads as dofs × instants.
+/// The same of loads as dofs × instants [N].
 /// @return the residual before [1].
 template <int dim>
 double balance_loads(const Discretization<dim>& discretization, double density,

@@ -23,9 +23,9 @@ class ThicknessReduction {
   /// @param terms  n of each field; the layer's degree is 2n − 1.
   ThicknessReduction(Parity parity, int terms);
 
-  /// T: terms to the layer's nodal displacements, column by column.
+  /// T: terms [m] to the layer's nodal displacements [m], column by column.
   Eigen::MatrixXd expand(const Eigen::MatrixXd& terms) const;
-  /// Tᵀ: the layer's nodal loads to loads of the terms.
+  /// Tᵀ: the layer's nodal loads [N] to loads of the terms [N].
   Eigen::MatrixXd reduce(const Eigen::MatrixXd& nodal) const;
 
   Parity parity() const { return parity_; }

@@ -28,6 +28,7 @@ struct ThicknessIntegrals {
   /// In-plane × transverse [1].
   Eigen::MatrixXd value_by_slope, slope_by_value;
 };
+/// @param thickness  of the plate [m].
 ThicknessIntegrals thickness_integrals(Parity parity, int terms,
                                        double thickness);
 

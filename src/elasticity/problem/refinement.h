@@ -24,7 +24,8 @@ Eigen::MatrixXd forces_by_strain(const Discretization<dim>& discretization,
 /// Improves U by K⁻¹ (F − K U) with the factor at hand until the correction
 /// is round-off, at most a few times.
 /// @param stiffness  more exact than the factor.
-/// @param loads      F.
+/// @param loads      F [N].
+/// @param columns    U, dofs × columns [m].
 void refine(const StiffnessAction& stiffness, const FrontalCholesky& factor,
             const EquationNumbers& numbers, const LoadBasis& loads,
             Eigen::MatrixXd& columns);

@@ -46,6 +46,8 @@ void balance_free_part(
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions, double density,
     Eigen::MatrixXd& history, SolveChecks& checks);
 
+/// @param positions  of the nodes [m].
+/// @param density [kg/m³].
 template <int dim>
 void balance_free_part(
     const Discretization<dim>& discretization,
@@ -87,6 +89,8 @@ class SolutionCheck {
 };
 
 /// The same for one solution as a whole.
+/// @param columns  displacements, dofs × columns [m].
+/// @return strain energy per instant [J].
 Eigen::VectorXd check_solution(const StiffnessAction& stiffness,
                                const Eigen::MatrixXd& columns,
                                const LoadBasis& loads,

@@ -13,7 +13,7 @@
 
 namespace clevis::elasticity {
 
-/// Nodal loads of one Fourier term at some nodes of the meridian.
+/// Nodal loads of one Fourier term at some nodes of the meridian [N].
 struct HarmonicLoad {
   Harmonic harmonic;
   std::vector<int> nodes;  ///< ascending
@@ -21,8 +21,8 @@ struct HarmonicLoad {
 };
 
 /// Consistent nodal loads of a solid of revolution: terms up to `highest` that
-/// something loads. The bearing pressure's series is exact term by term, the
-/// discrete resultant of every seat and surface is the wanted one.
+/// something loads [N]. The bearing pressure's series is exact term by term,
+/// the discrete resultant of every seat and surface is the wanted one.
 /// @param density [kg/m³].
 /// @throws Error M003 if the meridian lacks a group, L002 if a bearing seat's
 ///   group is no cylinder.
@@ -31,8 +31,9 @@ std::vector<HarmonicLoad> assemble_harmonic_loads(
     const loads::LoadHistory& history, double density, int highest,
     const std::string& part_name);
 
-/// Rigid modes in one term of order 0 or 1: 3·nodes × 6, translations along
-/// the frame's axes, then rotations about them over `length`; zero for others.
+/// Rigid modes in one term of order 0 or 1 [1]: 3·nodes × 6, translations along
+/// the frame's axes, then rotations about them over `length` [m]; zero for
+/// others.
 Eigen::MatrixXd harmonic_rigid_modes(const Harmonic& harmonic,
                                      const Discretization<2>& meridian,
                                      double length);

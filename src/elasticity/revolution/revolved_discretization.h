@@ -31,8 +31,9 @@ Discretization<3> revolve(const Discretization<2>& meridian,
                           const mesh::Revolution& solid,
                           const AngularGrid& grid);
 
-/// Displacements at the nodes of the revolved discretisation, in L.
-/// @param amplitudes  per term 3·nodes × columns (u_x, u_+, u_−).
+/// Displacements at the nodes of the revolved discretisation, in L, dofs ×
+/// columns [m].
+/// @param amplitudes  per term 3·nodes × columns (u_x, u_+, u_−) [m].
 Eigen::MatrixXd sum_harmonics(const std::vector<Harmonic>& harmonics,
                               const std::vector<Eigen::MatrixXd>& amplitudes,
                               const mesh::Revolution& solid,

@@ -24,9 +24,8 @@ std::vector<TreeLink> tree_links(const SolvingFrame& frame,
                                  const std::vector<int>& joint_of_row);
 
 /// M a = Q + Jᵀ λ, J a = γ on a tree, by articulated inertias from the outer
-/// bodies inwards (Featherstone 2008, 7) in coordinates in which M = 1; the
-/// rows of each joint as they are, also where gaps are open. Numbers are in the
-/// units of ConstraintSystem: a [m/s²], λ and Q [N].
+/// bodies inwards ([Featherstone2008] 7) in coordinates in which M = 1; the
+/// rows of each joint as they are, also where gaps are open.
 class TreeMass {
  public:
   /// @param width  unknowns of a body, 3 or 6.

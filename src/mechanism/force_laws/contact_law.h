@@ -6,8 +6,8 @@ enum class ContactModel { kPenalty, kPublished, kHuntCrossley };
 
 /// Normal force of a penetration d > 0 with rate d':
 ///   penalty    s(d/transition) (k d + b d'), not below 0, s = 3t² − 2t³
-///   published  k d + b d', pulls before it lets go
-///   Hunt and Crossley  k d^exponent (1 + c d'), not below 0
+///   published  k d + b d', pulls before it lets go ([LandingGear] 4.3)
+///   Hunt and Crossley  k d^exponent (1 + c d'), not below 0 ([HuntCrossley])
 struct ContactLaw {
   ContactModel model = ContactModel::kPenalty;
   double stiffness{};   ///< [N/m], [N/m^n] or [N m/rad]

@@ -12,7 +12,7 @@ struct FrictionLaw {
   double viscous{};               ///< [N s/m] or [N m s/rad]
   double stribeck_speed{};        ///< [m/s] or [rad/s]; 0: kinetic at once
   double regularizing_speed{};    ///< of tanh(v/v_c); regularized only
-  double bristle_stiffness{}, bristle_damping{};  ///< LuGre
+  double bristle_stiffness{}, bristle_damping{};  ///< LuGre [Canudas1995]
   /// Breakaway and kinetic are per newton of the joint's force across its axis:
   /// [1], or [m] where the joint turns.
   bool follows_reaction = false;

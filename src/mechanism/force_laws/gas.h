@@ -19,12 +19,12 @@ struct GasState {
   double temperature{};  ///< [K]
 };
 
-/// Reference of sonic conductances (ISO 8778): 20 °C, 100 kPa.
+/// Reference of sonic conductances ([ISO8778]): 20 °C, 100 kPa.
 inline constexpr double kReferenceDensity = 1.185;       // [kg/m³]
 inline constexpr double kReferencePressure = 1e5;        // [Pa]
 inline constexpr double kReferenceTemperature = 293.15;  // [K]
 
-/// Flow through an orifice by ISO 6358.
+/// Flow through an orifice by [ISO6358].
 struct Orifice {
   double conductance{};         ///< sonic, C [m³/(s Pa)]
   double critical_ratio = 0.3;  ///< b: choked below this p₂/p₁

@@ -10,8 +10,8 @@
 namespace clevis::mechanism {
 
 /// Accelerations of a tree in the coordinates of its joints, by articulated
-/// inertias from the outer bodies inwards (Featherstone 2008, 7.3), referred
-/// to the centres of mass, expressed in P. None of it allocates.
+/// inertias from the outer bodies inwards ([Featherstone2008] 7.3), referred
+/// to the centres of mass. None of it allocates.
 class ArticulatedBodies {
  public:
   /// @param armatures  by velocity: inertia of what turns or slides with a

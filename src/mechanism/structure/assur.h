@@ -38,7 +38,7 @@ struct AssurFormula {
 AssurFormula corrected_formula(const MechanismDefinition& definition,
                                const std::vector<int>& taken);
 
-/// As the source does: one link with a pair at ground is the input, all
+/// As [LandingGear] (1) does: one link with a pair at ground is the input, all
 /// others are taken as one group.
 AssurFormula published_formula(const MechanismDefinition& definition);
 

@@ -23,12 +23,10 @@ std::vector<SimplexIndex<dim>> simplex_lattice(int degree);
 template <int dim>
 using SimplexPoints = Eigen::Matrix<double, dim, Eigen::Dynamic>;
 
-/// Interpolation points of a degree in reference coordinates [1], in the order
-/// of simplex_lattice:
-/// Gauss–Lobatto on the edges, recursively blended inside (Isaac, "Recursive,
-/// parameter-free, explicitly defined interpolation nodes for simplices",
-/// SIAM J. Sci. Comput. 42, 2020); the same from every vertex, so that the
-/// cells on both sides of a face agree about its points.
+/// Interpolation points of a degree in the order of simplex_lattice:
+/// Gauss–Lobatto on the edges, recursively blended inside ([Isaac2020]); the
+/// same from every vertex, so that the cells on both sides of a face agree
+/// about its points.
 template <int dim>
 SimplexPoints<dim> simplex_nodes(int degree);
 
@@ -72,8 +70,8 @@ struct SimplexQuadrature {
 };
 
 /// Gauss–Jacobi rules of n points along each direction of the collapsed
-/// square or cube (Stroud, "Approximate calculation of multiple integrals",
-/// 1971, conical products); exact to total degree 2n − 1.
+/// square or cube ([Stroud1971], conical products); exact to total degree 2n
+/// − 1.
 template <int dim>
 SimplexQuadrature<dim> simplex_gauss(int n);
 

@@ -7,8 +7,7 @@
 namespace clevis::mesh {
 
 /// Each new ring of cells around a vertex reaches to this share of the one
-/// before: near the optimum of hp-elements at a singularity (I. Babuška, W.
-/// Gui, 1986).
+/// before: near the optimum of hp-elements at a singularity ([BabuskaGui1986]).
 inline constexpr double kGradingRatio = 0.15;
 
 /// A mesh with rings of cells that shrink geometrically towards vertices.

@@ -14,9 +14,8 @@ namespace clevis::mesh {
 ///
 /// For a mapping of degree k the determinant is a polynomial of degree
 /// 3(k − 1): its Bernstein coefficients bound it, between the nodes too
-/// (Johnen, Remacle, Geuzaine, "Geometrical validity of curvilinear finite
-/// elements", J. Comput. Phys. 233, 2013). Where the bound does not decide, the
-/// tetrahedron is split into eight and bounded again.
+/// ([Johnen2013]). Where the bound does not decide, the tetrahedron is split
+/// into eight and bounded again.
 class SimplexQuality {
  public:
   explicit SimplexQuality(int degree);

@@ -15,7 +15,7 @@ namespace clevis::numerics {
 
 /// The stages z_i of Radau IIA over one step; see RadauMethod. Simplified
 /// Newton in the coordinates w = T⁻¹ z in which the method's matrix is a real
-/// eigenvalue and complex pairs (Hairer, Wanner 1996, IV.8); along the tangents
+/// eigenvalue and complex pairs ([HairerWanner1996] IV.8); along the tangents
 /// of the system alone, each stage in axes of its own.
 class Collocation {
  public:

@@ -3,9 +3,9 @@
 #include <array>
 
 /// Coefficients of DOP853: the explicit Runge–Kutta method of order 8 with
-/// error estimators of orders 5 and 3 and dense output of order 7; P. J. Prince
-/// and J. R. Dormand, in E. Hairer, S. P. Nørsett, G. Wanner, "Solving Ordinary
-/// Differential Equations I", 2nd ed. (1993), section II.10.
+/// error estimators of orders 5 and 3 and dense output of order 7, by Prince
+/// and Dormand.
+/// Source: [HairerNorsettWanner1993] II.10.
 namespace clevis::numerics::dop853 {
 
 inline constexpr int kStages = 12;     ///< of a step

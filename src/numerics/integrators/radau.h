@@ -7,7 +7,7 @@ namespace clevis::numerics {
 
 /// Implicit Runge–Kutta method Radau IIA, stiffly accurate, of five stages, or
 /// of seven where errors allowed are small, with step control as in RADAU5
-/// (Hairer, Wanner 1996, IV.8).
+/// ([HairerWanner1996] IV.8).
 class Radau : public Integrator {
  public:
   explicit Radau(OdeSystem& system);

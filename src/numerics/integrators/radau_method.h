@@ -6,9 +6,9 @@
 namespace clevis::numerics {
 
 /// Radau IIA of 3, 5 or 7 stages, orders 5, 9 and 13: collocation at the
-/// nodes c of Radau's quadrature with the end of the step (Hairer, Wanner
-/// 1996, IV.5). Unknowns are z_i = y(t + c_i h) − y(t), with A the method's
-/// matrix z = h A f.
+/// nodes c of Radau's quadrature with the end of the step
+/// ([HairerWanner1996] IV.5). Unknowns are z_i = y(t + c_i h) − y(t), with A
+/// the method's matrix z = h A f.
 struct RadauMethod {
   static constexpr int kMostStages = 7;
   using Weights = std::array<double, kMostStages>;

@@ -11,12 +11,13 @@
 namespace clevis::report {
 
 /// Columns of forces.csv for the chambers of a gas cylinder, each behind a
-/// comma; chamber_values() are theirs.
+/// comma; chamber_values() are theirs, in the units of the titles.
 void add_chamber_titles(std::string& text,
                         const mechanism::ForceElement& element);
 std::array<double, 8> chamber_values(const mechanism::GasChamberState& chamber);
 
-/// Columns for the interface of gas that is coupled in steps, likewise.
+/// Columns for the interface of gas that is coupled in steps, likewise in the
+/// units of the titles.
 void add_interface_titles(std::string& text,
                           const mechanism::ForceElement& element);
 std::array<double, 5> interface_values(

@@ -11,7 +11,7 @@
 namespace clevis::report {
 
 /// Columns of forces.csv for a motor, each behind a comma; motor_values() are
-/// theirs.
+/// theirs, in the units of the titles.
 void add_motor_titles(std::string& text,
                       const mechanism::ForceElement& element);
 std::array<double, 12> motor_values(const mechanism::MotorState& motor);

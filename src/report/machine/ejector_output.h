@@ -10,7 +10,8 @@
 
 namespace clevis::report {
 
-/// An ejector by beam theory, each formula as published and corrected.
+/// Ejector by beam theory, each formula as published in [RotorLine] and
+/// corrected.
 struct EjectorResult {
   std::string name;
   beam::EjectorDrive published, corrected;

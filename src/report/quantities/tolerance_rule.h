@@ -26,10 +26,13 @@ struct Rule {
   std::string_view reason;
 };
 
+/// Tolerance that a regression exceeds: relative [1], absolute in the units of
+/// the quantity.
 constexpr Tolerance compare_within(double relative, double absolute) {
   return {Treatment::kCompare, relative, absolute};
 }
 
+/// Change beyond which a note is made, in the units of the quantity.
 constexpr Tolerance note_beyond(double absolute) {
   return {Treatment::kNote, 0.0, absolute};
 }
@@ -45,7 +48,8 @@ constexpr Rule exact(std::string_view reason) {
 /// Of verdicts.
 inline constexpr Rule kVerdictRule = exact("a verdict is a word");
 
-/// Of reactions and what follows from them in closed form.
+/// Of reactions and what follows from them in closed form; `absolute` in the
+/// units of the quantity.
 constexpr Rule like_reactions(double absolute) {
   return {compare_within(1e-6, absolute), "as peak_force"};
 }
@@ -56,7 +60,8 @@ inline constexpr Rule kPeakRule = {
     "a fifth of the 1 % that a check aims at, so a change of 0.5 % is caught; "
     "solver and libraries move it by less than 1e-6"};
 
-/// Of other results of finite elements.
+/// Of other results of finite elements; `absolute` in the units of the
+/// quantity.
 constexpr Rule like_the_peak(double absolute) {
   return {compare_within(2e-3, absolute), "as peak_von_mises"};
 }

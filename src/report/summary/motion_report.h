@@ -14,7 +14,7 @@
 
 namespace clevis::report {
 
-/// The source's closed form beside the simulation at one instant.
+/// Closed form of [LandingGear] beside the simulation at one instant.
 struct SlideLeverRow {
   double t{};                 ///< [s]
   double cylinder_length{};   ///< l_x [m]

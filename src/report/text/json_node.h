@@ -15,7 +15,8 @@
 namespace clevis::report {
 
 /// A value of a stored result that knows its place in the file; what it is not
-/// is refused. @throws Error I003.
+/// is refused. Numbers are in the units of their keys' names.
+/// @throws Error I003.
 class JsonNode {
  public:
   JsonNode(const nlohmann::ordered_json& value, std::string place)
