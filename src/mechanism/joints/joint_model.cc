@@ -68,7 +68,10 @@ Vector3d PlacedJoint::rotation_error() const {
 
 double PlacedJoint::turned() const {
   double angle = 0.0;
-  if (type == JointType::kSpherical) {
+  const auto coordinates = traits(type).coordinates;
+  const bool turns_freely =
+      !coordinates.empty() && coordinates.back().row.kind == Kind::kCardan;
+  if (turns_freely) {
     angle = CardanAngles(axes_a, axes_b).angles[0];
   } else {
     angle = std::atan2(axes_a.col(1).dot(axes_b.col(0)),

@@ -45,6 +45,8 @@ constexpr std::array kUniversalAngles{Coordinate{"angle_1", {kU, 0}},
 constexpr std::array kBallAngles{Coordinate{"angle_1", {kC, 0}},
                                  Coordinate{"angle_2", {kC, 1}},
                                  Coordinate{"angle_3", {kC, 2}}};
+constexpr std::array kSlideAndBallAngles{kSlide[0], kBallAngles[0],
+                                         kBallAngles[1], kBallAngles[2]};
 constexpr std::array kPlaneCoordinates{Coordinate{"x", {kT, 0}},
                                        Coordinate{"y", {kT, 1}}, kAngle[0]};
 
@@ -143,7 +145,7 @@ constexpr std::array kTypes{
                 .name = "point_on_line",
                 .rows = kPointOnLineRows,
                 .rows_in_plane = 1,
-                .coordinates = kSlide,
+                .coordinates = kSlideAndBallAngles,
                 .in_plane = InPlane::kAxisWithin,
                 .slide_directions = 1,
                 .turns_about_z = false},
