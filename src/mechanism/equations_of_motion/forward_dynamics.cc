@@ -266,11 +266,10 @@ void ForwardDynamics::hold_tangents(double t, const VectorXd& y) {
 
 void ForwardDynamics::effort_response(Index k, Eigen::Ref<VectorXd> rate) {
   const ActingElement& e = applied_.element_of_effort(k);
-  residual_.setZero();
   change_.setZero();
   put_lever(e.line.a, e.levers.a, change_);
   put_lever(e.line.b, e.levers.b, change_);
-  mass_.accelerate(residual_, change_, response_, response_rows_);
+  respond(change_, response_);
   rate.setZero();
   rate.segment(positions_, system_.columns()) =
       response_.head(system_.columns());

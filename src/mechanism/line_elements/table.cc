@@ -21,9 +21,6 @@ class Table final : public OneSenseForce {
   void choose_modes() override;
   double event_value(int end) const override;
   void pass_event(int end) override;
-  const char* name_of_change(int end, int mode_before) const override {
-    return OneSenseForce::name_of_change(end, mode_before);
-  }
   std::vector<ElementGuard> guards() const override;
 
  protected:

@@ -61,6 +61,12 @@ mechanism::ForceElement read_bushing(StrictTable& table, const Names& names) {
   read_diagonal(table, "damping", Dimension::kDamping, 0, bushing.damping);
   read_diagonal(table, "angular_damping", Dimension::kAngularDamping, 3,
                 bushing.damping);
+  if (is_stiff && bushing.stiffness.isZero(0.0) &&
+      bushing.damping.isZero(0.0)) {
+    throw table.refusal("S006",
+                        "has neither stiffness nor damping: all are zero",
+                        "Give one above zero, or remove the force.");
+  }
   if (!is_stiff) {
     throw table.refusal(
         "S003", "lacks the key \"stiffness\" or \"angular_stiffness\"",

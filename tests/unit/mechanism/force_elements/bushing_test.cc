@@ -122,6 +122,7 @@ TEST(Bushing, GivesWayByItsWholeStiffness) {
   EXPECT_LT((found - known).norm(), 1e-3 * known.norm());
   const ElementState& state = motion.instants.back().elements[0];
   EXPECT_NEAR(state.effort, push.f_W.norm(), 1e-6);
+  EXPECT_NEAR(state.channels.at(0), push.t_W.norm(), 0.01 * push.t_W.norm());
   EXPECT_NEAR(state.channels.at(1), 0.5 * known.dot(load),
               1e-3 * known.dot(load));
 }
