@@ -8,7 +8,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/commands.h"
+#include "app/commands/compare_command.h"
+#include "app/commands/explain_command.h"
+#include "app/commands/impact_command.h"
+#include "app/commands/mesh_command.h"
+#include "app/commands/plugin_commands.h"
+#include "app/commands/simulate_command.h"
+#include "app/commands/transmission_command.h"
+#include "app/request/options.h"
 #include "assessment/job/model_traits.h"
 #include "base/quantity.h"
 #include "scene/text/name_index.h"

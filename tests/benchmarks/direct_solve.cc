@@ -19,7 +19,7 @@
 #include "elasticity/direct/dissection.h"
 #include "elasticity/direct/frontal_cholesky.h"
 #include "elasticity/problem/displacement_basis.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 #include "support/structured_mesh.h"
 
 namespace clevis::elasticity {

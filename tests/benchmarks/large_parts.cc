@@ -21,7 +21,7 @@
 #include "elasticity/multigrid/matrix_free_operator.h"
 #include "elasticity/multigrid/multigrid_solver.h"
 #include "elasticity/solid/solid_solve.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 #include "support/eye_problem.h"
 #include "support/structured_mesh.h"
 

@@ -87,6 +87,12 @@ ROOMS = {
         "vibration": "modes, answer to a strike and to a load history",
         "buckling": "lowest buckling factor",
     },
+    "stress": {
+        "field": "stress, displacement and energy error in cells, over time, at probes, as VTU",
+        "sections": "mean stress in plane sections, and of what a held face carries",
+        "zones": "places where linear elasticity has no finite stress, and how far they reach",
+        "peaks": "the largest stress, its band, and what shows that cells are too coarse",
+    },
     "assessment": {
         "job": "what the check of a part needs, and what it gives",
         "judge": "bands, doubt, verdict",
@@ -108,6 +114,14 @@ ROOMS = {
         "parts": "a part's result",
         "check": "a check's result: table, JSON, CSV, JUnit",
         "compare": "a result against a baseline",
+    },
+    "app": {
+        "request": "what the command line asks for, and where results go",
+        "processes": "other programs, workers, temporary folders, errors across processes",
+        "scenes": "a scene with its meshes; gmsh, and which mesh a geometry belongs to",
+        "parts": "from a scene's motion to the jobs of its parts",
+        "solving": "the commands that solve, as the library that is loaded on demand",
+        "commands": "the other commands, and the door to that library",
     },
 }
 
@@ -133,6 +147,10 @@ PUBLIC = {
                   " solid/neighbourhood solid/open_reactions solid/plane_loads"
                   " solid/seat_compliance solid/solid_solve vibration/eigenmodes"
                   " vibration/load_vibration vibration/strike_response",
+    "stress": "field/deflection field/energy_error field/field_output field/finite_motion"
+              " field/probe field/stress_history peaks/local_peak peaks/meeting_points"
+              " peaks/peak_band peaks/peak_zoom peaks/slow_sequence peaks/surface_kink"
+              " sections/held_face zones/singular_zone zones/zone_mask zones/zone_strength",
     "assessment": "impact/impact_check job/model_traits job/part_job"
                   " job/part_result models/level models/model_list part_check",
     "report": "check/check_table check/result_files check/result_json"

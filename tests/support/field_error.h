@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 
 namespace clevis::support {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "stress/stress_history.h"
-#include "stress/zone_mask.h"
+#include "stress/field/stress_history.h"
+#include "stress/zones/zone_mask.h"
 
 namespace clevis::assessment {
 

@@ -4,7 +4,7 @@
 
 #include "assessment/job/part_job.h"
 #include "elasticity/problem/displacement_basis.h"
-#include "stress/singular_zone.h"
+#include "stress/zones/singular_zone.h"
 
 namespace clevis::assessment {
 

@@ -6,7 +6,7 @@
 
 #include "assessment/impact/free_swing.h"
 #include "dynamics/strike_steps.h"
-#include "stress/deflection.h"
+#include "stress/field/deflection.h"
 
 namespace clevis::assessment {
 namespace {

@@ -8,8 +8,8 @@
 #include "base/errors.h"
 #include "base/stopwatch.h"
 #include "elasticity/solid/solid_solve.h"
-#include "stress/stress_history.h"
-#include "stress/zone_mask.h"
+#include "stress/field/stress_history.h"
+#include "stress/zones/zone_mask.h"
 
 namespace clevis::assessment {
 namespace {

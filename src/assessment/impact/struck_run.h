@@ -8,9 +8,9 @@
 #include "assessment/job/part_job.h"
 #include "dynamics/strike.h"
 #include "elasticity/vibration/strike_response.h"
-#include "stress/deflection.h"
-#include "stress/held_face.h"
-#include "stress/singular_zone.h"
+#include "stress/field/deflection.h"
+#include "stress/sections/held_face.h"
+#include "stress/zones/singular_zone.h"
 
 namespace clevis::assessment {
 

@@ -17,7 +17,7 @@
 #include "part/mass_properties.h"
 #include "part/part_definition.h"
 #include "part/supports.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 
 namespace clevis::assessment {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 
 namespace clevis::assessment {
 namespace {

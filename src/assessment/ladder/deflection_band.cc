@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "assessment/judge/time_doubt.h"
-#include "stress/slow_sequence.h"
+#include "stress/peaks/slow_sequence.h"
 
 namespace clevis::assessment {
 

@@ -12,7 +12,7 @@
 #include "assessment/places/meeting_places.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
-#include "stress/peak_zoom.h"
+#include "stress/peaks/peak_zoom.h"
 
 namespace clevis::assessment {
 namespace {

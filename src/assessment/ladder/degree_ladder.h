@@ -9,7 +9,7 @@
 #include "assessment/models/fe_model.h"
 #include "assessment/models/level.h"
 #include "assessment/places/nearby_peak.h"
-#include "stress/peak_band.h"
+#include "stress/peaks/peak_band.h"
 
 namespace clevis::assessment {
 

@@ -11,9 +11,9 @@
 #include "assessment/judge/finite_motion.h"
 #include "assessment/ladder/probe_band.h"
 #include "base/errors.h"
-#include "stress/deflection.h"
-#include "stress/energy_error.h"
-#include "stress/finite_motion.h"
+#include "stress/field/deflection.h"
+#include "stress/field/energy_error.h"
+#include "stress/field/finite_motion.h"
 
 namespace clevis::assessment {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "assessment/judge/time_doubt.h"
-#include "stress/zone_mask.h"
-#include "stress/zone_strength.h"
+#include "stress/zones/zone_mask.h"
+#include "stress/zones/zone_strength.h"
 
 namespace clevis::assessment {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "assessment/models/level.h"
 #include "mesh/derived/graded_mesh.h"
-#include "stress/peak_band.h"
-#include "stress/singular_zone.h"
+#include "stress/peaks/peak_band.h"
+#include "stress/zones/singular_zone.h"
 
 namespace clevis::assessment {
 

@@ -10,7 +10,7 @@
 #include "elasticity/assembly/stiffness.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/problem/elastic_problem.h"
-#include "stress/singular_zone.h"
+#include "stress/zones/singular_zone.h"
 
 namespace clevis::assessment {
 

@@ -9,9 +9,9 @@
 #include "base/errors.h"
 #include "base/stopwatch.h"
 #include "elasticity/problem/elastic_problem.h"
-#include "stress/deflection.h"
-#include "stress/held_face.h"
-#include "stress/peak_zoom.h"
+#include "stress/field/deflection.h"
+#include "stress/peaks/peak_zoom.h"
+#include "stress/sections/held_face.h"
 
 namespace clevis::assessment {
 namespace {

@@ -7,8 +7,8 @@
 #include "assessment/job/part_job.h"
 #include "assessment/models/fe_model.h"
 #include "elasticity/problem/displacement_basis.h"
-#include "stress/deflection.h"
-#include "stress/probe.h"
+#include "stress/field/deflection.h"
+#include "stress/field/probe.h"
 
 namespace clevis::assessment {
 

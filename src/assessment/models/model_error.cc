@@ -5,10 +5,10 @@
 
 #include "elasticity/plate/layered_solve.h"
 #include "elasticity/solid/solid_solve.h"
-#include "stress/peak_zoom.h"
-#include "stress/singular_zone.h"
-#include "stress/stress_history.h"
-#include "stress/zone_mask.h"
+#include "stress/field/stress_history.h"
+#include "stress/peaks/peak_zoom.h"
+#include "stress/zones/singular_zone.h"
+#include "stress/zones/zone_mask.h"
 
 namespace clevis::assessment {
 namespace {

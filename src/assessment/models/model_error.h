@@ -4,7 +4,7 @@
 
 #include "assessment/job/part_job.h"
 #include "mesh/cells/part_mesh.h"
-#include "stress/singular_zone.h"
+#include "stress/zones/singular_zone.h"
 
 namespace clevis::assessment {
 

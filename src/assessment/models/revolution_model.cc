@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "elasticity/revolution/revolution_solve.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 
 namespace clevis::assessment {
 namespace {

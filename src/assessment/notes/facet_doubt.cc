@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "stress/singular_zone.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
+#include "stress/zones/singular_zone.h"
 
 namespace clevis::assessment {
 namespace {

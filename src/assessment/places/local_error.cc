@@ -4,7 +4,7 @@
 #include "elasticity/assembly/supports.h"
 #include "elasticity/nodal_loads/load_vectors.h"
 #include "elasticity/solid/neighbourhood.h"
-#include "stress/local_peak.h"
+#include "stress/peaks/local_peak.h"
 
 namespace clevis::assessment {
 namespace {

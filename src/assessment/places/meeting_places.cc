@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "stress/meeting_points.h"
+#include "stress/peaks/meeting_points.h"
 
 namespace clevis::assessment {
 namespace {

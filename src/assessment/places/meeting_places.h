@@ -4,7 +4,7 @@
 
 #include "assessment/models/level.h"
 #include "elasticity/fe_space/discretization.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 
 namespace clevis::assessment {
 

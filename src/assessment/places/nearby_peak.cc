@@ -10,8 +10,8 @@
 #include "base/errors.h"
 #include "elasticity/fe_space/tabulation.h"
 #include "mesh/derived/sub_mesh.h"
-#include "stress/meeting_points.h"
-#include "stress/surface_kink.h"
+#include "stress/peaks/meeting_points.h"
+#include "stress/peaks/surface_kink.h"
 
 namespace clevis::assessment {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "assessment/job/part_job.h"
 #include "assessment/models/level.h"
-#include "stress/peak_band.h"
+#include "stress/peaks/peak_band.h"
 
 namespace clevis::assessment {
 

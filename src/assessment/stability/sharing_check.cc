@@ -15,10 +15,10 @@
 #include "assessment/models/model_list.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "loads/balance.h"
-#include "stress/deflection.h"
-#include "stress/singular_zone.h"
-#include "stress/stress_history.h"
-#include "stress/zone_mask.h"
+#include "stress/field/deflection.h"
+#include "stress/field/stress_history.h"
+#include "stress/zones/singular_zone.h"
+#include "stress/zones/zone_mask.h"
 
 namespace clevis::assessment {
 namespace {

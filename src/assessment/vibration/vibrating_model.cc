@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 
 namespace clevis::assessment {
 namespace {

@@ -10,8 +10,8 @@
 #include "dynamics/load_answer.h"
 #include "dynamics/load_path.h"
 #include "elasticity/vibration/load_vibration.h"
-#include "stress/singular_zone.h"
-#include "stress/zone_mask.h"
+#include "stress/zones/singular_zone.h"
+#include "stress/zones/zone_mask.h"
 
 namespace clevis::assessment {
 

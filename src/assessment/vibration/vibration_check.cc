@@ -13,7 +13,7 @@
 #include "assessment/vibration/vibrating_model.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
-#include "stress/deflection.h"
+#include "stress/field/deflection.h"
 
 namespace clevis::assessment {
 namespace {

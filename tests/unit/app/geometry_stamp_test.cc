@@ -1,4 +1,4 @@
-#include "app/geometry_stamp.h"
+#include "app/scenes/geometry_stamp.h"
 
 #include <filesystem>
 #include <fstream>
@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/geometry_files.h"
-#include "app/temporary_folder.h"
+#include "app/processes/temporary_folder.h"
+#include "app/scenes/geometry_files.h"
 #include "base/errors.h"
 
 namespace clevis::app {

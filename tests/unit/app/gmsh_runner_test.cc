@@ -1,4 +1,4 @@
-#include "app/gmsh_runner.h"
+#include "app/scenes/gmsh_runner.h"
 
 #include <chrono>
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/temporary_folder.h"
+#include "app/processes/temporary_folder.h"
 #include "base/errors.h"
 
 namespace clevis::app {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "elasticity/fe_space/simplex_numbering.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 #include "support/elastic_field_problem.h"
 #include "support/field_error.h"
 #include "support/simplex_mesh.h"

@@ -1,9 +1,10 @@
+#include "app/commands/compare_command.h"
+
 #include <fstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/commands.h"
 #include "report/check/result_files.h"
 #include "sample_report.h"
 

@@ -1,4 +1,4 @@
-#include "stress/deflection.h"
+#include "stress/field/deflection.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 #include "elasticity/assembly/supports.h"
 #include "elasticity/solid/solid_solve.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 #include "support/eye_problem.h"
 
 namespace clevis::stress {

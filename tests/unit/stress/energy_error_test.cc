@@ -1,4 +1,4 @@
-#include "stress/energy_error.h"
+#include "stress/field/energy_error.h"
 
 #include <cmath>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "stress/field_output.h"
+#include "stress/field/field_output.h"
 
 #include <regex>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "stress/finite_motion.h"
+#include "stress/field/finite_motion.h"
 
 #include <cmath>
 

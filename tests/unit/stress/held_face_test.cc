@@ -1,6 +1,6 @@
 // What a support does to a part, against balance and beam theory.
 
-#include "stress/held_face.h"
+#include "stress/sections/held_face.h"
 
 #include <cmath>
 #include <functional>

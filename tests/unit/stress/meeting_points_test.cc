@@ -1,4 +1,4 @@
-#include "stress/meeting_points.h"
+#include "stress/peaks/meeting_points.h"
 
 #include <cmath>
 #include <functional>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "elasticity/assembly/supports.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 #include "support/simplex_mesh.h"
 #include "support/structured_mesh.h"
 

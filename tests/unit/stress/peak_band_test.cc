@@ -1,11 +1,11 @@
-#include "stress/peak_band.h"
+#include "stress/peaks/peak_band.h"
 
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 
 namespace clevis::stress {
 namespace {

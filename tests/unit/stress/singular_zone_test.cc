@@ -1,4 +1,4 @@
-#include "stress/singular_zone.h"
+#include "stress/zones/singular_zone.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/reading/mesh_reader.h"
-#include "stress/boundary_corner.h"
+#include "stress/zones/boundary_corner.h"
 #include "support/annulus_mesh.h"
 #include "support/corner_mesh.h"
 #include "support/source_dir.h"

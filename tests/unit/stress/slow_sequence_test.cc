@@ -1,4 +1,4 @@
-#include "stress/slow_sequence.h"
+#include "stress/peaks/slow_sequence.h"
 
 #include <cmath>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 
 #include <gtest/gtest.h>
 

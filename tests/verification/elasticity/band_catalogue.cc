@@ -4,10 +4,10 @@
 
 #include "elasticity/problem/elastic_problem.h"
 #include "elasticity/solid/neighbourhood.h"
-#include "stress/local_peak.h"
-#include "stress/peak_zoom.h"
-#include "stress/probe.h"
-#include "stress/stress_history.h"
+#include "stress/field/probe.h"
+#include "stress/field/stress_history.h"
+#include "stress/peaks/local_peak.h"
+#include "stress/peaks/peak_zoom.h"
 
 namespace clevis::support {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "elasticity/problem/displacement_basis.h"
 #include "mesh/cells/part_mesh.h"
-#include "stress/peak_band.h"
+#include "stress/peaks/peak_band.h"
 #include "support/elastic_field_problem.h"
 #include "support/field_error.h"
 

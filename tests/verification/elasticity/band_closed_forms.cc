@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "band_catalogue.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 #include "support/annulus_mesh.h"
 #include "support/simplex_mesh.h"
 

@@ -8,7 +8,7 @@
 
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/solid/solid_solve.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 #include "support/structured_mesh.h"
 
 namespace clevis {

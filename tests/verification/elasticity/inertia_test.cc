@@ -7,7 +7,7 @@
 #include "base/errors.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/solid/solid_solve.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 #include "support/elastic_field_problem.h"
 #include "support/field_error.h"
 #include "support/structured_mesh.h"

@@ -9,7 +9,7 @@
 
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/solid/solid_solve.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 #include "support/elastic_field_problem.h"
 #include "support/eye_problem.h"
 #include "support/renumber.h"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "part/supports.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 #include "support/annulus_mesh.h"
 #include "support/convergence.h"
 #include "support/elastic_field_problem.h"

@@ -13,8 +13,8 @@
 #include "elasticity/plate/plate_layer.h"
 #include "elasticity/solid/solid_solve.h"
 #include "part/supports.h"
-#include "stress/probe.h"
-#include "stress/stress_history.h"
+#include "stress/field/probe.h"
+#include "stress/field/stress_history.h"
 #include "support/eye_problem.h"
 
 namespace clevis {

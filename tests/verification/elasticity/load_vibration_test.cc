@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/load_answer.h"
-#include "stress/zone_mask.h"
+#include "stress/zones/zone_mask.h"
 #include "support/structured_mesh.h"
 
 namespace clevis {

@@ -17,7 +17,7 @@
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/solid/solid_solve.h"
 #include "part/supports.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 #include "support/annulus_mesh.h"
 #include "support/elastic_field_problem.h"
 #include "support/field_error.h"

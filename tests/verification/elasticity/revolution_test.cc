@@ -14,7 +14,7 @@
 #include "base/stopwatch.h"
 #include "elasticity/revolution/revolution_solve.h"
 #include "elasticity/solid/solid_solve.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 #include "support/annulus_mesh.h"
 #include "support/field_error.h"
 

@@ -14,7 +14,7 @@
 
 #include "elasticity/problem/elastic_problem.h"
 #include "elasticity/vibration/strike_response.h"
-#include "stress/stress_history.h"
+#include "stress/field/stress_history.h"
 #include "support/rod_peak.h"
 #include "support/structured_mesh.h"
 

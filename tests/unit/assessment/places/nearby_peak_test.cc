@@ -18,7 +18,7 @@
 #include "elasticity/assembly/supports.h"
 #include "elasticity/nodal_loads/load_vectors.h"
 #include "mesh/quality/mass_properties.h"
-#include "stress/meeting_points.h"
+#include "stress/peaks/meeting_points.h"
 #include "support/simplex_mesh.h"
 
 namespace clevis::assessment {

@@ -1,0 +1,48 @@
+#include "app/parts/link_compliance.h"
+
+#include <utility>
+#include <vector>
+
+#include "elasticity/solid/seat_compliance.h"
+#include "loads/balance.h"
+#include "loads/part_seats.h"
+
+namespace clevis::app {
+namespace {
+
+mechanism::LinkCompliance link_compliance(const LoadedScene& loaded,
+                                          const LoadedPart& part,
+                                          mechanism::BodyIndex body) {
+  const loads::SeatContext context{loaded.scene.mechanism, body,
+                                   part.definition, part.groups,
+                                   loads::part_size(part.groups, part.mass)};
+  loads::require_seats(context);
+  mechanism::LinkCompliance link;
+  std::vector<loads::Seat> seats;
+  for (const loads::JointSeat& seat : loads::joint_seats(context)) {
+    link.joints.push_back(static_cast<int>(seat.joint.index));
+    link.points.push_back(seat.seat.p_LS);
+    seats.push_back(seat.seat);
+  }
+  link.matrix = elasticity::seat_compliance(part.mesh, part.definition.material,
+                                            part.mass, std::move(seats),
+                                            part.definition.name);
+  return link;
+}
+
+}  // namespace
+
+void add_link_compliances(LoadedScene& loaded) {
+  auto& mechanism = loaded.scene.mechanism;
+  if (loaded.scene.simulation.links != mechanism::LinkStiffness::kElastic) {
+    return;
+  }
+  for (const LoadedPart& part : loaded.parts) {
+    const auto body = loaded.body_of(part.definition.name);
+    if (body == mechanism::kGround) continue;
+    mechanism.bodies[static_cast<std::size_t>(body)].compliance =
+        link_compliance(loaded, part, body);
+  }
+}
+
+}  // namespace clevis::app

@@ -1,0 +1,162 @@
+#include "app/parts/part_files.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "report/text/atomic_file.h"
+#include "report/text/csv_field.h"
+#include "stress/field/field_output.h"
+
+namespace clevis::app {
+namespace {
+
+constexpr int kFrames = 20;            // steps of the series
+constexpr int kFrameSubdivisions = 2;  // coarse: the series is to look at
+
+/// Instants that make the series: the ends and kFrames − 1 between.
+std::vector<int> frame_instants(std::size_t instants) {
+  const int last = static_cast<int>(instants) - 1;
+  std::vector<int> frames;
+  for (int k = 0; k <= std::min(kFrames, last); ++k) {
+    frames.push_back(last * k / std::min(kFrames, std::max(last, 1)));
+  }
+  return frames;
+}
+
+std::string frame_name(const std::string& part, std::size_t frame) {
+  return fmt::format("frames/{}_{:04}.vtu", part, frame);
+}
+
+std::string vtu(const assessment::PartFields& fields,
+                const stress::InstantField& field,
+                const std::vector<stress::ScalarField>& scalars,
+                stress::CellOrder order, const stress::Placement& placement) {
+  std::ostringstream out;
+  if (fields.dim == 2) {
+    stress::write_vtu<2>(out, fields.shape, field, scalars, order, placement);
+  } else {
+    stress::write_vtu<3>(out, fields.shape, field, scalars, order, placement);
+  }
+  return out.str();
+}
+
+/// Values over the whole motion that go with the worst instant's field.
+std::vector<stress::ScalarField> worst_scalars(
+    const assessment::PartFields& fields, double yield_strength) {
+  const stress::StressHistory& worst = fields.worst;
+  stress::ScalarField peak{"von_mises_worst", "Pa", worst.worst};
+  stress::ScalarField when{"worst_time", "s", worst.worst};
+  for (Eigen::Index c = 0; c < worst.worst.cols(); ++c) {
+    for (Eigen::Index q = 0; q < worst.worst.rows(); ++q) {
+      when.values(q, c) =
+          fields.times[static_cast<std::size_t>(worst.worst_instant(q, c))];
+    }
+  }
+  // Capped: an unloaded corner has no meaningful factor.
+  constexpr double kLargest = 1e3;
+  stress::ScalarField safety{
+      "safety_factor", "1",
+      (yield_strength / worst.worst.array().max(yield_strength / kLargest))
+          .matrix()};
+  const stress::ScalarField zone{"singular_zone", "1",
+                                 fields.zones.value_or(Eigen::MatrixXd::Zero(
+                                     worst.worst.rows(), worst.worst.cols()))};
+  return {peak, when, safety, zone};
+}
+
+std::string history_csv(const std::vector<assessment::InstantRow>& history) {
+  std::string text = "label,time_s,peak_von_mises_MPa,strain_energy_mJ\n";
+  for (const auto& row : history) {
+    text += fmt::format("{},{},{},{}\n", report::csv_field(row.label), row.time,
+                        row.peak * 1e-6, row.strain_energy * 1e3);
+  }
+  return text;
+}
+
+std::string pvd(const std::vector<std::string>& entries) {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"Collection\" version=\"0.1\" "
+      "byte_order=\"LittleEndian\">\n<Collection>\n";
+  for (const auto& entry : entries) text += entry;
+  return text + "</Collection>\n</VTKFile>\n";
+}
+
+std::string pvd_entry(double time, std::size_t part, const std::string& file) {
+  return fmt::format(
+      "<DataSet timestep=\"{:.9g}\" group=\"\" part=\"{}\" file=\"{}\"/>\n",
+      time, part, file);
+}
+
+std::vector<std::string> series_of(const std::vector<std::string>& parts,
+                                   const mechanism::Motion& motion) {
+  std::vector<std::string> entries;
+  const auto frames = frame_instants(motion.instants.size());
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const double time = motion.instants[static_cast<std::size_t>(frames[f])].t;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      entries.push_back(pvd_entry(time, p, frame_name(parts[p], f)));
+    }
+  }
+  return entries;
+}
+
+void write_frames(const assessment::PartAssessment& assessment,
+                  const MovingPart& moving,
+                  const std::filesystem::path& folder) {
+  const auto& instants = moving.motion->instants;
+  const auto frames = frame_instants(instants.size());
+  const int subdivisions =
+      std::min(kFrameSubdivisions, assessment.fields.worst.subdivisions);
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const auto& pose = instants[static_cast<std::size_t>(frames[f])]
+                           .bodies[static_cast<std::size_t>(moving.body)]
+                           .pose;
+    report::write_file(
+        folder / frame_name(assessment.result.name, f),
+        vtu(assessment.fields, assessment.fields.at(frames[f], subdivisions),
+            {}, stress::CellOrder::kLinear, {pose.p_WL, pose.R_WL}));
+  }
+  report::write_file(folder / (assessment.result.name + ".pvd"),
+                     pvd(series_of({assessment.result.name}, *moving.motion)));
+}
+
+}  // namespace
+
+void write_part_files(const assessment::PartAssessment& assessment,
+                      const std::optional<MovingPart>& moving,
+                      double yield_strength,
+                      const std::filesystem::path& folder) {
+  const assessment::PartFields& fields = assessment.fields;
+  const auto scalars = worst_scalars(fields, yield_strength);
+  const auto field = fields.at(fields.peak_instant, fields.worst.subdivisions);
+  const std::string& name = assessment.result.name;
+  report::write_file(
+      folder / (name + ".vtu"),
+      vtu(fields, field, scalars, stress::CellOrder::kLagrange, {}));
+  // Simplices have linear cells in either.
+  if (fields.shape == mesh::CellShape::kTensor) {
+    report::write_file(
+        folder / (name + "_linear.vtu"),
+        vtu(fields, field, scalars, stress::CellOrder::kLinear, {}));
+  }
+  if (fields.buckling) {
+    std::ostringstream out;
+    stress::write_vtu<3>(out, fields.buckling->shape, fields.buckling->field,
+                         {}, stress::CellOrder::kLagrange, {});
+    report::write_file(folder / (name + "_buckling.vtu"), out.str());
+  }
+  report::write_file(folder / (name + "_history.csv"),
+                     history_csv(fields.history));
+  if (moving) write_frames(assessment, *moving, folder);
+}
+
+void write_mechanism_series(const std::vector<std::string>& parts,
+                            const mechanism::Motion& motion,
+                            const std::filesystem::path& folder) {
+  report::write_file(folder / "mechanism.pvd", pvd(series_of(parts, motion)));
+}
+
+}  // namespace clevis::app

@@ -1,0 +1,231 @@
+#include "app/parts/part_jobs.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/parts/held_part.h"
+#include "app/parts/impact_jobs.h"
+#include "app/parts/open_sharing.h"
+#include "base/errors.h"
+#include "loads/seat_spans.h"
+
+namespace clevis::app {
+namespace {
+
+using assessment::LoadSet;
+using assessment::PartJob;
+using mechanism::BodyIndex;
+using mechanism::JointDefinition;
+
+/// Index of an entry with the same group (and kind), appended if missing.
+template <class Entry, class Same>
+std::size_t find_or_append(std::vector<Entry>& entries, const Entry& entry,
+                           Same same) {
+  const auto found = std::ranges::find_if(entries, [&](const Entry& other) {
+    return same(other, entry);
+  });
+  if (found != entries.end()) {
+    return static_cast<std::size_t>(found - entries.begin());
+  }
+  entries.push_back(entry);
+  return entries.size() - 1;
+}
+
+loads::SurfaceLoad unloaded(const std::string& group) {
+  loads::SurfaceLoad load;
+  load.group = group;
+  return load;
+}
+
+/// Appends the instants of `more`; seats and surfaces become the union.
+void merge(loads::LoadHistory& history, const loads::LoadHistory& more) {
+  std::vector<std::size_t> seat_of;
+  for (const auto& seat : more.seats) {
+    seat_of.push_back(
+        find_or_append(history.seats, seat, [](const auto& a, const auto& b) {
+          return a.group == b.group && a.kind == b.kind && a.p_LS == b.p_LS &&
+                 !a.slide && !b.slide;
+        }));
+  }
+  std::vector<loads::SurfaceLoad> surfaces;
+  const auto collect = [&](const loads::LoadHistory& source) {
+    for (const auto& load : source.instants.front().surface_loads) {
+      find_or_append(surfaces, unloaded(load.group),
+                     [](const auto& a, const auto& b) {
+                       return a.group == b.group;
+                     });
+    }
+  };
+  collect(history);
+  collect(more);
+  const std::size_t old_instants = history.instants.size();
+  for (const auto& instant : more.instants) {
+    loads::InstantLoad moved = instant;
+    moved.wrenches.assign(history.seats.size(), {});
+    if (!instant.zones.empty()) moved.zones.assign(history.seats.size(), {});
+    for (std::size_t s = 0; s < seat_of.size(); ++s) {
+      moved.wrenches[seat_of[s]] = instant.wrenches[s];
+      if (!instant.zones.empty()) moved.zones[seat_of[s]] = instant.zones[s];
+    }
+    history.instants.push_back(std::move(moved));
+  }
+  for (std::size_t i = 0; i < history.instants.size(); ++i) {
+    auto& instant = history.instants[i];
+    if (i < old_instants) {
+      instant.wrenches.resize(history.seats.size());
+      if (!instant.zones.empty()) instant.zones.resize(history.seats.size());
+    }
+    std::vector<loads::SurfaceLoad> all = surfaces;
+    for (const auto& load : instant.surface_loads) {
+      *std::ranges::find(all, load.group, &loads::SurfaceLoad::group) = load;
+    }
+    instant.surface_loads = std::move(all);
+  }
+}
+
+void add_cases(const LoadedPart& part, PartJob& job) {
+  std::vector<LoadSet>& sets = job.load_sets;
+  for (const auto& load_case : part.definition.cases) {
+    auto held = held_loads(part, load_case);
+    const auto same = std::ranges::find_if(sets, [&](const LoadSet& set) {
+      return set.fixed == load_case.fixed &&
+             set.foundations == load_case.foundations;
+    });
+    const auto at = static_cast<std::size_t>(same - sets.begin());
+    if (same != sets.end()) {
+      merge(same->history, held.history);
+    } else {
+      sets.push_back({held.history, load_case.fixed, load_case.foundations});
+    }
+    if (held.others.empty()) continue;
+    job.open_sharings.push_back(
+        {.set = at,
+         .checked = std::move(held.history),
+         .others = std::move(held.others),
+         .is_complete = false,
+         .remedy = "pins of case " + load_case.name +
+                   " that give way as much as the part: hold it by fewer"});
+  }
+}
+
+const JointDefinition* joint_of(
+    const mechanism::MechanismDefinition& definition, BodyIndex body,
+    mechanism::JointType type) {
+  const auto found =
+      std::ranges::find_if(definition.joints, [&](const JointDefinition& j) {
+        return j.type == type && (j.body_a == body || j.body_b == body);
+      });
+  return found == definition.joints.end() ? nullptr : &*found;
+}
+
+/// Buckling length of a body that slides in another: the largest distance
+/// between the outer pins of the pair over the motion.
+std::optional<double> buckling_length(
+    const mechanism::MechanismDefinition& definition,
+    const mechanism::Motion& motion, BodyIndex body) {
+  using enum mechanism::JointType;
+  const JointDefinition* slide = joint_of(definition, body, kPrismatic);
+  if (slide == nullptr) return std::nullopt;
+  const BodyIndex other = slide->body_a == body ? slide->body_b : slide->body_a;
+  const JointDefinition* pin = joint_of(definition, body, kRevolute);
+  const JointDefinition* far_pin = other == mechanism::kGround
+                                       ? nullptr
+                                       : joint_of(definition, other, kRevolute);
+  if (pin == nullptr || far_pin == nullptr) return std::nullopt;
+  double longest = 0.0;
+  for (const auto& instant : motion.instants) {
+    const auto at = [&](const JointDefinition* joint) {
+      const auto index =
+          static_cast<std::size_t>(joint - definition.joints.data());
+      return instant.joints[index].p_WJ;
+    };
+    longest = std::max(longest, (at(pin) - at(far_pin)).norm());
+  }
+  return longest;
+}
+
+/// Where all parts say that the joints touch them.
+loads::SeatSpans seat_spans(const LoadedScene& loaded) {
+  loads::SeatSpans spans;
+  for (const LoadedPart& part : loaded.parts) {
+    const BodyIndex body = loaded.body_of(part.definition.name);
+    if (body == mechanism::kGround) continue;
+    loads::add_seat_spans(loaded.scene.mechanism, body, part.definition,
+                          part.groups, spans);
+  }
+  return spans;
+}
+
+PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
+                 const std::optional<mechanism::OtherSharings>& sharings,
+                 const LoadedPart& part, double tolerance) {
+  PartJob job;
+  job.part = part.definition;
+  job.mesh = part.mesh;
+  job.mass = part.mass;
+  job.groups = part.groups;
+  job.tolerance = tolerance;
+  job.notes = part.notes;
+  const auto& definition = loaded.scene.mechanism;
+  const BodyIndex body = loaded.body_of(part.definition.name);
+  if (body != mechanism::kGround) {
+    job.load_sets.push_back(
+        {loads::part_loads(definition, motion, body, part.definition,
+                           part.groups, part.mass, seat_spans(loaded)),
+         {}});
+    if (sharings) {
+      if (auto open = open_sharing(loaded, *sharings, part,
+                                   job.load_sets.front().history)) {
+        job.open_sharings.push_back(std::move(*open));
+      }
+    }
+    job.buckling_length = buckling_length(definition, motion, body);
+  }
+  add_cases(part, job);
+  job.impacts = impact_jobs(definition, motion, part.definition, part.groups);
+  if (body != mechanism::kGround) {
+    job.impact_loads = impact_loads(definition, motion);
+  }
+  if (job.load_sets.empty() && job.impacts.empty()) {
+    throw Error("S003", part.definition.place,
+                fmt::format("nothing loads part \"{}\"", part.definition.name),
+                "Give it to a body with `part`, or add a [[part.case]].");
+  }
+  return job;
+}
+
+}  // namespace
+
+std::vector<PartJob> part_jobs(const LoadedScene& loaded,
+                               const mechanism::Motion& motion,
+                               const std::vector<std::string>& names,
+                               double tolerance) {
+  std::vector<std::string> known;
+  for (const auto& part : loaded.parts) known.push_back(part.definition.name);
+  for (const auto& name : names) {
+    if (std::ranges::find(known, name) == known.end()) {
+      throw Error("U001", "--part",
+                  fmt::format("the scene has no part \"{}\"", name),
+                  fmt::format("Its parts: {}.", fmt::join(known, ", ")));
+    }
+  }
+  std::optional<mechanism::OtherSharings> sharings;
+  if (loaded.scene.has_mechanism) {
+    sharings.emplace(loaded.scene.mechanism, motion);
+  }
+  std::vector<PartJob> jobs;
+  for (const auto& part : loaded.parts) {
+    if (!names.empty() &&
+        std::ranges::find(names, part.definition.name) == names.end()) {
+      continue;
+    }
+    jobs.push_back(part_job(loaded, motion, sharings, part, tolerance));
+  }
+  return jobs;
+}
+
+}  // namespace clevis::app

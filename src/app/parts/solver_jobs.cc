@@ -1,0 +1,98 @@
+#include "app/parts/solver_jobs.h"
+
+#include <iostream>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "app/parts/link_compliance.h"
+#include "app/parts/part_jobs.h"
+#include "app/processes/error_text.h"
+#include "assessment/impact/impact_check.h"
+#include "loads/part_loads.h"
+#include "mechanism/simulate.h"
+#include "report/text/progress.h"
+
+namespace clevis::app {
+namespace {
+
+constexpr char kText = 'T';
+constexpr char kRefusal = 'E';
+
+std::string answer_of(const SolverTask& task) {
+  try {
+    return kText + task.run();
+  } catch (const Error& error) {
+    return kRefusal + encode_error(error);
+  } catch (const std::bad_alloc&) {
+    return kRefusal +
+           encode_error(Error("F004", task.what, "the memory ran out",
+                              "mesh the part coarser"));
+  } catch (const std::exception& failure) {
+    return kRefusal + encode_error(Error("X001", task.what, failure.what(),
+                                         "Please report this scene."));
+  }
+}
+
+SolverAnswer decode(const WorkerOutcome& outcome, const SolverTask& task) {
+  using enum WorkerOutcome::Kind;
+  if (outcome.kind == kInterrupted) return {};
+  if (outcome.kind == kDied || outcome.text.empty()) {
+    return {std::nullopt, Error("X001", task.what, "crashed: " + outcome.text,
+                                "Please report this scene.")};
+  }
+  const std::string content = outcome.text.substr(1);
+  if (outcome.text.front() == kText) return {content, std::nullopt};
+  return {std::nullopt, decode_error(content)};
+}
+
+}  // namespace
+
+SolverJobs load_solver_jobs(const Options& options) {
+  SolverJobs result;
+  result.loaded = load_scene(options.scene);
+  add_link_compliances(result.loaded);
+  const scene::Scene& scene = result.loaded.scene;
+  mechanism::Motion motion;
+  if (scene.has_mechanism) {
+    motion = loads::loading_motion(
+        mechanism::simulate(scene.mechanism, scene.simulation));
+  }
+  result.jobs = part_jobs(result.loaded, motion, options.parts,
+                          scene.peak_stress_tolerance);
+  // Of a blow the static load that stresses the part as much, as a case.
+  for (auto& job : result.jobs) {
+    assessment::add_blows_at_rest(job);
+    job.impacts.clear();
+  }
+  return result;
+}
+
+std::vector<SolverAnswer> run_solver_tasks(
+    const std::vector<SolverTask>& tasks) {
+  report::Progress progress(std::cerr, isatty(STDERR_FILENO) != 0
+                                           ? report::Progress::Stream::kTerminal
+                                           : report::Progress::Stream::kLog);
+  const auto outcomes = run_workers(
+      tasks.size(), 1,
+      [&](std::size_t index) {
+        return answer_of(tasks[index]);
+      },
+      [&](std::size_t done, const std::vector<std::size_t>& running) {
+        progress.update(static_cast<int>(done), static_cast<int>(tasks.size()),
+                        running.empty() ? "" : tasks[running.front()].what);
+      });
+  progress.clear();
+  std::vector<SolverAnswer> answers;
+  for (std::size_t t = 0; t < tasks.size(); ++t) {
+    answers.push_back(decode(outcomes[t], tasks[t]));
+  }
+  return answers;
+}
+
+calculix::Hexahedron hexahedron_of(const Options& options) {
+  return options.elements == "C3D20" ? calculix::Hexahedron::kFull
+                                     : calculix::Hexahedron::kReduced;
+}
+
+}  // namespace clevis::app

@@ -1,0 +1,113 @@
+#include "app/processes/child_process.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/errors.h"
+#include "base/stopwatch.h"
+
+namespace clevis::app {
+namespace {
+
+constexpr int kNotStarted = 127;                  // as a shell says it
+constexpr rlim_t kLargestFile = rlim_t{1} << 30;  // [bytes]
+
+/// "VALUE\0"-terminated strings as execvpe wants them.
+std::vector<char*> pointers(std::vector<std::string>& strings) {
+  std::vector<char*> result;
+  for (std::string& text : strings) result.push_back(text.data());
+  result.push_back(nullptr);
+  return result;
+}
+
+/// Replaces the child process by the program; its output goes to `log`.
+[[noreturn]] void become(char* const* arguments, char* const* environment,
+                         const char* folder, const char* log, pid_t parent) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // Ctrl-C on clevis ends the child too
+  const rlimit size{kLargestFile, kLargestFile};
+  setrlimit(RLIMIT_FSIZE, &size);
+  const int in = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  const int out = open(log, O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  if (getppid() == parent && in >= 0 && out >= 0 && dup2(in, 0) == 0 &&
+      dup2(out, 1) == 1 && dup2(out, 2) == 2 && chdir(folder) == 0) {
+    execvpe(arguments[0], arguments, environment);
+  }
+  _exit(kNotStarted);
+}
+
+/// Waits for the child, killed if it takes too long; what it used.
+ChildOutcome wait_for(pid_t child, std::chrono::milliseconds timeout) {
+  constexpr std::chrono::milliseconds kPause(5);
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
+  ChildOutcome outcome;
+  rusage usage{};
+  int status = 0;
+  while (wait4(child, &status, WNOHANG, &usage) == 0) {
+    if (std::chrono::steady_clock::now() > deadline) {
+      kill(-child, SIGKILL);
+      wait4(child, &status, 0, &usage);
+      return outcome;
+    }
+    std::this_thread::sleep_for(kPause);
+  }
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) +
+           1e-6 * static_cast<double>(time.tv_usec);
+  };
+  outcome.status = status;
+  outcome.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  outcome.peak_memory = 1024.0 * static_cast<double>(usage.ru_maxrss);
+  return outcome;
+}
+
+}  // namespace
+
+bool ChildOutcome::succeeded() const {
+  return status && WIFEXITED(*status) && WEXITSTATUS(*status) == 0;
+}
+
+bool ChildOutcome::was_found() const {
+  return !status || !WIFEXITED(*status) || WEXITSTATUS(*status) != kNotStarted;
+}
+
+ChildOutcome run_child(const Child& child, std::chrono::milliseconds timeout) {
+  const char* search = std::getenv("PATH");
+  std::vector<std::string> arguments = child.arguments;
+  std::vector<std::string> environment = {
+      std::string("PATH=") + (search != nullptr ? search : "/usr/bin:/bin"),
+      "HOME=" + child.folder.string(), "TMPDIR=" + child.folder.string(),
+      "LC_ALL=C"};
+  environment.insert(environment.end(), child.environment.begin(),
+                     child.environment.end());
+  const std::vector<char*> argument_list = pointers(arguments);
+  const std::vector<char*> environment_list = pointers(environment);
+  Stopwatch watch;
+  const pid_t parent = getpid();
+  const pid_t process = fork();
+  if (process < 0) {
+    throw Error(
+        "I002", arguments[0],
+        std::string("no process could be started: ") + std::strerror(errno),
+        "Close other programs and try again.");
+  }
+  if (process == 0) {
+    become(argument_list.data(), environment_list.data(), child.folder.c_str(),
+           child.log.c_str(), parent);
+  }
+  setpgid(process, process);  // whoever comes first; the other does nothing
+  ChildOutcome outcome = wait_for(process, timeout);
+  outcome.seconds = watch.lap();
+  return outcome;
+}
+
+}  // namespace clevis::app

@@ -1,0 +1,151 @@
+#include "app/processes/worker_pool.h"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/errors.h"
+
+namespace clevis::app {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void note_interrupt(int) {
+  interrupted = 1;
+}
+
+struct Worker {
+  std::size_t task{};
+  pid_t process{};
+  int pipe{};
+  std::string text;
+};
+
+void write_all(int file, const std::string& text) {
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t n = write(file, text.data() + done, text.size() - done);
+    if (n < 0 && errno != EINTR) return;  // the parent sees a cut text
+    if (n > 0) done += static_cast<std::size_t>(n);
+  }
+}
+
+Worker start(std::size_t index,
+             const std::function<std::string(std::size_t)>& task) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) {
+    throw Error("I002", "worker", std::strerror(errno),
+                "Free system resources.");
+  }
+  const pid_t process = fork();
+  if (process < 0) {
+    throw Error("I002", "worker", std::strerror(errno),
+                "Free system resources.");
+  }
+  if (process == 0) {
+    // The parent decides about the terminal's Ctrl-C.
+    std::signal(SIGINT, SIG_IGN);
+    std::signal(SIGTERM, SIG_DFL);
+    close(ends[0]);
+    write_all(ends[1], task(index));
+    close(ends[1]);
+    _exit(0);  // no destructors of what the parent owns
+  }
+  close(ends[1]);
+  return {index, process, ends[0], {}};
+}
+
+/// Reads what is there; false at the end of the text.
+bool read_some(Worker& worker) {
+  std::array<char, 65536> buffer{};
+  const ssize_t n = read(worker.pipe, buffer.data(), buffer.size());
+  if (n > 0) worker.text.append(buffer.data(), static_cast<std::size_t>(n));
+  return n > 0 || (n < 0 && errno == EINTR);
+}
+
+WorkerOutcome finish(Worker& worker) {
+  close(worker.pipe);
+  int status = 0;
+  while (waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+    return {WorkerOutcome::Kind::kDone, std::move(worker.text)};
+  }
+  if (WIFSIGNALED(status)) {
+    return {WorkerOutcome::Kind::kDied,
+            fmt::format("its process was ended by signal {} ({})",
+                        WTERMSIG(status), strsignal(WTERMSIG(status)))};
+  }
+  return {WorkerOutcome::Kind::kDied,
+          fmt::format("its process ended with code {}", WEXITSTATUS(status))};
+}
+
+void stop(std::vector<Worker>& workers) {
+  for (Worker& worker : workers) {
+    kill(worker.process, SIGKILL);
+    finish(worker);
+  }
+  workers.clear();
+}
+
+}  // namespace
+
+InterruptGuard::InterruptGuard() {
+  struct sigaction action {};
+  action.sa_handler = note_interrupt;
+  sigaction(SIGINT, &action, &old_interrupt_);
+  sigaction(SIGTERM, &action, &old_terminate_);
+  sigset_t interrupts;
+  sigemptyset(&interrupts);
+  sigaddset(&interrupts, SIGINT);
+  sigaddset(&interrupts, SIGTERM);
+  sigprocmask(SIG_UNBLOCK, &interrupts, nullptr);
+}
+
+InterruptGuard::~InterruptGuard() {
+  sigaction(SIGINT, &old_interrupt_, nullptr);
+  sigaction(SIGTERM, &old_terminate_, nullptr);
+}
+
+std::vector<WorkerOutcome> run_workers(
+    std::size_t tasks, int jobs,
+    const std::function<std::string(std::size_t)>& task,
+    const std::function<void(std::size_t, const std::vector<std::size_t>&)>&
+        progress) {
+  constexpr int kPollMilliseconds = 200;
+  std::vector<WorkerOutcome> outcomes(tasks);
+  std::vector<Worker> workers;
+  std::size_t next = 0;
+  std::size_t done = 0;
+  while (interrupted == 0 && (next < tasks || !workers.empty())) {
+    while (next < tasks && workers.size() < static_cast<std::size_t>(jobs)) {
+      workers.push_back(start(next++, task));
+    }
+    std::vector<std::size_t> running;
+    std::vector<pollfd> pipes;
+    for (const Worker& worker : workers) {
+      running.push_back(worker.task);
+      pipes.push_back({worker.pipe, POLLIN, 0});
+    }
+    progress(done, running);
+    if (poll(pipes.data(), pipes.size(), kPollMilliseconds) <= 0) continue;
+    for (std::size_t w = workers.size(); w-- > 0;) {
+      if (pipes[w].revents == 0 || read_some(workers[w])) continue;
+      outcomes[workers[w].task] = finish(workers[w]);
+      workers.erase(workers.begin() + static_cast<std::ptrdiff_t>(w));
+      ++done;
+    }
+  }
+  stop(workers);
+  return outcomes;
+}
+
+}  // namespace clevis::app

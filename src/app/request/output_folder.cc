@@ -1,0 +1,60 @@
+#include "app/request/output_folder.h"
+
+#include <fstream>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "report/text/atomic_file.h"
+
+namespace clevis::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+void remove_part(const fs::path& folder, const std::string& name) {
+  std::error_code ignored;
+  for (const char* ending :
+       {".vtu", "_linear.vtu", "_history.csv", ".pvd", "_buckling.vtu"}) {
+    fs::remove(folder / (name + ending), ignored);
+  }
+  for (const auto& frame : fs::directory_iterator(folder / "frames", ignored)) {
+    const std::string file = frame.path().filename().string();
+    if (file.size() == name.size() + 9 && file.starts_with(name + "_")) {
+      fs::remove(frame.path(), ignored);  // NAME_0000.vtu
+    }
+  }
+}
+
+}  // namespace
+
+fs::path output_folder(const Options& options) {
+  if (!options.out.empty()) return options.out;
+  const fs::path file = fs::weakly_canonical(options.scene);
+  const std::string folder = file.parent_path().filename().string();
+  const std::string scene = file.stem().string();
+  return fs::path("results") /
+         (scene == "scene" ? folder : folder + "_" + scene);
+}
+
+void remove_previous_run(const fs::path& folder) {
+  std::ifstream file(folder / "result.json");
+  if (!file) return;
+  const auto result = nlohmann::json::parse(file, nullptr, false);
+  if (!result.is_object() || !result.contains("parts")) return;
+  for (const auto& part : result["parts"]) {
+    if (!part.is_object() || !part.contains("name") ||
+        !part["name"].is_string()) {
+      continue;
+    }
+    const auto name = part["name"].get<std::string>();
+    if (report::is_file_name(name)) remove_part(folder, name);
+  }
+  std::error_code ignored;
+  for (const char* name : {"mechanism.pvd", "reactions.csv", "parts.csv",
+                           "junit.xml", "bearings.csv", "result.json"}) {
+    fs::remove(folder / name, ignored);
+  }
+}
+
+}  // namespace clevis::app

@@ -1,0 +1,82 @@
+#include "app/scenes/gmsh_runner.h"
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "app/processes/child_process.h"
+#include "app/processes/temporary_folder.h"
+#include "base/errors.h"
+
+namespace clevis::app {
+namespace {
+
+using std::filesystem::path;
+
+std::string read_file(const path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// gmsh's first "Error   : ..." line: later ones are its consequences.
+std::string first_error(const std::string& log) {
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("Error")) continue;
+    const std::size_t start = line.find_first_not_of(" :", 5);
+    if (start != std::string::npos) return line.substr(start);
+  }
+  return {};
+}
+
+[[noreturn]] void refuse(const path& geometry, const std::string& problem,
+                         const std::string& remedy) {
+  throw Error("M010", geometry.string(), problem, remedy);
+}
+
+}  // namespace
+
+std::string run_gmsh(const path& geometry, std::chrono::milliseconds timeout,
+                     const std::string& program) {
+  if (!std::ifstream(geometry)) {
+    throw Error("I001", geometry.string(), "the geometry cannot be read",
+                "Check the part's `geometry`; it is relative to the scene.");
+  }
+  const TemporaryFolder folder;
+  const path mesh = folder.path() / "part.msh";
+  const path log = folder.path() / "gmsh.log";
+  const ChildOutcome outcome =
+      run_child({.arguments = {program, "-3", "-format", "msh41", "-nt", "1",
+                               "-o", mesh.string(),
+                               std::filesystem::absolute(geometry).string()},
+                 .folder = folder.path(),
+                 .log = log},
+                timeout);
+  if (!outcome.status) {
+    refuse(geometry,
+           fmt::format("gmsh did not finish within {:.3g} s",
+                       std::chrono::duration<double>(timeout).count()),
+           "Coarsen the mesh, or look for an endless loop in the .geo.");
+  }
+  if (!outcome.was_found()) {
+    refuse(geometry, fmt::format("{} could not be started", program),
+           "Install gmsh (Debian: apt install gmsh).");
+  }
+  const std::string error = first_error(read_file(log));
+  if (!outcome.succeeded() || !error.empty()) {
+    refuse(geometry,
+           error.empty() ? "gmsh crashed without a message"
+                         : "gmsh says: " + error,
+           "Open the file in gmsh and correct it there.");
+  }
+  std::string text = read_file(mesh);
+  if (!text.starts_with("$MeshFormat")) {
+    refuse(geometry, "gmsh wrote no mesh",
+           "See that the .geo has a volume and a Physical Volume.");
+  }
+  return text;
+}
+
+}  // namespace clevis::app

@@ -1,0 +1,102 @@
+#include "app/scenes/load_scene.h"
+
+#include <algorithm>
+#include <future>
+#include <utility>
+
+#include "app/scenes/geometry_stamp.h"
+#include "base/errors.h"
+#include "mesh/quality/mass_properties.h"
+#include "mesh/reading/mesh_reader.h"
+
+namespace clevis::app {
+namespace {
+
+std::vector<loads::GroupGeometry> group_geometry(
+    const mesh::PartMesh<3>& mesh) {
+  std::vector<loads::GroupGeometry> groups;
+  for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
+    const auto faces = mesh::face_properties(mesh, static_cast<int>(g));
+    loads::GroupGeometry geometry;
+    geometry.name = mesh.groups[g].name;
+    geometry.is_cylinder = mesh.groups[g].cylinder.has_value();
+    if (geometry.is_cylinder) geometry.cylinder = *mesh.groups[g].cylinder;
+    geometry.centroid = faces.centroid;
+    geometry.area = faces.area;
+    geometry.area_vector = faces.area_vector;
+    geometry.area_moment = faces.area_moment;
+    geometry.normal_square = faces.normal_square;
+    geometry.points = mesh::face_corners(mesh, static_cast<int>(g));
+    groups.push_back(std::move(geometry));
+  }
+  return groups;
+}
+
+LoadedPart load_part(const part::PartDefinition& definition) {
+  require_current_mesh(definition);
+  LoadedPart part;
+  part.definition = definition;
+  auto read = mesh::read_mesh_with_notes(
+      definition.mesh, definition.length_unit, definition.thickness);
+  part.mesh = std::move(read.mesh);
+  part.notes = std::move(read.notes);
+  part.mass = mesh::mass_properties(part.mesh, definition.material.density);
+  part.groups = group_geometry(part.mesh);
+  return part;
+}
+
+}  // namespace
+
+mechanism::BodyIndex LoadedScene::body_of(const std::string& part) const {
+  const auto& bodies = scene.mechanism.bodies;
+  const auto found =
+      std::ranges::find(bodies, part, &mechanism::BodyDefinition::part);
+  return found == bodies.end()
+             ? mechanism::kGround
+             : static_cast<mechanism::BodyIndex>(found - bodies.begin());
+}
+
+LoadedScene load_scene(const std::filesystem::path& file) {
+  LoadedScene loaded;
+  loaded.scene = scene::read_scene(file);
+  if (!loaded.scene.has_mechanism && loaded.scene.parts.empty()) {
+    throw Error("S003", file.string() + ":1:1",
+                "the scene has neither [[body]] nor [[part]], so there is "
+                "nothing to check",
+                "Add one, or run clevis transmission.");
+  }
+  for (const auto& definition : loaded.scene.parts) {
+    loaded.parts.push_back(load_part(definition));
+  }
+  for (auto& body : loaded.scene.mechanism.bodies) {
+    const auto part =
+        std::ranges::find(loaded.parts, body.part, [](const LoadedPart& p) {
+          return p.definition.name;
+        });
+    if (!body.part.empty() && part != loaded.parts.end()) {
+      body.mass_properties = part->mass;
+    }
+  }
+  return loaded;
+}
+
+scene::Scene load_moving_scene(const std::filesystem::path& file) {
+  scene::Scene scene = scene::read_scene(file);
+  std::vector<std::future<part::MassProperties>> masses;
+  for (const auto& part : scene.parts) {
+    masses.push_back(std::async(std::launch::async, [&part] {
+      return mesh::mass_properties(
+          mesh::read_part_mesh(part.mesh, part.length_unit, part.thickness),
+          part.material.density);
+    }));
+  }
+  for (std::size_t p = 0; p < scene.parts.size(); ++p) {
+    const part::MassProperties mass = masses[p].get();
+    for (auto& body : scene.mechanism.bodies) {
+      if (body.part == scene.parts[p].name) body.mass_properties = mass;
+    }
+  }
+  return scene;
+}
+
+}  // namespace clevis::app

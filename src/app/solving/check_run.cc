@@ -1,0 +1,218 @@
+#include "app/solving/check_run.h"
+
+#include <algorithm>
+#include <iostream>
+#include <numeric>
+#include <thread>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "app/parts/link_compliance.h"
+#include "app/parts/part_files.h"
+#include "app/parts/part_jobs.h"
+#include "app/parts/solver_jobs.h"
+#include "app/processes/error_text.h"
+#include "app/processes/worker_pool.h"
+#include "app/request/output_folder.h"
+#include "app/scenes/load_scene.h"
+#include "assessment/part_check.h"
+#include "base/stopwatch.h"
+#include "loads/part_loads.h"
+#include "machine/bearing_life.h"
+#include "mechanism/simulate.h"
+#include "mechanism/structure/structure.h"
+#include "report/check/check_table.h"
+#include "report/check/result_files.h"
+#include "report/check/result_json.h"
+#include "report/motion/motion_csv.h"
+#include "report/parts/part_result_json.h"
+#include "report/summary/motion_report.h"
+#include "report/text/atomic_file.h"
+#include "report/text/progress.h"
+#include "report/text/terminal.h"
+
+namespace clevis::app {
+namespace {
+
+namespace fs = std::filesystem;
+using assessment::PartJob;
+
+constexpr char kResult = 'R';
+constexpr char kRefusal = 'E';
+
+/// Runs in a worker process: checks the part and writes its fields.
+std::string check_one(const PartJob& job,
+                      const std::optional<MovingPart>& moving,
+                      const fs::path& folder) {
+  try {
+    assessment::PartAssessment assessment = assessment::check_part(job);
+    Stopwatch watch;
+    write_part_files(assessment, moving, job.part.material.yield_strength,
+                     folder);
+    assessment.result.seconds.write = watch.lap();
+    assessment.result.seconds.total += assessment.result.seconds.write;
+    return kResult + report::encode(assessment.result);
+  } catch (const Error& error) {
+    return kRefusal + encode_error(error);
+  } catch (const std::bad_alloc&) {
+    return kRefusal +
+           encode_error(Error(
+               "F004", "part " + job.part.name, "the memory ran out",
+               "mesh the part coarser, or check fewer at once (--jobs 1)"));
+  } catch (const std::exception& failure) {
+    return kRefusal +
+           encode_error(Error("X001", "part " + job.part.name, failure.what(),
+                              "Please report this scene."));
+  }
+}
+
+/// Solid parts first: they take longest, and the last one to start decides
+/// when all are done.
+void longest_first(std::vector<PartJob>& jobs) {
+  std::ranges::stable_sort(jobs, std::ranges::greater{}, [](const PartJob& j) {
+    return j.mesh.cells.size() * j.mesh.degree;
+  });
+}
+
+void take_outcome(const WorkerOutcome& outcome, const std::string& part,
+                  report::CheckReport& report) {
+  using enum WorkerOutcome::Kind;
+  if (outcome.kind == kInterrupted) {
+    report.complete = false;
+  } else if (outcome.kind == kDied || outcome.text.empty()) {
+    report.failures.push_back(
+        {part,
+         Error("X001", "part " + part, "the check crashed: " + outcome.text,
+               "Please report this with the scene and its mesh.")});
+  } else if (outcome.text.front() == kResult) {
+    report.parts.push_back(
+        report::decode_part_result(std::string_view(outcome.text).substr(1)));
+  } else {
+    report.failures.push_back(
+        {part, decode_error(std::string_view(outcome.text).substr(1))});
+  }
+}
+
+/// Checks all parts, `--jobs` at a time; results in the scene's order.
+void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
+                 std::vector<PartJob> jobs, const Options& options,
+                 const fs::path& folder, report::CheckReport& report) {
+  std::vector<std::string> order;
+  for (const auto& job : jobs) order.push_back(job.part.name);
+  longest_first(jobs);
+  const auto cores = std::max(1U, std::thread::hardware_concurrency());
+  const int processes =
+      options.jobs > 0 ? options.jobs : static_cast<int>(cores);
+  report::Progress progress(std::cerr, isatty(STDERR_FILENO) != 0
+                                           ? report::Progress::Stream::kTerminal
+                                           : report::Progress::Stream::kLog);
+  const auto outcomes = run_workers(
+      jobs.size(), processes,
+      [&](std::size_t index) {
+        const auto body = loaded.body_of(jobs[index].part.name);
+        std::optional<MovingPart> moving;
+        if (body != mechanism::kGround) moving = MovingPart{&motion, body};
+        return check_one(jobs[index], moving, folder);
+      },
+      [&](std::size_t done, const std::vector<std::size_t>& running) {
+        std::string names;
+        for (const std::size_t index : running) {
+          names += (names.empty() ? "" : ", ") + jobs[index].part.name;
+        }
+        progress.update(static_cast<int>(done), static_cast<int>(jobs.size()),
+                        "checking " + names);
+      });
+  progress.clear();
+  report::remove_unfinished(folder);  // of workers that were stopped or died
+  for (const auto& name : order) {
+    const auto job = std::ranges::find(jobs, name, [](const PartJob& j) {
+      return j.part.name;
+    });
+    take_outcome(outcomes[static_cast<std::size_t>(job - jobs.begin())], name,
+                 report);
+  }
+}
+
+std::vector<std::string> moving_parts(const LoadedScene& loaded,
+                                      const report::CheckReport& report) {
+  std::vector<std::string> names;
+  for (const auto& part : report.parts) {
+    if (loaded.body_of(part.name) != mechanism::kGround) {
+      names.push_back(part.name);
+    }
+  }
+  return names;
+}
+
+void write_reactions(const LoadedScene& loaded, const mechanism::Motion& motion,
+                     const fs::path& folder) {
+  report::MotionReport motion_report;
+  motion_report.definition = loaded.scene.mechanism;
+  motion_report.motion = motion;
+  report::write_file(folder / "reactions.csv",
+                     report::reactions_csv(motion_report));
+}
+
+}  // namespace
+
+ExitCode run_check(const Options& options) {
+  Stopwatch total;
+  Stopwatch watch;
+  const InterruptGuard guard;
+  const fs::path folder = output_folder(options);
+  remove_previous_run(folder);
+  report::CheckReport report;
+  report.version = CLEVIS_VERSION;
+  LoadedScene loaded = load_scene(options.scene);
+  report.scene = loaded.scene.name;
+  report.file = options.scene;
+  report.seconds.emplace_back("scene_and_meshes", watch.lap());
+  add_link_compliances(loaded);
+
+  mechanism::Motion motion;
+  if (loaded.scene.has_mechanism) {
+    mechanism::SimulationSettings settings = loaded.scene.simulation;
+    settings.at_peaks = true;
+    motion = mechanism::simulate(loaded.scene.mechanism, settings);
+    report.mechanism = report::summarise(
+        loaded.scene.mechanism,
+        mechanism::analyse_structure(loaded.scene.mechanism), motion);
+    report.bearings = report::bearing_reports(
+        machine::judge_bearings(loaded.scene.bearings, loaded.scene.mechanism,
+                                motion),
+        loaded.scene.mechanism);
+  }
+  report.seconds.emplace_back("mechanism", watch.lap());
+
+  const mechanism::Motion loading = loads::loading_motion(motion);
+  std::vector<PartJob> jobs =
+      part_jobs(loaded, loading, options.parts,
+                options.tolerance.value_or(loaded.scene.peak_stress_tolerance));
+  for (auto& job : jobs) {
+    job.model = assessment::find_model(options.model);
+    report.limits.emplace(job.part.name, job.part.limits);
+  }
+  report.seconds.emplace_back("loads", watch.lap());
+
+  check_parts(loaded, loading, std::move(jobs), options, folder, report);
+  report.seconds.emplace_back("parts", watch.lap());
+
+  const auto moving = moving_parts(loaded, report);
+  if (!moving.empty()) write_mechanism_series(moving, loading, folder);
+  if (loaded.scene.has_mechanism) {
+    write_reactions(loaded, motion, folder);
+  }
+  report.seconds.emplace_back("total", total.lap());
+  report::write_result_files(report, folder);
+  if (options.json) {
+    std::cout << report::result_json(report);
+  } else {
+    std::cout << report::check_table(report, report::colour_of(STDOUT_FILENO));
+  }
+  if (!report.complete) return kInterruptedExit;
+  return report::exit_code(report);
+}
+
+}  // namespace clevis::app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/request/options.h"
+#include "base/exit_code.h"
+
+namespace clevis::app {
+
+/// Checks the parts of the scene, each in a process of its own: table or JSON
+/// on stdout, files in the output folder.
+/// @throws Error as load_scene, simulate and part_jobs.
+ExitCode run_check(const Options& options);
+
+}  // namespace clevis::app

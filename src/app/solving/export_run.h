@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/request/options.h"
+#include "base/exit_code.h"
+
+namespace clevis::app {
+
+/// Writes the parts and their loads as CalculiX decks.
+/// @throws Error as load_solver_jobs.
+ExitCode run_export(const Options& options);
+
+}  // namespace clevis::app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/request/options.h"
+#include "base/exit_code.h"
+
+namespace clevis::app {
+
+/// Natural frequencies [Hz] and shapes of the parts: table or JSON on stdout,
+/// files in the output folder.
+/// @throws Error as load_scene.
+ExitCode run_modes(const Options& options);
+
+}  // namespace clevis::app

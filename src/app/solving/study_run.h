@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/request/options.h"
+#include "base/exit_code.h"
+
+namespace clevis::app {
+
+/// Runs every model at every degree, and CalculiX where it is installed: error
+/// against time.
+/// @throws Error as load_solver_jobs.
+ExitCode run_study(const Options& options);
+
+}  // namespace clevis::app

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mesh/cells/part_mesh.h"
+#include "stress/field/stress_history.h"
+
+namespace clevis::stress {
+
+/// A named scalar at every lattice point of every cell.
+struct ScalarField {
+  std::string name, unit;
+  Eigen::MatrixXd values;  ///< points × cells
+};
+
+enum class CellOrder {
+  kLagrange,  ///< one VTK Lagrange cell of the lattice's order per tensor cell
+  kLinear,    ///< the lattice as linear sub-cells, for readers without them
+};
+
+/// Rigid placement of the part in the file's frame.
+struct Placement {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+};
+
+/// Writes displacement (m), stress_xx … stress_xz and von_mises (Pa) of an
+/// instant with extra scalars as VTU, in SI; units stand at each array.
+/// Displacement is turned with the placement, stresses stay in frame L.
+/// Repeatable: no date, fixed compression.
+/// @param dim  of the cells (2: a plate's mid-plane in space).
+template <int dim>
+void write_vtu(std::ostream& out, mesh::CellShape shape,
+               const InstantField& field,
+               const std::vector<ScalarField>& scalars, CellOrder order,
+               const Placement& placement = {});
+
+}  // namespace clevis::stress

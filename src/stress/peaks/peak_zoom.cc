@@ -1,0 +1,120 @@
+#include "stress/peaks/peak_zoom.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "elasticity/fe_space/tabulation.h"
+#include "stress/field/cell_field.h"
+
+namespace clevis::stress {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+template <int dim>
+using Reference = Eigen::Matrix<double, dim, 1>;
+
+template <int dim>
+bool is_inside(mesh::CellShape shape, const Reference<dim>& xi) {
+  if ((xi.array() < 0.0).any()) return false;
+  return shape == mesh::CellShape::kSimplex ? xi.sum() <= 1.0
+                                            : (xi.array() <= 1.0).all();
+}
+
+/// The point and its neighbours at `spacing`, as far as they lie in the cell.
+template <int dim>
+elasticity::ReferencePoints<dim> surroundings(mesh::CellShape shape,
+                                              const Reference<dim>& centre,
+                                              double spacing) {
+  std::vector<Reference<dim>> inside = {centre};
+  const int all = dim == 2 ? 9 : 27;
+  for (int k = 0; k < all; ++k) {
+    Reference<dim> xi = centre;
+    for (int d = 0, rest = k; d < dim; ++d, rest /= 3) {
+      xi[d] += (rest % 3 - 1) * spacing;
+    }
+    if (is_inside<dim>(shape, xi)) inside.push_back(xi);
+  }
+  elasticity::ReferencePoints<dim> points(dim,
+                                          static_cast<Index>(inside.size()));
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    points.col(static_cast<Index>(i)) = inside[i];
+  }
+  return points;
+}
+
+/// Von Mises [Pa] of the stress blocks of CellField at n points.
+template <int dim>
+Eigen::VectorXd von_mises_of(const MatrixXd& blocks, Index n) {
+  MatrixXd stress = MatrixXd::Zero(n, 6);
+  for (int k = 0; k < kStressComponents<dim>; ++k) {
+    stress.col(dim == 2 && k == 2 ? 3 : k) = blocks.middleRows(k * n, n);
+  }
+  return von_mises(stress);
+}
+
+/// Climbs from a lattice point to the maximum beside it.
+template <int dim>
+double climb(const elasticity::DisplacementBasis<dim>& basis,
+             const part::Material& material, std::size_t cell,
+             const MatrixXd& displacement, Reference<dim> at, double spacing) {
+  constexpr int kRounds = 4;
+  double best = 0.0;
+  for (int round = 0; round < kRounds; ++round) {
+    spacing *= 0.5;
+    const auto points =
+        surroundings<dim>(basis.discretization.shape, at, spacing);
+    const CellField<dim> field(basis.discretization, material, points);
+    const auto values =
+        von_mises_of<dim>(field.stress(cell, displacement), points.cols());
+    Index highest = 0;
+    best = std::max(best, values.maxCoeff(&highest));
+    at = points.col(highest);
+  }
+  return best;
+}
+
+}  // namespace
+
+template <int dim>
+double field_maximum(const elasticity::DisplacementBasis<dim>& basis,
+                     const part::Material& material,
+                     const StressHistory& history) {
+  constexpr double kNear = 0.95;
+  constexpr std::size_t kMost = 16;
+  std::vector<std::pair<double, FieldPoint>> candidates;
+  const double peak = history.largest();
+  for (Index c = 0; c < history.worst.cols(); ++c) {
+    Index point = 0;
+    const double highest = history.worst.col(c).maxCoeff(&point);
+    if (highest < kNear * peak) continue;
+    candidates.push_back(
+        {highest, {static_cast<int>(c), static_cast<int>(point)}});
+  }
+  std::ranges::stable_sort(candidates, std::greater{},
+                           &std::pair<double, FieldPoint>::first);
+  candidates.resize(std::min(candidates.size(), kMost));
+  const auto lattice = elasticity::lattice<dim>(basis.discretization.shape,
+                                                history.subdivisions);
+  double largest = peak;
+  for (const auto& candidate : candidates) {
+    const FieldPoint& at = candidate.second;
+    const int instant = history.worst_instant(at.point, at.cell);
+    const MatrixXd u = basis.columns * basis.coefficients.col(instant);
+    largest = std::max(
+        largest,
+        climb<dim>(basis, material, static_cast<std::size_t>(at.cell), u,
+                   lattice.col(at.point), 1.0 / history.subdivisions));
+  }
+  return largest;
+}
+
+template double field_maximum<2>(const elasticity::DisplacementBasis<2>&,
+                                 const part::Material&, const StressHistory&);
+template double field_maximum<3>(const elasticity::DisplacementBasis<3>&,
+                                 const part::Material&, const StressHistory&);
+
+}  // namespace clevis::stress

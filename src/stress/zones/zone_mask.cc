@@ -1,0 +1,121 @@
+#include "stress/zones/zone_mask.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stress/field/cell_field.h"
+
+namespace clevis::stress {
+namespace {
+
+using Eigen::Index;
+
+/// Whether a lattice point is one of every second in all directions.
+bool on_half_lattice(Index point, int subdivisions, int dim) {
+  for (int d = 0; d < dim; ++d) {
+    if (point % (subdivisions + 1) % 2 != 0) return false;
+    point /= subdivisions + 1;
+  }
+  return true;
+}
+
+}  // namespace
+
+template <int dim>
+Eigen::MatrixXi zone_of_points(
+    const elasticity::Discretization<dim>& discretization, int subdivisions,
+    const std::vector<SingularZone>& zones) {
+  const auto points =
+      elasticity::lattice<dim>(discretization.shape, subdivisions);
+  const auto geometry = elasticity::tabulate_geometry<dim>(
+      discretization.shape, discretization.mapping_degree(), points);
+  Eigen::MatrixXi zone_of =
+      Eigen::MatrixXi::Constant(points.cols(), discretization.cells(), -1);
+  for (Index c = 0; c < zone_of.cols(); ++c) {
+    const Eigen::Matrix<double, dim, Eigen::Dynamic> at =
+        discretization.cell_points[static_cast<std::size_t>(c)] *
+        geometry.values.transpose();
+    const double size =
+        (at.rowwise().maxCoeff() - at.rowwise().minCoeff()).norm();
+    Eigen::Vector3d x(0.0, 0.0, discretization.mid_plane_z);
+    for (std::size_t z = zones.size(); z-- > 0;) {
+      x.head<dim>() = at.col(0);
+      if (distance(zones[z], x) > zones[z].radius + size) continue;
+      for (Index q = 0; q < at.cols(); ++q) {
+        x.head<dim>() = at.col(q);
+        if (distance(zones[z], x) <= zones[z].radius) {
+          zone_of(q, c) = static_cast<int>(z);
+        }
+      }
+    }
+  }
+  return zone_of;
+}
+
+PartialPeak peak_outside(const StressHistory& history,
+                         const Eigen::MatrixXi& zone_of,
+                         const std::vector<bool>& left_out, int dim) {
+  PartialPeak peak;
+  double half = 0.0;
+  for (Index c = 0; c < zone_of.cols(); ++c) {
+    for (Index q = 0; q < zone_of.rows(); ++q) {
+      const int zone = zone_of(q, c);
+      if (zone >= 0 && left_out[static_cast<std::size_t>(zone)]) continue;
+      const double value = history.worst(q, c);
+      if (value > half && on_half_lattice(q, history.subdivisions, dim)) {
+        half = value;
+      }
+      if (value <= peak.value) continue;
+      peak.value = value;
+      peak.at = {static_cast<int>(c), static_cast<int>(q)};
+      peak.instant = history.worst_instant(q, c);
+    }
+  }
+  if (history.subdivisions > 1) peak.sampling_error = (peak.value - half) / 3.0;
+  return peak;
+}
+
+std::vector<double> peaks_inside(const StressHistory& history,
+                                 const Eigen::MatrixXi& zone_of,
+                                 std::size_t zones) {
+  std::vector<double> peaks(zones, 0.0);
+  for (Index c = 0; c < zone_of.cols(); ++c) {
+    for (Index q = 0; q < zone_of.rows(); ++q) {
+      if (zone_of(q, c) < 0) continue;
+      double& peak = peaks[static_cast<std::size_t>(zone_of(q, c))];
+      peak = std::max(peak, history.worst(q, c));
+    }
+  }
+  return peaks;
+}
+
+template <int dim>
+Eigen::VectorXd point_history(const elasticity::DisplacementBasis<dim>& basis,
+                              const part::Material& material, FieldPoint at,
+                              int subdivisions) {
+  const elasticity::ReferencePoints<dim> point =
+      elasticity::lattice<dim>(basis.discretization.shape, subdivisions)
+          .col(at.point);
+  const CellField<dim> field(basis.discretization, material, point);
+  const Eigen::MatrixXd values =
+      field.stress(static_cast<std::size_t>(at.cell), basis.columns) *
+      basis.coefficients;
+  Eigen::MatrixXd stress = Eigen::MatrixXd::Zero(values.cols(), 6);
+  for (int k = 0; k < kStressComponents<dim>; ++k) {
+    stress.col(dim == 2 && k == 2 ? 3 : k) = values.row(k).transpose();
+  }
+  return von_mises(stress);
+}
+
+#define CLEVIS_INSTANTIATE(dim)                                         \
+  template Eigen::MatrixXi zone_of_points<dim>(                         \
+      const elasticity::Discretization<dim>&, int,                      \
+      const std::vector<SingularZone>&);                                \
+  template Eigen::VectorXd point_history<dim>(                          \
+      const elasticity::DisplacementBasis<dim>&, const part::Material&, \
+      FieldPoint, int);
+CLEVIS_INSTANTIATE(2)
+CLEVIS_INSTANTIATE(3)
+#undef CLEVIS_INSTANTIATE
+
+}  // namespace clevis::stress
