@@ -1,7 +1,7 @@
 #include "scene/force_elements/read_bushing.h"
 
 #include "scene/element_base/line_source.h"
-#include "scene/motion/read_bodies.h"
+#include "scene/element_base/read_points.h"
 #include "scene/motion/read_joints.h"
 
 namespace clevis::scene {
@@ -27,11 +27,12 @@ Matrix3d read_frame(StrictTable& table, std::string_view axis_key,
 /// @return whether the key is there.
 bool read_diagonal(StrictTable& table, std::string_view key,
                    Dimension dimension, Eigen::Index at,
+                   double (*read)(const Value&, Dimension),
                    BushingElement::Matrix6& matrix) {
   const auto given = table.find(key);
   if (!given) return false;
   for (const Value& value : given->elements(3)) {
-    matrix(at, at) = plausible_stiffness_or_zero(value, dimension);
+    matrix(at, at) = read(value, dimension);
     ++at;
   }
   return true;
@@ -41,26 +42,20 @@ bool read_diagonal(StrictTable& table, std::string_view key,
 
 mechanism::ForceElement read_bushing(StrictTable& table, const Names& names) {
   BushingElement bushing;
-  const Value between = table["between"];
-  const auto bodies = between.elements(2);
-  bushing.a.body = find_body_or_ground(bodies[0], names);
-  bushing.b.body = find_body_or_ground(bodies[1], names);
-  if (bushing.a.body == bushing.b.body) {
-    throw between.refusal("S010", "names one body twice",
-                          "Name two different bodies, one may be \"ground\".");
-  }
-  bushing.a.p_L = table["from"].vector(Dimension::kLength);
-  bushing.b.p_L = table["to"].vector(Dimension::kLength);
+  const auto points = read_points(table, names);
+  bushing.a = points[0];
+  bushing.b = points[1];
   bushing.R_AJ = read_frame(table, "axis", "normal", Matrix3d::Identity());
   bushing.R_BJ = read_frame(table, "axis_to", "normal_to", bushing.R_AJ);
   const bool is_stiff =
       read_diagonal(table, "stiffness", Dimension::kStiffness, 0,
-                    bushing.stiffness) |
+                    plausible_stiffness_or_zero, bushing.stiffness) |
       read_diagonal(table, "angular_stiffness", Dimension::kAngularStiffness, 3,
-                    bushing.stiffness);
-  read_diagonal(table, "damping", Dimension::kDamping, 0, bushing.damping);
-  read_diagonal(table, "angular_damping", Dimension::kAngularDamping, 3,
+                    plausible_stiffness_or_zero, bushing.stiffness);
+  read_diagonal(table, "damping", Dimension::kDamping, 0, not_negative,
                 bushing.damping);
+  read_diagonal(table, "angular_damping", Dimension::kAngularDamping, 3,
+                not_negative, bushing.damping);
   if (is_stiff && bushing.stiffness.isZero(0.0) &&
       bushing.damping.isZero(0.0)) {
     throw table.refusal("S006",

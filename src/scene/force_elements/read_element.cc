@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "mechanism/joints/joint_types.h"
+#include "scene/element_base/read_points.h"
 #include "scene/force_elements/read_bushing.h"
 #include "scene/force_elements/read_constant.h"
 #include "scene/force_elements/read_contact.h"
@@ -14,7 +15,6 @@
 #include "scene/line_elements/read_spring.h"
 #include "scene/line_elements/read_stop.h"
 #include "scene/line_elements/read_table.h"
-#include "scene/motion/read_bodies.h"
 #include "scene/motion/read_joint_properties.h"
 
 namespace clevis::scene {
@@ -44,16 +44,9 @@ ElementLine read_line(StrictTable& table,
     }
     return line;
   }
-  const Value between = table["between"];
-  const auto bodies = between.elements(2);
-  line.a.body = find_body_or_ground(bodies[0], names);
-  line.b.body = find_body_or_ground(bodies[1], names);
-  if (line.a.body == line.b.body) {
-    throw between.refusal("S010", "names one body twice",
-                          "Name two different bodies, one may be \"ground\".");
-  }
-  line.a.p_L = table["from"].vector(Dimension::kLength);
-  line.b.p_L = table["to"].vector(Dimension::kLength);
+  const auto points = read_points(table, names);
+  line.a = points[0];
+  line.b = points[1];
   line.kind = ElementLine::Kind::kDistance;
   const auto axis = needs == Needs::kFixedAxis ? std::optional(table["axis"])
                                                : table.find("axis");
