@@ -23,8 +23,9 @@ class Scene:
         lines += [f"{key} = {toml(value)}" for key, value in keys.items()]
         self.blocks.append("\n".join(lines))
 
-    def text(self, times=1):
-        instants = min((self.instants - 1) * times + 1, MOST_INSTANTS)
+    def text(self, times=1, most=MOST_INSTANTS):
+        instants = min((self.instants - 1) * times + 1,
+                       max(most, self.instants))
         head = [f'schema = 1\nname = "{self.kind}"\n[world]\ngravity = '
                 + toml([f"{g:.9g} m/s^2" for g in self.gravity])]
         tail = [f'[simulation]\nduration = "{self.duration:.12g} s"\n'
@@ -274,9 +275,12 @@ def one_sense(rng):
     return scene
 
 
-def four_bar(rng):
-    """A loop of pins, its crank fast; loads without closed form."""
+def four_bar(rng, with_part=False):
+    """A loop of pins, its crank fast; loads without closed form. Its coupler is
+    the link of the studies, 0.2 m long, if a part is wanted."""
     scene = Scene("four-bar", instants_of(rng))
+    if with_part:
+        scene.blocks.append(COUPLER)
     scene.gravity = [0.0, -9.81, 0.0]
     a, b, c, d = 0.05, 0.2, 0.15, 0.22
     q = 0.7
@@ -291,9 +295,13 @@ def four_bar(rng):
     for name, origin, angle, length in (
             ("crank", (0, 0), q, a), ("coupler", pin, coupler, b),
             ("rocker", (d, 0), rocker, c)):
-        scene.body(name, 0.3, (length / 2, 0, 0), 1e-4,
-                   placement={"origin": lengths((*origin, 0)),
-                              "angle": f"{angle:.15g} rad"})
+        placement = {"origin": lengths((*origin, 0)),
+                     "angle": f"{angle:.15g} rad"}
+        if with_part and name == "coupler":
+            scene.add("body", name=name, part=name, placement=placement)
+        else:
+            scene.body(name, 0.3, (length / 2, 0, 0), 1e-4,
+                       placement=placement)
     for name, pair, points in (
             ("A", ("ground", "crank"), ((0, 0), (0, 0))),
             ("B", ("crank", "coupler"), ((a, 0), (0, 0))),
@@ -317,6 +325,24 @@ def four_bar(rng):
                   times=seconds(times),
                   efforts=[f"{e / 20:.12g} N m" for e in efforts])
     return scene
+
+
+COUPLER = """[material.steel]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+density = "7850 kg/m^3"
+yield_strength = "355 MPa"
+
+[accuracy]
+peak_stress = "5 %"
+
+[[part]]
+name = "coupler"
+geometry = "link.geo"
+length_unit = "mm"
+material = "steel"
+pins = { B = "bore_A", C = "bore_B" }
+limits = { safety_factor = 1.5 }"""
 
 
 def free_block(rng):
@@ -359,6 +385,12 @@ def falling_block(rng):
 KINDS = [pulse_on_a_held_block, pulse_on_a_crank, sine_of_a_block, two_sines,
          quick_quintic, ball_on_a_plate, stop_of_a_sine, cam, one_sense,
          four_bar, free_block, falling_block]
+
+
+def draw_parts(seed, count):
+    """`count` four-bars whose coupler is a part."""
+    for k in range(count):
+        yield four_bar(random.Random(seed * 2_000_003 + k), with_part=True)
 
 
 def draw(seed, count):
