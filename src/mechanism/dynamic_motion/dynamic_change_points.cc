@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "mechanism/drives/drive_law.h"
+#include "mechanism/equations_of_motion/branch_motion.h"
 #include "mechanism/reactions/body_motion.h"
 #include "mechanism/sampling/instant_brackets.h"
 
@@ -16,16 +17,17 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 Instant motion_at(const MechanismDefinition& definition,
-                  const SolvingFrame& frame, const ForwardDynamics& dynamics,
-                  double t, const std::vector<Twist>& accelerations) {
+                  const SolvingFrame& frame, const MechanismState& state,
+                  const ForceModel& forces, double t,
+                  const std::vector<Twist>& accelerations) {
   Instant instant;
   instant.t = t;
   for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
-    instant.bodies.push_back(body_motion(
-        frame, static_cast<BodyIndex>(i), dynamics.configuration()[i + 1],
-        dynamics.twists()[i + 1], accelerations[i + 1]));
+    instant.bodies.push_back(body_motion(frame, static_cast<BodyIndex>(i),
+                                         state.x[i + 1], state.twists[i + 1],
+                                         accelerations[i + 1]));
   }
-  instant.elements = dynamics.forces().states();
+  instant.elements = forces.states();
   for (const DriveDefinition& drive : definition.drives) {
     const DriveTarget target = drive_target(drive, t);
     instant.drives.push_back({.position = target.position,
@@ -41,13 +43,20 @@ void DynamicChangePoints::start(const InitialState& initial,
   rank_ = initial.rank;
   state_ = y;
   restart(y);
-  last_speed_ = dynamics_.turning_speed(y);
-  const ConstraintSystem& system = dynamics_.system();
-  watch_.emplace(system.rows(), system.columns(), rank_, settings_.tolerance);
+  last_speed_ = turning_speed(y);
+  const ConstraintSystem& system = equations_.system();
+  watch_.emplace(system.rows(), system.columns(), rank_,
+                 model_.settings.tolerance);
   const auto jacobian = [&](double t, MatrixXd& J) {
-    dynamics_.jacobian(t, y, J);
+    equations_.system().fill_jacobian(equations_.place(t, y).placed, J);
   };
   if (watch_->start(jacobian, 0.0)) note(0.0, state_);
+}
+
+/// Largest speed of an unknown over the length [1/s].
+double DynamicChangePoints::turning_speed(const VectorXd& y) const {
+  const StateLayout& layout = equations_.layout();
+  return layout.largest_speed(y) / layout.length();
 }
 
 void DynamicChangePoints::look(numerics::Integrator& integrator, double until,
@@ -55,11 +64,12 @@ void DynamicChangePoints::look(numerics::Integrator& integrator, double until,
   if (!has_loops_) return;  // the rows of a tree never depend on one another
   path_.follow(integrator, until, end);
   const auto jacobian = [&](double t, MatrixXd& J) {
-    dynamics_.jacobian(t, path_.state_at(t), J);
+    const VectorXd& y = path_.state_at(t);
+    equations_.system().fill_jacobian(equations_.place(t, y).placed, J);
   };
   // by the speeds at both ends, which may be passed in between
   constexpr double kPassed = 2.0;
-  const double speed = dynamics_.turning_speed(end);
+  const double speed = turning_speed(end);
   const double fastest = kPassed * std::max(speed, last_speed_);
   last_speed_ = speed;
   note_all(watch_->look(jacobian, until, fastest));
@@ -87,7 +97,7 @@ void DynamicChangePoints::note_all(const std::vector<double>& zeros) {
 }
 
 void DynamicChangePoints::note(double t, VectorXd& y) {
-  if (settings_.at_singularity == AtSingularity::kStop) {
+  if (model_.settings.at_singularity == AtSingularity::kStop) {
     throw Error(
         "K005", "mechanism",
         fmt::format("at t = {:.9g} s the motion passes a change point", t),
@@ -97,18 +107,17 @@ void DynamicChangePoints::note(double t, VectorXd& y) {
   ChangePoint point{.t_before = t, .t_after = t, .t = t};
   // costs more than the motion itself: only where it is wanted
   const bool is_sought =
-      settings_.at_singularity == AtSingularity::kContinue ||
-      std::ranges::any_of(definition_.joints, [](const auto& joint) {
+      model_.settings.at_singularity == AtSingularity::kContinue ||
+      std::ranges::any_of(model_.definition.joints, [](const auto& joint) {
         return joint.compliance.has_value();
       });
   if (is_sought) {
-    dynamics_.project(t, y);
+    model_.projection.project(t, y);
     auto found = on_branch(t, y);
     if (found && found->forces) {
-      point.at =
-          motion_at(definition_, frame_, dynamics_, t, found->accelerations);
-      put_forces(frame_, dynamics_.system(),
-                 dynamics_.system().place(dynamics_.configuration()),
+      point.at = motion_at(model_.definition, model_.frame, equations_.state(),
+                           equations_.forces(), t, found->accelerations);
+      put_forces(model_.frame, equations_.system(), equations_.state().placed,
                  std::move(*found->forces), *point.at);
       point.at->is_change_point = true;
     }
@@ -118,17 +127,17 @@ void DynamicChangePoints::note(double t, VectorXd& y) {
 
 std::optional<DynamicChangePoints::OnBranch> DynamicChangePoints::on_branch(
     double t, const VectorXd& y) {
-  const ConstraintSystem& system = dynamics_.system();
-  const auto found = dynamics_.branch_motion(t, y, freedom_);
+  const ConstraintSystem& system = equations_.system();
+  const auto found = branch_motion(equations_, model_.frame, t, y, freedom_);
   if (!found) return std::nullopt;
   OnBranch result{.accelerations = system.twists(found->accelerations),
                   .forces = {}};
-  std::vector<Twist> applied(dynamics_.twists().size());
-  dynamics_.forces().add_to(applied);
-  const Configuration x = dynamics_.whole_configuration();
-  result.forces =
-      equilibrium_.solve_compliant(x, system.place(x), dynamics_.twists(),
-                                   result.accelerations, applied, found->open);
+  const std::vector<Twist>& twists = equations_.state().twists;
+  std::vector<Twist> applied(twists.size());
+  equations_.forces().add_to(applied);
+  const Configuration x = with_quaternions(equations_.state().x);
+  result.forces = model_.equilibrium.solve_compliant(
+      x, system.place(x), twists, result.accelerations, applied, found->open);
   return result;
 }
 

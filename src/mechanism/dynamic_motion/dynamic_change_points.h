@@ -7,35 +7,30 @@
 
 #include "mechanism/change_points/rank_watch.h"
 #include "mechanism/definition/motion.h"
-#include "mechanism/dynamic_motion/initial_state.h"
-#include "mechanism/dynamic_motion/watched_path.h"
-#include "mechanism/equations_of_motion/forward_dynamics.h"
-#include "mechanism/reactions/equilibrium.h"
+#include "mechanism/integration/dynamic_model.h"
+#include "mechanism/integration/initial_state.h"
+#include "mechanism/integration/watched_path.h"
 
 namespace clevis::mechanism {
 
 /// Positions, rates, drives and elements of an integrated motion; no forces
-/// but the elements'. @pre dynamics.rate() at this state and t [s].
+/// but the elements'. Time t [s]. @param forces  evaluated at the state.
 /// @param accelerations  by slot, of M, in P [m/s²], [rad/s²].
 Instant motion_at(const MechanismDefinition& definition,
-                  const SolvingFrame& frame, const ForwardDynamics& dynamics,
-                  double t, const std::vector<Twist>& accelerations);
+                  const SolvingFrame& frame, const MechanismState& state,
+                  const ForceModel& forces, double t,
+                  const std::vector<Twist>& accelerations);
 
 /// The change points that an integrated motion passes. Times [s], states in the
-/// units of ForwardDynamics.
+/// units of StateLayout.
 class DynamicChangePoints {
  public:
-  DynamicChangePoints(const MechanismDefinition& definition,
-                      const SimulationSettings& settings,
-                      const SolvingFrame& frame, ForwardDynamics& dynamics,
-                      const Equilibrium& equilibrium)
-      : definition_(definition),
-        settings_(settings),
-        frame_(frame),
-        dynamics_(dynamics),
-        equilibrium_(equilibrium),
-        has_loops_(!frame.is_tree || !frame.couplings.empty()),
-        path_(dynamics) {}
+  /// @param model  outlives this.
+  explicit DynamicChangePoints(DynamicModel& model)
+      : model_(model),
+        equations_(model.equations),
+        has_loops_(!model.frame.is_tree || !model.frame.couplings.empty()),
+        path_(model.equations, model.projection) {}
 
   /// @throws Error K005 if the motion starts at one and must stop there.
   void start(const InitialState& initial, const Eigen::VectorXd& y);
@@ -64,17 +59,15 @@ class DynamicChangePoints {
   std::vector<ChangePoint> among(const std::vector<Instant>& instants) &&;
 
  private:
+  double turning_speed(const Eigen::VectorXd& y) const;
   void note_all(const std::vector<double>& zeros);
   void note(double t, Eigen::VectorXd& y);
 
-  const MechanismDefinition& definition_;
-  const SimulationSettings& settings_;
-  const SolvingFrame& frame_;
-  ForwardDynamics& dynamics_;
-  const Equilibrium& equilibrium_;
+  DynamicModel& model_;
+  EquationsOfMotion& equations_;  ///< of the model
   bool has_loops_;
   int freedom_{}, rank_{};
-  double last_speed_{};  ///< ForwardDynamics::turning_speed() [1/s]
+  double last_speed_{};  ///< of an unknown over the length [1/s]
   std::optional<RankWatch> watch_;
   struct Candidate {
     double t{};

@@ -1,12 +1,10 @@
-// Instants of an integrated motion: when, and what they hold.
+#include "mechanism/dynamic_motion/dynamic_instants.h"
+
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
-#include "mechanism/dynamic_motion/dynamic_run.h"
 #include "mechanism/reactions/body_motion.h"
 #include "mechanism/reactions/held_lines.h"
 #include "mechanism/reactions/reaction_friction.h"
@@ -21,46 +19,89 @@ using Eigen::VectorXd;
 // Instants on both sides of more events than this would only crowd.
 constexpr int kMostTwoSided = 1000;
 
+std::vector<double> all_times(const SimulationSettings& settings,
+                              const std::vector<double>& others) {
+  std::vector<double> times = uniform_times(settings);
+  add_times(others, settings.duration, times);
+  return times;
+}
+
 }  // namespace
 
-bool DynamicRun::Beside::contains(double t) const {
-  return std::ranges::any_of(change_points, [&](double point) {
+bool BesideChangePoints::contains(double t) const {
+  return std::ranges::any_of(times, [&](double point) {
     return std::abs(point - t) <= reach;
   });
 }
 
-/// Instants that the loads of the last step call for.
-void DynamicRun::add_wanted(double until) {
+DynamicInstants::DynamicInstants(DynamicModel& model,
+                                 DynamicChangePoints& change_points,
+                                 MotionIntegrator& integrator,
+                                 EnergyBalance& energy, MotionGuards& guards,
+                                 const std::vector<double>& others)
+    : model_(model),
+      change_points_(change_points),
+      integrator_(integrator),
+      resampler_(model.definition, model.frame, model.dynamics,
+                 model.settings.integrator),
+      energy_(energy),
+      guards_(guards),
+      times_(all_times(model.settings, others)),
+      sample_(VectorXd::Zero(model.dynamics.size())) {}
+
+void DynamicInstants::refine(const VectorXd& largest,
+                             const BesideChangePoints& beside) {
+  sampler_.emplace(model_.equations, largest);
+  beside_ = beside;
+}
+
+void DynamicInstants::restart(double t, const VectorXd& y) {
+  if (sampler_) sampler_->restart(t, y);
+}
+
+void DynamicInstants::look(double until) {
+  if (!sampler_) return;
   wanted_.clear();
-  sampler_->look(integrator_, until,
-                 std::span(sample_times_).subspan(next_sample_), wanted_);
+  sampler_->look(integrator_, until, std::span(times_).subspan(next_), wanted_);
   std::erase_if(wanted_, [this](double t) {
     return beside_.contains(t);
   });
-  add_times(wanted_, settings_.duration, sample_times_);
+  add_times(wanted_, model_.settings.duration, times_);
 }
 
-/// Instants just before and behind a time at which loads may jump. That
-/// before is at the time itself where the modes change only then.
-void DynamicRun::want_sides(double t) {
-  const double side = kSides * settings_.duration;
-  if (t < side || t + side > settings_.duration ||
-      two_sided_++ >= kMostTwoSided) {
-    return;
+/// That before is at the time itself where the modes change only then.
+void DynamicInstants::want_sides(double t) {
+  if (!sampler_) return;
+  const double duration = model_.settings.duration;
+  const double side = kSides * duration;
+  if (t < side || t + side > duration || two_sided_++ >= kMostTwoSided) return;
+  add_times({t, t + side}, duration, times_);
+}
+
+void DynamicInstants::sample_until(double t) {
+  while (next_ < times_.size() && times_[next_] <= t) {
+    const double at = times_[next_++];
+    if (at >= integrator_.t()) {
+      sample_ = integrator_.y();
+    } else {
+      state_at(at, sample_);
+    }
+    add(at, sample_);
   }
-  add_times({t, t + side}, settings_.duration, sample_times_);
 }
 
-void DynamicRun::add_instant(double t, VectorXd& y) {
-  const double gap = dynamics_.project(t, y);
-  require_closed(t, gap);
-  dynamics_.rate(t, y, slope_);
-  note_energy(y);
-  const ConstraintSystem& system = dynamics_.system();
-  const auto placed = system.place(dynamics_.configuration());
-  auto accelerations = system.twists(dynamics_.accelerations());
+void DynamicInstants::add(double t, VectorXd& y) {
+  EquationsOfMotion& equations = model_.equations;
+  const double gap = model_.projection.project(t, y);
+  guards_.require_closed(t, gap);
+  const MotionSolution& solution = equations.solve(t, y);
+  energy_.note(y);
+  const ConstraintSystem& system = equations.system();
+  const MechanismState& state = equations.state();
+  auto accelerations = system.twists(solution.accelerations);
   numerics::JacobianFactor factor;
-  factor.compute(system.jacobian(placed), nullptr, frame_.rank_threshold());
+  factor.compute(system.jacobian(state.placed), nullptr,
+                 model_.frame.rank_threshold());
   const bool is_change_point = factor.rank() < change_points_.rank();
   std::optional<Equilibrium::Solution> forces;
   if (is_change_point) {
@@ -69,59 +110,42 @@ void DynamicRun::add_instant(double t, VectorXd& y) {
       forces = std::move(found->forces);
     }
   }
+  const ForceModel& elements = equations.forces();
   if (!forces) {
-    std::vector<Twist> applied(dynamics_.twists().size());
-    dynamics_.forces().add_to(applied);
-    forces = equilibrium_.solve(dynamics_.configuration(), placed, factor,
-                                dynamics_.twists(), accelerations, applied);
+    std::vector<Twist> applied(state.twists.size());
+    elements.add_to(applied);
+    forces = model_.equilibrium.solve(state.x, state.placed, factor,
+                                      state.twists, accelerations, applied);
   }
-  Instant instant = motion_at(definition_, frame_, dynamics_, t, accelerations);
-  put_forces(frame_, system, placed, std::move(*forces), instant);
-  mark_what_friction_leaves_open(frame_, system, placed, dynamics_.forces(),
+  Instant instant = motion_at(model_.definition, model_.frame, state, elements,
+                              t, accelerations);
+  put_forces(model_.frame, system, state.placed, std::move(*forces), instant);
+  mark_what_friction_leaves_open(model_.frame, system, state.placed, elements,
                                  instant);
   instant.is_change_point = is_change_point;
-  require_unique_loads(definition_, dynamics_.forces(), instant.joints);
+  require_unique_loads(model_.definition, elements, instant.joints);
   instant.closure_error = gap;
-  motion_.instants.push_back(std::move(instant));
+  instants_.push_back(std::move(instant));
 }
 
-/// Whether a state within the last step has another energy than the steps have:
-/// not than other instants within steps, of which many would loosen this.
-bool DynamicRun::misses_energy(double t, VectorXd& y) {
-  dynamics_.project(t, y);
-  const double kinetic = dynamics_.kinetic_energy(y);
-  const double work = y[dynamics_.work_index()];
-  const double largest = std::max({largest_energy_, kinetic, std::abs(work)});
-  return energy_gap(y) > step_energy_error_ + settings_.tolerance * largest;
+/// Whether the dense output at t errs; y is projected.
+bool DynamicInstants::is_rough(double t, VectorXd& y) {
+  model_.projection.project(t, y);
+  return energy_.misses(y);
 }
 
-/// State within the last step: by dense output, but beside a change point or in
-/// an impact, where that may be rough, by steps of its own.
-void DynamicRun::state_at(double t, VectorXd& y) {
+void DynamicInstants::state_at(double t, VectorXd& y) {
   integrator_.state_at(t, y);
-  if (!misses_energy(t, y)) return;
+  if (!is_rough(t, y)) return;
   const double start = integrator_.t_start();
   integrator_.state_at(start, y);
-  dynamics_.project(start, y);
+  model_.projection.project(start, y);
   resampler_.restart(start, y, t - start);
   constexpr int kMost = 1000;  // else the motion is rough beyond help
   for (int i = 0; resampler_.t() < t; ++i) {
     if (i == kMost || !resampler_.step(t)) return integrator_.state_at(t, y);
   }
   y = resampler_.y();
-}
-
-void DynamicRun::sample_until(double t) {
-  while (next_sample_ < sample_times_.size() &&
-         sample_times_[next_sample_] <= t) {
-    const double at = sample_times_[next_sample_++];
-    if (at >= integrator_.t()) {
-      sample_ = integrator_.y();
-    } else {
-      state_at(at, sample_);
-    }
-    add_instant(at, sample_);
-  }
 }
 
 }  // namespace clevis::mechanism

@@ -44,9 +44,9 @@ Motion integrate_motion(const MechanismDefinition& definition,
   first.watch();
   const Motion found = first.run();
   std::vector<double> others = first.peaks().times();
-  DynamicRun::Beside beside{{}, settings.duration / (settings.instants - 1)};
+  BesideChangePoints beside{{}, settings.duration / (settings.instants - 1)};
   for (const ChangePoint& point : found.change_points) {
-    beside.change_points.push_back(point.t);
+    beside.times.push_back(point.t);
   }
   std::erase_if(others, [&](double t) {
     return beside.contains(t);

@@ -3,111 +3,116 @@
 #include <algorithm>
 #include <utility>
 
-#include "mechanism/drives/drive_law.h"
-#include "mechanism/dynamic_motion/initial_state.h"
+#include "mechanism/integration/initial_state.h"
 #include "mechanism/reactions/power_balance.h"
-#include "mechanism/sampling/driven_sampling.h"
+#include "mechanism/reactions/reaction_friction.h"
 
 namespace clevis::mechanism {
-namespace {
-
-using Eigen::VectorXd;
-
-// Local errors add up over a motion; steps are this much stricter, down to
-// round-off, and of closed loops to where that governs beside change points.
-constexpr double kLocalPart = 0.01;
-constexpr double kStrictest = 1e-14, kStrictestOfLoops = 1e-11;
-
-double step_tolerance(const SolvingFrame& frame, double tolerance) {
-  return std::max(kLocalPart * tolerance,
-                  frame.is_tree ? kStrictest : kStrictestOfLoops);
-}
-
-std::vector<double> sample_times(const SimulationSettings& settings,
-                                 const std::vector<double>& others) {
-  std::vector<double> times = uniform_times(settings);
-  add_times(others, settings.duration, times);
-  return times;
-}
-
-}  // namespace
 
 DynamicRun::DynamicRun(const MechanismDefinition& definition,
                        const SimulationSettings& settings,
                        const std::vector<double>& others)
-    : definition_(definition),
-      settings_(settings),
-      frame_(frame_at_centres(definition)),
-      dynamics_(definition, frame_, step_tolerance(frame_, settings.tolerance),
-                settings.duration),
-      equilibrium_(definition, frame_, dynamics_.system()),
-      change_points_(definition, settings, frame_, dynamics_, equilibrium_),
-      integrator_(definition, frame_, dynamics_, settings.integrator),
-      resampler_(definition, frame_, dynamics_, settings.integrator),
-      events_(dynamics_, definition),
-      impacts_(dynamics_),
-      sample_times_(sample_times(settings, others)) {}
+    : model_(definition, settings),
+      equations_(model_.equations),
+      projection_(model_.projection),
+      stick_slip_(model_.dynamics),
+      breaks_(definition, equations_.forces(), settings.duration),
+      change_points_(model_),
+      integrator_(definition, model_.frame, model_.dynamics,
+                  settings.integrator),
+      energy_(model_),
+      guards_(model_, change_points_, integrator_),
+      instants_(model_, change_points_, integrator_, energy_, guards_, others),
+      events_(equations_, definition),
+      impacts_(equations_) {}
 
 void DynamicRun::start() {
   const InitialState initial =
-      initial_state(definition_, frame_, dynamics_.system(),
-                    settings_.tolerance * frame_.length);
-  y_ = dynamics_.start(initial.x);
-  y_.segment(dynamics_.velocity_index(), initial.velocities.size()) =
+      initial_state(model_.definition, model_.frame, equations_.system(),
+                    model_.settings.tolerance * model_.frame.length);
+  y_ = equations_.start(initial.x);
+  y_.segment(equations_.layout().velocity_index(), initial.velocities.size()) =
       initial.velocities;
-  event_values_.setOnes(dynamics_.forces().events());
-  find_breaks();
-  dynamics_.enter_piece(0.0);
-  dynamics_.project(0.0, y_);
-  dynamics_.communicate(0.0, y_);
+  equations_.enter_piece(0.0);
+  projection_.project(0.0, y_);
+  communicate(0.0);
   stick_slip_.choose_modes(0.0, y_);
-  dynamics_.project(0.0, y_);
-  dynamics_.accept(0.0, y_);
-  slope_.setZero(y_.size());
-  sample_ = y_;
-  dynamics_.rate(0.0, y_, slope_);
-  dynamics_.note_speed(y_);
-  energy_start_ = dynamics_.kinetic_energy(y_);
+  projection_.project(0.0, y_);
+  equations_.accept(0.0, y_);
+  equations_.solve(0.0, y_);
+  model_.dynamics.note_speed(y_);
+  energy_.start(y_);
   change_points_.start(initial, y_);
   restart(0.0);
 }
 
-void DynamicRun::find_breaks() {
-  breaks_ = dynamics_.forces().kink_times();
-  jumps_ = drive_jumps(definition_.drives, settings_.duration);
-  for (const DriveDefinition& drive : definition_.drives) {
-    breaks_.push_back(drive.start);
-    breaks_.push_back(drive.start + drive.duration);
-    for (const double t : drive.table.times) {
-      breaks_.push_back(drive.start + t);
-    }
-  }
-  std::ranges::sort(breaks_);
+/// Lets the force elements communicate whose time has come.
+void DynamicRun::communicate(double t) {
+  if (equations_.forces().next_communication() > t) return;
+  equations_.solve(t, y_);
+  equations_.forces().communicate(t);
 }
 
-double DynamicRun::next_break() const {
-  const double now = integrator_.t();
-  const auto next = std::ranges::upper_bound(breaks_, now);
-  const double bend = next == breaks_.end() ? settings_.duration : *next;
-  return std::min({bend, dynamics_.next_communication(), settings_.duration});
+Motion DynamicRun::run() {
+  start();
+  instants_.sample_until(0.0);
+  const double duration = model_.settings.duration;
+  while (integrator_.t() < duration) {
+    go_on(std::min({breaks_.after(integrator_.t()),
+                    equations_.forces().next_communication(), duration}));
+  }
+  change_points_.finish();
+  energy_.require();
+  motion_.instants = std::move(instants_.instants());
+  motion_.integration = summary();
+  motion_.change_points = std::move(change_points_).among(motion_.instants);
+  motion_.impacts = impacts_.impacts();
+  judge_power_balance(model_.definition, motion_);
+  return std::move(motion_);
+}
+
+/// One step, or its part up to the first event.
+void DynamicRun::go_on(double limit) {
+  if (!integrator_.step(limit)) guards_.refuse_stuck();
+  guards_.require_few_evaluations();
+  const EventFinder::Event event = events_.find(integrator_);
+  const double until = event.index < 0 ? integrator_.t() : event.t;
+  if (peaks_) peaks_->look(integrator_, until);
+  impacts_.look(integrator_, until);
+  instants_.look(until);
+  event.index < 0 ? end_step(limit) : pass(event);
+}
+
+void DynamicRun::end_step(double limit) {
+  const double t = integrator_.t();
+  instants_.sample_until(t);
+  y_ = integrator_.y();
+  guards_.require_closed(t, projection_.project(t, y_));
+  equations_.accept(t, y_);
+  model_.dynamics.note_speed(y_);
+  change_points_.look(integrator_, t, y_);
+  integrator_.correct(y_);
+  energy_.note_step(y_);
+  guards_.require_resisting_friction(y_);
+  if (t == limit && limit < model_.settings.duration) pass_break(limit);
 }
 
 void DynamicRun::pass(const EventFinder::Event& event) {
   const double t = event.t;
-  guard_against_accumulation(t);
-  if (sampler_) want_sides(t);
-  sample_until(t);
-  state_at(t, y_);
-  dynamics_.project(t, y_);  // what stuck rests, without round-off
+  if (guards_.are_events_crowded(t)) refuse_crowded_events(t);
+  instants_.want_sides(t);
+  instants_.sample_until(t);
+  instants_.state_at(t, y_);
+  projection_.project(t, y_);  // what stuck rests, without round-off
   change_points_.look(integrator_, t, y_);
-  dynamics_.event_values(t, y_, event_values_);
-  ForceModel& forces = dynamics_.forces();
+  equations_.solve(t, y_);
+  ForceModel& forces = equations_.forces();
   const std::vector<int> before = forces.modes();
   forces.pass_event(event.index);
   stick_slip_.rest_or_turn(t, y_, static_cast<std::size_t>(event.index / 2));
   stick_slip_.settle(t, y_);
-  dynamics_.project(t, y_);
-  dynamics_.accept(t, y_);
+  projection_.project(t, y_);
+  equations_.accept(t, y_);
   impacts_.pass(t, y_, before);
   for (MotionEvent& change : forces.changes(event.index, t, before)) {
     motion_.events.push_back(std::move(change));
@@ -116,14 +121,14 @@ void DynamicRun::pass(const EventFinder::Event& event) {
 }
 
 /// A time at which laws of drives or tables bend, or gas communicates.
-void DynamicRun::pass_bend(double t) {
-  dynamics_.communicate(t, y_);
-  dynamics_.enter_piece(t);
-  if (std::ranges::find(jumps_, t, &DriveJump::t) != jumps_.end()) {
-    dynamics_.jump(t, y_);
+void DynamicRun::pass_break(double t) {
+  communicate(t);
+  equations_.enter_piece(t);
+  if (breaks_.is_jump(t)) {
+    projection_.jump(t, y_);
     stick_slip_.choose_modes(t, y_);
-    dynamics_.project(t, y_);
-    dynamics_.accept(t, y_);
+    projection_.project(t, y_);
+    equations_.accept(t, y_);
   } else {
     stick_slip_.settle(t, y_);  // what rests may have to yield to a drive
   }
@@ -133,61 +138,30 @@ void DynamicRun::pass_bend(double t) {
 void DynamicRun::restart(double t) {
   events_.start(t, y_);
   if (peaks_) peaks_->restart(t, y_);
-  if (sampler_) sampler_->restart(t, y_);
+  instants_.restart(t, y_);
   change_points_.restart(y_);
   integrator_.restart(t, y_, stick_slip_.first_step(t, y_));
 }
 
-Motion DynamicRun::run() {
-  start();
-  sample_until(0.0);
-  while (integrator_.t() < settings_.duration) {
-    const double limit = next_break();
-    if (!integrator_.step(limit)) {
-      refuse_stuck();
-    }
-    require_few(integrator_.counts());
-    const EventFinder::Event event = events_.find(integrator_);
-    if (peaks_) {
-      peaks_->look(integrator_, event.index < 0 ? integrator_.t() : event.t);
-    }
-    impacts_.look(integrator_, event.index < 0 ? integrator_.t() : event.t);
-    if (sampler_) add_wanted(event.index < 0 ? integrator_.t() : event.t);
-    if (event.index >= 0) {
-      pass(event);
-      continue;
-    }
-    sample_until(integrator_.t());
-    y_ = integrator_.y();
-    require_closed(integrator_.t(), dynamics_.project(integrator_.t(), y_));
-    dynamics_.accept(integrator_.t(), y_);
-    dynamics_.note_speed(y_);
-    change_points_.look(integrator_, integrator_.t(), y_);
-    integrator_.correct(y_);
-    note_energy(y_);
-    step_energy_error_ = std::max(step_energy_error_, energy_gap(y_));
-    require_resisting_friction();
-    if (integrator_.t() == limit && limit < settings_.duration) {
-      pass_bend(limit);
-    }
-  }
-  change_points_.finish();
-  require_energy_balance();
+void DynamicRun::refuse_crowded_events(double t) {
+  guards_.refuse_dead_end();
+  instants_.state_at(t, y_);
+  instants_.add(t, y_);
+  refuse_open_loads(model_.definition, equations_.forces(),
+                    instants_.instants().back().joints);
+  guards_.refuse_crowded_events(t);
+}
+
+IntegrationSummary DynamicRun::summary() const {
   const numerics::StepCounts& counts = integrator_.counts();
-  motion_.integration = IntegrationSummary{
-      .method = integrator_.method(),
-      .steps = counts.steps,
-      .rejected = counts.rejected,
-      .evaluations = counts.evaluations + resampler_.counts().evaluations,
-      .factorisations = counts.factorisations,
-      .implicit_steps = integrator_.implicit_steps(),
-      .energy_error = energy_error_,
-      .relative_energy_error =
-          largest_energy_ > 0.0 ? energy_error_ / largest_energy_ : 0.0};
-  motion_.change_points = std::move(change_points_).among(motion_.instants);
-  motion_.impacts = impacts_.impacts();
-  judge_power_balance(definition_, motion_);
-  return std::move(motion_);
+  return {.method = integrator_.method(),
+          .steps = counts.steps,
+          .rejected = counts.rejected,
+          .evaluations = counts.evaluations + instants_.evaluations(),
+          .factorisations = counts.factorisations,
+          .implicit_steps = integrator_.implicit_steps(),
+          .energy_error = energy_.error(),
+          .relative_energy_error = energy_.relative_error()};
 }
 
 }  // namespace clevis::mechanism

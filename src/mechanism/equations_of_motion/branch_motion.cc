@@ -1,10 +1,10 @@
-// Motion by forces at a change point.
+#include "mechanism/equations_of_motion/branch_motion.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
 #include "mechanism/change_points/singular_position.h"
-#include "mechanism/equations_of_motion/forward_dynamics.h"
 
 namespace clevis::mechanism {
 
@@ -12,38 +12,38 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-void ForwardDynamics::jacobian(double t, const VectorXd& y, MatrixXd& J) {
-  place(t, y);
-  system_.fill_jacobian(placed_, J);
-}
-
-Configuration ForwardDynamics::whole_configuration() const {
-  Configuration x = x_;
+Configuration with_quaternions(Configuration x) {
   for (BodyPlacement& body : x) body.q = Eigen::Quaterniond(body.R);
   return x;
 }
 
 /// Velocities of the branch are v = G z; its accelerations G z' + G' z fulfil
 /// Gᵀ M a = Gᵀ Q but for what drives and sticking friction fix, P a = γ.
-std::optional<ForwardDynamics::BranchMotion> ForwardDynamics::branch_motion(
-    double t, const VectorXd& y, int freedom) {
+std::optional<BranchMotion> branch_motion(EquationsOfMotion& equations,
+                                          const SolvingFrame& frame, double t,
+                                          const VectorXd& y, int freedom) {
+  MotionConstraints& constraints = equations.constraints();
   // the inertia of rotors is no mass of a body: left open here
-  if (columns_ > system_.columns()) return std::nullopt;
-  rate(t, y, scratch_);
-  const VectorXd v = u_;
+  if (constraints.has_rotors()) return std::nullopt;
+  const MotionSolution& solution = equations.solve(t, y);
+  const MechanismState& state = equations.state();
+  const VectorXd& v = state.speeds;
   if (v.isZero(0.0)) return std::nullopt;
-  const ConstraintSystem joints(frame_, {}, system_.motions(),
+  const ConstraintSystem joints(frame, {}, equations.system().motions(),
                                 ConstraintSystem::Drives::kNone);
-  const auto point = branch_point(joints, whole_configuration(), v, freedom);
+  const auto point =
+      branch_point(joints, with_quaternions(state.x), v, freedom);
   if (!point) return std::nullopt;
   const MatrixXd& G = point->tangents;
   const VectorXd z = point->coordinates.transpose() * v;
   const VectorXd curved = point->slopes * z;
-  const Index fixed = rows_ - system_.joint_rows();
-  system_.fill_jacobian(placed_, J_);  // not on trees by rate()
-  const MatrixXd P = J_.middleRows(system_.joint_rows(), fixed) * G;
-  const VectorXd wanted = gamma_.segment(system_.joint_rows(), fixed) -
-                          J_.middleRows(system_.joint_rows(), fixed) * curved;
+  const Index first = equations.system().joint_rows();
+  const Index fixed = constraints.rows() - first;
+  // not there yet on trees
+  const auto J = constraints.with_joint_rows(state.placed);
+  const MatrixXd P = J.middleRows(first, fixed) * G;
+  const VectorXd wanted = solution.row_accelerations.segment(first, fixed) -
+                          J.middleRows(first, fixed) * curved;
   VectorXd change = VectorXd::Zero(freedom);  // z'
   MatrixXd open = MatrixXd::Identity(freedom, freedom);
   if (fixed > 0) {
@@ -53,9 +53,9 @@ std::optional<ForwardDynamics::BranchMotion> ForwardDynamics::branch_motion(
     open = svd.matrixV().rightCols(freedom - svd.rank());
   }
   const MatrixXd free = G * open;
-  const MatrixXd heavy = mass_.mass_times(free);
-  const VectorXd left =
-      free.transpose() * Q_ - heavy.transpose() * (curved + G * change);
+  const MatrixXd heavy = constraints.mass().mass_times(free);
+  const VectorXd left = free.transpose() * solution.forces -
+                        heavy.transpose() * (curved + G * change);
   if (free.cols() > 0) {
     change += open * (heavy.transpose() * free).ldlt().solve(left);
   }

@@ -6,8 +6,8 @@
 #include <Eigen/LU>
 
 #include "mechanism/constraints/constraint_system.h"
-#include "mechanism/equations_of_motion/constrained_mass.h"
 #include "mechanism/forces/force_model.h"
+#include "mechanism/mass_matrix/constrained_mass.h"
 
 namespace clevis::mechanism {
 

@@ -34,20 +34,30 @@ double longest_look(const MechanismDefinition& definition) {
 
 }  // namespace
 
-EventFinder::EventFinder(ForwardDynamics& dynamics,
+EventFinder::EventFinder(EquationsOfMotion& equations,
                          const MechanismDefinition& definition)
-    : dynamics_(dynamics), longest_look_(longest_look(definition)) {
-  all_.setOnes(dynamics.forces().events());
+    : equations_(equations), longest_look_(longest_look(definition)) {
+  all_.setOnes(equations.forces().events());
   floors_ = all_;
   for (Sample& sample : samples_) sample.values = all_;
   for (Sample& sample : middles_) sample.values = all_;
   for (VectorXd& bend : bends_) bend = all_;
-  state_.setZero(dynamics.size());
+  state_.setZero(equations.layout().size());
 }
 
 void EventFinder::start(double t, const VectorXd& y) {
-  if (!dynamics_.forces().may_switch()) return;
-  dynamics_.guard_values(t, y, samples_.back().values);
+  if (!equations_.forces().may_switch()) return;
+  measure(t, y, samples_.back().values);
+}
+
+/// Accelerations count only where efforts hold lines.
+void EventFinder::measure(double t, const VectorXd& y, VectorXd& values) {
+  if (equations_.forces().any_sticks()) {
+    equations_.solve(t, y);
+  } else {
+    equations_.evaluate_forces(t, y);
+  }
+  equations_.forces().event_values(values);
 }
 
 void EventFinder::look(numerics::Integrator& integrator, double t,
@@ -57,7 +67,7 @@ void EventFinder::look(numerics::Integrator& integrator, double t,
   } else {
     integrator.interpolate(t, state_);
   }
-  dynamics_.guard_values(t, state_, values);
+  measure(t, state_, values);
 }
 
 double EventFinder::value(numerics::Integrator& integrator, int event,
@@ -89,7 +99,7 @@ double EventFinder::root(numerics::Integrator& integrator, int event,
 /// What rests follows only what time does to it: no step tells how fast.
 /// @throws Error K008 where that is too much to look at.
 long EventFinder::windows(double start, double end) {
-  if (!dynamics_.forces().any_sticks()) return 1;
+  if (!equations_.forces().any_sticks()) return 1;
   constexpr double kMost = 5e6;  // of a motion, of half a period each
   const double count =
       std::max(std::ceil((end - start) / (kPieces * longest_look_)), 1.0);
@@ -105,7 +115,7 @@ long EventFinder::windows(double start, double end) {
 
 EventFinder::Event EventFinder::find(numerics::Integrator& integrator) {
   constexpr int kMostLooks = 400;
-  if (!dynamics_.forces().may_switch()) return {};
+  if (!equations_.forces().may_switch()) return {};
   const double start = integrator.t_start(), end = integrator.t();
   const long count = windows(start, end) * kPieces;
   samples_.back().t = start;
@@ -151,7 +161,8 @@ void EventFinder::measure_bends() {
                              .cwiseAbs());
   }
   bend *= kMargin;
-  floors_ = (kPart * floors_).array() + kRoundOff * dynamics_.length();
+  floors_ =
+      (kPart * floors_).array() + kRoundOff * equations_.layout().length();
 }
 
 bool EventFinder::may_dip(const Sample& left, const Sample& right,

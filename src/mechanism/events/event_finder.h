@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "mechanism/equations_of_motion/forward_dynamics.h"
+#include "mechanism/equations_of_motion/equations_of_motion.h"
 #include "numerics/integrators/ode_system.h"
 
 namespace clevis::mechanism {
@@ -17,9 +17,10 @@ class EventFinder {
  public:
   /// @param definition  of the motion; its sines tell how often to look at
   ///   what rests.
-  EventFinder(ForwardDynamics& dynamics, const MechanismDefinition& definition);
+  EventFinder(EquationsOfMotion& equations,
+              const MechanismDefinition& definition);
 
-  /// A state from which the modes hold, of ForwardDynamics, at t [s].
+  /// A state from which the modes hold, of StateLayout, at t [s].
   void start(double t, const Eigen::VectorXd& y);
 
   struct Event {
@@ -47,6 +48,7 @@ class EventFinder {
   bool may_dip(const Sample& left, const Sample& right,
                const Eigen::VectorXd& bend) const;
   bool any_negative(const Sample& sample) const;
+  void measure(double t, const Eigen::VectorXd& y, Eigen::VectorXd& values);
   void measure_bends();
   void look(numerics::Integrator& integrator, double t, bool carefully,
             Eigen::VectorXd& values);
@@ -54,7 +56,7 @@ class EventFinder {
   double root(numerics::Integrator& integrator, int event, const Sample& left,
               double right);
 
-  ForwardDynamics& dynamics_;
+  EquationsOfMotion& equations_;
   double longest_look_;  ///< at what rests [s]
   double windows_at_rest_ = 0.0;
   int looks_left_{};  ///< between samples, in this window

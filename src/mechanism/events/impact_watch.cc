@@ -19,11 +19,11 @@ constexpr int kPressing = 1;
 
 }  // namespace
 
-ImpactWatch::ImpactWatch(ForwardDynamics& dynamics)
-    : dynamics_(dynamics),
-      open_(index(dynamics.forces().events()), -1),
+ImpactWatch::ImpactWatch(EquationsOfMotion& equations)
+    : equations_(equations),
+      open_(index(equations.forces().events()), -1),
       last_(open_) {
-  state_.setZero(dynamics.size());
+  state_.setZero(equations.layout().size());
 }
 
 Impact* ImpactWatch::open_impact(int event) {
@@ -34,8 +34,8 @@ Impact* ImpactWatch::open_impact(int event) {
 double ImpactWatch::effort(const Impact& impact,
                            numerics::Integrator& integrator, double t) {
   integrator.interpolate(t, state_);
-  dynamics_.evaluate_forces(t, state_);
-  return dynamics_.forces()
+  equations_.evaluate_forces(t, state_);
+  return equations_.forces()
       .element(index(impact.element))
       .unbounded[index(impact.end)];
 }
@@ -83,8 +83,9 @@ void ImpactWatch::begin(int event, double t) {
   impact.element = event / 2;
   impact.end = event % 2;
   impact.t = impact.peak_at = t;
-  impact.approach_speed = dynamics_.forces().element(element).depth_rate[end];
-  const ContactInertia inertia = contact_inertia(dynamics_, element, event % 2);
+  impact.approach_speed = equations_.forces().element(element).depth_rate[end];
+  const ContactInertia inertia =
+      contact_inertia(equations_, element, event % 2);
   impact.mass_a = inertia.mass_a;
   impact.mass_b = inertia.mass_b;
   impact.mass = inertia.mass;
@@ -95,10 +96,10 @@ void ImpactWatch::begin(int event, double t) {
 
 void ImpactWatch::pass(double t, const Eigen::VectorXd& y,
                        const std::vector<int>& before) {
-  const std::vector<int> now = dynamics_.forces().modes();
+  const std::vector<int> now = equations_.forces().modes();
   bool evaluated = false;
   for (std::size_t event = 0; event < now.size(); ++event) {
-    const auto& element = dynamics_.forces().element(event / 2);
+    const auto& element = equations_.forces().element(event / 2);
     if (!element.presses()) continue;
     const bool pressed = before[event] == kPressing;
     const bool presses = now[event] == kPressing;
@@ -110,7 +111,7 @@ void ImpactWatch::pass(double t, const Eigen::VectorXd& y,
       }
       open_[event] = -1;
     } else if (before[event] == 0 || last_[event] < 0) {
-      if (!evaluated) dynamics_.rate(t, y, state_);
+      if (!evaluated) equations_.solve(t, y);
       evaluated = true;
       begin(static_cast<int>(event), t);
     } else {  // deep without force in between: the same impact goes on

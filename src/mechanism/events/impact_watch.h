@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "mechanism/definition/motion.h"
-#include "mechanism/equations_of_motion/contact_inertia.h"
+#include "mechanism/events/contact_inertia.h"
 #include "numerics/integrators/ode_system.h"
 
 namespace clevis::mechanism {
@@ -15,7 +15,7 @@ namespace clevis::mechanism {
 /// dense output of the steps in between. Times are in seconds [s].
 class ImpactWatch {
  public:
-  explicit ImpactWatch(ForwardDynamics& dynamics);
+  explicit ImpactWatch(EquationsOfMotion& equations);
 
   /// Looks at the integrator's last step, up to a time.
   void look(numerics::Integrator& integrator, double until);
@@ -34,7 +34,7 @@ class ImpactWatch {
   void refine(Impact& impact, numerics::Integrator& integrator, double from,
               double to);
 
-  ForwardDynamics& dynamics_;
+  EquationsOfMotion& equations_;
   std::vector<Impact> impacts_;
   std::vector<int> open_;  ///< by event: which impact, or -1
   std::vector<int> last_;  ///< by event: the latest impact, or -1

@@ -14,28 +14,27 @@ constexpr int kDepth = 8;
 
 using Eigen::VectorXd;
 
-LoadSampler::LoadSampler(ForwardDynamics& dynamics, const VectorXd& largest)
-    : dynamics_(dynamics),
-      list_(dynamics.system(), dynamics.configuration(), dynamics.forces()),
+LoadSampler::LoadSampler(EquationsOfMotion& equations, const VectorXd& largest)
+    : equations_(equations),
+      list_(equations.system(), equations.state().x, equations.forces()),
       change_(list_, largest),
       most_(kMostInstants) {
-  state_.setZero(dynamics.size());
-  rate_.setZero(dynamics.size());
+  state_.setZero(equations.layout().size());
 }
 
 void LoadSampler::restart(double t, const VectorXd& y) {
-  dynamics_.rate(t, y, rate_);
+  const MotionSolution& solution = equations_.solve(t, y);
   taken_.t = t;
-  list_.get(dynamics_.system(), dynamics_.multipliers(), dynamics_.forces(),
+  list_.get(equations_.system(), solution.multipliers, equations_.forces(),
             taken_.loads);
 }
 
 LoadSampler::Sample LoadSampler::at(numerics::Integrator& integrator,
                                     double t) {
   integrator.interpolate(t, state_);
-  dynamics_.rate(t, state_, rate_);
+  const MotionSolution& solution = equations_.solve(t, state_);
   Sample sample{t, {}};
-  list_.get(dynamics_.system(), dynamics_.multipliers(), dynamics_.forces(),
+  list_.get(equations_.system(), solution.multipliers, equations_.forces(),
             sample.loads);
   return sample;
 }

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "mechanism/equations_of_motion/forward_dynamics.h"
+#include "mechanism/equations_of_motion/equations_of_motion.h"
 #include "mechanism/sampling/load_list.h"
 #include "numerics/integrators/ode_system.h"
 
@@ -18,7 +18,7 @@ class LoadSampler {
  public:
   /// @param largest  squares by vector, as an earlier run found them [N²],
   ///   [N² m²].
-  LoadSampler(ForwardDynamics& dynamics, const Eigen::VectorXd& largest);
+  LoadSampler(EquationsOfMotion& equations, const Eigen::VectorXd& largest);
 
   /// The start, and each state from which the integrator starts anew.
   void restart(double t, const Eigen::VectorXd& y);
@@ -36,12 +36,12 @@ class LoadSampler {
   void divide(numerics::Integrator& integrator, const Sample& from,
               const Sample& to, int depth, std::vector<double>& wanted);
 
-  ForwardDynamics& dynamics_;
+  EquationsOfMotion& equations_;
   LoadList list_;
   LoadChange change_;
   Sample taken_;  ///< the last instant
   long most_;     ///< instants that may still be added
-  Eigen::VectorXd state_, rate_;
+  Eigen::VectorXd state_;
 };
 
 }  // namespace clevis::mechanism

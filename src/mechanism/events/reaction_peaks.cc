@@ -8,22 +8,21 @@ namespace clevis::mechanism {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-ReactionPeaks::ReactionPeaks(ForwardDynamics& dynamics)
-    : dynamics_(dynamics),
-      list_(dynamics.system(), dynamics.configuration(), dynamics.forces()) {
+ReactionPeaks::ReactionPeaks(EquationsOfMotion& equations)
+    : equations_(equations),
+      list_(equations.system(), equations.state().x, equations.forces()) {
   for (VectorXd* v : {&before_.values, &last_.values, &next_.values, &largest_,
                       &at_, &values_}) {
     v->setZero(list_.vectors());
   }
   loads_.setZero(list_.size());
-  state_.setZero(dynamics.size());
-  rate_.setZero(dynamics.size());
+  state_.setZero(equations.layout().size());
 }
 
 /// Squares by vector.
 void ReactionPeaks::measure(double t, const VectorXd& y, VectorXd& values) {
-  dynamics_.rate(t, y, rate_);
-  list_.get(dynamics_.system(), dynamics_.multipliers(), dynamics_.forces(),
+  const MotionSolution& solution = equations_.solve(t, y);
+  list_.get(equations_.system(), solution.multipliers, equations_.forces(),
             loads_);
   list_.squares(loads_, values);
 }

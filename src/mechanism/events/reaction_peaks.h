@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "mechanism/equations_of_motion/forward_dynamics.h"
+#include "mechanism/equations_of_motion/equations_of_motion.h"
 #include "mechanism/sampling/load_list.h"
 #include "numerics/integrators/ode_system.h"
 
@@ -15,7 +15,7 @@ namespace clevis::mechanism {
 /// the efforts of drives and force elements. Times are in seconds [s].
 class ReactionPeaks {
  public:
-  explicit ReactionPeaks(ForwardDynamics& dynamics);
+  explicit ReactionPeaks(EquationsOfMotion& equations);
 
   /// The start, and each state from which the integrator starts anew: forces
   /// may jump there.
@@ -41,11 +41,11 @@ class ReactionPeaks {
   void refine(numerics::Integrator& integrator, Eigen::Index which, double from,
               double to);
 
-  ForwardDynamics& dynamics_;
+  EquationsOfMotion& equations_;
   LoadList list_;
   Sample before_, last_, next_;
   bool has_before_ = false;
-  Eigen::VectorXd largest_, at_, state_, rate_, loads_, values_;
+  Eigen::VectorXd largest_, at_, state_, loads_, values_;
 };
 
 }  // namespace clevis::mechanism

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "mechanism/equations_of_motion/forward_dynamics.h"
+#include "mechanism/dynamic_state/state_layout.h"
 
 namespace clevis::mechanism {
 

@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 
 #include "mechanism/constraints/solving_frame.h"
-#include "mechanism/equations_of_motion/tree_mass.h"
 #include "mechanism/joints/joint_motion.h"
+#include "mechanism/mass_matrix/tree_mass.h"
 
 namespace clevis::mechanism {
 

@@ -27,7 +27,7 @@ double TreeSystem::reach(std::size_t link) const {
 /// Turns of a joint move what hangs on it: so far that it counts as a length.
 void TreeSystem::set_scales() {
   const auto& links = coordinates_.links();
-  const double length = dynamics_.length();
+  const double length = equations_.layout().length();
   for (std::size_t k = 0; k < links.size(); ++k) {
     const auto& link = links[k];
     const double beyond = reach(k);
@@ -51,7 +51,7 @@ void TreeSystem::set_scales() {
 void TreeSystem::scales(const VectorXd& z, VectorXd& scales) const {
   put_open(q_size_, u_size_, scales);
   scales.segment(velocity_index(), open_velocities()) *=
-      dynamics_.speed_scale() / dynamics_.length();
+      scales_.speed_scale() / equations_.layout().length();
   loads_.forces().internal_scales(z.data() + internal_index(),
                                   scales.data() + internal_index());
   scales[work_index()] = 0.0;
@@ -60,13 +60,13 @@ void TreeSystem::scales(const VectorXd& z, VectorXd& scales) const {
 void TreeSystem::error_weights(const VectorXd& z, VectorXd& weights) const {
   scales(z, weights);
   weights.head(work_index()) =
-      (dynamics_.tolerance() * weights.head(work_index())).cwiseInverse();
+      (scales_.tolerance() * weights.head(work_index())).cwiseInverse();
 }
 
 Index TreeSystem::tangents(double t, const VectorXd& z, Eigen::MatrixXd& T) {
   place(t, z);
   T.setZero();
-  const double rate = dynamics_.speed_scale() / dynamics_.length();
+  const double rate = scales_.speed_scale() / equations_.layout().length();
   const Index n = open_velocities();
   for (Index i = 0; i < n; ++i) {
     const auto u = index(coordinates_.open_velocities()[index(i)]);

@@ -32,17 +32,18 @@ std::vector<double> armatures(const JointCoordinates& coordinates,
 
 TreeSystem::TreeSystem(const MechanismDefinition& definition,
                        ForwardDynamics& dynamics, JointCoordinates& coordinates)
-    : dynamics_(dynamics),
+    : equations_(dynamics.equations()),
+      scales_(dynamics.state_scales()),
       coordinates_(coordinates),
-      loads_(dynamics.applied()),
+      loads_(equations_.loads()),
       bodies_(definition, coordinates,
-              armatures(coordinates, dynamics.forces())),
-      x_(dynamics.configuration()),
+              armatures(coordinates, equations_.forces())),
+      x_(equations_.state().x),
       twists_(x_.size()),
       levers_(x_.size()),
       turned_(coordinates.links().size()),
       start_y_(VectorXd::Zero(dynamics.size())),
-      internal_(VectorXd::Zero(dynamics.forces().internal_states())) {
+      internal_(VectorXd::Zero(equations_.forces().internal_states())) {
   for (std::vector<double>* q : {&q_, &q_rate_, &q_size_, &q_start_}) {
     q->resize(index(coordinates.coordinates()));
   }
@@ -50,8 +51,8 @@ TreeSystem::TreeSystem(const MechanismDefinition& definition,
     u->resize(index(coordinates.velocities()));
   }
   for (std::size_t k = 0; k < definition.elements.size(); ++k) {
-    const ActingElement& e = dynamics.forces().element(k);
-    if (e.joint < 0 || !dynamics.forces().is_angle(k)) continue;
+    const ActingElement& e = equations_.forces().element(k);
+    if (e.joint < 0 || !equations_.forces().is_angle(k)) continue;
     const auto at = coordinates.measured(e.joint, e.row);
     if (at) counted_.push_back({k, *at, 0.0});
   }
@@ -74,7 +75,7 @@ void TreeSystem::place(double t, const VectorXd& z) {
   for (const Index i : coordinates_.open_coordinates()) q_[index(i)] = z[at++];
   for (const Index i : coordinates_.open_velocities()) u_[index(i)] = z[at++];
   for (const JointCoordinates::Driven& driven : coordinates_.driven()) {
-    const DriveTarget target = dynamics_.target(driven.drive, t);
+    const DriveTarget target = equations_.drives().target(driven.drive, t);
     q_[index(driven.q)] = target.position;
     u_[index(driven.u)] = target.rate;
     u_rate_[index(driven.u)] = target.acceleration;
@@ -134,7 +135,7 @@ void TreeSystem::start(double t, const VectorXd& y, VectorXd& z) {
   read(t, y, z);
   start_y_ = y;
   q_start_ = q_;
-  loads_.evaluate(t, dynamics_.configuration(), dynamics_.twists(),
+  loads_.evaluate(t, equations_.state().x, equations_.state().twists,
                   z.data() + internal_index());
   count_turns();
   place(t, z);
@@ -153,18 +154,19 @@ void TreeSystem::count_turns() {
 }
 
 void TreeSystem::read(double t, const VectorXd& y, VectorXd& z) {
-  dynamics_.place(t, y);
-  coordinates_.read(dynamics_.configuration(), dynamics_.twists(), q_.data(),
+  equations_.place(t, y);
+  coordinates_.read(equations_.state().x, equations_.state().twists, q_.data(),
                     u_.data());
   put_open(q_, u_, z);
   z.tail(z.size() - internal_index()) =
-      y.tail(y.size() - dynamics_.internal_index());
+      y.tail(y.size() - equations_.layout().internal_index());
 }
 
 void TreeSystem::expand(double t, const VectorXd& z, VectorXd& y) {
   place(t, z);
   const auto& links = coordinates_.links();
-  for (std::size_t k = 0; k < links.size() && dynamics_.is_planar(); ++k) {
+  for (std::size_t k = 0; k < links.size() && equations_.layout().is_planar();
+       ++k) {
     const auto& link = links[k];
     turned_[k] = link.parent < 0 ? 0.0 : turned_[index(link.parent)];
     for (int j = 0; j < link.count; ++j) {
@@ -176,11 +178,12 @@ void TreeSystem::expand(double t, const VectorXd& z, VectorXd& y) {
   }
   for (std::size_t k = 0; k < links.size(); ++k) {
     const std::size_t slot = links[k].slot;
-    dynamics_.put_body(slot, x_[slot], twists_[slot], start_y_, turned_[k], y);
+    equations_.layout().put_body(slot, x_[slot], twists_[slot], start_y_,
+                                 turned_[k], y);
   }
-  y.tail(y.size() - dynamics_.internal_index()) =
+  y.tail(y.size() - equations_.layout().internal_index()) =
       z.tail(z.size() - internal_index());
-  if (!dynamics_.is_planar()) dynamics_.anchor_turns(t, x_);
+  if (!equations_.layout().is_planar()) equations_.turns().anchor(t, x_);
 }
 
 }  // namespace clevis::mechanism

@@ -63,7 +63,7 @@ class TreeSystem : public numerics::OdeSystem {
     return velocity_index() + open_velocities();
   }
   Eigen::Index work_index() const {
-    return internal_index() + dynamics_.forces().internal_states();
+    return internal_index() + equations_.forces().internal_states();
   }
   void place(double t, const Eigen::VectorXd& z);
   void put_open(const std::vector<double>& q, const std::vector<double>& u,
@@ -72,7 +72,8 @@ class TreeSystem : public numerics::OdeSystem {
   double reach(std::size_t link) const;
   void set_scales();
 
-  ForwardDynamics& dynamics_;
+  EquationsOfMotion& equations_;
+  const StateScales& scales_;
   JointCoordinates& coordinates_;
   AppliedLoads& loads_;
   ArticulatedBodies bodies_;

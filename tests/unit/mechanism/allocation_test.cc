@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/dynamic_motion/initial_state.h"
-#include "mechanism/dynamic_motion/motion_integrator.h"
-#include "mechanism/equations_of_motion/stick_slip.h"
+#include "mechanism/dynamic_state/centre_frame.h"
+#include "mechanism/events/stick_slip.h"
+#include "mechanism/integration/initial_state.h"
+#include "mechanism/integration/motion_integrator.h"
 #include "support/benchmark_mechanisms.h"
 #include "support/reference_motions.h"
 
@@ -36,14 +37,15 @@ long allocations_of_steps(const MechanismDefinition& definition,
                           int steps) {
   const SolvingFrame frame = frame_at_centres(definition);
   ForwardDynamics dynamics(definition, frame, 1e-8, 1.0);
+  EquationsOfMotion& equations = dynamics.equations();
   const InitialState initial =
-      initial_state(definition, frame, dynamics.system(), 1e-8);
-  Eigen::VectorXd y = dynamics.start(initial.x);
-  y.segment(dynamics.velocity_index(), initial.velocities.size()) =
+      initial_state(definition, frame, equations.system(), 1e-8);
+  Eigen::VectorXd y = equations.start(initial.x);
+  y.segment(equations.layout().velocity_index(), initial.velocities.size()) =
       initial.velocities;
-  dynamics.project(0.0, y);
+  dynamics.projection().project(0.0, y);
   StickSlip(dynamics).choose_modes(0.0, y);
-  dynamics.accept(0.0, y);
+  equations.accept(0.0, y);
   MotionIntegrator integrator(definition, frame, dynamics, choice);
   integrator.restart(0.0, y, 0.0);
   long before = 0;
@@ -51,8 +53,8 @@ long allocations_of_steps(const MechanismDefinition& definition,
     if (i == skip) before = allocations;
     EXPECT_TRUE(integrator.step(1e9));
     y = integrator.y();
-    dynamics.project(integrator.t(), y);
-    dynamics.accept(integrator.t(), y);
+    dynamics.projection().project(integrator.t(), y);
+    equations.accept(integrator.t(), y);
     integrator.correct(y);
   }
   return allocations - before;

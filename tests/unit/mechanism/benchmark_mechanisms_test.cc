@@ -8,8 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/dynamic_motion/initial_state.h"
-#include "mechanism/equations_of_motion/forward_dynamics.h"
+#include "mechanism/dynamic_state/centre_frame.h"
+#include "mechanism/equations_of_motion/projection.h"
+#include "mechanism/integration/initial_state.h"
 #include "mechanism/joints/joint_types.h"
 #include "mechanism/simulate.h"
 #include "mechanism/structure/structure.h"
@@ -62,18 +63,17 @@ TEST(Governor, StiffnessDoesNotEndNewtonsIterations) {
 TEST(TreeMass, AgreesWithAllRowsAtOnce) {
   MechanismDefinition m = testing::governor();
   const SolvingFrame frame = frame_at_centres(m);
-  ForwardDynamics dynamics(m, frame, 1e-8, 1.0);
-  Eigen::VectorXd y =
-      dynamics.start(initial_state(m, frame, dynamics.system(), 1e-8).x);
-  dynamics.project(0.0, y);
-  Eigen::VectorXd slope(y.size());
-  dynamics.rate(0.0, y, slope);
-  const int rows = dynamics.system().rows();
-  const auto most = static_cast<Eigen::Index>(dynamics.forces().size()) + rows;
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(most, dynamics.system().columns());
-  ConstrainedMass tree = dynamics.mass(), all = dynamics.mass();
+  EquationsOfMotion equations(m, frame);
+  const ConstraintSystem& system = equations.system();
+  Eigen::VectorXd y = equations.start(initial_state(m, frame, system, 1e-8).x);
+  Projection(equations).project(0.0, y);
+  equations.solve(0.0, y);
+  const int rows = system.rows();
+  const Eigen::Index most = equations.constraints().most_rows();
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(most, system.columns());
+  ConstrainedMass tree = equations.constraints().mass(), all = tree;
   ASSERT_NE(tree.tree(), nullptr);
-  dynamics.jacobian(0.0, y, J);
+  system.fill_jacobian(equations.state().placed, J);
   all.factor(J, rows);
   Eigen::VectorXd gamma(most), Q(J.cols());
   for (Eigen::Index i = 0; i < most; ++i) gamma[i] = std::cos(i);

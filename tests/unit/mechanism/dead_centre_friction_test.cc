@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/equations_of_motion/stick_slip.h"
+#include "mechanism/dynamic_state/centre_frame.h"
+#include "mechanism/events/stick_slip.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 
@@ -297,16 +298,17 @@ TEST(DeadCentreFriction, LineAgainstItsModeIsFound) {
   m.elements = {on_joint(0, law)};
   const SolvingFrame frame = frame_at_centres(m);
   ForwardDynamics dynamics(m, frame, 1e-8, 1.0);
-  Eigen::VectorXd y = dynamics.start(frame.placement);
-  y[dynamics.velocity_index()] = -0.3;
+  EquationsOfMotion& equations = dynamics.equations();
+  Eigen::VectorXd y = equations.start(frame.placement);
+  y[equations.layout().velocity_index()] = -0.3;
   StickSlip(dynamics).choose_modes(0.0, y);
   dynamics.note_speed(y);
-  dynamics.evaluate_forces(0.0, y);
-  EXPECT_EQ(dynamics.forces().element(0).modes[0], -1);
-  EXPECT_EQ(dynamics.forces().line_against_its_mode(), 1u);  // none
+  equations.evaluate_forces(0.0, y);
+  EXPECT_EQ(equations.forces().element(0).modes[0], -1);
+  EXPECT_EQ(equations.forces().line_against_its_mode(), 1u);  // none
   for (const int wrong : {0, 1}) {
-    dynamics.forces().set_mode(0, wrong);
-    EXPECT_EQ(dynamics.forces().line_against_its_mode(), 0u) << wrong;
+    equations.forces().set_mode(0, wrong);
+    EXPECT_EQ(equations.forces().line_against_its_mode(), 0u) << wrong;
   }
 }
 

@@ -8,8 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "mechanism/dynamic_motion/dynamic_motion.h"
-#include "mechanism/dynamic_motion/initial_state.h"
-#include "mechanism/dynamic_motion/motion_integrator.h"
+#include "mechanism/dynamic_state/centre_frame.h"
+#include "mechanism/integration/initial_state.h"
+#include "mechanism/integration/motion_integrator.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 
@@ -172,13 +173,15 @@ struct Both {
       : definition(given),
         frame(frame_at_centres(definition)),
         dynamics(definition, frame, 1e-11, 1.0),
+        equations(dynamics.equations()),
+        projection(dynamics.projection()),
         coordinates(*JointCoordinates::of(frame, definition.drives)),
         tree(definition, dynamics, coordinates) {
     const InitialState initial =
-        initial_state(definition, frame, dynamics.system(), 1e-8);
-    y = dynamics.start(initial.x);
-    dynamics.project(0.0, y);
-    dynamics.accept(0.0, y);
+        initial_state(definition, frame, equations.system(), 1e-8);
+    y = equations.start(initial.x);
+    projection.project(0.0, y);
+    equations.accept(0.0, y);
     dynamics.note_speed(y);
     z.setZero(tree.size());
     tree.start(0.0, y, z);
@@ -188,14 +191,16 @@ struct Both {
   void move(RandomTree& random) {
     for (Index i = 0; i < z.size() - 1; ++i) z[i] += random.number();
     tree.expand(kTime, z, y);
-    dynamics.project(kTime, y);  // quaternions to length 1
+    projection.project(kTime, y);  // quaternions to length 1
     tree.read(kTime, y, z);
-    dynamics.accept(kTime, y);
+    equations.accept(kTime, y);
   }
 
   MechanismDefinition definition;
   SolvingFrame frame;
   ForwardDynamics dynamics;
+  EquationsOfMotion& equations;
+  Projection& projection;
   JointCoordinates coordinates;
   TreeSystem tree;
   VectorXd y, z;
@@ -205,7 +210,7 @@ struct Both {
 void expect_same_states(Both& both) {
   VectorXd again = both.y;
   both.tree.expand(kTime, both.z, again);
-  EXPECT_LT(both.dynamics.gap(kTime, again), 1e-12);
+  EXPECT_LT(both.projection.gap(kTime, again), 1e-12);
   VectorXd other = both.z;
   both.tree.read(kTime, again, other);
   EXPECT_LT((other - both.z).lpNorm<Eigen::Infinity>(), 1e-12);
@@ -226,8 +231,8 @@ void expect_same_accelerations(Both& both) {
     both.tree.expand(kTime + at * kStep, both.z + at * kStep * slope, state);
     seen += weight / kStep * state;
   }
-  const Index from = both.dynamics.velocity_index();
-  const Index count = both.dynamics.internal_index() - from;
+  const Index from = both.equations.layout().velocity_index();
+  const Index count = both.equations.layout().internal_index() - from;
   const VectorXd a = seen.segment(from, count);
   const VectorXd b = expected.segment(from, count);
   EXPECT_LT((a - b).lpNorm<Eigen::Infinity>(),
@@ -259,11 +264,12 @@ VectorXd end_of(const MechanismDefinition& definition, const Make& make) {
   while (integrator->t() < 1.0) {
     EXPECT_TRUE(integrator->step(1.0));
     y = integrator->y();
-    both.dynamics.project(integrator->t(), y);
-    both.dynamics.accept(integrator->t(), y);
+    both.projection.project(integrator->t(), y);
+    both.equations.accept(integrator->t(), y);
     integrator->correct(y);
   }
-  for (Index i = 3; !both.frame.planar && i < both.dynamics.velocity_index();
+  for (Index i = 3;
+       !both.frame.planar && i < both.equations.layout().velocity_index();
        i += 7) {
     if (y[i + 3] < 0.0) y.segment<4>(i) *= -1.0;
   }

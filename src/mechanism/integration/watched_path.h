@@ -2,13 +2,14 @@
 
 #include <Eigen/Core>
 
-#include "mechanism/equations_of_motion/forward_dynamics.h"
+#include "mechanism/equations_of_motion/projection.h"
+#include "numerics/integrators/ode_system.h"
 
 namespace clevis::mechanism {
 
 /// Positions of an integrated motion as one continuous function of time,
 /// through the corrected states at the ends of its steps. Times [s], states in
-/// the units of ForwardDynamics.
+/// the units of StateLayout.
 ///
 /// Within a step it is the dense output and a part of the end's correction that
 /// grows with time. Beside a change point accelerations of a step's stages, and
@@ -17,7 +18,8 @@ namespace clevis::mechanism {
 /// velocities, that is the path.
 class WatchedPath {
  public:
-  explicit WatchedPath(ForwardDynamics& dynamics) : dynamics_(dynamics) {}
+  WatchedPath(EquationsOfMotion& equations, Projection& projection)
+      : equations_(equations), projection_(projection) {}
 
   /// The next step begins at y.
   void restart(const Eigen::VectorXd& y) { end_ = state_ = y; }
@@ -33,7 +35,8 @@ class WatchedPath {
   void put_dense(double t);
   void put_cubic(double t);
 
-  ForwardDynamics& dynamics_;
+  EquationsOfMotion& equations_;
+  Projection& projection_;
   numerics::Integrator* integrator_ = nullptr;
   double from_{}, until_{};
   bool is_chosen_{}, is_dense_{};

@@ -1,4 +1,4 @@
-#include "mechanism/dynamic_motion/motion_integrator.h"
+#include "mechanism/integration/motion_integrator.h"
 
 namespace clevis::mechanism {
 
@@ -15,7 +15,7 @@ MotionIntegrator::MotionIntegrator(const MechanismDefinition& definition,
       y_(VectorXd::Zero(dynamics.size())),
       scratch_(y_) {
   if (!coordinates_ ||
-      !TreeSystem::can_follow(*coordinates_, dynamics.forces())) {
+      !TreeSystem::can_follow(*coordinates_, dynamics.equations().forces())) {
     return;
   }
   tree_ = std::make_unique<TreeSystem>(definition, dynamics, *coordinates_);
@@ -24,7 +24,8 @@ MotionIntegrator::MotionIntegrator(const MechanismDefinition& definition,
 }
 
 void MotionIntegrator::restart(double t, const VectorXd& y, double step) {
-  active_ = joints_ && dynamics_.has_joints_alone() ? &*joints_ : &bodies_;
+  active_ = joints_ && dynamics_.equations().has_joints_alone() ? &*joints_
+                                                                : &bodies_;
   if (in_joints()) {
     tree_->start(t, y, z_);
     active_->restart(t, z_, step);

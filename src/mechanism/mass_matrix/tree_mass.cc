@@ -1,4 +1,4 @@
-#include "mechanism/equations_of_motion/tree_mass.h"
+#include "mechanism/mass_matrix/tree_mass.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@ namespace clevis::mechanism {
 /// Which lines of dry friction stick, slip or turn: a complementarity problem.
 /// A line at rest sticks while its effort stays below its breakaway effort;
 /// where it does not, it slips in the sense of its acceleration. Modes are
-/// tried one by one until the equations of motion contradict none.
+/// tried one by one until the equations of motion contradict none. Times t [s].
 class StickSlip {
  public:
   explicit StickSlip(ForwardDynamics& dynamics);
@@ -41,9 +41,11 @@ class StickSlip {
   double free_acceleration(std::size_t k) const;
   double acceleration_size() const;
 
-  ForwardDynamics& dynamics_;
+  EquationsOfMotion& equations_;
+  MotionConstraints& constraints_;  ///< of the equations
+  Projection& projection_;
+  const StateScales& scales_;
   ForceModel& forces_;
-  Eigen::VectorXd scratch_, before_;  ///< states
 };
 
 }  // namespace clevis::mechanism

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 
-#include "mechanism/equations_of_motion/tree_mass.h"
+#include "mechanism/mass_matrix/tree_mass.h"
 #include "numerics/factors/jacobian_factor.h"
 #include "numerics/factors/normal_cholesky.h"
 

@@ -1,4 +1,4 @@
-#include "mechanism/equations_of_motion/constrained_mass.h"
+#include "mechanism/mass_matrix/constrained_mass.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "mechanism/dynamic_motion/watched_path.h"
+#include "mechanism/integration/watched_path.h"
 
 #include <algorithm>
 
@@ -47,15 +47,17 @@ void WatchedPath::choose() {
   }
   start_rate_.setZero(start_.size());
   end_rate_.setZero(end_.size());
-  dynamics_.position_rates(from_, start_, start_rate_);
-  dynamics_.position_rates(until_, end_, end_rate_);
+  const StateLayout& layout = equations_.layout();
+  layout.put_position_rates(start_, equations_.place(from_, start_),
+                            start_rate_);
+  layout.put_position_rates(end_, equations_.place(until_, end_), end_rate_);
   double of_dense = 0.0, of_cubic = 0.0;
   for (const double part : kLooks) {
     const double t = from_ + part * (until_ - from_);
     put_dense(t);
-    of_dense = std::max(of_dense, dynamics_.gap(t, state_));
+    of_dense = std::max(of_dense, projection_.gap(t, state_));
     put_cubic(t);
-    of_cubic = std::max(of_cubic, dynamics_.gap(t, state_));
+    of_cubic = std::max(of_cubic, projection_.gap(t, state_));
   }
   is_dense_ = of_dense <= of_cubic;
 }

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "mechanism/equations_of_motion/forward_dynamics.h"
+#include "mechanism/equations_of_motion/equations_of_motion.h"
 
 namespace clevis::mechanism {
 
@@ -13,8 +13,8 @@ struct ContactInertia {
   double force{};  ///< of all else that presses them together [N] or [N m]
 };
 
-/// Of a contact or an end of a stop, as of the last rate().
-ContactInertia contact_inertia(ForwardDynamics& dynamics, std::size_t element,
-                               int end);
+/// Of a contact or an end of a stop, as of the last solve().
+ContactInertia contact_inertia(EquationsOfMotion& equations,
+                               std::size_t element, int end);
 
 }  // namespace clevis::mechanism

@@ -1,4 +1,4 @@
-#include "mechanism/dynamic_motion/initial_state.h"
+#include "mechanism/integration/initial_state.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "mechanism/equations_of_motion/stick_slip.h"
+#include "mechanism/events/stick_slip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,12 +42,14 @@ constexpr double kTimesError = 1e3;
 }  // namespace
 
 StickSlip::StickSlip(ForwardDynamics& dynamics)
-    : dynamics_(dynamics),
-      forces_(dynamics.forces()),
-      scratch_(VectorXd::Zero(dynamics.size())) {}
+    : equations_(dynamics.equations()),
+      constraints_(equations_.constraints()),
+      projection_(dynamics.projection()),
+      scales_(dynamics.state_scales()),
+      forces_(equations_.forces()) {}
 
 void StickSlip::choose_modes(double t, const VectorXd& y) {
-  dynamics_.evaluate_loads(t, y);
+  equations_.evaluate_loads(t, y);
   forces_.choose_modes();
   settle(t, y);
 }
@@ -55,13 +57,14 @@ void StickSlip::choose_modes(double t, const VectorXd& y) {
 /// Lines whose speed is round-off come to rest together: friction in several
 /// joints of one loop.
 void StickSlip::rest_what_hardly_moves() {
-  const double fastest = std::max(dynamics_.largest_speed(),
-                                  dynamics_.speeds().lpNorm<Eigen::Infinity>());
+  const double fastest =
+      std::max(scales_.largest_speed(),
+               equations_.state().speeds.lpNorm<Eigen::Infinity>());
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     if (std::abs(forces_.element(k).modes[0]) != 1 || !forces_.is_dry(k)) {
       continue;
     }
-    const double size = dynamics_.row_scale(k);
+    const double size = constraints_.row_scale(k);
     if (size * std::abs(forces_.element(k).rate) <= kRoundOff * fastest) {
       forces_.set_mode(k, 0);
     }
@@ -70,31 +73,29 @@ void StickSlip::rest_what_hardly_moves() {
 
 void StickSlip::rest_or_turn(double t, VectorXd& y, std::size_t k) {
   if (!forces_.is_dry(k) || forces_.element(k).modes[0] != 0) return;
-  before_ = y;
-  dynamics_.project(t, y);
-  scratch_ = y - before_;
-  const double change =
-      scratch_.segment(dynamics_.velocity_index(), dynamics_.system().columns())
-          .lpNorm<Eigen::Infinity>();
-  if (change <= kTimesError * dynamics_.tolerance() * dynamics_.largest_speed())
+  const VectorXd before = y;
+  projection_.project(t, y);
+  const VectorXd moved = y - before;
+  const double change = equations_.layout().largest_speed(moved);
+  if (change <= kTimesError * scales_.tolerance() * scales_.largest_speed())
     return;
-  y = before_;
+  y = before;
   forces_.set_mode(k, kLetGo);
-  dynamics_.rate(t, y, scratch_);
+  equations_.solve(t, y);
   forces_.set_mode(k, line_acceleration(k) > 0.0 ? 1 : -1);
 }
 
 /// Size of accelerations, free bodies' among them, of which round-off is a
 /// part [m/s²].
 double StickSlip::acceleration_size() const {
-  const double speed = dynamics_.speeds().lpNorm<Eigen::Infinity>();
-  const std::vector<Twist>& wrenches = dynamics_.applied().wrenches();
-  double size = dynamics_.accelerations().lpNorm<Eigen::Infinity>() +
-                speed * speed / dynamics_.length();
+  const double speed = equations_.state().speeds.lpNorm<Eigen::Infinity>();
+  const std::vector<Twist>& wrenches = equations_.loads().wrenches();
+  double size = equations_.solution().accelerations.lpNorm<Eigen::Infinity>() +
+                speed * speed / equations_.layout().length();
   for (std::size_t i = 1; i < wrenches.size(); ++i) {
-    const double turning =
-        dynamics_.turn_factor(i).squaredNorm() / dynamics_.length();
-    size = std::max({size, wrenches[i].v.norm() / dynamics_.applied().mass(i),
+    const double turning = equations_.inertias().turn_factor(i).squaredNorm() /
+                           equations_.layout().length();
+    size = std::max({size, wrenches[i].v.norm() / equations_.inertias().mass(i),
                      wrenches[i].w.norm() * turning});
   }
   return size;
@@ -120,12 +121,12 @@ bool StickSlip::release_worst() {
   return true;
 }
 
-/// Acceleration of a line [m/s²], turns times length, as of rate().
+/// Acceleration of a line [m/s²], turns times length, as of solve().
 double StickSlip::line_acceleration(std::size_t k) const {
-  return dynamics_.row_scale(k) *
+  return constraints_.row_scale(k) *
          forces_.line_acceleration(
-             k, dynamics_.system().twists(dynamics_.accelerations()),
-             dynamics_.twists());
+             k, equations_.system().twists(equations_.solution().accelerations),
+             equations_.state().twists);
 }
 
 /// What the friction of a line at its most would do to its bodies if nothing
@@ -136,13 +137,14 @@ double StickSlip::free_acceleration(std::size_t k) const {
   const auto add = [&](int slot, const Twist& lever) {
     if (slot == 0) return;
     const auto at = static_cast<std::size_t>(slot);
-    sum += lever.v.squaredNorm() / dynamics_.applied().mass(at) +
-           lever.w.squaredNorm() * dynamics_.turn_factor(at).squaredNorm() /
-               (dynamics_.length() * dynamics_.length());
+    sum += lever.v.squaredNorm() / equations_.inertias().mass(at) +
+           lever.w.squaredNorm() *
+               equations_.inertias().turn_factor(at).squaredNorm() /
+               (equations_.layout().length() * equations_.layout().length());
   };
   add(e.line.a, e.levers.a);
   add(e.line.b, e.levers.b);
-  return dynamics_.row_scale(k) * sum * std::abs(e.effort);
+  return constraints_.row_scale(k) * sum * std::abs(e.effort);
 }
 
 /// A line at its most slips unless the others hold it, that is, unless it
@@ -156,12 +158,12 @@ bool StickSlip::judge_lines_at_their_most(double t, const VectorXd& y) {
         kRoundOff * std::max(free_acceleration(k), acceleration_size());
     const double a = line_acceleration(k);
     forces_.set_mode(k, kLetGo);
-    dynamics_.rate(t, y, scratch_);
+    equations_.solve(t, y);
     const double free = line_acceleration(k);
     const bool is_held = std::abs(free) <= round_off;
     const bool goes_back = a * mode < -2.0 * round_off;
     forces_.set_mode(k, is_held ? mode : goes_back ? 0 : mode / 2);
-    dynamics_.rate(t, y, scratch_);
+    equations_.solve(t, y);
     if (!is_held) return true;
   }
   return false;
@@ -169,18 +171,19 @@ bool StickSlip::judge_lines_at_their_most(double t, const VectorXd& y) {
 
 double StickSlip::first_step(double t, const VectorXd& y) {
   constexpr double kPart = 0.05, kLong = 0.01;
-  const double duration = dynamics_.length() / dynamics_.slowest_speed();
+  const double duration =
+      equations_.layout().length() / scales_.slowest_speed();
   double step = 0.0;
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     const ActingElement& e = forces_.element(k);
     const double zone = e.stribeck_zone();
     if (!(zone > 0.0) || e.modes[1] != 1 || std::abs(e.modes[0]) != 1) continue;
-    dynamics_.rate(t, y, scratch_);
+    equations_.solve(t, y);
     const double a =
-        e.is_line()
-            ? std::abs(line_acceleration(k)) / dynamics_.row_scale(k)
-            : forces_.sliding_acceleration(
-                  k, dynamics_.system().twists(dynamics_.accelerations()));
+        e.is_line() ? std::abs(line_acceleration(k)) / constraints_.row_scale(k)
+                    : forces_.sliding_acceleration(
+                          k, equations_.system().twists(
+                                 equations_.solution().accelerations));
     const double through = kPart * zone / std::max(a, 1e-300);
     if (through > kLong * duration) continue;
     step = step > 0.0 ? std::min(step, through) : through;
@@ -189,11 +192,11 @@ double StickSlip::first_step(double t, const VectorXd& y) {
 }
 
 void StickSlip::settle(double t, const VectorXd& y) {
-  dynamics_.rate(t, y, scratch_);
+  equations_.solve(t, y);
   rest_what_hardly_moves();
   const std::size_t most = 6 * forces_.size() + 2;
   for (std::size_t tries = 0; tries < most; ++tries) {
-    dynamics_.rate(t, y, scratch_);
+    equations_.solve(t, y);
     if (!yield_one_of_several(t, y) && !free_what_cannot_stick(t, y) &&
         !release_worst() && !judge_lines_at_their_most(t, y)) {
       return;
@@ -205,17 +208,17 @@ void StickSlip::settle(double t, const VectorXd& y) {
 /// By row, how drives begin to move, at once or within a moment; else 0.
 VectorXd StickSlip::beginning_of_drives(double t) const {
   const double soon =
-      t + kMoment * dynamics_.length() / dynamics_.slowest_speed();
-  VectorXd rates = VectorXd::Zero(dynamics_.row_rates().size());
-  const ConstraintSystem& system = dynamics_.system();
-  for (std::size_t k = 0; k < dynamics_.drives().size(); ++k) {
+      t + kMoment * equations_.layout().length() / scales_.slowest_speed();
+  const std::vector<DriveDefinition>& drives = equations_.drives().drives();
+  VectorXd rates = VectorXd::Zero(constraints_.rows());
+  const ConstraintSystem& system = equations_.system();
+  for (std::size_t k = 0; k < drives.size(); ++k) {
     const Index row = system.joint_rows() + static_cast<Index>(k);
-    const double now = dynamics_.row_rates()[row];
+    const double now = equations_.targets().row_rates[row];
     const double scale =
         system.scale(system.row_list()[static_cast<std::size_t>(row)]);
     const double later =
-        scale *
-        drive_target(dynamics_.drives()[k], soon, BendSide::kBefore).rate;
+        scale * drive_target(drives[k], soon, BendSide::kBefore).rate;
     if (std::abs(now) <= kRoundOff * std::abs(later)) rates[row] = later;
   }
   return rates;
@@ -225,25 +228,28 @@ VectorXd StickSlip::beginning_of_drives(double t) const {
 /// begin to: as these push, the first to reach its most gives that.
 /// @return whether there was one.
 bool StickSlip::yield_one_of_several(double t, const VectorXd& y) {
-  if (dynamics_.mass().rank() == dynamics_.row_rates().size()) return false;
-  const MatrixXd free = dynamics_.open_multipliers();
+  if (constraints_.mass().rank() == constraints_.rows()) return false;
+  const MatrixXd free = constraints_.open_multipliers();
   // multipliers grow along what the rows ask beyond what they can have
-  VectorXd push = free * (free.transpose() * dynamics_.row_accelerations());
+  VectorXd push =
+      free * (free.transpose() * equations_.solution().row_accelerations.head(
+                                     constraints_.rows()));
   if (push.lpNorm<Eigen::Infinity>() <= kRoundOff * acceleration_size()) {
     push = free * (free.transpose() * beginning_of_drives(t));
   }
   // what joints and drives still do counts before what they will do
-  const VectorXd going = free * (free.transpose() * dynamics_.row_rates());
-  const bool goes_on =
-      going.dot(push) < 0.0 && going.norm() > kRoundOff * dynamics_.length() /
-                                                  dynamics_.slowest_speed() *
-                                                  push.norm();
+  const VectorXd going =
+      free * (free.transpose() *
+              equations_.targets().row_rates.head(constraints_.rows()));
+  const bool goes_on = going.dot(push) < 0.0 &&
+                       going.norm() > kRoundOff * equations_.layout().length() /
+                                          scales_.slowest_speed() * push.norm();
   if (goes_on) push = going;
   std::size_t first = forces_.size();
   const int mode = first_at_its_most(push, first);
   if (mode == 0) return false;
   forces_.set_mode(first, goes_on ? mode / 2 : mode);
-  dynamics_.rate(t, y, scratch_);
+  equations_.solve(t, y);
   return true;
 }
 
@@ -255,15 +261,15 @@ int StickSlip::first_at_its_most(const VectorXd& push,
   const double least_part = kTakesPart * push.norm();
   double least = std::numeric_limits<double>::infinity();
   int mode = 0, taking_part = 0;
-  Index row = dynamics_.system().rows();
+  Index row = equations_.system().rows();
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     if (!forces_.brings_row(k)) continue;
     const double along = push[row++];
     if (!forces_.sticks(k) || !(std::abs(along) > least_part)) continue;
     ++taking_part;
     const double most = std::copysign(forces_.breakaway(k), along);
-    const double way =
-        (most - forces_.element(k).effort) / (dynamics_.row_scale(k) * along);
+    const double way = (most - forces_.element(k).effort) /
+                       (constraints_.row_scale(k) * along);
     if (way >= least) continue;
     least = way;
     first = k;
@@ -272,7 +278,7 @@ int StickSlip::first_at_its_most(const VectorXd& push,
   return taking_part < 2 ? 0 : mode;
 }
 
-/// Whether joints and drives alone fix the speed of a line; the last rate() is
+/// Whether joints and drives alone fix the speed of a line; the last solve() is
 /// then that without what sticks.
 bool StickSlip::is_carried(double t, const VectorXd& y, std::size_t k) {
   std::vector<std::size_t> others;
@@ -281,11 +287,11 @@ bool StickSlip::is_carried(double t, const VectorXd& y, std::size_t k) {
   }
   for (const std::size_t i : others) forces_.set_mode(i, kLetGo);
   forces_.set_mode(k, 0);
-  dynamics_.rate(t, y, scratch_);
-  const int with = dynamics_.mass().rank();
+  equations_.solve(t, y);
+  const int with = constraints_.mass().rank();
   forces_.set_mode(k, kLetGo);
-  dynamics_.rate(t, y, scratch_);
-  const int without = dynamics_.mass().rank();
+  equations_.solve(t, y);
+  const int without = constraints_.mass().rank();
   for (const std::size_t i : others) forces_.set_mode(i, 0);
   return with == without;
 }
@@ -300,10 +306,10 @@ int StickSlip::mode_of_dependent_line(double t, const VectorXd& y,
   const bool carried = is_carried(t, y, k);
   const double a = carried ? line_acceleration(k) : beside_others;
   // slower, it is left to the event of leaving rest
-  const double clear = carried
-                           ? kClearTurn * dynamics_.largest_speed() *
-                                 dynamics_.largest_speed() / dynamics_.length()
-                           : 0.0;
+  const double clear = carried ? kClearTurn * scales_.largest_speed() *
+                                     scales_.largest_speed() /
+                                     equations_.layout().length()
+                               : 0.0;
   if (std::abs(a) > std::max(kRoundOff * size, clear)) return a > 0.0 ? 1 : -1;
   return carried ? kLetGo : 0;
 }
@@ -312,13 +318,14 @@ int StickSlip::mode_of_dependent_line(double t, const VectorXd& y,
 bool StickSlip::free_what_cannot_stick(double t, const VectorXd& y) {
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     if (!forces_.sticks(k)) continue;
-    const int rank = dynamics_.mass().rank();
+    const int rank = constraints_.mass().rank();
     forces_.set_mode(k, kLetGo);
-    dynamics_.rate(t, y, scratch_);
-    const int mode =
-        dynamics_.mass().rank() == rank ? mode_of_dependent_line(t, y, k) : 0;
+    equations_.solve(t, y);
+    const int mode = constraints_.mass().rank() == rank
+                         ? mode_of_dependent_line(t, y, k)
+                         : 0;
     forces_.set_mode(k, mode);
-    dynamics_.rate(t, y, scratch_);
+    equations_.solve(t, y);
     if (mode != 0) return true;
   }
   return false;

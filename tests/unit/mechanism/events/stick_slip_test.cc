@@ -1,10 +1,11 @@
-#include "mechanism/equations_of_motion/stick_slip.h"
+#include "mechanism/events/stick_slip.h"
 
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "mechanism/dynamic_state/centre_frame.h"
 #include "support/reference_motions.h"
 
 namespace clevis::mechanism {
@@ -37,27 +38,31 @@ struct Chosen {
       : definition(m),
         frame(frame_at_centres(definition)),
         dynamics(definition, frame, 1e-8, 1.0),
-        y(dynamics.start(frame.placement)),
+        equations(dynamics.equations()),
+        y(equations.start(frame.placement)),
         rate(VectorXd::Zero(dynamics.size())) {
-    y[dynamics.velocity_index()] = speed;
-    dynamics.project(0.0, y);
+    y[equations.layout().velocity_index()] = speed;
+    dynamics.projection().project(0.0, y);
     dynamics.note_speed(y);
     StickSlip(dynamics).choose_modes(0.0, y);
     dynamics.rate(0.0, y, rate);
   }
 
   int mode(std::size_t k) const {
-    return dynamics.forces().element(k).modes[0];
+    return equations.forces().element(k).modes[0];
   }
   double effort(std::size_t k) const {
-    return dynamics.forces().element(k).effort;
+    return equations.forces().element(k).effort;
   }
   /// Of the first slider [m/s²].
-  double acceleration() const { return rate[dynamics.velocity_index()]; }
+  double acceleration() const {
+    return rate[equations.layout().velocity_index()];
+  }
 
   MechanismDefinition definition;
   SolvingFrame frame;
   ForwardDynamics dynamics;
+  EquationsOfMotion& equations;
   VectorXd y, rate;
 };
 

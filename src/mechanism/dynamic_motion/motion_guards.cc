@@ -1,0 +1,133 @@
+#include "mechanism/dynamic_motion/motion_guards.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/SVD>
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "base/index.h"
+#include "mechanism/definition/drive_names.h"
+#include "mechanism/drives/drive_law.h"
+#include "mechanism/reactions/reaction_friction.h"
+
+namespace clevis::mechanism {
+
+using Eigen::VectorXd;
+
+bool MotionGuards::are_events_crowded(double t) {
+  constexpr int kMost = 200;
+  const double crowd = 1e-9 * model_.settings.duration;
+  crowded_events_ = t - last_event_ < crowd ? crowded_events_ + 1 : 0;
+  last_event_ = t;
+  return crowded_events_ >= kMost;
+}
+
+void MotionGuards::refuse_crowded_events(double t) {
+  throw Error("K008", "mechanism",
+              fmt::format("at t = {:.9g} s events of contact or friction "
+                          "follow one another without end",
+                          t),
+              "give the contact damping, or the friction model = "
+              "\"regularized\"");
+}
+
+void MotionGuards::require_closed(double t, double gap) {
+  constexpr double kClosed = 1e-6;
+  const double allowed = std::max(kClosed, model_.settings.tolerance);
+  if (gap <= allowed * model_.frame.length) return;
+  refuse_dead_end();
+  throw Error("K012", "mechanism",
+              fmt::format("at t = {:.9g} s joints or drives gape by {:.3g} mm: "
+                          "the integration failed",
+                          t, 1e3 * gap),
+              "ask for a stricter tolerance, and look for drives or joints "
+              "that contradict one another");
+}
+
+void MotionGuards::require_resisting_friction(const VectorXd& y) {
+  ForceModel& forces = model_.equations.forces();
+  if (forces.empty()) return;
+  model_.equations.evaluate_forces(integrator_.t(), y);
+  const std::size_t k = forces.line_against_its_mode();
+  if (k == forces.size()) return;
+  const ForceElement& element = model_.definition.elements[k];
+  throw Error("K012", place_of(element),
+              fmt::format("at t = {:.9g} s friction {} moves its line instead "
+                          "of resisting: the integration failed",
+                          integrator_.t(), name_of(element)),
+              "ask for a stricter tolerance, or give the friction model = "
+              "\"regularized\"");
+}
+
+/// The combination of rows that is nearest to vanishing.
+MotionGuards::WeakestRows MotionGuards::weakest_rows() {
+  constexpr double kBeside = 1e-2;  // of the largest singular value
+  const ConstraintSystem& system = model_.equations.system();
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(system.rows(), system.columns());
+  const MechanismState& state =
+      model_.equations.place(integrator_.t(), integrator_.y());
+  system.fill_jacobian(state.placed, J);
+  const int rank = change_points_.rank();
+  if (rank < 1) return {};
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU);
+  const VectorXd& values = svd.singularValues();
+  return {values[rank - 1] < kBeside * values[0], svd.matrixU().col(rank - 1)};
+}
+
+void MotionGuards::refuse_dead_end() {
+  constexpr double kPart = 0.1;
+  const MechanismDefinition& definition = model_.definition;
+  const WeakestRows weakest = weakest_rows();
+  if (!weakest.beside || definition.drives.empty()) return;
+  const ConstraintSystem& system = model_.equations.system();
+  const auto count = static_cast<Eigen::Index>(definition.drives.size());
+  const double t = integrator_.t();
+  VectorXd rates(count), positions(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const DriveTarget target = drive_target(definition.drives[index(k)], t);
+    const auto row = index(system.joint_rows() + k);
+    rates[k] = system.scale(system.row_list()[row]) * target.rate;
+    positions[k] = target.position;
+  }
+  const double against = weakest.row.tail(count).dot(rates);
+  if (!(std::abs(against) > kPart * rates.norm())) return;
+  throw Error("K004", "mechanism",
+              fmt::format("at t = {:.6g} s the mechanism stops at {}: beyond "
+                          "it no position continues the motion",
+                          t, drives_at(definition, positions, 6)),
+              "reduce the range of the drive, or correct the lengths");
+}
+
+void MotionGuards::refuse_stuck() {
+  if (model_.equations.jams()) refuse_jam(integrator_.t());
+  refuse_dead_end();
+  const bool beside = weakest_rows().beside;
+  throw Error(
+      "K008", "mechanism",
+      fmt::format("at t = {:.9g} s no step is short enough{}", integrator_.t(),
+                  beside ? ": beside a change point, where rigid "
+                           "reactions, and friction that follows "
+                           "them, grow without bound"
+                         : ""),
+      beside ? "give the friction itself, change the lengths so that "
+               "the change point is not met, or end the motion before"
+             : "look for forces or lengths of a wrong order of size");
+}
+
+void MotionGuards::require_few_evaluations() const {
+  constexpr long kMost = 20'000'000;
+  const numerics::StepCounts& counts = integrator_.counts();
+  if (counts.evaluations < kMost) return;
+  throw Error(
+      "K008", "mechanism",
+      fmt::format("{} evaluations in {} steps by {} have only reached "
+                  "t = {:.9g} s of {:.9g} s",
+                  counts.evaluations, counts.steps, integrator_.method(),
+                  integrator_.t(), model_.settings.duration),
+      "ask for a shorter motion or a looser tolerance, soften what is "
+      "stiff, or try another `integrator`");
+}
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "mechanism/dynamic_motion/dynamic_change_points.h"
+#include "mechanism/integration/dynamic_model.h"
+#include "mechanism/integration/motion_integrator.h"
+
+namespace clevis::mechanism {
+
+/// What ends an integrated motion before its time. Times [s].
+class MotionGuards {
+ public:
+  /// @param model, change_points, integrator  of the run; outlive this.
+  MotionGuards(DynamicModel& model, const DynamicChangePoints& change_points,
+               const MotionIntegrator& integrator)
+      : model_(model), change_points_(change_points), integrator_(integrator) {}
+
+  /// Notes an event. @return whether too many follow one another too closely.
+  bool are_events_crowded(double t);
+  /// @throws Error K008, always.
+  [[noreturn]] void refuse_crowded_events(double t);
+  /// The integrator found no step short enough. @throws Error K008, or for
+  ///   its reason K004 or K011; always.
+  [[noreturn]] void refuse_stuck();
+  /// Where what drives go on to do meets rows that fade, no position leads on.
+  /// @throws Error K004 there.
+  void refuse_dead_end();
+  /// @param gap  of joints and drives at t [m]. @throws Error K012, or K004 for
+  ///   its reason.
+  void require_closed(double t, double gap);
+  /// Friction at rest holds, friction that slips resists.
+  /// @param y  at the end of the integrator's step. @throws Error K012.
+  void require_resisting_friction(const Eigen::VectorXd& y);
+  /// A motion that would take hours is refused with what it is stuck at.
+  /// @throws Error K008.
+  void require_few_evaluations() const;
+
+ private:
+  struct WeakestRows {
+    bool beside = false;  ///< a change point
+    Eigen::VectorXd row;  ///< combination of J's rows, of length 1
+  };
+  WeakestRows weakest_rows();
+
+  DynamicModel& model_;
+  const DynamicChangePoints& change_points_;
+  const MotionIntegrator& integrator_;
+  int crowded_events_ = 0;
+  double last_event_ = -1.0;
+};
+
+}  // namespace clevis::mechanism
