@@ -18,6 +18,7 @@
 #include "app/request/options.h"
 #include "assessment/job/model_traits.h"
 #include "base/quantity.h"
+#include "elasticity/problem/engine.h"
 #include "scene/text/name_index.h"
 #include "scene/text/suggestion.h"
 
@@ -140,6 +141,17 @@ std::string about_models() {
   return text;
 }
 
+void add_engine(CLI::App& command, Parsed& parsed) {
+  const std::vector<std::string> words(elasticity::kEngineWords.begin(),
+                                       elasticity::kEngineWords.end());
+  command
+      .add_option("--engine", parsed.options.engine,
+                  fmt::format("who solves plane stress and 3-D: {} [auto]",
+                              fmt::join(words, ", ")))
+      ->type_name("ENGINE")
+      ->check(CLI::IsMember(words));
+}
+
 void add_check(CLI::App& app, Parsed& parsed) {
   CLI::App* command = app.add_subcommand(
       "check", "does every part hold over the motion and its cases?");
@@ -163,6 +175,7 @@ void add_check(CLI::App& app, Parsed& parsed) {
           fmt::format("force a model: {} [auto]", fmt::join(words, ", ")))
       ->type_name("MODEL")
       ->check(CLI::IsMember(words));
+  add_engine(*command, parsed);
   command->footer(about_models());
   command->callback([&parsed, command] {
     parsed.run = [&parsed, command] {
@@ -206,6 +219,7 @@ void add_study(CLI::App& app, Parsed& parsed) {
   command->add_flag("--every-instant", parsed.options.every_instant,
                     "CalculiX solves all instants, a step for each, not only "
                     "the governing one");
+  add_engine(*command, parsed);
   command->callback([&parsed] {
     parsed.run = [&parsed] {
       return study_command(parsed.options);

@@ -4,8 +4,12 @@
 #include <span>
 #include <string_view>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "app/command_line.h"
 #include "app/error_output.h"
+#include "base/mpi_run.h"
 
 namespace {
 
@@ -19,6 +23,18 @@ clevis::ExitCode run(int argc, const char* const* argv) {
                 "Check that the disk is not full.");
   }
   return code;
+}
+
+/// Under mpirun all but `check` is the first rank's work, and only that rank
+/// speaks.
+/// @return whether this rank has nothing to do.
+bool stands_aside(std::span<const char* const> arguments) {
+  if (clevis::mpi_rank() == 0) return false;
+  const int nowhere = open("/dev/null", O_WRONLY);
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+  close(nowhere);
+  return arguments.size() < 2 || std::string_view(arguments[1]) != "check";
 }
 
 int fail(const Error& error, std::span<const char* const> arguments) {
@@ -37,6 +53,7 @@ int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
   const std::span<const char* const> arguments(argv,
                                                static_cast<std::size_t>(argc));
+  if (stands_aside(arguments)) return 0;
   try {
     return static_cast<int>(run(argc, argv));
   } catch (const Error& error) {

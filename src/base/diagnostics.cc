@@ -54,11 +54,14 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"F004", kResourceLimit, "memory forecast above the machine's",
      "The factorisation would need more memory than the machine has. Mesh the "
      "part coarser."},
-    {"F005", kModelInvalid, "model does not fit the part",
-     "The model that --model asks for does not suit the part, its loads or its "
-     "supports; the message says why, `clevis check --help` what each model "
-     "suits. Beds (`foundation`) are known to 3-D only, and not to CalculiX. "
-     "Leave --model out: clevis takes the cheapest model that suits."},
+    {"F005", kModelInvalid, "model or engine does not fit the part",
+     "The model that --model or the engine that --engine asks for does not "
+     "suit "
+     "the part, its loads or its supports; the message says why, `clevis check "
+     "--help` what each model suits. deal.II solves plane stress and 3-D of "
+     "quadrangles and hexahedra. Beds (`foundation`) are known to 3-D only, "
+     "and not to CalculiX. "
+     "Leave the option out: clevis takes the cheapest that suits."},
     {"F006", kModelInvalid, "strike cannot be computed",
      "A striker needs a mass, a speed or a force towards the part, and a "
      "contact spring with a stiffness above zero. A Hertz contact (exponent "

@@ -84,6 +84,7 @@ Run run_once(PartJob job, const Series& series, int degree, int instant) {
   Stopwatch total;
   Stopwatch watch;
   assessment::PartSeconds seconds;
+  job.engine = series.engine;
   job.mesh = mesh::read_part_mesh(job.part.mesh, job.part.length_unit,
                                   job.part.thickness);
   if (series.is_halved) job.mesh = mesh::split_cells(job.mesh, 2);
@@ -103,9 +104,15 @@ Run run_once(PartJob job, const Series& series, int degree, int instant) {
   return run;
 }
 
-/// Each number of terms of a model; one series of a model without.
-std::vector<Series> series_of(const assessment::ModelTraits& model) {
+/// Each number of terms of a model; one series of a model without, and one by
+/// deal.II where that has it.
+std::vector<Series> series_of(const assessment::ModelTraits& model,
+                              mesh::CellShape shape) {
   std::vector<Series> series;
+  if (model.on_dealii && shape == mesh::CellShape::kTensor) {
+    series.push_back(
+        {.model = model.kind, .engine = elasticity::Engine::kDealii});
+  }
   for (int terms = model.fewest_terms; terms <= model.most_terms; ++terms) {
     series.push_back({.model = model.kind, .terms = terms});
   }
@@ -139,10 +146,12 @@ std::string series_name(const Series& series) {
   const std::string name =
       series.terms > 0 ? fmt::format("2-D x {0}+{0} terms", series.terms)
                        : std::string(traits_of(series.model).name);
-  return series.is_halved ? name + ", cells halved" : name;
+  return name +
+         (series.engine == elasticity::Engine::kDealii ? ", deal.II" : "") +
+         (series.is_halved ? ", cells halved" : "");
 }
 
-std::vector<Series> series_of(const PartJob& job) {
+std::vector<Series> series_of(const PartJob& job, elasticity::Engine engine) {
   PartJob free_choice = job;
   free_choice.model.reset();
   const assessment::PartShape shape(free_choice);
@@ -154,11 +163,18 @@ std::vector<Series> series_of(const PartJob& job) {
   }
   std::vector<Series> series;
   for (const auto* model : models) {
-    for (const Series& each : series_of(model->traits)) series.push_back(each);
+    for (const Series& each : series_of(model->traits, job.mesh.shape)) {
+      series.push_back(each);
+    }
   }
   if (job.mesh.shape == mesh::CellShape::kTensor) {
     series.push_back(series.back());
     series.back().is_halved = true;
+  }
+  if (engine != elasticity::Engine::kAuto) {
+    std::erase_if(series, [&](const Series& each) {
+      return each.engine != engine;
+    });
   }
   return series;
 }

@@ -5,6 +5,7 @@
 
 #include "assessment/job/model_traits.h"
 #include "assessment/job/part_job.h"
+#include "elasticity/problem/engine.h"
 #include "study/run.h"
 
 namespace clevis::study {
@@ -14,15 +15,20 @@ struct Series {
   assessment::ModelKind model{};
   int terms{};             ///< through the thickness; 0 of a model without
   bool is_halved = false;  ///< every cell's edges cut in two
+  elasticity::Engine engine = elasticity::Engine::kOwn;
 };
 
 /// What a series is called in tables and plots.
 std::string series_name(const Series& series);
 
 /// The series of a part: each model that suits it, with each number of terms,
-/// the finest last; of a mesh of hexahedra that on halved cells too. A part
-/// whose supports leave it free across its plane has plane models only.
-std::vector<Series> series_of(const assessment::PartJob& job);
+/// the finest last, plane stress and 3-D by either engine; of a mesh of
+/// hexahedra the finest on halved cells too. A part whose supports leave it
+/// free across its plane has plane models only.
+/// @param engine  kAuto: both; else only what this one solves.
+std::vector<Series> series_of(
+    const assessment::PartJob& job,
+    elasticity::Engine engine = elasticity::Engine::kAuto);
 
 /// The names of those series that tend to what the part's loads truly do: of
 /// models without an error of their own; of a plane problem all.

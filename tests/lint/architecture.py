@@ -84,6 +84,7 @@ ROOMS = {
         "mirror_symmetry": "symmetric parts, solved on one side of their mirrors",
         "lanes": "kernels over several cells at once (SIMD), threads",
         "multigrid": "large parts without a matrix",
+        "dealii": "the other engine: deal.II's matrix-free stiffness and multigrid, PETSc below",
         "solid": "plane stress and 3-D: solve, neighbourhoods, compliance of seats",
         "plate": "terms through the thickness of a plate",
         "revolution": "Fourier terms about an axis",
@@ -142,11 +143,11 @@ PUBLIC = {
             " cells/topology derived/graded_mesh derived/quadrangles"
             " derived/revolution derived/split_cells derived/sub_mesh"
             " gmsh/gmsh_element quality/mass_properties reading/mesh_reader",
-    "elasticity": "algebra/dense_product assembly/stiffness assembly/supports"
+    "elasticity": "algebra/dense_product algebra/rank_team assembly/stiffness assembly/supports"
                   " buckling/buckling fe_space/discretization fe_space/group_trace"
                   " fe_space/tabulation nodal_loads/load_vectors plate/layered_solve"
                   " plate/plate_layer problem/displacement_basis"
-                  " problem/elastic_problem revolution/revolution_solve"
+                  " problem/elastic_problem problem/engine revolution/revolution_solve"
                   " solid/neighbourhood solid/open_reactions solid/plane_loads"
                   " solid/seat_compliance solid/solid_solve vibration/eigenmodes"
                   " vibration/load_vibration vibration/strike_response",

@@ -114,8 +114,15 @@ def contract(clevis, root, checks):
         series = {r["series"] for r in part["runs"] if "left_out" not in r}
         checks.expect({"plane stress", "2-D x 2+2 terms", "2-D x 3+3 terms",
                        "2-D x 4+4 terms", "axisymmetric", "3-D",
+                       "plane stress, deal.II", "3-D, deal.II",
                        "3-D, cells halved", "clevis check"} == series,
                       "every model is there", series)
+        peaks = {(r["series"], r["setting"]): r["peak_MPa"] for r in part["runs"]
+                 if "left_out" not in r}
+        for (name, setting), peak in peaks.items():
+            own = peaks.get((name.removesuffix(", deal.II"), setting))
+            checks.expect(abs(peak / own - 1) < 1e-8,
+                          f"{name}, {setting}: the peak of either engine", (peak, own))
         checks.expect(not any(s.startswith("CalculiX") for s in series),
                       "no CalculiX without ccx", series)
         # Lame: u(r) of a ring, plane stress; sigma peaks at the bore.

@@ -13,6 +13,7 @@
 #include "elasticity/algebra/sparse_cholesky.h"
 #include "elasticity/assembly/stiffness.h"
 #include "elasticity/assembly/supports.h"
+#include "elasticity/dealii/dealii_solver.h"
 #include "elasticity/fe_space/tabulation.h"
 #include "elasticity/nodal_loads/load_vectors.h"
 #include "elasticity/problem/displacement_basis.h"
@@ -159,7 +160,7 @@ Eigen::MatrixXd field_load(
   return load;
 }
 
-/// One load case of field_load.
+/// One load case of field_load, by the problem's engine.
 /// @param held  components held at zero instead of the problem's supports.
 template <int dim>
 elasticity::DisplacementBasis<dim> solve_field(
@@ -178,9 +179,17 @@ elasticity::DisplacementBasis<dim> solve_field(
                : elasticity::fixed_supports(discretization, positions,
                                             problem.fixed, problem.name);
   }
-  basis.columns = solve_held<dim>(
-      elasticity::assemble_stiffness(discretization, problem.material, "test"),
-      load, held);
+  if (problem.engine == elasticity::Engine::kDealii) {
+    const elasticity::FoundationStiffness<dim> none(discretization, {}, "test");
+    basis.columns = elasticity::DealiiSolver<dim>(
+                        discretization, problem.material, none, held, "test")
+                        .solve(load);
+  } else {
+    basis.columns =
+        solve_held<dim>(elasticity::assemble_stiffness(
+                            discretization, problem.material, "test"),
+                        load, held);
+  }
   basis.coefficients = Eigen::MatrixXd::Ones(1, 1);
   return basis;
 }

@@ -15,6 +15,7 @@ struct Options {
   std::filesystem::path out;        ///< empty: results/<scene>
   bool json = false;                ///< stdout is one JSON document
   std::string model = "auto";       ///< or a word of assessment::kModels
+  std::string engine = "auto";      ///< or a word of elasticity::kEngineWords
   int jobs = 0;                     ///< parts in parallel; 0: one per core
   std::string elements = "C3D20R";  ///< CalculiX's hexahedra
   int split = 0;                    ///< pieces of each hexahedron's edges; 0:

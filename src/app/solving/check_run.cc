@@ -14,10 +14,12 @@
 #include "app/parts/part_jobs.h"
 #include "app/parts/solver_jobs.h"
 #include "app/processes/error_text.h"
+#include "app/processes/rank_jobs.h"
 #include "app/processes/worker_pool.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
 #include "assessment/part_check.h"
+#include "base/mpi_run.h"
 #include "base/stopwatch.h"
 #include "loads/part_loads.h"
 #include "machine/bearing_life.h"
@@ -42,21 +44,27 @@ using assessment::PartJob;
 constexpr char kResult = 'R';
 constexpr char kRefusal = 'E';
 
-/// Runs in a worker process: checks the part and writes its fields.
+/// Runs in a worker process or a rank: checks the part and writes its fields;
+/// of a part that all ranks check, the first one's.
 std::string check_one(const PartJob& job,
                       const std::optional<MovingPart>& moving,
+                      const elasticity::RankTeam* team,
                       const fs::path& folder) {
   try {
     assessment::PartAssessment assessment = assessment::check_part(job);
     Stopwatch watch;
-    write_part_files(assessment, moving, job.part.material.yield_strength,
-                     folder);
+    if (!job.is_shared || mpi_rank() == 0) {
+      write_part_files(assessment, moving, job.part.material.yield_strength,
+                       folder);
+    }
     assessment.result.seconds.write = watch.lap();
     assessment.result.seconds.total += assessment.result.seconds.write;
     return kResult + report::encode(assessment.result);
   } catch (const Error& error) {
     return kRefusal + encode_error(error);
   } catch (const std::bad_alloc&) {
+    // The other ranks wait for this one in a sum, not for its text.
+    if (job.is_shared) team->abort(static_cast<int>(ExitCode::kResourceLimit));
     return kRefusal +
            encode_error(Error(
                "F004", "part " + job.part.name, "the memory ran out",
@@ -95,27 +103,18 @@ void take_outcome(const WorkerOutcome& outcome, const std::string& part,
   }
 }
 
-/// Checks all parts, `--jobs` at a time; results in the scene's order.
-void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
-                 std::vector<PartJob> jobs, const Options& options,
-                 const fs::path& folder, report::CheckReport& report) {
-  std::vector<std::string> order;
-  for (const auto& job : jobs) order.push_back(job.part.name);
-  longest_first(jobs);
+/// By processes, `--jobs` at a time, with progress on stderr.
+std::vector<WorkerOutcome> run_on_processes(
+    const std::vector<PartJob>& jobs, const Options& options,
+    const std::function<std::string(std::size_t)>& check) {
   const auto cores = std::max(1U, std::thread::hardware_concurrency());
   const int processes =
       options.jobs > 0 ? options.jobs : static_cast<int>(cores);
   report::Progress progress(std::cerr, isatty(STDERR_FILENO) != 0
                                            ? report::Progress::Stream::kTerminal
                                            : report::Progress::Stream::kLog);
-  const auto outcomes = run_workers(
-      jobs.size(), processes,
-      [&](std::size_t index) {
-        const auto body = loaded.body_of(jobs[index].part.name);
-        std::optional<MovingPart> moving;
-        if (body != mechanism::kGround) moving = MovingPart{&motion, body};
-        return check_one(jobs[index], moving, folder);
-      },
+  auto outcomes = run_workers(
+      jobs.size(), processes, check,
       [&](std::size_t done, const std::vector<std::size_t>& running) {
         std::string names;
         for (const std::size_t index : running) {
@@ -125,6 +124,29 @@ void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
                         "checking " + names);
       });
   progress.clear();
+  return outcomes;
+}
+
+/// Checks all parts, on the ranks of a team if there is one; results in the
+/// scene's order.
+void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
+                 std::vector<PartJob> jobs, const Options& options,
+                 const elasticity::RankTeam* team, const fs::path& folder,
+                 report::CheckReport& report) {
+  std::vector<std::string> order;
+  for (const auto& job : jobs) order.push_back(job.part.name);
+  longest_first(jobs);
+  const auto check = [&](std::size_t index) {
+    const auto body = loaded.body_of(jobs[index].part.name);
+    std::optional<MovingPart> moving;
+    if (body != mechanism::kGround) moving = MovingPart{&motion, body};
+    return check_one(jobs[index], moving, team, folder);
+  };
+  if (team != nullptr) choose_shared(jobs);
+  const auto outcomes = team != nullptr
+                            ? run_on_ranks(*team, jobs, check)
+                            : run_on_processes(jobs, options, check);
+  if (mpi_rank() > 0) return;
   report::remove_unfinished(folder);  // of workers that were stopped or died
   for (const auto& name : order) {
     const auto job = std::ranges::find(jobs, name, [](const PartJob& j) {
@@ -162,7 +184,7 @@ ExitCode run_check(const Options& options) {
   Stopwatch watch;
   const InterruptGuard guard;
   const fs::path folder = output_folder(options);
-  remove_previous_run(folder);
+  if (mpi_rank() == 0) remove_previous_run(folder);
   report::CheckReport report;
   report.version = CLEVIS_VERSION;
   LoadedScene loaded = load_scene(options.scene);
@@ -192,11 +214,16 @@ ExitCode run_check(const Options& options) {
                 options.tolerance.value_or(loaded.scene.peak_stress_tolerance));
   for (auto& job : jobs) {
     job.model = assessment::find_model(options.model);
+    job.engine = elasticity::find_engine(options.engine).value();
     report.limits.emplace(job.part.name, job.part.limits);
   }
   report.seconds.emplace_back("loads", watch.lap());
 
-  check_parts(loaded, loading, std::move(jobs), options, folder, report);
+  std::optional<elasticity::RankTeam> team;
+  if (mpi_ranks() > 1) team.emplace();
+  check_parts(loaded, loading, std::move(jobs), options,
+              team ? &*team : nullptr, folder, report);
+  if (mpi_rank() > 0) return ExitCode::kPass;  // the first one tells
   report.seconds.emplace_back("parts", watch.lap());
 
   const auto moving = moving_parts(loaded, report);

@@ -64,8 +64,8 @@ std::vector<std::optional<study::Governing>> governing_loads(
 }
 
 void plan_clevis(std::size_t part, const PartJob& job, int instant,
-                 std::vector<PlannedRun>& plan) {
-  for (const study::Series& series : study::series_of(job)) {
+                 elasticity::Engine engine, std::vector<PlannedRun>& plan) {
+  for (const study::Series& series : study::series_of(job, engine)) {
     const int highest = assessment::traits_of(series.model).highest_degree;
     for (int degree = 1; degree <= highest; ++degree) {
       plan.push_back({part, study::series_name(series),
@@ -191,7 +191,8 @@ ExitCode run_study(const Options& options) {
         jobs.emplace_back(study::governed_job(solver.jobs[p], *governing[p]));
     const std::size_t part = result.parts.size();
     result.parts.push_back(empty_study(job, *governing[p]));
-    plan_clevis(part, job, governing[p]->instant, plan);
+    plan_clevis(part, job, governing[p]->instant,
+                elasticity::find_engine(options.engine).value(), plan);
     if (calculix) {
       plan_calculix(part, job, governing[p]->instant, options, plan);
     }

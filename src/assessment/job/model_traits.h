@@ -24,6 +24,7 @@ struct ModelTraits {
   bool answers_in_time{};  ///< to impacts, and to loads that excite vibration
   /// Whether higher degrees lead to the solution of 3-D elasticity.
   bool is_exact{};
+  bool on_dealii{};  ///< of hexahedra and quadrangles
   /// Whether its field is quick to look at for thousands of instants.
   bool suits_many_instants{};
 };
@@ -37,6 +38,7 @@ inline constexpr std::array<ModelTraits, 4> kModels = {
       .dim = 2,
       .highest_degree = 4,
       .answers_in_time = true,
+      .on_dealii = true,
       .suits_many_instants = true},
      {.kind = ModelKind::kLayered,
       .word = "layered",
@@ -63,6 +65,7 @@ inline constexpr std::array<ModelTraits, 4> kModels = {
       .highest_degree = 4,
       .answers_in_time = true,
       .is_exact = true,
+      .on_dealii = true,
       .suits_many_instants = true}}};
 
 constexpr const ModelTraits& traits_of(ModelKind kind) {

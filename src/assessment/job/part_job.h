@@ -10,6 +10,7 @@
 
 #include "assessment/job/model_traits.h"
 #include "assessment/job/part_result.h"
+#include "elasticity/problem/engine.h"
 #include "loads/load_history.h"
 #include "loads/part_loads.h"
 #include "loads/strike.h"
@@ -72,6 +73,8 @@ struct PartJob {
   std::optional<double> buckling_length;  ///< of a sliding pair [m]
   /// Asked for; nothing: the cheapest that meets the tolerance.
   std::optional<ModelKind> model = std::nullopt;
+  elasticity::Engine engine = elasticity::Engine::kAuto;  ///< asked for
+  bool is_shared = false;  ///< all ranks of this MPI run check it together
   std::vector<std::string> notes;  ///< of the mesh, for the result
 };
 

@@ -271,8 +271,10 @@ const PeakStress& judged_peak(const PartResult& result);
 struct PartResult {
   std::string name;
   part::Verdict verdict{};
-  std::string why;    ///< one line: limit and value, or why not judged
-  std::string model;  ///< "plane stress, p = 4"
+  std::string why;         ///< one line: limit and value, or why not judged
+  std::string model;       ///< "plane stress, p = 4"
+  std::string engine;      ///< who solved it: "own" or "dealii"
+  std::string engine_why;  ///< one line; empty: there was no choice
   std::string stopped_because;  ///< why the ladder went no further
   /// What the user should know that decides nothing, a line each.
   std::vector<std::string> notes;

@@ -292,6 +292,8 @@ PartAssessment assess(const PartJob& job, const FeModel<dim>& model,
   result.seconds = seconds;
   result.peak.sequence = ladder.sequence;
   result.model = fmt::format("{}, p = {}", model.name, level.member.degree);
+  result.engine = elasticity::word_of(level.governing->engine.engine);
+  result.engine_why = level.governing->engine.why;
   result.dofs = level.member.dofs;
   result.cells = model.cells_in_plane.value_or(
       static_cast<int>(ladder.zones.mesh().cells.size()));

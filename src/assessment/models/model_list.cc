@@ -4,6 +4,8 @@
 #include <array>
 #include <ranges>
 
+#include <fmt/format.h>
+
 #include "assessment/models/plate_models.h"
 #include "assessment/models/revolution_model.h"
 #include "assessment/models/solid_model.h"
@@ -54,10 +56,20 @@ const std::array<Model, kModels.size()> kList = {
       .error = no_error,
       .next_may_help = never}}};
 
+/// Whether the engine that the job asks for has the model.
+bool engine_has(const PartJob& job, const ModelTraits& model) {
+  return job.engine != elasticity::Engine::kDealii || model.on_dealii;
+}
+
 /// @throws Error F005 if the model that the job asks for does not suit.
 const Model& asked_for(const PartShape& shape) {
   const PartJob& job = shape.job();
   const Model& model = entry_of(*job.model);
+  if (!engine_has(job, model.traits)) {
+    throw Error("F005", "part " + job.part.name,
+                fmt::format("deal.II has no model \"{}\"", model.traits.name),
+                "leave --engine out, or --model");
+  }
   if (const auto reason = model.why_not(shape)) {
     throw Error("F005", "part " + job.part.name, *reason, "leave --model out");
   }
@@ -90,7 +102,9 @@ std::vector<const Model*> models_for(const PartShape& shape) {
   if (shape.job().model) return {&asked_for(shape)};
   std::vector<const Model*> models;
   for (const Model& model : kList) {
-    if (!model.why_not(shape)) models.push_back(&model);
+    if (engine_has(shape.job(), model.traits) && !model.why_not(shape)) {
+      models.push_back(&model);
+    }
   }
   if (models.empty()) models.push_back(&kList.back());
   return models;

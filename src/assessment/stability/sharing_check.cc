@@ -69,6 +69,8 @@ Answers rough_answers(const PartJob& job, const LoadSet& set) {
   alone.part = job.part;
   alone.mesh = job.mesh;
   alone.load_sets = {set};
+  alone.engine = job.engine;
+  alone.is_shared = job.is_shared;
   const PartShape shape(alone);
   const auto answers = [&]<int dim>(const FeModel<dim>& model) {
     const auto basis = model.solve({.mesh = *model.mesh,
@@ -76,7 +78,9 @@ Answers rough_answers(const PartJob& job, const LoadSet& set) {
                                     .history = set.history,
                                     .fixed = set.fixed,
                                     .name = job.part.name,
-                                    .foundations = set.foundations},
+                                    .foundations = set.foundations,
+                                    .engine = job.engine,
+                                    .is_shared = job.is_shared},
                                    dim == 2 ? kPlaneDegree : kDegree);
     return answers_of<dim>(job, set, model.zones(set), basis);
   };

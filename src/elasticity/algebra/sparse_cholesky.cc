@@ -1,42 +1,13 @@
 #include "elasticity/algebra/sparse_cholesky.h"
 
-#include <cstdlib>
 #include <limits>
 
-#include <fmt/format.h>
 #include <petscmat.h>
 
 #include "base/errors.h"
+#include "elasticity/algebra/petsc_session.h"
 
 namespace clevis::elasticity {
-namespace {
-
-/// Starts PETSc for a lone process. OpenMPI's singleton start would launch a
-/// daemon (0.3 s); isolated mode does without (0.02 s).
-void initialize_petsc() {
-  static const bool once = [] {
-    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-    setenv("OMPI_MCA_btl", "self", 0);
-    setenv("OMPI_MCA_pml", "ob1", 0);
-    PetscInitializeNoArguments();
-    PetscPopSignalHandler();
-    PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
-    return true;
-  }();
-  static_cast<void>(once);
-}
-
-void require(PetscErrorCode code, const std::string& name, const char* stage) {
-  if (code == 0) return;
-  const char* text = nullptr;
-  PetscErrorMessage(code, &text, nullptr);
-  throw Error("F002", name,
-              fmt::format("PETSc failed in {}: {}", stage,
-                          text != nullptr ? text : "unknown error"),
-              "check the mesh quality and the material");
-}
-
-}  // namespace
 
 int entry_number(std::size_t entries) {
   if (entries > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
@@ -62,30 +33,33 @@ struct SparseCholesky::Petsc {
 SparseCholesky::SparseCholesky(const UpperTriangle& matrix,
                                const std::string& name)
     : petsc_(std::make_unique<Petsc>()) {
-  initialize_petsc();
+  start_petsc();
   Petsc& p = *petsc_;
   p.name = name;
   p.matrix = matrix;
   const int n = matrix.rows();
-  require(MatCreateSeqSBAIJWithArrays(
-              PETSC_COMM_SELF, 1, n, n, p.matrix.row_start.data(),
-              p.matrix.column.data(), p.matrix.value.data(), &p.stiffness),
-          name, "MatCreateSeqSBAIJWithArrays");
-  require(MatSetOption(p.stiffness, MAT_SPD, PETSC_TRUE), name, "MatSetOption");
+  require_petsc(
+      MatCreateSeqSBAIJWithArrays(
+          PETSC_COMM_SELF, 1, n, n, p.matrix.row_start.data(),
+          p.matrix.column.data(), p.matrix.value.data(), &p.stiffness),
+      name, "MatCreateSeqSBAIJWithArrays");
+  require_petsc(MatSetOption(p.stiffness, MAT_SPD, PETSC_TRUE), name,
+                "MatSetOption");
   // CHOLMOD by itself is content with minimum degree; nested dissection
   // gives the better factor for solids and is worth the trial.
   PetscOptionsSetValue(nullptr, "-mat_cholmod_nmethods", "3");
-  require(MatGetFactor(p.stiffness, MATSOLVERCHOLMOD, MAT_FACTOR_CHOLESKY,
-                       &p.factor),
-          name, "MatGetFactor");
+  require_petsc(MatGetFactor(p.stiffness, MATSOLVERCHOLMOD, MAT_FACTOR_CHOLESKY,
+                             &p.factor),
+                name, "MatGetFactor");
   MatFactorInfo info;
   MatFactorInfoInitialize(&info);
-  require(MatCholeskyFactorSymbolic(p.factor, p.stiffness, nullptr, &info),
-          name, "symbolic factorisation");
-  require(MatCholeskyFactorNumeric(p.factor, p.stiffness, &info), name,
-          "numeric factorisation (matrix not positive definite)");
+  require_petsc(
+      MatCholeskyFactorSymbolic(p.factor, p.stiffness, nullptr, &info), name,
+      "symbolic factorisation");
+  require_petsc(MatCholeskyFactorNumeric(p.factor, p.stiffness, &info), name,
+                "numeric factorisation (matrix not positive definite)");
   MatFactorError error{};
-  require(MatFactorGetError(p.factor, &error), name, "MatFactorGetError");
+  require_petsc(MatFactorGetError(p.factor, &error), name, "MatFactorGetError");
   if (error != MAT_FACTOR_NOERROR) {
     throw Error("F002", name, "the stiffness matrix is not positive definite",
                 "check the mesh quality and the material");
@@ -104,14 +78,16 @@ Eigen::MatrixXd SparseCholesky::solve(
   Mat dense_b = nullptr;
   Mat dense_x = nullptr;
   const std::string& name = petsc_->name;
-  require(MatCreateSeqDense(PETSC_COMM_SELF, rows, columns, b.data(), &dense_b),
-          name, "MatCreateSeqDense");
-  require(MatCreateSeqDense(PETSC_COMM_SELF, rows, columns, x.data(), &dense_x),
-          name, "MatCreateSeqDense");
+  require_petsc(
+      MatCreateSeqDense(PETSC_COMM_SELF, rows, columns, b.data(), &dense_b),
+      name, "MatCreateSeqDense");
+  require_petsc(
+      MatCreateSeqDense(PETSC_COMM_SELF, rows, columns, x.data(), &dense_x),
+      name, "MatCreateSeqDense");
   const PetscErrorCode code = MatMatSolve(petsc_->factor, dense_b, dense_x);
   MatDestroy(&dense_b);
   MatDestroy(&dense_x);
-  require(code, name, "MatMatSolve");
+  require_petsc(code, name, "MatMatSolve");
   return x;
 }
 

@@ -43,12 +43,15 @@ FoundationStiffness<dim>::FoundationStiffness(
     const part::Foundations& foundations, const std::string& part_name) {
   FaceTables<dim> tables;
   for (const auto& [name, bed] : foundations) {
-    const GroupTrace trace = group_trace<dim>(
-        discretization, group_of<dim>(discretization, name, part_name), tables);
+    const int group = group_of<dim>(discretization, name, part_name);
+    const GroupTrace trace = group_trace<dim>(discretization, group, tables);
+    auto place =
+        discretization.group_faces[static_cast<std::size_t>(group)].begin();
     Index q = 0;
     for (const auto& face : trace.faces) {
       const MatrixXd& N = *face.values;
-      Face entry{face.nodes, MatrixXd::Zero(dim * N.cols(), dim * N.cols())};
+      Face entry{(place++)->cell, face.nodes,
+                 MatrixXd::Zero(dim * N.cols(), dim * N.cols())};
       for (Index k = 0; k < N.rows(); ++k, ++q) {
         const Eigen::Matrix<double, dim, 1> n =
             trace.outward.col(q).template head<dim>();

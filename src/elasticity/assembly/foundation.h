@@ -16,6 +16,12 @@ namespace clevis::elasticity {
 template <int dim>
 class FoundationStiffness {
  public:
+  struct Face {
+    int cell{};
+    std::vector<int> nodes;
+    Eigen::MatrixXd matrix;  ///< dim nodes × dim nodes [N/m]
+  };
+
   /// @throws Error M003 if the mesh lacks a group.
   FoundationStiffness(const Discretization<dim>& discretization,
                       const part::Foundations& foundations,
@@ -38,11 +44,9 @@ class FoundationStiffness {
   /// @param modes  displacements, dofs × modes [1].
   Eigen::MatrixXd on_modes(const Eigen::MatrixXd& modes) const;
 
+  const std::vector<Face>& faces() const { return faces_; }
+
  private:
-  struct Face {
-    std::vector<int> nodes;
-    Eigen::MatrixXd matrix;  ///< dim nodes × dim nodes [N/m]
-  };
   std::vector<Face> faces_;
 };
 

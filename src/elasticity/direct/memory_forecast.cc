@@ -68,6 +68,12 @@ void require_multigrid_memory(int degree, int coarse, double dofs,
           "the iterative solution", available, place);
 }
 
+void require_dealii_memory(double dofs, double available,
+                           const std::string& place) {
+  constexpr double kBytesPerDof = 1500.0;  // measured at degree 3, with MUMPS
+  require(kBytesPerDof * dofs, dofs, "deal.II's levels", available, place);
+}
+
 double usable_memory() {
   double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
                  static_cast<double>(sysconf(_SC_PAGE_SIZE));

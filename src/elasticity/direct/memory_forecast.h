@@ -33,6 +33,10 @@ void require_multigrid_memory(int degree, int coarse, double dofs,
                               double columns, double available,
                               const std::string& place);
 
+/// The same of deal.II's iterative solve, a column after the other.
+void require_dealii_memory(double dofs, double available,
+                           const std::string& place);
+
 /// Memory that this process may use [bytes]: the machine's, or less by a limit
 /// on its address space (ulimit -v) or on its group (containers).
 double usable_memory();

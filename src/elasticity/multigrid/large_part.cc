@@ -18,22 +18,27 @@ bool suits_multigrid(const Discretization<3>& discretization,
          material.poissons_ratio <= kLargestRatio;
 }
 
+// tests/benchmarks/direct_solve and large_parts.
+double factor_seconds(double flops) {
+  constexpr double kFlopsPerSecond = 3e10;
+  return flops / kFlopsPerSecond;
+}
+
+double multigrid_seconds(double dofs, double columns) {
+  constexpr double kSecondsPerColumn = 0.7e-6;  // and degree of freedom
+  constexpr double kSecondsOfSetup = 4e-6;      // per degree of freedom
+  return dofs * (columns * kSecondsPerColumn + kSecondsOfSetup);
+}
+
 bool prefers_multigrid(const Discretization<3>& discretization,
                        const part::Material& material, const DirectCost& direct,
                        double columns, double memory) {
-  // Of one core of 2020, tests/benchmarks/direct_solve and large_parts; only
-  // their ratio matters.
-  constexpr double kFlopsPerSecond = 3e10;
-  constexpr double kSecondsPerColumn = 0.7e-6;  // and degree of freedom
-  constexpr double kSecondsOfSetup = 4e-6;      // per degree of freedom
   constexpr double kClearly = 2.0;
   constexpr double kAnisotropic = 4.0;  // above, too many iterations
   if (!suits_multigrid(discretization, material)) return false;
   if (!holds(direct.bytes, memory)) return true;
-  const double factors = direct.flops / kFlopsPerSecond;
-  const double iterations =
-      discretization.dofs() * (columns * kSecondsPerColumn + kSecondsOfSetup);
-  return factors > kClearly * iterations &&
+  return factor_seconds(direct.flops) >
+             kClearly * multigrid_seconds(discretization.dofs(), columns) &&
          cell_aspect(discretization) < kAnisotropic;
 }
 

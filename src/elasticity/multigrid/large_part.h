@@ -18,6 +18,12 @@ struct DirectCost {
   double bytes{};  ///< of all factors, kept together
 };
 
+/// What a solve takes [s] on one core of 2020: only ratios matter.
+/// @param flops  of all factors.
+double factor_seconds(double flops);
+/// @param columns  right-hand sides of all classes together.
+double multigrid_seconds(double dofs, double columns);
+
 /// Whether it should: where the factors do not fit into memory, and where
 /// they would take clearly longer and the cells are not too anisotropic.
 /// @param columns  right-hand sides of all classes together.

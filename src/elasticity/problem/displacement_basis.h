@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/fe_space/discretization.h"
+#include "elasticity/problem/engine.h"
 #include "elasticity/problem/self_checks.h"
 
 namespace clevis::elasticity {
@@ -22,6 +23,7 @@ struct DisplacementBasis {
   Eigen::VectorXd strain_energy;  ///< per instant [J]
   /// Even or odd about the mid-plane of a layer, so that von Mises is even.
   bool is_mirrored = false;
+  EngineChoice engine;
   SolveChecks checks;
   SolveSeconds seconds;
 };

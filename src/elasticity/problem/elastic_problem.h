@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "elasticity/problem/engine.h"
 #include "loads/load_history.h"
 #include "mesh/cells/part_mesh.h"
 #include "part/material.h"
@@ -31,6 +32,9 @@ struct ElasticProblem {
   std::string name;  ///< of the part, for messages
   LinearSolver solver = LinearSolver::kAuto;
   part::Foundations foundations = {};
+  Engine engine = Engine::kAuto;  ///< of plane stress and 3-D
+  /// Every rank of this MPI run has this problem and calls solve() with it.
+  bool is_shared = false;
 };
 
 }  // namespace clevis::elasticity

@@ -9,6 +9,7 @@
 #include "elasticity/assembly/foundation.h"
 #include "elasticity/assembly/stiffness.h"
 #include "elasticity/assembly/supports.h"
+#include "elasticity/dealii/dealii_solver.h"
 #include "elasticity/direct/frontal_cholesky.h"
 #include "elasticity/direct/memory_forecast.h"
 #include "elasticity/mirror_symmetry/folding.h"
@@ -18,6 +19,7 @@
 #include "elasticity/nodal_loads/load_basis.h"
 #include "elasticity/nodal_loads/load_vectors.h"
 #include "elasticity/problem/refinement.h"
+#include "elasticity/solid/engine_choice.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -46,6 +48,39 @@ bool uses_multigrid(const ElasticProblem<dim>& problem,
   }
 }
 
+/// Whether the own engine can hold what it needs.
+template <int dim>
+bool own_fits(const Folding<dim>& folding, double columns, bool by_multigrid) {
+  const Discretization<dim>& part = folding.part;
+  const double classes = folding.classes();
+  if constexpr (dim == 3) {
+    if (by_multigrid) {
+      return holds(multigrid_bytes(part.degree, coarse_degree(part),
+                                   part.dofs(), classes * columns),
+                   usable_memory());
+    }
+  }
+  return holds(classes * folding.factor_bytes(), usable_memory());
+}
+
+template <int dim>
+EngineChoice engine_for(const ElasticProblem<dim>& problem,
+                        const Folding<dim>& folding, double columns) {
+  const double classes = folding.classes();
+  const double dofs = folding.part.dofs();
+  const bool by_multigrid = uses_multigrid(problem, folding, columns);
+  EngineForecast forecast;
+  forecast.own =
+      by_multigrid
+          ? multigrid_seconds(dofs, classes * columns)
+          : factor_seconds(classes * (folding.factor_flops() +
+                                      columns * folding.factor_bytes() / 2.0));
+  forecast.dealii = dealii_seconds(dofs, classes, classes * columns);
+  forecast.own_fits = own_fits(folding, columns, by_multigrid);
+  return choose_engine(problem.engine, folding.part, columns, forecast,
+                       problem.is_shared, "part " + problem.name);
+}
+
 /// Before the loads are assembled, with as many columns as there may be.
 template <int dim>
 void require_memory_for(const ElasticProblem<dim>& problem,
@@ -55,6 +90,10 @@ void require_memory_for(const ElasticProblem<dim>& problem,
   const double classes = folding.classes();
   const double columns = std::min(
       static_cast<double>(problem.history.instants.size()), kMostColumns);
+  if (engine_for(problem, folding, columns).engine == Engine::kDealii) {
+    require_dealii_memory(part.dofs(), usable_memory(), place);
+    return;
+  }
   if constexpr (dim == 3) {
     if (uses_multigrid(problem, folding, columns)) {
       require_multigrid_memory(part.degree, coarse_degree(part), part.dofs(),
@@ -144,6 +183,41 @@ void solve_by_multigrid(const ElasticProblem<dim>& problem,
   }
 }
 
+/// Likewise by deal.II and PETSc. Its solutions are checked by the strains of
+/// our own kernels, not by its own operator.
+template <int dim>
+void solve_by_dealii(const ElasticProblem<dim>& problem,
+                     const Folding<dim>& folding, const LoadBasis& loads,
+                     const std::string& place,
+                     std::vector<ParityClass>& classes,
+                     DisplacementBasis<dim>& result) {
+  Stopwatch watch;
+  const Discretization<dim>& part = folding.part;
+  FoundationStiffness<dim> bed(result.discretization, problem.foundations,
+                               problem.name);
+  bed.renumber(folding.node);
+  std::unique_ptr<DealiiSolver<dim>> solver;
+  for (ParityClass& c : classes) {
+    solver.reset();  // before the next: memory
+    solver = std::make_unique<DealiiSolver<dim>>(
+        part, problem.material, bed, c.held, place, problem.is_shared);
+    result.seconds.factor += watch.lap();
+    c.columns = solver->solve(c.loads.columns);
+    result.seconds.solve += watch.lap();
+  }
+  const auto forces = [&](const MatrixXd& u) {
+    MatrixXd sum = forces_by_strain(part, problem.material, u);
+    bed.add_forces(u, sum);
+    return sum;
+  };
+  const StiffnessAction action{forces, [&](const MatrixXd& u) {
+                                 return solver->multiply_absolute_diagonal(u);
+                               }};
+  result.strain_energy =
+      check_classes(action, classes, folding.classes(), loads, result.checks);
+  result.seconds.solve += watch.lap();
+}
+
 }  // namespace
 
 template <int dim>
@@ -185,7 +259,10 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
   }
   result.seconds.assemble = watch.lap();
   const auto columns = static_cast<double>(loads.columns.cols());
-  if (uses_multigrid(problem, folding, columns)) {
+  result.engine = engine_for(problem, folding, columns);
+  if (result.engine.engine == Engine::kDealii) {
+    solve_by_dealii(problem, folding, loads, place, classes, result);
+  } else if (uses_multigrid(problem, folding, columns)) {
     solve_by_multigrid(problem, folding, loads, place, classes, result);
   } else {
     solve_by_factors(problem, folding, loads, place, classes, result);

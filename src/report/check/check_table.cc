@@ -121,6 +121,9 @@ void add_deflection(TextTable& table, const PartResult& part) {
 
 void add_reasons(TextTable& table, const PartResult& part) {
   if (!part.stopped_because.empty()) table.add_note(part.stopped_because);
+  if (!part.engine_why.empty()) {
+    table.add_note(fmt::format("engine {}: {}", part.engine, part.engine_why));
+  }
   if (part.peak.verdict != PeakVerdict::kConverged) {
     table.add_note(fmt::format("peak: {}", text(part.peak.verdict)));
   }

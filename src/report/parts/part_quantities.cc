@@ -145,6 +145,8 @@ Quantities<PartResult> head_rows() {
                   verdict),
       quantity<S>({"why", "/why", "", "why"}, &S::why),
       quantity<S>({"model", "/model", "", "model", kModelRule}, &S::model),
+      quantity<S>({"engine", "/engine", "", "engine"}, &S::engine),
+      quantity<S>({"engine_why", "/engine_why"}, &S::engine_why),
       quantity<S>(
           {"stopped_because", "/stopped_because", "", "stopped_because"},
           &S::stopped_because),

@@ -86,13 +86,14 @@ CLEVIS_PIPED(VibrationResult, ratio, governs, failure, peak, band_low,
              lowest_frequency, highest_frequency, seconds)
 CLEVIS_PIPED(PinReaction, label, group, force, moment, unique)
 CLEVIS_PIPED(PartSeconds, mesh, assemble, factor, solve, recover, write, total)
-CLEVIS_PIPED(PartResult, name, verdict, why, model, stopped_because, notes,
-             dofs, cells, load_columns, peak, singular_zones, peak_outside,
-             held, safety_factor, deflection, deflection_low, deflection_high,
-             deflection_at, deflection_instant, strain_energy,
-             strain_energy_instant, mean_strain_energy, strain_energy_error,
-             buckling, finite_motion, beam, self_checks, probes, seconds, mass,
-             first_period, impacts, paces, vibration, pin_reactions)
+CLEVIS_PIPED(PartResult, name, verdict, why, model, engine, engine_why,
+             stopped_because, notes, dofs, cells, load_columns, peak,
+             singular_zones, peak_outside, held, safety_factor, deflection,
+             deflection_low, deflection_high, deflection_at, deflection_instant,
+             strain_energy, strain_energy_instant, mean_strain_energy,
+             strain_energy_error, buckling, finite_motion, beam, self_checks,
+             probes, seconds, mass, first_period, impacts, paces, vibration,
+             pin_reactions)
 
 #undef CLEVIS_PIPED
 

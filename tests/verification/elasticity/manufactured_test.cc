@@ -21,6 +21,7 @@ namespace {
 
 const part::Material kSteel{"steel", 210e9, 0.3, 7850.0, 355e6};
 constexpr double kTolerance = 0.1;  // of an order
+using elasticity::Engine;
 
 template <int dim>
 using Vector = Eigen::Matrix<double, dim, 1>;
@@ -128,7 +129,7 @@ Errors errors_of(const elasticity::DisplacementBasis<dim>& basis,
 }
 
 template <int dim>
-Errors solve(mesh::CellShape shape, int cells, int degree) {
+Errors solve(mesh::CellShape shape, int cells, int degree, Engine engine) {
   const auto mesh = curved_mesh<dim>(shape, cells, degree);
   const auto exact = field<dim>();
   std::vector<support::TractionField<dim>> tractions;
@@ -141,9 +142,11 @@ Errors solve(mesh::CellShape shape, int cells, int degree) {
          }});
   }
   const loads::LoadHistory none;
+  elasticity::ElasticProblem<dim> problem{
+      mesh, kSteel, none, {{"y0", {true, true, dim == 3}}}, "block"};
+  problem.engine = engine;
   const auto basis = support::solve_field<dim>(
-      {mesh, kSteel, none, {{"y0", {true, true, dim == 3}}}, "block"},
-      tractions, degree, {}, [&](const Vector<dim>& x) -> Vector<dim> {
+      problem, tractions, degree, {}, [&](const Vector<dim>& x) -> Vector<dim> {
         return exact.body_force(x);
       });
   return errors_of<dim>(basis, exact);
@@ -154,11 +157,12 @@ using MeshPairs = std::array<std::array<int, 2>, 4>;
 
 template <int dim>
 void expect_orders(const MeshPairs& meshes,
-                   mesh::CellShape shape = mesh::CellShape::kTensor) {
+                   mesh::CellShape shape = mesh::CellShape::kTensor,
+                   Engine engine = Engine::kOwn) {
   for (int degree = 1; degree <= 4; ++degree) {
     const auto [coarse, fine] = meshes[static_cast<std::size_t>(degree - 1)];
-    const Errors first = solve<dim>(shape, coarse, degree);
-    const Errors second = solve<dim>(shape, fine, degree);
+    const Errors first = solve<dim>(shape, coarse, degree, engine);
+    const Errors second = solve<dim>(shape, fine, degree, engine);
     const auto order = [ratio = static_cast<double>(fine) / coarse](
                            double before, double after) {
       return support::observed_rate(before, after, ratio);
@@ -191,6 +195,13 @@ TEST(Manufactured, OrdersInThePlane) {
 
 TEST(Manufactured, OrdersIn3D) {
   expect_orders<3>({{{8, 16}, {4, 8}, {3, 6}, {3, 5}}});
+}
+
+TEST(Manufactured, OrdersByDealii) {
+  expect_orders<2>({{{32, 64}, {16, 32}, {8, 16}, {4, 8}}},
+                   mesh::CellShape::kTensor, Engine::kDealii);
+  expect_orders<3>({{{8, 16}, {4, 8}, {3, 6}, {3, 5}}},
+                   mesh::CellShape::kTensor, Engine::kDealii);
 }
 
 TEST(Manufactured, OrdersOnTriangles) {

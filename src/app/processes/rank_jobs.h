@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/processes/worker_pool.h"
+#include "assessment/job/part_job.h"
+#include "elasticity/algebra/rank_team.h"
+
+namespace clevis::app {
+
+/// Which parts all ranks check together: those that deal.II is asked for, else
+/// hexahedral ones with so many cells that sharing pays.
+void choose_shared(std::vector<assessment::PartJob>& jobs);
+
+/// Checks parts on the ranks of an MPI run: small ones are dealt out, one to
+/// a rank at a time, shared ones are checked by all.
+/// @param check  of the part with this index, on each rank that has it.
+/// @return on rank 0 of all parts, elsewhere nothing.
+std::vector<WorkerOutcome> run_on_ranks(
+    const elasticity::RankTeam& team,
+    const std::vector<assessment::PartJob>& jobs,
+    const std::function<std::string(std::size_t)>& check);
+
+}  // namespace clevis::app

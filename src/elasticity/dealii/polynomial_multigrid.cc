@@ -1,0 +1,142 @@
+#include "elasticity/dealii/polynomial_multigrid.h"
+
+#include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/lac/precondition.h>
+#include <deal.II/multigrid/mg_coarse.h>
+#include <deal.II/multigrid/mg_matrix.h>
+#include <deal.II/multigrid/mg_smoother.h>
+#include <deal.II/multigrid/mg_transfer_global_coarsening.h>
+#include <deal.II/multigrid/multigrid.h>
+
+#include "elasticity/dealii/level_degrees.h"
+
+namespace clevis::elasticity {
+namespace {
+
+using Single = dealii::LinearAlgebra::distributed::Vector<float>;
+
+template <int dim>
+class Coarsest : public dealii::MGCoarseGridBase<Single> {
+ public:
+  explicit Coarsest(const CoarseSolver<dim>& solver) : solver_(solver) {}
+  void operator()(unsigned, Single& x, const Single& b) const override {
+    solver_.solve(x, b);
+  }
+
+ private:
+  const CoarseSolver<dim>& solver_;
+};
+
+template <class Stiffness>
+Single inverse_diagonal(const Stiffness& stiffness) {
+  Single result = stiffness.diagonal();
+  for (float& entry : result) entry = 1.0F / entry;
+  return result;
+}
+
+}  // namespace
+
+template <int dim>
+struct PolynomialMultigrid<dim>::Levels {
+  using Stiffness = StiffnessOperator<dim, float>;
+  using Smoother =
+      dealii::PreconditionChebyshev<Stiffness, Single,
+                                    dealii::DiagonalMatrix<Single>>;
+  using Transfer = dealii::MGTransferGlobalCoarsening<dim, Single>;
+
+  std::vector<std::unique_ptr<DegreeSpace<dim>>> spaces;  // below the finest
+  dealii::MGLevelObject<Stiffness> stiffness;
+  dealii::MGLevelObject<dealii::MGTwoLevelTransfer<dim, Single>> steps;
+  std::unique_ptr<Transfer> transfer;
+  dealii::MGSmootherRelaxation<Stiffness, Smoother, Single> smoother;
+  std::unique_ptr<CoarseSolver<dim>> solver;
+  std::unique_ptr<Coarsest<dim>> coarsest;
+  std::unique_ptr<dealii::mg::Matrix<Single>> matrix;
+  std::unique_ptr<dealii::Multigrid<Single>> cycle;
+  std::unique_ptr<dealii::PreconditionMG<dim, Single, Transfer>> whole;
+
+  void smooth(unsigned top);
+};
+
+template <int dim>
+void PolynomialMultigrid<dim>::Levels::smooth(unsigned top) {
+  dealii::MGLevelObject<typename Smoother::AdditionalData> data(0, top);
+  for (unsigned level = 0; level <= top; ++level) {
+    auto inverse = std::make_shared<dealii::DiagonalMatrix<Single>>();
+    if (level > 0) inverse->get_vector() = inverse_diagonal(stiffness[level]);
+    data[level].preconditioner = inverse;
+    data[level].smoothing_range = 20.0;
+    data[level].degree = 4;
+    data[level].eig_cg_n_iterations = 15;
+  }
+  smoother.initialize(stiffness, data);
+}
+
+template <int dim>
+PolynomialMultigrid<dim>::PolynomialMultigrid(const LevelSetup<dim>& setup,
+                                              const DegreeSpace<dim>& finest)
+    : levels_(std::make_unique<Levels>()) {
+  Levels& l = *levels_;
+  const auto degrees =
+      level_degrees(finest.degree(), dim, setup.discretization.nodes);
+  const auto top = static_cast<unsigned>(degrees.size() - 1);
+  std::vector<const DegreeSpace<dim>*> spaces(degrees.size(), &finest);
+  std::vector<dealii::AffineConstraints<float>> held(degrees.size());
+  l.stiffness.resize(0, top);
+  l.steps.resize(0, top);
+  for (unsigned level = 0; level <= top; ++level) {
+    if (level < top) {
+      l.spaces.push_back(std::make_unique<DegreeSpace<dim>>(
+          setup.share, setup.discretization, degrees[top - level], setup.held));
+      spaces[level] = l.spaces.back().get();
+    }
+    held[level].copy_from(spaces[level]->held());
+    l.stiffness[level].reinit(*spaces[level], spaces[level]->degree() + 1,
+                              setup.stiffness, setup.beds);
+    if (level == 0) continue;
+    l.steps[level].reinit_polynomial_transfer(spaces[level]->handler(),
+                                              spaces[level - 1]->handler(),
+                                              held[level], held[level - 1]);
+  }
+  l.transfer = std::make_unique<typename Levels::Transfer>(
+      l.steps, [&l](unsigned level, Single& vector) {
+        l.stiffness[level].initialize_dof_vector(vector);
+      });
+  l.smooth(top);
+  {
+    StiffnessOperator<dim, double> coarse;
+    coarse.reinit(*spaces[0], spaces[0]->degree() + 1, setup.stiffness,
+                  setup.beds);
+    const bool is_small = coarse.m() <= kMostFactored;
+    l.solver = std::make_unique<CoarseSolver<dim>>(
+        *spaces[0], coarse,
+        is_small ? CoarseMethod::kFactor : CoarseMethod::kMultigrid,
+        setup.name);
+  }
+  l.coarsest = std::make_unique<Coarsest<dim>>(*l.solver);
+  l.matrix = std::make_unique<dealii::mg::Matrix<Single>>(l.stiffness);
+  l.cycle = std::make_unique<dealii::Multigrid<Single>>(
+      *l.matrix, *l.coarsest, *l.transfer, l.smoother, l.smoother, 0, top);
+  l.whole = std::make_unique<
+      dealii::PreconditionMG<dim, Single, typename Levels::Transfer>>(
+      finest.handler(), *l.cycle, *l.transfer);
+}
+
+template <int dim>
+PolynomialMultigrid<dim>::~PolynomialMultigrid() = default;
+
+template <int dim>
+void PolynomialMultigrid<dim>::vmult(Vector& solution,
+                                     const Vector& residual) const {
+  levels_->whole->vmult(solution, residual);
+}
+
+template <int dim>
+std::size_t PolynomialMultigrid<dim>::levels() const {
+  return levels_->spaces.size() + 1;
+}
+
+template class PolynomialMultigrid<2>;
+template class PolynomialMultigrid<3>;
+
+}  // namespace clevis::elasticity

@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""`mpirun -np N clevis`: one part shared among ranks gives the serial check to
+1e-8 and the same bits each time; parts dealt out give the serial bits; other
+commands do their work once; a rank that is killed ends all.
+
+    ranks.py CLEVIS ROOT
+"""
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from support import Checks, make_meshes
+
+SCENE = "geometry/landing_gear/scene.toml"
+ENVIRONMENT = os.environ | {  # root is who builds in a container
+    "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+AGREEMENT = 1e-8
+MOST_SECONDS = 5.0  # until all ranks have ended
+
+
+def command(ranks, *arguments):
+    start = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
+    return [*start, *map(str, arguments)]
+
+
+def run(ranks, *arguments):
+    return subprocess.run(command(ranks, *arguments), capture_output=True, text=True,
+                          env=ENVIRONMENT)
+
+
+def numbers(value, path=""):
+    """{path: number or text} of a JSON document without its seconds."""
+    if isinstance(value, dict):
+        items = [(k, v) for k, v in value.items() if "seconds" not in k]
+    elif isinstance(value, list):
+        items = list(enumerate(value))
+    else:
+        return {path: value}
+    return {k: v for key, item in items for k, v in numbers(item, f"{path}/{key}").items()}
+
+
+def checked(clevis, ranks, folder, *options):
+    """Of one run: its document without seconds, its files."""
+    answer = run(ranks, clevis, "check", SCENE, "--json", "--out", folder, *options)
+    try:
+        document = json.loads(answer.stdout)
+    except ValueError:
+        sys.exit(f"{ranks} ranks, {options}: exit {answer.returncode}\n"
+                 f"{answer.stdout}\n{answer.stderr}")
+    return numbers(document), sorted(f.name for f in Path(folder).rglob("*") if f.is_file())
+
+
+def worst(one, other):
+    """Largest relative difference of peaks, bands, deflections and energies."""
+    def differs(key):
+        a, b = one[key], other[key]
+        return abs(a - b) / max(abs(a), abs(b)) if a != b else 0.0
+    wanted = ("peak_von_mises/value_MPa", "/band_MPa/", "deflection_mm", "strain_energy_mJ")
+    keys = [k for k in one if any(w in k for w in wanted) and isinstance(one[k], float)]
+    return max(map(differs, keys)), len(keys)
+
+
+def killed(clevis, folder):
+    """Seconds from the end of one rank by force to that of mpirun, its code."""
+    process = subprocess.Popen(
+        command(2, clevis, "check", SCENE, "--model", "3d", "--engine", "dealii",
+                "--tolerance", "0.05%", "--out", folder),
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=ENVIRONMENT)
+    ranks = []
+    while len(ranks) < 2 and process.poll() is None:
+        children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text()
+        ranks = [pid for pid in children.split()
+                 if "clevis" in Path(f"/proc/{pid}/cmdline").read_text().split("\0")[0]]
+        time.sleep(0.05)
+    time.sleep(2.0)  # on their way
+    os.kill(int(ranks[-1]), signal.SIGKILL)
+    start = time.monotonic()
+    process.communicate(timeout=60)
+    return time.monotonic() - start, process.returncode
+
+
+def main():
+    clevis, root = Path(sys.argv[1]).resolve(), sys.argv[2]
+    os.chdir(root)
+    make_meshes(clevis, SCENE)
+    checks = Checks()
+    shared = ("--part", "AB", "--model", "3d", "--engine", "dealii")
+    with tempfile.TemporaryDirectory() as folder:
+        place = lambda name: Path(folder) / name
+        serial, files = checked(clevis, 1, place("serial"), *shared)
+        for ranks in (2, 4):
+            result, its_files = checked(clevis, ranks, place(f"shared{ranks}"), *shared)
+            difference, count = worst(serial, result)
+            checks.expect(count > 4 and difference < AGREEMENT,
+                          f"{ranks} ranks share AB: {count} numbers within {difference:.1e}")
+            checks.expect(its_files == files, f"{ranks} ranks write the serial files")
+        again, _ = checked(clevis, 4, place("again"), *shared)
+        checks.expect(again == result, "4 ranks give the same bits again")
+        own, files = checked(clevis, 1, place("own"), "--engine", "own")
+        dealt, its_files = checked(clevis, 3, place("dealt"), "--engine", "own")
+        checks.expect(dealt == own, "5 parts dealt out to 3 ranks: the serial bits")
+        checks.expect(its_files == files, "and the serial files")
+        once, twice = (run(n, clevis, "simulate", SCENE, "--out", place(f"simulate{n}"))
+                       for n in (1, 2))
+        checks.expect(twice.stdout == once.stdout.replace("simulate1", "simulate2"),
+                      "simulate does its work once")
+        refused = run(2, clevis, "check", "geometry/none.toml")
+        checks.expect(refused.returncode == 22 and refused.stderr.count("none.toml") == 1,
+                      f"a missing scene is refused once: {refused.returncode}")
+        seconds, code = killed(clevis, place("killed"))
+        checks.expect(seconds < MOST_SECONDS and code != 0,
+                      f"a killed rank ends all in {seconds:.1f} s, exit {code}")
+        checks.expect(not (place("killed") / "result.json").exists(),
+                      "and leaves no result.json")
+    return checks.exit_code()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
