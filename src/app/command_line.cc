@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
 #include <functional>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@
 #include "app/commands/simulate_command.h"
 #include "app/commands/transmission_command.h"
 #include "app/request/options.h"
+#include "app/start/completion.h"
+#include "app/start/doctor_command.h"
+#include "app/start/init_command.h"
+#include "app/start/templates.h"
 #include "assessment/job/model_traits.h"
 #include "base/quantity.h"
 #include "elasticity/problem/engine.h"
@@ -44,6 +49,8 @@ constexpr const char* kExitCodes =
 struct Parsed {
   Options options;
   CompareOptions compare;
+  InitOptions init;
+  std::string shell;  ///< of `completion`
   std::string tolerance;
   std::string code;
   std::function<ExitCode()> run;
@@ -326,6 +333,55 @@ void add_explain(CLI::App& app, Parsed& parsed) {
   });
 }
 
+void add_init(CLI::App& app, Parsed& parsed) {
+  CLI::App* command =
+      app.add_subcommand("init", "write a commented scene that runs");
+  std::vector<std::string> words;
+  std::string about = "Templates:";
+  for (const Template& entry : templates()) {
+    words.emplace_back(entry.word);
+    about += fmt::format("\n  {:<13} {}", entry.word, entry.about);
+  }
+  command->footer(about);
+  command->add_option("NAME", parsed.init.folder, "folder to make")->required();
+  command
+      ->add_option("--template", parsed.init.template_word,
+                   fmt::format("{} [part]", fmt::join(words, ", ")))
+      ->type_name("TEMPLATE")
+      ->check(CLI::IsMember(words));
+  command->callback([&parsed] {
+    parsed.run = [&parsed] {
+      return init_command(parsed.init);
+    };
+  });
+}
+
+void add_doctor(CLI::App& app, Parsed& parsed) {
+  app.add_subcommand("doctor", "what is installed, and what it is needed for")
+      ->callback([&parsed] {
+        parsed.run = doctor_command;
+      });
+}
+
+void add_completion(CLI::App& app, Parsed& parsed) {
+  CLI::App* command =
+      app.add_subcommand("completion", "completion of commands in a shell");
+  command->footer(
+      "bash: clevis completion bash > ~/.local/share/bash-completion/"
+      "completions/clevis\n"
+      "zsh:  clevis completion zsh > DIR/_clevis, DIR a folder of $fpath\n"
+      "fish: clevis completion fish > ~/.config/fish/completions/clevis.fish");
+  command->add_option("SHELL", parsed.shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  command->callback([&app, &parsed] {
+    parsed.run = [&app, &parsed] {
+      std::cout << completion(app, parsed.shell);
+      return ExitCode::kPass;
+    };
+  });
+}
+
 /// What to do about a command line that the parser refuses.
 std::string usage_remedy(const CLI::App& app, int argc,
                          const char* const* argv) {
@@ -359,6 +415,9 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   add_export(app, parsed);
   add_compare(app, parsed);
   add_explain(app, parsed);
+  add_init(app, parsed);
+  add_doctor(app, parsed);
+  add_completion(app, parsed);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& outcome) {

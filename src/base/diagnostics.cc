@@ -82,6 +82,9 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "`clevis study` runs ccx on a deck that it writes; ccx failed, took too "
      "long or its .frd file is not whole. The study goes on without it. "
      "`clevis export` writes the deck for a run by hand."},
+    {"I005", kIo, "folder is not empty",
+     "`clevis init` writes into a new folder or an empty one, so that nothing "
+     "of yours is overwritten."},
     {"K001", kModelInvalid, "mechanism does not assemble",
      "No position of the bodies satisfies all joints and drives at the start: "
      "lengths break a loop, or the approximate placement is too far off. The "

@@ -126,6 +126,7 @@ ROOMS = {
         "parts": "from a scene's motion to the jobs of its parts",
         "solving": "the commands that solve, as the library that is loaded on demand",
         "commands": "the other commands, and the door to that library",
+        "start": "a way in: scenes to start from, what is installed, completion in shells",
     },
 }
 

@@ -41,8 +41,7 @@ void set_up_blas() {
 #endif
 }
 
-/// Loads the library and finds a function of it.
-void* plugin_entry(const char* entry_name) {
+void* plugin_handle(const fs::path& path) {
   set_up_blas();
   // An interrupt while the library loads waits for its InterruptGuard.
   sigset_t interrupts;
@@ -50,13 +49,18 @@ void* plugin_entry(const char* entry_name) {
   sigaddset(&interrupts, SIGINT);
   sigaddset(&interrupts, SIGTERM);
   sigprocmask(SIG_BLOCK, &interrupts, nullptr);
-  const fs::path path = plugin_path();
   void* plugin = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (plugin == nullptr) {
     throw Error("I001", path.string(), dlerror(),
                 "Reinstall clevis: this library belongs to it.");
   }
-  void* entry = dlsym(plugin, entry_name);
+  return plugin;
+}
+
+/// Loads the library and finds a function of it.
+void* plugin_entry(const char* entry_name) {
+  const fs::path path = plugin_path();
+  void* entry = dlsym(plugin_handle(path), entry_name);
   if (entry == nullptr) {
     throw Error("X001", path.string(), dlerror(),
                 "The executable and its library are of different versions.");
@@ -65,6 +69,12 @@ void* plugin_entry(const char* entry_name) {
 }
 
 }  // namespace
+
+fs::path load_plugin() {
+  const fs::path path = plugin_path();
+  plugin_handle(path);
+  return path;
+}
 
 ExitCode run_in_plugin(const char* entry_name, const Options& options) {
   return reinterpret_cast<PluginEntry*>(plugin_entry(entry_name))(options);

@@ -1,10 +1,17 @@
 #pragma once
 
+#include <filesystem>
+
 #include "app/request/options.h"
 #include "base/errors.h"
 #include "scene/scene.h"
 
 namespace clevis::app {
+
+/// Loads the library of the commands that solve.
+/// @return its path.
+/// @throws Error I001 if it is missing or lacks a library of its own.
+std::filesystem::path load_plugin();
 
 /// Loads the library and runs one of its commands. Interrupts that come while
 /// it loads wait for the command's InterruptGuard.

@@ -1,0 +1,15 @@
+# Writes a header with a constant of namespace clevis::app::texts for each pair
+# NAME FILE of what follows; made anew when a file changes.
+function(clevis_embed_texts header)
+  set(content "#pragma once\n\n#include <string_view>\n\nnamespace clevis::app::texts {\n\n")
+  set(rest ${ARGN})
+  while(rest)
+    list(POP_FRONT rest name file)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(READ ${file} text)
+    string(APPEND content "inline constexpr std::string_view ${name} = R\"~~~(${text})~~~\";\n\n")
+  endwhile()
+  string(APPEND content "}  // namespace clevis::app::texts\n")
+  file(WRITE ${header}.new "${content}")
+  configure_file(${header}.new ${header} COPYONLY)
+endfunction()

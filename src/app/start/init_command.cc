@@ -1,0 +1,53 @@
+#include "app/start/init_command.h"
+
+#include <algorithm>
+#include <iostream>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "app/start/templates.h"
+#include "base/errors.h"
+#include "report/text/atomic_file.h"
+
+namespace clevis::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+void require_room(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(folder, error))) return;
+  if (fs::is_directory(folder, error) && fs::is_empty(folder, error)) return;
+  throw Error("I005", folder.string(), "is there and not an empty folder",
+              "Give the name of a new folder; nothing is overwritten.");
+}
+
+/// The scene of a template names the schema beside it.
+std::string with_schema(std::string_view text) {
+  constexpr std::string_view kSchemaLine = "#:schema ./scene.schema.json\n";
+  return (text.starts_with(kSchemaLine) ? "" : std::string(kSchemaLine)) +
+         std::string(text);
+}
+
+}  // namespace
+
+ExitCode init_command(const InitOptions& options) {
+  require_room(options.folder);
+  const auto chosen =
+      std::ranges::find(templates(), options.template_word, &Template::word);
+  for (const TemplateFile& file : chosen->files) {
+    const bool is_scene = file.name.ends_with(".toml");
+    report::write_file(
+        options.folder / file.name,
+        is_scene ? with_schema(file.text) : std::string(file.text));
+  }
+  report::write_file(options.folder / "scene.schema.json", scene_schema());
+  const std::string scene = (options.folder / "scene.toml").string();
+  std::cout << fmt::format(
+      "{}: {}\nNext:\n  clevis mesh {}\n  clevis check {}\n",
+      options.folder.string(), chosen->about, scene, scene);
+  return ExitCode::kPass;
+}
+
+}  // namespace clevis::app

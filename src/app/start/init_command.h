@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "base/exit_code.h"
+
+namespace clevis::app {
+
+/// Options of `clevis init`.
+struct InitOptions {
+  std::filesystem::path folder;
+  std::string template_word = "part";
+};
+
+/// Writes a commented scene that runs, its geometry and the schema for editors
+/// into a new folder.
+/// @throws Error I005 if the folder is there and holds anything, I002.
+ExitCode init_command(const InitOptions& options);
+
+}  // namespace clevis::app
