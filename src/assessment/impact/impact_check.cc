@@ -221,7 +221,8 @@ Computed compute(const PartJob& job, const ImpactJob& given,
   std::optional<double> nominal;
   if (fine.static_root > 0.0) nominal = force * fine.static_root;
   result.rows.push_back(
-      {.model = fmt::format("static elements x factor, p = {}", high),
+      {.model = ImpactModel::kStaticTimesFactor,
+       .degree = high,
        .stress = force * fine.static_stress,
        .nominal = nominal,
        .face = force / stiffness,
@@ -348,9 +349,7 @@ void take_assessment(const PartAssessment& climbed, ImpactResult& impact) {
   row.error = std::max(judged.band_high - judged.value,
                        judged.value - judged.band_low) /
               judged.value;
-  row.model =
-      fmt::format("{}, p = {}", row.model.substr(0, row.model.rfind(',')),
-                  part.peak.sequence.back().degree);
+  row.degree = part.peak.sequence.back().degree;
   row.seconds = part.seconds.assemble + part.seconds.factor +
                 part.seconds.solve + part.seconds.recover;
   const double low = impact.deflection_low, high = impact.deflection_high;
@@ -407,6 +406,7 @@ CheckedBlows check_blows(const PartJob& job) {
     ImpactResult impact = models.blows()[i].result;
     if (!is_outdone(impact, models.blows())) {
       PartAssessment climbed = models.climb(i);
+      for (InstantRow& row : climbed.fields.history) row.load_set.reset();
       take_assessment(climbed, impact);
       climbed.result.deflection_low = impact.deflection_low;
       climbed.result.deflection_high = impact.deflection_high;

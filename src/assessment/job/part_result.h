@@ -19,8 +19,9 @@ struct SequenceMember {
   double peak{};           ///< von Mises over all points and instants [Pa]
   double strain_energy{};  ///< at the worst instant [J]
   std::string label{};     ///< of that instant
-  double field_peak{};     ///< peak between the points too; 0: not sought [Pa]
-  double deflection{};     ///< largest over the same instants [m]
+  /// Peak between the points too; absent: not sought [Pa].
+  std::optional<double> field_peak{};
+  double deflection{};  ///< largest over the same instants [m]
 };
 
 /// What a peak is in doubt by, each source alone: how far it may be off to
@@ -144,9 +145,20 @@ struct HeldStress {
   std::string label;               ///< "t = 1.25 s" or the case
 };
 
+/// Models of a blow, in the order of a table.
+enum class ImpactModel {
+  kBeamPublished,
+  kBeamCorrected,
+  kBeamMovingAlong,    ///< corrected, with the bar's mass
+  kStaticTimesFactor,  ///< elements at rest
+  kElementsInTime
+};
+
 /// What one model says of a blow; absent: it says nothing of that.
 struct ImpactRow {
-  std::string model;  ///< "beam, corrected", "dynamic FE, modal, p = 3"
+  ImpactModel model{};
+  std::string scheme{};             ///< of elements in time: "29 shapes"
+  std::optional<int> degree{};      ///< of elements
   std::optional<double> stress{};   ///< where the part is judged [Pa]
   std::optional<double> nominal{};  ///< of the root section [Pa]
   double face{};  ///< way of the struck face, along the blow [m]
@@ -156,6 +168,9 @@ struct ImpactRow {
   double ratio{};        ///< nominal stress over that of the dynamic FE [1]
   std::string remark{};  ///< "unsafe by 12 %: …"
 };
+
+/// The model in words: "beam, corrected", "dynamic elements, 29 shapes, p = 3".
+std::string model_name(const ImpactRow& row);
 
 /// What a blow's stress does with ever shorter fronts, the last as short as the
 /// mesh carries.

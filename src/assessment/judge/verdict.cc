@@ -308,10 +308,6 @@ double governing_stress(const part::PartDefinition& part,
   return nominal ? std::max(peak, nominal->value) : peak;
 }
 
-const PeakStress& judged_peak(const PartResult& result) {
-  return result.peak_outside ? *result.peak_outside : result.peak;
-}
-
 // What one limit cannot tell another may: a part fails by any of them.
 void judge(const part::PartDefinition& part, PartResult& result) {
   std::string open;

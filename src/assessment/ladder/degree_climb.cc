@@ -121,7 +121,7 @@ class Climb {
     const auto& sequence = ladder_.sequence;
     const auto values =
         local_peak<dim>(job_, sets, ladder_.zones.mesh(), ladder_.level,
-                        sequence[sequence.size() - 2].field_peak);
+                        sequence[sequence.size() - 2].field_peak.value());
     seconds_.recover += watch.lap();
     if (!values) return false;
     stress::Band band = stress::local_band(*values, tolerance);

@@ -24,7 +24,7 @@ struct DegreeLadder {
   Level<dim> level;
   std::vector<SequenceMember> sequence;
   std::vector<std::vector<stress::PointValue>> probes;  ///< per degree
-  std::vector<HeldStress> held;                         ///< per degree
+  std::vector<std::optional<HeldStress>> held;          ///< per degree
   DeflectionWatch deflections;
   stress::Band band;
   stress::Band outer_band;  ///< away from zones; only if one governs

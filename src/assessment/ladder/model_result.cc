@@ -225,7 +225,7 @@ PartFields make_fields(const PartJob& job, const Level<dim>& level) {
     const auto& instants = job.load_sets[s].history.instants;
     for (std::size_t i = 0; i < instants.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
-      fields.history.push_back({instants[i].label, instants[i].time,
+      fields.history.push_back({s, instants[i].label, instants[i].time,
                                 level.histories[s].peak[at],
                                 level.bases[s]->strain_energy[at]});
     }
@@ -252,15 +252,16 @@ std::optional<double> energy_error(
 }
 
 /// The last degree's, the last change on both sides; nothing where no plane
-/// face holds the part, which a level tells by a stress of 0.
-std::optional<HeldStress> held_stress(const std::vector<HeldStress>& degrees) {
-  HeldStress held = degrees.back();
-  if (held.value == 0.0) return std::nullopt;
-  if (degrees.size() > 1) {
+/// face holds the part.
+std::optional<HeldStress> held_stress(
+    const std::vector<std::optional<HeldStress>>& degrees) {
+  std::optional<HeldStress> held = degrees.back();
+  if (held && degrees.size() > 1) {
+    const auto& before = degrees[degrees.size() - 2];
     const double change =
-        std::abs(held.value - degrees[degrees.size() - 2].value);
-    held.band_low -= change;
-    held.band_high += change;
+        std::abs(held->value - (before ? before->value : 0.0));
+    held->band_low -= change;
+    held->band_high += change;
   }
   return held;
 }

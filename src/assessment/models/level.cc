@@ -60,16 +60,17 @@ template <int dim>
 void note_held(const PartJob& job, const LoadSet& set,
                const elasticity::DisplacementBasis<dim>& basis,
                Level<dim>& level) {
-  HeldStress& held = level.held;
+  std::optional<HeldStress>& held = level.held;
   for (const auto& face : stress::held_faces<dim>(
            basis, job.part.material, set.fixed, set.history, job.part.name)) {
     level.held_sections.insert(level.held_sections.end(), face.groups.begin(),
                                face.groups.end());
     Eigen::Index at = 0;
     const double value = face.nominal.maxCoeff(&at);
-    if (value <= held.value) continue;
+    if (value <= (held ? held->value : 0.0)) continue;
     const auto& instant = set.history.instants[static_cast<std::size_t>(at)];
-    held = {value, value, value, face.name, instant.time, instant.label};
+    held =
+        HeldStress{value, value, value, face.name, instant.time, instant.label};
   }
 }
 

@@ -63,8 +63,8 @@ std::optional<stress::LocalValues> local_peak(const PartJob& job,
                                       history.subdivisions);
   };
   try {
-    return stress::LocalValues{before, level.member.field_peak, peak_with(2),
-                               peak_with(3)};
+    return stress::LocalValues{before, level.member.field_peak.value(),
+                               peak_with(2), peak_with(3)};
   } catch (const Error&) {
     return std::nullopt;  // a neighbourhood that folds or is loose
   }

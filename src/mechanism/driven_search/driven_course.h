@@ -18,8 +18,9 @@ class DrivenCourse {
   struct Look {
     double t{};  ///< [s]
     Configuration x;
-    Eigen::VectorXd loads;          ///< of BodyLoads [N], [N m]
-    Eigen::VectorXd guards, rates;  ///< of DrivenGuards
+    Eigen::VectorXd loads;                     ///< of BodyLoads [N], [N m]
+    Eigen::VectorXd guards;                    ///< DrivenGuards::values()
+    std::vector<std::optional<double>> rates;  ///< DrivenGuards::rates()
     Eigen::VectorXd bend;  ///< of the guards until the next look; DrivenEvents
     std::vector<double> lines;  ///< angles of elements' lines and rates
     double turning{};           ///< fastest body [rad/s]

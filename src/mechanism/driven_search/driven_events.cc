@@ -30,11 +30,12 @@ VectorXd curvature(const DrivenCourse::Look& a, const DrivenCourse::Look& b,
 
 /// The same at the ends of an interval, times its length squared, by the cubic
 /// through values and rates; 0 where no rate is known.
-double cubic_bend(double a, double b, double rate_a, double rate_b, double h) {
-  if (!std::isfinite(rate_a) || !std::isfinite(rate_b)) return 0.0;
+double cubic_bend(double a, double b, std::optional<double> rate_a,
+                  std::optional<double> rate_b, double h) {
+  if (!rate_a || !rate_b) return 0.0;
   const double rise = 6.0 * (b - a);
-  return std::max(std::abs(rise - h * (4.0 * rate_a + 2.0 * rate_b)),
-                  std::abs(rise - h * (2.0 * rate_a + 4.0 * rate_b)));
+  return std::max(std::abs(rise - h * (4.0 * *rate_a + 2.0 * *rate_b)),
+                  std::abs(rise - h * (2.0 * *rate_a + 4.0 * *rate_b)));
 }
 
 bool differ(double a, double b, double floor) {
@@ -79,9 +80,10 @@ VectorXd DrivenEvents::bounds(At left) const {
   }
   bend *= kMargin * h * h;
   for (Index i = 0; i < bend.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
     bend[i] =
         std::max(bend[i], 2.0 * cubic_bend(left->guards[i], right->guards[i],
-                                           left->rates[i], right->rates[i], h));
+                                           left->rates[k], right->rates[k], h));
   }
   return bend;
 }
@@ -120,7 +122,7 @@ void DrivenEvents::search(At left, const End& a, const End& b,
   }
   --halvings_left_;
   constexpr double kLeast = 0.125;
-  End middle{0.5 * (a.t + b.t), {}, {}};
+  End middle{0.5 * (a.t + b.t), {}};
   middle.values = course_.guards_between(left, middle.t);
   const VectorXd half =
       (kMargin * (a.values - 2.0 * middle.values + b.values).cwiseAbs())
@@ -204,8 +206,8 @@ bool DrivenEvents::find(std::size_t most) {
       halvings_left_ = kMostHalvings;
       found_.clear();
       bends_.clear();
-      search(left, {left->t, values_behind(left), left->rates},
-             {right->t, right->guards, right->rates}, left->bend, 0);
+      search(left, {left->t, values_behind(left)}, {right->t, right->guards},
+             left->bend, 0);
       std::ranges::sort(found_);
       add_sides(left, found_);
       for (const double t : bends_) {

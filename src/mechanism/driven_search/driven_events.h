@@ -25,7 +25,7 @@ class DrivenEvents {
   using At = DrivenCourse::At;
   struct End {
     double t{};
-    Eigen::VectorXd values, rates;
+    Eigen::VectorXd values;
   };
   Eigen::VectorXd bounds(At left) const;
   void search(At left, const End& a, const End& b, const Eigen::VectorXd& bend,

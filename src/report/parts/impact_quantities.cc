@@ -155,7 +155,10 @@ Quantities<ImpactResult> blow_rows() {
 Quantities<ImpactRow> blow_model_rows() {
   using S = ImpactRow;
   return {
-      quantity<S>({"model", "/model", "", "", kModelRule}, &S::model),
+      quantity<S>({"model", "/model", "", "", kModelRule},
+                  [](const S& row) {
+                    return assessment::model_name(row);
+                  }),
       quantity<S>({"peak_von_mises", "/stress_MPa", "MPa", "", kPeakRule},
                   &S::stress),
       quantity<S>(

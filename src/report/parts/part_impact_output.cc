@@ -126,7 +126,7 @@ std::string table_of(const ImpactResult& impact, Colour colour) {
                    {"s", Align::kRight},
                    {""}});
   for (const ImpactRow& row : impact.rows) {
-    table.add_row({{row.model},
+    table.add_row({{model_name(row)},
                    {or_dash(row.stress, kMegapascal, "{:.1f}")},
                    {or_dash(row.nominal, kMegapascal, "{:.1f}")},
                    {fmt::format("{:.3f}", row.ratio)},
@@ -266,7 +266,8 @@ BeamImpactSummary beam_impact(const PartResult& part) {
   BeamImpactSummary found;
   for (const ImpactResult& impact : part.impacts) {
     for (const ImpactRow& row : impact.rows) {
-      if (row.model != "beam, corrected" || row.nominal <= found.stress) {
+      if (row.model != assessment::ImpactModel::kBeamCorrected ||
+          row.nominal <= found.stress) {
         continue;
       }
       found.stress = row.nominal;

@@ -66,8 +66,8 @@ CLEVIS_PIPED(SelfChecks, equilibrium, residual, energy, compression,
              reported_peak_is_field_maximum)
 CLEVIS_PIPED(ProbeResult, name, quantity, value, band_low, band_high)
 CLEVIS_PIPED(HeldStress, value, band_low, band_high, section, instant, label)
-CLEVIS_PIPED(ImpactRow, model, stress, nominal, face, deflection, error,
-             seconds, ratio, remark)
+CLEVIS_PIPED(ImpactRow, model, scheme, degree, stress, nominal, face,
+             deflection, error, seconds, ratio, remark)
 CLEVIS_PIPED(FrontRefinement, fronts, stress, deflection, below, above,
              root_below, root_above, settles, degree, rival_time, rival)
 CLEVIS_PIPED(ImpactResult, name, source, mass, speed, force, stiffness,
