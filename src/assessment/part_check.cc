@@ -20,7 +20,7 @@
 #include "assessment/notes/part_notes.h"
 #include "assessment/stability/buckling_check.h"
 #include "assessment/stability/sharing_check.h"
-#include "assessment/vibration/load_pace.h"
+#include "assessment/vibration/duration_ratio.h"
 #include "assessment/vibration/vibration_check.h"
 #include "base/stopwatch.h"
 #include "part/verdict.h"
@@ -86,7 +86,7 @@ PartAssessment solve_models(const PartJob& job) {
   return std::move(*found);
 }
 
-/// What loads at rest and in motion do to the part, and its blows.
+/// Assessment of the part under loads at rest and in motion, and under blows.
 PartAssessment solve_all(const PartJob& job, CheckedBlows& blows) {
   if (job.load_sets.empty() && blows.assessment) {
     return std::move(*blows.assessment);
@@ -108,7 +108,7 @@ void explain_unsettled(PartResult& result) {
     if (impact.refinement.settles) continue;
     if (impact.spread > 0.0) {
       result.why = "the striker of impact " + impact.name +
-                   " bounces, and its course hangs on little things: give the "
+                   " bounces, and its response is chaotic: give the "
                    "part its damping";
       return;
     }
@@ -181,7 +181,7 @@ PartAssessment check_part(const PartJob& given) {
   result.safety_factor =
       judged > 0.0 ? job.part.material.yield_strength / judged : 0.0;
   finish_impacts(std::move(blows.impacts), result);
-  judge_paces(job, result);
+  judge_duration_ratios(job, result);
   check_vibration(job, result);
   check_sharing(given, result);
   judge(job.part, result);

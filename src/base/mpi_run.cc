@@ -1,6 +1,7 @@
 #include "base/mpi_run.h"
 
 #include <cstdlib>
+#include <initializer_list>
 
 namespace clevis {
 namespace {

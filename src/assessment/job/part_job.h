@@ -78,7 +78,7 @@ struct PartJob {
   std::vector<std::string> notes;  ///< of the mesh, for the result
 };
 
-/// What the part carries at one instant or in one case.
+/// Peak and strain energy of the part at one instant or in one case.
 struct InstantRow {
   /// Index of the job's load set; absent: a blow.
   std::optional<std::size_t> load_set;

@@ -179,7 +179,7 @@ std::optional<Nominal> largest_nominal(const PartResult& result) {
     const double stress = *result.beam.peak_stress;
     largest = {stress, stress, stress, result.beam.governing};
   }
-  const std::optional<HeldStress>& held = result.held;
+  const std::optional<SupportStress>& held = result.held;
   if (!held || (largest && held->band_high <= largest->high)) return largest;
   return Nominal{held->band_low, held->value, held->band_high,
                  fmt::format("section {}, {}", held->section, held->label)};

@@ -79,7 +79,7 @@ template <int dim>
 void fill_zones(const PartJob& job, const DegreeLadder<dim>& ladder,
                 PartResult& result) {
   const Level<dim>& level = ladder.level;
-  const ZoneWatch<dim>& zones = ladder.zones;
+  const ZoneTracker<dim>& zones = ladder.zones;
   result.singular_zones = zones.results();
   for (ZoneResult& zone : result.singular_zones) {
     zone.has_section =
@@ -155,7 +155,7 @@ void fill_checks(const Level<dim>& level, SelfChecks& checks) {
   }
 }
 
-/// What the positions' round-off makes of strains in the smallest cell [1].
+/// Error of strains in the smallest cell by the positions' round-off [1].
 template <int dim>
 double strain_round_off(const elasticity::Discretization<dim>& discretization) {
   double farthest = 0.0;
@@ -197,7 +197,7 @@ double check_reported_peak(const PartJob& job, const Level<dim>& level,
   throw Error("F003", "part " + job.part.name,
               fmt::format("reported peak {:.6g} MPa, field maximum {:.6g} MPa",
                           peak / 1e6, largest / 1e6),
-              "please report this scene");
+              "Please report this scene.");
 }
 
 /// Under even pressure von Mises is the round-off of K u and settles nowhere.
@@ -253,9 +253,9 @@ std::optional<double> energy_error(
 
 /// The last degree's, the last change on both sides; nothing where no plane
 /// face holds the part.
-std::optional<HeldStress> held_stress(
-    const std::vector<std::optional<HeldStress>>& degrees) {
-  std::optional<HeldStress> held = degrees.back();
+std::optional<SupportStress> support_stress(
+    const std::vector<std::optional<SupportStress>>& degrees) {
+  std::optional<SupportStress> held = degrees.back();
   if (held && degrees.size() > 1) {
     const auto& before = degrees[degrees.size() - 2];
     const double change =
@@ -311,7 +311,7 @@ PartAssessment assess(const PartJob& job, const FeModel<dim>& model,
     fill_nearby<dim>(ladder, result.peak);
   }
   fill_zones<dim>(job, ladder, result);
-  result.held = held_stress(ladder.held);
+  result.held = support_stress(ladder.held);
   fill_checks<dim>(level, result.self_checks);
   fill_probes<dim>(job, ladder, result.probes);
   settle_even_pressure(check_reported_peak<dim>(job, level, result),

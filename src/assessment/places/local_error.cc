@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// What one instant puts on the part with a higher degree.
+/// Discrete load of one instant with a higher degree.
 template <int dim>
 struct FineLoad {
   elasticity::Discretization<dim> discretization;

@@ -35,10 +35,10 @@ void strike(Part& part) {
   blow.deflection_low = 0.19e-3;
   blow.deflection_high = 0.21e-3;
   blow.later_stress = blow.later_deflection = 1.05;
-  blow.swing_stress = 1.2;
-  blow.swing_deflection = 1.2;
+  blow.free_vibration_stress = 1.2;
+  blow.free_vibration_deflection = 1.2;
   blow.safety_factor = 2.0;
-  blow.root = assessment::HeldStress{
+  blow.root = assessment::SupportStress{
       .value = 200e6, .band_low = 198e6, .band_high = 203e6, .section = "root"};
   blow.refinement.stress = {170e6, 175e6, 180e6};
   blow.refinement.fronts = {4e-6, 2e-6, 1e-6};
@@ -118,11 +118,11 @@ TEST(Comparison, EveryNumberOfABlowIsHeld) {
             }),
             of + "settles");
   EXPECT_EQ(after([](Part& part) {
-              part.impacts[0].swing_stress.reset();
+              part.impacts[0].free_vibration_stress.reset();
             }),
             of + "free_swing_stress");
   EXPECT_EQ(after([](Part& part) {
-              *part.impacts[0].swing_deflection *= 1.02;
+              *part.impacts[0].free_vibration_deflection *= 1.02;
             }),
             of + "free_swing_deflection");
   const std::string model = "impact DCE/blow, model 2 ";
