@@ -20,7 +20,7 @@
 #include "assessment/notes/part_notes.h"
 #include "assessment/stability/buckling_check.h"
 #include "assessment/stability/sharing_check.h"
-#include "assessment/vibration/load_pace.h"
+#include "assessment/vibration/duration_ratio.h"
 #include "assessment/vibration/vibration_check.h"
 #include "base/stopwatch.h"
 #include "part/verdict.h"
@@ -86,7 +86,7 @@ PartAssessment solve_models(const PartJob& job) {
   return std::move(*found);
 }
 
-/// What loads at rest and in motion do to the part, and its blows.
+/// Assessment of the part under loads at rest and in motion, and under blows.
 PartAssessment solve_all(const PartJob& job, CheckedBlows& blows) {
   if (job.load_sets.empty() && blows.assessment) {
     return std::move(*blows.assessment);
@@ -108,7 +108,7 @@ void explain_unsettled(PartResult& result) {
     if (impact.refinement.settles) continue;
     if (impact.spread > 0.0) {
       result.why = "the striker of impact " + impact.name +
-                   " bounces, and its course hangs on little things: give the "
+                   " bounces, and its response is chaotic: give the "
                    "part its damping";
       return;
     }
@@ -121,36 +121,34 @@ void explain_unsettled(PartResult& result) {
 }
 
 /// By trapezoids between the instants of the motion; absent without one [J].
-std::optional<double> mean_strain_energy(const PartJob& job,
-                                         const std::vector<InstantRow>& rows) {
-  if (job.load_sets.empty()) return std::nullopt;
-  // The motion comes first, then cases at 0 s, then what others have joined.
-  const auto& instants = job.load_sets.front().history.instants;
-  const auto start =
-      std::ranges::find_if(rows, [&instants](const InstantRow& row) {
-        return row.label == instants[0].label && row.time == instants[0].time;
-      });
-  if (start == rows.end()) return std::nullopt;
-  const auto count = std::min(std::ssize(instants), rows.end() - start);
+std::optional<double> mean_strain_energy(const std::vector<InstantRow>& rows) {
+  // The motion is the first set's beginning; its cases stand behind it at 0 s.
+  const InstantRow* first = nullptr;
+  const InstantRow* last = nullptr;
   double integral = 0.0;  // [J s]
-  double end = start->time;
-  for (auto row = start + 1; row != start + count && row->time >= end; ++row) {
-    integral += 0.5 * (row->time - end) *
-                (row->strain_energy + (row - 1)->strain_energy);
-    end = row->time;
+  for (const InstantRow& row : rows) {
+    if (row.load_set != 0) continue;
+    if (last == nullptr) {
+      first = &row;
+    } else {
+      if (row.time < last->time) break;
+      integral += 0.5 * (row.time - last->time) *
+                  (row.strain_energy + last->strain_energy);
+    }
+    last = &row;
   }
-  if (end == start->time) return std::nullopt;
-  return integral / (end - start->time);
+  if (first == last) return std::nullopt;
+  if (last->time == first->time) return std::nullopt;
+  return integral / (last->time - first->time);
 }
 
-void note_energy_over_time(const PartJob& job,
-                           const std::vector<InstantRow>& rows,
+void note_energy_over_time(const std::vector<InstantRow>& rows,
                            PartResult& result) {
   const auto largest =
       std::ranges::max_element(rows, {}, &InstantRow::strain_energy);
   if (largest == rows.end()) return;
   result.strain_energy_instant = largest->time;
-  result.mean_strain_energy = mean_strain_energy(job, rows);
+  result.mean_strain_energy = mean_strain_energy(rows);
 }
 
 }  // namespace
@@ -166,7 +164,7 @@ PartAssessment check_part(const PartJob& given) {
   result.name = job.part.name;
   result.notes.insert(result.notes.end(), job.notes.begin(), job.notes.end());
   result.mass = job.mass.mass;
-  note_energy_over_time(given, assessment.fields.history, result);
+  note_energy_over_time(assessment.fields.history, result);
   for (const LoadSet& set : job.load_sets) {
     result.notes.insert(result.notes.end(), set.history.notes.begin(),
                         set.history.notes.end());
@@ -183,7 +181,7 @@ PartAssessment check_part(const PartJob& given) {
   result.safety_factor =
       judged > 0.0 ? job.part.material.yield_strength / judged : 0.0;
   finish_impacts(std::move(blows.impacts), result);
-  judge_paces(job, result);
+  judge_duration_ratios(job, result);
   check_vibration(job, result);
   check_sharing(given, result);
   judge(job.part, result);

@@ -123,9 +123,8 @@ void add_buckling(const PinLine& line, const Span& span,
   const double load = euler_load(youngs_modulus, second_moment,
                                  buckling_length.value_or(own_length));
   const double safety = load / compression;
-  if (estimate.buckling_safety == 0.0 || safety < estimate.buckling_safety) {
-    estimate.buckling_safety = safety;
-    estimate.euler_load = load;
+  if (!estimate.buckling || safety < estimate.buckling->safety) {
+    estimate.buckling = {load, safety};
   }
 }
 

@@ -23,13 +23,19 @@ struct BeamStress {
   bool is_section = false;
 };
 
+/// A compressed pair of pins as Euler's strut.
+struct EulerBuckling {
+  double load{};    ///< at which it buckles [N]
+  double safety{};  ///< that load over the largest compression [1]
+};
+
 /// Stresses, deflection and buckling of a part by beam and lug theory
 /// (docs/theory.md, "Beams and lugs").
 struct BeamEstimate {
   std::vector<BeamStress> stresses;  ///< sorted, the governing one first
   double deflection{};               ///< relative to the first two pins [m]
-  double euler_load{};       ///< [N]; 0 if the part has no compressed pin pair
-  double buckling_safety{};  ///< Euler load / largest compression; 0 as above
+  /// Of the pair with the least safety; absent: none is compressed.
+  std::optional<EulerBuckling> buckling;
 };
 
 /// Beam theory from the same load history that the FE takes: axial + bending

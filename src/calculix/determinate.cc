@@ -61,7 +61,7 @@ std::vector<int> determinate_dofs(
   if ((loose.transpose() * loads).cwiseAbs().maxCoeff() > kBalanced * scale) {
     throw Error("F001", "part " + problem.name,
                 "the supports leave the part free to follow its loads",
-                "hold more components in `fixed`");
+                "Hold more components in `fixed`.");
   }
   std::vector<int> candidates;
   for (const int node : discretization.vertex_nodes) {

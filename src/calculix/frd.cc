@@ -17,7 +17,7 @@ constexpr double kPascals = 1e6;  // per megapascal
 
 [[noreturn]] void refuse(const std::string& place, const std::string& problem) {
   throw Error("I004", place, problem,
-              "see the messages of ccx; run the deck by hand");
+              "See the messages of ccx; run the deck by hand.");
 }
 
 /// A number in a field of fixed width; CalculiX pads with blanks.

@@ -60,7 +60,7 @@ void check(const LinearSystem& system, const BlockOperator& solve, double shift,
       fmt::format("a mode does not satisfy its equation: residual "
                   "{:.2g}, Rayleigh quotient off by {:.2g}",
                   modes.residual.maxCoeff(), modes.rayleigh_error.maxCoeff()),
-      "mesh the part without slivers, or ask for fewer modes");
+      "Mesh the part without slivers, or ask for fewer modes.");
 }
 
 }  // namespace

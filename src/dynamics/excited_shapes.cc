@@ -31,7 +31,7 @@ ExcitedShapes::ExcitedShapes(const LinearSystem& system, const VectorXd& load)
     throw Error("F006", "strike",
                 "what is struck cannot move in the direction of the blow: the "
                 "part's supports hold it",
-                "strike a face that gives way, or change `fixed`");
+                "Strike a face that gives way, or change `fixed`.");
   }
   space_ = std::make_unique<BlockKrylov>(system, solve, answer, rigid_);
 }

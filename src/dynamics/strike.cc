@@ -37,9 +37,9 @@ void require(const loads::Strike& strike, const std::string& place) {
                   "{:.4g} N, contact {:.4g} N/m^{:.3g}",
                   strike.name, strike.mass, strike.speed, strike.force,
                   strike.contact.stiffness, strike.contact.exponent),
-      "mass, stiffness and duration must be above zero, the exponent 1 or "
+      "Mass, stiffness and duration must be above zero, the exponent 1 or "
       "more (1 where the contact is bilateral), and the striker needs a speed "
-      "or a force towards the part");
+      "or a force towards the part.");
 }
 
 double first_elastic(const ReducedModel& model, Eigen::Index rigid) {
@@ -91,7 +91,7 @@ class Solver {
     if (options_.route == Route::kDirect) {
       if (options_.modal_damping > 0.0) {
         throw Error("F006", "strike", "the direct route has no modal damping",
-                    "take the modal route, or no damping");
+                    "Take the modal route, or no damping.");
       }
       solution_.reason = fronts + "direct was asked for";
       if (!damped && options_.damping == Damping::kAuto && needs_damping()) {
@@ -152,21 +152,21 @@ class Solver {
   }
 
   /// Ever more shapes until they settle.
-  /// @param front_time  waves shorter than it are damped; 0: none [s].
-  void modal(double front_time = 0.0) {
+  /// @param wave_front_time  waves shorter than it are damped; 0: none [s].
+  void modal(double wave_front_time = 0.0) {
     std::optional<Refined> before;
     int shapes = options_.fewest_modes;
-    solution_.damping_time = front_time;
+    solution_.damping_time = wave_front_time;
     for (;; shapes = shapes * 3 / 2) {
       const ReducedModel model = shapes_.model(shapes);
-      const auto body = modal_body(model.squares, model.contact, front_time,
-                                   options_.modal_damping);
+      const auto body = modal_body(model.squares, model.contact,
+                                   wave_front_time, options_.modal_damping);
       StepPlan steps = plan(stride_);
       solution_.rise_time = rise_time(*modal_body(model.squares, model.contact),
                                       strike_, duration_);
-      if (solution_.rise_time < front_time) {
+      if (solution_.rise_time < wave_front_time) {
         steps.carry_rise = false;
-        steps.stride = stride_for(front_time);
+        steps.stride = stride_for(wave_front_time);
       }
       Refined now = refine_steps(*body, strike_, steps);
       stride_ = std::max(stride_, now.steps / options_.samples / 2);
@@ -182,8 +182,8 @@ class Solver {
 
   /// Two models, the smaller one for the error.
   void modal_damped() {
-    if (options_.front_time > 0.0) {
-      modal(options_.front_time);
+    if (options_.wave_front_time > 0.0) {
+      modal(options_.wave_front_time);
       return;
     }
     const int most = std::max(options_.front_modes, solution_.modes);

@@ -37,7 +37,7 @@ struct StrikeOptions {
   int front_modes = 271;  ///< where fronts are damped, at the least
   /// Of the fronts that the modal route keeps: the shapes must then settle
   /// under that damping; 0: as short as front_modes shapes allow [s].
-  double front_time = 0.0;
+  double wave_front_time = 0.0;
   int most_direct_steps = 50000;
   int most_modal_steps = 400000;
   /// Of each mode, over the critical; the direct route has none [1].

@@ -29,7 +29,7 @@ double stiffest(const loads::Strike& strike) {
   return ContactLaw(strike.contact).slope(approach);
 }
 
-/// What is left of an error whose last two changes are given.
+/// Remaining error of a geometric sequence, by its last two changes.
 double remaining(double change, std::optional<double> before) {
   constexpr double kSecondOrder = 4.0, kSlowest = 1.5;
   if (!before || !(change > 0.0)) return change;

@@ -97,7 +97,7 @@ const GroupGeometry& find_group(const std::vector<GroupGeometry>& groups,
   throw Error("M003", place,
               fmt::format("the mesh has no physical group \"{}\"; it has {}",
                           name, known.empty() ? "none" : known),
-              "use one of these names, or name the surface in the geometry");
+              "Use one of these names, or name the surface in the geometry.");
 }
 
 Wrench about(const Vector3d& force, const Vector3d& moment,
@@ -118,8 +118,8 @@ void require_full_cylinder(const GroupGeometry& group,
                 fmt::format("a pin cannot press on \"{}\": it is not a "
                             "circular cylinder",
                             group.name),
-                "give a bore_* or round_* group, or load the surface by "
-                "`traction`");
+                "Give a bore_* or round_* group, or load the surface by "
+                "`traction`.");
   }
   if (!is_full_cylinder(group)) {
     const part::Bore& c = group.cylinder;
@@ -130,8 +130,8 @@ void require_full_cylinder(const GroupGeometry& group,
                     "{:.6g} mm and length {:.6g} mm has {:.6g} mm^2",
                     group.name, group.area * 1e6, c.radius * 1e3,
                     c.length * 1e3, full * 1e6),
-        "put one whole cylinder into the group: a bearing load needs the wall "
-        "all round");
+        "Put one whole cylinder into the group: a bearing load needs the wall "
+        "all round.");
   }
 }
 
@@ -182,9 +182,9 @@ void relieve(const LoadHistory& history, const part::MassProperties& mass,
                             vector_text(rest.left.force, rest.force_scale),
                             vector_text(rest.left.moment, rest.moment_scale),
                             100.0 * relative),
-                fmt::format("give the missing load or acceleration, or hold "
+                fmt::format("Give the missing load or acceleration, or hold "
                             "the part with `held_by_pin`, `fixed` or a "
-                            "`foundation`; inertia takes up {:.3g} % at most",
+                            "`foundation`; inertia takes up {:.3g} % at most.",
                             100.0 * kLargestRelief));
   }
   const RigidAcceleration more = relieving_acceleration(rest.left, mass);
@@ -235,8 +235,8 @@ void require_balance(const LoadHistory& history,
                             "about the part's origin of {} N m",
                             instant.label, vector_text(left.force, force_scale),
                             vector_text(left.moment, moment_scale)),
-                "give the missing load or acceleration, or hold the part with "
-                "`fixed`");
+                "Give the missing load or acceleration, or hold the part with "
+                "`fixed`.");
   }
 }
 

@@ -56,7 +56,7 @@ ForceSeat force_seat(const SeatContext& context,
     throw Error("L004", place,
                 fmt::format("force \"{}\" does not act on the body of the part",
                             wanted.force),
-                "name a force on this body, or delete the entry");
+                "Name a force on this body, or delete the entry.");
   }
   const GroupGeometry& group = find_group(context.groups, wanted.group, place);
   result.area = group.area;
@@ -92,8 +92,8 @@ void require_force_seats(const SeatContext& context) {
                 fmt::format("force \"{}\" acts on the body of part {}, but "
                             "on no surface of it",
                             name, context.part.name),
-                fmt::format("add to the part: forces = {{ \"{}\" = {{ face = "
-                            "\"GROUP\" }} }}, the bore or face that takes it",
+                fmt::format("Add to the part: forces = {{ \"{}\" = {{ face = "
+                            "\"GROUP\" }} }}, the bore or face that takes it.",
                             name));
   };
   for (const ForceElement& element : context.definition.elements) {

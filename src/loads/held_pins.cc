@@ -64,8 +64,8 @@ MatrixXd null_space(const MatrixXd& A) {
                   vector_text(axis, 1.0), bores.size() == 1 ? "pin" : "pins",
                   fmt::join(bores, ", "), rest.left.moment.norm(),
                   100.0 * rest.relative()),
-      "a pin takes no moment about its axis: hold the part by a pin in another "
-      "bore too, give the missing load, or angular_acceleration");
+      "A pin takes no moment about its axis: hold the part by a pin in another "
+      "bore too, give the missing load, or angular_acceleration.");
 }
 
 /// Components that the mesh's own asymmetry leaves of none.

@@ -33,7 +33,7 @@ BodyJoint body_joint(const SeatContext& context, const std::string& name,
   }
   throw Error("L004", place,
               fmt::format("joint \"{}\" is not on the body of the part", name),
-              "name a joint that connects this body, or delete the entry");
+              "Name a joint that connects this body, or delete the entry.");
 }
 
 /// What a joint sits on: a pin's cylinder, a slide's wall, or for joints that
@@ -74,8 +74,8 @@ GroupGeometry pressurized_group(const SeatContext& context,
                     "vector is {} mm^2",
                     name,
                     vector_text(group.area_vector * 1e6, group.area * 1e6)),
-        "pressurize a wall that is closed all round; the drive's own "
-        "force belongs to its `face`");
+        "Pressurize a wall that is closed all round; the drive's own "
+        "force belongs to its `face`.");
   }
   return group;
 }
@@ -116,7 +116,7 @@ std::vector<DrivenSeat> driven_seats(const SeatContext& context) {
     if (drive == drives.end()) {
       throw Error("L004", place,
                   fmt::format("joint \"{}\" has no drive", wanted.drive),
-                  "name a driven joint, or delete the entry under `drives`");
+                  "Name a driven joint, or delete the entry under `drives`.");
     }
     driven.drive = static_cast<std::size_t>(drive - drives.begin());
     driven.turns = mechanism::drives_angle(context.definition, *drive);
@@ -160,8 +160,8 @@ void require_seats(const SeatContext& context) {
   if (!missing.empty()) {
     throw Error("L004", context.place("seats"),
                 "no group of the mesh takes the load of " + missing,
-                "add them: pins = { JOINT = \"group\" }, drives = { JOINT = { "
-                "face = \"group\" } }");
+                "Add them: pins = { JOINT = \"group\" }, drives = { JOINT = { "
+                "face = \"group\" } }.");
   }
 }
 

@@ -145,7 +145,7 @@ std::vector<Turn> turns() {
     Matrix3d mirror = Matrix3d::Identity();
     mirror(k, k) = -1.0;
     result.push_back(
-        {fmt::format("mirrored along {}", kNames[static_cast<std::size_t>(k)]),
+        {fmt::format("Mirrored along {}", kNames[static_cast<std::size_t>(k)]),
          mirror});
   }
   for (int k = 0; k < 3; ++k) {
@@ -154,7 +154,7 @@ std::vector<Turn> turns() {
       Matrix3d matrix =
           Eigen::AngleAxisd(angle, Vector3d::Unit(k)).toRotationMatrix();
       matrix = matrix.array().round();
-      result.push_back({fmt::format("turned by {} deg about {}", degrees,
+      result.push_back({fmt::format("Turned by {} deg about {}", degrees,
                                     kNames[static_cast<std::size_t>(k)]),
                         matrix});
     }
@@ -168,8 +168,8 @@ std::string remedy_for(const std::vector<Pair>& pairs, double size) {
   const Matrix3d as_is = Matrix3d::Identity();
   if (const auto slip = unit_slip(pairs)) {
     return fmt::format(
-        "the joints' distances are {:.4g} times the mesh's: correct the "
-        "part's length_unit",
+        "The joints' distances are {:.4g} times the mesh's: correct the "
+        "part's length_unit.",
         *slip);
   }
   if (pairs.size() > 1) {
@@ -179,18 +179,18 @@ std::string remedy_for(const std::vector<Pair>& pairs, double size) {
       }
       return fmt::format(
           "{}, all cylinders of the mesh would lie on their joints: give the "
-          "mesh in the body's frame",
+          "mesh in the body's frame.",
           turn.name);
     }
   }
   const Vector3d shift = mean_gap(pairs);
   if (all_fit(moved(pairs, as_is, 1.0, shift), gap)) {
     return fmt::format(
-        "move the mesh by {} mm, or the part's joints by the opposite",
+        "Move the mesh by {} mm, or the part's joints by the opposite.",
         vector_text(shift * 1e3, size * 1e3));
   }
-  return "make the joint's position in the scene and the cylinder in the mesh "
-         "agree (same lengths, mesh in the body's frame, right length_unit)";
+  return "Make the joint's position in the scene and the cylinder in the mesh "
+         "agree (same lengths, mesh in the body's frame, right length_unit).";
 }
 
 [[noreturn]] void refuse(const SeatContext& context, const Pair& pair,

@@ -75,7 +75,7 @@ void require_along(const Walls& walls, const Vector3d& along,
                   "{:.3g} deg towards the joint's axis on the average",
                   group,
                   std::asin(std::min(1.0, slope)) * 180.0 / std::numbers::pi),
-      "give faces parallel to the joint's axis, or correct that axis");
+      "Give faces parallel to the joint's axis, or correct that axis.");
 }
 
 [[noreturn]] void refuse_unknown(const std::string& group, double length,
@@ -87,9 +87,9 @@ void require_along(const Walls& walls, const Vector3d& along,
                   "load would be too kind",
                   group, length * 1e3),
       fmt::format(
-          "say it: {{ group = \"{}\", length = \"20 mm\"{} }}; a length not "
+          "Say it: {{ group = \"{}\", length = \"20 mm\"{} }}; a length not "
           "below the group's own stands for all of it. A part on the other "
-          "body whose own pin names this joint says it too",
+          "body whose own pin names this joint says it too.",
           group, is_planar ? ", width = \"20 mm\"" : ""));
 }
 
@@ -120,7 +120,7 @@ class ZoneFinder {
                   fmt::format("`width` has no meaning on \"{}\", which is not "
                               "flat",
                               seat.seat.group),
-                  "leave it out");
+                  "Leave it out.");
     }
   }
 
@@ -278,8 +278,8 @@ class ZoneFinder {
         fmt::format("at t = {:.6g} s the counterpart has left \"{}\": it "
                     "touches {:.4g} mm of it along the slide",
                     t, seat_.seat.group, std::max(0.0, size[0]) * 1e3),
-        "correct the joint's points, the `offset` of the length or the motion; "
-        "the zone lies about the joint's point on the other body");
+        "Correct the joint's points, the `offset` of the length or the motion; "
+        "the zone lies about the joint's point on the other body.");
   }
 
   double shortest() const {
@@ -326,7 +326,7 @@ SlideWall slide_wall(const SeatContext& context, const part::Seat& wanted,
                 fmt::format("\"{}\" is not a circular cylinder, but the joint "
                             "turns in it",
                             wanted.group),
-                "give a bore_* or round_* group");
+                "Give a bore_* or round_* group.");
   }
   const Walls walls =
       walls_of(context, wanted.group, wanted.slide.opposite, place);
@@ -345,7 +345,7 @@ SlideWall slide_wall(const SeatContext& context, const part::Seat& wanted,
     throw Error(
         "L003", place,
         fmt::format("\"{}\" is not flat across the joint's axis", wanted.group),
-        "give a plane face normal to the joint's axis");
+        "Give a plane face normal to the joint's axis.");
   }
   return wall;
 }

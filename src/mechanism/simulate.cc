@@ -24,7 +24,7 @@ void require_mass(const MechanismDefinition& definition) {
     throw Error("K006", body.place,
                 fmt::format("body {} has a mass of {} kg", body.name,
                             body.mass_properties.mass),
-                "give the body a mass, center_of_mass and inertia, or a part");
+                "Give the body a mass, center_of_mass and inertia, or a part.");
   }
 }
 
@@ -37,7 +37,7 @@ void refuse_history(const MechanismDefinition& definition,
                 fmt::format("force {} has a history of its own, which drives "
                             "do not fix",
                             name_of(definition.elements[k])),
-                "choose motion = \"dynamic\", or leave the key out");
+                "Choose motion = \"dynamic\", or leave the key out.");
   }
 }
 
@@ -58,7 +58,7 @@ void require_direction(const MechanismDefinition& definition, double length,
                 fmt::format("force \"{}\" has {:.4g} N between two points that "
                             "coincide at the start: no direction to act along",
                             name_of(definition.elements[k]), state.effort),
-                "move one of its points, or give it an axis");
+                "Move one of its points, or give it an axis.");
   }
 }
 

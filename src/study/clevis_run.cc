@@ -74,7 +74,7 @@ void forbid_long_runs(const PartJob& job, const assessment::FeModel<dim>& model,
   if (dofs <= kMostDofs) return;
   throw Error("F004", "part " + job.part.name,
               fmt::format("{:.2g} degrees of freedom", dofs),
-              "a study solves no more than 450 000");
+              "A study solves no more than 450 000.");
 }
 
 /// From the mesh file to the stresses, once.

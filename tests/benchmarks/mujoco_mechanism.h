@@ -13,7 +13,7 @@
 #include <Eigen/QR>
 #include <mujoco/mujoco.h>
 
-#include "benchmarks/reference_courses.h"
+#include "benchmarks/reference_trajectories.h"
 
 /// What the mechanisms in MuJoCo share.
 namespace clevis::benchmarks {

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "benchmarks/mujoco_mechanism.h"
-#include "benchmarks/reference_courses.h"
+#include "benchmarks/reference_trajectories.h"
 
 /// The mechanisms of work_precision.cc in MuJoCo: trees of joints, the loops
 /// closed by its `connect` constraints, which are soft.

@@ -13,7 +13,7 @@
 
 #include "benchmarks/mujoco_mechanisms.h"
 #include "benchmarks/precision_row.h"
-#include "benchmarks/reference_courses.h"
+#include "benchmarks/reference_trajectories.h"
 
 using namespace clevis::benchmarks;
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "benchmarks/reference_courses.h"
+#include "benchmarks/reference_trajectories.h"
 
 /// The table that work_precision and its companions print.
 namespace clevis::benchmarks {
@@ -15,7 +15,7 @@ struct PrecisionRow {
   std::string problem, method, setting;
   double seconds{};
   long steps = -1, implicit_steps = -1, rejected = -1, evaluations = -1;
-  CourseErrors errors;
+  TrajectoryErrors errors;
 };
 
 inline void print_header() {
@@ -36,7 +36,7 @@ inline void print(const PrecisionRow& row) {
       std::printf(",%ld", count);
     }
   }
-  const CourseErrors& e = row.errors;
+  const TrajectoryErrors& e = row.errors;
   for (const double error :
        {e.position, e.energy, e.gap, e.reaction, e.branch}) {
     if (error < 0.0) {

@@ -5,7 +5,7 @@
 
 #include <Simbody.h>
 
-#include "benchmarks/reference_courses.h"
+#include "benchmarks/reference_trajectories.h"
 
 /// What the mechanisms in Simbody share.
 namespace clevis::benchmarks {

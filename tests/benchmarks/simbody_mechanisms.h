@@ -5,7 +5,7 @@
 
 #include <Simbody.h>
 
-#include "benchmarks/reference_courses.h"
+#include "benchmarks/reference_trajectories.h"
 #include "benchmarks/simbody_mechanism.h"
 
 /// The mechanisms of work_precision.cc in Simbody: trees of joints, the loops

@@ -17,7 +17,7 @@
 #include <unistd.h>
 
 #include "benchmarks/precision_row.h"
-#include "benchmarks/reference_courses.h"
+#include "benchmarks/reference_trajectories.h"
 #include "benchmarks/simbody_mechanisms.h"
 
 using namespace clevis::benchmarks;

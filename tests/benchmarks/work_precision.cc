@@ -12,7 +12,7 @@
 
 #include "base/errors.h"
 #include "benchmarks/precision_row.h"
-#include "benchmarks/reference_courses.h"
+#include "benchmarks/reference_trajectories.h"
 #include "mechanism/simulate.h"
 #include "support/benchmark_mechanisms.h"
 #include "support/landing_gear.h"
@@ -29,7 +29,7 @@ struct Problem {
   MechanismDefinition definition;
   double duration{};
   int instants{};
-  std::function<CourseErrors(const Motion&)> errors;
+  std::function<TrajectoryErrors(const Motion&)> errors;
 };
 
 /// A problem whose errors follow from what `sample` takes from each instant.
@@ -78,7 +78,7 @@ void sample_bricard(const Instant& at, Sample& sample) {
 Problem timed(const std::string& name, const MechanismDefinition& definition,
               double duration, int instants, const std::vector<double>& known) {
   return {name, definition, duration, instants, [known](const Motion& motion) {
-            CourseErrors worst;
+            TrajectoryErrors worst;
             for (std::size_t i = 0; i < known.size(); ++i) {
               const double t =
                   i < motion.events.size() ? motion.events[i].t : INFINITY;
@@ -118,7 +118,7 @@ std::vector<Problem> problems() {
                 251, {7.5, 7.5 + slip, 12.5 + slip}),
           {"lugre", pulled(bristles()), 25.0, 26,
            [](const Motion& motion) {
-             CourseErrors worst;
+             TrajectoryErrors worst;
              worst.position = std::abs(
                  motion.instants.back().bodies[1].pose.p_WL.x() - 1.908839199);
              return worst;

@@ -155,7 +155,7 @@ PUBLIC = {
     "stress": "field/deflection field/energy_error field/field_output field/finite_motion"
               " field/probe field/stress_history peaks/local_peak peaks/meeting_points"
               " peaks/peak_band peaks/peak_zoom peaks/slow_sequence peaks/surface_kink"
-              " sections/held_face zones/singular_zone zones/zone_mask zones/zone_strength",
+              " sections/support_face zones/singular_zone zones/zone_mask zones/zone_strength",
     "assessment": "impact/impact_check job/model_traits job/part_job"
                   " job/part_result models/level models/model_list part_check",
     "report": "check/check_table check/result_files check/result_json"

@@ -7,6 +7,44 @@
 /// Motions by forces whose course is known to many digits.
 namespace clevis::mechanism::testing {
 
+/// Instants at even times until `duration` [s].
+inline SimulationSettings sampled(double duration, int instants,
+                                  double tolerance) {
+  SimulationSettings s;
+  s.duration = duration;
+  s.instants = instants;
+  s.tolerance = tolerance;
+  return s;
+}
+
+/// A flywheel about the world's z, `inertia` about it.
+inline MechanismDefinition flywheel(double inertia) {
+  MechanismDefinition m;
+  BodyDefinition wheel = uniform_bar("wheel", Vector3d::Zero(), 0.0, 0.1);
+  wheel.mass_properties.p_LCm.setZero();
+  wheel.mass_properties.inertia_LCm =
+      Vector3d(inertia, inertia, inertia).asDiagonal();
+  m.bodies = {wheel};
+  m.joints = {{.name = "axle",
+               .type = JointType::kRevolute,
+               .body_a = kGround,
+               .body_b = 0,
+               .frame_a = {},
+               .frame_b = {},
+               .place = "joint"}};
+  return m;
+}
+
+/// A free body of 2 kg.
+inline MechanismDefinition free_body() {
+  MechanismDefinition m;
+  BodyDefinition body = uniform_bar("body", {0.1, 0.2, 0.3}, 0.0, 0.1);
+  body.mass_properties.mass = 2.0;
+  body.mass_properties.p_LCm.setZero();
+  m.bodies = {body};
+  return m;
+}
+
 /// Bodies that slide along x on ground, `mass` each.
 inline MechanismDefinition sliders(const std::vector<double>& masses) {
   MechanismDefinition m;

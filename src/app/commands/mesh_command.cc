@@ -52,7 +52,7 @@ std::vector<PartDefinition> parts_to_mesh(
   return result;
 }
 
-/// The mesh that the text of a .msh holds, through the same gate as in
+/// The mesh that the text of a .msh holds, through the same validation as in
 /// `check`: what does not pass is not kept.
 mesh::PartMesh<3> gated(const std::string& text, const PartDefinition& part) {
   const TemporaryFolder folder;

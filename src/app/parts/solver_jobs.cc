@@ -27,7 +27,7 @@ std::string answer_of(const SolverTask& task) {
   } catch (const std::bad_alloc&) {
     return kRefusal +
            encode_error(Error("F004", task.what, "the memory ran out",
-                              "mesh the part coarser"));
+                              "Mesh the part coarser."));
   } catch (const std::exception& failure) {
     return kRefusal + encode_error(Error("X001", task.what, failure.what(),
                                          "Please report this scene."));

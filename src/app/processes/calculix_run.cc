@@ -131,7 +131,7 @@ study::Run run_calculix(const PartJob& job, const CalculixRequest& request) {
         outcome.status
             ? "ccx failed: " + complaint(read_text(folder.path() / "ccx.log"))
             : fmt::format("ccx did not finish within {} min", kTimeout.count()),
-        "export the deck and run it by hand");
+        "Export the deck and run it by hand.");
   }
   std::ifstream answer(folder.path() / "part.frd");
   const auto steps = calculix::read_frd(
@@ -142,7 +142,7 @@ study::Run run_calculix(const PartJob& job, const CalculixRequest& request) {
     throw Error("I004", "part " + job.part.name,
                 fmt::format("{} steps of {} in the .frd", steps.size(),
                             history.instants.size()),
-                "export the deck and run it by hand");
+                "Export the deck and run it by hand.");
   }
   study::Run run;
   run.series = "CalculiX " + model.element;

@@ -83,7 +83,7 @@ Eigen::VectorXd at_nodes(const stress::InstantField& field,
     if (place == nullptr) {
       throw Error("X001", "CalculiX's deck",
                   "one of its nodes is no point of the mesh",
-                  "please report this scene");
+                  "Please report this scene.");
     }
     result.segment<3>(3 * n) =
         field.displacement[place->first].row(place->second).transpose();

@@ -68,7 +68,7 @@ std::string check_one(const PartJob& job,
     return kRefusal +
            encode_error(Error(
                "F004", "part " + job.part.name, "the memory ran out",
-               "mesh the part coarser, or check fewer at once (--jobs 1)"));
+               "Mesh the part coarser, or check fewer at once (--jobs 1)."));
   } catch (const std::exception& failure) {
     return kRefusal +
            encode_error(Error("X001", "part " + job.part.name, failure.what(),

@@ -29,7 +29,7 @@ void refuse_bed(const PartJob& job, const assessment::LoadSet& loads) {
   throw Error("F005", "part " + job.part.name,
               "a case rests on a `foundation`, which CalculiX has no "
               "elements for",
-              "export the part without this case");
+              "Export the part without this case.");
 }
 
 calculix::Model model_of(const PartJob& job, std::size_t set,

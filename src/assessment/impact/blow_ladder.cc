@@ -15,12 +15,12 @@
 namespace clevis::assessment {
 namespace {
 
-/// The telling samples as the instants of a history, without loads: these are
+/// The candidate samples as the instants of a history, without loads: these are
 /// in the answer.
 LoadSet instants_of(const ImpactJob& impact, const BlowTimes& times) {
   LoadSet set;
   set.fixed = impact.fixed;
-  for (const int i : times.telling) {
+  for (const int i : times.candidates) {
     loads::InstantLoad instant;
     instant.label = impact.strike.name;
     instant.time = times.time[i];
@@ -41,7 +41,7 @@ void judge_band(PeakStress& peak) {
 
 /// @param impact  name of the blow.
 void add_time_error(const BlowTimes& times, const std::string& impact,
-                    HeldStress& held) {
+                    SupportStress& held) {
   held.band_low = std::max(
       0.0, held.band_low - (times.error + times.root_below) * held.value);
   held.band_high +=
@@ -89,7 +89,7 @@ PartAssessment climb_blow(const PartJob& job, const ImpactJob& impact,
     auto& face = (is_graded ? *graded : faces).get(blow, timed, degree);
     const auto response = face.solve(
         timed.strike, strike_options(job, dynamics::Route::kAuto, timed));
-    return at_samples(response.basis, times.telling);
+    return at_samples(response.basis, times.candidates);
   };
   PartSeconds seconds;
   const auto ladder = climb_degrees<dim>(blow, model, {}, seconds);

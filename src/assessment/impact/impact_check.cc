@@ -12,11 +12,11 @@
 #include <fmt/ranges.h>
 
 #include "assessment/impact/blow_ladder.h"
-#include "assessment/impact/course_spread.h"
-#include "assessment/impact/front_refinement.h"
 #include "assessment/impact/impact_rows.h"
-#include "assessment/impact/later_peaks.h"
+#include "assessment/impact/late_response.h"
+#include "assessment/impact/response_scatter.h"
 #include "assessment/impact/struck_run.h"
+#include "assessment/impact/wave_front_refinement.h"
 #include "assessment/judge/model_band.h"
 #include "assessment/judge/verdict.h"
 #include "assessment/models/model_list.h"
@@ -58,20 +58,20 @@ void note_deflection(const StruckRun<dim>& best, double space,
 /// The held sections' nominal stress of a blow whose degrees are not climbed.
 /// @param coarse  of a lower degree.
 template <int dim>
-std::optional<HeldStress> held_stress(const StruckRun<dim>& best,
-                                      const StruckRun<dim>& coarse,
-                                      const ImpactResult& impact) {
+std::optional<SupportStress> support_stress(const StruckRun<dim>& best,
+                                            const StruckRun<dim>& coarse,
+                                            const ImpactResult& impact) {
   const double value = best.root.value;
   if (value == 0.0) return std::nullopt;
   const auto& fronts = impact.refinement;
   const double error =
       std::abs(coarse.root.value / value - 1.0) + best.error_in_time();
-  return HeldStress{value,
-                    std::max(0.0, value * (1.0 - error - fronts.root_below)),
-                    value * (impact.later_root + error + fronts.root_above),
-                    best.root.name,
-                    best.response.motion().time[best.root.sample],
-                    fmt::format("impact {}", impact.name)};
+  return SupportStress{value,
+                       std::max(0.0, value * (1.0 - error - fronts.root_below)),
+                       value * (impact.later_root + error + fronts.root_above),
+                       best.root.name,
+                       best.response.motion().time[best.root.sample],
+                       fmt::format("impact {}", impact.name)};
 }
 
 template <int dim>
@@ -86,7 +86,7 @@ void note_motion(const StruckRun<dim>& best, ImpactResult& impact) {
   impact.reason = best.response.solution.reason;
 }
 
-void take_spread(const CourseSpread& spread, ImpactResult& impact) {
+void take_spread(const ResponseScatter& spread, ImpactResult& impact) {
   impact.spread = spread.largest;
   widen(spread.stress_low, spread.stress_high, impact.band_low,
         impact.band_high);
@@ -132,7 +132,7 @@ ImpactJob lengthened(const PartJob& job, const ImpactJob& given,
                      ImpactResult& result) {
   constexpr double kTold = 0.05;
   const auto later =
-      look_later(job, given, zones, degree, run, result.first_period, faces);
+      late_response(job, given, zones, degree, run, result.first_period, faces);
   result.looked_for = later.looked_for;
   ImpactJob impact = given;
   std::size_t last = 0;
@@ -149,8 +149,8 @@ ImpactJob lengthened(const PartJob& job, const ImpactJob& given,
   result.later_stress = later.spans[last].stress;
   result.later_deflection = later.spans[last].deflection;
   result.later_root = later.spans[last].root;
-  result.swing_stress = later.swing_stress;
-  result.swing_deflection = later.swing_deflection;
+  result.free_vibration_stress = later.free_vibration_stress;
+  result.free_vibration_deflection = later.free_vibration_deflection;
   return impact;
 }
 
@@ -168,7 +168,8 @@ Computed compute(const PartJob& job, const ImpactJob& given,
   result.first_period = elasticity::period_along<dim>(
       {faces.mesh(), job.part.material, unit, given.fixed, job.part.name}, low,
       given.strike.direction);
-  const double front = front_of_mesh(faces.mesh(), job.part.material, high);
+  const double front =
+      shortest_wave_front(faces.mesh(), job.part.material, high);
   ImpactJob impact = given;
   impact.front = 2.0 * front;
   StruckRun<dim> coarse =
@@ -184,8 +185,9 @@ Computed compute(const PartJob& job, const ImpactJob& given,
   const StruckRun<dim> fine =
       run_struck(job, impact, zones, high, Route::kAuto, faces);
   double same_front = fine.stress;  // as that of `coarse`
-  if (makes_fronts(fine)) {
-    result.refinement = refine_front(job, impact, zones, high, fine, faces);
+  if (has_short_wave_fronts(fine)) {
+    result.refinement =
+        refine_wave_front(job, impact, zones, high, fine, faces);
     same_front = result.refinement.stress[1];
   }
   result.name = impact.strike.name;
@@ -213,15 +215,16 @@ Computed compute(const PartJob& job, const ImpactJob& given,
     add_beam_rows(*bar, impact.strike, result.rows);
     result.beam_factor = beam_factor(*bar, impact.strike);
   }
-  result.root = held_stress(fine, coarse, result);
-  const CourseSpread spread =
-      course_spread(job, impact, zones, low, coarse, fine, faces);
+  result.root = support_stress(fine, coarse, result);
+  const ResponseScatter spread =
+      response_scatter(job, impact, zones, low, coarse, fine, faces);
   const double space =
       std::abs(coarse.factor / fine.factor * fine.stress / same_front - 1.0);
   std::optional<double> nominal;
   if (fine.static_root > 0.0) nominal = force * fine.static_root;
   result.rows.push_back(
-      {.model = fmt::format("static elements x factor, p = {}", high),
+      {.model = ImpactModel::kStaticTimesFactor,
+       .degree = high,
        .stress = force * fine.static_stress,
        .nominal = nominal,
        .face = force / stiffness,
@@ -245,7 +248,7 @@ Computed compute(const PartJob& job, const ImpactJob& given,
   if (spread.is_there()) take_spread(spread, result);
   found.stiffness = stiffness;
   found.times = {.time = fine.response.motion().time,
-                 .telling = fine.telling,
+                 .candidates = fine.candidates,
                  .error = fine.error_in_time(),
                  .front = front,
                  .below = fronts.below,
@@ -267,7 +270,7 @@ void require_answer_in_time(const PartJob& job) {
   }
   throw Error("F005", fmt::format("part {}", job.part.name),
               fmt::format("a blow is computed by {}", fmt::join(names, " or ")),
-              "leave --model out");
+              "Leave --model out.");
 }
 
 /// The blows by the cheapest model in time that suits each; what blows on one
@@ -283,7 +286,7 @@ class BlowModels {
     return rest;
   }
 
-  /// What `use` gives of the model of a blow and the faces of its mesh.
+  /// Applies `use` to the model of a blow and the faces of its mesh.
   template <class Use>
   auto by_model(const ImpactJob& impact, Use use) {
     const PartJob rest = at_rest(impact, 1.0);
@@ -348,9 +351,7 @@ void take_assessment(const PartAssessment& climbed, ImpactResult& impact) {
   row.error = std::max(judged.band_high - judged.value,
                        judged.value - judged.band_low) /
               judged.value;
-  row.model =
-      fmt::format("{}, p = {}", row.model.substr(0, row.model.rfind(',')),
-                  part.peak.sequence.back().degree);
+  row.degree = part.peak.sequence.back().degree;
   row.seconds = part.seconds.assemble + part.seconds.factor +
                 part.seconds.solve + part.seconds.recover;
   const double low = impact.deflection_low, high = impact.deflection_high;
@@ -407,6 +408,7 @@ CheckedBlows check_blows(const PartJob& job) {
     ImpactResult impact = models.blows()[i].result;
     if (!is_outdone(impact, models.blows())) {
       PartAssessment climbed = models.climb(i);
+      for (InstantRow& row : climbed.fields.history) row.load_set.reset();
       take_assessment(climbed, impact);
       climbed.result.deflection_low = impact.deflection_low;
       climbed.result.deflection_high = impact.deflection_high;

@@ -10,8 +10,6 @@
 namespace clevis::assessment {
 namespace {
 
-constexpr const char* kPublished = "beam, published";
-
 std::string percent(double part) {
   return fmt::format("{:.2g} %", 100.0 * std::abs(part));
 }
@@ -35,7 +33,7 @@ void add_beam_rows(const beam::BarOfPart& bar, const loads::Strike& strike,
       .mass = strike.mass, .speed = strike.speed, .force = strike.force};
   beam::Blow twice = blow;
   twice.speed *= 2.0;
-  const auto add = [&rows](const char* model, auto compute) {
+  const auto add = [&rows](ImpactModel model, auto compute) {
     Stopwatch watch;
     const beam::BarImpact found = compute();
     rows.push_back({.model = model,
@@ -43,13 +41,13 @@ void add_beam_rows(const beam::BarOfPart& bar, const loads::Strike& strike,
                     .face = found.deflection,
                     .seconds = watch.lap()});
   };
-  add(kPublished, [&] {
+  add(ImpactModel::kBeamPublished, [&] {
     return beam::impact(bar.published, twice);
   });
-  add("beam, corrected", [&] {
+  add(ImpactModel::kBeamCorrected, [&] {
     return beam::impact(bar.bar, blow);
   });
-  add("beam, corrected, its mass moving along", [&] {
+  add(ImpactModel::kBeamMovingAlong, [&] {
     return beam::impact(bar.bar, blow, beam::StruckMass::kMovesAlong);
   });
 }
@@ -67,11 +65,10 @@ ImpactRow struck_row(const StruckRun<dim>& run, int degree, double error) {
   const auto& solution = run.response.solution;
   std::optional<double> nominal;
   if (run.root.value > 0.0) nominal = run.root.value;
-  return {.model = fmt::format("dynamic elements, {}, p = {}",
-                               solution.is_modal
-                                   ? fmt::format("{} shapes", solution.modes)
-                                   : fmt::format("{} steps", solution.steps),
-                               degree),
+  return {.model = ImpactModel::kElementsInTime,
+          .scheme = solution.is_modal ? fmt::format("{} shapes", solution.modes)
+                                      : fmt::format("{} steps", solution.steps),
+          .degree = degree,
           .stress = run.stress,
           .nominal = nominal,
           .face = run.response.motion().peak_contact,
@@ -91,7 +88,7 @@ std::string remark_on(const ImpactRow& row, const ImpactResult& impact,
   if (bent > 1.0 + kClose || bent < 1.0 - kClose) {
     text += fmt::format(", face moves {:.2f} times", bent);
   }
-  if (row.model == kPublished) {
+  if (row.model == ImpactModel::kBeamPublished) {
     return text + ": twice the speed on a third of the stiffness";
   }
   if (off < -kEqual) {

@@ -22,7 +22,7 @@ void add_beam_rows(const beam::BarOfPart& bar, const loads::Strike& strike,
 std::optional<double> beam_factor(const beam::BarOfPart& bar,
                                   const loads::Strike& strike);
 
-/// What elements in time say.
+/// Row of elements in time.
 /// @param error  of the stress [1].
 template <int dim>
 ImpactRow struck_row(const StruckRun<dim>& run, int degree, double error);

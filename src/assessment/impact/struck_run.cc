@@ -52,8 +52,8 @@ Lattice look_at(const elasticity::DisplacementBasis<dim>& basis,
 /// The samples beside those at which points of high stress have their worst,
 /// beside the largest stress of all and those given; between them every
 /// twelfth.
-std::vector<int> telling_samples(const Lattice& found,
-                                 const std::vector<int>& more) {
+std::vector<int> candidate_samples(const Lattice& found,
+                                   const std::vector<int>& more) {
   constexpr double kHigh = 0.8;
   constexpr int kBeside = 3, kElse = 12;
   const auto count = static_cast<int>(found.history.peak.size());
@@ -83,7 +83,7 @@ std::vector<int> telling_samples(const Lattice& found,
   return samples;
 }
 
-/// What a face's matrices depend on beside the part and the degree.
+/// Key of a face's matrices beside the part and the degree.
 std::string face_key(const ImpactJob& impact) {
   const auto& d = impact.strike.direction;
   std::string key = fmt::format("{}|{:a}|{:a}|{:a}", impact.strike.group, d.x(),
@@ -106,7 +106,7 @@ dynamics::StrikeOptions strike_options(const PartJob& job, Route route,
   options.modal_damping = job.part.damping;
   if (route != Route::kDirect && impact.front > 0.0) {
     options.damping = dynamics::Damping::kFronts;
-    options.front_time = impact.front;
+    options.wave_front_time = impact.front;
   }
   return options;
 }
@@ -189,10 +189,10 @@ double equivalent_force(const loads::Strike& strike, double stiffness) {
 }
 
 template <int dim>
-HeldPeak held_peak(const elasticity::DisplacementBasis<dim>& basis,
-                   const PartJob& job, const ImpactJob& impact) {
-  HeldPeak peak;
-  for (const auto& face : stress::held_faces<dim>(
+SupportPeak support_peak(const elasticity::DisplacementBasis<dim>& basis,
+                         const PartJob& job, const ImpactJob& impact) {
+  SupportPeak peak;
+  for (const auto& face : stress::support_faces<dim>(
            basis, job.part.material, impact.fixed, {}, job.part.name)) {
     if (peak.of_sample.size() == 0) peak.of_sample = face.nominal;
     peak.of_sample = peak.of_sample.cwiseMax(face.nominal);
@@ -224,9 +224,9 @@ StruckRun<dim> run_struck(const PartJob& job, const ImpactJob& impact,
   found.stress = looked.peak.value;
   found.seconds = watch.lap();
   found.deflection = stress::largest_deflection<dim>(basis);
-  found.root = held_peak(basis, job, impact);
-  found.telling =
-      telling_samples(looked, {found.deflection.instant, found.root.sample});
+  found.root = support_peak(basis, job, impact);
+  found.candidates =
+      candidate_samples(looked, {found.deflection.instant, found.root.sample});
   // between the samples: a third of what every second one loses
   const auto half = every_second(basis);
   found.sampling_error =
@@ -237,7 +237,7 @@ StruckRun<dim> run_struck(const PartJob& job, const ImpactJob& impact,
   watch.lap();
   const auto at_rest = elasticity::solve<dim>(problem, degree);
   found.static_stress = judged_stress(at_rest, job, zones);
-  found.static_root = held_peak(at_rest, job, impact).value;
+  found.static_root = support_peak(at_rest, job, impact).value;
   found.static_deflection = stress::largest_deflection<dim>(at_rest).value;
   found.static_seconds = watch.lap();
   found.factor = found.stress /
@@ -246,21 +246,22 @@ StruckRun<dim> run_struck(const PartJob& job, const ImpactJob& impact,
   return found;
 }
 
-#define CLEVIS_INSTANTIATE(dim)                                               \
-  template class StruckFaces<dim>;                                            \
-  template HeldPeak held_peak<dim>(const elasticity::DisplacementBasis<dim>&, \
-                                   const PartJob&, const ImpactJob&);         \
-  template elasticity::DisplacementBasis<dim> at_samples<dim>(                \
-      const elasticity::DisplacementBasis<dim>&, const std::vector<int>&);    \
-  template double judged_stress<dim>(                                         \
-      const elasticity::DisplacementBasis<dim>&, const PartJob&,              \
-      const std::vector<stress::SingularZone>&);                              \
-  template Eigen::VectorXd judged_peaks<dim>(                                 \
-      const elasticity::DisplacementBasis<dim>&, const PartJob&,              \
-      const std::vector<stress::SingularZone>&);                              \
-  template StruckRun<dim> run_struck<dim>(                                    \
-      const PartJob&, const ImpactJob&,                                       \
-      const std::vector<stress::SingularZone>&, int, Route,                   \
+#define CLEVIS_INSTANTIATE(dim)                                            \
+  template class StruckFaces<dim>;                                         \
+  template SupportPeak support_peak<dim>(                                  \
+      const elasticity::DisplacementBasis<dim>&, const PartJob&,           \
+      const ImpactJob&);                                                   \
+  template elasticity::DisplacementBasis<dim> at_samples<dim>(             \
+      const elasticity::DisplacementBasis<dim>&, const std::vector<int>&); \
+  template double judged_stress<dim>(                                      \
+      const elasticity::DisplacementBasis<dim>&, const PartJob&,           \
+      const std::vector<stress::SingularZone>&);                           \
+  template Eigen::VectorXd judged_peaks<dim>(                              \
+      const elasticity::DisplacementBasis<dim>&, const PartJob&,           \
+      const std::vector<stress::SingularZone>&);                           \
+  template StruckRun<dim> run_struck<dim>(                                 \
+      const PartJob&, const ImpactJob&,                                    \
+      const std::vector<stress::SingularZone>&, int, Route,                \
       StruckFaces<dim>&);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)

@@ -9,7 +9,7 @@
 #include "dynamics/strike.h"
 #include "elasticity/vibration/strike_response.h"
 #include "stress/field/deflection.h"
-#include "stress/sections/held_face.h"
+#include "stress/sections/support_face.h"
 #include "stress/zones/singular_zone.h"
 
 namespace clevis::assessment {
@@ -56,7 +56,7 @@ class StruckFaces {
 };
 
 /// Largest nominal stress of the plane faces that hold the part.
-struct HeldPeak {
+struct SupportPeak {
   Eigen::VectorXd of_sample;  ///< [Pa]; empty: there is no such face
   double value{};             ///< [Pa]
   int sample{};
@@ -64,8 +64,8 @@ struct HeldPeak {
 };
 
 template <int dim>
-HeldPeak held_peak(const elasticity::DisplacementBasis<dim>& basis,
-                   const PartJob& job, const ImpactJob& impact);
+SupportPeak support_peak(const elasticity::DisplacementBasis<dim>& basis,
+                         const PartJob& job, const ImpactJob& impact);
 
 /// One blow by one route and degree.
 template <int dim>
@@ -73,10 +73,10 @@ struct StruckRun {
   elasticity::StrikeResponse<dim> response;
   double stress{};         ///< [Pa]
   double static_stress{};  ///< by the static force of 1 N [Pa]
-  HeldPeak root;
+  SupportPeak root;
   double static_root{};           ///< by the static force of 1 N [Pa]
   double sampling_error{};        ///< of the stress [1]
-  std::vector<int> telling;       ///< samples at which peaks may stand, rising
+  std::vector<int> candidates;    ///< samples at which peaks may stand, rising
   stress::Deflection deflection;  ///< largest over part and times
   double deflection_sampling{};   ///< what lies between the samples [m]
   double static_deflection{};     ///< by the static force of 1 N [m]

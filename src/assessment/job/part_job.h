@@ -78,8 +78,10 @@ struct PartJob {
   std::vector<std::string> notes;  ///< of the mesh, for the result
 };
 
-/// What the part carries at one instant or in one case.
+/// Peak and strain energy of the part at one instant or in one case.
 struct InstantRow {
+  /// Index of the job's load set; absent: a blow.
+  std::optional<std::size_t> load_set;
   std::string label;       ///< of the case, or "t = 1.25 s"
   double time{};           ///< [s]
   double peak{};           ///< largest von Mises [Pa]

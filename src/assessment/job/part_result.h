@@ -19,12 +19,12 @@ struct SequenceMember {
   double peak{};           ///< von Mises over all points and instants [Pa]
   double strain_energy{};  ///< at the worst instant [J]
   std::string label{};     ///< of that instant
-  double field_peak{};     ///< peak between the points too; 0: not sought [Pa]
-  double deflection{};     ///< largest over the same instants [m]
+  /// Peak between the points too; absent: not sought [Pa].
+  std::optional<double> field_peak{};
+  double deflection{};  ///< largest over the same instants [m]
 };
 
-/// What a peak is in doubt by, each source alone: how far it may be off to
-/// either side [Pa].
+/// Error of a peak to either side, by source [Pa].
 struct ErrorShares {
   double mesh{};     ///< degree, cells, points between those looked at
   double model{};    ///< against 3-D elasticity
@@ -106,7 +106,7 @@ struct FiniteMotion {
   std::string label;  ///< when: "t = 1.25 s" or the case
 };
 
-/// What beam theory says of the same load history.
+/// Beam theory of the same load history.
 struct BeamComparison {
   /// Governing of all beam and lug formulas; absent: none applies [Pa].
   std::optional<double> peak_stress;
@@ -135,8 +135,8 @@ struct ProbeResult {
 };
 
 /// Largest nominal stress of a plane face that holds the part, as the section
-/// of a bar (stress::held_faces), over the instants.
-struct HeldStress {
+/// of a bar (stress::support_faces), over the instants.
+struct SupportStress {
   double value{};                  ///< [Pa]
   double band_low{}, band_high{};  ///< [Pa]
   std::string section;             ///< "root", "left + right"
@@ -144,9 +144,20 @@ struct HeldStress {
   std::string label;               ///< "t = 1.25 s" or the case
 };
 
-/// What one model says of a blow; absent: it says nothing of that.
+/// Models of a blow, in the order of a table.
+enum class ImpactModel {
+  kBeamPublished,
+  kBeamCorrected,
+  kBeamMovingAlong,    ///< corrected, with the bar's mass
+  kStaticTimesFactor,  ///< elements at rest
+  kElementsInTime
+};
+
+/// Result of one model of a blow; absent: the model has no such quantity.
 struct ImpactRow {
-  std::string model;  ///< "beam, corrected", "dynamic FE, modal, p = 3"
+  ImpactModel model{};
+  std::string scheme{};             ///< of elements in time: "29 shapes"
+  std::optional<int> degree{};      ///< of elements
   std::optional<double> stress{};   ///< where the part is judged [Pa]
   std::optional<double> nominal{};  ///< of the root section [Pa]
   double face{};  ///< way of the struck face, along the blow [m]
@@ -157,9 +168,12 @@ struct ImpactRow {
   std::string remark{};  ///< "unsafe by 12 %: …"
 };
 
-/// What a blow's stress does with ever shorter fronts, the last as short as the
-/// mesh carries.
-struct FrontRefinement {
+/// The model in words: "beam, corrected", "dynamic elements, 29 shapes, p = 3".
+std::string model_name(const ImpactRow& row);
+
+/// Stress of a blow by shorter and shorter wave fronts, the last as short as
+/// the mesh resolves.
+struct WaveFrontRefinement {
   std::vector<double> fronts;      ///< that waves are damped below [s]
   std::vector<double> stress;      ///< judged, by each [Pa]
   std::vector<double> deflection;  ///< largest of the part [m]
@@ -168,10 +182,10 @@ struct FrontRefinement {
   double root_below{}, root_above{};
   bool settles = true;  ///< the stress
   int degree{};         ///< of the elements
-  /// Where `above` is not that of the peak: the time whose stress may outgrow
-  /// it [s], and that stress by each front [Pa]; else empty.
-  double rival_time{};
-  std::vector<double> rival;
+  /// Time of another sample whose stress may exceed the peak with shorter
+  /// fronts [s], and its stress by each front [Pa]; empty: there is none.
+  double competing_time{};
+  std::vector<double> competing_stress;
 };
 
 /// A blow on a part by all models.
@@ -185,12 +199,12 @@ struct ImpactResult {
   /// Largest after the time that is judged over the largest in it, by few
   /// shapes; in the bands [1].
   double later_stress = 1.0, later_deflection = 1.0, later_root = 1.0;
-  /// What little things make of a bouncing course, highest over lowest less
-  /// one; in the bands; 0: nothing to speak of [1].
+  /// Relative scatter of a bouncing striker's peaks under the mass variation,
+  /// largest over least less 1; in the bands; 0: insensitive [1].
   double spread{};
-  /// What its free swing comes to at the most, whenever, over the largest until
-  /// `looked_for`; absent: the part has damping, or the striker presses on [1].
-  std::optional<double> swing_stress, swing_deflection;
+  /// Bound of the free vibration over the largest until `looked_for`; absent:
+  /// the part has damping, or the striker presses on [1].
+  std::optional<double> free_vibration_stress, free_vibration_deflection;
   bool is_cut = false;    ///< its given duration ends while the striker presses
   double part_mass{};     ///< [kg]
   double first_period{};  ///< of the part's vibration along the blow [s]
@@ -200,19 +214,20 @@ struct ImpactResult {
   std::optional<double> beam_factor;         ///< of the corrected beam [1]
   double dynamic_factor{};                   ///< dynamic over static FE [1]
   double stress{}, band_low{}, band_high{};  ///< by the dynamic FE [Pa]
-  std::optional<HeldStress> root;  ///< of the held faces, where they are plane
-  double deflection{};             ///< largest of the part over all times [m]
+  std::optional<SupportStress>
+      root;             ///< of the held faces, where they are plane
+  double deflection{};  ///< largest of the part over all times [m]
   double deflection_low{}, deflection_high{};               ///< its band [m]
   Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();  ///< in L [m]
   double deflection_time{};                                 ///< [s]
   double safety_factor{};                                   ///< yield / stress
-  std::string reason;          ///< of the route in time
-  FrontRefinement refinement;  ///< empty: the blow is soft
+  std::string reason;              ///< of the route in time
+  WaveFrontRefinement refinement;  ///< empty: the blow is soft
   std::vector<ImpactRow> rows;
 };
 
-/// How fast an impact of the mechanism loads a part.
-struct LoadPace {
+/// Duration of an impact of the mechanism over the period of a part.
+struct DurationRatio {
   std::string impact;      ///< "stop, upper at 0.31 s"
   double duration{};       ///< of its force [s]
   double rise_time{};      ///< [s]
@@ -221,7 +236,7 @@ struct LoadPace {
   std::string treatment;   ///< "quasi-static", …
 };
 
-/// What vibration makes of the peak over the motion of a part's body.
+/// Dynamic peak over the motion of a part's body.
 struct VibrationResult {
   /// Dynamic over quasi-static peak; absent: not computed [1].
   std::optional<double> ratio;
@@ -247,7 +262,7 @@ struct VibrationResult {
   }
 };
 
-/// What a pin that holds the part in a case does to it.
+/// Reaction on the part of a pin that holds it in a case.
 struct PinReaction {
   std::string label;                                ///< of the case
   std::string group;                                ///< its bore
@@ -276,16 +291,16 @@ struct PartResult {
   std::string engine;      ///< who solved it: "own" or "dealii"
   std::string engine_why;  ///< one line; empty: there was no choice
   std::string stopped_because;  ///< why the ladder went no further
-  /// What the user should know that decides nothing, a line each.
+  /// Remarks for the user that decide nothing, a line each.
   std::vector<std::string> notes;
   int dofs{}, cells{}, load_columns{};
   PeakStress peak;
   std::vector<ZoneResult> singular_zones;
   /// Where a zone governs: the peak away from those that do.
   std::optional<PeakStress> peak_outside;
-  std::optional<HeldStress> held;  ///< where a plane face holds the part
-  double safety_factor{};          ///< yield / peak
-  double deflection{};             ///< relative to its pins [m]
+  std::optional<SupportStress> held;  ///< where a plane face holds the part
+  double safety_factor{};             ///< yield / peak
+  double deflection{};                ///< relative to its pins [m]
   double deflection_low{}, deflection_high{};  ///< its band [m]
   Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();
   double deflection_instant{};               ///< [s]
@@ -304,7 +319,7 @@ struct PartResult {
   double mass{};                       ///< [kg]
   std::optional<double> first_period;  ///< of the free or held part [s]
   std::vector<ImpactResult> impacts;
-  std::vector<LoadPace> paces;
+  std::vector<DurationRatio> duration_ratios;
   VibrationResult vibration;
   std::vector<PinReaction> pin_reactions;
 };

@@ -10,7 +10,7 @@ namespace clevis::assessment {
 /// any; of the peak.
 std::string doubt_text(const PeakStress& peak);
 
-/// What makes the largest of them smaller: "give more instants" …
+/// Remedy for the largest of them: "give more instants" …
 std::string doubt_remedy(const ErrorShares& shares);
 
 }  // namespace clevis::assessment

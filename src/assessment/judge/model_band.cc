@@ -57,8 +57,8 @@ std::vector<PeakStress*> each_peak(PartResult& result) {
   return peaks;
 }
 
-std::optional<HeldStress> larger(const std::optional<HeldStress>& one,
-                                 const std::optional<HeldStress>& other) {
+std::optional<SupportStress> larger(const std::optional<SupportStress>& one,
+                                    const std::optional<SupportStress>& other) {
   if (!one || !other) return one ? one : other;
   return other->band_high > one->band_high ? other : one;
 }

@@ -11,8 +11,8 @@ namespace clevis::assessment {
 std::vector<PeakStress*> each_peak(PartResult& result);
 
 /// That whose band reaches higher; absent if both are.
-std::optional<HeldStress> larger(const std::optional<HeldStress>& one,
-                                 const std::optional<HeldStress>& other);
+std::optional<SupportStress> larger(const std::optional<SupportStress>& one,
+                                    const std::optional<SupportStress>& other);
 
 /// Widens the judged peak's band by the model's error and says what has been
 /// achieved.
@@ -21,9 +21,9 @@ void add_model_error(double tolerance, double model_error, PartResult& result);
 
 void add_seconds(const PartSeconds& earlier, PartSeconds& seconds);
 
-/// One result of two that load the same part apart from each other: that with
-/// the higher judged peak, and of the other zones, deflection, probes and
-/// time. A stress without bound of either one stays.
+/// Merges two assessments of one part: keeps that with the higher judged peak
+/// and adds zones, deflection, probes and times of the other. A singular peak
+/// of either one stays.
 PartAssessment join(PartAssessment first, PartAssessment second);
 
 }  // namespace clevis::assessment

@@ -179,7 +179,7 @@ std::optional<Nominal> largest_nominal(const PartResult& result) {
     const double stress = *result.beam.peak_stress;
     largest = {stress, stress, stress, result.beam.governing};
   }
-  const std::optional<HeldStress>& held = result.held;
+  const std::optional<SupportStress>& held = result.held;
   if (!held || (largest && held->band_high <= largest->high)) return largest;
   return Nominal{held->band_low, held->value, held->band_high,
                  fmt::format("section {}, {}", held->section, held->label)};
@@ -306,10 +306,6 @@ double governing_stress(const part::PartDefinition& part,
   if (!leaves_zones_out(part, result)) return peak;
   const std::optional<Nominal> nominal = largest_nominal(result);
   return nominal ? std::max(peak, nominal->value) : peak;
-}
-
-const PeakStress& judged_peak(const PartResult& result) {
-  return result.peak_outside ? *result.peak_outside : result.peak;
 }
 
 // What one limit cannot tell another may: a part fails by any of them.

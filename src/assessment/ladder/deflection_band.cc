@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "assessment/judge/time_doubt.h"
+#include "assessment/judge/time_sampling_error.h"
 #include "stress/peaks/slow_sequence.h"
 
 namespace clevis::assessment {
@@ -23,7 +23,7 @@ void DeflectionWatch::take(const std::vector<LoadSet>& sets,
     }
     if (deflections.maxCoeff() < degree.largest) continue;
     degree.largest = deflections.maxCoeff();
-    degree.time_error = time_doubt(sets[s].history, deflections);
+    degree.time_error = time_sampling_error(sets[s].history, deflections);
   }
 }
 

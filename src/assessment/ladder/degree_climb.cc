@@ -5,8 +5,8 @@
 #include <iterator>
 #include <utility>
 
-#include "assessment/judge/time_doubt.h"
-#include "assessment/ladder/few_instants.h"
+#include "assessment/judge/time_sampling_error.h"
+#include "assessment/ladder/governing_instants.h"
 #include "assessment/ladder/probe_band.h"
 #include "assessment/places/local_error.h"
 #include "assessment/places/meeting_places.h"
@@ -19,7 +19,7 @@ namespace {
 
 using stress::Convergence;
 
-/// What the samples may miss widens a band upwards.
+/// Widens a band upwards by the error of sampling.
 stress::Band widened(stress::Band band, double sampling_error,
                      double tolerance) {
   band.high += sampling_error;
@@ -41,7 +41,7 @@ stress::Band band_of(const std::vector<SequenceMember>& sequence,
 }
 
 template <int dim>
-stress::Band outer_band_of(const ZoneWatch<dim>& zones, double tolerance) {
+stress::Band outer_band_of(const ZoneTracker<dim>& zones, double tolerance) {
   std::vector<SequenceMember> sequence;
   for (const auto& peak : zones.outside()) sequence.push_back(peak.member);
   const OutsidePeak& last = zones.outside().back();
@@ -70,7 +70,7 @@ class Climb {
     const double tolerance = job_.tolerance - model_.model_error;
     const auto& history = ladder_.level.history();
     ladder_.time_error =
-        time_doubt(sets[ladder_.level.set].history, history.peak);
+        time_sampling_error(sets[ladder_.level.set].history, history.peak);
     ladder_.band =
         band_of(ladder_.sequence, history.sampling_error + ladder_.time_error,
                 tolerance);
@@ -121,7 +121,7 @@ class Climb {
     const auto& sequence = ladder_.sequence;
     const auto values =
         local_peak<dim>(job_, sets, ladder_.zones.mesh(), ladder_.level,
-                        sequence[sequence.size() - 2].field_peak);
+                        sequence[sequence.size() - 2].field_peak.value());
     seconds_.recover += watch.lap();
     if (!values) return false;
     stress::Band band = stress::local_band(*values, tolerance);
@@ -152,8 +152,8 @@ class Climb {
     }
   }
 
-  /// What the field rises to between the points of the lattice [Pa]: bending
-  /// has its peak beside the face of a plate, not on it.
+  /// Rise of the field between the points of the lattice [Pa]: bending has its
+  /// peak beside the face of a plate, not on it.
   double above_lattice() const {
     const auto& history = ladder_.level.history();
     return stress::field_maximum<dim>(*ladder_.level.governing,
@@ -238,15 +238,15 @@ DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
                                 PartSeconds& seconds) {
   // The fourth degree is most often the last: solved for all at once.
   constexpr int kFirstDegrees = 3;
-  const FewInstants few(job, governing);
+  const GoverningInstants chosen(job, governing);
   Climb<dim> climb(job, model, seconds);
-  if (few.sets().empty() || climb.ladder().zones.has_zones()) {
+  if (chosen.sets().empty() || climb.ladder().zones.has_zones()) {
     return climb_with_all(job, model, seconds);
   }
   for (int degree = model.first_degree; degree <= model.highest_degree;
        ++degree) {
     bool all = degree >= model.first_degree + kFirstDegrees;
-    climb.take(all ? job.load_sets : few.sets(), degree);
+    climb.take(all ? job.load_sets : chosen.sets(), degree);
     if (!all && (climb.is_within() || degree == model.highest_degree)) {
       climb.drop();
       climb.take(job.load_sets, degree);
@@ -254,7 +254,7 @@ DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
     }
     if (!all) continue;
     const Level<dim>& level = climb.ladder().level;
-    if (!few.contains(level.set, level.history().peak_instant)) {
+    if (!chosen.contains(level.set, level.history().peak_instant)) {
       return climb_with_all(job, model, seconds);
     }
     if (climb.is_within()) break;

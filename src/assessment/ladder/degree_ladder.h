@@ -5,7 +5,7 @@
 
 #include "assessment/job/part_job.h"
 #include "assessment/ladder/deflection_band.h"
-#include "assessment/ladder/zone_watch.h"
+#include "assessment/ladder/zone_tracker.h"
 #include "assessment/models/fe_model.h"
 #include "assessment/models/level.h"
 #include "assessment/places/nearby_peak.h"
@@ -20,11 +20,11 @@ struct DegreeLadder {
   explicit DegreeLadder(const PartJob& job, const mesh::PartMesh<dim>& mesh)
       : zones(job, mesh) {}
 
-  ZoneWatch<dim> zones;
+  ZoneTracker<dim> zones;
   Level<dim> level;
   std::vector<SequenceMember> sequence;
   std::vector<std::vector<stress::PointValue>> probes;  ///< per degree
-  std::vector<HeldStress> held;                         ///< per degree
+  std::vector<std::optional<SupportStress>> held;       ///< per degree
   DeflectionWatch deflections;
   stress::Band band;
   stress::Band outer_band;  ///< away from zones; only if one governs

@@ -79,7 +79,7 @@ template <int dim>
 void fill_zones(const PartJob& job, const DegreeLadder<dim>& ladder,
                 PartResult& result) {
   const Level<dim>& level = ladder.level;
-  const ZoneWatch<dim>& zones = ladder.zones;
+  const ZoneTracker<dim>& zones = ladder.zones;
   result.singular_zones = zones.results();
   for (ZoneResult& zone : result.singular_zones) {
     zone.has_section =
@@ -155,7 +155,7 @@ void fill_checks(const Level<dim>& level, SelfChecks& checks) {
   }
 }
 
-/// What the positions' round-off makes of strains in the smallest cell [1].
+/// Error of strains in the smallest cell by the positions' round-off [1].
 template <int dim>
 double strain_round_off(const elasticity::Discretization<dim>& discretization) {
   double farthest = 0.0;
@@ -197,7 +197,7 @@ double check_reported_peak(const PartJob& job, const Level<dim>& level,
   throw Error("F003", "part " + job.part.name,
               fmt::format("reported peak {:.6g} MPa, field maximum {:.6g} MPa",
                           peak / 1e6, largest / 1e6),
-              "please report this scene");
+              "Please report this scene.");
 }
 
 /// Under even pressure von Mises is the round-off of K u and settles nowhere.
@@ -225,7 +225,7 @@ PartFields make_fields(const PartJob& job, const Level<dim>& level) {
     const auto& instants = job.load_sets[s].history.instants;
     for (std::size_t i = 0; i < instants.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
-      fields.history.push_back({instants[i].label, instants[i].time,
+      fields.history.push_back({s, instants[i].label, instants[i].time,
                                 level.histories[s].peak[at],
                                 level.bases[s]->strain_energy[at]});
     }
@@ -252,15 +252,16 @@ std::optional<double> energy_error(
 }
 
 /// The last degree's, the last change on both sides; nothing where no plane
-/// face holds the part, which a level tells by a stress of 0.
-std::optional<HeldStress> held_stress(const std::vector<HeldStress>& degrees) {
-  HeldStress held = degrees.back();
-  if (held.value == 0.0) return std::nullopt;
-  if (degrees.size() > 1) {
+/// face holds the part.
+std::optional<SupportStress> support_stress(
+    const std::vector<std::optional<SupportStress>>& degrees) {
+  std::optional<SupportStress> held = degrees.back();
+  if (held && degrees.size() > 1) {
+    const auto& before = degrees[degrees.size() - 2];
     const double change =
-        std::abs(held.value - degrees[degrees.size() - 2].value);
-    held.band_low -= change;
-    held.band_high += change;
+        std::abs(held->value - (before ? before->value : 0.0));
+    held->band_low -= change;
+    held->band_high += change;
   }
   return held;
 }
@@ -310,7 +311,7 @@ PartAssessment assess(const PartJob& job, const FeModel<dim>& model,
     fill_nearby<dim>(ladder, result.peak);
   }
   fill_zones<dim>(job, ladder, result);
-  result.held = held_stress(ladder.held);
+  result.held = support_stress(ladder.held);
   fill_checks<dim>(level, result.self_checks);
   fill_probes<dim>(job, ladder, result.probes);
   settle_even_pressure(check_reported_peak<dim>(job, level, result),

@@ -11,7 +11,7 @@
 #include "elasticity/problem/elastic_problem.h"
 #include "stress/field/deflection.h"
 #include "stress/peaks/peak_zoom.h"
-#include "stress/sections/held_face.h"
+#include "stress/sections/support_face.h"
 
 namespace clevis::assessment {
 namespace {
@@ -29,11 +29,12 @@ stress::PointValue probe_value(const PartJob& job, const Level<dim>& level,
     const auto location =
         stress::locate<dim>(level.bases[s]->discretization, probe.at);
     if (location.empty()) {
-      throw Error("L005", "part " + job.part.name + ", probe " + probe.name,
-                  fmt::format("({:.6g}, {:.6g}, {:.6g}) mm is outside the part",
-                              probe.at.x() * 1e3, probe.at.y() * 1e3,
-                              probe.at.z() * 1e3),
-                  "give `at` in the part's frame, inside it or on its surface");
+      throw Error(
+          "L005", "part " + job.part.name + ", probe " + probe.name,
+          fmt::format("({:.6g}, {:.6g}, {:.6g}) mm is outside the part",
+                      probe.at.x() * 1e3, probe.at.y() * 1e3,
+                      probe.at.z() * 1e3),
+          "Give `at` in the part's frame, inside it or on its surface.");
     }
     return stress::probe<dim>(*level.bases[s], job.part.material, location,
                               probe.quantity,
@@ -41,7 +42,7 @@ stress::PointValue probe_value(const PartJob& job, const Level<dim>& level,
   }
   throw Error("X001", "part " + job.part.name,
               "no load set holds case " + load_case.name,
-              "please report this scene");
+              "Please report this scene.");
 }
 
 template <int dim>
@@ -60,16 +61,17 @@ template <int dim>
 void note_held(const PartJob& job, const LoadSet& set,
                const elasticity::DisplacementBasis<dim>& basis,
                Level<dim>& level) {
-  HeldStress& held = level.held;
-  for (const auto& face : stress::held_faces<dim>(
+  std::optional<SupportStress>& held = level.held;
+  for (const auto& face : stress::support_faces<dim>(
            basis, job.part.material, set.fixed, set.history, job.part.name)) {
     level.held_sections.insert(level.held_sections.end(), face.groups.begin(),
                                face.groups.end());
     Eigen::Index at = 0;
     const double value = face.nominal.maxCoeff(&at);
-    if (value <= held.value) continue;
+    if (value <= (held ? held->value : 0.0)) continue;
     const auto& instant = set.history.instants[static_cast<std::size_t>(at)];
-    held = {value, value, value, face.name, instant.time, instant.label};
+    held = SupportStress{value,     value,        value,
+                         face.name, instant.time, instant.label};
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct Level {
   std::vector<stress::Deflection> deflections;   ///< per set
   std::size_t set{};                             ///< the governing one
   SequenceMember member;
-  HeldStress held;                         ///< without band
+  std::optional<SupportStress> held;  ///< without band; absent: no plane face
   std::vector<std::string> held_sections;  ///< groups with plane faces
   std::vector<stress::PointValue> probes;  ///< case after case
 

@@ -68,10 +68,10 @@ const Model& asked_for(const PartShape& shape) {
   if (!engine_has(job, model.traits)) {
     throw Error("F005", "part " + job.part.name,
                 fmt::format("deal.II has no model \"{}\"", model.traits.name),
-                "leave --engine out, or --model");
+                "Leave --engine out, or --model.");
   }
   if (const auto reason = model.why_not(shape)) {
-    throw Error("F005", "part " + job.part.name, *reason, "leave --model out");
+    throw Error("F005", "part " + job.part.name, *reason, "Leave --model out.");
   }
   return model;
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const ModelTraits& kRevolution = traits_of(ModelKind::kRevolution);
 
-/// What solving by Fourier terms has come to, over all load sets.
+/// Result of solving by Fourier terms, over all load sets.
 struct Progress {
   int degree{};         ///< solved last
   int harmonics{};      ///< terms of the series, the most of a load set

@@ -25,10 +25,10 @@ BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
     }
     comparison.deflection =
         std::max(comparison.deflection, estimate.deflection);
-    if (estimate.buckling_safety > 0.0 &&
+    if (estimate.buckling &&
         (!comparison.buckling_safety ||
-         estimate.buckling_safety < *comparison.buckling_safety)) {
-      comparison.buckling_safety = estimate.buckling_safety;
+         estimate.buckling->safety < *comparison.buckling_safety)) {
+      comparison.buckling_safety = estimate.buckling->safety;
     }
   }
   // of blows the held section's stress in time is no beam theory

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// What one instant puts on the part with a higher degree.
+/// Discrete load of one instant with a higher degree.
 template <int dim>
 struct FineLoad {
   elasticity::Discretization<dim> discretization;
@@ -63,8 +63,8 @@ std::optional<stress::LocalValues> local_peak(const PartJob& job,
                                       history.subdivisions);
   };
   try {
-    return stress::LocalValues{before, level.member.field_peak, peak_with(2),
-                               peak_with(3)};
+    return stress::LocalValues{before, level.member.field_peak.value(),
+                               peak_with(2), peak_with(3)};
   } catch (const Error&) {
     return std::nullopt;  // a neighbourhood that folds or is loose
   }

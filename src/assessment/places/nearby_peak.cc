@@ -24,7 +24,7 @@ using stress::FieldPoint;
 constexpr int kFineLattice = 8;
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
-/// What finer solutions say near a place: its largest stress, that less the
+/// Stress of finer solutions near a place: its largest stress, that less the
 /// error there, and the largest of stress and error over all its cells.
 struct Closer {
   double value = kNothing, low = kNothing, high = kNothing;

@@ -6,7 +6,7 @@
 
 namespace clevis::assessment {
 
-/// What the part's linear buckling is, and its shape.
+/// Linear buckling of the part, and its shape.
 struct BucklingCheck {
   BucklingResult result;
   std::optional<BucklingShape> shape;

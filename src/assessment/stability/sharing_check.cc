@@ -194,7 +194,7 @@ void widen(const Factors& stress, const Factors& deflection,
   result.deflection_high *= deflection.high;
 }
 
-/// What the loads of a part do as they were checked, solved once per load set.
+/// Solution for the loads of a part as they were checked, once per load set.
 class CheckedAnswers {
  public:
   explicit CheckedAnswers(const PartJob& job)

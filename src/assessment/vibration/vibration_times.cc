@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assessment/vibration/load_pace.h"
+#include "assessment/vibration/duration_ratio.h"
 
 namespace clevis::assessment {
 
@@ -11,8 +11,8 @@ std::vector<VibrationWindow> vibration_windows(const PartJob& job,
                                                const PartResult& result) {
   constexpr double kPressing = 10.0, kAfter = 5.0;  // first periods
   std::vector<VibrationWindow> all;
-  for (std::size_t i = 0; i < result.paces.size(); ++i) {
-    if (!wants_elements_in_time(result.paces[i])) continue;
+  for (std::size_t i = 0; i < result.duration_ratios.size(); ++i) {
+    if (!wants_elements_in_time(result.duration_ratios[i])) continue;
     const ImpactLoad& load = job.impact_loads[i];
     const double period = result.first_period.value();
     const double follow =

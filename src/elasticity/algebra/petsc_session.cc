@@ -32,7 +32,7 @@ void require_petsc(PetscErrorCode code, const std::string& name,
   throw Error("F002", name,
               fmt::format("PETSc failed in {}: {}", stage,
                           text != nullptr ? text : "unknown error"),
-              "check the mesh quality and the material");
+              "Check the mesh quality and the material.");
 }
 
 }  // namespace clevis::elasticity

@@ -13,7 +13,7 @@ int entry_number(std::size_t entries) {
   if (entries > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     throw Error("F004", "linear system",
                 "its matrix has more than 2^31 - 1 entries",
-                "mesh the part coarser");
+                "Mesh the part coarser.");
   }
   return static_cast<int>(entries);
 }
@@ -62,7 +62,7 @@ SparseCholesky::SparseCholesky(const UpperTriangle& matrix,
   require_petsc(MatFactorGetError(p.factor, &error), name, "MatFactorGetError");
   if (error != MAT_FACTOR_NOERROR) {
     throw Error("F002", name, "the stiffness matrix is not positive definite",
-                "check the mesh quality and the material");
+                "Check the mesh quality and the material.");
   }
 }
 

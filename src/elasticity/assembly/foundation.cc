@@ -21,7 +21,7 @@ int group_of(const Discretization<dim>& discretization, const std::string& name,
   }
   throw Error("M003", "part " + part_name,
               "the mesh has no surface group \"" + name + "\"",
-              "name a group of the mesh under `foundation`");
+              "Name a group of the mesh under `foundation`.");
 }
 
 /// Rows dim·node + component of the columns.

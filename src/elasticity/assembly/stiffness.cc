@@ -114,7 +114,7 @@ void require_positive(const Eigen::VectorXd& determinant, std::size_t cell,
               fmt::format("cell {} folds when its geometry is interpolated "
                           "with degree {}",
                           cell, degree),
-              "mesh the place finer");
+              "Mesh the place finer.");
 }
 
 template <int dim>

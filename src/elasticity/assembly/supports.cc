@@ -80,8 +80,8 @@ void require_held(const MatrixXd& modes, const std::vector<int>& held,
   if (free.empty()) return;
   throw Error(
       "F001", place, "the supports leave the part free: " + free,
-      "hold more components in `fixed`, give the foundation a tangential "
-      "stiffness, or leave both out if the loads are in balance");
+      "Hold more components in `fixed`, give the foundation a tangential "
+      "stiffness, or leave both out if the loads are in balance.");
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ void CoarseSolver<dim>::Petsc::set_up(MPI_Comm ranks, CoarseMethod method) {
   require(PCGetFailedReason(preconditioner, &failure), "PCGetFailedReason");
   if (failure != PC_NOERROR) {
     throw Error("F002", name, "the stiffness matrix is not positive definite",
-                "check the mesh quality and the material");
+                "Check the mesh quality and the material.");
   }
 }
 

@@ -63,7 +63,7 @@ void require_suits_dealii(const Discretization<dim>& discretization,
   throw Error("F005", place,
               "the deal.II engine takes quadrangles and hexahedra only: its "
               "simplices end at straight sides and know no multigrid",
-              "leave --engine out, or mesh the part with hexahedra");
+              "Leave --engine out, or mesh the part with hexahedra.");
 }
 
 template <int dim>

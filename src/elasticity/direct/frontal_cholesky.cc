@@ -183,7 +183,7 @@ void FrontalCholesky::factor(const UpperTriangle& ordered,
     workspace.add_children(front, panel);
     if (!eliminate({panel, front.own(), front.later()}, border)) {
       throw Error("F002", name, "the stiffness matrix is not positive definite",
-                  "check the mesh quality and the material");
+                  "Check the mesh quality and the material.");
     }
     workspace.close(front);
   }

@@ -24,7 +24,7 @@ void require(double bytes, double dofs, const char* what, double available,
               fmt::format("{:.3g} degrees of freedom would need about {:.3g} "
                           "GiB for {}, {:.3g} can be had",
                           dofs, bytes / kGibi, what, available / kGibi),
-              "mesh the part coarser");
+              "Mesh the part coarser.");
 }
 
 }  // namespace

@@ -148,8 +148,8 @@ Folding<dim> fold(const Discretization<dim>& whole,
 }
 
 template <int dim>
-MatrixXd fold_loads(const Folding<dim>& folding, unsigned parity,
-                    const MatrixXd& whole) {
+MatrixXd loads_of_class(const Folding<dim>& folding, unsigned parity,
+                        const MatrixXd& whole) {
   const auto sign_of = signs(folding, parity);
   const double share = 1.0 / folding.classes();
   MatrixXd folded = MatrixXd::Zero(folding.part.dofs(), whole.cols());
@@ -224,8 +224,8 @@ std::vector<int> rigid_modes_of(const Folding<dim>& folding, unsigned parity) {
   template Folding<dim> fold<dim>(                                             \
       const Discretization<dim>&,                                              \
       const Eigen::Matrix<double, dim, Eigen::Dynamic>&, std::vector<Mirror>); \
-  template MatrixXd fold_loads<dim>(const Folding<dim>&, unsigned,             \
-                                    const MatrixXd&);                          \
+  template MatrixXd loads_of_class<dim>(const Folding<dim>&, unsigned,         \
+                                        const MatrixXd&);                      \
   template void add_unfolded<dim>(const Folding<dim>&, unsigned,               \
                                   const MatrixXd&, MatrixXd&);                 \
   template std::vector<int> held_on_planes<dim>(const Folding<dim>&,           \

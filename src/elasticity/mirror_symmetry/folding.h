@@ -46,8 +46,8 @@ Folding<dim> fold(const Discretization<dim>& whole,
 /// Loads of a class on the folded part, in the units of `whole`: dofs of `part`
 /// × columns.
 template <int dim>
-Eigen::MatrixXd fold_loads(const Folding<dim>& folding, unsigned parity,
-                           const Eigen::MatrixXd& whole);
+Eigen::MatrixXd loads_of_class(const Folding<dim>& folding, unsigned parity,
+                               const Eigen::MatrixXd& whole);
 
 /// Adds the displacements of a class to those of the whole part, dofs ×
 /// columns, in the units of `folded`.

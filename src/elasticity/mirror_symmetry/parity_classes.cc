@@ -89,7 +89,7 @@ std::vector<ParityClass> loaded_classes(const Folding<dim>& folding,
   const double scale = largest_instant(loads) /
                        std::sqrt(static_cast<double>(folding.classes()));
   for (unsigned parity = 0; parity < folding.classes(); ++parity) {
-    LoadBasis folded{fold_loads(folding, parity, loads.columns),
+    LoadBasis folded{loads_of_class(folding, parity, loads.columns),
                      loads.coefficients};
     const double size = largest_instant(folded) / scale;
     if (size <= kLoadless) {

@@ -122,7 +122,7 @@ MatrixFreeOperator<Real>::MatrixFreeOperator(
                           "with degree {}",
                           schedule.cell[static_cast<std::size_t>(folded)],
                           discretization.geometry_degree),
-              "mesh the place finer");
+              "Mesh the place finer.");
 }
 
 template <typename Real>

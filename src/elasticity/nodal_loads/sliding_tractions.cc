@@ -38,7 +38,7 @@ SlidingTractions::SlidingTractions(const loads::LoadHistory& history,
   if (seat_.kind == loads::SeatKind::kBearing && !cylinder) {
     throw Error("L002", "part " + part_name + ", group " + seat_.group,
                 "a guide bears on this group, but it is no circular cylinder",
-                "name the group bore_* or round_* if it is round");
+                "Name the group bore_* or round_* if it is round.");
   }
   // Of all seats: a slide that only guides carries round-off.
   double reach = 0.0;
@@ -81,7 +81,7 @@ Matrix3Xd SlidingTractions::at(std::size_t instant,
     throw Error("L007", place,
                 load.label + ": the counterpart touches nothing of \"" +
                     seat_.group + "\"",
-                "correct the joint's points, `offset` or `width`");
+                "Correct the joint's points, `offset` or `width`.");
   }
   Matrix3Xd tractions = Matrix3Xd::Zero(3, n);
   if (seat_.kind == loads::SeatKind::kBearing) {
@@ -95,7 +95,7 @@ Matrix3Xd SlidingTractions::at(std::size_t instant,
                   fmt::format("{}: the counterpart pulls at \"{}\", or tilts "
                               "off it; a wall only takes pressure",
                               load.label, seat_.group),
-                  "name the wall that faces it, too: groups = [\"" +
+                  "Name the wall that faces it, too: groups = [\"" +
                       seat_.group + "\", \"OTHER\"]");
     }
     tractions = *pressure;

@@ -35,7 +35,7 @@ int find_group(const Discretization<dim>& discretization,
   }
   throw Error("M003", "part " + part_name,
               fmt::format("the mesh has no surface group \"{}\"", group),
-              fmt::format("groups of the mesh: {}", fmt::join(names, ", ")));
+              fmt::format("Groups of the mesh: {}.", fmt::join(names, ", ")));
 }
 
 /// Tractions of all instants at the points of a group [Pa]: points × (dim ×
@@ -150,7 +150,7 @@ SurfaceLoads seat_loads(const Discretization<dim>& discretization,
   if (seat.kind == loads::SeatKind::kBearing && !cylinder) {
     throw Error("L002", "part " + part_name + ", group " + seat.group,
                 "a pin bears on this group, but it is no circular cylinder",
-                "name the group bore_* or round_* if it is round");
+                "Name the group bore_* or round_* if it is round.");
   }
   const GroupTrace trace = group_trace(discretization, group, tables);
   const auto n = trace.quadrature.weights.size();

@@ -43,8 +43,8 @@ void require(double value, double bound, const char* what,
   throw Error(
       "F003", "part " + name,
       fmt::format("self-check {}: {:.2e}, allowed {:.0e}", what, value, bound),
-      "check mesh quality and loads; if they are sound, report this "
-      "scene");
+      "Check mesh quality and loads; if they are sound, report this "
+      "scene.");
 }
 
 /// Rigid modes about the mean of the nodes, of like size.

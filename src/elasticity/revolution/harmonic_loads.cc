@@ -42,7 +42,7 @@ int find_group(const Discretization<2>& meridian, const std::string& group,
   }
   throw Error("M003", "part " + part_name,
               fmt::format("the mesh has no surface group \"{}\"", group),
-              fmt::format("groups of the mesh: {}", fmt::join(names, ", ")));
+              fmt::format("Groups of the mesh: {}.", fmt::join(names, ", ")));
 }
 
 /// A group's quadrature on the meridian, spread over the sample angles:
@@ -116,7 +116,7 @@ class Assembly {
     if (bears && !cylinder) {
       throw Error("L002", "part " + part_name_ + ", group " + seat.group,
                   "a pin bears on this group, but it is no circular cylinder",
-                  "name the group bore_* or round_* if it is round");
+                  "Name the group bore_* or round_* if it is round.");
     }
     if (seat.slide) {
       add_sliding(index, group, *cylinder);

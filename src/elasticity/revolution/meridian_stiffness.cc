@@ -123,7 +123,7 @@ MeridianStiffness::MeridianStiffness(const Discretization<2>& meridian,
                   fmt::format("cell {} of the meridian folds when its geometry "
                               "is interpolated with degree {}",
                               c, meridian.geometry_degree),
-                  "mesh the place finer");
+                  "Mesh the place finer.");
     }
     const auto integrals = integrate(cell, displacement, rule.weights);
     const auto& ids = meridian.cell_nodes[c];

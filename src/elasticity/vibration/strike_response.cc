@@ -28,8 +28,8 @@ void require_direction(const loads::Strike& strike, const std::string& place) {
               fmt::format("strike \"{}\": direction ({:.4g}, {:.4g}, {:.4g})",
                           strike.name, strike.direction.x(),
                           strike.direction.y(), strike.direction.z()),
-              dim == 2 ? "a plate in plane stress is struck in its plane"
-                       : "give a unit vector");
+              dim == 2 ? "A plate in plane stress is struck in its plane."
+                       : "Give a unit vector.");
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ Eigen::VectorXd unit_load(const VibratingPart<dim>& part,
     }
     throw Error("M003", place,
                 fmt::format("the mesh has no surface group \"{}\"", group),
-                fmt::format("groups of the mesh: {}", fmt::join(names, ", ")));
+                fmt::format("Groups of the mesh: {}.", fmt::join(names, ", ")));
   }
   FaceTables<dim> tables;
   const GroupTrace trace = group_trace(

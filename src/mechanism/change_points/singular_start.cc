@@ -81,12 +81,12 @@ std::vector<std::string> deciding(const MechanismDefinition& definition,
       "K010", "mechanism",
       fmt::format("the motion starts at a change point, {}", why),
       joints.empty()
-          ? std::string("give [[initial]] rates that decide, or start a "
+          ? std::string("Give [[initial]] rates that decide, or start a "
                         "thousandth of a radian beside the change point, on "
-                        "the branch that is meant")
-          : fmt::format("give an [[initial]] rate that decides, of {}, or "
+                        "the branch that is meant.")
+          : fmt::format("Give an [[initial]] rate that decides, of {}, or "
                         "start a thousandth of a radian beside the change "
-                        "point, on the branch that is meant",
+                        "point, on the branch that is meant.",
                         fmt::join(joints, ", ")));
 }
 
@@ -128,15 +128,15 @@ std::vector<VectorXd> all_branches(const SingularPosition& here, Index size) {
 
 }  // namespace
 
-void refuse_rates(const MechanismDefinition& definition, double miss) {
+void refuse_rates(const MechanismDefinition& definition, double violation) {
   throw Error("K007",
               definition.initial_joints.empty()
                   ? std::string("mechanism")
                   : definition.initial_joints.front().place,
               fmt::format("the initial rates contradict the joints, the drives "
                           "or one another by {:.3g} m/s",
-                          miss),
-              "give one rate per degree of freedom");
+                          violation),
+              "Give one rate per degree of freedom.");
 }
 
 WantedRates wanted_rates(const MechanismDefinition& definition,
@@ -210,8 +210,8 @@ SingularStart singular_start(const MechanismDefinition& definition,
   const MatrixXd moved = wanted.rows * point->tangents;
   const VectorXd y =
       moved.completeOrthogonalDecomposition().solve(wanted.rates);
-  const double miss = (moved * y - wanted.rates).lpNorm<Eigen::Infinity>();
-  if (miss > 1e-6 * size) refuse_rates(definition, miss);
+  const double violation = (moved * y - wanted.rates).lpNorm<Eigen::Infinity>();
+  if (violation > 1e-6 * size) refuse_rates(definition, violation);
   VectorXd v = point->tangents * y;
   return {std::move(*point), std::move(v)};
 }

@@ -39,6 +39,6 @@ SingularStart singular_start(const MechanismDefinition& definition,
 
 /// @throws Error K007, always. @param miss  [m/s].
 [[noreturn]] void refuse_rates(const MechanismDefinition& definition,
-                               double miss);
+                               double violation);
 
 }  // namespace clevis::mechanism

@@ -8,7 +8,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
-#include "mechanism/compliance/give_way.h"
+#include "mechanism/compliance/compliance_maps.h"
 
 namespace clevis::mechanism {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <Eigen/QR>
 
-#include "mechanism/compliance/give_way.h"
+#include "mechanism/compliance/compliance_maps.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -34,7 +34,7 @@ SharedReactions share_reactions(const SolvingFrame& frame,
                                 const VectorXd& f) {
   SharedReactions result;
   result.lambda = factor.solve_transposed(f);
-  const GiveWay way = give_way(frame, system, placed);
+  const ComplianceMaps way = compliance_maps(frame, system, placed);
   const MatrixXd& E = way.components;
   result.components = E * result.lambda;
   result.unique.assign(static_cast<std::size_t>(E.rows()), true);

@@ -14,8 +14,8 @@ void refuse_open(const std::string& open, std::string_view closing) {
               fmt::format("no position near the given placement closes {}; "
                           "open: {}",
                           closing, open),
-              "correct the lengths in `at`, the start of the drive or the "
-              "placement of the bodies");
+              "Correct the lengths in `at`, the start of the drive or the "
+              "placement of the bodies.");
 }
 
 Configuration closed_joints(const MechanismDefinition& definition,

@@ -133,10 +133,10 @@ void require_driven(const MechanismDefinition& definition,
                 fmt::format("{} drive(s) for {} degree(s) of freedom: {}",
                             drives, mobility.joints, why),
                 names.size() == 1
-                    ? std::string("drive another joint, and look for joints "
+                    ? std::string("Drive another joint, and look for joints "
                                   "that coincide, or nearly do: then put them "
-                                  "on one axis")
-                    : fmt::format("remove {} of these drives",
+                                  "on one axis.")
+                    : fmt::format("Remove {} of these drives.",
                                   std::max(1, drives - mobility.joints +
                                                   mobility.with_drives)));
   }
@@ -151,8 +151,8 @@ void require_driven(const MechanismDefinition& definition,
                     "left unprescribed",
                     mobility.joints, drives, mobility.with_drives),
         names.empty()
-            ? std::string("join or weld the loose bodies to the mechanism")
-            : fmt::format("add a [[drive]] on one of the joints {}",
+            ? std::string("Join or weld the loose bodies to the mechanism.")
+            : fmt::format("Add a [[drive]] on one of the joints {}.",
                           fmt::join(names, ", ")));
   }
 }

@@ -139,8 +139,8 @@ std::optional<Matrix3d> find_plane(const MechanismDefinition& definition) {
                             "bodies out of the plane with normal ({:.4g}, "
                             "{:.4g}, {:.4g})",
                             spatial->name, normal.x(), normal.y(), normal.z()),
-                "correct the joint's axis, or set dimension to \"spatial\" or "
-                "\"auto\"");
+                "Correct the joint's axis, or set dimension to \"spatial\" or "
+                "\"auto\".");
   }
   if (normal.isApprox(Vector3d::UnitZ(), kParallel)) {
     return Matrix3d(Matrix3d::Identity());

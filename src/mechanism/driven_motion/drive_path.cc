@@ -30,7 +30,7 @@ void DrivePath::refuse(double duration) const {
               fmt::format("until t = {:.6g} s the drives move so far that the "
                           "loops would take over {:.0f} steps to follow",
                           duration, kMost),
-              "ask for a shorter motion, a slower drive or more instants");
+              "Ask for a shorter motion, a slower drive or more instants.");
 }
 
 /// Where a drive may turn round or bend.

@@ -22,15 +22,16 @@ using Eigen::VectorXd;
 
 void DrivenMotion::refuse_change_point(const ClosedConfiguration& at,
                                        double t) const {
-  throw Error("K005", "mechanism",
-              fmt::format("at t = {:.6g} s ({}) the constraint Jacobian loses "
-                          "rank: {} of {}",
-                          t, drives_at(definition_, at.targets, 6),
-                          std::min(at.factor.rank(), system_.columns() - 1),
-                          system_.columns()),
-              "choose instants, lengths or a range of the drive that avoid "
-              "this position, where the branch is undetermined and rigid "
-              "reactions have no bound, or let at_singularity be \"continue\"");
+  throw Error(
+      "K005", "mechanism",
+      fmt::format("at t = {:.6g} s ({}) the constraint Jacobian loses "
+                  "rank: {} of {}",
+                  t, drives_at(definition_, at.targets, 6),
+                  std::min(at.factor.rank(), system_.columns() - 1),
+                  system_.columns()),
+      "Choose instants, lengths or a range of the drive that avoid "
+      "this position, where the branch is undetermined and rigid "
+      "reactions have no bound, or let at_singularity be \"continue\".");
 }
 
 /// The drives' coordinates at which the branch ends, by the square of the
@@ -73,7 +74,7 @@ void DrivenMotion::stop(const Moment& from, Continuation::Reached reached,
       fmt::format("at t = {:.9g} s the mechanism stops at {}: beyond it "
                   "no position continues the motion",
                   before, drives_at(definition_, end, 11)),
-      "reduce the range of the drive, or correct the lengths");
+      "Reduce the range of the drive, or correct the lengths.");
 }
 
 DrivenMotion::Rates DrivenMotion::rates(const ClosedConfiguration& at,
@@ -248,7 +249,7 @@ Motion DrivenMotion::run_at(const std::vector<double>& times,
   if (singular) {
     settle(last, *singular, nullptr, settings.at_singularity, motion);
   }
-  put_between(motion.instants, motion.change_points);
+  bracket_by_instants(motion.instants, motion.change_points);
   judge_power_balance(definition_, motion);
   return motion;
 }

@@ -23,16 +23,17 @@ using Eigen::VectorXd;
 
 [[noreturn]] void refuse_initial(const MechanismDefinition& definition,
                                  const std::string& place,
-                                 std::string_view what, double miss) {
+                                 std::string_view what, double violation) {
   const bool locked = definition.drives.empty();
-  throw Error("K007", place,
-              fmt::format("{} fix the motion, and its {} at the start is "
-                          "another than this one by {:.4g} mm{}",
-                          locked ? "joints and couplings alone" : "the drives",
-                          what, 1e3 * miss, what == "velocity" ? "/s" : ""),
-              locked ? "leave this [[initial]] out, or look for couplings or "
-                       "joints that contradict one another"
-                     : "leave this [[initial]] out, or change the drive");
+  throw Error(
+      "K007", place,
+      fmt::format("{} fix the motion, and its {} at the start is "
+                  "another than this one by {:.4g} mm{}",
+                  locked ? "joints and couplings alone" : "the drives", what,
+                  1e3 * violation, what == "velocity" ? "/s" : ""),
+      locked ? "Leave this [[initial]] out, or look for couplings or "
+               "joints that contradict one another."
+             : "Leave this [[initial]] out, or change the drive.");
 }
 
 }  // namespace
@@ -48,10 +49,10 @@ void DrivenMotion::require_agreement(const ClosedConfiguration& at) const {
     const ConstraintSystem probe(frame_, {drive}, system_.motions(),
                                  ConstraintSystem::Drives::kAll);
     const VectorXd position = VectorXd::Constant(1, *initial.position);
-    const double miss =
+    const double violation =
         std::abs(probe.residual(probe.place(at.x), position).tail(1)[0]);
-    if (miss > kAgrees * frame_.length) {
-      refuse_initial(definition_, initial.place, "position", miss);
+    if (violation > kAgrees * frame_.length) {
+      refuse_initial(definition_, initial.place, "position", violation);
     }
   }
   if (!at.factor.full_column_rank()) return;
@@ -65,11 +66,11 @@ void DrivenMotion::require_agreement(const ClosedConfiguration& at) const {
                                wanted.rates.lpNorm<Eigen::Infinity>());
   Index row = drives;
   const auto compare = [&](const std::string& place, Index rows) {
-    const double miss = (wanted.rows.middleRows(row, rows) * v -
-                         wanted.rates.segment(row, rows))
-                            .lpNorm<Eigen::Infinity>();
-    if (miss > kAgrees * size)
-      refuse_initial(definition_, place, "velocity", miss);
+    const double violation = (wanted.rows.middleRows(row, rows) * v -
+                              wanted.rates.segment(row, rows))
+                                 .lpNorm<Eigen::Infinity>();
+    if (violation > kAgrees * size)
+      refuse_initial(definition_, place, "velocity", violation);
     row += rows;
   };
   for (const InitialJointState& initial : definition_.initial_joints) {

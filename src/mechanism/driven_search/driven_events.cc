@@ -20,8 +20,9 @@ constexpr int kMostHalvings = 400;  // between two looks
 constexpr double kMargin = 4.0;     // of second differences, as bounds
 
 /// Second derivative by three values, of a function of time.
-VectorXd curvature(const DrivenCourse::Look& a, const DrivenCourse::Look& b,
-                   const DrivenCourse::Look& c) {
+VectorXd curvature(const DrivenTrajectory::Look& a,
+                   const DrivenTrajectory::Look& b,
+                   const DrivenTrajectory::Look& c) {
   return 2.0 *
          ((c.guards - b.guards) / (c.t - b.t) -
           (b.guards - a.guards) / (b.t - a.t)) /
@@ -30,11 +31,12 @@ VectorXd curvature(const DrivenCourse::Look& a, const DrivenCourse::Look& b,
 
 /// The same at the ends of an interval, times its length squared, by the cubic
 /// through values and rates; 0 where no rate is known.
-double cubic_bend(double a, double b, double rate_a, double rate_b, double h) {
-  if (!std::isfinite(rate_a) || !std::isfinite(rate_b)) return 0.0;
+double cubic_bend(double a, double b, std::optional<double> rate_a,
+                  std::optional<double> rate_b, double h) {
+  if (!rate_a || !rate_b) return 0.0;
   const double rise = 6.0 * (b - a);
-  return std::max(std::abs(rise - h * (4.0 * rate_a + 2.0 * rate_b)),
-                  std::abs(rise - h * (2.0 * rate_a + 4.0 * rate_b)));
+  return std::max(std::abs(rise - h * (4.0 * *rate_a + 2.0 * *rate_b)),
+                  std::abs(rise - h * (2.0 * *rate_a + 4.0 * *rate_b)));
 }
 
 bool differ(double a, double b, double floor) {
@@ -55,9 +57,10 @@ bool hides(double a, double b, double bend, double floor) {
 
 }  // namespace
 
-DrivenEvents::DrivenEvents(DrivenCourse& course) : course_(course) {
-  floors_.setZero(course.guards().size());
-  for (const auto& look : course.looks()) {
+DrivenEvents::DrivenEvents(DrivenTrajectory& trajectory)
+    : trajectory_(trajectory) {
+  floors_.setZero(trajectory.guards().size());
+  for (const auto& look : trajectory.looks()) {
     floors_ = floors_.cwiseMax(look.guards.cwiseAbs());
   }
   constexpr double kRoundOff = 1e-11;
@@ -70,18 +73,19 @@ VectorXd DrivenEvents::bounds(At left) const {
   const At right = std::next(left);
   const double h = right->t - left->t;
   VectorXd bend = VectorXd::Zero(floors_.size());
-  if (left != course_.looks().begin()) {
+  if (left != trajectory_.looks().begin()) {
     bend = curvature(*std::prev(left), *left, *right).cwiseAbs();
   }
   const At next = std::next(right);
-  if (next != course_.looks().end()) {
+  if (next != trajectory_.looks().end()) {
     bend = bend.cwiseMax(curvature(*left, *right, *next).cwiseAbs());
   }
   bend *= kMargin * h * h;
   for (Index i = 0; i < bend.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
     bend[i] =
         std::max(bend[i], 2.0 * cubic_bend(left->guards[i], right->guards[i],
-                                           left->rates[i], right->rates[i], h));
+                                           left->rates[k], right->rates[k], h));
   }
   return bend;
 }
@@ -95,13 +99,13 @@ void DrivenEvents::roots(At left, const End& a, const End& b) {
     }
     const double sign = a.values[i] > 0.0 ? 1.0 : -1.0;
     const auto value = [&](double t) {
-      return sign * course_.guards_between(left, t)[i];
+      return sign * trajectory_.guards_between(left, t)[i];
     };
     const double t = numerics::brent_root(value, a.t, sign * a.values[i], b.t,
                                           sign * b.values[i]);
-    course_.guards_between(left, t);
-    if (!course_.guards().matters(i, course_.forces())) continue;
-    (course_.guards().jumps(i) ? found_ : bends_).push_back(t);
+    trajectory_.guards_between(left, t);
+    if (!trajectory_.guards().matters(i, trajectory_.forces())) continue;
+    (trajectory_.guards().jumps(i) ? found_ : bends_).push_back(t);
   }
 }
 
@@ -111,7 +115,7 @@ void DrivenEvents::search(At left, const End& a, const End& b,
   for (Index i = 0; i < bend.size() && !hidden; ++i) {
     hidden = hides(a.values[i], b.values[i], bend[i], floors_[i]);
   }
-  const double shortest = 4.0 * kSides * course_.duration();
+  const double shortest = 4.0 * kSides * trajectory_.duration();
   const bool is_short = depth == kDeepest || b.t - a.t < shortest;
   if (hidden && !is_short && halvings_left_ <= 0) missed_ = true;
   if (!hidden || is_short || halvings_left_ <= 0) {
@@ -120,8 +124,8 @@ void DrivenEvents::search(At left, const End& a, const End& b,
   }
   --halvings_left_;
   constexpr double kLeast = 0.125;
-  End middle{0.5 * (a.t + b.t), {}, {}};
-  middle.values = course_.guards_between(left, middle.t);
+  End middle{0.5 * (a.t + b.t), {}};
+  middle.values = trajectory_.guards_between(left, middle.t);
   const VectorXd half =
       (kMargin * (a.values - 2.0 * middle.values + b.values).cwiseAbs())
           .cwiseMax(kLeast * bend);
@@ -129,15 +133,15 @@ void DrivenEvents::search(At left, const End& a, const End& b,
   search(left, middle, b, half, depth + 1);
 }
 
-/// What the elements' modes change to between two looks.
+/// Records the changes of the elements' modes between two looks.
 void DrivenEvents::note_changes(At before, At behind, double t) {
-  const std::vector<int> modes = course_.modes_between(before, before->t);
-  course_.modes_between(before, behind->t);
-  for (std::size_t k = 0; k < course_.forces().size(); ++k) {
+  const std::vector<int> modes = trajectory_.modes_between(before, before->t);
+  trajectory_.modes_between(before, behind->t);
+  for (std::size_t k = 0; k < trajectory_.forces().size(); ++k) {
     for (const int end : {0, 1}) {
       const auto i = 2 * k + static_cast<std::size_t>(end);
       const char* what =
-          course_.forces().element(k).name_of_change(end, modes[i]);
+          trajectory_.forces().element(k).name_of_change(end, modes[i]);
       if (what != nullptr) events_.push_back({t, static_cast<int>(k), what});
     }
   }
@@ -146,16 +150,16 @@ void DrivenEvents::note_changes(At before, At behind, double t) {
 /// A look at t, or the one that stands there already.
 /// @param left  before t. @return nothing where J loses rank.
 std::optional<DrivenEvents::At> DrivenEvents::side_at(At left, double t) {
-  const double apart = 0.25 * kSides * course_.duration();
+  const double apart = 0.25 * kSides * trajectory_.duration();
   At last = left;
-  while (std::next(last) != course_.looks().end() &&
+  while (std::next(last) != trajectory_.looks().end() &&
          std::next(last)->t <= t + apart) {
     ++last;
   }
-  if (last->t >= t - apart || std::next(last) == course_.looks().end()) {
+  if (last->t >= t - apart || std::next(last) == trajectory_.looks().end()) {
     return last;
   }
-  const auto look = course_.look(last, t);
+  const auto look = trajectory_.look(last, t);
   if (look) (*look)->bend = last->bend;
   return look;
 }
@@ -163,9 +167,9 @@ std::optional<DrivenEvents::At> DrivenEvents::side_at(At left, double t) {
 /// The events of an interval; that close to one of its ends have a side in
 /// the interval beside it.
 void DrivenEvents::add_sides(At left, const std::vector<double>& times) {
-  const double side = 0.5 * kSides * course_.duration();
+  const double side = 0.5 * kSides * trajectory_.duration();
   for (const double t : times) {
-    const At from = t - side < left->t && left != course_.looks().begin()
+    const At from = t - side < left->t && left != trajectory_.looks().begin()
                         ? std::prev(left)
                         : left;
     const auto before = side_at(from, t - side);
@@ -182,7 +186,7 @@ void DrivenEvents::add_sides(At left, const std::vector<double>& times) {
 /// came from.
 VectorXd DrivenEvents::values_behind(At left) const {
   VectorXd values = left->guards;
-  if (left == course_.looks().begin()) return values;
+  if (left == trajectory_.looks().begin()) return values;
   const VectorXd& before = std::prev(left)->guards;
   for (Index i = 0; i < values.size(); ++i) {
     if (std::abs(values[i]) > floors_[i]) continue;
@@ -192,8 +196,8 @@ VectorXd DrivenEvents::values_behind(At left) const {
 }
 
 bool DrivenEvents::find(std::size_t most) {
-  if (course_.guards().empty()) return true;
-  DrivenCourse::Looks& looks = course_.looks();
+  if (trajectory_.guards().empty()) return true;
+  DrivenTrajectory::Looks& looks = trajectory_.looks();
   for (At i = looks.begin(); std::next(i) != looks.end(); ++i) {
     i->bend = bounds(i);
   }
@@ -204,8 +208,8 @@ bool DrivenEvents::find(std::size_t most) {
       halvings_left_ = kMostHalvings;
       found_.clear();
       bends_.clear();
-      search(left, {left->t, values_behind(left), left->rates},
-             {right->t, right->guards, right->rates}, left->bend, 0);
+      search(left, {left->t, values_behind(left)}, {right->t, right->guards},
+             left->bend, 0);
       std::ranges::sort(found_);
       add_sides(left, found_);
       for (const double t : bends_) {

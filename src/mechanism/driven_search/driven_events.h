@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "mechanism/driven_search/driven_course.h"
+#include "mechanism/driven_search/driven_trajectory.h"
 
 namespace clevis::mechanism {
 
@@ -12,7 +12,7 @@ namespace clevis::mechanism {
 /// them.
 class DrivenEvents {
  public:
-  explicit DrivenEvents(DrivenCourse& course);
+  explicit DrivenEvents(DrivenTrajectory& trajectory);
 
   /// Looks on both sides of each; both are instants, and the course breaks
   /// there.
@@ -22,10 +22,10 @@ class DrivenEvents {
   const std::vector<MotionEvent>& events() const { return events_; }
 
  private:
-  using At = DrivenCourse::At;
+  using At = DrivenTrajectory::At;
   struct End {
     double t{};
-    Eigen::VectorXd values, rates;
+    Eigen::VectorXd values;
   };
   Eigen::VectorXd bounds(At left) const;
   void search(At left, const End& a, const End& b, const Eigen::VectorXd& bend,
@@ -36,7 +36,7 @@ class DrivenEvents {
   Eigen::VectorXd values_behind(At left) const;
   void note_changes(At before, At behind, double t);
 
-  DrivenCourse& course_;
+  DrivenTrajectory& trajectory_;
   Eigen::VectorXd floors_;
   /// In the interval at hand: where loads may jump, and where they bend.
   std::vector<double> found_, bends_;

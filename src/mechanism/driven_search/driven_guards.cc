@@ -1,7 +1,5 @@
 #include "mechanism/driven_search/driven_guards.h"
 
-#include <limits>
-
 #include "base/index.h"
 
 namespace clevis::mechanism {
@@ -27,11 +25,11 @@ VectorXd DrivenGuards::values(const ForceModel& forces, double t) const {
   return values;
 }
 
-VectorXd DrivenGuards::rates(const ForceModel& forces) const {
-  VectorXd rates =
-      VectorXd::Constant(size(), std::numeric_limits<double>::quiet_NaN());
-  for (Index i = 0; i < size(); ++i) {
-    const Guard& guard = all_[static_cast<std::size_t>(i)];
+std::vector<std::optional<double>> DrivenGuards::rates(
+    const ForceModel& forces) const {
+  std::vector<std::optional<double>> rates(all_.size());
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    const Guard& guard = all_[i];
     const ActingElement& e = forces.element(guard.element);
     if (guard.of.kind == Kind::kDepth) {
       rates[i] = e.depth_rate[index(guard.of.end)];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -22,9 +23,9 @@ class DrivenGuards {
   /// rate and sliding [m/s] or [rad/s], a servo's effort [N] or [N m]; of a
   /// contact that lets go only the sign counts.
   Eigen::VectorXd values(const ForceModel& forces, double t) const;
-  /// Their rates, per second in the units of the values, where evaluate()
-  /// gives them; else NaN.
-  Eigen::VectorXd rates(const ForceModel& forces) const;
+  /// Their rates, per second in the units of the values; absent where
+  /// evaluate() does not give them.
+  std::vector<std::optional<double>> rates(const ForceModel& forces) const;
   /// Whether its zero changes anything, as of evaluate(): what lets go must
   /// press.
   bool matters(Eigen::Index guard, const ForceModel& forces) const;

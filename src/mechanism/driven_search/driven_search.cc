@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "mechanism/driven_search/driven_events.h"
-#include "mechanism/driven_search/load_course.h"
+#include "mechanism/driven_search/load_trajectory.h"
 #include "mechanism/sampling/driven_sampling.h"
 
 namespace clevis::mechanism {
@@ -30,9 +30,9 @@ DrivenSearch::DrivenSearch(const MechanismDefinition& definition,
       uniform_(uniform_times(settings)),
       laws_(law_times(definition, settings.duration,
                       static_cast<double>(kMostLooks))),
-      course_(definition, settings, motion) {}
+      trajectory_(definition, settings, motion) {}
 
-/// What stands at and beside the times that laws name.
+/// Marks the looks at and beside the times that laws name.
 void DrivenSearch::mark_laws() {
   const double side = 0.5 * kSides * settings_.duration;
   const double apart = kApart * settings_.duration;
@@ -40,7 +40,7 @@ void DrivenSearch::mark_laws() {
     const auto next = std::ranges::lower_bound(times, t - apart);
     return next != times.end() && *next <= t + apart;
   };
-  auto& looks = course_.looks();
+  auto& looks = trajectory_.looks();
   auto step = laws_.steps.begin();
   for (auto i = looks.begin(); i != looks.end(); ++i) {
     i->bends = is_one_of(laws_.bends, i->t) || is_one_of(laws_.knots, i->t);
@@ -54,19 +54,20 @@ void DrivenSearch::mark_laws() {
 /// Rigid reactions have no bound there: no instant is the largest.
 bool DrivenSearch::beside_change_point(double t) const {
   const double spacing = settings_.duration / (settings_.instants - 1);
-  return std::ranges::any_of(course_.change_points(), [&](const auto& point) {
-    return std::abs(point.t - t) <= 2.0 * spacing;
-  });
+  return std::ranges::any_of(trajectory_.change_points(),
+                             [&](const auto& point) {
+                               return std::abs(point.t - t) <= 2.0 * spacing;
+                             });
 }
 
 std::vector<Configuration> DrivenSearch::positions_at(
     const std::vector<double>& times) {
   std::vector<Configuration> positions;
-  if (!course_.change_points().empty()) return positions;
-  auto look = course_.looks().begin();
+  if (!trajectory_.change_points().empty()) return positions;
+  auto look = trajectory_.looks().begin();
   for (const double t : times) {
-    while (look != course_.looks().end() && look->t < t) ++look;
-    if (look == course_.looks().end() || look->t != t) return {};
+    while (look != trajectory_.looks().end() && look->t < t) ++look;
+    if (look == trajectory_.looks().end() || look->t != t) return {};
     positions.push_back(look->x);
   }
   return positions;
@@ -85,21 +86,21 @@ DrivenSearch::Found DrivenSearch::run() {
   if (settings_.instants < kLeastLooks) {
     add_times(uniform_times(least), duration, times);
   }
-  bool enough = course_.walk(times, most_looks_) && laws_.all;
-  for (auto& look : course_.looks()) {
+  bool enough = trajectory_.walk(times, most_looks_) && laws_.all;
+  for (auto& look : trajectory_.looks()) {
     look.is_instant = std::ranges::binary_search(instants, look.t);
   }
   mark_laws();
-  DrivenEvents events(course_);
+  DrivenEvents events(trajectory_);
   enough = events.find(most_looks_) && enough;
-  LoadCourse loads(course_, [this](double t) {
+  LoadTrajectory loads(trajectory_, [this](double t) {
     return beside_change_point(t);
   });
   enough = loads.refine(most_looks_) && enough;
   loads.choose(kMostAdded);
 
   Found found;
-  for (const auto& look : course_.looks()) {
+  for (const auto& look : trajectory_.looks()) {
     if (look.is_instant) instants.push_back(look.t);
   }
   std::ranges::sort(instants);
@@ -107,7 +108,7 @@ DrivenSearch::Found DrivenSearch::run() {
   found.positions = positions_at(instants);
   found.times = std::move(instants);
   found.events = events.events();
-  found.search = {.looks = course_.count(),
+  found.search = {.looks = trajectory_.count(),
                   .ended = !enough,
                   .ended_at = enough ? duration : loads.ended_at(),
                   .bodies = loads.unseen()};

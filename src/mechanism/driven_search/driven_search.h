@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mechanism/driven_search/driven_course.h"
+#include "mechanism/driven_search/driven_trajectory.h"
 #include "mechanism/sampling/law_times.h"
 
 namespace clevis::mechanism {
@@ -38,7 +38,7 @@ class DrivenSearch {
   std::size_t most_looks_;
   std::vector<double> uniform_;
   LawTimes laws_;
-  DrivenCourse course_;
+  DrivenTrajectory trajectory_;
 };
 
 }  // namespace clevis::mechanism

@@ -8,15 +8,15 @@ namespace clevis::mechanism {
 namespace {
 
 /// Whether t is before a law's start; at the start itself as the side says.
-bool before(double t, double start, BendSide side) {
-  return t < start || (t == start && side == BendSide::kBefore);
+bool before(double t, double start, BreakpointSide side) {
+  return t < start || (t == start && side == BreakpointSide::kBefore);
 }
 
-bool behind(double t, double end, BendSide side) {
-  return t > end || (t == end && side == BendSide::kBehind);
+bool behind(double t, double end, BreakpointSide side) {
+  return t > end || (t == end && side == BreakpointSide::kBehind);
 }
 
-DriveTarget sine(const DriveDefinition& drive, double t, BendSide side) {
+DriveTarget sine(const DriveDefinition& drive, double t, BreakpointSide side) {
   if (before(t, drive.start, side)) return {.position = drive.from};
   const double omega = 2.0 * std::numbers::pi * drive.frequency;
   const double phase = omega * (t - drive.start);
@@ -56,7 +56,7 @@ double mean_speed(const DriveDefinition& drive) {
 }  // namespace
 
 DriveTarget drive_target(const DriveDefinition& drive, double t,
-                         BendSide side) {
+                         BreakpointSide side) {
   if (drive.law == DriveLaw::kConstant) return {.position = drive.from};
   if (drive.law == DriveLaw::kSine) return sine(drive, t, side);
   if (drive.law == DriveLaw::kSpeed) {
@@ -102,8 +102,8 @@ std::vector<DriveJump> drive_jumps(const std::vector<DriveDefinition>& drives,
     const DriveDefinition& drive = drives[k];
     for (const double t : bends(drive)) {
       if (!(t > 0.0 && t < duration)) continue;
-      const double first = drive_target(drive, t, BendSide::kBefore).rate;
-      const double then = drive_target(drive, t, BendSide::kBehind).rate;
+      const double first = drive_target(drive, t, BreakpointSide::kBefore).rate;
+      const double then = drive_target(drive, t, BreakpointSide::kBehind).rate;
       if (std::abs(then - first) <= kRoundOff * mean_speed(drive)) continue;
       jumps.push_back({t, static_cast<int>(k), first, then});
     }

@@ -15,7 +15,7 @@ struct DriveTarget {
 
 /// Side from which a law is read at a time where it bends: as in its stroke, or
 /// as just before or behind that time.
-enum class BendSide { kStroke, kBefore, kBehind };
+enum class BreakpointSide { kStroke, kBefore, kBehind };
 
 /// Coordinate and rates that the drive prescribes at time t [s].
 ///
@@ -24,7 +24,7 @@ enum class BendSide { kStroke, kBefore, kBehind };
 /// rest before `start`, without end after it, as Speed. Table: the spline, from
 /// `start`.
 DriveTarget drive_target(const DriveDefinition& drive, double t,
-                         BendSide side = BendSide::kStroke);
+                         BreakpointSide side = BreakpointSide::kStroke);
 
 /// Where drives change their speed in no time within a motion.
 /// @param duration  of the motion [s].

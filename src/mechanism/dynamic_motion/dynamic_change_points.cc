@@ -101,8 +101,8 @@ void DynamicChangePoints::note(double t, VectorXd& y) {
     throw Error(
         "K005", "mechanism",
         fmt::format("at t = {:.9g} s the motion passes a change point", t),
-        "end the motion before, change lengths or forces, or let "
-        "at_singularity be \"report\" or \"continue\"");
+        "End the motion before, change lengths or forces, or let "
+        "at_singularity be \"report\" or \"continue\".");
   }
   ChangePoint point{.t_before = t, .t_after = t, .t = t};
   // costs more than the motion itself: only where it is wanted
@@ -143,7 +143,7 @@ std::optional<DynamicChangePoints::OnBranch> DynamicChangePoints::on_branch(
 
 std::vector<ChangePoint> DynamicChangePoints::among(
     const std::vector<Instant>& instants) && {
-  put_between(instants, points_);
+  bracket_by_instants(instants, points_);
   return std::move(points_);
 }
 

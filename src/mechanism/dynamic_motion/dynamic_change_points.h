@@ -5,11 +5,11 @@
 
 #include <Eigen/Core>
 
-#include "mechanism/change_points/rank_watch.h"
+#include "mechanism/change_points/rank_loss_detector.h"
 #include "mechanism/definition/motion.h"
+#include "mechanism/integration/corrected_trajectory.h"
 #include "mechanism/integration/dynamic_model.h"
 #include "mechanism/integration/initial_state.h"
-#include "mechanism/integration/watched_path.h"
 
 namespace clevis::mechanism {
 
@@ -68,14 +68,14 @@ class DynamicChangePoints {
   bool has_loops_;
   int freedom_{}, rank_{};
   double last_speed_{};  ///< of an unknown over the length [1/s]
-  std::optional<RankWatch> watch_;
+  std::optional<RankLossDetector> watch_;
   struct Candidate {
     double t{};
     Eigen::VectorXd state;
   };
   std::vector<Candidate> candidates_;  ///< that the watch awaits
   std::vector<ChangePoint> points_;
-  WatchedPath path_;
+  CorrectedTrajectory path_;
   Eigen::VectorXd state_;
 };
 

@@ -28,8 +28,8 @@ void refuse_massless(const MechanismDefinition& definition) {
                 fmt::format("body {} has {:.3g} kg beside one of {:.3g} kg: "
                             "massless, for double precision",
                             body.name, mass, heaviest),
-                "give the body its mass, or replace a link between two joints "
-                "by a joint of type \"distance\"");
+                "Give the body its mass, or replace a link between two joints "
+                "by a joint of type \"distance\".");
   }
 }
 

@@ -109,8 +109,8 @@ void DynamicRun::pass(const EventFinder::Event& event) {
   ForceModel& forces = equations_.forces();
   const std::vector<int> before = forces.modes();
   forces.pass_event(event.index);
-  stick_slip_.rest_or_turn(t, y_, static_cast<std::size_t>(event.index / 2));
-  stick_slip_.settle(t, y_);
+  stick_slip_.stop_or_reverse(t, y_, static_cast<std::size_t>(event.index / 2));
+  stick_slip_.resolve_modes(t, y_);
   projection_.project(t, y_);
   equations_.accept(t, y_);
   impacts_.pass(t, y_, before);
@@ -130,7 +130,8 @@ void DynamicRun::pass_break(double t) {
     projection_.project(t, y_);
     equations_.accept(t, y_);
   } else {
-    stick_slip_.settle(t, y_);  // what rests may have to yield to a drive
+    stick_slip_.resolve_modes(t,
+                              y_);  // what rests may have to yield to a drive
   }
   restart(t);
 }

@@ -10,7 +10,7 @@
 #include "mechanism/dynamic_motion/dynamic_instants.h"
 #include "mechanism/dynamic_motion/motion_guards.h"
 #include "mechanism/events/event_finder.h"
-#include "mechanism/events/impact_watch.h"
+#include "mechanism/events/impact_recorder.h"
 #include "mechanism/events/reaction_peaks.h"
 #include "mechanism/events/stick_slip.h"
 #include "mechanism/integration/dynamic_model.h"
@@ -61,7 +61,7 @@ class DynamicRun {
   MotionGuards guards_;
   DynamicInstants instants_;
   EventFinder events_;
-  ImpactWatch impacts_;
+  ImpactRecorder impacts_;
   std::optional<ReactionPeaks> peaks_;
   Eigen::VectorXd y_;
   Motion motion_;

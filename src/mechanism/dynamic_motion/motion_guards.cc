@@ -29,8 +29,8 @@ void MotionGuards::refuse_crowded_events(double t) {
               fmt::format("at t = {:.9g} s events of contact or friction "
                           "follow one another without end",
                           t),
-              "give the contact damping, or the friction model = "
-              "\"regularized\"");
+              "Give the contact damping, or the friction model = "
+              "\"regularized\".");
 }
 
 void MotionGuards::require_closed(double t, double gap) {
@@ -38,12 +38,13 @@ void MotionGuards::require_closed(double t, double gap) {
   const double allowed = std::max(kClosed, model_.settings.tolerance);
   if (gap <= allowed * model_.frame.length) return;
   refuse_dead_end();
-  throw Error("K012", "mechanism",
-              fmt::format("at t = {:.9g} s joints or drives gape by {:.3g} mm: "
-                          "the integration failed",
-                          t, 1e3 * gap),
-              "ask for a stricter tolerance, and look for drives or joints "
-              "that contradict one another");
+  throw Error(
+      "K012", "mechanism",
+      fmt::format("at t = {:.9g} s joints or drives are open by {:.3g} mm: "
+                  "the integration failed",
+                  t, 1e3 * gap),
+      "Ask for a stricter tolerance, and look for drives or joints "
+      "that contradict one another.");
 }
 
 void MotionGuards::require_resisting_friction(const VectorXd& y) {
@@ -57,8 +58,8 @@ void MotionGuards::require_resisting_friction(const VectorXd& y) {
               fmt::format("at t = {:.9g} s friction {} moves its line instead "
                           "of resisting: the integration failed",
                           integrator_.t(), name_of(element)),
-              "ask for a stricter tolerance, or give the friction model = "
-              "\"regularized\"");
+              "Ask for a stricter tolerance, or give the friction model = "
+              "\"regularized\".");
 }
 
 /// The combination of rows that is nearest to vanishing.
@@ -97,11 +98,11 @@ void MotionGuards::refuse_dead_end() {
               fmt::format("at t = {:.6g} s the mechanism stops at {}: beyond "
                           "it no position continues the motion",
                           t, drives_at(definition, positions, 6)),
-              "reduce the range of the drive, or correct the lengths");
+              "Reduce the range of the drive, or correct the lengths.");
 }
 
 void MotionGuards::refuse_stuck() {
-  if (model_.equations.jams()) refuse_jam(integrator_.t());
+  if (model_.equations.is_self_locking()) refuse_self_locking(integrator_.t());
   refuse_dead_end();
   const bool beside = weakest_rows().beside;
   throw Error(
@@ -111,9 +112,9 @@ void MotionGuards::refuse_stuck() {
                            "reactions, and friction that follows "
                            "them, grow without bound"
                          : ""),
-      beside ? "give the friction itself, change the lengths so that "
-               "the change point is not met, or end the motion before"
-             : "look for forces or lengths of a wrong order of size");
+      beside ? "Give the friction itself, change the lengths so that "
+               "the change point is not met, or end the motion before."
+             : "Look for forces or lengths of a wrong order of size.");
 }
 
 void MotionGuards::require_few_evaluations() const {
@@ -126,8 +127,8 @@ void MotionGuards::require_few_evaluations() const {
                   "t = {:.9g} s of {:.9g} s",
                   counts.evaluations, counts.steps, integrator_.method(),
                   integrator_.t(), model_.settings.duration),
-      "ask for a shorter motion or a looser tolerance, soften what is "
-      "stiff, or try another `integrator`");
+      "Ask for a shorter motion or a looser tolerance, soften what is "
+      "stiff, or try another `integrator`.");
 }
 
 }  // namespace clevis::mechanism

@@ -8,7 +8,7 @@
 
 namespace clevis::mechanism {
 
-/// What ends an integrated motion before its time. Times [s].
+/// Guards that end an integrated motion early. Times [s].
 class MotionGuards {
  public:
   /// @param model, change_points, integrator  of the run; outlive this.

@@ -8,8 +8,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 DriveTarget DriveSchedule::target(std::size_t k, double t) const {
-  const BendSide side =
-      t > piece_start_ ? BendSide::kBefore : BendSide::kBehind;
+  const BreakpointSide side =
+      t > piece_start_ ? BreakpointSide::kBefore : BreakpointSide::kBehind;
   return drive_target(drives_[k], t, side);
 }
 

@@ -63,7 +63,7 @@ class EquationsOfMotion {
   const MotionSolution& respond(const Eigen::VectorXd& force);
 
   /// The last solve() failed as friction that follows a reaction jams.
-  bool jams() const { return following_.jams(); }
+  bool is_self_locking() const { return following_.is_self_locking(); }
   /// Whether nothing but joints, drives and rotors holds the bodies now.
   bool has_joints_alone() const;
   /// Of bodies and rotors [J].

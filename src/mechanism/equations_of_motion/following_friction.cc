@@ -140,8 +140,8 @@ double FollowingFriction::solve(ForceModel& forces, ConstrainedMass& mass,
     lines_[i].free = reaction(i, lambda);
   }
   respond(forces, mass);
-  jams_ = !contracts() || !find_efforts();
-  if (jams_) return std::numeric_limits<double>::quiet_NaN();
+  is_self_locking_ = !contracts() || !find_efforts();
+  if (is_self_locking_) return std::numeric_limits<double>::quiet_NaN();
   a.noalias() += accelerations_ * efforts_;
   lambda.noalias() += multipliers_ * efforts_;
   double power = 0.0;

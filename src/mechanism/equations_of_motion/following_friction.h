@@ -29,7 +29,7 @@ class FollowingFriction {
   double solve(ForceModel& forces, ConstrainedMass& mass, Eigen::VectorXd& a,
                Eigen::VectorXd& lambda);
   /// Whether the last solve() failed so.
-  bool jams() const { return jams_; }
+  bool is_self_locking() const { return is_self_locking_; }
 
  private:
   void respond(const ForceModel& forces, ConstrainedMass& mass);
@@ -46,7 +46,7 @@ class FollowingFriction {
   };
   const ConstraintSystem& system_;
   std::vector<Line> lines_;
-  bool jams_ = false;
+  bool is_self_locking_ = false;
   Eigen::MatrixXd levers_, accelerations_, multipliers_;  ///< of unit efforts
   Eigen::MatrixXd newton_;
   Eigen::VectorXd none_, Q_, a_, lambda_, efforts_, rest_, growth_;

@@ -69,7 +69,7 @@ void Projection::jump(double t, VectorXd& y) {
   const double before = equations_.kinetic_energy(y);
   ForceModel& forces = equations_.forces();
   for (std::size_t k = 0; k < forces.size(); ++k) {
-    if (forces.is_dry(k)) forces.set_mode(k, kLetGo);
+    if (forces.is_dry(k)) forces.set_mode(k, kOmitted);
   }
   project(t, y);
   y[equations_.layout().work_index()] += equations_.kinetic_energy(y) - before;

@@ -6,8 +6,8 @@
 
 namespace clevis::mechanism {
 
-/// What two bodies weigh at their contact along its normal, joints and drives
-/// holding [kg] or [kg m²]; infinite where they cannot give way.
+/// Effective masses of two bodies at their contact along its normal, joints and
+/// drives holding [kg] or [kg m²]; infinite where they cannot give way.
 struct ContactInertia {
   double mass_a{}, mass_b{}, mass{};
   double force{};  ///< of all else that presses them together [N] or [N m]

@@ -110,7 +110,7 @@ long EventFinder::windows(double start, double end) {
                           "s, the sine of a drive or servo turns back {:.3g} "
                           "times, of {:.3g} that are looked at in a motion",
                           start, end, count, kMost),
-              "ask for a shorter motion, or correct the frequency");
+              "Ask for a shorter motion, or correct the frequency.");
 }
 
 EventFinder::Event EventFinder::find(numerics::Integrator& integrator) {

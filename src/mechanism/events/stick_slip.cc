@@ -30,13 +30,13 @@ constexpr double kMoment = 1e-6;  // of the duration
 constexpr double kTimesError = 1e3;
 
 /// @throws Error K011, always.
-[[noreturn]] void refuse_wedge(double t) {
+[[noreturn]] void refuse_inconsistent_friction(double t) {
   throw Error("K011", "mechanism",
               fmt::format("at t = {:.9g} s dry friction wedges: whichever "
                           "joints rest or slip, one asks for the contrary",
                           t),
-              "reduce the friction, or give it model = \"regularized\"; rigid "
-              "bodies have no answer here");
+              "Reduce the friction, or give it model = \"regularized\"; rigid "
+              "bodies have no answer here.");
 }
 
 }  // namespace
@@ -51,12 +51,12 @@ StickSlip::StickSlip(ForwardDynamics& dynamics)
 void StickSlip::choose_modes(double t, const VectorXd& y) {
   equations_.evaluate_loads(t, y);
   forces_.choose_modes();
-  settle(t, y);
+  resolve_modes(t, y);
 }
 
-/// Lines whose speed is round-off come to rest together: friction in several
-/// joints of one loop.
-void StickSlip::rest_what_hardly_moves() {
+/// Stops all slipping elements whose speed is round-off: friction in several
+/// joints of one loop comes to rest at once.
+void StickSlip::stop_what_hardly_moves() {
   const double fastest =
       std::max(scales_.largest_speed(),
                equations_.state().speeds.lpNorm<Eigen::Infinity>());
@@ -71,7 +71,7 @@ void StickSlip::rest_what_hardly_moves() {
   }
 }
 
-void StickSlip::rest_or_turn(double t, VectorXd& y, std::size_t k) {
+void StickSlip::stop_or_reverse(double t, VectorXd& y, std::size_t k) {
   if (!forces_.is_dry(k) || forces_.element(k).modes[0] != 0) return;
   const VectorXd before = y;
   projection_.project(t, y);
@@ -80,7 +80,7 @@ void StickSlip::rest_or_turn(double t, VectorXd& y, std::size_t k) {
   if (change <= kTimesError * scales_.tolerance() * scales_.largest_speed())
     return;
   y = before;
-  forces_.set_mode(k, kLetGo);
+  forces_.set_mode(k, kOmitted);
   equations_.solve(t, y);
   forces_.set_mode(k, line_acceleration(k) > 0.0 ? 1 : -1);
 }
@@ -101,9 +101,10 @@ double StickSlip::acceleration_size() const {
   return size;
 }
 
-/// The sticking line that asks most of its friction gives its most instead, if
-/// that is less. @return whether there was one.
-bool StickSlip::release_worst() {
+/// Switches the sticking element with the largest ratio of required to
+/// breakaway force, if that is above 1, to its breakaway force. @return whether
+/// there was one.
+bool StickSlip::release_most_loaded() {
   double worst = 1.0 + kRoundOff;
   std::size_t which = forces_.size();
   for (std::size_t k = 0; k < forces_.size(); ++k) {
@@ -129,8 +130,8 @@ double StickSlip::line_acceleration(std::size_t k) const {
              equations_.state().twists);
 }
 
-/// What the friction of a line at its most would do to its bodies if nothing
-/// else held them, likewise.
+/// Acceleration that the breakaway force of a line would cause if nothing else
+/// held its bodies [m/s²], turns times length.
 double StickSlip::free_acceleration(std::size_t k) const {
   const ActingElement& e = forces_.element(k);
   double sum = 0.0;
@@ -147,17 +148,18 @@ double StickSlip::free_acceleration(std::size_t k) const {
   return constraints_.row_scale(k) * sum * std::abs(e.effort);
 }
 
-/// A line at its most slips unless the others hold it, that is, unless it
-/// would rest even without its friction; it sticks if they carry it back.
+/// Judges elements at their breakaway force. Such an element stays so if it
+/// would rest even without its friction, sticks again if it accelerates against
+/// its sense, and slips otherwise.
 /// @return whether one changed.
-bool StickSlip::judge_lines_at_their_most(double t, const VectorXd& y) {
+bool StickSlip::judge_lines_at_breakaway(double t, const VectorXd& y) {
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     const int mode = forces_.element(k).modes[0];
     if (!forces_.is_dry(k) || std::abs(mode) != 2) continue;
     const double round_off =
         kRoundOff * std::max(free_acceleration(k), acceleration_size());
     const double a = line_acceleration(k);
-    forces_.set_mode(k, kLetGo);
+    forces_.set_mode(k, kOmitted);
     equations_.solve(t, y);
     const double free = line_acceleration(k);
     const bool is_held = std::abs(free) <= round_off;
@@ -191,21 +193,22 @@ double StickSlip::first_step(double t, const VectorXd& y) {
   return step;
 }
 
-void StickSlip::settle(double t, const VectorXd& y) {
+void StickSlip::resolve_modes(double t, const VectorXd& y) {
   equations_.solve(t, y);
-  rest_what_hardly_moves();
+  stop_what_hardly_moves();
   const std::size_t most = 6 * forces_.size() + 2;
   for (std::size_t tries = 0; tries < most; ++tries) {
     equations_.solve(t, y);
-    if (!yield_one_of_several(t, y) && !free_what_cannot_stick(t, y) &&
-        !release_worst() && !judge_lines_at_their_most(t, y)) {
+    if (!release_first_of_dependent(t, y) && !release_dependent_lines(t, y) &&
+        !release_most_loaded() && !judge_lines_at_breakaway(t, y)) {
       return;
     }
   }
-  refuse_wedge(t);
+  refuse_inconsistent_friction(t);
 }
 
-/// By row, how drives begin to move, at once or within a moment; else 0.
+/// Rates, by row, of drives that start from rest at once or within kMoment;
+/// else 0.
 VectorXd StickSlip::beginning_of_drives(double t) const {
   const double soon =
       t + kMoment * equations_.layout().length() / scales_.slowest_speed();
@@ -218,16 +221,17 @@ VectorXd StickSlip::beginning_of_drives(double t) const {
     const double scale =
         system.scale(system.row_list()[static_cast<std::size_t>(row)]);
     const double later =
-        scale * drive_target(drives[k], soon, BendSide::kBefore).rate;
+        scale * drive_target(drives[k], soon, BreakpointSide::kBefore).rate;
     if (std::abs(now) <= kRoundOff * std::abs(later)) rates[row] = later;
   }
   return rates;
 }
 
-/// Several lines at rest that cannot all go on so, as joints and drives move or
-/// begin to: as these push, the first to reach its most gives that.
+/// Where joints and drives that move or begin to over-constrain sticking
+/// elements: increases the multipliers along the infeasible direction until the
+/// first element reaches its breakaway force.
 /// @return whether there was one.
-bool StickSlip::yield_one_of_several(double t, const VectorXd& y) {
+bool StickSlip::release_first_of_dependent(double t, const VectorXd& y) {
   if (constraints_.mass().rank() == constraints_.rows()) return false;
   const MatrixXd free = constraints_.open_multipliers();
   // multipliers grow along what the rows ask beyond what they can have
@@ -246,18 +250,18 @@ bool StickSlip::yield_one_of_several(double t, const VectorXd& y) {
                                           scales_.slowest_speed() * push.norm();
   if (goes_on) push = going;
   std::size_t first = forces_.size();
-  const int mode = first_at_its_most(push, first);
+  const int mode = first_at_breakaway(push, first);
   if (mode == 0) return false;
   forces_.set_mode(first, goes_on ? mode / 2 : mode);
   equations_.solve(t, y);
   return true;
 }
 
-/// Of several lines at rest the one whose effort is the first to reach its
-/// most as multipliers grow along `push`. @return its mode then; 0: there are
-/// not several.
-int StickSlip::first_at_its_most(const VectorXd& push,
-                                 std::size_t& first) const {
+/// Finds the sticking element that is the first to reach its breakaway force as
+/// multipliers grow along `push`. @return its mode then; 0: fewer than two take
+/// part.
+int StickSlip::first_at_breakaway(const VectorXd& push,
+                                  std::size_t& first) const {
   const double least_part = kTakesPart * push.norm();
   double least = std::numeric_limits<double>::infinity();
   int mode = 0, taking_part = 0;
@@ -278,27 +282,28 @@ int StickSlip::first_at_its_most(const VectorXd& push,
   return taking_part < 2 ? 0 : mode;
 }
 
-/// Whether joints and drives alone fix the speed of a line; the last solve() is
-/// then that without what sticks.
+/// Whether joints and drives alone fix the speed of a line. Leaves the last
+/// solve() without sticking elements.
 bool StickSlip::is_carried(double t, const VectorXd& y, std::size_t k) {
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     if (i != k && forces_.sticks(i)) others.push_back(i);
   }
-  for (const std::size_t i : others) forces_.set_mode(i, kLetGo);
+  for (const std::size_t i : others) forces_.set_mode(i, kOmitted);
   forces_.set_mode(k, 0);
   equations_.solve(t, y);
   const int with = constraints_.mass().rank();
-  forces_.set_mode(k, kLetGo);
+  forces_.set_mode(k, kOmitted);
   equations_.solve(t, y);
   const int without = constraints_.mass().rank();
   for (const std::size_t i : others) forces_.set_mode(i, 0);
   return with == without;
 }
 
-/// Mode of a sticking line whose row the others imply, which is let go. If they
-/// move it, it slips; if joints and drives carry it, as a slider at its dead
-/// centre or a driven joint at rest, it holds nothing until it moves.
+/// Mode of a sticking line whose row depends on the others and is omitted. It
+/// slips if they accelerate it. If joints and drives carry it, as a slider at
+/// its dead centre or a driven joint at rest, it exerts no friction until it
+/// moves.
 int StickSlip::mode_of_dependent_line(double t, const VectorXd& y,
                                       std::size_t k) {
   const double beside_others = line_acceleration(k);
@@ -311,15 +316,15 @@ int StickSlip::mode_of_dependent_line(double t, const VectorXd& y,
                                      equations_.layout().length()
                                : 0.0;
   if (std::abs(a) > std::max(kRoundOff * size, clear)) return a > 0.0 ? 1 : -1;
-  return carried ? kLetGo : 0;
+  return carried ? kOmitted : 0;
 }
 
 /// @return whether there was a sticking line that can hold nothing.
-bool StickSlip::free_what_cannot_stick(double t, const VectorXd& y) {
+bool StickSlip::release_dependent_lines(double t, const VectorXd& y) {
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     if (!forces_.sticks(k)) continue;
     const int rank = constraints_.mass().rank();
-    forces_.set_mode(k, kLetGo);
+    forces_.set_mode(k, kOmitted);
     equations_.solve(t, y);
     const int mode = constraints_.mass().rank() == rank
                          ? mode_of_dependent_line(t, y, k)

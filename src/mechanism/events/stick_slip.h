@@ -14,29 +14,30 @@ class StickSlip {
  public:
   explicit StickSlip(ForwardDynamics& dynamics);
 
-  /// Modes of the force elements from the state alone, then settle().
+  /// Modes of the force elements from the state alone, then resolve_modes().
   /// @throws Error K011 where rigid bodies have no answer.
   void choose_modes(double t, const Eigen::VectorXd& y);
-  /// Decides what sticks of what does not move, by the forces at hand.
+  /// Decides which elements at rest stick, by the forces of the state.
   /// @throws Error K011 where rigid bodies have no answer.
-  void settle(double t, const Eigen::VectorXd& y);
-  /// Element k has just come to rest: takes its last speed from the motion if
-  /// only that goes; else, as a dependent line at a dead centre, it turns.
-  void rest_or_turn(double t, Eigen::VectorXd& y, std::size_t k);
+  void resolve_modes(double t, const Eigen::VectorXd& y);
+  /// Stops or reverses element k, which has just come to rest. It stops if that
+  /// changes no speed beyond the tolerance; a dependent line at a dead centre
+  /// reverses.
+  void stop_or_reverse(double t, Eigen::VectorXd& y, std::size_t k);
   /// Upper bound of the first step so that Stribeck's zone is resolved [s];
   /// 0: none.
   double first_step(double t, const Eigen::VectorXd& y);
 
  private:
-  void rest_what_hardly_moves();
-  bool release_worst();
-  bool judge_lines_at_their_most(double t, const Eigen::VectorXd& y);
+  void stop_what_hardly_moves();
+  bool release_most_loaded();
+  bool judge_lines_at_breakaway(double t, const Eigen::VectorXd& y);
   Eigen::VectorXd beginning_of_drives(double t) const;
-  bool yield_one_of_several(double t, const Eigen::VectorXd& y);
-  int first_at_its_most(const Eigen::VectorXd& push, std::size_t& first) const;
+  bool release_first_of_dependent(double t, const Eigen::VectorXd& y);
+  int first_at_breakaway(const Eigen::VectorXd& push, std::size_t& first) const;
   bool is_carried(double t, const Eigen::VectorXd& y, std::size_t k);
   int mode_of_dependent_line(double t, const Eigen::VectorXd& y, std::size_t k);
-  bool free_what_cannot_stick(double t, const Eigen::VectorXd& y);
+  bool release_dependent_lines(double t, const Eigen::VectorXd& y);
   double line_acceleration(std::size_t k) const;
   double free_acceleration(std::size_t k) const;
   double acceleration_size() const;

@@ -55,6 +55,14 @@ class Contact final : public ActingElement {
     return modes[0] == 1 && sliding_.norm() < stribeck_zone() ? 1 : 0;
   }
   double sliding_value() const;
+  /// From M of each body to the point where both touch, in P [m].
+  struct Arms {
+    Vector3d to_a, to_b;
+  };
+  Arms arms() const;
+  /// Motion of b against a there: velocity, or acceleration without what
+  /// velocities cause.
+  Vector3d at_point(const Twist& a, const Twist& b) const;
 
   /// Friction at the state of hold_tangent(); acts instead of the law.
   struct Tangent {
@@ -68,13 +76,21 @@ class Contact final : public ActingElement {
   Tangent tangent_;
 };
 
+Contact::Arms Contact::arms() const {
+  const Vector3d to_point = -contact_.radius * normal();
+  return {placed.r_a + placed.d + to_point, placed.r_b + to_point};
+}
+
+Vector3d Contact::at_point(const Twist& a, const Twist& b) const {
+  const auto [to_a, to_b] = arms();
+  return b.v + b.w.cross(to_b) - a.v - a.w.cross(to_a);
+}
+
 void Contact::act(const ActingState& /*state*/, const Twist& a,
                   const Twist& b) {
   const Vector3d n = normal();
-  // levers of the contact point on both bodies
-  const Vector3d to_b = placed.r_b - contact_.radius * n;
-  const Vector3d to_a = placed.r_a + placed.d - contact_.radius * n;
-  const Vector3d v = b.v + b.w.cross(to_b) - a.v - a.w.cross(to_a);
+  const auto [to_a, to_b] = arms();
+  const Vector3d v = at_point(a, b);
   q = contact_.radius - n.dot(placed.d);
   rate = -n.dot(v);
   effort = press(*this, 0, contact_.law, q, rate);
@@ -176,9 +192,7 @@ double Contact::apart_bias(int /*end*/, const Twist& a, const Twist& b) const {
 
 double Contact::sliding_acceleration(const Twist& a, const Twist& b) const {
   const Vector3d n = normal();
-  const Vector3d to_b = placed.r_b - contact_.radius * n;
-  const Vector3d to_a = placed.r_a + placed.d - contact_.radius * n;
-  const Vector3d sum = b.v + b.w.cross(to_b) - a.v - a.w.cross(to_a);
+  const Vector3d sum = at_point(a, b);
   return (sum - n.dot(sum) * n).norm();
 }
 

@@ -192,7 +192,7 @@ std::size_t ForceModel::line_against_its_mode() const {
     const ActingElement& e = *elements_[k];
     if (!is_dry(k)) continue;
     const int mode = e.modes[0];
-    if (mode == kLetGo || std::abs(mode) == 2) continue;  // an event ends it
+    if (mode == kOmitted || std::abs(mode) == 2) continue;  // an event ends it
     const double against = mode == 0 ? std::abs(e.rate) : -mode * e.rate;
     if (against > kTimesSlack * e.slack) return k;
   }
@@ -246,7 +246,7 @@ std::vector<MotionEvent> ForceModel::changes(
   return changes;
 }
 
-std::vector<double> ForceModel::kink_times() const {
+std::vector<double> ForceModel::breakpoint_times() const {
   std::vector<double> times;
   for (const ForceElement& element : definitions_) {
     const std::vector<double> more = properties(element).breaks;

@@ -123,7 +123,7 @@ class ForceModel {
   std::vector<MotionEvent> changes(int event, double t,
                                    const std::vector<int>& before) const;
   /// Times at which tables and the paths of targets bend.
-  std::vector<double> kink_times() const;
+  std::vector<double> breakpoint_times() const;
 
   std::vector<ElementState> states() const;
 

@@ -54,8 +54,8 @@ void EnergyBalance::require() const {
                           "{:.3g} J, {:.2g} of the largest: the integration "
                           "failed",
                           error_, error_ / largest_energy_),
-              "ask for a stricter tolerance, and look for lengths, masses or "
-              "forces of a wrong order of size");
+              "Ask for a stricter tolerance, and look for lengths, masses or "
+              "forces of a wrong order of size.");
 }
 
 }  // namespace clevis::mechanism

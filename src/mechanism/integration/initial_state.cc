@@ -65,7 +65,7 @@ void require_one_position_each(const MechanismDefinition& definition,
                   fmt::format("the initial position of joint {} contradicts "
                               "that of {}",
                               definition.joints[joint].name, all[k].place),
-                  "give it once");
+                  "Give it once.");
     }
   }
 }
@@ -184,8 +184,8 @@ void refuse_rest_beside_change_point(const MatrixXd& J, int freedom,
   throw Error("K010", "mechanism",
               "the motion starts at rest just beside a change point, where the "
               "joints do not say clearly which way leads on",
-              "give [[initial]] a rate that leads away, or start farther "
-              "beside the change point, by a thousandth of a radian");
+              "Give [[initial]] a rate that leads away, or start farther "
+              "beside the change point, by a thousandth of a radian.");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace clevis::mechanism {
 LawBreaks::LawBreaks(const MechanismDefinition& definition,
                      const ForceModel& forces, double duration)
     : duration_(duration),
-      times_(forces.kink_times()),
+      times_(forces.breakpoint_times()),
       jumps_(drive_jumps(definition.drives, duration)) {
   for (const DriveDefinition& drive : definition.drives) {
     times_.push_back(drive.start);

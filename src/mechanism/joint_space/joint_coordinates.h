@@ -76,7 +76,7 @@ class JointCoordinates {
   /// @param u_rate  driven ones count.
   void place(const double* q, const double* u, const double* u_rate,
              Configuration& x, std::vector<Twist>& twists);
-  /// The inverse, on the nearest coordinates: what gapes is left out.
+  /// The inverse, on the nearest coordinates: without what violates joints.
   void read(const Configuration& x, const std::vector<Twist>& twists, double* q,
             double* u) const;
   /// Rates of the coordinates.

@@ -12,7 +12,7 @@ namespace clevis::mechanism {
 /// drives alone carry its line. The others: 0 sticks, ±1 slips in that sense,
 /// ±2 gives its most against that sense while other friction still holds the
 /// line. The second mode tells whether it is in Stribeck's zone.
-inline constexpr int kLetGo = 3;
+inline constexpr int kOmitted = 3;
 
 ElementProperties properties(const FrictionLaw& law);
 /// @param law  outlives the result.

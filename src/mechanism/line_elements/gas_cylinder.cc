@@ -20,7 +20,7 @@ Orifice opened(const GasValve& valve, double signal) {
   return way;
 }
 
-/// What passes a chamber's valve at an instant.
+/// Flow through a chamber's valve at an instant.
 struct Flows {
   GasFlow in;   ///< from the supply
   GasFlow out;  ///< to the environment
@@ -66,8 +66,8 @@ void start_gas(const GasCylinderLaw& law, const std::string& name,
                   fmt::format("chamber {} of {} starts with a volume of {:.6g} "
                               "mm^3, at {:.6g} mm",
                               chamber.name, name, 1e9 * volume, 1e3 * q),
-                  "give it a larger dead_volume, or the origin at which it is "
-                  "that");
+                  "Give it a larger dead_volume, or the origin at which it is "
+                  "that.");
     }
     const ChamberContent content =
         chamber_content(law.gas, chamber.start, volume);

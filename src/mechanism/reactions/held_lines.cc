@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "mechanism/compliance/give_way.h"
+#include "mechanism/compliance/compliance_maps.h"
 #include "numerics/factors/jacobian_factor.h"
 
 namespace clevis::mechanism {

@@ -212,7 +212,7 @@ struct OtherSharings::Solver {
     return result;
   }
 
-  /// What force elements do, about the points M, by slot.
+  /// Wrenches of force elements about the points M, by slot.
   std::vector<Twist> applied(const Instant& instant,
                              const Configuration& x) const {
     std::vector<Twist> result(x.size());

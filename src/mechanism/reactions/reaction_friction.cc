@@ -43,8 +43,8 @@ Equilibrium::Solution balance_with_friction(
   throw Error("K011", "mechanism",
               "joint friction that follows the reaction grows with it without "
               "bound",
-              "reduce the friction coefficient or the pin radius, or drive "
-              "another joint");
+              "Reduce the friction coefficient or the pin radius, or drive "
+              "another joint.");
 }
 
 namespace {
@@ -89,11 +89,11 @@ bool exceeds_its_most(const ActingElement& element,
                           "which equilibrium leaves open{}",
                           name_of(element), definition.joints[j].name,
                           rests ? ": friction at rest shares it" : ""),
-              rests ? "give the friction itself, or model = \"regularized\"; "
-                      "remove redundant constraints if there are any"
-                    : "remove redundant constraints (dimension = \"planar\" if "
+              rests ? "Give the friction itself, or model = \"regularized\"; "
+                      "remove redundant constraints if there are any."
+                    : "Remove redundant constraints (dimension = \"planar\" if "
                       "the mechanism moves in a plane), or give the friction "
-                      "itself");
+                      "itself.");
 }
 
 }  // namespace
@@ -121,14 +121,14 @@ void refuse_open_loads(const MechanismDefinition& definition,
   }
 }
 
-void refuse_jam(double t) {
+void refuse_self_locking(double t) {
   throw Error("K011", "mechanism",
               fmt::format("at t = {:.9g} s joint friction that follows the "
                           "reaction jams: no friction, or more than one, fits "
                           "the motion",
                           t),
-              "reduce the friction coefficient or the pin radius; rigid "
-              "bodies have no answer here");
+              "Reduce the friction coefficient or the pin radius; rigid "
+              "bodies have no answer here.");
 }
 
 }  // namespace clevis::mechanism

@@ -32,6 +32,6 @@ void refuse_open_loads(const MechanismDefinition& definition,
                        const std::vector<JointReaction>& joints);
 
 /// @throws Error K011, always: a joint with such friction jams. @param t  [s].
-[[noreturn]] void refuse_jam(double t);
+[[noreturn]] void refuse_self_locking(double t);
 
 }  // namespace clevis::mechanism

@@ -5,8 +5,8 @@
 
 namespace clevis::mechanism {
 
-void put_between(const std::vector<Instant>& instants,
-                 std::vector<ChangePoint>& points) {
+void bracket_by_instants(const std::vector<Instant>& instants,
+                         std::vector<ChangePoint>& points) {
   for (ChangePoint& point : points) {
     const auto after =
         std::ranges::upper_bound(instants, point.t, {}, &Instant::t);

@@ -7,7 +7,7 @@
 namespace clevis::mechanism {
 
 /// Sets the instants before and behind each point.
-void put_between(const std::vector<Instant>& instants,
-                 std::vector<ChangePoint>& points);
+void bracket_by_instants(const std::vector<Instant>& instants,
+                         std::vector<ChangePoint>& points);
 
 }  // namespace clevis::mechanism

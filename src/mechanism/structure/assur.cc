@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "mechanism/structure/constraint_shares.h"
+#include "mechanism/structure/freedom_orientation.h"
 #include "mechanism/structure/link_graph.h"
 
 namespace clevis::mechanism {
@@ -37,11 +37,11 @@ int longest_loop(const LinkGraph& graph, const std::vector<int>& links,
 
 /// Smallest set of free links with mobility 0 on the known ones; of equal
 /// ones that with the first links.
-std::vector<int> smallest_group(const std::vector<ConstraintShare>& shares,
+std::vector<int> smallest_group(const std::vector<OrientedFreedom>& shares,
                                 const std::vector<int>& free) {
   std::vector<int> smallest;
   for (const int link : free) {
-    std::vector<int> links = leaning_on(shares, link);
+    std::vector<int> links = dependency_closure(shares, link);
     std::erase_if(links, [&free](int known) {
       return !contains(free, known);
     });
@@ -91,7 +91,7 @@ int contour_class(const LinkGraph& graph, const std::vector<int>& links) {
 }
 
 std::vector<AssurGroup> peel_groups(const LinkGraph& graph) {
-  const auto shares = constraint_shares(graph);
+  const auto shares = freedom_orientation(graph);
   if (!shares || shares->size() != 3 * graph.links.size()) return {};
   std::vector<AssurGroup> groups;
   std::vector<int> known{kGround};

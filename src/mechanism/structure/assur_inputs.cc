@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "mechanism/structure/assur.h"
-#include "mechanism/structure/constraint_shares.h"
+#include "mechanism/structure/freedom_orientation.h"
 #include "mechanism/structure/link_graph.h"
 
 namespace clevis::mechanism {
@@ -31,8 +31,8 @@ std::vector<int> candidates(const MechanismDefinition& definition) {
 
 }  // namespace
 
-std::vector<int> taken_inputs(const MechanismDefinition& definition,
-                              int count) {
+std::vector<int> assumed_inputs(const MechanismDefinition& definition,
+                                int count) {
   std::vector<int> locked, taken;
   for (const DriveDefinition& drive : definition.drives) {
     locked.push_back(drive.joint);
@@ -43,7 +43,7 @@ std::vector<int> taken_inputs(const MechanismDefinition& definition,
     if (static_cast<int>(taken.size()) >= count) break;
     if (std::ranges::find(locked, joint) != locked.end()) continue;
     locked.push_back(joint);
-    if (constraint_shares(link_graph(definition, locked))) {
+    if (freedom_orientation(link_graph(definition, locked))) {
       taken.push_back(joint);
     } else {
       locked.pop_back();

@@ -13,6 +13,7 @@ namespace clevis::mechanism {
 /// @param count  how many freedoms the drives leave.
 /// @return  joints; fewer than `count` if they cannot lead all that moves.
 /// @pre  revolutes, slides and welds only.
-std::vector<int> taken_inputs(const MechanismDefinition& definition, int count);
+std::vector<int> assumed_inputs(const MechanismDefinition& definition,
+                                int count);
 
 }  // namespace clevis::mechanism

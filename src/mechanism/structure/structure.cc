@@ -72,7 +72,7 @@ void add_groups(Structure& s, const MechanismDefinition& definition,
     return;
   }
   const int count = s.mobility - static_cast<int>(definition.drives.size());
-  const std::vector<int> taken = taken_inputs(definition, count);
+  const std::vector<int> taken = assumed_inputs(definition, count);
   if (static_cast<int>(taken.size()) < count) {
     s.assur_none = not_led(graph);
     return;

@@ -119,7 +119,7 @@ std::string Cursor::place() const {
 
 void Cursor::fail(const std::string& problem) const {
   throw Error("M002", place(), problem,
-              "export the mesh again from its source");
+              "Export the mesh again from its source.");
 }
 
 }  // namespace clevis::mesh

@@ -13,7 +13,7 @@ const ElementType& GmshParser::element_type(int id) const {
   if (type == nullptr) {
     throw Error("M008", cursor_.place(),
                 fmt::format("element type {} is not known", id),
-                "mesh the part with hexahedra of order 1-4 or tetrahedra");
+                "Mesh the part with hexahedra of order 1-4 or tetrahedra.");
   }
   return *type;
 }
@@ -135,7 +135,7 @@ void GmshParser::resolve_elements() {
         throw Error(
             "M002", fmt::format("{}, element {}", file_.name, element.tag),
             fmt::format("it refers to node {}, which does not exist", tag),
-            "export the mesh again from its source");
+            "Export the mesh again from its source.");
       }
       file_.element_nodes.push_back(unsigned(index));
     }

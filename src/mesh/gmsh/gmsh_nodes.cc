@@ -15,7 +15,7 @@ void GmshParser::read_node(std::uint64_t tag) {
     throw Error("M004", cursor_.place(),
                 fmt::format("node {} has the coordinates ({}, {}, {})", tag,
                             point.x(), point.y(), point.z()),
-                "repair the node or export the mesh again");
+                "Repair the node or export the mesh again.");
   }
   file_.node_tags.push_back(tag);
   file_.points.push_back(point);
@@ -88,7 +88,7 @@ void GmshParser::sort_nodes() {
   if (twice != tags.end()) {
     throw Error("M002", file_.name,
                 fmt::format("node {} is there twice", *twice),
-                "export the mesh again from its source");
+                "Export the mesh again from its source.");
   }
 }
 

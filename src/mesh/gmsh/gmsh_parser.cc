@@ -24,21 +24,21 @@ void GmshParser::read_format() {
       std::string_view(version) != "2") {
     throw Error("M001", cursor_.place(),
                 fmt::format("the mesh has version {}", version),
-                "export it as gmsh version 2.2 or 4.1 "
-                "(Mesh.MshFileVersion = 4.1)");
+                "Export it as gmsh version 2.2 or 4.1 "
+                "(Mesh.MshFileVersion = 4.1).");
   }
   if ((type != 0 && type != 1) || data_size != 8) {
     throw Error("M001", cursor_.place(),
                 fmt::format("file type {} with data size {}", type, data_size),
-                "export it as ASCII (type 0) or binary (type 1) with 8-byte "
-                "numbers");
+                "Export it as ASCII (type 0) or binary (type 1) with 8-byte "
+                "numbers.");
   }
   if (type == 1) {
     cursor_.set_binary();
     if (cursor_.integer() != 1) {
       throw Error("M001", cursor_.place(),
                   "the binary mesh has the byte order of another machine",
-                  "export it on a little-endian machine or as ASCII");
+                  "Export it on a little-endian machine or as ASCII.");
     }
   }
   end_section("MeshFormat");

@@ -16,8 +16,8 @@ GmshFile parse_gmsh(std::string_view bytes, const std::string& name) {
     throw Error("M001", name,
                 bytes.empty() ? "the file is empty"
                               : "the file does not begin with $MeshFormat",
-                "give a .msh of version 2.2 or 4.1; clevis never runs a mesh "
-                "file as a script");
+                "Give a .msh of version 2.2 or 4.1; clevis never runs a mesh "
+                "file as a script.");
   }
   return GmshParser(bytes, name).parse();
 }
@@ -27,11 +27,11 @@ GmshFile read_gmsh_file(const std::filesystem::path& path) {
   const auto status = std::filesystem::status(path, failure);
   if (!std::filesystem::exists(status)) {
     throw Error("I001", path.string(), "there is no such mesh file",
-                "check the path of the mesh, or build it with `clevis mesh`");
+                "Check the path of the mesh, or build it with `clevis mesh`.");
   }
   if (!std::filesystem::is_regular_file(status)) {
     throw Error("I001", path.string(), "is not a regular file",
-                "give the mesh's .msh file, not a folder or device");
+                "Give the mesh's .msh file, not a folder or device.");
   }
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   const std::streamoff size = stream ? std::streamoff(stream.tellg()) : -1;
@@ -39,7 +39,7 @@ GmshFile read_gmsh_file(const std::filesystem::path& path) {
   stream.seekg(0);
   if (size < 0 || !stream.read(bytes.data(), size)) {
     throw Error("I001", path.string(), "the mesh file cannot be read",
-                "check its permissions");
+                "Check its permissions.");
   }
   return parse_gmsh(bytes, path.string());
 }

@@ -19,8 +19,8 @@ namespace {
 using F = ElementFamily;
 
 constexpr std::string_view kRemedy =
-    "mesh the part with hexahedra of order 1-4, or with tetrahedra of order "
-    "1-2";
+    "Mesh the part with hexahedra of order 1-4, or with tetrahedra of order "
+    "1-2.";
 
 std::span<const unsigned> nodes_of(const GmshFile& file,
                                    const GmshElement& element) {
@@ -57,7 +57,7 @@ class SeenVolumes {
                             "stiff there",
                             entry->second->tag, element.tag, middle.x(),
                             middle.y(), middle.z()),
-                "mesh every volume once (gmsh: Coherence before Mesh 3)");
+                "Mesh every volume once (gmsh: Coherence before Mesh 3).");
   }
 
  private:
@@ -80,8 +80,8 @@ std::vector<const GmshElement*> volume_elements(const GmshFile& file) {
         "M008", file.name,
         "the mesh has no volume elements, only surfaces or lines",
         std::string(kRemedy) +
-            "; check that the volume has a physical group; a plate's flat mesh "
-            "needs the part's `thickness`");
+            " Check that the volume has a physical group; a plate's flat mesh "
+            "needs the part's `thickness`.");
   }
   std::string listed;
   for (const auto& [name, count] : types) {
@@ -218,7 +218,7 @@ std::map<FaceVertices, int> named_faces(const GmshFile& file,
       throw Error("M002", fmt::format("{}, element {}", file.name, element.tag),
                   fmt::format("the {} of group {} is no face of a cell",
                               element.type->name, name),
-                  "mesh surface and volume together");
+                  "Mesh surface and volume together.");
     }
     const auto [at, added] = named.try_emplace(key, group->second);
     if (!added && at->second != group->second) {
@@ -226,7 +226,7 @@ std::map<FaceVertices, int> named_faces(const GmshFile& file,
           "M012", fmt::format("{}, element {}", file.name, element.tag),
           fmt::format("the face is in the groups {} and {}",
                       mesh.groups[std::size_t(at->second)].name, name),
-          "let every surface belong to one named physical group at most");
+          "Let every surface belong to one named physical group at most.");
     }
   }
   return named;
@@ -269,7 +269,7 @@ void add_boundary(const GmshFile& file, const std::vector<unsigned>& vertex,
     if (next - i > 2) {
       throw Error("M006", file.name,
                   fmt::format("{} cells share one face", next - i),
-                  "remove the cells that overlap");
+                  "Remove the cells that overlap.");
     }
     const auto name = named.find(faces[i].corners);
     const int group = name == named.end() ? -1 : name->second;
@@ -284,14 +284,14 @@ void add_boundary(const GmshFile& file, const std::vector<unsigned>& vertex,
     throw Error("M002", file.name,
                 fmt::format("{} faces of named groups are no faces of cells",
                             named.size() - found),
-                "mesh surface and volume together");
+                "Mesh surface and volume together.");
   }
   for (const auto& face : mesh.boundary) {
     if (inner_groups.contains(face.group)) {
       throw Error("M002", file.name,
                   fmt::format("group {} lies partly inside the part",
                               mesh.groups[std::size_t(face.group)].name),
-                  "let a surface group hold faces of the outside only");
+                  "Let a surface group hold faces of the outside only.");
     }
   }
   std::sort(mesh.boundary.begin(), mesh.boundary.end(),

@@ -49,8 +49,8 @@ std::vector<const GmshElement*> flat_cells(const GmshFile& file) {
         fmt::format("{}{} of type {}", listed.empty() ? "" : ", ", count, name);
   }
   throw Error("M008", file.name, fmt::format("the mesh has {}", listed),
-              "mesh the plate with quadrangles of one order from 1 to 4, or "
-              "with triangles of order 1 or 2");
+              "Mesh the plate with quadrangles of one order from 1 to 4, or "
+              "with triangles of order 1 or 2.");
 }
 
 /// Builds the layer; a node of the flat mesh stands order + 1 times above
@@ -102,8 +102,8 @@ class Layer {
                               "surfaces are in no plane z = const: z goes from "
                               "{:.9g} to {:.9g}",
                               box.min().z(), box.max().z()),
-                  "mesh the plate in a plane parallel to x and y, or the part "
-                  "with volume elements");
+                  "Mesh the plate in a plane parallel to x and y, or the part "
+                  "with volume elements.");
     }
     foot_ = box.center().z() - 0.5 * thickness;
     step_ = thickness / order_;
@@ -175,7 +175,7 @@ class Layer {
       if (edges_.insert(edge).second) continue;
       throw Error("M005", fmt::format("{}, element {}", file_.name, cell.tag),
                   "it lies over its neighbour: one of the two is inverted",
-                  "repair the mesh there, or export it again from its source");
+                  "Repair the mesh there, or export it again from its source.");
     }
   }
 
@@ -256,7 +256,7 @@ class Layer {
     if (a == kUnused || b == kUnused) {
       throw Error("M002", fmt::format("{}, element {}", file_.name, line.tag),
                   "the line is no edge of a cell",
-                  "mesh surface and curves together");
+                  "Mesh surface and curves together.");
     }
     const auto top = unsigned(order_);
     if (type_.family == F::kQuad) {

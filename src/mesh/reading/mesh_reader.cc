@@ -8,7 +8,7 @@
 #include "base/errors.h"
 #include "mesh/gmsh/gmsh_file.h"
 #include "mesh/gmsh/gmsh_reader.h"
-#include "mesh/quality/gate.h"
+#include "mesh/quality/mesh_validation.h"
 #include "mesh/reading/cells.h"
 #include "mesh/reading/extrude.h"
 #include "mesh/rounds/cylinder_groups.h"
@@ -30,8 +30,8 @@ void require_plate(const GmshFile& file, double length_unit, double thickness) {
               fmt::format("the `thickness` is {:.4g} mm, but the plate is only "
                           "{:.4g} mm wide",
                           1e3 * thickness, 1e3 * width),
-              "check thickness and length_unit; give a bar along z as a solid "
-              "mesh");
+              "Check thickness and length_unit; give a bar along z as a solid "
+              "mesh.");
 }
 
 /// The file itself, or the plate whose mid-plane it holds.
@@ -44,8 +44,8 @@ GmshFile with_volume(GmshFile file, double length_unit,
   }
   throw Error("M013", file.name,
               "the part has a `thickness`, but its mesh is not flat",
-              "leave `thickness` out: it is for a mesh of triangles or "
-              "quadrangles in a plane z = const");
+              "Leave `thickness` out: it is for a mesh of triangles or "
+              "quadrangles in a plane z = const.");
 }
 
 /// The mesh with the cylinders of its groups and those behind its facets; with

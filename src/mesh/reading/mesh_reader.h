@@ -11,7 +11,7 @@
 namespace clevis::mesh {
 
 /// Reads a gmsh mesh (2.2 or 4.1, ASCII or binary) of hexahedra (orders 1-4)
-/// or tetrahedra (1-2), runs the gate, puts bore_* and round_* groups on
+/// or tetrahedra (1-2), validates it, puts bore_* and round_* groups on
 /// their exact cylinders, and facets that stand for one though no group says so
 /// (faceted_rounds), and elevates the geometry. A flat mesh of quadrangles
 /// (1-4) or triangles (1-2) in a plane z = const is the mid-plane of a plate

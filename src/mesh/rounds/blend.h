@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mesh/cells/part_mesh.h"
-#include "mesh/rounds/round_entities.h"
+#include "mesh/rounds/cylindrical_entities.h"
 
 namespace clevis::mesh {
 
@@ -10,12 +10,12 @@ namespace clevis::mesh {
 /// edge, face and interior follows by transfinite blending, so that
 /// neighbours still share their points.
 /// @param file_order  of the geometry in the file.
-void blend_hexahedra(PartMesh<3>& mesh, const RoundEntities& round,
+void blend_hexahedra(PartMesh<3>& mesh, const CylindricalEntities& round,
                      int file_order);
 
 /// The same for tetrahedra of degree 4 at most: what an edge or a face moves
 /// fades with the barycentric coordinates of its own vertices.
-void blend_tetrahedra(PartMesh<3>& mesh, const RoundEntities& round,
+void blend_tetrahedra(PartMesh<3>& mesh, const CylindricalEntities& round,
                       int file_order);
 
 }  // namespace clevis::mesh

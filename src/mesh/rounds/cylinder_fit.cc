@@ -87,8 +87,8 @@ Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes_of(
 
 [[noreturn]] void refuse(const std::string& place, const char* problem) {
   throw Error("M009", place, problem,
-              "mesh the bore with at least 5 facets around (a round with at "
-              "least 2), or name the group without bore_ or round_");
+              "Mesh the bore with at least 5 facets around (a round with at "
+              "least 2), or name the group without bore_ or round_.");
 }
 
 }  // namespace

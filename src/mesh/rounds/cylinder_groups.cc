@@ -12,7 +12,7 @@
 #include "mesh/basis/tensor_basis.h"
 #include "mesh/cells/topology.h"
 #include "mesh/rounds/cylinder_fit.h"
-#include "mesh/rounds/tangent_round.h"
+#include "mesh/rounds/tangent_cylinder.h"
 
 namespace clevis::mesh {
 
@@ -28,9 +28,9 @@ bool is_round(const std::string& name) {
 
 [[noreturn]] void refuse(const std::string& place, const std::string& problem) {
   throw Error("M009", place, problem,
-              "name the group without bore_ or round_ if it is not one "
+              "Name the group without bore_ or round_ if it is not one "
               "circular cylinder, give each bore its own group, or mesh it "
-              "with at least 5 facets around");
+              "with at least 5 facets around.");
 }
 
 void check_facet(const PartMesh<3>& mesh, const part::Bore& bore,
@@ -149,7 +149,7 @@ part::Bore fit_one_facet_wide(const PartMesh<3>& mesh, int group,
       return fit_cylinder(curved.points, curved.normals, place).bore;
     }
   }
-  return fit_tangent_round(mesh, group, place);
+  return fit_tangent_cylinder(mesh, group, place);
 }
 
 void check_group(const PartMesh<3>& mesh, const Facets& facets,

@@ -8,7 +8,7 @@ namespace clevis::mesh {
 
 /// Sets the cylinder of each group bore_* and round_*: from its corner nodes;
 /// if they are one facet wide, from the curved nodes of the file, or else
-/// from the surfaces beside it (fit_tangent_round).
+/// from the surfaces beside it (fit_tangent_cylinder).
 ///
 /// @throws Error M009 (place: `file`, group) if a corner is off the cylinder
 ///   by more than 1e-5 of the radius, a facet spans 90° or lies across the

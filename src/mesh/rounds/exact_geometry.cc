@@ -5,7 +5,7 @@
 #include "mesh/basis/simplex_basis.h"
 #include "mesh/basis/tensor_basis.h"
 #include "mesh/rounds/blend.h"
-#include "mesh/rounds/round_entities.h"
+#include "mesh/rounds/cylindrical_entities.h"
 
 namespace clevis::mesh {
 
@@ -32,7 +32,7 @@ void elevate_tetrahedra(PartMesh<3>& mesh, int degree) {
 }  // namespace
 
 void put_on_cylinders(PartMesh<3>& mesh) {
-  const RoundEntities round = find_round_entities(mesh);
+  const CylindricalEntities round = find_cylindrical_entities(mesh);
   if (round.faces.empty()) return;
   for (const auto& [v, groups] : round.vertices) {
     mesh.vertices[v] = project_on_all(mesh, groups, mesh.vertices[v]);

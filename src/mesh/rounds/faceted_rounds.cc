@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "mesh/rounds/cylinder_fit.h"
-#include "mesh/rounds/tangent_round.h"
+#include "mesh/rounds/tangent_cylinder.h"
 
 namespace clevis::mesh {
 

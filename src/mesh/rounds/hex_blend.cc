@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 /// edges and faces on their cylinders, the rest by transfinite blending.
 class HexBlend {
  public:
-  HexBlend(const PartMesh<3>& mesh, const RoundEntities& round,
+  HexBlend(const PartMesh<3>& mesh, const CylindricalEntities& round,
            const Eigen::VectorXd& nodes, int file_order)
       : mesh_(mesh),
         round_(round),
@@ -133,7 +133,7 @@ class HexBlend {
   }
 
   const PartMesh<3>& mesh_;
-  const RoundEntities& round_;
+  const CylindricalEntities& round_;
   const Eigen::VectorXd& nodes_;
   int last_, file_order_;
   Matrix3Xd X_, D_;
@@ -141,7 +141,7 @@ class HexBlend {
 
 }  // namespace
 
-void blend_hexahedra(PartMesh<3>& mesh, const RoundEntities& round,
+void blend_hexahedra(PartMesh<3>& mesh, const CylindricalEntities& round,
                      int file_order) {
   const Eigen::VectorXd nodes = gauss_lobatto(mesh.degree);
   HexBlend blend(mesh, round, nodes, file_order);

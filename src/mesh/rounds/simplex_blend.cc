@@ -45,8 +45,8 @@ class TetrahedronBlend {
   }
 
   /// New points of a cell.
-  Matrix3Xd move(const PartMesh<3>& mesh, const RoundEntities& round, int cell,
-                 int file_order) const {
+  Matrix3Xd move(const PartMesh<3>& mesh, const CylindricalEntities& round,
+                 int cell, int file_order) const {
     const Matrix3Xd& X = mesh.cell_points[std::size_t(cell)];
     const auto& vertices = mesh.cells[std::size_t(cell)];
     Matrix3Xd corners(3, 4);
@@ -154,7 +154,7 @@ class TetrahedronBlend {
 
 }  // namespace
 
-void blend_tetrahedra(PartMesh<3>& mesh, const RoundEntities& round,
+void blend_tetrahedra(PartMesh<3>& mesh, const CylindricalEntities& round,
                       int file_order) {
   const TetrahedronBlend blend(mesh.degree);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {

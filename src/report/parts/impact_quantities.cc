@@ -7,11 +7,11 @@
 namespace clevis::report {
 namespace {
 
-using assessment::FrontRefinement;
+using assessment::DurationRatio;
 using assessment::ImpactResult;
 using assessment::ImpactRow;
-using assessment::LoadPace;
 using assessment::VibrationResult;
+using assessment::WaveFrontRefinement;
 
 constexpr Rule kRiseRule = {compare_within(1e-2, 0.0), "a time of a flat top"};
 constexpr Rule kLaterRule = {
@@ -107,16 +107,16 @@ Quantities<ImpactResult> later_rows() {
                   &S::later_deflection),
       quantity<S>({"free_swing_stress", "/free_swing_stress_ratio", "1", "",
                    kLikeLaterRule},
-                  &S::swing_stress),
+                  &S::free_vibration_stress),
       quantity<S>({"free_swing_deflection", "/free_swing_deflection_ratio", "1",
                    "", kLikeLaterRule},
-                  &S::swing_deflection),
+                  &S::free_vibration_deflection),
       quantity<S>({"reason", "/reason"}, &S::reason),
   };
 }
 
-Quantities<FrontRefinement> refinement_rows() {
-  using S = FrontRefinement;
+Quantities<WaveFrontRefinement> refinement_rows() {
+  using S = WaveFrontRefinement;
   return {
       quantity<S>({"refinement_degree", "/degree"}, &S::degree),
       quantity<S>({"settles", "/stress_settles", "", "", kVerdictRule},
@@ -155,7 +155,10 @@ Quantities<ImpactResult> blow_rows() {
 Quantities<ImpactRow> blow_model_rows() {
   using S = ImpactRow;
   return {
-      quantity<S>({"model", "/model", "", "", kModelRule}, &S::model),
+      quantity<S>({"model", "/model", "", "", kModelRule},
+                  [](const S& row) {
+                    return assessment::model_name(row);
+                  }),
       quantity<S>({"peak_von_mises", "/stress_MPa", "MPa", "", kPeakRule},
                   &S::stress),
       quantity<S>(
@@ -173,8 +176,8 @@ Quantities<ImpactRow> blow_model_rows() {
   };
 }
 
-Quantities<LoadPace> load_pace_rows() {
-  using S = LoadPace;
+Quantities<DurationRatio> load_pace_rows() {
+  using S = DurationRatio;
   return {
       quantity<S>({"impact", "/impact"}, &S::impact),
       quantity<S>({"duration", "/duration_s", "s"}, &S::duration),
@@ -245,8 +248,8 @@ const Quantities<ImpactRow>& blow_model_quantities() {
   return rows;
 }
 
-const Quantities<LoadPace>& load_pace_quantities() {
-  static const Quantities<LoadPace> rows = load_pace_rows();
+const Quantities<DurationRatio>& duration_ratio_quantities() {
+  static const Quantities<DurationRatio> rows = load_pace_rows();
   return rows;
 }
 

@@ -12,7 +12,7 @@ const Quantities<assessment::ImpactResult>& blow_quantities();
 const Quantities<assessment::ImpactRow>& blow_model_quantities();
 
 /// Of an impact of the mechanism as it loads a part.
-const Quantities<assessment::LoadPace>& load_pace_quantities();
+const Quantities<assessment::DurationRatio>& duration_ratio_quantities();
 
 /// Of a part's vibration that was computed.
 const Quantities<assessment::VibrationResult>& vibration_quantities();

@@ -13,9 +13,9 @@
 namespace clevis::report {
 namespace {
 
+using assessment::DurationRatio;
 using assessment::ImpactResult;
 using assessment::ImpactRow;
-using assessment::LoadPace;
 using assessment::PartResult;
 using nlohmann::ordered_json;
 
@@ -61,18 +61,19 @@ std::string refinement_of(const ImpactResult& impact) {
     }
     return text;
   };
-  const std::string rival = tried.rival.empty()
-                                ? ""
-                                : fmt::format(" (for at {:.4g} ms it goes {})",
-                                              tried.rival_time / kMillisecond,
-                                              list(tried.rival, 1e6, "{:.4g}"));
+  const std::string competing_stress =
+      tried.competing_stress.empty()
+          ? ""
+          : fmt::format(" (for at {:.4g} ms it goes {})",
+                        tried.competing_time / kMillisecond,
+                        list(tried.competing_stress, 1e6, "{:.4g}"));
   return fmt::format(
       "by p = {} stress {} MPa with fronts of {} us, the last that the mesh "
       "carries: {:.2g} % more{} and {:.2g} % less are left, {}; deflection {} "
       "mm",
       tried.degree, list(tried.stress, 1e6, "{:.4g}"),
-      list(tried.fronts, 1e-6, "{:.3g}"), kPercent * tried.above, rival,
-      kPercent * tried.below,
+      list(tried.fronts, 1e-6, "{:.3g}"), kPercent * tried.above,
+      competing_stress, kPercent * tried.below,
       tried.settles ? "settles"
                     : "DOES NOT SETTLE: mesh finer along the wave's way, "
                       "compare deflections, or give the contact its stiffness",
@@ -97,15 +98,17 @@ std::string later_peaks_of(const ImpactResult& impact) {
 }
 
 /// What the free swing may come to, over the judged value; 0: no more.
-double swing_over(const std::optional<double>& swing, double later) {
+double free_vibration_over(const std::optional<double>& vibration,
+                           double later) {
   constexpr double kMore = 1.02;
-  return swing.value_or(0.0) > kMore ? *swing * later : 0.0;
+  return vibration.value_or(0.0) > kMore ? *vibration * later : 0.0;
 }
 
-std::string swing_of(const ImpactResult& impact) {
-  const double stress = swing_over(impact.swing_stress, impact.later_stress);
-  const double way =
-      swing_over(impact.swing_deflection, impact.later_deflection);
+std::string free_vibration_of(const ImpactResult& impact) {
+  const double stress =
+      free_vibration_over(impact.free_vibration_stress, impact.later_stress);
+  const double way = free_vibration_over(impact.free_vibration_deflection,
+                                         impact.later_deflection);
   if (stress == 0.0 && way == 0.0) return "";
   return fmt::format(
       "without damping its free swing comes to {:#.4g} MPa and {:#.4g} mm at "
@@ -126,7 +129,7 @@ std::string table_of(const ImpactResult& impact, Colour colour) {
                    {"s", Align::kRight},
                    {""}});
   for (const ImpactRow& row : impact.rows) {
-    table.add_row({{row.model},
+    table.add_row({{model_name(row)},
                    {or_dash(row.stress, kMegapascal, "{:.1f}")},
                    {or_dash(row.nominal, kMegapascal, "{:.1f}")},
                    {fmt::format("{:.3f}", row.ratio)},
@@ -142,31 +145,31 @@ std::string table_of(const ImpactResult& impact, Colour colour) {
       megapascals(impact.band_high), impact.safety_factor, impact.reason));
   if (impact.root) table.add_note(held_section_text(*impact.root));
   if (impact.spread > 0.0) {
-    table.add_note(fmt::format(
-        "the striker bounces, and its course hangs on little things: 2 % of "
-        "its mass change the peaks by {:.2g} %, in the bands{}",
-        kPercent * impact.spread,
-        impact.force > 0.0 ? "; give the part its damping" : ""));
+    table.add_note(
+        fmt::format("the striker bounces, and its response is chaotic: 2 % of "
+                    "its mass change the peaks by {:.2g} %, in the bands{}",
+                    kPercent * impact.spread,
+                    impact.force > 0.0 ? "; give the part its damping" : ""));
   }
   const std::string later = later_peaks_of(impact);
   if (!later.empty()) table.add_note(later);
-  const std::string swing = swing_of(impact);
-  if (!swing.empty()) table.add_note(swing);
+  const std::string vibration = free_vibration_of(impact);
+  if (!vibration.empty()) table.add_note(vibration);
   const std::string refinement = refinement_of(impact);
   if (!refinement.empty()) table.add_note(refinement);
   return table.text(colour);
 }
 
-std::string paces_text(const PartResult& part) {
+std::string duration_ratios_text(const PartResult& part) {
   std::string text;
-  for (const LoadPace& pace : part.paces) {
-    text += printable(fmt::format("{}, {}", part.name, pace.impact));
+  for (const DurationRatio& rated : part.duration_ratios) {
+    text += printable(fmt::format("{}, {}", part.name, rated.impact));
     text += fmt::format(
         ": for {:.4g} ms, {:.3g} of its first period of {:.4g} ms, "
         "rising for {:.4g} ms; a mode answers {:.2f} times. {}\n",
-        pace.duration / kMillisecond, pace.ratio,
-        part.first_period.value() / kMillisecond, pace.rise_time / kMillisecond,
-        pace.amplification, pace.treatment);
+        rated.duration / kMillisecond, rated.ratio,
+        part.first_period.value() / kMillisecond,
+        rated.rise_time / kMillisecond, rated.amplification, rated.treatment);
   }
   return text;
 }
@@ -195,7 +198,7 @@ std::string vibration_text(const PartResult& part) {
       kPercent * v.path_error, v.seconds);
 }
 
-ordered_json refinement_steps(const assessment::FrontRefinement& tried) {
+ordered_json refinement_steps(const assessment::WaveFrontRefinement& tried) {
   ordered_json steps = ordered_json::array();
   for (std::size_t i = 0; i < tried.stress.size(); ++i) {
     steps.push_back({{"front_s", tried.fronts[i]},
@@ -224,7 +227,7 @@ std::string part_impacts_text(const PartResult& part, Colour colour) {
   for (const ImpactResult& impact : part.impacts) {
     text += "\n" + head_of(part, impact) + table_of(impact, colour);
   }
-  if (!part.paces.empty()) text += "\n" + paces_text(part);
+  if (!part.duration_ratios.empty()) text += "\n" + duration_ratios_text(part);
   text += vibration_text(part);
   return text;
 }
@@ -235,10 +238,10 @@ ordered_json part_impacts_json(const PartResult& part) {
   return list;
 }
 
-ordered_json load_paces_json(const PartResult& part) {
+ordered_json duration_ratios_json(const PartResult& part) {
   ordered_json list = ordered_json::array();
-  for (const LoadPace& pace : part.paces) {
-    list.push_back(quantities_json(pace, load_pace_quantities()));
+  for (const DurationRatio& rated : part.duration_ratios) {
+    list.push_back(quantities_json(rated, duration_ratio_quantities()));
     list.back()["first_period_s"] = part.first_period.value();
   }
   return list;
@@ -253,7 +256,7 @@ ordered_json vibration_json(const PartResult& part) {
   return quantities_json(*vibration, vibration_quantities());
 }
 
-std::string held_section_text(const assessment::HeldStress& held) {
+std::string held_section_text(const assessment::SupportStress& held) {
   return fmt::format(
       "section {}, by its support's force and moment: {:#.5g} [{:#.5g}, "
       "{:#.5g}] MPa at {:.4g} ms",
@@ -266,7 +269,8 @@ BeamImpactSummary beam_impact(const PartResult& part) {
   BeamImpactSummary found;
   for (const ImpactResult& impact : part.impacts) {
     for (const ImpactRow& row : impact.rows) {
-      if (row.model != "beam, corrected" || row.nominal <= found.stress) {
+      if (row.model != assessment::ImpactModel::kBeamCorrected ||
+          row.nominal <= found.stress) {
         continue;
       }
       found.stress = row.nominal;

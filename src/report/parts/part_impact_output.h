@@ -16,12 +16,12 @@ std::string part_impacts_text(const assessment::PartResult& part,
                               Colour colour);
 
 nlohmann::ordered_json part_impacts_json(const assessment::PartResult& part);
-nlohmann::ordered_json load_paces_json(const assessment::PartResult& part);
+nlohmann::ordered_json duration_ratios_json(const assessment::PartResult& part);
 /// Null where the loads of the instants suffice.
 nlohmann::ordered_json vibration_json(const assessment::PartResult& part);
 
 /// Nominal stress of the section at which the part is held.
-std::string held_section_text(const assessment::HeldStress& held);
+std::string held_section_text(const assessment::SupportStress& held);
 
 /// Stress by the corrected beam-theory impact model, the largest of the blows
 /// [Pa], and its factor over the static stress; absent: it says nothing.

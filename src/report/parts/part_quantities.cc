@@ -180,8 +180,6 @@ Quantities<PartResult> answer_rows() {
       quantity<S>({"strain_energy", "/strain_energy_mJ", "mJ", "strain_energy",
                    like_the_peak(1e-9)},
                   &S::strain_energy),
-      quantity<S>({"largest_strain_energy", "/strain_energy_J/largest", "J"},
-                  &S::strain_energy),
       quantity<S>({"strain_energy_instant", "/strain_energy_J/at_s", "s",
                    "strain_energy_instant", kInstantRule, Since::kLater},
                   &S::strain_energy_instant),

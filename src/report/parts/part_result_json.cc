@@ -65,20 +65,21 @@ CLEVIS_PIPED(BeamComparison, peak_stress, governing, is_section, deflection,
 CLEVIS_PIPED(SelfChecks, equilibrium, residual, energy, compression,
              reported_peak_is_field_maximum)
 CLEVIS_PIPED(ProbeResult, name, quantity, value, band_low, band_high)
-CLEVIS_PIPED(HeldStress, value, band_low, band_high, section, instant, label)
-CLEVIS_PIPED(ImpactRow, model, stress, nominal, face, deflection, error,
-             seconds, ratio, remark)
-CLEVIS_PIPED(FrontRefinement, fronts, stress, deflection, below, above,
-             root_below, root_above, settles, degree, rival_time, rival)
+CLEVIS_PIPED(SupportStress, value, band_low, band_high, section, instant, label)
+CLEVIS_PIPED(ImpactRow, model, scheme, degree, stress, nominal, face,
+             deflection, error, seconds, ratio, remark)
+CLEVIS_PIPED(WaveFrontRefinement, fronts, stress, deflection, below, above,
+             root_below, root_above, settles, degree, competing_time,
+             competing_stress)
 CLEVIS_PIPED(ImpactResult, name, source, mass, speed, force, stiffness,
              exponent, is_ideal, part_mass, first_period, looked_for,
              later_stress, later_deflection, later_root, spread, is_cut,
-             is_axial, swing_stress, swing_deflection, load_duration, rise_time,
-             peak_force, beam_factor, dynamic_factor, stress, band_low,
-             band_high, root, deflection, deflection_low, deflection_high,
-             deflection_at, deflection_time, safety_factor, reason, refinement,
-             rows)
-CLEVIS_PIPED(LoadPace, impact, duration, rise_time, ratio, amplification,
+             is_axial, free_vibration_stress, free_vibration_deflection,
+             load_duration, rise_time, peak_force, beam_factor, dynamic_factor,
+             stress, band_low, band_high, root, deflection, deflection_low,
+             deflection_high, deflection_at, deflection_time, safety_factor,
+             reason, refinement, rows)
+CLEVIS_PIPED(DurationRatio, impact, duration, rise_time, ratio, amplification,
              treatment)
 CLEVIS_PIPED(VibrationResult, ratio, governs, failure, peak, band_low,
              band_high, degree_error, shape_error, sampling_error, path_error,
@@ -92,8 +93,8 @@ CLEVIS_PIPED(PartResult, name, verdict, why, model, engine, engine_why,
              deflection_low, deflection_high, deflection_at, deflection_instant,
              strain_energy, strain_energy_instant, mean_strain_energy,
              strain_energy_error, buckling, finite_motion, beam, self_checks,
-             probes, seconds, mass, first_period, impacts, paces, vibration,
-             pin_reactions)
+             probes, seconds, mass, first_period, impacts, duration_ratios,
+             vibration, pin_reactions)
 
 #undef CLEVIS_PIPED
 

@@ -4,8 +4,8 @@ namespace clevis::report {
 namespace {
 
 using assessment::ErrorShares;
-using assessment::HeldStress;
 using assessment::PeakStress;
+using assessment::SupportStress;
 
 Quantities<ErrorShares> share_rows() {
   using S = ErrorShares;
@@ -58,8 +58,8 @@ Quantities<PeakStress> peak_rows() {
   return rows;
 }
 
-Quantities<HeldStress> section_rows() {
-  using S = HeldStress;
+Quantities<SupportStress> section_rows() {
+  using S = SupportStress;
   return {
       quantity<S>({"section", "/section", "", "section"}, &S::section),
       quantity<S>({"section_stress", "/nominal_stress_MPa", "MPa",
@@ -83,8 +83,8 @@ const Quantities<PeakStress>& peak_quantities() {
   return rows;
 }
 
-const Quantities<HeldStress>& section_quantities() {
-  static const Quantities<HeldStress> rows = section_rows();
+const Quantities<SupportStress>& section_quantities() {
+  static const Quantities<SupportStress> rows = section_rows();
   return rows;
 }
 

@@ -11,7 +11,7 @@ namespace clevis::report {
 const Quantities<assessment::PeakStress>& peak_quantities();
 
 /// Of the nominal stress of a section that holds the part.
-const Quantities<assessment::HeldStress>& section_quantities();
+const Quantities<assessment::SupportStress>& section_quantities();
 
 std::string_view text(assessment::PeakVerdict verdict);
 

@@ -70,8 +70,8 @@ inline constexpr Rule kStressRule = like_the_peak(1e-6);     // [MPa]
 inline constexpr Rule kLengthRule = like_the_peak(1e-9);     // [mm]
 inline constexpr Rule kPureNumberRule = like_the_peak(0.0);  // [1]
 
-inline constexpr Rule kModelRule = {
-    note_beyond(0.0), "the ladder may take another rung to the same value"};
+inline constexpr Rule kModelRule = {note_beyond(0.0),
+                                    "another model may reach the same value"};
 inline constexpr Rule kPlaceRule = {
     note_beyond(0.05),
     "symmetric parts have equal peaks at several places, and round-off "

@@ -50,7 +50,7 @@ struct DrivePeak {
   Peak effort;  ///< magnitude [N] or [N m]
 };
 
-/// What a check tells of the motion that loads the parts.
+/// Summary of the motion that loads the parts.
 struct MechanismSummary {
   int mobility{};
   int redundant_constraints{};

@@ -59,7 +59,7 @@ GasState read_supply(StrictTable& table, const GasState& environment) {
   supply.pressure = read_pressure(table, environment, 0.0);
   if (supply.pressure <= environment.pressure) {
     throw table.refusal("S006", "has no pressure above the environment's",
-                        "pressure is absolute, gauge_pressure above the "
+                        "Pressure is absolute, gauge_pressure above the "
                         "environment's.");
   }
   return supply;

@@ -343,7 +343,7 @@ SingularZone make_zone(const mesh::PartMesh<dim>& mesh,
                             position(mesh, corner.vertices[1]));
     zone.vertices.insert(zone.vertices.end(), corner.vertices.begin(),
                          corner.vertices.end());
-    wall = std::min(wall, wall_behind<dim>(mesh, corner));
+    wall = std::min(wall, wall_thickness_at<dim>(mesh, corner));
     zone.reach = std::max(zone.reach, corner.reach);
   }
   std::ranges::sort(zone.vertices);

@@ -86,14 +86,16 @@ double wall_of(const mesh::PartMesh<3>& mesh, const BoundaryCorner& corner,
 }  // namespace
 
 template <int dim>
-double wall_behind(const mesh::PartMesh<dim>& mesh,
-                   const BoundaryCorner& corner) {
+double wall_thickness_at(const mesh::PartMesh<dim>& mesh,
+                         const BoundaryCorner& corner) {
   Eigen::AlignedBox<double, dim> box;
   for (const auto& vertex : mesh.vertices) box.extend(vertex);
   return wall_of(mesh, corner, box.diagonal().norm());
 }
 
-template double wall_behind<2>(const mesh::PartMesh<2>&, const BoundaryCorner&);
-template double wall_behind<3>(const mesh::PartMesh<3>&, const BoundaryCorner&);
+template double wall_thickness_at<2>(const mesh::PartMesh<2>&,
+                                     const BoundaryCorner&);
+template double wall_thickness_at<3>(const mesh::PartMesh<3>&,
+                                     const BoundaryCorner&);
 
 }  // namespace clevis::stress

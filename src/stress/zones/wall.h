@@ -9,7 +9,7 @@ namespace clevis::stress {
 /// on the other side, the boundary faces taken as flat [m]; the part's size
 /// if nothing is met.
 template <int dim>
-double wall_behind(const mesh::PartMesh<dim>& mesh,
-                   const BoundaryCorner& corner);
+double wall_thickness_at(const mesh::PartMesh<dim>& mesh,
+                         const BoundaryCorner& corner);
 
 }  // namespace clevis::stress

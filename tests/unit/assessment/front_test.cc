@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "assessment/impact/front_refinement.h"
 #include "assessment/impact/impact_check.h"
+#include "assessment/impact/wave_front_refinement.h"
 #include "assessment/judge/sampled_peak.h"
 #include "support/plate_job.h"
 #include "support/rod_peak.h"
@@ -40,32 +40,33 @@ VectorXd hills(std::initializer_list<std::pair<double, double>> tops) {
   return curve;
 }
 
-TEST(FrontError, BoundsWhatFallsWithAPowerOfTheFront) {
+TEST(WaveFrontError, BoundsWhatFallsWithAPowerOfTheFront) {
   for (const double power : {0.5, 0.7, 1.0}) {
     const auto peak = [&](double front) {
       return 100.0 - 20.0 * std::pow(front, power);
     };
     const double one = peak(0.25);
     const auto error =
-        front_error(hills({{0.5, one}}), hills({{0.5, peak(0.5)}}),
-                    hills({{0.5, peak(1.0)}}), 20, slowest_fall(0.0));
+        wave_front_error(hills({{0.5, one}}), hills({{0.5, peak(0.5)}}),
+                         hills({{0.5, peak(1.0)}}), 20, slowest_fall(0.0));
     EXPECT_NEAR(one * (1.0 + error.above), 100.0, 1e-9) << power;
     EXPECT_NEAR(error.below, 0.1 * error.above, 1e-12);
   }
 }
 
-TEST(FrontError, SeesThePeakThatStillHidesBehindAnother) {
+TEST(WaveFrontError, SeesThePeakThatStillHidesBehindAnother) {
   const auto peaks = [](double front) {
     return hills({{0.2, 80.0}, {0.7, 92.0 - 30.0 * std::sqrt(front)}});
   };
-  const auto error =
-      front_error(peaks(0.25), peaks(0.5), peaks(1.0), 20, slowest_fall(0.0));
+  const auto error = wave_front_error(peaks(0.25), peaks(0.5), peaks(1.0), 20,
+                                      slowest_fall(0.0));
   EXPECT_NEAR(80.0 * (1.0 + error.above), 92.0, 1e-9);
 }
 
-TEST(FrontError, WhatOvershootsIsLeftBelow) {
-  const auto error = front_error(hills({{0.5, 101.0}}), hills({{0.5, 102.0}}),
-                                 hills({{0.5, 104.0}}), 20, slowest_fall(0.0));
+TEST(WaveFrontError, WhatOvershootsIsLeftBelow) {
+  const auto error =
+      wave_front_error(hills({{0.5, 101.0}}), hills({{0.5, 102.0}}),
+                       hills({{0.5, 104.0}}), 20, slowest_fall(0.0));
   EXPECT_NEAR(101.0 * (1.0 - error.below), 100.0, 1e-9);
 }
 

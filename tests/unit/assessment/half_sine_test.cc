@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "assessment/vibration/load_pace.h"
+#include "assessment/vibration/duration_ratio.h"
 
 namespace clevis::assessment {
 namespace {

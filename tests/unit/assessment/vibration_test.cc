@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "assessment/part_check.h"
-#include "assessment/vibration/load_pace.h"
+#include "assessment/vibration/duration_ratio.h"
 #include "assessment/vibration/vibration_times.h"
 #include "mesh/quality/mass_properties.h"
 #include "part/verdict.h"
@@ -131,8 +131,8 @@ TEST(Vibration, SlowLoadsAreNotComputedInTime) {
   instants.back().time = 2000.0 * transit();
   job.impact_loads[0].duration = 2000.0 * transit();
   const PartResult result = check_part(job).result;
-  ASSERT_EQ(result.paces.size(), 1U);
-  EXPECT_FALSE(wants_elements_in_time(result.paces[0]));
+  ASSERT_EQ(result.duration_ratios.size(), 1U);
+  EXPECT_FALSE(wants_elements_in_time(result.duration_ratios[0]));
   EXPECT_FALSE(result.vibration.ratio);
 }
 
@@ -155,11 +155,11 @@ TEST(VibrationWindows, MeetAndJoin) {
   job.impact_loads.push_back(
       {.name = "slow", .duration = 90.0, .rise_time = 45.0, .touches = {1.0}});
   for (const double ratio : {2.0, 500.0, 90.0}) {
-    LoadPace& pace = result.paces.emplace_back();
-    pace.ratio = ratio;
-    pace.amplification = 2.0;
+    DurationRatio& rated = result.duration_ratios.emplace_back();
+    rated.ratio = ratio;
+    rated.amplification = 2.0;
   }
-  result.paces[2].amplification = 1.0;
+  result.duration_ratios[2].amplification = 1.0;
   const auto windows = vibration_windows(job, result);
   ASSERT_EQ(windows.size(), 2U);
   EXPECT_EQ(windows[0].from, 3.0);

@@ -19,7 +19,7 @@ StruckBar rod_of_10_mm() {
   return cantilever(steel(), round_section(0.010), 0.060);
 }
 
-// SEEDS: I = 490.9 mm4, W = 98.17 mm3, 0.0370 kg.
+// π d⁴/64, π d³/32 and ρ π d² l/4 of a rod of 60 mm.
 TEST(RoundSection, TenMillimetres) {
   const BarSection s = round_section(0.010);
   EXPECT_NEAR(s.second_moment, 490.9e-12, 0.05e-12);

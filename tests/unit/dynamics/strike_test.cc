@@ -213,7 +213,7 @@ TEST(Strike, DampedModesAgainstRungeAndKutta) {
     for (const double front : {0.0, 2e-7}) {
       auto options = options_of(Route::kModal, 4000);
       options.modal_damping = damping;
-      options.front_time = front;
+      options.wave_front_time = front;
       options.damping =
           front > 0.0 ? dynamics::Damping::kFronts : dynamics::Damping::kNone;
       const auto found = dynamics::solve_strike(

@@ -127,7 +127,7 @@ TEST(SeatFit, JointBeyondTheBoreIsRefused) {
                        "4.5 mm from the middle of \"bore_A\", beyond its "
                        "end: the cylinder is 8 mm long"))
       << text;
-  EXPECT_TRUE(contains(text, "move the mesh by (0, 0, -4.5) mm")) << text;
+  EXPECT_TRUE(contains(text, "Move the mesh by (0, 0, -4.5) mm")) << text;
   // Along a slide the joint's point may lie anywhere.
   Plate slide(JointType::kPrismatic);
   slide.move_mesh([](const Vector3d& p) -> Vector3d {
@@ -142,7 +142,7 @@ TEST(SeatFit, MirroredMeshIsNamed) {
   plate.move_mesh([](const Vector3d& p) -> Vector3d {
     return {p.x(), -p.y(), p.z()};
   });
-  EXPECT_TRUE(contains(plate.refusal(), "mirrored along y, all cylinders"))
+  EXPECT_TRUE(contains(plate.refusal(), "Mirrored along y, all cylinders"))
       << plate.refusal();
 }
 
@@ -151,13 +151,13 @@ TEST(SeatFit, TurnedMeshIsNamed) {
   plate.move_mesh([](const Vector3d& p) -> Vector3d {
     return {-p.y(), p.x(), p.z()};  // by 90 deg about z: 270 undo it
   });
-  EXPECT_TRUE(contains(plate.refusal(), "turned by 270 deg about z"))
+  EXPECT_TRUE(contains(plate.refusal(), "Turned by 270 deg about z"))
       << plate.refusal();
   Plate upright;
   upright.move_mesh([](const Vector3d& p) -> Vector3d {
     return {p.x(), -p.z(), p.y()};
   });
-  EXPECT_TRUE(contains(upright.refusal(), "turned by 270 deg about x"))
+  EXPECT_TRUE(contains(upright.refusal(), "Turned by 270 deg about x"))
       << upright.refusal();
 }
 
@@ -184,7 +184,7 @@ TEST(SeatFit, ShiftedMeshIsNamed) {
   plate.move_mesh([](const Vector3d& p) -> Vector3d {
     return p + Vector3d(2e-3, -1e-3, 0.0);
   });
-  EXPECT_TRUE(contains(plate.refusal(), "move the mesh by (-2, 1, 0) mm"))
+  EXPECT_TRUE(contains(plate.refusal(), "Move the mesh by (-2, 1, 0) mm"))
       << plate.refusal();
 }
 

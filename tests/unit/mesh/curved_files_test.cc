@@ -9,8 +9,8 @@
 #include "base/errors.h"
 #include "mesh/cells/section.h"
 #include "mesh/gmsh/gmsh_reader.h"
-#include "mesh/quality/gate.h"
 #include "mesh/quality/mass_properties.h"
+#include "mesh/quality/mesh_validation.h"
 #include "mesh/reading/cells.h"
 #include "unit/mesh/mesh_data.h"
 

@@ -163,7 +163,7 @@ PartResult with_blow(double nominal) {
   blow.band_high = 155e6;
   result.impacts.push_back(blow);
   for (ZoneResult& zone : result.singular_zones) zone.has_section = true;
-  result.held = HeldStress{
+  result.held = SupportStress{
       nominal, nominal * 145.0 / 150.0, nominal * 155.0 / 150.0, "root",
       0.0,     "impact hammer"};
   return result;

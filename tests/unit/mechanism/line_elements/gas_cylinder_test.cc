@@ -17,7 +17,8 @@ using Eigen::Vector3d;
 constexpr double kEnvironment = 101325.0;  // [Pa]
 const double kArea = 0.25 * M_PI * 0.015 * 0.015;
 
-/// Piston of 0.6 kg, bore 15 mm, 10 cm³ at x = 0: S6 of the sources.
+/// Piston of 0.6 kg, bore 15 mm, 10 cm³ at x = 0, of the size of
+/// [LandingGear] chapter 5.
 MechanismDefinition piston(GasCylinderLaw law) {
   MechanismDefinition m = testing::sliders({0.6});
   m.gravity_W = Vector3d::Zero();
@@ -122,7 +123,8 @@ struct Row {
   double duration, known;  ///< time to 100 mm by an independent integration
 };
 
-// Source S6 §6: another program's runs, with a line where the flow is laminar.
+// Cylinders of [LandingGear] chapter 5 by another program's integration, with
+// a line where the flow is laminar.
 TEST(GasCylinder, FiveRowsOfTheSourceArriveInTime) {
   for (const Row& row :
        {Row{0.1e6, 0.0, 1, 2.0, 1.1585}, Row{0.1e6, 10.0, 1, 4.0, 2.645},

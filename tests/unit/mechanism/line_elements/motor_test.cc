@@ -15,7 +15,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// S11 §7 of the sources.
+/// The motor of the braiding device [Perechesova2014], with numbers of its
+/// size.
 MotorLaw published(DirectAxis d_axis) {
   MotorLaw law;
   law.ratio = 87.121;

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "mesh/cells/topology.h"
-#include "mesh/quality/gate.h"
 #include "mesh/quality/mass_properties.h"
+#include "mesh/quality/mesh_validation.h"
 #include "mesh/reading/mesh_reader.h"
 #include "unit/mesh/mesh_data.h"
 

@@ -75,7 +75,7 @@ TEST(PartsCsv, WhatDecidesTheVerdictStandsInTheRow) {
   assessment::PartResult& part = report.parts[0];
   part.peak_outside = part.peak;
   part.peak_outside->value = 90e6;
-  part.held = assessment::HeldStress{
+  part.held = assessment::SupportStress{
       .value = 80e6, .band_low = 79e6, .band_high = 82e6, .section = "root"};
   part.buckling.factor = 1.25;
   part.buckling.band_low = 1.2;

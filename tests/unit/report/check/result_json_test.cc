@@ -122,7 +122,6 @@ TEST(ResultJson, KeysOfTheContractHoldTheirUnits) {
   EXPECT_DOUBLE_EQ(part["peak_von_mises"]["errors_MPa"]["mesh"], 0.5);
   EXPECT_DOUBLE_EQ(part["peak_von_mises"]["errors_MPa"]["time"], 0.25);
   EXPECT_DOUBLE_EQ(part["strain_energy_mJ"], 6.65709);
-  EXPECT_EQ(part["strain_energy_J"]["largest"], 6.65709e-3);
   EXPECT_EQ(part["strain_energy_J"]["at_s"], 1.5);
   EXPECT_EQ(part["strain_energy_J"]["mean"], 2.5e-3);
   EXPECT_DOUBLE_EQ(part["limits"]["deflection_mm"], 0.5);

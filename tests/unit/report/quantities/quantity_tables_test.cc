@@ -64,7 +64,7 @@ std::vector<Table> tables() {
           table("model of an impact", impact + "/properties/models/items",
                 blow_model_quantities()),
           table("pace", part + "/properties/load_paces/items",
-                load_pace_quantities()),
+                duration_ratio_quantities()),
           table("vibration", part + "/properties/vibration",
                 vibration_quantities()),
           table("probe", part + "/properties/probes/items", probe_quantities()),

@@ -1,0 +1,216 @@
+#include "assessment/ladder/zone_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assessment/judge/time_sampling_error.h"
+#include "stress/zones/zone_mask.h"
+#include "stress/zones/zone_strength.h"
+
+namespace clevis::assessment {
+namespace {
+
+constexpr int kLayers = 8;  // innermost ring: 0.15^7 = 2e-6 of a cell
+
+// On a mesh that is not graded the lattice reaches about a tenth of a zone's
+// radius.
+constexpr double kReached = 0.1;
+constexpr double kFinest = 1e-6;
+constexpr double kResolved = 5.0;  // of the radius: three cells to the wall
+
+}  // namespace
+
+template <int dim>
+ZoneTracker<dim>::ZoneTracker(const PartJob& job,
+                              const mesh::PartMesh<dim>& mesh)
+    : job_(job), mesh_(mesh) {
+  for (const LoadSet& set : job.load_sets) {
+    Set& own = sets_.emplace_back();
+    for (auto& zone :
+         stress::singular_zones<dim>(mesh, job.part.material, set.fixed)) {
+      own.zones.push_back({std::move(zone), {}, {}, false});
+    }
+  }
+  if (has_zones()) grade(mesh);
+}
+
+template <int dim>
+bool ZoneTracker<dim>::has_zones() const {
+  return std::ranges::any_of(sets_, [](const Set& set) {
+    return !set.zones.empty();
+  });
+}
+
+template <int dim>
+void ZoneTracker<dim>::grade(const mesh::PartMesh<dim>& mesh) {
+  if constexpr (dim == 2) {
+    if (mesh.shape != mesh::CellShape::kTensor) return;
+    std::vector<unsigned> vertices;
+    for (const Set& set : sets_) {
+      for (const Zone& zone : set.zones) {
+        vertices.push_back(zone.zone.vertices[0]);
+      }
+    }
+    std::ranges::sort(vertices);
+    const auto twice = std::ranges::unique(vertices);
+    vertices.erase(twice.begin(), twice.end());
+    const auto graded = mesh::grade_at_vertices(mesh, vertices, kLayers);
+    for (Set& set : sets_) {
+      for (Zone& zone : set.zones) {
+        const auto index =
+            std::ranges::lower_bound(vertices, zone.zone.vertices[0]) -
+            vertices.begin();
+        zone.rings = stress::rings_of(graded, static_cast<std::size_t>(index));
+      }
+    }
+    mesh_ = graded.mesh;
+  }
+}
+
+template <int dim>
+void ZoneTracker<dim>::take(const Level<dim>& level) {
+  if (!has_zones()) return;
+  for (std::size_t s = 0; s < sets_.size() && taken_.empty(); ++s) {
+    std::vector<stress::SingularZone> zones;
+    for (const Zone& zone : sets_[s].zones) zones.push_back(zone.zone);
+    sets_[s].zone_of = stress::zone_of_points<dim>(
+        level.bases[s]->discretization, level.histories[s].subdivisions, zones);
+  }
+  Taken& taken = taken_.emplace_back();
+  taken.degree = level.member.degree;
+  taken.dofs = level.member.dofs;
+  taken.histories = level.histories;
+  for (const auto& basis : level.bases) {
+    taken.energies.push_back(basis->strain_energy);
+  }
+  measure(level, peak_of(taken, true).member.peak);
+  outside_.clear();
+  for (const Taken& one : taken_) outside_.push_back(peak_of(one, false));
+  outside_.back().time_error = time_error(level, outside_.back());
+}
+
+template <int dim>
+void ZoneTracker<dim>::measure(const Level<dim>& level, double outside_peak) {
+  for (std::size_t s = 0; s < sets_.size(); ++s) {
+    Set& set = sets_[s];
+    const auto inside =
+        stress::peaks_inside(level.histories[s], set.zone_of, set.zones.size());
+    for (std::size_t z = 0; z < set.zones.size(); ++z) {
+      Zone& zone = set.zones[z];
+      if (zone.rings.empty()) {
+        const double growth =
+            std::pow(kFinest / kReached, zone.zone.exponent - 1.0);
+        zone.governs = inside[z] * growth > outside_peak;
+        continue;
+      }
+      const auto strength = stress::zone_strength<dim>(
+          *level.bases[s], job_.part.material, level.histories[s], zone.rings);
+      zone.exponent = strength.exponent;
+      zone.governs = strength.innermost > outside_peak &&
+                     strength.exponent < stress::kSmoothExponent;
+    }
+  }
+}
+
+template <int dim>
+OutsidePeak ZoneTracker<dim>::peak_of(const Taken& taken,
+                                      bool without_all) const {
+  OutsidePeak result;
+  result.member.degree = taken.degree;
+  result.member.dofs = taken.dofs;
+  for (std::size_t s = 0; s < sets_.size(); ++s) {
+    std::vector<bool> left_out;
+    for (const Zone& zone : sets_[s].zones) {
+      left_out.push_back(without_all || zone.governs);
+    }
+    const auto peak = stress::peak_outside(taken.histories[s], sets_[s].zone_of,
+                                           left_out, dim);
+    if (s > 0 && peak.value <= result.member.peak) continue;
+    result.set = s;
+    result.at = peak.at;
+    result.instant = peak.instant;
+    result.sampling_error = peak.sampling_error;
+    result.member.peak = peak.value;
+    result.member.strain_energy = taken.energies[s][peak.instant];
+  }
+  return result;
+}
+
+template <int dim>
+double ZoneTracker<dim>::time_error(const Level<dim>& level,
+                                    const OutsidePeak& peak) const {
+  const auto at_point = stress::point_history<dim>(
+      *level.bases[peak.set], job_.part.material, peak.at,
+      level.histories[peak.set].subdivisions);
+  return time_sampling_error(job_.load_sets[peak.set].history, at_point);
+}
+
+template <int dim>
+bool ZoneTracker<dim>::is_singular() const {
+  return std::ranges::any_of(sets_, [](const Set& set) {
+    return std::ranges::any_of(set.zones, &Zone::governs);
+  });
+}
+
+template <int dim>
+double ZoneTracker<dim>::unresolved_growth() const {
+  double growth = 1.0;
+  for (const Set& set : sets_) {
+    for (const Zone& zone : set.zones) {
+      if (!zone.governs || !zone.rings.empty()) continue;
+      const double cells = zone.zone.reach / (kResolved * zone.zone.radius);
+      if (cells <= 1.0) continue;
+      growth = std::max(growth, std::pow(cells, 1.0 - zone.zone.exponent));
+    }
+  }
+  return growth;
+}
+
+template <int dim>
+std::vector<stress::StressHistory> ZoneTracker<dim>::outside_histories() const {
+  constexpr double kLeftOut = -1.0;
+  auto histories = taken_.back().histories;
+  for (std::size_t s = 0; s < sets_.size(); ++s) {
+    const Set& set = sets_[s];
+    for (Eigen::Index i = 0; i < set.zone_of.size(); ++i) {
+      const int zone = set.zone_of.data()[i];
+      if (zone >= 0 && set.zones[static_cast<std::size_t>(zone)].governs) {
+        histories[s].worst.data()[i] = kLeftOut;
+      }
+    }
+  }
+  return histories;
+}
+
+template <int dim>
+std::vector<ZoneResult> ZoneTracker<dim>::results() const {
+  std::vector<ZoneResult> results;
+  for (const Set& set : sets_) {
+    for (const Zone& zone : set.zones) {
+      results.push_back({zone.zone.name, zone.zone.exponent, zone.exponent,
+                         zone.zone.at, zone.zone.radius, zone.governs, false,
+                         zone.zone.edge_of});
+    }
+  }
+  return results;
+}
+
+template <int dim>
+std::optional<Eigen::MatrixXd> ZoneTracker<dim>::marks(std::size_t set) const {
+  if (sets_[set].zone_of.size() == 0) return std::nullopt;
+  int before = 0;
+  for (std::size_t s = 0; s < set; ++s) {
+    before += static_cast<int>(sets_[s].zones.size());
+  }
+  return sets_[set]
+      .zone_of
+      .unaryExpr([before](int zone) {
+        return zone < 0 ? 0.0 : static_cast<double>(before + zone + 1);
+      })
+      .eval();
+}
+
+template class ZoneTracker<2>;
+template class ZoneTracker<3>;
+
+}  // namespace clevis::assessment
