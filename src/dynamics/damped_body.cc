@@ -1,9 +1,10 @@
+#include "dynamics/damped_body.h"
+
 #include <map>
 #include <utility>
 #include <vector>
 
 #include "dynamics/damped_scheme.h"
-#include "dynamics/struck_body.h"
 
 namespace clevis::dynamics {
 namespace {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "dynamics/damped_body.h"
 #include "dynamics/damped_scheme.h"
 #include "dynamics/excited_shapes.h"
 #include "dynamics/strike_steps.h"

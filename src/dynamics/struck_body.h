@@ -38,12 +38,6 @@ class StruckBody {
 std::unique_ptr<StruckBody> direct_body(const LinearSystem& system,
                                         const Eigen::VectorXd& contact);
 
-/// By the damping scheme, four solves a step: waves too short for the step
-/// die out, those that it resolves stay.
-/// @param contact  c [1]; outlives the body, as the system does.
-std::unique_ptr<StruckBody> damped_body(const LinearSystem& system,
-                                        const Eigen::VectorXd& contact);
-
 /// Coordinates q'' + ω² q = c P of M-orthonormal shapes, each propagated
 /// exactly; or, with a damping time h, as the damping scheme does with steps h,
 /// whatever the body's own step is.

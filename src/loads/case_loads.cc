@@ -1,3 +1,5 @@
+#include "loads/case_loads.h"
+
 #include <cmath>
 #include <map>
 
@@ -6,7 +8,6 @@
 
 #include "loads/balance.h"
 #include "loads/held_pins.h"
-#include "loads/part_loads.h"
 
 namespace clevis::loads {
 

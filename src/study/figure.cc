@@ -1,9 +1,10 @@
+#include "study/figure.h"
+
 #include <algorithm>
 #include <functional>
 
 #include <fmt/format.h>
 
-#include "study/output.h"
 #include "study/svg_plot.h"
 
 namespace clevis::study {

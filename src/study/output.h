@@ -23,14 +23,6 @@ std::string study_csv(const PartStudy& part);
 /// Schema 1, docs/results.md.
 nlohmann::ordered_json study_json(const Study& study);
 
-/// Error of the peak, the energy and the probes against processor seconds
-/// (wall-clock time says what else the machine does), degrees of freedom and
-/// memory.
-std::string study_figure(const PartStudy& part);
-
-/// The one plot: error of the peak against processor seconds.
-std::string peak_against_seconds(const PartStudy& part);
-
 /// A run as a worker process hands it over, and back.
 std::string encode(const Run& run);
 Run decode_run(const std::string& text);

@@ -140,8 +140,8 @@ PUBLIC = {
                  " force_elements/force_element joints/joint_types"
                  " reactions/other_sharings simulate structure/structure",
     "scene": "scene text/name_index text/suggestion",
-    "mesh": "basis/simplex_basis basis/tensor_basis cells/part_mesh cells/section"
-            " cells/topology derived/graded_mesh derived/quadrangles"
+    "mesh": "basis/simplex_basis basis/simplex_quadrature basis/tensor_basis cells/part_mesh cells/section"
+            " cells/topology derived/graded_mesh derived/plate derived/quadrangles"
             " derived/revolution derived/split_cells derived/sub_mesh"
             " gmsh/gmsh_element quality/mass_properties reading/mesh_reader",
     "elasticity": "algebra/dense_product algebra/rank_team assembly/stiffness assembly/supports"

@@ -7,6 +7,7 @@
 
 #include "elasticity/solid/open_reactions.h"
 #include "loads/balance.h"
+#include "loads/case_loads.h"
 
 namespace clevis::app {
 namespace {

@@ -14,6 +14,7 @@
 #include "report/text/json_text.h"
 #include "report/text/terminal.h"
 #include "study/clevis_run.h"
+#include "study/figure.h"
 #include "study/output.h"
 #include "study/reference.h"
 #include "study/table.h"

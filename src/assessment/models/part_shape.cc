@@ -8,6 +8,7 @@
 #include "assessment/models/model_error.h"
 #include "elasticity/revolution/revolution_solve.h"
 #include "elasticity/solid/plane_loads.h"
+#include "mesh/derived/plate.h"
 #include "mesh/derived/quadrangles.h"
 #include "mesh/reading/mesh_reader.h"
 

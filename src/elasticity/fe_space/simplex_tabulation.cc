@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "mesh/basis/simplex_basis.h"
+#include "mesh/basis/simplex_quadrature.h"
 #include "mesh/basis/tensor_basis.h"
 
 namespace clevis::elasticity {

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include "mesh/basis/simplex_basis.h"
+#include "mesh/basis/simplex_quadrature.h"
 #include "mesh/basis/tensor_basis.h"
 
 namespace clevis::elasticity {

@@ -8,6 +8,7 @@
 
 #include "elasticity/algebra/dense_product.h"
 #include "mesh/basis/simplex_basis.h"
+#include "mesh/basis/simplex_quadrature.h"
 #include "mesh/basis/tensor_basis.h"
 
 namespace clevis::elasticity {

@@ -62,19 +62,6 @@ template <int dim>
 std::optional<Eigen::Matrix<double, dim, dim>> affine_edges(
     const SimplexPoints<dim>& cell_points, const SimplexPoints<dim>& nodes);
 
-/// Points and positive weights, whose sum is the simplex's measure.
-template <int dim>
-struct SimplexQuadrature {
-  SimplexPoints<dim> points;
-  Eigen::VectorXd weights;
-};
-
-/// Gauss–Jacobi rules of n points along each direction of the collapsed
-/// square or cube ([Stroud1971], conical products); exact to total degree 2n
-/// − 1.
-template <int dim>
-SimplexQuadrature<dim> simplex_gauss(int n);
-
 /// The n^dim simplices of the lattice of degree n, positively oriented, as
 /// positions in simplex_lattice.
 template <int dim>

@@ -1,8 +1,9 @@
+#include "mesh/basis/simplex_quadrature.h"
+
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
 
-#include "mesh/basis/simplex_basis.h"
 #include "mesh/basis/tensor_basis.h"
 
 namespace clevis::mesh {

@@ -1,3 +1,5 @@
+#include "mesh/derived/plate.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -5,7 +7,6 @@
 #include "mesh/basis/tensor_basis.h"
 #include "mesh/cells/topology.h"
 #include "mesh/derived/tetrahedra_plate.h"
-#include "mesh/reading/mesh_reader.h"
 
 namespace clevis::mesh {
 

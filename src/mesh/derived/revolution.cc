@@ -12,6 +12,7 @@
 
 #include "mesh/basis/tensor_basis.h"
 #include "mesh/cells/topology.h"
+#include "mesh/derived/plate.h"
 #include "mesh/reading/mesh_reader.h"
 
 namespace clevis::mesh {

@@ -3,10 +3,12 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "mesh/gmsh/gmsh_nodes.h"
 
 namespace clevis::mesh {
 
@@ -19,8 +21,8 @@ void GmshParser::read_format() {
       3) {
     cursor_.fail("the line after $MeshFormat is not `version type size`");
   }
-  version_4_ = std::string_view(version) == "4.1";
-  if (!version_4_ && std::string_view(version) != "2.2" &&
+  section_.is_version_4 = std::string_view(version) == "4.1";
+  if (!section_.is_version_4 && std::string_view(version) != "2.2" &&
       std::string_view(version) != "2") {
     throw Error("M001", cursor_.place(),
                 fmt::format("the mesh has version {}", version),
@@ -41,17 +43,7 @@ void GmshParser::read_format() {
                   "Export it on a little-endian machine or as ASCII.");
     }
   }
-  end_section("MeshFormat");
-}
-
-void GmshParser::end_section(std::string_view name) {
-  cursor_.skip_space();
-  if (cursor_.line() != fmt::format("$End{}", name)) {
-    cursor_.fail(fmt::format(
-        "$End{} was expected here: more or less stands in the section than "
-        "its header announces",
-        name));
-  }
+  section_.end("MeshFormat");
 }
 
 void GmshParser::read_physical_names() {
@@ -77,7 +69,7 @@ void GmshParser::read_physical_names() {
     file_.physical_names[{int(dim), int(tag)}] =
         std::string(rest.substr(open + 1, length));
   }
-  end_section("PhysicalNames");
+  section_.end("PhysicalNames");
 }
 
 void GmshParser::read_entities() {
@@ -104,29 +96,25 @@ void GmshParser::read_entities() {
       for (std::size_t b = 0; b < bounding; ++b) cursor_.integer();
     }
   }
-  end_section("Entities");
-}
-
-/// A tag as the format writes it: int in version 2, size_t in version 4.
-std::uint64_t GmshParser::next_tag() {
-  if (version_4_) return cursor_.size();
-  const int tag = cursor_.integer();
-  if (tag < 0) cursor_.fail(fmt::format("tag {} is negative", tag));
-  return std::uint64_t(tag);
+  section_.end("Entities");
 }
 
 GmshFile GmshParser::parse() {
+  std::optional<RawElements> elements;
   read_format();
   for (cursor_.skip_space(); cursor_.remaining() > 0; cursor_.skip_space()) {
     const std::string section(cursor_.line());
     if (section == "$PhysicalNames") {
       read_physical_names();
-    } else if (section == "$Entities" && version_4_) {
+    } else if (section == "$Entities" && section_.is_version_4) {
       read_entities();
     } else if (section == "$Nodes") {
-      read_nodes();
+      if (seen_nodes_) cursor_.fail("there is a second $Nodes section");
+      seen_nodes_ = true;
+      read_nodes(section_, file_);
     } else if (section == "$Elements") {
-      read_elements();
+      if (elements) cursor_.fail("there is a second $Elements section");
+      elements = read_elements(section_, entity_physicals_);
     } else if (section.size() > 1 && section.size() < 64 && section[0] == '$' &&
                !section.starts_with("$End")) {
       cursor_.skip_behind("$End" + section.substr(1));
@@ -134,12 +122,12 @@ GmshFile GmshParser::parse() {
       cursor_.fail("a section was expected here");
     }
   }
-  if (!seen_nodes_ || !seen_elements_) {
+  if (!seen_nodes_ || !elements) {
     cursor_.fail(fmt::format("the file ends without {}",
                              seen_nodes_ ? "$Elements" : "$Nodes"));
   }
-  sort_nodes();
-  resolve_elements();
+  sort_nodes(file_);
+  resolve_elements(std::move(*elements), file_);
   return std::move(file_);
 }
 

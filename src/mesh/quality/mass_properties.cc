@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include "mesh/basis/simplex_basis.h"
+#include "mesh/basis/simplex_quadrature.h"
 #include "mesh/basis/tensor_basis.h"
 #include "mesh/cells/topology.h"
 

@@ -11,6 +11,7 @@
 #include "base/errors.h"
 #include "mesh/basis/tensor_basis.h"
 #include "mesh/cells/topology.h"
+#include "mesh/reading/orient.h"
 
 namespace clevis::mesh {
 

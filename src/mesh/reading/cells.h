@@ -16,9 +16,4 @@ namespace clevis::mesh {
 ///   two named groups.
 PartMesh<3> build_cells(const GmshFile& file, double length_unit);
 
-/// Turns each hexahedron (keeping its handedness) so that parallel edges
-/// agree in direction over the whole mesh. Leaves a mesh as it is in which
-/// that cannot be.
-void orient_consistently(PartMesh<3>& mesh);
-
 }  // namespace clevis::mesh

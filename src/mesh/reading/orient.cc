@@ -1,10 +1,11 @@
+#include "mesh/reading/orient.h"
+
 #include <algorithm>
 #include <map>
 #include <numeric>
 #include <utility>
 
 #include "mesh/cells/topology.h"
-#include "mesh/reading/cells.h"
 
 namespace clevis::mesh {
 

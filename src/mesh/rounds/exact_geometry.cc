@@ -4,8 +4,9 @@
 
 #include "mesh/basis/simplex_basis.h"
 #include "mesh/basis/tensor_basis.h"
-#include "mesh/rounds/blend.h"
 #include "mesh/rounds/cylindrical_entities.h"
+#include "mesh/rounds/hex_blend.h"
+#include "mesh/rounds/simplex_blend.h"
 
 namespace clevis::mesh {
 

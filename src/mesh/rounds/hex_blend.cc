@@ -1,8 +1,9 @@
+#include "mesh/rounds/hex_blend.h"
+
 #include <Eigen/Dense>
 
 #include "mesh/basis/tensor_basis.h"
 #include "mesh/cells/topology.h"
-#include "mesh/rounds/blend.h"
 #include "mesh/rounds/cylinder_fit.h"
 
 namespace clevis::mesh {

@@ -1,3 +1,5 @@
+#include "mesh/rounds/simplex_blend.h"
+
 #include <array>
 #include <map>
 
@@ -5,7 +7,6 @@
 
 #include "mesh/basis/simplex_basis.h"
 #include "mesh/basis/tensor_basis.h"
-#include "mesh/rounds/blend.h"
 #include "mesh/rounds/cylinder_fit.h"
 
 namespace clevis::mesh {

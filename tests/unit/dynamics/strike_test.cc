@@ -16,6 +16,7 @@
 
 #include "base/errors.h"
 #include "dynamics/contact_law.h"
+#include "dynamics/damped_body.h"
 #include "dynamics/damped_scheme.h"
 #include "dynamics/excited_shapes.h"
 #include "support/damped_blow.h"

@@ -1,3 +1,5 @@
+#include "loads/case_loads.h"
+
 #include <numbers>
 
 #include <Eigen/Geometry>

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
+#include "loads/case_loads.h"
 #include "loads/part_loads.h"
 
 namespace clevis::loads {

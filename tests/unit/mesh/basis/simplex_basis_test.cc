@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "mesh/basis/simplex_quadrature.h"
 #include "mesh/basis/tensor_basis.h"
 
 namespace clevis::mesh {

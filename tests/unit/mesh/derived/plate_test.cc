@@ -1,3 +1,5 @@
+#include "mesh/derived/plate.h"
+
 #include <cmath>
 #include <map>
 #include <set>

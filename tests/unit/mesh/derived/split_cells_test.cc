@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/cells/topology.h"
+#include "mesh/derived/plate.h"
 #include "mesh/quality/mass_properties.h"
 #include "mesh/quality/mesh_validation.h"
 #include "mesh/reading/mesh_reader.h"

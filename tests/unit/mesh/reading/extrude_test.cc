@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
+#include "mesh/derived/plate.h"
 #include "mesh/gmsh/gmsh_reader.h"
 #include "mesh/quality/mass_properties.h"
 #include "mesh/quality/mesh_validation.h"

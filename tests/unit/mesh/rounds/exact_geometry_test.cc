@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "mesh/basis/simplex_basis.h"
+#include "mesh/basis/simplex_quadrature.h"
 #include "mesh/basis/tensor_basis.h"
 #include "mesh/cells/topology.h"
 #include "mesh/gmsh/gmsh_reader.h"

@@ -13,9 +13,4 @@ namespace clevis::mesh {
 void blend_hexahedra(PartMesh<3>& mesh, const CylindricalEntities& round,
                      int file_order);
 
-/// The same for tetrahedra of degree 4 at most: what an edge or a face moves
-/// fades with the barycentric coordinates of its own vertices.
-void blend_tetrahedra(PartMesh<3>& mesh, const CylindricalEntities& round,
-                      int file_order);
-
 }  // namespace clevis::mesh
