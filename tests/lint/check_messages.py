@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
+RAW = re.compile(r'R"(\w*)\(.*?\)\1"', re.S)
 CODE = re.compile(r'"[A-Z]\d{3}"')
 NAMES = ("CalculiX", "PETSc")
 
@@ -90,8 +91,9 @@ def main():
     root = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
     failed = 0
     for path in sorted((root / "src").rglob("*.[ch]*")):
-        text = re.sub(r"(?<!:)//[^\n]*", lambda m: " " * len(m[0]),
-                      path.read_text())
+        text = RAW.sub(lambda m: '""' + "\n" * m[0].count("\n"),
+                       path.read_text())
+        text = re.sub(r"(?<!:)//[^\n]*", lambda m: " " * len(m[0]), text)
         for line, why in complaints(text):
             failed += 1
             print(f"{path.relative_to(root)}:{line}: {why}")
