@@ -37,7 +37,7 @@ SingularStart singular_start(const MechanismDefinition& definition,
                              const Configuration& x, const WantedRates& wanted,
                              int freedom);
 
-/// @throws Error K007, always. @param miss  [m/s].
+/// @throws Error K007, always. @param violation  [m/s].
 [[noreturn]] void refuse_rates(const MechanismDefinition& definition,
                                double violation);
 
