@@ -11,17 +11,19 @@
 // ring end on the dome; the outer ring goes on as the wall of the tube. The
 // rest of the eye has two layers of cells in z and meets the neck's sides.
 
-// ---- dimensions (edit here) ----------------------------------------------
-bore_radius = 7.5;
-boss_radius = 12;
-eye_thickness = 10;
-neck_width = 19;        // of the eye at the end of its fillets
-fillet_radius = 10;
-cylinder_radius = 7.5;  // bore of the tube
-tube_radius = 9.5;      // outside of the tube
-tube_start = 19;        // x from which bore and outside are cylinders
-tube_end = 150;         // open end
-dome_depth = 4;         // of the half ellipsoid that closes the bore
+// ---- dimensions (edit here, or give `parameters` in the scene) -----------
+DefineConstant[
+  bore_radius = 7.5,
+  boss_radius = 12,
+  eye_thickness = 10,
+  neck_width = 19,        // of the eye at the end of its fillets
+  fillet_radius = 10,
+  cylinder_radius = 7.5,  // bore of the tube
+  tube_radius = 9.5,      // outside of the tube
+  tube_start = 19,        // x from which bore and outside are cylinders
+  tube_end = 150,         // open end
+  dome_depth = 4          // of the half ellipsoid that closes the bore
+];
 
 // ---- mesh density ---------------------------------------------------------
 n_wall = 3;    // cells from the eye's bore outwards

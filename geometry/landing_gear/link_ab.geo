@@ -3,13 +3,15 @@
 // Unit mm. Frame L: origin at bore A, x towards bore B, z along the bores,
 // mid-plane z = 0. All cells are hexahedra, one layer through the thickness.
 
-// ---- dimensions (edit here) ----------------------------------------------
-length_ab = 140;
-bore_radius = 7.5;
-boss_radius = 12;
-bar_width = 18;
-fillet_radius = 10;  // tangent to the bar and to the boss
-thickness = 5;
+// ---- dimensions (edit here, or give `parameters` in the scene) -----------
+DefineConstant[
+  length_ab = 140,
+  bore_radius = 7.5,
+  boss_radius = 12,
+  bar_width = 18,
+  fillet_radius = 10,     // tangent to the bar and to the boss
+  thickness = 5
+];
 
 // ---- mesh density ---------------------------------------------------------
 h = 1;         // 1: as committed, 0.5: twice as fine in the plane

@@ -5,13 +5,15 @@
 // mid-plane z = 0; E lies at y > 0. All cells are hexahedra, one layer
 // through the thickness.
 
-// ---- dimensions (edit here) ----------------------------------------------
-length_dc = 140;
-length_de = 60;
-length_ce = 145;
-bore_radius = 7.5;
-boss_radius = 12;
-thickness = 8;
+// ---- dimensions (edit here, or give `parameters` in the scene) -----------
+DefineConstant[
+  length_dc = 140,
+  length_de = 60,
+  length_ce = 145,
+  bore_radius = 7.5,
+  boss_radius = 12,
+  thickness = 8
+];
 
 // ---- mesh density ---------------------------------------------------------
 h = 1;           // 1: as committed, 0.5: twice as fine in the plane

@@ -10,18 +10,20 @@
 // through the flare to the piston (4, 5). The rest of the eye has two layers
 // of cells in z and meets the neck's sides.
 
-// ---- dimensions (edit here) ----------------------------------------------
-bore_radius = 7.5;
-boss_radius = 12;
-eye_thickness = 8;
-neck_width = 16;      // of the eye at the end of its fillets
-fillet_radius = 8;
-rod_radius = 4;
-loft_end = 36;        // x where the rod becomes round
-flare_start = 110;    // x where the rod begins to widen
-piston_radius = 7.5;
-piston_length = 12;
-piston_face_x = 140;
+// ---- dimensions (edit here, or give `parameters` in the scene) -----------
+DefineConstant[
+  bore_radius = 7.5,
+  boss_radius = 12,
+  eye_thickness = 8,
+  neck_width = 16,        // of the eye at the end of its fillets
+  fillet_radius = 8,
+  rod_radius = 4,
+  loft_end = 36,          // x where the rod becomes round
+  flare_start = 110,      // x where the rod begins to widen
+  piston_radius = 7.5,
+  piston_length = 12,
+  piston_face_x = 140
+];
 
 // ---- mesh density ---------------------------------------------------------
 n_wall = 3;    // cells from the bore outwards

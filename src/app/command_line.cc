@@ -21,11 +21,14 @@
 #include "app/start/doctor_command.h"
 #include "app/start/init_command.h"
 #include "app/start/templates.h"
+#include "app/variants/collect_command.h"
+#include "app/variants/plan_command.h"
 #include "assessment/job/model_traits.h"
 #include "base/quantity.h"
 #include "elasticity/problem/engine.h"
 #include "scene/text/name_index.h"
 #include "scene/text/suggestion.h"
+#include "scene/variants/setting.h"
 
 namespace clevis::app {
 namespace {
@@ -48,9 +51,12 @@ constexpr const char* kExitCodes =
 /// What the parser fills in; lives as long as the parser.
 struct Parsed {
   Options options;
+  PlanOptions plan;
   CompareOptions compare;
   InitOptions init;
-  std::string shell;  ///< of `completion`
+  std::string shell;               ///< of `completion`
+  std::filesystem::path variants;  ///< folder that `collect` reads
+  std::vector<std::string> settings;
   std::string tolerance;
   std::string code;
   std::function<ExitCode()> run;
@@ -76,15 +82,35 @@ double peak_tolerance(const std::string& text) {
 void add_scene(CLI::App& command, Parsed& parsed) {
   command.add_option("SCENE", parsed.options.scene, "the scene's .toml file")
       ->required();
+  command
+      .add_option("--set", parsed.settings,
+                  "a value in place of the scene's, e.g. "
+                  "part.AB.thickness=\"10 mm\"; may be repeated")
+      ->type_name("PATH=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-void add_parts(CLI::App& command, Parsed& parsed) {
-  command
-      .add_option("--part", parsed.options.parts,
-                  "only this part; may be repeated")
+/// Each --set with its number for messages.
+void take_settings(Parsed& parsed) {
+  for (const std::string& text : parsed.settings) {
+    parsed.options.settings.push_back(scene::parse_setting(
+        text, fmt::format("--set {}", parsed.options.settings.size() + 1)));
+  }
+}
+
+void add_parts(CLI::App& command, std::vector<std::string>& parts) {
+  command.add_option("--part", parts, "only this part; may be repeated")
       ->type_name("NAME")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_jobs(CLI::App& command, int& jobs, const char* help) {
+  constexpr int kMostJobs = 1024;
+  command.add_option("--jobs", jobs, help)
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostJobs));
 }
 
 void add_output(CLI::App& command, Parsed& parsed) {
@@ -159,29 +185,33 @@ void add_engine(CLI::App& command, Parsed& parsed) {
       ->check(CLI::IsMember(words));
 }
 
+void add_model(CLI::App& command, std::string& model) {
+  const auto words = model_words();
+  command
+      .add_option(
+          "--model", model,
+          fmt::format("force a model: {} [auto]", fmt::join(words, ", ")))
+      ->type_name("MODEL")
+      ->check(CLI::IsMember(words));
+}
+
 void add_check(CLI::App& app, Parsed& parsed) {
   CLI::App* command = app.add_subcommand(
       "check", "does every part hold over the motion and its cases?");
   add_scene(*command, parsed);
-  add_parts(*command, parsed);
+  add_parts(*command, parsed.options.parts);
   command
       ->add_option("--tolerance", parsed.tolerance,
                    "of the peak stress, e.g. 1%; replaces the scene's")
       ->type_name("RATIO");
   add_output(*command, parsed);
-  constexpr int kMostJobs = 1024;
-  command
-      ->add_option("--jobs", parsed.options.jobs,
-                   "parts in parallel [one per core]")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostJobs));
-  const auto words = model_words();
-  command
-      ->add_option(
-          "--model", parsed.options.model,
-          fmt::format("force a model: {} [auto]", fmt::join(words, ", ")))
-      ->type_name("MODEL")
-      ->check(CLI::IsMember(words));
+  add_jobs(*command, parsed.options.jobs, "parts in parallel [one per core]");
+  add_model(*command, parsed.options.model);
+  command->add_flag("--mesh", parsed.options.mesh,
+                    "first mesh the parts whose mesh is missing or outdated");
+  command->add_flag("--resume", parsed.options.resume,
+                    "keep the result in --out if it is whole and of the same "
+                    "inputs");
   add_engine(*command, parsed);
   command->footer(about_models());
   command->callback([&parsed, command] {
@@ -218,7 +248,7 @@ void add_study(CLI::App& app, Parsed& parsed) {
       "and CalculiX's ccx beside them if it is installed. Tables (CSV), plots\n"
       "(SVG) and study.json go to --out.");
   add_scene(*command, parsed);
-  add_parts(*command, parsed);
+  add_parts(*command, parsed.options.parts);
   add_output(*command, parsed);
   add_elements(*command, parsed);
   add_split(*command, parsed,
@@ -244,7 +274,7 @@ void add_modes(CLI::App& app, Parsed& parsed) {
       "go\n"
       "to --out [results/<scene>/modes].");
   add_scene(*command, parsed);
-  add_parts(*command, parsed);
+  add_parts(*command, parsed.options.parts);
   command
       ->add_option("--modes", parsed.options.modes,
                    "how many per part, rigid ones counted in [12]")
@@ -269,7 +299,7 @@ void add_export(CLI::App& app, Parsed& parsed) {
   CLI::App* command = app.add_subcommand(
       "export", "the parts as CalculiX decks, one step per instant");
   add_scene(*command, parsed);
-  add_parts(*command, parsed);
+  add_parts(*command, parsed.options.parts);
   add_output(*command, parsed);
   add_elements(*command, parsed);
   add_split(*command, parsed, "cut each hexahedron into N x N x N [1]");
@@ -285,14 +315,65 @@ void add_mesh(CLI::App& app, Parsed& parsed) {
       app.add_subcommand("mesh", "(re)build the meshes from geometry/");
   command->footer(
       "Runs gmsh on the .geo files that the scene names. A .geo can run shell\n"
-      "commands: mesh only scenes that you trust. `check` and `simulate` "
-      "never\n"
-      "run gmsh; they read the .msh.");
+      "commands: mesh only scenes that you trust. No other command runs gmsh,\n"
+      "but `check` with --mesh; they read the .msh.");
   add_scene(*command, parsed);
-  add_parts(*command, parsed);
+  add_parts(*command, parsed.options.parts);
   command->callback([&parsed] {
     parsed.run = [&parsed] {
       return mesh_command(parsed.options);
+    };
+  });
+}
+
+void add_plan(CLI::App& app, Parsed& parsed) {
+  PlanOptions& options = parsed.plan;
+  CLI::App* command = app.add_subcommand(
+      "plan", "commands that check many variants of a scene");
+  command->footer(
+      "Prints one command per line for GNU parallel, a cluster's scheduler or\n"
+      "a loop, and writes the plan to --out for `clevis collect`. A command "
+      "can\n"
+      "be repeated: what is finished is skipped. docs/cluster.md has recipes.");
+  command->add_option("SCENE", options.scene, "the scene's .toml file")
+      ->required();
+  command
+      ->add_option("--vary", options.vary,
+                   "CSV of variants: a header of paths, a row for each [the "
+                   "scene's table vary]")
+      ->type_name("FILE");
+  command
+      ->add_option("--out", options.out,
+                   "folder of the variants [results/<scene>_variants]")
+      ->type_name("DIR");
+  add_parts(*command, options.parts);
+  command
+      ->add_option("--tolerance", options.tolerance_text,
+                   "of the peak stress, e.g. 5%; replaces the scene's")
+      ->type_name("RATIO");
+  add_model(*command, options.model);
+  add_jobs(*command, options.jobs, "parts in parallel of each check [1]");
+  command->callback([&parsed, command] {
+    parsed.run = [&parsed, command] {
+      if (command->count("--tolerance") > 0) {
+        parsed.plan.tolerance = peak_tolerance(parsed.plan.tolerance_text);
+      }
+      return plan_command(parsed.plan);
+    };
+  });
+}
+
+void add_collect(CLI::App& app, Parsed& parsed) {
+  CLI::App* command = app.add_subcommand(
+      "collect", "the results of a plan: table, plot, lightest that passes");
+  command
+      ->add_option("DIR", parsed.variants,
+                   "folder that the plan was written "
+                   "to")
+      ->required();
+  command->callback([&parsed] {
+    parsed.run = [&parsed] {
+      return collect_command(parsed.variants);
     };
   });
 }
@@ -405,6 +486,7 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", "clevis " CLEVIS_VERSION);
   app.require_subcommand(1);
   Parsed parsed;
+  if (argc > 0) parsed.plan.program = argv[0];
   add_check(app, parsed);
   add_simulate(app, parsed);
   add_transmission(app, parsed);
@@ -413,6 +495,8 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   add_study(app, parsed);
   add_modes(app, parsed);
   add_export(app, parsed);
+  add_plan(app, parsed);
+  add_collect(app, parsed);
   add_compare(app, parsed);
   add_explain(app, parsed);
   add_init(app, parsed);
@@ -428,6 +512,7 @@ ExitCode run_command_line(int argc, const char* const* argv) {
     throw Error("U001", "command line", outcome.what(),
                 usage_remedy(app, argc, argv));
   }
+  take_settings(parsed);
   return parsed.run();
 }
 

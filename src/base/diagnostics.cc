@@ -85,6 +85,14 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"I005", kIo, "folder is not empty",
      "`clevis init` writes into a new folder or an empty one, so that nothing "
      "of yours is overwritten."},
+    {"I006", kIo, "folder in use",
+     "Another clevis is writing its results into the same folder: their files "
+     "would mix. Wait until it has ended, or give another --out. The lock goes "
+     "with its process, however that ends; the empty file .lock may stay."},
+    {"I007", kIo, "no plan",
+     "`clevis collect` reads the variants that are expected from plan.json, "
+     "which `clevis plan` writes into the folder. Give that folder, or plan "
+     "again."},
     {"K001", kModelInvalid, "mechanism does not assemble",
      "No position of the bodies satisfies all joints and drives at the start: "
      "lengths break a loop, or the approximate placement is too far off. The "
@@ -196,8 +204,9 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"M010", kMeshInvalid, "mesher failed",
      "gmsh could not mesh the geometry; its message is given."},
     {"M011", kMeshInvalid, "mesh is out of date",
-     "The mesh was made from another version of the geometry. Run "
-     "`clevis mesh SCENE`."},
+     "The mesh was made from another version of the geometry, or with other "
+     "parameters. Run `clevis mesh SCENE`, with the same --set, or `clevis "
+     "check` with --mesh."},
     {"M012", kMeshInvalid, "surface in two groups",
      "A face belongs to two named physical groups, so that a load on one "
      "would be a load on the other too. Let every surface be in one named "
@@ -215,6 +224,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"R002", kUsage, "result and baseline do not match",
      "The two files are not results of the same scene, or the schema "
      "differs."},
+    {"R003", kNotJudged, "variant without a result",
+     "The plan has a variant whose folder holds no result, an unfinished one, "
+     "one of other inputs or a damaged file. Run its command of the plan: what "
+     "is finished is skipped."},
     {"S001", kSceneInvalid, "scene is not valid TOML",
      "The text could not be parsed at the given place."},
     {"S002", kSceneInvalid, "unknown key",
@@ -245,6 +258,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "The value has the right dimension but a size that no real part has, "
      "e.g. a Young's modulus outside 0.01-1200 GPa: the unit is likely "
      "wrong."},
+    {"S012", kSceneInvalid, "table of variants is not valid",
+     "The CSV of `clevis plan --vary` has a header of paths and a row for each "
+     "variant, every row with as many fields as the header and none empty "
+     "(RFC 4180: fields with commas or quotes stand in double quotes)."},
     {"U001", kUsage, "wrong command line", "See clevis --help."},
     {"U002", kUsage, "unknown diagnostic code",
      "The catalogue has no such code; `clevis explain` lists all."},

@@ -1,6 +1,8 @@
 #include "scene/scene.h"
 
 #include <algorithm>
+#include <sstream>
+#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
@@ -20,6 +22,8 @@
 #include "scene/parts/read_seats.h"
 #include "scene/text/document.h"
 #include "scene/text/names.h"
+#include "scene/variants/apply_settings.h"
+#include "scene/variants/read_vary.h"
 
 namespace clevis::scene {
 namespace {
@@ -82,18 +86,18 @@ SlideLeverClosedForm read_slide_lever(StrictTable table, const Names& names) {
   return form;
 }
 
-std::vector<part::PartDefinition> read_parts(
-    std::vector<StrictTable>& tables, const Scene& scene, const Names& names,
-    const std::vector<part::Material>& materials,
-    std::vector<ImpactOfPart> impacts) {
-  std::vector<part::PartDefinition> parts;
+void read_parts(std::vector<StrictTable>& tables, const Names& names,
+                const std::vector<part::Material>& materials,
+                std::vector<ImpactOfPart> impacts, Scene& scene) {
+  std::vector<part::PartDefinition>& parts = scene.parts;
   for (StrictTable& table : tables) {
-    parts.push_back(read_part(table, names, materials, scene.file));
+    PartOfGeometry read = read_part(table, names, materials, scene.file);
+    parts.push_back(std::move(read.part));
+    scene.parameters.push_back(std::move(read.parameters));
     add_impacts(impacts, static_cast<int>(parts.size()) - 1, parts.back());
     read_seats(table, scene.mechanism, names, parts.back());
   }
   require_own_files(tables, scene.mechanism, parts);
-  return parts;
 }
 
 double read_peak_stress_tolerance(StrictTable table, double otherwise) {
@@ -139,10 +143,27 @@ void require_sensible_steps(const Scene& scene) {
   }
 }
 
+Document document_with(const std::filesystem::path& file,
+                       const std::vector<Setting>& settings) {
+  Document document = read_document(file);
+  apply_settings(settings, document.root);
+  return document;
+}
+
 }  // namespace
 
-Scene read_scene(const std::filesystem::path& file) {
-  const Document document = read_document(file);
+std::string scene_content(const std::filesystem::path& file,
+                          const std::vector<Setting>& settings) {
+  Document document = document_with(file, settings);
+  document.root.erase("vary");
+  std::ostringstream text;
+  text << toml::toml_formatter(document.root);
+  return text.str();
+}
+
+Scene read_scene(const std::filesystem::path& file,
+                 const std::vector<Setting>& settings) {
+  const Document document = document_with(file, settings);
   StrictTable root(Value(document.root, "scene", document.file), "");
   require_schema(root);
   Scene scene;
@@ -165,8 +186,8 @@ Scene read_scene(const std::filesystem::path& file) {
     throw root.refusal("S003", "has neither [[body]] nor [[part]]",
                        "Add a mechanism, a part with cases, or both.");
   }
-  scene.parts = read_parts(part_tables, scene, names, materials,
-                           read_impacts(root, scene.mechanism, names));
+  read_parts(part_tables, names, materials,
+             read_impacts(root, scene.mechanism, names), scene);
   if (scene.has_mechanism) {
     scene.simulation = read_simulation(root.table("simulation"));
     require_elastic_links(root, scene);
@@ -184,6 +205,7 @@ Scene read_scene(const std::filesystem::path& file) {
           read_slide_lever(closed_form.table("slide_lever"), names);
     }
   }
+  if (root.has("vary")) scene.vary = read_vary(root.table("vary"));
   root.finish("without any [[body]]");
   return scene;
 }

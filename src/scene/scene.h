@@ -9,7 +9,10 @@
 #include "machine/ejector.h"
 #include "machine/transmission.h"
 #include "mechanism/definition/definition.h"
+#include "part/geometry_parameter.h"
 #include "part/part_definition.h"
+#include "scene/variants/setting.h"
+#include "scene/variants/vary_table.h"
 
 namespace clevis::scene {
 
@@ -33,12 +36,23 @@ struct Scene {
   std::vector<machine::TransmissionDefinition> transmissions;
   std::vector<machine::EjectorDefinition> ejectors;
   std::vector<part::PartDefinition> parts;
+  /// Numbers that each part gives to its .geo; like `parts`.
+  std::vector<std::vector<part::GeometryParameter>> parameters;
   double peak_stress_tolerance = 0.01;  ///< [1], relative
   std::optional<SlideLeverClosedForm> slide_lever;
+  std::optional<VaryTable> vary;  ///< for `clevis plan`
 };
 
 /// Reads and checks a scene file.
-/// @throws Error S001–S011 with file:line:column, I001.
-Scene read_scene(const std::filesystem::path& file);
+/// @param settings  take the place of values of the file.
+/// @throws Error S001–S011 with file:line:column or the setting's place, I001.
+Scene read_scene(const std::filesystem::path& file,
+                 const std::vector<Setting>& settings = {});
+
+/// What a scene says with its settings, without layout, comments and [vary]:
+/// equal for equal scenes, wherever a value comes from.
+/// @throws Error S001, I001 and those of apply_settings().
+std::string scene_content(const std::filesystem::path& file,
+                          const std::vector<Setting>& settings);
 
 }  // namespace clevis::scene

@@ -7,8 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "report/figures/svg.h"
+
 namespace clevis::study {
 namespace {
+
+namespace svg = report::svg;
 
 // Pixels.
 constexpr double kPanelWidth = 480, kPanelHeight = 360;
@@ -19,40 +23,6 @@ constexpr double kTitleHeight = 34, kLegendLine = 20;
 constexpr std::array<const char*, 8> kColours = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7",
     "#000000", "#e69f00", "#56b4e9", "#8c6d31"};
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return result;
-}
-
-std::string text(double x, double y, const char* attributes,
-                 const std::string& content) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y,
-                     attributes, escaped(content));
-}
-
-std::string line(double x1, double y1, double x2, double y2,
-                 const char* colour) {
-  return fmt::format(
-      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" "
-      "stroke=\"{}\"/>\n",
-      x1, y1, x2, y2, colour);
-}
 
 bool is_shown(const PlotPoint& p) {
   return p.x > 0.0 && p.y > 0.0 && std::isfinite(p.x) && std::isfinite(p.y);
@@ -151,7 +121,7 @@ std::string drawn_series(const PlotSeries& series, std::size_t style,
           "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"10\" fill=\"{}\">{}"
           "</text>\n",
           px + 6.0, py - 5.0, kColours[style % kColours.size()],
-          escaped(p.label));
+          svg::escaped(p.label));
     }
   }
   return fmt::format(
@@ -165,26 +135,28 @@ std::string drawn_axes(const Panel& panel, const Axis& x, const Axis& y) {
   std::string out;
   for (const double value : ticks(x)) {
     const double at = x.at(value);
-    out += line(at, y.begin, at, y.end, "#dddddd") +
-           text(at, y.begin + 16, "text-anchor=\"middle\"", tick_label(value));
+    out += svg::line(at, y.begin, at, y.end, "#dddddd") +
+           svg::text(at, y.begin + 16, "text-anchor=\"middle\"",
+                     tick_label(value));
   }
   for (const double value : ticks(y)) {
     const double at = y.at(value);
-    out += line(x.begin, at, x.end, at, "#dddddd") +
-           text(x.begin - 6, at + 4, "text-anchor=\"end\"", tick_label(value));
+    out += svg::line(x.begin, at, x.end, at, "#dddddd") +
+           svg::text(x.begin - 6, at + 4, "text-anchor=\"end\"",
+                     tick_label(value));
   }
   out += fmt::format(
       "<path d=\"M{0:.1f} {1:.1f}H{2:.1f}V{3:.1f}H{0:.1f}z\" fill=\"none\" "
       "stroke=\"#444444\"/>\n",
       x.begin, y.begin, x.end, y.end);
   const double middle = 0.5 * (y.begin + y.end);
-  out += text(0.5 * (x.begin + x.end), y.begin + 36, "text-anchor=\"middle\"",
-              panel.x_label) +
+  out += svg::text(0.5 * (x.begin + x.end), y.begin + 36,
+                   "text-anchor=\"middle\"", panel.x_label) +
          fmt::format(
              "<text transform=\"translate({:.1f},{:.1f}) rotate(-90)\" "
              "text-anchor=\"middle\">{}</text>\n",
-             x.begin - 48, middle, escaped(panel.y_label)) +
-         text(x.begin, y.end - 8, "font-weight=\"bold\"", panel.title);
+             x.begin - 48, middle, svg::escaped(panel.y_label)) +
+         svg::text(x.begin, y.end - 8, "font-weight=\"bold\"", panel.title);
   return out;
 }
 
@@ -196,9 +168,9 @@ std::string drawn_floor(double floor, const Axis& x, const Axis& y) {
              "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
              "height=\"{:.1f}\" fill=\"#eeeeee\"/>\n",
              x.begin, top, x.end - x.begin, y.begin - top) +
-         text(x.end - 6, y.begin - 6,
-              "text-anchor=\"end\" font-size=\"10\" fill=\"#777777\"",
-              "within the reference's own uncertainty");
+         svg::text(x.end - 6, y.begin - 6,
+                   "text-anchor=\"end\" font-size=\"10\" fill=\"#777777\"",
+                   "within the reference's own uncertainty");
 }
 
 bool is_empty(const Panel& panel) {
@@ -267,24 +239,19 @@ std::string svg_figure(const std::string& title,
       x = kLeft;
       y += kLegendLine;
     }
-    legend += line(x, y - 4, x + 20, y - 4, kColours[s % kColours.size()]) +
-              marker(x + 10, y - 4, s) + text(x + 26, y, "", names[s]);
+    legend +=
+        svg::line(x, y - 4, x + 20, y - 4, kColours[s % kColours.size()]) +
+        marker(x + 10, y - 4, s) + svg::text(x + 26, y, "", names[s]);
     x += taken;
   }
   const double height = y + kLegendLine;
-  std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" "
-      "height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-      "font-family=\"sans-serif\" font-size=\"12\">\n"
-      "<rect width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"#ffffff\"/>\n",
-      width, height);
-  out += text(kLeft, 22, "font-size=\"15\" font-weight=\"bold\"", title);
+  std::string out;
   for (std::size_t p = 0; p < shown.size(); ++p) {
     const int index = static_cast<int>(p);
     out += drawn_panel(shown[p], index % across * kPanelWidth,
                        kTitleHeight + index / across * kPanelHeight, names);
   }
-  return out + legend + "</svg>\n";
+  return svg::page(width, height, title, out + legend);
 }
 
 }  // namespace clevis::study

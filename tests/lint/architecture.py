@@ -64,6 +64,7 @@ ROOMS = {
         "force_elements": "the other forces, and the list of all readers",
         "machine": "bearings, transmissions, ejectors",
         "parts": "parts, materials, seats, load cases, impacts",
+        "variants": "values in place of the scene's, and which variants are wanted",
     },
     "mesh": {
         "basis": "Lagrange bases and quadrature of cells",
@@ -118,12 +119,15 @@ ROOMS = {
         "parts": "a part's result",
         "check": "a check's result: table, JSON, CSV, JUnit",
         "compare": "a result against a baseline",
+        "figures": "figures in SVG",
+        "variants": "many variants of a scene: plan, results, table, plot",
     },
     "app": {
         "request": "what the command line asks for, and where results go",
         "processes": "other programs, workers, temporary folders, errors across processes",
         "scenes": "a scene with its meshes; gmsh, and which mesh a geometry belongs to",
         "parts": "from a scene's motion to the jobs of its parts",
+        "variants": "many variants: plan, collect, and which results are finished",
         "solving": "the commands that solve, as the library that is loaded on demand",
         "commands": "the other commands, and the door to that library",
         "start": "a way in: scenes to start from, what is installed, completion in shells",
@@ -139,7 +143,8 @@ PUBLIC = {
     "mechanism": "definition/definition definition/drive_names definition/motion"
                  " force_elements/force_element joints/joint_types"
                  " reactions/other_sharings simulate structure/structure",
-    "scene": "scene text/name_index text/suggestion",
+    "scene": "scene text/name_index text/suggestion variants/design"
+             " variants/setting variants/variant_list",
     "mesh": "basis/simplex_basis basis/simplex_quadrature basis/tensor_basis cells/part_mesh cells/section"
             " cells/topology derived/graded_mesh derived/plate derived/quadrangles"
             " derived/revolution derived/split_cells derived/sub_mesh"
@@ -158,13 +163,15 @@ PUBLIC = {
               " sections/support_face zones/singular_zone zones/zone_mask zones/zone_strength",
     "assessment": "impact/impact_check job/model_traits job/part_job"
                   " job/part_result models/level models/model_list part_check",
-    "report": "check/check_table check/result_files check/result_json"
+    "report": "check/check_inputs check/check_table check/result_files check/result_json"
               " compare/comparison compare/comparison_output"
-              " compare/result_reader machine/ejector_output"
+              " compare/result_reader figures/svg machine/ejector_output"
               " machine/transmission_output motion/motion_csv motion/motion_files"
               " motion/motion_json motion/motion_table parts/part_result_json"
               " summary/motion_report text/atomic_file text/csv_field"
-              " text/json_text text/progress text/terminal text/text_table",
+              " text/json_text text/progress text/terminal text/text_table"
+              " variants/collection_csv variants/collection_figure"
+              " variants/collection_table variants/plan_file variants/variant_reader",
 }
 
 MOST_FILES_OF_A_ROOM = 16

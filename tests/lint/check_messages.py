@@ -22,7 +22,10 @@ def arguments(text, start):
     while i < len(text):
         c = text[i]
         if c == '"':
-            i = LITERAL.match(text, i).end() - 1
+            literal = LITERAL.match(text, i)
+            if not literal:  # the "call" stands in a text
+                return []
+            i = literal.end() - 1
         elif c == "'":
             i = re.compile(r"'(?:[^'\\]|\\.)'|'").match(text, i).end() - 1
         elif c in "([{":

@@ -203,7 +203,7 @@ def thin_eye(folder):
 
 def link(folder, thickness):
     source = Path(__file__).parents[2] / "geometry/landing_gear/link_ab.geo"
-    text = re.sub(r"thickness = 5;", f"thickness = {thickness:g};",
+    text = re.sub(r"thickness = 5\b", f"thickness = {thickness:g}",
                   source.read_text())
     (folder / "link.geo").write_text(text)
     return "link.geo"

@@ -30,7 +30,7 @@ def run(clevis, *arguments, **options):
 
 
 def part_alone(clevis, folder):
-    replace_once(folder / GEO, "length_ab = 140;", "length_ab = 140.1;")
+    replace_once(folder / GEO, "length_ab = 140,", "length_ab = 140.1,")
     mesh = run(clevis, "mesh", SCENE, "--part", "AB", cwd=folder)
     if mesh.returncode:
         return [f"clevis mesh: exit {mesh.returncode}: {mesh.stderr}"]

@@ -12,7 +12,7 @@
 namespace clevis::app {
 
 ExitCode impact_command(const Options& options) {
-  const scene::Scene scene = scene::read_scene(options.scene);
+  const scene::Scene scene = scene::read_scene(options.scene, options.settings);
   if (scene.ejectors.empty()) {
     throw Error("S003", options.scene.string() + ":1:1",
                 "the scene has no [[ejector]]",

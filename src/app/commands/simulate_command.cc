@@ -1,11 +1,13 @@
 #include "app/commands/simulate_command.h"
 
 #include <iostream>
+#include <optional>
 
 #include <unistd.h>
 
 #include "app/commands/plugin_commands.h"
 #include "app/commands/slide_lever_comparison.h"
+#include "app/processes/folder_lock.h"
 #include "app/scenes/load_scene.h"
 #include "base/errors.h"
 #include "machine/bearing_life.h"
@@ -20,7 +22,7 @@
 namespace clevis::app {
 
 ExitCode simulate_command(const Options& options) {
-  scene::Scene scene = load_moving_scene(options.scene);
+  scene::Scene scene = load_moving_scene(options.scene, options.settings);
   if (!scene.has_mechanism) {
     throw Error("S003", options.scene.string() + ":1:1",
                 "the scene has no [[body]], so there is nothing to move",
@@ -29,6 +31,8 @@ ExitCode simulate_command(const Options& options) {
   if (scene.simulation.links == mechanism::LinkStiffness::kElastic) {
     add_link_compliances_by_plugin(scene, options);
   }
+  std::optional<FolderLock> lock;
+  if (!options.out.empty()) lock.emplace(options.out);
   report::MotionReport report;
   report.version = CLEVIS_VERSION;
   report.scene = scene.name;
@@ -43,7 +47,7 @@ ExitCode simulate_command(const Options& options) {
   report.bearings = report::bearing_reports(
       machine::judge_bearings(scene.bearings, scene.mechanism, report.motion),
       scene.mechanism);
-  if (!options.out.empty()) report::write_motion_files(report, options.out);
+  if (lock) report::write_motion_files(report, options.out);
   std::cout << (options.json ? report::motion_json(report)
                              : report::motion_table(
                                    report, report::colour_of(STDOUT_FILENO)));

@@ -50,7 +50,7 @@ SolverAnswer decode(const WorkerOutcome& outcome, const SolverTask& task) {
 
 SolverJobs load_solver_jobs(const Options& options) {
   SolverJobs result;
-  result.loaded = load_scene(options.scene);
+  result.loaded = load_scene(options.scene, options.settings);
   add_link_compliances(result.loaded);
   const scene::Scene& scene = result.loaded.scene;
   mechanism::Motion motion;

@@ -20,4 +20,20 @@ Error decode_error(std::string_view text) {
           json.at("remedy").get<std::string>()};
 }
 
+std::string error_document(const Error& error) {
+  const nlohmann::ordered_json document = {
+      {"schema", 1},
+      {"error",
+       {{"code", error.code()},
+        {"place", error.place()},
+        {"problem", error.problem()},
+        {"remedy", error.remedy()},
+        {"exit_code", static_cast<int>(error.exit_code())}}}};
+  constexpr int kIndent = 2;
+  // A file name may hold bytes that are no UTF-8: replace, never throw.
+  return document.dump(kIndent, ' ', false,
+                       nlohmann::json::error_handler_t::replace) +
+         "\n";
+}
+
 }  // namespace clevis::app

@@ -11,4 +11,7 @@ namespace clevis::app {
 std::string encode_error(const Error& error);
 Error decode_error(std::string_view text);
 
+/// A refusal as one JSON document, as --json prints it.
+std::string error_document(const Error& error);
+
 }  // namespace clevis::app

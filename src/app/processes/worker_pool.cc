@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -45,12 +46,16 @@ Worker start(std::size_t index,
     throw Error("I002", "worker", std::strerror(errno),
                 "Free system resources.");
   }
+  const pid_t parent = getpid();
   const pid_t process = fork();
   if (process < 0) {
     throw Error("I002", "worker", std::strerror(errno),
                 "Free system resources.");
   }
   if (process == 0) {
+    // An orphan would go on writing into a folder that others may use by then.
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(1);
     // The parent decides about the terminal's Ctrl-C.
     std::signal(SIGINT, SIG_IGN);
     std::signal(SIGTERM, SIG_DFL);

@@ -30,7 +30,8 @@ struct WorkerOutcome {
 };
 
 /// Runs tasks in processes of their own, `jobs` at a time, in the given
-/// order. A crash takes down one task only; nothing is shared.
+/// order. A crash takes down one task only; nothing is shared. Tasks die with
+/// the parent, however it ends.
 ///
 /// An interrupt (InterruptGuard) stops all workers; tasks that had not
 /// returned are kInterrupted.

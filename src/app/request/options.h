@@ -5,23 +5,41 @@
 #include <string>
 #include <vector>
 
+#include "scene/variants/setting.h"
+
 namespace clevis::app {
 
 /// Options that the commands share; each uses those that its help lists.
 struct Options {
   std::filesystem::path scene;
-  std::vector<std::string> parts;   ///< empty: all
-  std::optional<double> tolerance;  ///< of the peak stress, relative [1]
-  std::filesystem::path out;        ///< empty: results/<scene>
-  bool json = false;                ///< stdout is one JSON document
-  std::string model = "auto";       ///< or a word of assessment::kModels
+  std::vector<scene::Setting> settings;  ///< in place of the scene's values
+  std::vector<std::string> parts;        ///< empty: all
+  std::optional<double> tolerance;       ///< of the peak stress, relative [1]
+  std::filesystem::path out;             ///< empty: results/<scene>
+  bool json = false;                     ///< stdout is one JSON document
+  std::string model = "auto";            ///< or a word of assessment::kModels
   std::string engine = "auto";      ///< or a word of elasticity::kEngineWords
+  bool mesh = false;                ///< make outdated meshes first
+  bool resume = false;              ///< keep a finished result of these inputs
   int jobs = 0;                     ///< parts in parallel; 0: one per core
   std::string elements = "C3D20R";  ///< CalculiX's hexahedra
   int split = 0;                    ///< pieces of each hexahedron's edges; 0:
                                     ///< the command's own
   int modes = 12;                   ///< per part, rigid ones counted in
   bool every_instant = false;       ///< for CalculiX: a step for each
+};
+
+/// Options of `clevis plan`.
+struct PlanOptions {
+  std::string program;  ///< as the user called it, for the commands
+  std::filesystem::path scene;
+  std::filesystem::path vary;  ///< CSV of variants; empty: the scene's [vary]
+  std::filesystem::path out;   ///< empty: results/<scene>_variants
+  std::vector<std::string> parts;
+  std::string tolerance_text;       ///< as given, e.g. "20%"; empty: none
+  std::optional<double> tolerance;  ///< the same, relative [1]
+  std::string model = "auto";
+  int jobs = 1;
 };
 
 /// Options of `clevis compare`.

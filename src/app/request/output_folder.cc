@@ -29,8 +29,11 @@ void remove_part(const fs::path& folder, const std::string& name) {
 }  // namespace
 
 fs::path output_folder(const Options& options) {
-  if (!options.out.empty()) return options.out;
-  const fs::path file = fs::weakly_canonical(options.scene);
+  return options.out.empty() ? results_folder(options.scene) : options.out;
+}
+
+fs::path results_folder(const fs::path& scene_file) {
+  const fs::path file = fs::weakly_canonical(scene_file);
   const std::string folder = file.parent_path().filename().string();
   const std::string scene = file.stem().string();
   return fs::path("results") /
@@ -38,8 +41,10 @@ fs::path output_folder(const Options& options) {
 }
 
 void remove_previous_run(const fs::path& folder) {
+  std::error_code ignored;
+  fs::remove(folder / "error.json", ignored);
+  if (!fs::is_regular_file(folder / "result.json", ignored)) return;
   std::ifstream file(folder / "result.json");
-  if (!file) return;
   const auto result = nlohmann::json::parse(file, nullptr, false);
   if (!result.is_object() || !result.contains("parts")) return;
   for (const auto& part : result["parts"]) {
@@ -50,7 +55,6 @@ void remove_previous_run(const fs::path& folder) {
     const auto name = part["name"].get<std::string>();
     if (report::is_file_name(name)) remove_part(folder, name);
   }
-  std::error_code ignored;
   for (const char* name : {"mechanism.pvd", "reactions.csv", "parts.csv",
                            "junit.xml", "bearings.csv", "result.json"}) {
     fs::remove(folder / name, ignored);

@@ -1,13 +1,13 @@
 #include "app/scenes/geometry_stamp.h"
 
 #include <cassert>
-#include <cstdint>
 #include <fstream>
 
 #include <fmt/format.h>
 
 #include "app/scenes/geometry_files.h"
 #include "base/errors.h"
+#include "base/fingerprint.h"
 
 namespace clevis::app {
 namespace {
@@ -17,12 +17,19 @@ constexpr std::string_view kLabel = "clevis geometry fnv1a ";
 
 }  // namespace
 
-std::string geometry_stamp(std::string_view geometry) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char byte : geometry) {
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+std::string geometry_stamp(
+    const part::PartDefinition& part,
+    const std::vector<part::GeometryParameter>& parameters) {
+  std::string content = geometry_content(part.geometry);
+  if (!parameters.empty()) {
+    content += '\0' + part::text_of(parameters);
   }
-  return fmt::format("{:016x}", hash);
+  return fingerprint(content);
+}
+
+bool has_current_mesh(const part::PartDefinition& part,
+                      const std::vector<part::GeometryParameter>& parameters) {
+  return stamp_of(part.mesh) == geometry_stamp(part, parameters);
 }
 
 std::string stamped(std::string mesh, std::string_view stamp) {
@@ -45,12 +52,24 @@ std::optional<std::string> stamp_of(const std::filesystem::path& mesh) {
   return head.substr(start, head.find('\n', start) - start);
 }
 
-void require_current_mesh(const part::PartDefinition& part) {
-  if (part.geometry.empty() || !std::ifstream(part.geometry)) return;
-  const std::optional<std::string> stamp = stamp_of(part.mesh);
-  if (!stamp || *stamp == geometry_stamp(geometry_content(part.geometry))) {
-    return;
+void require_current_mesh(
+    const part::PartDefinition& part,
+    const std::vector<part::GeometryParameter>& parameters) {
+  std::error_code failure;
+  const auto is_file = [&failure](const std::filesystem::path& file) {
+    return std::filesystem::is_regular_file(file, failure);
+  };
+  if (!is_file(part.geometry)) return;
+  if (!parameters.empty() && !is_file(part.mesh)) {
+    throw Error("M011", part.mesh.string(),
+                fmt::format("part {}: {} has not been meshed with these "
+                            "parameters",
+                            part.name, part.geometry.filename().string()),
+                "Run `clevis mesh` with the same --set, or `clevis check` with "
+                "--mesh.");
   }
+  const std::optional<std::string> stamp = stamp_of(part.mesh);
+  if (!stamp || *stamp == geometry_stamp(part, parameters)) return;
   throw Error("M011", part.mesh.string(),
               fmt::format("part {}: the mesh was made from another version of "
                           "{}, or of a file that it reads",

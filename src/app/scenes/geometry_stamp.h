@@ -4,15 +4,23 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "part/geometry_parameter.h"
 #include "part/part_definition.h"
 
 namespace clevis::app {
 
-/// The mark by which a mesh says from which geometry it was made: the 64-bit
-/// FNV-1a hash of geometry_content(), 16 hexadecimal digits. It guards against
-/// forgetting, not against forgery.
-std::string geometry_stamp(std::string_view geometry);
+/// The mark by which a mesh says from which geometry it was made: the
+/// fingerprint of geometry_content() and of the part's parameters. It guards
+/// against forgetting, not against forgery.
+std::string geometry_stamp(
+    const part::PartDefinition& part,
+    const std::vector<part::GeometryParameter>& parameters = {});
+
+/// Whether the part's mesh is there and bears the stamp of its geometry.
+bool has_current_mesh(const part::PartDefinition& part,
+                      const std::vector<part::GeometryParameter>& parameters);
 
 /// The .msh with the stamp as a $Comments section behind $MeshFormat, which
 /// gmsh and clevis skip.
@@ -23,9 +31,11 @@ std::string stamped(std::string mesh, std::string_view stamp);
 std::optional<std::string> stamp_of(const std::filesystem::path& mesh);
 
 /// Refuses a stamped mesh whose .geo, or a file that it reads, has changed
-/// since. A mesh without stamp
-/// and a part without geometry are the user's own affair.
+/// since, and a mesh of parameters that has not been made. A mesh without
+/// stamp and a part without geometry are the user's own affair.
 /// @throws Error M011.
-void require_current_mesh(const part::PartDefinition& part);
+void require_current_mesh(
+    const part::PartDefinition& part,
+    const std::vector<part::GeometryParameter>& parameters = {});
 
 }  // namespace clevis::app

@@ -38,7 +38,9 @@ std::string first_error(const std::string& log) {
 
 }  // namespace
 
-std::string run_gmsh(const path& geometry, std::chrono::milliseconds timeout,
+std::string run_gmsh(const path& geometry,
+                     const std::vector<part::GeometryParameter>& parameters,
+                     std::chrono::milliseconds timeout,
                      const std::string& program) {
   if (!std::ifstream(geometry)) {
     throw Error("I001", geometry.string(), "the geometry cannot be read",
@@ -47,13 +49,15 @@ std::string run_gmsh(const path& geometry, std::chrono::milliseconds timeout,
   const TemporaryFolder folder;
   const path mesh = folder.path() / "part.msh";
   const path log = folder.path() / "gmsh.log";
-  const ChildOutcome outcome =
-      run_child({.arguments = {program, "-3", "-format", "msh41", "-nt", "1",
-                               "-o", mesh.string(),
-                               std::filesystem::absolute(geometry).string()},
-                 .folder = folder.path(),
-                 .log = log},
-                timeout);
+  std::vector<std::string> arguments = {
+      program, "-3", "-format", "msh41", "-nt", "1", "-o", mesh.string()};
+  for (const part::GeometryParameter& parameter : parameters) {
+    arguments.insert(arguments.end(), {"-setnumber", parameter.name,
+                                       fmt::format("{}", parameter.value)});
+  }
+  arguments.push_back(std::filesystem::absolute(geometry).string());
+  const ChildOutcome outcome = run_child(
+      {.arguments = arguments, .folder = folder.path(), .log = log}, timeout);
   if (!outcome.status) {
     refuse(geometry,
            fmt::format("gmsh did not finish within {:.3g} s",

@@ -3,6 +3,9 @@
 #include <chrono>
 #include <filesystem>
 #include <string>
+#include <vector>
+
+#include "part/geometry_parameter.h"
 
 namespace clevis::app {
 
@@ -16,12 +19,14 @@ namespace clevis::app {
 /// A .geo is a program: it can run shell commands. Call this only for a file
 /// that the user asked to be meshed.
 ///
+/// @param parameters  numbers in place of the .geo's DefineConstant.
 /// @param timeout  gmsh and what it started are killed after this time.
 /// @param program  name or path of gmsh.
 /// @throws Error M010 with gmsh's first error line if gmsh is not there,
 ///   fails, takes too long or writes no mesh; I001 if the .geo cannot be read.
 std::string run_gmsh(
     const std::filesystem::path& geometry,
+    const std::vector<part::GeometryParameter>& parameters = {},
     std::chrono::milliseconds timeout = std::chrono::seconds(120),
     const std::string& program = "gmsh");
 

@@ -32,8 +32,9 @@ std::vector<loads::GroupGeometry> group_geometry(
   return groups;
 }
 
-LoadedPart load_part(const part::PartDefinition& definition) {
-  require_current_mesh(definition);
+LoadedPart load_part(const part::PartDefinition& definition,
+                     const std::vector<part::GeometryParameter>& parameters) {
+  require_current_mesh(definition, parameters);
   LoadedPart part;
   part.definition = definition;
   auto read = mesh::read_mesh_with_notes(
@@ -56,17 +57,19 @@ mechanism::BodyIndex LoadedScene::body_of(const std::string& part) const {
              : static_cast<mechanism::BodyIndex>(found - bodies.begin());
 }
 
-LoadedScene load_scene(const std::filesystem::path& file) {
+LoadedScene load_scene(const std::filesystem::path& file,
+                       const std::vector<scene::Setting>& settings) {
   LoadedScene loaded;
-  loaded.scene = scene::read_scene(file);
+  loaded.scene = scene::read_scene(file, settings);
   if (!loaded.scene.has_mechanism && loaded.scene.parts.empty()) {
     throw Error("S003", file.string() + ":1:1",
                 "the scene has neither [[body]] nor [[part]], so there is "
                 "nothing to check",
                 "Add one, or run clevis transmission.");
   }
-  for (const auto& definition : loaded.scene.parts) {
-    loaded.parts.push_back(load_part(definition));
+  for (std::size_t p = 0; p < loaded.scene.parts.size(); ++p) {
+    loaded.parts.push_back(
+        load_part(loaded.scene.parts[p], loaded.scene.parameters[p]));
   }
   for (auto& body : loaded.scene.mechanism.bodies) {
     const auto part =
@@ -80,9 +83,13 @@ LoadedScene load_scene(const std::filesystem::path& file) {
   return loaded;
 }
 
-scene::Scene load_moving_scene(const std::filesystem::path& file) {
-  scene::Scene scene = scene::read_scene(file);
+scene::Scene load_moving_scene(const std::filesystem::path& file,
+                               const std::vector<scene::Setting>& settings) {
+  scene::Scene scene = scene::read_scene(file, settings);
   std::vector<std::future<part::MassProperties>> masses;
+  for (std::size_t p = 0; p < scene.parts.size(); ++p) {
+    require_current_mesh(scene.parts[p], scene.parameters[p]);
+  }
   for (const auto& part : scene.parts) {
     masses.push_back(std::async(std::launch::async, [&part] {
       return mesh::mass_properties(

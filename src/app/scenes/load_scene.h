@@ -31,11 +31,13 @@ struct LoadedScene {
 
 /// Reads a scene and the meshes of its parts.
 /// @throws Error S…, M…, I001.
-LoadedScene load_scene(const std::filesystem::path& file);
+LoadedScene load_scene(const std::filesystem::path& file,
+                       const std::vector<scene::Setting>& settings);
 
 /// Reads a scene; bodies with a part have the mass of its mesh. Without the
 /// rest of what load_scene() tells, in a fraction of its time.
 /// @throws Error S…, M…, I001.
-scene::Scene load_moving_scene(const std::filesystem::path& file);
+scene::Scene load_moving_scene(const std::filesystem::path& file,
+                               const std::vector<scene::Setting>& settings);
 
 }  // namespace clevis::app

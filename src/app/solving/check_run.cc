@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 #include <numeric>
+#include <optional>
 #include <thread>
 
 #include <fmt/format.h>
@@ -14,10 +15,12 @@
 #include "app/parts/part_jobs.h"
 #include "app/parts/solver_jobs.h"
 #include "app/processes/error_text.h"
+#include "app/processes/folder_lock.h"
 #include "app/processes/rank_jobs.h"
 #include "app/processes/worker_pool.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
+#include "app/variants/check_inputs.h"
 #include "assessment/part_check.h"
 #include "base/mpi_run.h"
 #include "base/stopwatch.h"
@@ -183,11 +186,16 @@ ExitCode run_check(const Options& options) {
   Stopwatch total;
   Stopwatch watch;
   const InterruptGuard guard;
-  const fs::path folder = output_folder(options);
-  if (mpi_rank() == 0) remove_previous_run(folder);
   report::CheckReport report;
   report.version = CLEVIS_VERSION;
-  LoadedScene loaded = load_scene(options.scene);
+  report.inputs = check_inputs(options);
+  LoadedScene loaded = load_scene(options.scene, options.settings);
+  const fs::path folder = output_folder(options);
+  std::optional<FolderLock> lock;
+  if (mpi_rank() == 0) {
+    lock.emplace(folder);
+    remove_previous_run(folder);
+  }
   report.scene = loaded.scene.name;
   report.file = options.scene;
   report.seconds.emplace_back("scene_and_meshes", watch.lap());

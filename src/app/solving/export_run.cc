@@ -9,6 +9,7 @@
 
 #include "app/parts/part_jobs.h"
 #include "app/parts/solver_jobs.h"
+#include "app/processes/folder_lock.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
 #include "calculix/deck.h"
@@ -86,6 +87,7 @@ ExitCode run_export(const Options& options) {
   const InterruptGuard guard;
   const fs::path folder = output_folder(options);
   const auto loaded = load_solver_jobs(options);
+  const FolderLock lock(folder);
   std::vector<SolverTask> tasks;
   for (const auto& job : loaded.jobs) {
     tasks.push_back({"exporting " + job.part.name, [&job, &options, &folder] {

@@ -10,6 +10,7 @@
 
 #include "app/parts/part_modes.h"
 #include "app/parts/solver_jobs.h"
+#include "app/processes/folder_lock.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
 #include "report/text/atomic_file.h"
@@ -120,10 +121,11 @@ ordered_json failure_of(const SolverTask& task, const Error& error) {
 
 ExitCode run_modes(const Options& options) {
   const InterruptGuard guard;
-  const LoadedScene loaded = load_scene(options.scene);
+  const LoadedScene loaded = load_scene(options.scene, options.settings);
   require_known(loaded, options);
   const fs::path folder =
       options.out.empty() ? output_folder(options) / "modes" : options.out;
+  const FolderLock lock(folder);
   const auto tasks = tasks_of(loaded, options, folder);
   const auto answers = run_solver_tasks(tasks);
   report::remove_unfinished(folder);

@@ -30,7 +30,8 @@ CLEVIS_ENTRY clevis::ExitCode clevis_modes(
 
 CLEVIS_ENTRY void clevis_link_compliances(clevis::scene::Scene& scene,
                                           const clevis::app::Options& options) {
-  clevis::app::LoadedScene loaded = clevis::app::load_scene(options.scene);
+  clevis::app::LoadedScene loaded =
+      clevis::app::load_scene(options.scene, options.settings);
   clevis::app::add_link_compliances(loaded);
   scene.mechanism = std::move(loaded.scene.mechanism);
 }

@@ -9,6 +9,7 @@
 
 #include "app/parts/solver_jobs.h"
 #include "app/processes/calculix_run.h"
+#include "app/processes/folder_lock.h"
 #include "app/request/output_folder.h"
 #include "report/text/atomic_file.h"
 #include "report/text/json_text.h"
@@ -173,6 +174,7 @@ ExitCode run_study(const Options& options) {
   const fs::path folder =
       options.out.empty() ? output_folder(options) / "study" : options.out;
   const SolverJobs solver = load_solver_jobs(options);
+  const FolderLock lock(folder);
   study::Study result;
   result.version = CLEVIS_VERSION;
   result.scene = solver.loaded.scene.name;

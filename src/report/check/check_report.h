@@ -12,6 +12,7 @@
 #include "base/errors.h"
 #include "part/part_definition.h"
 #include "part/verdict.h"
+#include "report/check/check_inputs.h"
 #include "report/machine/bearing_output.h"
 #include "report/summary/mechanism_summary.h"
 
@@ -30,6 +31,7 @@ struct CheckReport {
   std::string version;  ///< of clevis
   std::string scene;    ///< the scene's name
   std::filesystem::path file;
+  CheckInputs inputs;
   std::optional<MechanismSummary> mechanism;  ///< absent: only [[part.case]]
   std::vector<assessment::PartResult> parts;
   std::vector<PartFailure> failures;

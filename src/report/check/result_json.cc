@@ -167,6 +167,7 @@ std::string result_json(const CheckReport& report) {
   }
   ordered_json document = {{"schema", kResultSchema}};
   document.update(quantities_json(report, check_quantities()));
+  document["inputs"] = inputs_json(report.inputs);
   document["seconds"] = seconds;
   if (report.mechanism) {
     document["mechanism"] = mechanism_json(*report.mechanism);

@@ -1,7 +1,10 @@
 #include "report/text/atomic_file.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
+#include <random>
+#include <regex>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -16,6 +19,7 @@ namespace clevis::report {
 namespace {
 
 constexpr std::size_t kLongestName = 64;
+constexpr const char* kFrames = "frames";  // the subfolder of a series
 
 [[noreturn]] void refuse(const std::filesystem::path& file,
                          const std::string& step, const std::string& reason) {
@@ -29,12 +33,10 @@ class TemporaryFile {
  public:
   explicit TemporaryFile(const std::filesystem::path& target)
       : target_(target),
-        path_(target.parent_path() / fmt::format(".{}.{}.tmp",
-                                                 target.filename().string(),
-                                                 ::getpid())) {
-    // A file of this name can only be left from a killed process of the same
-    // number.
-    ::unlink(path_.c_str());
+        // Processes of other machines may have the same number.
+        path_(target.parent_path() /
+              fmt::format(".{}.{}-{:08x}.tmp", target.filename().string(),
+                          ::getpid(), std::random_device()())) {
     descriptor_ =
         ::open(path_.c_str(),
                O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
@@ -75,6 +77,15 @@ class TemporaryFile {
   int descriptor_ = -1;
   bool published_ = false;
 };
+
+/// Whether the file is the temporary one of a process that is gone.
+bool is_left_over(const std::string& name) {
+  static const std::regex kPattern(
+      R"(\.([A-Za-z0-9._-]{1,64})\.(\d{1,9})-[0-9a-f]{8}\.tmp)");
+  std::smatch match;
+  if (!std::regex_match(name, match, kPattern)) return false;
+  return ::kill(std::stoi(match[2]), 0) != 0 && errno == ESRCH;
+}
 
 /// Makes the rename itself survive a power cut. Not every file system allows
 /// it, and the content is safe already: no error.
@@ -117,10 +128,11 @@ void remove_unfinished(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
   std::error_code ignored;  // no folder: nothing is left
   std::vector<fs::path> left;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with('.') && name.ends_with(".tmp")) {
-      left.push_back(entry.path());
+  for (const fs::path& place : {folder, folder / kFrames}) {
+    for (const auto& entry : fs::directory_iterator(place, ignored)) {
+      if (is_left_over(entry.path().filename().string())) {
+        left.push_back(entry.path());
+      }
     }
   }
   for (const fs::path& file : left) fs::remove(file, ignored);

@@ -21,8 +21,8 @@ bool is_file_name(std::string_view name);
 ///   the folder or file cannot be written; no temporary file stays behind.
 void write_file(const std::filesystem::path& file, std::string_view content);
 
-/// Removes from `folder` and below what processes that were killed inside
-/// write_file() left. Nobody else may be writing there.
+/// Removes from `folder` and its `frames` what processes that are gone left
+/// inside write_file(), nothing else. Nobody else may be writing there.
 void remove_unfinished(const std::filesystem::path& folder);
 
 }  // namespace clevis::report

@@ -47,6 +47,14 @@ std::string valid_utf8(const std::string& text) {
 }
 
 ordered_json read_json(const std::filesystem::path& file) {
+  std::error_code failure;
+  const auto status = std::filesystem::status(file, failure);
+  if (std::filesystem::exists(status) &&
+      !std::filesystem::is_regular_file(status) &&
+      !std::filesystem::is_directory(status)) {
+    throw Error("I001", file.string(), "is not a regular file",
+                "Give a result.json or the folder that holds it.");
+  }
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream content;
   // A folder opens as a stream but cannot be read; an empty file sets

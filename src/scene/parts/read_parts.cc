@@ -2,23 +2,32 @@
 
 #include <fmt/format.h>
 
+#include "base/fingerprint.h"
 #include "scene/parts/read_cases.h"
+#include "scene/parts/read_parameters.h"
 #include "scene/text/names.h"
 
 namespace clevis::scene {
 namespace {
 
 /// meshes/NAME/part.msh for a scene in geometry/NAME, else beside the
-/// geometry.
-std::filesystem::path mesh_of_geometry(const std::filesystem::path& geometry,
-                                       const std::filesystem::path& file) {
+/// geometry. Each set of parameters has a mesh of its own, part-HASH.msh.
+std::filesystem::path mesh_of_geometry(
+    const std::filesystem::path& geometry,
+    const std::vector<part::GeometryParameter>& parameters,
+    const std::filesystem::path& file) {
   auto folder = std::filesystem::absolute(file).lexically_normal();
   folder = folder.parent_path();
   if (geometry.is_relative() && folder.parent_path().filename() == "geometry") {
     folder = folder.parent_path().parent_path() / "meshes" / folder.filename();
   }
+  auto name = geometry.stem();
+  if (!parameters.empty()) {
+    name += fmt::format("-{}", fingerprint(part::text_of(parameters)));
+  }
+  name += ".msh";
   return (folder / geometry)
-      .replace_extension(".msh")
+      .replace_filename(name)
       .lexically_normal()
       .lexically_proximate(std::filesystem::current_path());
 }
@@ -64,10 +73,11 @@ part::Limits read_limits(StrictTable table) {
 
 }  // namespace
 
-part::PartDefinition read_part(StrictTable& table, const Names& names,
-                               const std::vector<part::Material>& materials,
-                               const std::filesystem::path& file) {
-  part::PartDefinition part;
+PartOfGeometry read_part(StrictTable& table, const Names& names,
+                         const std::vector<part::Material>& materials,
+                         const std::filesystem::path& file) {
+  PartOfGeometry result;
+  part::PartDefinition& part = result.part;
   part.name = table["name"].name();
   part.place = table.place();
   const auto geometry = table.find("geometry");
@@ -77,9 +87,20 @@ part::PartDefinition read_part(StrictTable& table, const Names& names,
                         "Give a .msh file, or the .geo that it is made of.");
   }
   if (geometry) part.geometry = file.parent_path() / geometry->text();
-  part.mesh = mesh ? file.parent_path() / mesh->text()
-                   : mesh_of_geometry(geometry->text(), file);
   part.length_unit = read_length_unit(table["length_unit"]);
+  if (const auto parameters = table.find("parameters")) {
+    if (!geometry || mesh) {
+      throw parameters->refusal(
+          "S010",
+          mesh ? "stands beside `mesh`, which is one mesh for all of them"
+               : "are those of a .geo, but the part has no `geometry`",
+          "Give `geometry` alone: each set of parameters has its own mesh.");
+    }
+    result.parameters = read_parameters(*parameters, part.length_unit);
+  }
+  part.mesh = mesh
+                  ? file.parent_path() / mesh->text()
+                  : mesh_of_geometry(geometry->text(), result.parameters, file);
   if (const auto thickness = table.find("thickness")) {
     part.thickness = thickness->positive(Dimension::kLength);
   }
@@ -97,7 +118,7 @@ part::PartDefinition read_part(StrictTable& table, const Names& names,
     cases.add(name.title(), name);
     part.cases.push_back(read_case(entry));
   }
-  return part;
+  return result;
 }
 
 }  // namespace clevis::scene

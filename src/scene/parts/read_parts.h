@@ -3,16 +3,23 @@
 #include <filesystem>
 #include <vector>
 
+#include "part/geometry_parameter.h"
 #include "part/part_definition.h"
 #include "scene/text/names.h"
 #include "scene/text/strict_table.h"
 
 namespace clevis::scene {
 
+/// A part, and what it gives to its .geo.
+struct PartOfGeometry {
+  part::PartDefinition part;
+  std::vector<part::GeometryParameter> parameters;
+};
+
 /// A part without its seats, which need the mechanism.
 /// @param file  the scene's, which the part's paths are relative to.
-part::PartDefinition read_part(StrictTable& table, const Names& names,
-                               const std::vector<part::Material>& materials,
-                               const std::filesystem::path& file);
+PartOfGeometry read_part(StrictTable& table, const Names& names,
+                         const std::vector<part::Material>& materials,
+                         const std::filesystem::path& file);
 
 }  // namespace clevis::scene

@@ -13,32 +13,6 @@
 namespace clevis::scene {
 namespace {
 
-std::string read_text(const std::filesystem::path& file) {
-  constexpr std::uintmax_t kLargest = 16u << 20;  // bytes; parses in 1 s
-  const auto refuse = [&](const char* problem, const char* remedy) {
-    return Error("I001", file.string(), problem, remedy);
-  };
-  std::error_code failure;
-  const auto status = std::filesystem::status(file, failure);
-  if (!std::filesystem::exists(status)) {
-    throw refuse("there is no such file", "Check the path of the scene.");
-  }
-  if (!std::filesystem::is_regular_file(status)) {
-    throw refuse("is not a regular file",
-                 "Give the scene's .toml file, not its folder.");
-  }
-  std::ifstream stream(file, std::ios::binary);
-  const std::uintmax_t size = std::filesystem::file_size(file, failure);
-  if (!stream || failure) {
-    throw refuse("cannot be read", "Check the permissions of the file.");
-  }
-  if (size > kLargest) {
-    throw refuse("is larger than 16 MiB",
-                 "A scene is a short text; is this another file?");
-  }
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// toml++ 3.3 overflows the stack on keys of some 30 000 dotted levels
 /// (a.a.a…); it limits nested values to 256 but not dotted keys. With 64 dots
 /// in a line at most, the depth stays below 64 · 256.
@@ -59,6 +33,32 @@ void refuse_deep_keys(std::string_view text, const std::string& file) {
 }
 
 }  // namespace
+
+std::string read_text(const std::filesystem::path& file) {
+  constexpr std::uintmax_t kLargest = 16u << 20;  // bytes; parses in 1 s
+  const auto refuse = [&](const char* problem, const char* remedy) {
+    return Error("I001", file.string(), problem, remedy);
+  };
+  std::error_code failure;
+  const auto status = std::filesystem::status(file, failure);
+  if (!std::filesystem::exists(status)) {
+    throw refuse("there is no such file", "Check the path.");
+  }
+  if (!std::filesystem::is_regular_file(status)) {
+    throw refuse("is not a regular file",
+                 "Give the file itself, not its folder.");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  const std::uintmax_t size = std::filesystem::file_size(file, failure);
+  if (!stream || failure) {
+    throw refuse("cannot be read", "Check the permissions of the file.");
+  }
+  if (size > kLargest) {
+    throw refuse("is larger than 16 MiB",
+                 "It should be a short text; is this another file?");
+  }
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 Document read_document(const std::filesystem::path& file) {
   const std::string text = read_text(file);

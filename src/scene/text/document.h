@@ -13,6 +13,12 @@ struct Document {
   toml::table root;
 };
 
+/// The bytes of a file that the user wrote.
+/// @throws Error I001 if it is no regular file, cannot be read or is larger
+/// than
+///   16 MiB.
+std::string read_text(const std::filesystem::path& file);
+
 /// @throws Error I001 if it is no readable file, S001 if it is not TOML.
 Document read_document(const std::filesystem::path& file);
 

@@ -13,7 +13,8 @@ constexpr Key kScene[] = {
     "schema",      "name",    "world",        "material", "mechanism",
     "body",        "joint",   "coupling",     "drive",    "force",
     "initial",     "marker",  "simulation",   "part",     "accuracy",
-    "closed_form", "bearing", "transmission", "ejector",  "impact"};
+    "closed_form", "bearing", "transmission", "ejector",  "impact",
+    "vary"};
 constexpr Key kWorld[] = {"gravity"};
 constexpr Key kMaterial[] = {"youngs_modulus", "poissons_ratio", "density",
                              "yield_strength"};
@@ -189,9 +190,10 @@ constexpr Key kMarker[] = {"name", "body", "point"};
 constexpr Key kSimulation[] = {"duration", "instants",   "tolerance",
                                "motion",   "integrator", "at_singularity",
                                "links"};
-constexpr Key kPart[] = {"name",      "geometry", "mesh",    "length_unit",
-                         "thickness", "material", "pins",    "drives",
-                         "forces",    "limits",   "damping", "case"};
+constexpr Key kPart[] = {"name",        "geometry",  "parameters", "mesh",
+                         "length_unit", "thickness", "material",   "pins",
+                         "drives",      "forces",    "limits",     "damping",
+                         "case"};
 constexpr Key kPartPins[] = {"group", "groups", "length", "width", "offset"};
 constexpr Key kPartDrives[] = {"face", "pressurized"};
 constexpr Key kPartForces[] = {"face", "pressurized", "chamber"};
@@ -211,6 +213,8 @@ constexpr Key kCase[] = {"name",
                          "probes"};
 constexpr Key kFoundation[] = {"normal", "tangential"};
 constexpr Key kProbes[] = {"name", "at", "quantity", "reference"};
+constexpr Key kVary[] = {"design", "samples", "seed", "quantity"};
+constexpr Key kVaryQuantity[] = {"path", "values", "from", "to", "count"};
 constexpr Key kAccuracy[] = {"peak_stress"};
 constexpr Key kClosedForm[] = {"slide_lever"};
 constexpr Key kSlideLever[] = {"FD", "ED",  "DC",    "EC",
@@ -256,6 +260,8 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"accuracy", kAccuracy},
     {"closed_form", kClosedForm},
     {"closed_form.slide_lever", kSlideLever},
+    {"vary", kVary},
+    {"vary.quantity", kVaryQuantity},
 });
 
 constexpr auto kRivals = std::to_array<Rivals>({
@@ -285,6 +291,9 @@ constexpr auto kRivals = std::to_array<Rivals>({
     {"force.chamber.valve", "openings", "opening"},
     {"force.chamber.valve", "opening", "openings"},
     {"force.supply", "pressure", "gauge_pressure"},
+    {"vary.quantity", "from", "values"},
+    {"vary.quantity", "to", "values"},
+    {"vary.quantity", "count", "values"},
     {"transmission.stage", "ratio", "lead"},
     {"transmission.stage", "pinion_radius", "lead"},
     {"transmission.stage", "ratio", "pinion_radius"},

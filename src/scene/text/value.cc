@@ -44,6 +44,7 @@ bool is_control(char c) {
 }  // namespace
 
 std::string place_of(const std::string& file, const toml::source_region& at) {
+  if (at.path && *at.path != file) return *at.path;
   return fmt::format("{}:{}:{}", file, at.begin.line, at.begin.column);
 }
 

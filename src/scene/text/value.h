@@ -15,7 +15,7 @@
 
 namespace clevis::scene {
 
-/// "file:line:column" of a position in a scene file.
+/// "file:line:column" in a scene file; of what an option gives, the option.
 std::string place_of(const std::string& file, const toml::source_region& at);
 
 /// A value of the scene with what its messages need: the key it stands under

@@ -36,7 +36,7 @@ class GmshRunner : public testing::Test {
   static Error refusal(const path& file, std::chrono::milliseconds timeout,
                        const std::string& program = "gmsh") {
     try {
-      run_gmsh(file, timeout, program);
+      run_gmsh(file, {}, timeout, program);
     } catch (const Error& error) {
       return error;
     }

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "base/errors.h"
 #include "unit/report/sample_report.h"
@@ -87,11 +88,23 @@ TEST(AtomicFile, RemainsOfKilledProcessesAreRemovedAndNothingElse) {
   const TestFolder folder;
   write_file(folder / "result.json", "content");
   write_file(folder / "frames/AB_0000.vtu", "content");
-  std::ofstream(folder / "frames/.AB_0001.vtu.42.tmp") << "half";
-  std::ofstream(folder / ".result.json.42.tmp") << "half";
+  // No system has process numbers above 2^22.
+  std::ofstream(folder / "frames/.AB_0001.vtu.99999999-0123abcd.tmp") << "half";
+  std::ofstream(folder / ".result.json.99999999-0123abcd.tmp") << "half";
+  const std::string of_a_living_process =
+      "." + std::to_string(getpid()) + "-0123abcd.tmp";
+  fs::create_directory(folder / "sub");
+  for (const std::string name :
+       {"sub/.AB.vtu.99999999-0123abcd.tmp", ".other.12.tmp", ".tmp",
+        "notes.99999999-0123abcd.tmp"}) {
+    std::ofstream(folder / name) << "a user's own";
+  }
+  std::ofstream(folder / (".AB.vtu" + of_a_living_process)) << "half";
   remove_unfinished(folder.path());
-  EXPECT_EQ(entries(folder.path()), 2);  // result.json and frames
+  // result.json, frames, sub, three of the user and the living process's
+  EXPECT_EQ(entries(folder.path()), 7);
   EXPECT_EQ(entries(folder / "frames"), 1);
+  EXPECT_EQ(entries(folder / "sub"), 1);
   EXPECT_NO_THROW(remove_unfinished(folder / "not there"));
 }
 

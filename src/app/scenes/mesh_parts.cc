@@ -1,0 +1,118 @@
+#include "app/scenes/mesh_parts.h"
+
+#include <chrono>
+#include <fstream>
+#include <ostream>
+#include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "app/processes/temporary_folder.h"
+#include "app/scenes/geometry_constants.h"
+#include "app/scenes/geometry_stamp.h"
+#include "app/scenes/gmsh_runner.h"
+#include "base/errors.h"
+#include "mesh/reading/mesh_reader.h"
+#include "report/text/atomic_file.h"
+#include "scene/scene.h"
+#include "scene/text/name_index.h"
+#include "scene/text/suggestion.h"
+
+namespace clevis::app {
+namespace {
+
+using part::PartDefinition;
+
+struct GeometryPart {
+  PartDefinition part;
+  std::vector<part::GeometryParameter> parameters;
+};
+
+/// The parts that have a .geo, or those of them that the user named.
+/// @throws Error S007 if a named part does not exist, S003 if it has no .geo.
+std::vector<GeometryPart> parts_to_mesh(const scene::Scene& scene,
+                                        const std::vector<std::string>& names) {
+  std::set<std::string_view> wanted(names.begin(), names.end());
+  std::vector<std::string_view> known;
+  std::vector<GeometryPart> result;
+  for (std::size_t p = 0; p < scene.parts.size(); ++p) {
+    const PartDefinition& part = scene.parts[p];
+    known.push_back(part.name);
+    const bool named = wanted.erase(part.name) > 0;
+    if (named && part.geometry.empty()) {
+      throw Error("S003", part.place,
+                  fmt::format("part {} has no `geometry` to mesh", part.name),
+                  "Give the part a .geo, or make its mesh yourself.");
+    }
+    if (!part.geometry.empty() && (named || names.empty())) {
+      result.push_back({part, scene.parameters[p]});
+    }
+  }
+  if (!wanted.empty()) {
+    const std::string_view unknown = *wanted.begin();
+    throw Error("S007", "--part",
+                fmt::format("the scene has no part \"{}\"", unknown),
+                scene::suggestion(unknown, known));
+  }
+  return result;
+}
+
+/// The mesh that the text of a .msh holds, through the same validation as in
+/// `check`: what does not pass is not kept.
+mesh::PartMesh<3> gated(const std::string& text, const PartDefinition& part) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / part.mesh.filename();
+  std::ofstream(file, std::ios::binary) << text;
+  return mesh::read_part_mesh(file, part.length_unit, part.thickness);
+}
+
+void mesh_part(const GeometryPart& source, std::ostream& log) {
+  const auto& [part, parameters] = source;
+  require_constants(part.geometry, parameters);
+  const auto start = std::chrono::steady_clock::now();
+  // Hashed before gmsh reads it: an edit in between leaves the mesh stale.
+  const std::string stamp = geometry_stamp(part, parameters);
+  const std::string text = stamped(run_gmsh(part.geometry, parameters), stamp);
+  const mesh::PartMesh<3> mesh = gated(text, part);
+  report::write_file(part.mesh, text);
+  const std::chrono::duration<double> elapsed =
+      std::chrono::steady_clock::now() - start;
+  log << fmt::format("{}: {} cells, {} vertices -> {} ({:.2f} s)\n", part.name,
+                     mesh.cells.size(), mesh.vertices.size(),
+                     part.mesh.string(), elapsed.count());
+  for (const std::string& group : mesh.empty_groups) {
+    log << fmt::format(
+        "{}: the physical group {} holds no surface of the part\n", part.name,
+        group);
+  }
+}
+
+/// A mesh without a stamp is the user's own, one without its .geo all there is.
+bool is_current(const GeometryPart& source) {
+  const auto& [part, parameters] = source;
+  std::error_code failure;
+  return std::filesystem::is_regular_file(part.mesh, failure) &&
+         (has_current_mesh(part, parameters) || !stamp_of(part.mesh) ||
+          !std::filesystem::is_regular_file(part.geometry, failure));
+}
+
+}  // namespace
+
+std::size_t mesh_parts(const Options& options, MeshWhich which,
+                       std::ostream& log) {
+  const scene::Scene scene = scene::read_scene(options.scene, options.settings);
+  // A check of one part needs the masses of all.
+  const bool all_parts = which == MeshWhich::kOutdated;
+  const auto sources = parts_to_mesh(
+      scene, all_parts ? std::vector<std::string>() : options.parts);
+  std::set<std::filesystem::path> done;
+  for (const GeometryPart& source : sources) {
+    if (!done.insert(source.part.mesh).second) continue;
+    if (which == MeshWhich::kOutdated && is_current(source)) continue;
+    mesh_part(source, log);
+  }
+  return sources.size();
+}
+
+}  // namespace clevis::app

@@ -1,0 +1,41 @@
+#include "app/variants/check_inputs.h"
+
+#include <fstream>
+#include <iterator>
+
+#include "base/fingerprint.h"
+#include "scene/scene.h"
+
+namespace clevis::app {
+namespace {
+
+/// Of what is no file that can be read: of nothing.
+std::string file_fingerprint(const std::filesystem::path& file) {
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(file, failure)) return fingerprint("");
+  std::ifstream stream(file, std::ios::binary);
+  return fingerprint(std::string(std::istreambuf_iterator<char>(stream), {}));
+}
+
+}  // namespace
+
+report::CheckInputs check_inputs(const Options& options) {
+  report::CheckInputs inputs;
+  inputs.version = CLEVIS_VERSION;
+  for (const scene::Setting& setting : options.settings) {
+    inputs.settings.emplace_back(setting.path, setting.value);
+  }
+  inputs.scene =
+      fingerprint(scene::scene_content(options.scene, options.settings));
+  inputs.tolerance = options.tolerance;
+  inputs.model = options.model;
+  inputs.engine = options.engine;
+  inputs.parts = options.parts;
+  for (const part::PartDefinition& part :
+       scene::read_scene(options.scene, options.settings).parts) {
+    inputs.meshes.emplace_back(part.name, file_fingerprint(part.mesh));
+  }
+  return inputs;
+}
+
+}  // namespace clevis::app

@@ -1,0 +1,28 @@
+#include "app/variants/collect_command.h"
+
+#include <iostream>
+
+#include <unistd.h>
+
+#include "report/text/atomic_file.h"
+#include "report/variants/collection_csv.h"
+#include "report/variants/collection_figure.h"
+#include "report/variants/collection_table.h"
+#include "report/variants/variant_reader.h"
+
+namespace clevis::app {
+
+ExitCode collect_command(const std::filesystem::path& folder) {
+  const report::Collection collection = report::read_collection(folder);
+  report::write_file(folder / "variants.csv",
+                     report::collection_csv(collection));
+  report::write_file(folder / "variants.svg",
+                     report::collection_figure(collection));
+  std::cout << report::collection_table(collection,
+                                        report::colour_of(STDOUT_FILENO))
+            << "\nfiles: " << (folder / "variants.csv").string() << ", "
+            << (folder / "variants.svg").string() << "\n";
+  return report::exit_code(collection);
+}
+
+}  // namespace clevis::app

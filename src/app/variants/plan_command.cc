@@ -1,0 +1,103 @@
+#include "app/variants/plan_command.h"
+
+#include <iostream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/request/output_folder.h"
+#include "app/scenes/geometry_constants.h"
+#include "app/variants/shell_word.h"
+#include "base/errors.h"
+#include "base/fingerprint.h"
+#include "report/text/atomic_file.h"
+#include "report/variants/plan_file.h"
+#include "scene/scene.h"
+#include "scene/variants/design.h"
+#include "scene/variants/variant_list.h"
+
+namespace clevis::app {
+namespace {
+
+std::vector<scene::Variant> wanted_variants(const PlanOptions& options,
+                                            const scene::Scene& scene) {
+  if (!options.vary.empty()) return scene::read_variant_list(options.vary);
+  if (scene.vary) return scene::variants_of(*scene.vary);
+  throw Error("S003", options.scene.string() + ":1:1",
+              "the scene has no [vary] that says which variants are wanted",
+              "Add one, or give a table of variants with --vary.");
+}
+
+/// Refuses a variant as its check would.
+void require_readable(const PlanOptions& options,
+                      const scene::Variant& variant) {
+  const scene::Scene scene = scene::read_scene(options.scene, variant.settings);
+  for (std::size_t p = 0; p < scene.parts.size(); ++p) {
+    require_constants(scene.parts[p].geometry, scene.parameters[p]);
+  }
+}
+
+report::PlannedVariant planned(const PlanOptions& options,
+                               const scene::Variant& variant) {
+  report::PlannedVariant result;
+  result.name = variant.name;
+  for (const scene::Setting& setting : variant.settings) {
+    result.inputs.settings.emplace_back(setting.path, setting.value);
+  }
+  result.inputs.scene =
+      fingerprint(scene::scene_content(options.scene, variant.settings));
+  result.inputs.tolerance = options.tolerance;
+  result.inputs.model = options.model;
+  result.inputs.engine = "auto";
+  result.inputs.parts = options.parts;
+  return result;
+}
+
+/// One command that a shell takes as it stands.
+std::string command_line(const PlanOptions& options,
+                         const scene::Variant& variant,
+                         const std::filesystem::path& folder) {
+  std::vector<std::string> words{options.program, "check",
+                                 options.scene.string()};
+  for (const scene::Setting& setting : variant.settings) {
+    words.insert(words.end(), {"--set", setting.path + "=" + setting.value});
+  }
+  for (const std::string& part : options.parts) {
+    words.insert(words.end(), {"--part", part});
+  }
+  if (options.tolerance) {
+    words.insert(words.end(), {"--tolerance", options.tolerance_text});
+  }
+  if (options.model != "auto") {
+    words.insert(words.end(), {"--model", options.model});
+  }
+  words.insert(words.end(),
+               {"--jobs", std::to_string(options.jobs), "--mesh", "--resume",
+                "--out", (folder / variant.name).string()});
+  for (std::string& word : words) word = shell_word(word);
+  return fmt::format("{}\n", fmt::join(words, " "));
+}
+
+}  // namespace
+
+ExitCode plan_command(const PlanOptions& options) {
+  const scene::Scene scene = scene::read_scene(options.scene);
+  const auto variants = wanted_variants(options, scene);
+  const std::filesystem::path folder =
+      options.out.empty()
+          ? std::filesystem::path(results_folder(options.scene).string() +
+                                  "_variants")
+          : options.out;
+  report::Plan plan{scene.name, options.scene, {}};
+  std::string commands;
+  for (const scene::Variant& variant : variants) {
+    require_readable(options, variant);
+    plan.variants.push_back(planned(options, variant));
+    commands += command_line(options, variant, folder);
+  }
+  report::write_file(folder / report::kPlanFile, report::plan_json(plan));
+  std::cout << commands;
+  return ExitCode::kPass;
+}
+
+}  // namespace clevis::app

@@ -1,0 +1,31 @@
+#include "report/check/check_inputs.h"
+
+#include <nlohmann/json.hpp>
+
+namespace clevis::report {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json table_json(
+    const std::vector<std::pair<std::string, std::string>>& rows) {
+  ordered_json table = ordered_json::object();
+  for (const auto& [key, value] : rows) table[key] = value;
+  return table;
+}
+
+}  // namespace
+
+ordered_json inputs_json(const CheckInputs& inputs) {
+  ordered_json tolerance;  // null: the scene's
+  if (inputs.tolerance) tolerance = *inputs.tolerance;
+  return {{"set", table_json(inputs.settings)},
+          {"scene", inputs.scene},
+          {"tolerance", tolerance},
+          {"model", inputs.model},
+          {"engine", inputs.engine},
+          {"parts", inputs.parts},
+          {"meshes", table_json(inputs.meshes)}};
+}
+
+}  // namespace clevis::report

@@ -1,0 +1,73 @@
+#include "report/variants/plan_file.h"
+
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "report/text/json_node.h"
+#include "report/text/json_text.h"
+
+namespace clevis::report {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kSchema = 1;
+
+CheckInputs inputs_of(const JsonNode& node, const ordered_json& set) {
+  CheckInputs inputs;
+  for (const auto& [path, value] : set.items()) {
+    inputs.settings.emplace_back(path, JsonNode(value, path).text());
+  }
+  inputs.scene = node.at("scene").text();
+  if (node.has("tolerance")) inputs.tolerance = node.at("tolerance").number();
+  inputs.model = node.at("model").text();
+  inputs.engine = node.at("engine").text();
+  for (const JsonNode& part : node.at("parts").elements()) {
+    inputs.parts.push_back(part.text());
+  }
+  return inputs;
+}
+
+}  // namespace
+
+std::string plan_json(const Plan& plan) {
+  ordered_json variants = ordered_json::array();
+  for (const PlannedVariant& variant : plan.variants) {
+    ordered_json inputs = inputs_json(variant.inputs);
+    inputs.erase("meshes");  // not made yet
+    variants.push_back({{"name", variant.name}, {"inputs", inputs}});
+  }
+  return json_text({{"schema", kSchema},
+                    {"scene", plan.scene},
+                    {"file", plan.file.string()},
+                    {"variants", variants}});
+}
+
+Plan read_plan(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / kPlanFile;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    throw Error("I007", file.string(), "there is no such plan",
+                "Give the folder that `clevis plan` wrote to.");
+  }
+  const ordered_json json = read_json(file);
+  const JsonNode document(json, file.string() + ":");
+  if (document.at("schema").number() != kSchema) {
+    throw Error("I003", file.string(), "the plan has another schema",
+                "Plan again with this clevis.");
+  }
+  Plan plan{document.at("scene").text(), document.at("file").text(), {}};
+  const auto nodes = document.at("variants").elements();
+  for (std::size_t v = 0; v < nodes.size(); ++v) {
+    const JsonNode inputs = nodes[v].at("inputs");
+    inputs.at("set").texts();  // refuses what is no table of texts
+    plan.variants.push_back(
+        {nodes[v].at("name").text(),
+         inputs_of(inputs, json["variants"][v]["inputs"]["set"])});
+  }
+  return plan;
+}
+
+}  // namespace clevis::report
