@@ -16,6 +16,8 @@
 #include "app/part_jobs.h"
 #include "app/plugin_entries.h"
 #include "app/solver_jobs.h"
+#include "app/surface_view.h"
+#include "app/view_inputs.h"
 #include "app/worker_pool.h"
 #include "assessment/part_check.h"
 #include "base/stopwatch.h"
@@ -27,11 +29,13 @@
 #include "report/check/result_files.h"
 #include "report/check/result_json.h"
 #include "report/motion/motion_csv.h"
+#include "report/page/report_page.h"
 #include "report/parts/part_result_json.h"
 #include "report/summary/motion_report.h"
 #include "report/text/atomic_file.h"
 #include "report/text/progress.h"
 #include "report/text/terminal.h"
+#include "report/view/view_files.h"
 
 namespace clevis::app {
 namespace {
@@ -45,12 +49,14 @@ constexpr char kRefusal = 'E';
 /// Runs in a worker process: checks the part and writes its fields.
 std::string check_one(const PartJob& job,
                       const std::optional<MovingPart>& moving,
-                      const fs::path& folder) {
+                      const std::string& body, const fs::path& folder) {
   try {
     assessment::PartAssessment assessment = assessment::check_part(job);
     Stopwatch watch;
     write_part_files(assessment, moving, job.part.material.yield_strength,
                      folder);
+    report::write_part_view(surface_view(job, assessment, moving, body),
+                            folder);
     assessment.result.seconds.write = watch.lap();
     assessment.result.seconds.total += assessment.result.seconds.write;
     return kResult + report::encode(assessment.result);
@@ -112,9 +118,13 @@ void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
       jobs.size(), processes,
       [&](std::size_t index) {
         const auto body = loaded.body_of(jobs[index].part.name);
-        std::optional<MovingPart> moving;
-        if (body != mechanism::kGround) moving = MovingPart{&motion, body};
-        return check_one(jobs[index], moving, folder);
+        if (body == mechanism::kGround) {
+          return check_one(jobs[index], std::nullopt, "", folder);
+        }
+        const auto& carrier =
+            loaded.scene.mechanism.bodies[static_cast<std::size_t>(body)];
+        return check_one(jobs[index], MovingPart{&motion, body}, carrier.name,
+                         folder);
       },
       [&](std::size_t done, const std::vector<std::size_t>& running) {
         std::string names;
@@ -153,6 +163,17 @@ void write_reactions(const LoadedScene& loaded, const mechanism::Motion& motion,
   motion_report.motion = motion;
   report::write_file(folder / "reactions.csv",
                      report::reactions_csv(motion_report));
+}
+
+/// Times at which parts are worst [s].
+std::vector<double> worst_times(const report::CheckReport& report) {
+  std::vector<double> times;
+  for (const auto& part : report.parts) {
+    times.push_back(judged_peak(part).instant);
+    times.push_back(part.deflection_instant);
+    times.push_back(part.buckling.instant);
+  }
+  return times;
 }
 
 ExitCode run_check(const Options& options) {
@@ -202,8 +223,18 @@ ExitCode run_check(const Options& options) {
   if (loaded.scene.has_mechanism) {
     write_reactions(loaded, motion, folder);
   }
+  report::write_motion_view({.version = CLEVIS_VERSION,
+                             .scene = loaded.scene.name,
+                             .inputs = view_inputs(loaded.scene),
+                             .definition = loaded.scene.mechanism,
+                             .motion = motion,
+                             .worst_times = worst_times(report)},
+                            folder, report::ResultKind::kCheck);
   report.seconds.emplace_back("total", total.lap());
   report::write_result_files(report, folder);
+  if (options.report) {
+    report::write_report(folder, report::ResultKind::kCheck);
+  }
   if (options.json) {
     std::cout << report::result_json(report);
   } else {

@@ -1,13 +1,13 @@
 #include "app/geometry_stamp.h"
 
 #include <cassert>
-#include <cstdint>
 #include <fstream>
 
 #include <fmt/format.h>
 
 #include "app/geometry_files.h"
 #include "base/errors.h"
+#include "base/fingerprint.h"
 
 namespace clevis::app {
 namespace {
@@ -18,11 +18,7 @@ constexpr std::string_view kLabel = "clevis geometry fnv1a ";
 }  // namespace
 
 std::string geometry_stamp(std::string_view geometry) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char byte : geometry) {
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-  }
-  return fmt::format("{:016x}", hash);
+  return fingerprint(geometry);
 }
 
 std::string stamped(std::string mesh, std::string_view stamp) {

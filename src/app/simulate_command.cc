@@ -4,18 +4,42 @@
 
 #include "app/commands.h"
 #include "app/load_scene.h"
+#include "app/output_folder.h"
 #include "app/plugin_commands.h"
 #include "app/slide_lever_comparison.h"
+#include "app/view_inputs.h"
 #include "machine/bearing_life.h"
 #include "mechanism/simulate.h"
 #include "mechanism/structure/structure.h"
 #include "report/motion/motion_files.h"
 #include "report/motion/motion_json.h"
 #include "report/motion/motion_table.h"
+#include "report/page/report_page.h"
 #include "report/summary/motion_report.h"
 #include "report/text/terminal.h"
+#include "report/view/view_files.h"
 
 namespace clevis::app {
+namespace {
+
+/// Tables, what a report reads, and that if it is asked for.
+void write_files(const scene::Scene& scene, const report::MotionReport& motion,
+                 const Options& options) {
+  if (options.out.empty() && !options.report) return;
+  const std::filesystem::path folder = output_folder(options);
+  report::write_motion_view({.version = motion.version,
+                             .scene = motion.scene,
+                             .inputs = view_inputs(scene),
+                             .definition = motion.definition,
+                             .motion = motion.motion,
+                             .worst_times = {}},
+                            folder, report::ResultKind::kSimulation);
+  report::write_motion_files(motion, folder);
+  if (options.report)
+    report::write_report(folder, report::ResultKind::kSimulation);
+}
+
+}  // namespace
 
 ExitCode simulate_command(const Options& options) {
   scene::Scene scene = load_moving_scene(options.scene);
@@ -41,7 +65,7 @@ ExitCode simulate_command(const Options& options) {
   report.bearings = report::bearing_reports(
       machine::judge_bearings(scene.bearings, scene.mechanism, report.motion),
       scene.mechanism);
-  if (!options.out.empty()) report::write_motion_files(report, options.out);
+  write_files(scene, report, options);
   std::cout << (options.json ? report::motion_json(report)
                              : report::motion_table(
                                    report, report::colour_of(STDOUT_FILENO)));

@@ -108,6 +108,8 @@ ROOMS = {
         "parts": "a part's result",
         "check": "a check's result: table, JSON, CSV, JUnit",
         "compare": "a result against a baseline",
+        "view": "what pictures need of a result: surfaces, fields, the motion",
+        "page": "a result as one HTML page, or as glTF",
     },
 }
 
@@ -139,9 +141,11 @@ PUBLIC = {
               " compare/comparison compare/comparison_output"
               " compare/result_reader machine/ejector_output"
               " machine/transmission_output motion/motion_csv motion/motion_files"
-              " motion/motion_json motion/motion_table parts/part_result_json"
+              " motion/motion_json motion/motion_table page/glb_scene"
+              " page/report_page parts/part_result_json"
               " summary/motion_report text/atomic_file text/csv_field"
-              " text/json_text text/progress text/terminal text/text_table",
+              " text/json_text text/progress text/terminal text/text_table"
+              " view/motion_view view/part_view view/view_files",
 }
 
 MOST_FILES_OF_A_ROOM = 16
