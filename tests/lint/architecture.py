@@ -93,7 +93,7 @@ ROOMS = {
         "buckling": "lowest buckling factor",
     },
     "stress": {
-        "field": "stress, displacement and energy error in cells, over time, at probes, as VTU",
+        "field": "stress and displacement in cells, over time, at probes, on surfaces, as VTU",
         "sections": "mean stress in plane sections, and of what a held face carries",
         "zones": "places where linear elasticity has no finite stress, and how far they reach",
         "peaks": "the largest stress, its band, and what shows that cells are too coarse",
@@ -121,6 +121,8 @@ ROOMS = {
         "compare": "a result against a baseline",
         "figures": "figures in SVG",
         "variants": "many variants of a scene: plan, results, table, plot",
+        "view": "what pictures need of a result: surfaces, fields, the motion",
+        "page": "a result as one HTML page, or as glTF",
     },
     "app": {
         "request": "what the command line asks for, and where results go",
@@ -129,6 +131,7 @@ ROOMS = {
         "parts": "from a scene's motion to the jobs of its parts",
         "variants": "many variants: plan, collect, and which results are finished",
         "solving": "the commands that solve, as the library that is loaded on demand",
+        "results": "commands that read results: compare, report, glTF",
         "commands": "the other commands, and the door to that library",
         "start": "a way in: scenes to start from, what is installed, completion in shells",
     },
@@ -157,8 +160,8 @@ PUBLIC = {
                   " solid/neighbourhood solid/open_reactions solid/plane_loads"
                   " solid/seat_compliance solid/solid_solve vibration/eigenmodes"
                   " vibration/load_vibration vibration/strike_response",
-    "stress": "field/deflection field/energy_error field/field_output field/finite_motion"
-              " field/probe field/stress_history peaks/local_peak peaks/meeting_points"
+    "stress": "field/deflection field/field_output field/finite_motion"
+              " field/point_history field/probe field/stress_history field/surface_mesh peaks/energy_error peaks/local_peak peaks/meeting_points"
               " peaks/peak_band peaks/peak_zoom peaks/slow_sequence peaks/surface_kink"
               " sections/support_face zones/singular_zone zones/zone_mask zones/zone_strength",
     "assessment": "impact/impact_check job/model_traits job/part_job"
@@ -167,11 +170,13 @@ PUBLIC = {
               " compare/comparison compare/comparison_output"
               " compare/result_reader figures/svg machine/ejector_output"
               " machine/transmission_output motion/motion_csv motion/motion_files"
-              " motion/motion_json motion/motion_table parts/part_result_json"
+              " motion/motion_json motion/motion_table page/glb_scene"
+              " page/report_page parts/part_result_json"
               " summary/motion_report text/atomic_file text/csv_field"
               " text/json_text text/progress text/terminal text/text_table"
               " variants/collection_csv variants/collection_figure"
-              " variants/collection_table variants/plan_file variants/variant_reader",
+              " variants/collection_table variants/plan_file variants/variant_reader"
+              " view/motion_view view/part_view view/view_files",
 }
 
 MOST_FILES_OF_A_ROOM = 16

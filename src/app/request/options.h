@@ -17,6 +17,8 @@ struct Options {
   std::optional<double> tolerance;       ///< of the peak stress, relative [1]
   std::filesystem::path out;             ///< empty: results/<scene>
   bool json = false;                     ///< stdout is one JSON document
+  bool report = false;                   ///< writes report.html too
+  bool glb = false;                      ///< a glTF of a result, no decks
   std::string model = "auto";            ///< or a word of assessment::kModels
   std::string engine = "auto";      ///< or a word of elasticity::kEngineWords
   bool mesh = false;                ///< make outdated meshes first
@@ -40,6 +42,12 @@ struct PlanOptions {
   std::optional<double> tolerance;  ///< the same, relative [1]
   std::string model = "auto";
   int jobs = 1;
+};
+
+/// Options of `clevis report`.
+struct ReportOptions {
+  std::filesystem::path result;  ///< folder of a check or simulation
+  std::filesystem::path file;    ///< empty: report.html in it
 };
 
 /// Options of `clevis compare`.

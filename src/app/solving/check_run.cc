@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "app/parts/link_compliance.h"
-#include "app/parts/part_files.h"
 #include "app/parts/part_jobs.h"
 #include "app/parts/solver_jobs.h"
 #include "app/processes/error_text.h"
@@ -20,6 +19,9 @@
 #include "app/processes/worker_pool.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
+#include "app/scenes/view_inputs.h"
+#include "app/solving/part_files.h"
+#include "app/solving/surface_view.h"
 #include "app/variants/check_inputs.h"
 #include "assessment/part_check.h"
 #include "base/mpi_run.h"
@@ -32,11 +34,13 @@
 #include "report/check/result_files.h"
 #include "report/check/result_json.h"
 #include "report/motion/motion_csv.h"
+#include "report/page/report_page.h"
 #include "report/parts/part_result_json.h"
 #include "report/summary/motion_report.h"
 #include "report/text/atomic_file.h"
 #include "report/text/progress.h"
 #include "report/text/terminal.h"
+#include "report/view/view_files.h"
 
 namespace clevis::app {
 namespace {
@@ -51,7 +55,7 @@ constexpr char kRefusal = 'E';
 /// of a part that all ranks check, the first one's.
 std::string check_one(const PartJob& job,
                       const std::optional<MovingPart>& moving,
-                      const elasticity::RankTeam* team,
+                      const elasticity::RankTeam* team, const std::string& body,
                       const fs::path& folder) {
   try {
     assessment::PartAssessment assessment = assessment::check_part(job);
@@ -59,6 +63,8 @@ std::string check_one(const PartJob& job,
     if (!job.is_shared || mpi_rank() == 0) {
       write_part_files(assessment, moving, job.part.material.yield_strength,
                        folder);
+      report::write_part_view(surface_view(job, assessment, moving, body),
+                              folder);
     }
     assessment.result.seconds.write = watch.lap();
     assessment.result.seconds.total += assessment.result.seconds.write;
@@ -141,9 +147,13 @@ void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
   longest_first(jobs);
   const auto check = [&](std::size_t index) {
     const auto body = loaded.body_of(jobs[index].part.name);
-    std::optional<MovingPart> moving;
-    if (body != mechanism::kGround) moving = MovingPart{&motion, body};
-    return check_one(jobs[index], moving, team, folder);
+    if (body == mechanism::kGround) {
+      return check_one(jobs[index], std::nullopt, team, "", folder);
+    }
+    const auto& carrier =
+        loaded.scene.mechanism.bodies[static_cast<std::size_t>(body)];
+    return check_one(jobs[index], MovingPart{&motion, body}, team, carrier.name,
+                     folder);
   };
   if (team != nullptr) choose_shared(jobs);
   const auto outcomes = team != nullptr
@@ -178,6 +188,17 @@ void write_reactions(const LoadedScene& loaded, const mechanism::Motion& motion,
   motion_report.motion = motion;
   report::write_file(folder / "reactions.csv",
                      report::reactions_csv(motion_report));
+}
+
+/// Times at which parts are worst [s].
+std::vector<double> worst_times(const report::CheckReport& report) {
+  std::vector<double> times;
+  for (const auto& part : report.parts) {
+    times.push_back(judged_peak(part).instant);
+    times.push_back(part.deflection_instant);
+    times.push_back(part.buckling.instant);
+  }
+  return times;
 }
 
 }  // namespace
@@ -239,8 +260,18 @@ ExitCode run_check(const Options& options) {
   if (loaded.scene.has_mechanism) {
     write_reactions(loaded, motion, folder);
   }
+  report::write_motion_view({.version = CLEVIS_VERSION,
+                             .scene = loaded.scene.name,
+                             .inputs = view_inputs(loaded.scene),
+                             .definition = loaded.scene.mechanism,
+                             .motion = motion,
+                             .worst_times = worst_times(report)},
+                            folder, report::ResultKind::kCheck);
   report.seconds.emplace_back("total", total.lap());
   report::write_result_files(report, folder);
+  if (options.report) {
+    report::write_report(folder, report::ResultKind::kCheck);
+  }
   if (options.json) {
     std::cout << report::result_json(report);
   } else {

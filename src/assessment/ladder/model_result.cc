@@ -12,7 +12,7 @@
 #include "assessment/ladder/probe_band.h"
 #include "base/errors.h"
 #include "stress/field/deflection.h"
-#include "stress/field/energy_error.h"
+#include "stress/peaks/energy_error.h"
 #include "stress/field/finite_motion.h"
 
 namespace clevis::assessment {
@@ -233,6 +233,12 @@ PartFields make_fields(const PartJob& job, const Level<dim>& level) {
   fields.at = [basis = level.governing, material = job.part.material](
                   int instant, int subdivisions) {
     return stress::instant_field<dim>(*basis, material, subdivisions, instant);
+  };
+  fields.over = [basis = level.governing, material = job.part.material](
+                    const std::vector<stress::FieldPoint>& points,
+                    int subdivisions, const std::vector<int>& instants) {
+    return stress::point_history<dim>(*basis, material, subdivisions, points,
+                                      instants);
   };
   return fields;
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "stress/field/energy_error.h"
+#include "stress/peaks/energy_error.h"
 #include "stress/peaks/peak_band.h"
 
 namespace clevis::stress {

@@ -16,7 +16,7 @@
 #include "band_catalogue.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/solid/solid_solve.h"
-#include "stress/field/energy_error.h"
+#include "stress/peaks/energy_error.h"
 #include "support/annulus_mesh.h"
 
 namespace clevis {

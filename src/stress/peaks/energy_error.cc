@@ -1,4 +1,4 @@
-#include "stress/field/energy_error.h"
+#include "stress/peaks/energy_error.h"
 
 #include <cassert>
 #include <cmath>

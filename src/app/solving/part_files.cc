@@ -1,4 +1,4 @@
-#include "app/parts/part_files.h"
+#include "app/solving/part_files.h"
 
 #include <algorithm>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "app/commands/compare_command.h"
+#include "app/results/compare_command.h"
 
 #include <iostream>
 
