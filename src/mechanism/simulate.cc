@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "mechanism/constraints/closed_joints.h"
 #include "mechanism/constraints/mobility.h"
+#include "mechanism/definition/drive_names.h"
 #include "mechanism/driven_search/driven_run.h"
 #include "mechanism/drives/drive_law.h"
 #include "mechanism/dynamic_motion/dynamic_motion.h"
@@ -104,8 +105,7 @@ Motion simulate(const MechanismDefinition& definition,
   }
   const bool is_dynamic = free || settings.motion == MotionKind::kDynamic;
   Motion motion = is_dynamic ? integrate_motion(definition, settings)
-                             : run_driven(definition, settings,
-                                          DrivenMotion(definition, settings));
+                             : run_driven(definition, settings);
   motion.left_free = std::move(free);
   require_direction(definition, frame.length, motion);
   forget_negligible(frame.length, motion);

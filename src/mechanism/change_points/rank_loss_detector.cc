@@ -19,11 +19,15 @@ constexpr int kMostSplits = 1000;
 constexpr int kMostChoices = 8;
 // Below this a vector's direction is not known well; beyond a zero it grows.
 constexpr double kClear = 1e-4;
-// Into the haze from a direction at most so many times that far from zero.
+// Into a near-singular interval from a direction at most so many times that far
+// from zero.
 constexpr double kBeside = 4.0;
 // Two zeros in a row leave the directions as they were: where one may have
 // been reached, parts of at most this are looked at.
 constexpr double kLongest = 0.125;
+// Zeros of several rows in one near-singular interval nearer than this part of
+// it are one.
+constexpr double kSame = 0.25;
 
 }  // namespace
 
@@ -34,7 +38,7 @@ RankLossDetector::RankLossDetector(int rows, int columns, int rank,
       last_(rows_.frame()),
       probe_(last_),
       ahead_(kHalvings, last_),
-      signs_(Eigen::VectorXd::Ones(rank)) {
+      near_singular_(rank) {
   zeros_.reserve(static_cast<std::size_t>(rank));
 }
 
@@ -91,7 +95,8 @@ bool RankLossDetector::split() {
 
 /// Whether other rows are clear at t where those that count are not.
 bool RankLossDetector::finds_other_rows(double t) {
-  if (!rows_.has_others() || near_singular_ || choices_left_ <= 0) return false;
+  if (!rows_.has_others() || near_singular_.is_open() || choices_left_ <= 0)
+    return false;
   if (rows_.best_size(*jacobian_, t) <= clear_) return false;
   --choices_left_;
   rows_.choose(*jacobian_, t);
@@ -156,11 +161,67 @@ bool RankLossDetector::pass_zeros() {
   return true;
 }
 
+/// Records a sign change of row i within the near-singular interval as a
+/// provisional zero.
+void RankLossDetector::await(Index i, double from) {
+  const double cosine = last_.directions.col(i).dot(next().directions.col(i));
+  const double before = near_singular_.sign(i);
+  if ((cosine < 0.0) == (before < 0.0)) return;
+  near_singular_.note(i, root(i, from, next().t, before));
+}
+
+/// Enters a near-singular interval, or goes on in it: at the end of the look
+/// directions are not clear.
+void RankLossDetector::enter_near_singular() {
+  const double from = near_singular_.is_open() ? from_ : last_.t;
+  near_singular_.enter();
+  for (Index i = 0; i < rows_.rank(); ++i) await(i, from);
+  --count_;
+}
+
+/// Confirms the middle one of the provisional zeros of row i, of which there is
+/// an odd number.
+/// @param apart  zeros nearer than that are one change point [s].
+void RankLossDetector::confirm_awaited(Index i, double apart) {
+  const std::optional<double> zero = near_singular_.middle_zero(i);
+  if (!zero) return;
+  const bool is_known = std::ranges::any_of(zeros_, [&](double other) {
+    return std::abs(other - *zero) < apart;
+  });
+  if (is_known) return;
+  zeros_.push_back(*zero);
+  of_row_.push_back(i);
+}
+
+/// Leaves the near-singular interval. The first clear directions behind it
+/// decide which rows have passed zero, however often errors changed their signs
+/// within.
+void RankLossDetector::leave_near_singular() {
+  constexpr int kShortest = 20;
+  RowDirections& behind = ahead_[count_];
+  for (int k = count_ < ahead_.size() ? kShortest : 0; k > 0; --k) {
+    const double t = from_ + std::ldexp(next().t - from_, -k);
+    rows_.measure(*jacobian_, t, behind);
+    if (!is_clear(behind)) continue;
+    ++count_;
+    break;
+  }
+  for (Index i = 0; i < rows_.rank(); ++i) {
+    await(i, from_);
+    const auto q = last_.directions.col(i);
+    if (q.dot(next().directions.col(i)) < -kSameDirection) {
+      confirm_awaited(i, kSame * (next().t - last_.t));
+    }
+  }
+  near_singular_.leave();
+  take_next();
+}
+
 void RankLossDetector::follow() {
   if (!is_clear(next())) {
     if (finds_other_rows(next().t)) return;
     const bool is_far =
-        !near_singular_ && last_.sizes.minCoeff() > kBeside * clear_;
+        !near_singular_.is_open() && last_.sizes.minCoeff() > kBeside * clear_;
     if (count_ > 1) {
       --count_;  // others serve
     } else if (!(is_far && split())) {
@@ -168,7 +229,7 @@ void RankLossDetector::follow() {
     }
     return;
   }
-  if (near_singular_) return leave_near_singular();
+  if (near_singular_.is_open()) return leave_near_singular();
   const Change change = compare(next());
   const bool is_long = next().t - last_.t > kLongest * (ahead_[0].t - from_);
   const bool halve =
@@ -194,15 +255,29 @@ const std::vector<double>& RankLossDetector::look(const TimedJacobian& jacobian,
   count_ = 1;
   // directions may turn round and back between
   const double left = last_.sizes.minCoeff() + ahead_[0].sizes.minCoeff();
-  if (!near_singular_ && left < fastest * (t - last_.t)) split();
+  if (!near_singular_.is_open() && left < fastest * (t - last_.t)) split();
   while (count_ > 0) follow();
   std::ranges::sort(zeros_);
   from_ = t;
   if (rows_.has_others() &&
-      !near_singular_) {  // others may be the clearer by now
+      !near_singular_.is_open()) {  // others may be the clearer by now
     rows_.choose(jacobian, t);
     rows_.measure(jacobian, t, last_);
   }
+  return zeros_;
+}
+
+const std::vector<double>& RankLossDetector::finish() {
+  zeros_.clear();
+  of_row_.clear();
+  for (Index i = 0; i < rows_.rank() && near_singular_.is_open(); ++i) {
+    if (near_singular_.sign(i) < 0.0) {
+      confirm_awaited(i, kSame * (from_ - last_.t));
+    }
+  }
+  near_singular_.leave();
+  started_ = false;
+  std::ranges::sort(zeros_);
   return zeros_;
 }
 

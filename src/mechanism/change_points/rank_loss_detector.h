@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "mechanism/change_points/near_singular_interval.h"
 #include "mechanism/change_points/row_directions.h"
 
 namespace clevis::mechanism {
@@ -42,7 +43,7 @@ class RankLossDetector {
   const std::vector<double>& finish();
 
   /// Zeros that are not sure yet.
-  const std::vector<double>& awaited() const { return awaited_; }
+  const std::vector<double>& awaited() const { return near_singular_.zeros(); }
 
  private:
   /// Cosine beyond which directions are the same, or opposite.
@@ -71,16 +72,15 @@ class RankLossDetector {
   RowSelection rows_;
   double clear_;
   bool started_ = false;
-  bool near_singular_ = false;               ///< beside a zero since last_
   const TimedJacobian* jacobian_ = nullptr;  ///< of the look under way
   double from_{};                            ///< its beginning
   int splits_left_{}, choices_left_{};
   RowDirections last_, probe_;
-  std::vector<RowDirections> ahead_;  ///< later times, nearest at the back
-  std::size_t count_{};               ///< of these
-  Eigen::VectorXd signs_;  ///< near-singular: of r_i along those of last_
-  std::vector<double> zeros_, awaited_;
-  std::vector<Eigen::Index> of_row_, awaited_rows_;  ///< among those chosen
+  std::vector<RowDirections> ahead_;    ///< later times, nearest at the back
+  std::size_t count_{};                 ///< of these
+  NearSingularInterval near_singular_;  ///< since last_
+  std::vector<double> zeros_;
+  std::vector<Eigen::Index> of_row_;  ///< among those chosen
 };
 
 }  // namespace clevis::mechanism

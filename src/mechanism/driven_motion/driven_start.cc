@@ -1,4 +1,5 @@
-// Where a driven motion starts.
+#include "mechanism/driven_motion/driven_start.h"
+
 #include <cmath>
 #include <utility>
 
@@ -11,7 +12,6 @@
 #include "mechanism/constraints/closed_joints.h"
 #include "mechanism/constraints/mobility.h"
 #include "mechanism/definition/drive_names.h"
-#include "mechanism/driven_motion/driven_motion.h"
 #include "mechanism/drives/drive_law.h"
 
 namespace clevis::mechanism {
@@ -36,30 +36,29 @@ using Eigen::VectorXd;
              : "Leave this [[initial]] out, or change the drive.");
 }
 
-}  // namespace
-
 /// What [[initial]] says must be what the drives make of the start.
 /// @throws Error K007.
-void DrivenMotion::require_agreement(const ClosedConfiguration& at) const {
+void require_agreement(const DrivenModel& model,
+                       const ClosedConfiguration& at) {
   constexpr double kAgrees = 1e-6;
-  for (const InitialJointState& initial : definition_.initial_joints) {
+  for (const InitialJointState& initial : model.definition.initial_joints) {
     if (!initial.position) continue;
     DriveDefinition drive;
     drive.joint = initial.joint;
-    const ConstraintSystem probe(frame_, {drive}, system_.motions(),
+    const ConstraintSystem probe(model.frame, {drive}, model.system.motions(),
                                  ConstraintSystem::Drives::kAll);
     const VectorXd position = VectorXd::Constant(1, *initial.position);
     const double violation =
         std::abs(probe.residual(probe.place(at.x), position).tail(1)[0]);
-    if (violation > kAgrees * frame_.length) {
-      refuse_initial(definition_, initial.place, "position", violation);
+    if (violation > kAgrees * model.frame.length) {
+      refuse_initial(model.definition, initial.place, "position", violation);
     }
   }
   if (!at.factor.full_column_rank()) return;
   const WantedRates wanted =
-      wanted_rates(definition_, frame_, system_.motions(), at.x);
-  const auto drives = static_cast<Index>(definition_.drives.size());
-  VectorXd rate = VectorXd::Zero(system_.rows());
+      wanted_rates(model.definition, model.frame, model.system.motions(), at.x);
+  const auto drives = static_cast<Index>(model.definition.drives.size());
+  VectorXd rate = VectorXd::Zero(model.system.rows());
   rate.tail(drives) = wanted.rates.head(drives);
   const VectorXd v = at.factor.solve(rate);
   const double size = std::max(v.lpNorm<Eigen::Infinity>(),
@@ -70,89 +69,78 @@ void DrivenMotion::require_agreement(const ClosedConfiguration& at) const {
                               wanted.rates.segment(row, rows))
                                  .lpNorm<Eigen::Infinity>();
     if (violation > kAgrees * size)
-      refuse_initial(definition_, place, "velocity", violation);
+      refuse_initial(model.definition, place, "velocity", violation);
     row += rows;
   };
-  for (const InitialJointState& initial : definition_.initial_joints) {
+  for (const InitialJointState& initial : model.definition.initial_joints) {
     if (initial.rate) compare(initial.place, 1);
   }
-  const auto bodies = static_cast<Index>(definition_.bodies.size());
-  for (const InitialBodyState& initial : definition_.initial_bodies) {
-    compare(initial.place, system_.columns() / bodies);
+  const auto bodies = static_cast<Index>(model.definition.bodies.size());
+  for (const InitialBodyState& initial : model.definition.initial_bodies) {
+    compare(initial.place, model.system.columns() / bodies);
   }
 }
 
-ClosedConfiguration DrivenMotion::start() const {
-  require_driven(definition_,
-                 mobility(frame_, system_,
-                          closed_joints(definition_, frame_, tolerance_)));
-  const VectorXd targets = drive_positions(definition_, 0.0);
-  const Assembled assembled = assemble(system_, frame_.placement, targets,
-                                       tolerance_, frame_.rank_threshold());
+/// @throws Error K001, K003, K007.
+ClosedConfiguration assembled_start(const DrivenModel& model) {
+  require_driven(
+      model.definition,
+      mobility(model.frame, model.system,
+               closed_joints(model.definition, model.frame, model.tolerance)));
+  const VectorXd targets = drive_positions(model.definition, 0.0);
+  const Assembled assembled =
+      assemble(model.system, model.frame.placement, targets, model.tolerance,
+               model.frame.rank_threshold());
   if (!assembled.closed) {
-    refuse_open(
-        open_joints(definition_, system_, assembled.residual, tolerance_),
-        "all joints with the drives at their start");
+    refuse_open(open_joints(model.definition, model.system, assembled.residual,
+                            model.tolerance),
+                "all joints with the drives at their start");
   }
-  ClosedConfiguration closed = continuation_.close(assembled.x, targets);
-  require_agreement(closed);
+  ClosedConfiguration closed = model.continuation.close(assembled.x, targets);
+  require_agreement(model, closed);
   return closed;
 }
 
-/// The first instant, and the first regular moment.
-/// @throws Error K005 if that is none and must not be, K007, K010.
-DrivenMotion::Moment DrivenMotion::first(const SimulationSettings& settings,
-                                         Motion& motion) const {
-  ClosedConfiguration at = start();
-  if (at.factor.full_column_rank()) {
-    motion.instants.push_back(instant(at, 0.0));
-    return {std::move(at), 0.0};
-  }
-  if (settings.at_singularity != AtSingularity::kContinue) {
-    refuse_change_point(at, 0.0);
-  }
+/// The rates that single out the branch at a singular start: those of drives
+/// and [[initial]], or the way of drives that start from rest.
+/// @throws Error K005, K007.
+WantedRates rates_on_branch(const DrivenModel& model,
+                            const ClosedConfiguration& at, double duration) {
   WantedRates wanted =
-      wanted_rates(definition_, frame_, system_.motions(), at.x);
-  const auto drives = static_cast<Index>(definition_.drives.size());
-  if (wanted.rates.head(drives).isZero(0.0)) {
-    if (!wanted.at_rest()) {
-      refuse_rates(definition_, wanted.rates.lpNorm<Eigen::Infinity>());
-    }
-    // a drive that starts from rest: the way that it goes
-    VectorXd way = VectorXd::Zero(drives);
-    for (int k = 40; k >= 0 && way.isZero(1e-9 * frame_.length); --k) {
-      const double t = std::ldexp(settings.duration, -k);
-      way = drive_rows(drive_positions(definition_, t) - at.targets);
-    }
-    if (way.isZero(0.0)) refuse_change_point(at, 0.0);
-    wanted.rows = MatrixXd(wanted.rows.topRows(drives));
-    wanted.rates = way;
+      wanted_rates(model.definition, model.frame, model.system.motions(), at.x);
+  const auto drives = static_cast<Index>(model.definition.drives.size());
+  if (!wanted.rates.head(drives).isZero(0.0)) return wanted;
+  if (!wanted.at_rest()) {
+    refuse_rates(model.definition, wanted.rates.lpNorm<Eigen::Infinity>());
   }
-  const SingularStart start = singular_start(definition_, frame_, joints_, at.x,
-                                             wanted, static_cast<int>(drives));
-  auto there = on_branch(start.point.x, start.velocities, 0.0);
-  if (!there) refuse_change_point(at, 0.0);
-  motion.change_points.push_back({0.0, 0.0, 0.0, *there});
-  motion.instants.push_back(std::move(*there));
-  return leave(start, settings.duration);
+  // a drive that starts from rest: the way that it goes
+  VectorXd way = VectorXd::Zero(drives);
+  for (int k = 40; k >= 0 && way.isZero(1e-9 * model.frame.length); --k) {
+    const double t = std::ldexp(duration, -k);
+    way = model.drive_rows(drive_positions(model.definition, t) - at.targets);
+  }
+  if (way.isZero(0.0)) model.refuse_change_point(at, 0.0);
+  wanted.rows = MatrixXd(wanted.rows.topRows(drives));
+  wanted.rates = way;
+  return wanted;
 }
 
 /// A regular moment on the branch, a little after the start.
-DrivenMotion::Moment DrivenMotion::leave(const SingularStart& start,
-                                         double duration) const {
+DrivenMoment leave(const DrivenModel& model, const SingularStart& start,
+                   double duration) {
   constexpr double kAway = 2e-3, kAside = 0.1;  // of the length, of the way
   const BranchPoint& point = start.point;
-  const VectorXd from = drive_positions(definition_, 0.0);
+  const VectorXd from = drive_positions(model.definition, 0.0);
   const Index drives = from.size();
   const MatrixXd rows =
-      system_.jacobian(system_.place(point.x)).bottomRows(drives);
+      model.system.jacobian(model.system.place(point.x)).bottomRows(drives);
   const Eigen::ColPivHouseholderQR<MatrixXd> solver(rows * point.tangents);
   const auto way = [&](double t) {
-    return VectorXd(
-        point.tangents *
-        solver.solve(drive_rows(drive_positions(definition_, t) - from)));
+    return VectorXd(point.tangents *
+                    solver.solve(model.drive_rows(
+                        drive_positions(model.definition, t) - from)));
   };
-  const double wanted = kAway * frame_.length;
+  const double wanted = kAway * model.frame.length;
   double near = 0.0, far = duration;
   for (int k = 40; k >= 0; --k) {
     far = std::ldexp(duration, -k);
@@ -165,17 +153,40 @@ DrivenMotion::Moment DrivenMotion::leave(const SingularStart& start,
   }
   const VectorXd step = way(far);
   Configuration x = point.x;
-  system_.move(x, step);
-  const VectorXd targets = drive_positions(definition_, far);
-  const Assembled assembled =
-      assemble(system_, x, targets, tolerance_, frame_.rank_threshold());
-  const double size = system_.distance(point.x, x);
-  ClosedConfiguration closed = continuation_.close(assembled.x, targets);
+  model.system.move(x, step);
+  const VectorXd targets = drive_positions(model.definition, far);
+  const Assembled assembled = assemble(
+      model.system, x, targets, model.tolerance, model.frame.rank_threshold());
+  const double size = model.system.distance(point.x, x);
+  ClosedConfiguration closed = model.continuation.close(assembled.x, targets);
   if (!assembled.closed || !closed.factor.full_column_rank() ||
-      system_.distance(x, assembled.x) > kAside * size) {
-    refuse_change_point(closed, 0.0);
+      model.system.distance(x, assembled.x) > kAside * size) {
+    model.refuse_change_point(closed, 0.0);
   }
   return {std::move(closed), far};
+}
+
+}  // namespace
+
+DrivenMoment start_driven(const DrivenModel& model, DrivenInstants& instants,
+                          const SimulationSettings& settings, Motion& motion) {
+  ClosedConfiguration at = assembled_start(model);
+  if (at.factor.full_column_rank()) {
+    motion.instants.push_back(instants.regular(at, 0.0));
+    return {std::move(at), 0.0};
+  }
+  if (settings.at_singularity != AtSingularity::kContinue) {
+    model.refuse_change_point(at, 0.0);
+  }
+  const WantedRates wanted = rates_on_branch(model, at, settings.duration);
+  const auto drives = static_cast<int>(model.definition.drives.size());
+  const SingularStart start = singular_start(
+      model.definition, model.frame, model.joints, at.x, wanted, drives);
+  auto there = instants.singular(start.point.x, start.velocities, 0.0);
+  if (!there) model.refuse_change_point(at, 0.0);
+  motion.change_points.push_back({0.0, 0.0, 0.0, *there});
+  motion.instants.push_back(std::move(*there));
+  return leave(model, start, settings.duration);
 }
 
 }  // namespace clevis::mechanism

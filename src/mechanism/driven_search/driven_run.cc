@@ -3,24 +3,24 @@
 #include <utility>
 #include <vector>
 
+#include "mechanism/driven_motion/driven_motion.h"
 #include "mechanism/driven_search/driven_search.h"
 #include "mechanism/sampling/driven_sampling.h"
 
 namespace clevis::mechanism {
 
 Motion run_driven(const MechanismDefinition& definition,
-                  const SimulationSettings& settings,
-                  const DrivenMotion& driven) {
-  if (!settings.at_peaks)
-    return driven.run_at(uniform_times(settings), settings);
-  const std::vector<double> start = driven.line_angles();
+                  const SimulationSettings& settings) {
+  DrivenMotion driven(definition, settings);
+  if (!settings.at_peaks) return driven.run_at(uniform_times(settings));
+  DrivenInstants& instants = driven.instants();
+  const std::vector<double> start = instants.line_angles();
   DrivenSearch::Found found = DrivenSearch(definition, settings, driven).run();
-  driven.set_line_angles(start, 0.0);
+  instants.set_line_angles(start, 0.0);
   // Turns are counted along the way.
-  Motion motion =
-      found.positions.empty() || driven.forces().counts_turns()
-          ? driven.run_at(found.times, settings)
-          : driven.run_through(found.times, found.positions, settings);
+  Motion motion = found.positions.empty() || instants.forces().counts_turns()
+                      ? driven.run_at(found.times)
+                      : driven.run_through(found.times, found.positions);
   motion.events = std::move(found.events);
   motion.search = std::move(found.search);
   return motion;

@@ -23,7 +23,7 @@ constexpr int kLeastLooks = 33;
 
 DrivenSearch::DrivenSearch(const MechanismDefinition& definition,
                            const SimulationSettings& settings,
-                           const DrivenMotion& motion)
+                           DrivenMotion& motion)
     : definition_(definition),
       settings_(settings),
       most_looks_(kMostLooks + static_cast<std::size_t>(settings.instants)),

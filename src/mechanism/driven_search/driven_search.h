@@ -17,7 +17,7 @@ namespace clevis::mechanism {
 class DrivenSearch {
  public:
   DrivenSearch(const MechanismDefinition& definition,
-               const SimulationSettings& settings, const DrivenMotion& motion);
+               const SimulationSettings& settings, DrivenMotion& motion);
 
   struct Found {
     std::vector<double> times;  ///< of instants, the uniform ones among them

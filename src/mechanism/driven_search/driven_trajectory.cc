@@ -25,34 +25,39 @@ double fastest(const Instant& instant) {
 
 DrivenTrajectory::DrivenTrajectory(const MechanismDefinition& definition,
                                    const SimulationSettings& settings,
-                                   const DrivenMotion& motion)
+                                   DrivenMotion& motion)
     : definition_(definition),
       settings_(settings),
       motion_(motion),
-      loads_(definition, motion.length()),
-      guards_(motion.forces()) {}
+      loads_(definition, motion.model().frame.length),
+      guards_(motion.instants().forces()) {}
 
-DrivenTrajectory::Look DrivenTrajectory::look_at(const Moment& moment) {
-  const Instant instant = motion_.instant(moment.at, moment.t);
+DrivenTrajectory::Look DrivenTrajectory::look_at(const DrivenMoment& moment) {
+  DrivenInstants& instants = motion_.instants();
+  const Instant instant = instants.regular(moment.at, moment.t);
   ++count_;
   Look look;
   look.t = moment.t;
   look.x = moment.at.x;
   look.loads = loads_.of(instant);
   look.turning = fastest(instant);
-  const ForceModel& forces = motion_.forces();
+  const ForceModel& forces = instants.forces();
   look.guards = guards_.values(forces, moment.t);
   look.rates = guards_.rates(forces);
-  look.lines = motion_.line_angles();
+  look.lines = instants.line_angles();
   return look;
 }
 
-const DrivenTrajectory::Moment& DrivenTrajectory::moment_of(At look) {
-  motion_.set_line_angles(look->lines, look->t);
+const DrivenMoment& DrivenTrajectory::moment_of(At look) {
+  motion_.instants().set_line_angles(look->lines, look->t);
   if (!moment_ || moment_->t != look->t) {
-    moment_.emplace(motion_.moment(look->x, look->t));
+    moment_.emplace(motion_.model().moment(look->x, look->t));
   }
   return *moment_;
+}
+
+DrivenMoment DrivenTrajectory::follow(At left, double t) {
+  return {motion_.model().follow(moment_of(left), t), t};
 }
 
 /// More looks between one and the next while a body turns far.
@@ -70,17 +75,17 @@ void DrivenTrajectory::turn_often(At left, std::size_t most) {
 bool DrivenTrajectory::walk(const std::vector<double>& times,
                             std::size_t most) {
   Motion passed;
-  Moment last = motion_.first(settings_, passed);
+  DrivenMoment last = motion_.start(passed);
   looks_.push_back(look_at(last));
   std::optional<double> singular;
   bool enough = true;
   for (const double t : times) {
     if (t <= last.t) continue;
-    motion_.advance(last, singular, t, settings_.at_singularity, passed);
+    motion_.advance(last, singular, t, passed);
     if (last.t != t) continue;  // J has no full rank there
     looks_.push_back(look_at(last));
     turn_often(std::prev(looks_.end(), 2), most);
-    motion_.set_line_angles(looks_.back().lines, t);
+    motion_.instants().set_line_angles(looks_.back().lines, t);
     enough = looks_.size() < most;
   }
   change_points_ = std::move(passed.change_points);
@@ -88,22 +93,19 @@ bool DrivenTrajectory::walk(const std::vector<double>& times,
 }
 
 std::optional<DrivenTrajectory::At> DrivenTrajectory::look(At left, double t) {
-  const Moment& from = moment_of(left);
-  const Moment there(motion_.follow(from, t), t);
+  const DrivenMoment there = follow(left, t);
   if (!there.at.factor.full_column_rank()) return std::nullopt;
   return looks_.insert(std::next(left), look_at(there));
 }
 
 VectorXd DrivenTrajectory::guards_between(At left, double t) {
-  const Moment& from = moment_of(left);
-  motion_.sense(Moment(motion_.follow(from, t), t));
   ++count_;
-  return guards_.values(motion_.forces(), t);
+  return guards_.values(motion_.instants().sense(follow(left, t)), t);
 }
 
 std::vector<int> DrivenTrajectory::modes_between(At left, double t) {
   guards_between(left, t);
-  return motion_.chosen_modes();
+  return motion_.instants().choose_modes();
 }
 
 }  // namespace clevis::mechanism

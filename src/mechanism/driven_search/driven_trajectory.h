@@ -34,8 +34,7 @@ class DrivenTrajectory {
   using At = Looks::iterator;
 
   DrivenTrajectory(const MechanismDefinition& definition,
-                   const SimulationSettings& settings,
-                   const DrivenMotion& motion);
+                   const SimulationSettings& settings, DrivenMotion& motion);
 
   /// Looks at increasing times, the first at 0, and between them as often as
   /// bodies turn far.
@@ -47,7 +46,7 @@ class DrivenTrajectory {
   /// Guards at such a time, without a look.
   Eigen::VectorXd guards_between(At left, double t);
   /// The forces as of the last look or guards_between().
-  const ForceModel& forces() const { return motion_.forces(); }
+  const ForceModel& forces() const { return motion_.instants().forces(); }
   /// Modes of the elements at such a time.
   std::vector<int> modes_between(At left, double t);
 
@@ -62,19 +61,19 @@ class DrivenTrajectory {
   }
 
  private:
-  using Moment = DrivenMotion::Moment;
-  Look look_at(const Moment& moment);
-  const Moment& moment_of(At look);
+  Look look_at(const DrivenMoment& moment);
+  const DrivenMoment& moment_of(At look);
+  DrivenMoment follow(At left, double t);
   void turn_often(At left, std::size_t most);
 
   const MechanismDefinition& definition_;
   const SimulationSettings& settings_;
-  const DrivenMotion& motion_;
+  DrivenMotion& motion_;
   BodyLoads loads_;
   DrivenGuards guards_;
   Looks looks_;
   std::vector<ChangePoint> change_points_;
-  std::optional<Moment> moment_;  ///< of the look that was last asked for
+  std::optional<DrivenMoment> moment_;  ///< of the look that was last asked for
   long count_ = 0;
 };
 

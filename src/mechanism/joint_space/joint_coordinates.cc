@@ -49,6 +49,7 @@ bool JointCoordinates::add(const TreeLink& given, bool is_driven) {
   for (std::size_t k = 0; k < links_.size(); ++k) {
     if (static_cast<int>(links_[k].slot) == given.parent + 1) {
       link.parent = static_cast<int>(k);
+      link.parent_slot = links_[k].slot;
     }
   }
   models_.push_back(model(link));
@@ -116,6 +117,24 @@ void JointCoordinates::list_open() {
   for (Index i = 0; i < velocities_; ++i) {
     if (std::ranges::find(driven_, i, &Driven::u) == driven_.end()) {
       open_u_.push_back(i);
+    }
+  }
+}
+
+void JointCoordinates::place(const double* q, const double* u,
+                             const double* u_rate, Configuration& x,
+                             std::vector<Twist>& twists) {
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    const Link& link = links_[k];
+    place_link(link, models_[k], {q + link.q, u + link.u, u_rate + link.u}, x,
+               twists, motions_[k]);
+    if (frame_->planar) {
+      x[link.slot].p.z() = frame_->placement[link.slot].p.z();
+    }
+    const int turn = turn_coordinate(link.kind);
+    if (link.joint >= 0 && turn >= 0) {
+      const double angle = q[link.q + turn];
+      x.angles[static_cast<std::size_t>(link.joint)] = link.sense() * angle;
     }
   }
 }

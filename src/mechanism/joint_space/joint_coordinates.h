@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "mechanism/constraints/solving_frame.h"
+#include "mechanism/joint_space/joint_placement.h"
 #include "mechanism/joints/joint_motion.h"
 #include "mechanism/mass_matrix/tree_mass.h"
 
@@ -16,38 +17,13 @@ namespace clevis::mechanism {
 /// of quaternions [1]; velocities in [m/s] and [rad/s].
 class JointCoordinates {
  public:
-  struct Link {
-    std::size_t slot{};
-    int parent = -1;  ///< link, or ground
-    int joint = -1;   ///< or free
-    JointMotionKind kind{};
-    bool is_b = true;       ///< of the joint, as it stands here
-    bool reversed = false;  ///< a and b are exchanged here
-    double sense() const { return reversed ? -1.0 : 1.0; }
-    Eigen::Index q{}, u{};  ///< of its first coordinate and velocity
-    int count{};            ///< of velocities
-    int open{};             ///< of them, not driven
-    /// The open velocities among its own, then the driven ones.
-    std::array<int, 6> order{0, 1, 2, 3, 4, 5};
-  };
+  using Link = JointLink;
+  using Motion = LinkMotion;
   /// A coordinate that a drive prescribes, of all coordinates and velocities.
   struct Driven {
     std::size_t drive{}, link{};
     Eigen::Index q{}, u{};
   };
-  /// Effect of velocities u of its joint on a body, at its centre of mass: with
-  /// `shift` from the parent's, and for accelerations a and turning α of the
-  /// parent,
-  ///
-  ///     a_body = a + α × shift + Σ S_j u̇_j + bias
-  ///
-  /// over the open ones; what drives do stands in the bias.
-  struct Motion {
-    std::array<Twist, 6> S;  ///< in Link::order
-    Twist bias;
-    Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-  };
-
   /// @param frame  referred to centres of mass; outlives the result.
   /// @return nothing unless the mechanism is a tree whose joints all have
   ///   coordinates, which drives prescribe.
@@ -87,22 +63,7 @@ class JointCoordinates {
   bool add(const TreeLink& link, bool is_driven);
   bool drive(std::size_t k, const DriveDefinition& drive);
   void list_open();
-  std::size_t parent_slot(const Link& link) const {
-    return link.parent < 0 ? 0
-                           : links_[static_cast<std::size_t>(link.parent)].slot;
-  }
   JointModel model(const Link& link) const;
-  struct Joint {
-    Eigen::Matrix3d axes_a;
-    Eigen::Vector3d from_a, from_b;  ///< to J on b from the centres of mass
-  };
-  Joint place_body(std::size_t k, const JointMotion& relative,
-                   Configuration& x);
-  Twist put_directions(std::size_t k, const Joint& joint,
-                       const JointMotion& relative, const double* u,
-                       const double* u_rate, Twist& driven);
-  void put_velocities(std::size_t k, const Joint& joint, const Twist& rate,
-                      const Twist& driven, std::vector<Twist>& twists);
 
   const SolvingFrame* frame_;
   Eigen::Index coordinates_{}, velocities_{};

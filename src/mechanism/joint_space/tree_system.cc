@@ -44,10 +44,10 @@ TreeSystem::TreeSystem(const MechanismDefinition& definition,
       turned_(coordinates.links().size()),
       start_y_(VectorXd::Zero(dynamics.size())),
       internal_(VectorXd::Zero(equations_.forces().internal_states())) {
-  for (std::vector<double>* q : {&q_, &q_rate_, &q_size_, &q_start_}) {
+  for (std::vector<double>* q : {&q_, &q_rate_, &q_start_}) {
     q->resize(index(coordinates.coordinates()));
   }
-  for (std::vector<double>* u : {&u_, &u_rate_, &response_, &u_size_}) {
+  for (std::vector<double>* u : {&u_, &u_rate_, &response_}) {
     u->resize(index(coordinates.velocities()));
   }
   for (std::size_t k = 0; k < definition.elements.size(); ++k) {
@@ -139,7 +139,7 @@ void TreeSystem::start(double t, const VectorXd& y, VectorXd& z) {
                   z.data() + internal_index());
   count_turns();
   place(t, z);
-  set_scales();
+  sizes_ = tree_scales(coordinates_, x_, equations_.layout().length());
 }
 
 /// Elements say how many turns they are apart from their coordinates.
@@ -184,6 +184,49 @@ void TreeSystem::expand(double t, const VectorXd& z, VectorXd& y) {
   y.tail(y.size() - equations_.layout().internal_index()) =
       z.tail(z.size() - internal_index());
   if (!equations_.layout().is_planar()) equations_.turns().anchor(t, x_);
+}
+
+void TreeSystem::scales(const VectorXd& z, VectorXd& scales) const {
+  put_open(sizes_.q, sizes_.u, scales);
+  scales.segment(velocity_index(), open_velocities()) *=
+      scales_.speed_scale() / equations_.layout().length();
+  loads_.forces().internal_scales(z.data() + internal_index(),
+                                  scales.data() + internal_index());
+  scales[work_index()] = 0.0;
+}
+
+void TreeSystem::error_weights(const VectorXd& z, VectorXd& weights) const {
+  scales(z, weights);
+  weights.head(work_index()) =
+      (scales_.tolerance() * weights.head(work_index())).cwiseInverse();
+}
+
+Index TreeSystem::tangents(double t, const VectorXd& z, Eigen::MatrixXd& T) {
+  place(t, z);
+  T.setZero();
+  const double rate = scales_.speed_scale() / equations_.layout().length();
+  const Index n = open_velocities();
+  for (Index i = 0; i < n; ++i) {
+    const auto u = index(coordinates_.open_velocities()[index(i)]);
+    std::ranges::fill(response_, 0.0);
+    response_[u] = sizes_.u[u];
+    coordinates_.rates(q_.data(), response_.data(), q_rate_.data());
+    Index at = 0;
+    for (const Index q : coordinates_.open_coordinates()) {
+      T(at++, i) = q_rate_[index(q)];
+    }
+    T(velocity_index() + i, n + i) = rate * sizes_.u[u];
+  }
+  Index used = 2 * n;
+  loads_.forces().internal_scales(z.data() + internal_index(),
+                                  internal_.data());
+  for (Index i = 0; i < internal_.size(); ++i) {
+    if (internal_[i] == 0.0) continue;
+    const Index at = internal_index() + i;
+    T(at, used++) = std::max(internal_[i], std::abs(z[at]));
+  }
+  std::ranges::fill(response_, 0.0);  // driven ones stay so
+  return used;
 }
 
 }  // namespace clevis::mechanism

@@ -7,6 +7,7 @@
 #include "mechanism/equations_of_motion/forward_dynamics.h"
 #include "mechanism/joint_space/articulated_bodies.h"
 #include "mechanism/joint_space/joint_coordinates.h"
+#include "mechanism/joint_space/tree_scales.h"
 #include "numerics/integrators/ode_system.h"
 
 namespace clevis::mechanism {
@@ -69,8 +70,6 @@ class TreeSystem : public numerics::OdeSystem {
   void put_open(const std::vector<double>& q, const std::vector<double>& u,
                 Eigen::Ref<Eigen::VectorXd> z) const;
   void count_turns();
-  double reach(std::size_t link) const;
-  void set_scales();
 
   EquationsOfMotion& equations_;
   const StateScales& scales_;
@@ -80,8 +79,9 @@ class TreeSystem : public numerics::OdeSystem {
   Configuration x_;
   std::vector<Twist> twists_, levers_;
   /// Of all joints, by coordinate and by velocity.
-  std::vector<double> q_, u_, q_rate_, u_rate_, response_, q_size_, u_size_;
+  std::vector<double> q_, u_, q_rate_, u_rate_, response_;
   std::vector<double> q_start_;
+  TreeScales sizes_;  ///< as of start()
   /// Elements on angles, which count the turns of their coordinates.
   struct Counted {
     std::size_t element{};

@@ -155,5 +155,33 @@ TEST(RankLossDetector, LossesAtOnceAreOne) {
   }
 }
 
+// A vector that errors had cross three times has one zero, in the middle.
+TEST(NearSingularInterval, MiddleOfSeveralCrossings) {
+  NearSingularInterval interval(2);
+  interval.enter();
+  EXPECT_TRUE(interval.is_open());
+  for (const double zero : {1.0, 1.5, 1.6}) interval.note(1, zero);
+  EXPECT_EQ(interval.middle_zero(1), 1.5);
+  EXPECT_FALSE(interval.middle_zero(0));
+  EXPECT_EQ(interval.sign(1), -1.0);
+  EXPECT_EQ(interval.sign(0), 1.0);
+}
+
+// Steps may end in the interval: it goes on with its signs and zeros. The next
+// one begins with none.
+TEST(NearSingularInterval, GoesOnUntilItIsLeft) {
+  NearSingularInterval interval(1);
+  interval.enter();
+  interval.note(0, 2.0);
+  interval.enter();
+  EXPECT_EQ(interval.sign(0), -1.0);
+  EXPECT_EQ(interval.zeros().size(), 1u);
+  interval.leave();
+  EXPECT_FALSE(interval.is_open());
+  interval.enter();
+  EXPECT_EQ(interval.sign(0), 1.0);
+  EXPECT_TRUE(interval.zeros().empty());
+}
+
 }  // namespace
 }  // namespace clevis::mechanism
