@@ -16,13 +16,12 @@ DISPLACEMENT, STRESS = 1e-9, 1e-8
 MODELS = ("plane-stress", "3d")
 
 ROWS = [  # scene, part, model
-    ("landing_gear/scene", "AB", "plane-stress"),
     ("landing_gear/scene", "AB", "3d"),
-    ("landing_gear/loaded", "FE1", "3d"),
-    ("lame_ring/scene", None, "3d"),
+    ("lame_ring/scene", None, "plane-stress"),
     ("cook/scene", None, "plane-stress"),
-    ("nafems_le1/scene", "membrane", "plane-stress"),
-    ("stepped_shaft/bending", None, "3d"),
+    ("nafems_le1/scene", None, "plane-stress"),
+    ("reference_link/scene", None, "plane-stress"),
+    ("reference_link/scene", None, "3d"),
 ]
 
 
@@ -30,9 +29,15 @@ def relative(a, b):
     return abs(a - b) / max(abs(a), abs(b), 1e-300)
 
 
+def judged(part):
+    """Away from singular zones that govern: within one the peak has no value, and
+    cells graded towards it turn the last bits of displacements into stress."""
+    return part.get("peak_outside_singular_zones") or part["peak_von_mises"]
+
+
 def differences(own, other):
-    """Of two parts' results: displacement, energy, peak, band."""
-    peaks = own["peak_von_mises"], other["peak_von_mises"]
+    """Of two parts' results: displacement, energy, judged peak and its band."""
+    peaks = judged(own), judged(other)
     return (relative(own["deflection_mm"], other["deflection_mm"]),
             relative(own["strain_energy_mJ"], other["strain_energy_mJ"]),
             relative(*(peak["value_MPa"] for peak in peaks)),

@@ -12,8 +12,8 @@
 #include "assessment/ladder/probe_band.h"
 #include "base/errors.h"
 #include "stress/field/deflection.h"
-#include "stress/peaks/energy_error.h"
 #include "stress/field/finite_motion.h"
+#include "stress/peaks/energy_error.h"
 
 namespace clevis::assessment {
 namespace {

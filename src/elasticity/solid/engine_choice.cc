@@ -7,9 +7,10 @@
 namespace clevis::elasticity {
 
 double dealii_seconds(double dofs, double classes, double columns) {
-  // Of one core of 2020, `clevis study` of links and the reference link.
-  constexpr double kSecondsOfSetup = 100e-6;   // per degree of freedom
-  constexpr double kSecondsPerColumn = 20e-6;  // and degree of freedom
+  // Processor seconds of tests/regression/engines.py: link AB with 116 columns,
+  // the reference link with one, degrees 1 to 3.
+  constexpr double kSecondsOfSetup = 14e-6;     // per degree of freedom
+  constexpr double kSecondsPerColumn = 8.5e-6;  // and degree of freedom
   return dofs * (classes * kSecondsOfSetup + columns * kSecondsPerColumn);
 }
 

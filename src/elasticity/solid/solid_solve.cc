@@ -14,6 +14,7 @@
 #include "elasticity/direct/memory_forecast.h"
 #include "elasticity/mirror_symmetry/folding.h"
 #include "elasticity/mirror_symmetry/parity_classes.h"
+#include "elasticity/multigrid/block_cg.h"
 #include "elasticity/multigrid/large_part.h"
 #include "elasticity/multigrid/multigrid_solver.h"
 #include "elasticity/nodal_loads/load_basis.h"
@@ -63,6 +64,11 @@ bool own_fits(const Folding<dim>& folding, double columns, bool by_multigrid) {
   return holds(classes * folding.factor_bytes(), usable_memory());
 }
 
+/// Columns that the own multigrid works on, filled up to its lanes.
+double whole_blocks(double columns) {
+  return kBlockColumns * std::ceil(columns / kBlockColumns);
+}
+
 template <int dim>
 EngineChoice engine_for(const ElasticProblem<dim>& problem,
                         const Folding<dim>& folding, double columns) {
@@ -72,7 +78,7 @@ EngineChoice engine_for(const ElasticProblem<dim>& problem,
   EngineForecast forecast;
   forecast.own =
       by_multigrid
-          ? multigrid_seconds(dofs, classes * columns)
+          ? multigrid_seconds(dofs, classes * whole_blocks(columns))
           : factor_seconds(classes * (folding.factor_flops() +
                                       columns * folding.factor_bytes() / 2.0));
   forecast.dealii = dealii_seconds(dofs, classes, classes * columns);
