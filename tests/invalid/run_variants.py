@@ -59,7 +59,7 @@ TABLES = [
     ("part.AB.parameters.thickness [kg]\n5\n", 10, "S004", "2:1", "mm"),
     ("part.AB.parameters.thickness\n5\n", 10, "S004", "2:1", "has no unit"),
     ("part.AB.parameters.thick [mm]\n5\n", 10, "S007", "2:1", "thickness"),
-    ("part.AB.material,part.\"AB\".material\nsteel_45,steel_45\n", 10, "S010",
+    ('part.AB.material,"part.""AB"".material"\nsteel_45,steel_45\n', 10, "S010",
      "2:10", "2:1"),
     ("part AB\n5\n", 10, "S007", "1:1", "no path"),
 ]

@@ -40,7 +40,7 @@ limits = { safety_factor = 1.5 }
 
 [[part.case]]
 name = "pull"
-pins = { bore_A = ["-5000 N", "0 N", "0 N"], bore_B = ["5000 N", "0 N", "0 N"] }
+pins = { bore_A = ["-2500 N", "0 N", "0 N"], bore_B = ["2500 N", "0 N", "0 N"] }
 """
 SIZE = "part.AB.parameters.thickness"
 TABLE = f'''variant,{SIZE} [mm],"part.AB.case[0].name"
@@ -131,8 +131,9 @@ def check_results(study):
     run, rows = study.collected()
     peak = {name: float(row["peak_MPa"]) for name, row in rows.items()}
     mass = {name: float(row["mass_kg"]) for name, row in rows.items()}
-    study.expect(abs(peak["thin"] / peak["thick"] - 4) < 0.04
-                 and abs(peak["middle"] / peak["thick"] - 2) < 0.02,
+    # Peaks are known to the tolerance of 5 %.
+    study.expect(abs(peak["thin"] / peak["thick"] - 4) < 0.2
+                 and abs(peak["middle"] / peak["thick"] - 2) < 0.1,
                  "the peak goes as 1 / thickness", peak)
     study.expect(abs(mass["thin"] / mass["thick"] - 0.25) < 1e-6,
                  "the mass goes as the thickness", mass)
@@ -289,6 +290,7 @@ def recipe(root, heading, language):
 
 
 def check_recipes(study, root):
+    study.collected()
     reference = content(study.folder / "study")
     ways = [("A loop", None, recipe(root, "A loop", "sh"))]
     ways.append(("GNU parallel", "parallel",

@@ -37,7 +37,8 @@ bool is_finished(const ordered_json& result,
 }  // namespace
 
 std::optional<ExitCode> finished_check(const Options& options) {
-  const std::filesystem::path file = output_folder(options) / "result.json";
+  const std::filesystem::path folder = output_folder(options);
+  const std::filesystem::path file = folder / "result.json";
   std::error_code failure;
   if (!std::filesystem::is_regular_file(file, failure)) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
@@ -53,6 +54,7 @@ std::optional<ExitCode> finished_check(const Options& options) {
   }
   const auto code = code_of(verdict);
   if (!code) return std::nullopt;
+  std::filesystem::remove(folder / "error.json", failure);  // of other inputs
   std::cout << (options.json ? text
                              : fmt::format("finished before: {} ({})\n",
                                            verdict, file.string()));

@@ -92,8 +92,8 @@ PartOfGeometry read_part(StrictTable& table, const Names& names,
     if (!geometry || mesh) {
       throw parameters->refusal(
           "S010",
-          mesh ? "stands beside `mesh`, which is one mesh for all of them"
-               : "are those of a .geo, but the part has no `geometry`",
+          geometry ? "stands beside `mesh`, which is one mesh for all of them"
+                   : "are those of a .geo, but the part has no `geometry`",
           "Give `geometry` alone: each set of parameters has its own mesh.");
     }
     result.parameters = read_parameters(*parameters, part.length_unit);
