@@ -16,6 +16,8 @@
 #include "app/commands/plugin_commands.h"
 #include "app/commands/simulate_command.h"
 #include "app/commands/transmission_command.h"
+#include "app/pictures/glb_command.h"
+#include "app/pictures/report_command.h"
 #include "app/request/options.h"
 #include "app/start/completion.h"
 #include "app/start/doctor_command.h"
@@ -53,6 +55,7 @@ struct Parsed {
   Options options;
   PlanOptions plan;
   CompareOptions compare;
+  ReportOptions report;
   InitOptions init;
   std::string shell;               ///< of `completion`
   std::filesystem::path variants;  ///< folder that `collect` reads
@@ -122,11 +125,17 @@ void add_output(CLI::App& command, Parsed& parsed) {
                    "print one JSON document instead of tables");
 }
 
+void add_report_flag(CLI::App& command, Parsed& parsed) {
+  command.add_flag("--report", parsed.options.report,
+                   "write report.html, the result to look at in a browser");
+}
+
 void add_simulate(CLI::App& app, Parsed& parsed) {
   CLI::App* command = app.add_subcommand(
       "simulate", "the mechanism alone: structure, motion, reactions");
   add_scene(*command, parsed);
   add_output(*command, parsed);
+  add_report_flag(*command, parsed);
   command->callback([&parsed] {
     parsed.run = [&parsed] {
       return simulate_command(parsed.options);
@@ -205,6 +214,7 @@ void add_check(CLI::App& app, Parsed& parsed) {
                    "of the peak stress, e.g. 1%; replaces the scene's")
       ->type_name("RATIO");
   add_output(*command, parsed);
+  add_report_flag(*command, parsed);
   add_jobs(*command, parsed.options.jobs, "parts in parallel [one per core]");
   add_model(*command, parsed.options.model);
   command->add_flag("--mesh", parsed.options.mesh,
@@ -297,15 +307,22 @@ void add_modes(CLI::App& app, Parsed& parsed) {
 
 void add_export(CLI::App& app, Parsed& parsed) {
   CLI::App* command = app.add_subcommand(
-      "export", "the parts as CalculiX decks, one step per instant");
+      "export", "the parts as CalculiX decks, or a result as glTF");
+  command->footer(
+      "Without --glb a deck per part, one step per instant. With --glb the "
+      "moving,\ncoloured parts of a check that has run as mechanism.glb; SCENE "
+      "may be the\nfolder of its result.");
   add_scene(*command, parsed);
   add_parts(*command, parsed.options.parts);
   add_output(*command, parsed);
   add_elements(*command, parsed);
   add_split(*command, parsed, "cut each hexahedron into N x N x N [1]");
+  command->add_flag("--glb", parsed.options.glb,
+                    "write mechanism.glb from the result of the check");
   command->callback([&parsed] {
     parsed.run = [&parsed] {
-      return export_command(parsed.options);
+      return parsed.options.glb ? glb_command(parsed.options)
+                                : export_command(parsed.options);
     };
   });
 }
@@ -374,6 +391,26 @@ void add_collect(CLI::App& app, Parsed& parsed) {
   command->callback([&parsed] {
     parsed.run = [&parsed] {
       return collect_command(parsed.variants);
+    };
+  });
+}
+
+void add_report(CLI::App& app, Parsed& parsed) {
+  CLI::App* command = app.add_subcommand(
+      "report", "a result as one HTML file to look at and pass on");
+  command->footer(
+      "Reads what `clevis check` or `clevis simulate --out` wrote. The file "
+      "opens in\nany browser, from disk, and loads nothing from elsewhere.");
+  command
+      ->add_option("RESULT_DIR", parsed.report.result, "folder of the result")
+      ->required();
+  command
+      ->add_option("--out", parsed.report.file,
+                   "the file [RESULT_DIR/report.html]")
+      ->type_name("FILE");
+  command->callback([&parsed] {
+    parsed.run = [&parsed] {
+      return report_command(parsed.report);
     };
   });
 }
@@ -497,6 +534,7 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   add_export(app, parsed);
   add_plan(app, parsed);
   add_collect(app, parsed);
+  add_report(app, parsed);
   add_compare(app, parsed);
   add_explain(app, parsed);
   add_init(app, parsed);

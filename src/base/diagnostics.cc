@@ -93,6 +93,11 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "`clevis collect` reads the variants that are expected from plan.json, "
      "which `clevis plan` writes into the folder. Give that folder, or plan "
      "again."},
+    {"I008", kIo, "folder is no result that a report can show",
+     "The folder holds neither the result.json of a check nor the "
+     "simulate.json of a simulation, or those of another version of clevis, "
+     "or lacks files of its folder `view` that belong to them. Run the command "
+     "again and report its folder as it stands."},
     {"K001", kModelInvalid, "mechanism does not assemble",
      "No position of the bodies satisfies all joints and drives at the start: "
      "lengths break a loop, or the approximate placement is too far off. The "

@@ -94,6 +94,7 @@ ROOMS = {
     },
     "stress": {
         "field": "stress, displacement and energy error in cells, over time, at probes, as VTU",
+        "surface": "the surface of a part and its fields, for pictures",
         "sections": "mean stress in plane sections, and of what a held face carries",
         "zones": "places where linear elasticity has no finite stress, and how far they reach",
         "peaks": "the largest stress, its band, and what shows that cells are too coarse",
@@ -121,12 +122,15 @@ ROOMS = {
         "compare": "a result against a baseline",
         "figures": "figures in SVG",
         "variants": "many variants of a scene: plan, results, table, plot",
+        "view": "what pictures need of a result: surfaces, fields, the motion",
+        "page": "a result as one HTML page, or as glTF",
     },
     "app": {
         "request": "what the command line asks for, and where results go",
         "processes": "other programs, workers, temporary folders, errors across processes",
         "scenes": "a scene with its meshes; gmsh, and which mesh a geometry belongs to",
         "parts": "from a scene's motion to the jobs of its parts",
+        "pictures": "a result as a page or glTF, and what these need of the parts",
         "variants": "many variants: plan, collect, and which results are finished",
         "solving": "the commands that solve, as the library that is loaded on demand",
         "commands": "the other commands, and the door to that library",
@@ -158,7 +162,7 @@ PUBLIC = {
                   " solid/seat_compliance solid/solid_solve vibration/eigenmodes"
                   " vibration/load_vibration vibration/strike_response",
     "stress": "field/deflection field/energy_error field/field_output field/finite_motion"
-              " field/probe field/stress_history peaks/local_peak peaks/meeting_points"
+              " surface/point_history field/probe field/stress_history surface/surface_mesh peaks/local_peak peaks/meeting_points"
               " peaks/peak_band peaks/peak_zoom peaks/slow_sequence peaks/surface_kink"
               " sections/support_face zones/singular_zone zones/zone_mask zones/zone_strength",
     "assessment": "impact/impact_check job/model_traits job/part_job"
@@ -167,9 +171,11 @@ PUBLIC = {
               " compare/comparison compare/comparison_output"
               " compare/result_reader figures/svg machine/ejector_output"
               " machine/transmission_output motion/motion_csv motion/motion_files"
-              " motion/motion_json motion/motion_table parts/part_result_json"
+              " motion/motion_json motion/motion_table page/glb_scene"
+              " page/report_page parts/part_result_json"
               " summary/motion_report text/atomic_file text/csv_field"
               " text/json_text text/progress text/terminal text/text_table"
+              " view/motion_view view/part_view view/view_files"
               " variants/collection_csv variants/collection_figure"
               " variants/collection_table variants/plan_file variants/variant_reader",
 }

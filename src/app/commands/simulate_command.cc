@@ -7,7 +7,9 @@
 
 #include "app/commands/plugin_commands.h"
 #include "app/commands/slide_lever_comparison.h"
+#include "app/pictures/view_inputs.h"
 #include "app/processes/folder_lock.h"
+#include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
 #include "base/errors.h"
 #include "machine/bearing_life.h"
@@ -16,10 +18,32 @@
 #include "report/motion/motion_files.h"
 #include "report/motion/motion_json.h"
 #include "report/motion/motion_table.h"
+#include "report/page/report_page.h"
 #include "report/summary/motion_report.h"
 #include "report/text/terminal.h"
+#include "report/view/view_files.h"
 
 namespace clevis::app {
+namespace {
+
+/// Tables, what a report reads, and that if it is asked for.
+void write_files(const scene::Scene& scene, const report::MotionReport& motion,
+                 const Options& options) {
+  const std::filesystem::path folder = output_folder(options);
+  report::write_motion_view({.version = motion.version,
+                             .scene = motion.scene,
+                             .inputs = view_inputs(scene),
+                             .definition = motion.definition,
+                             .motion = motion.motion,
+                             .worst_times = {}},
+                            folder, report::ResultKind::kSimulation);
+  report::write_motion_files(motion, folder);
+  if (options.report) {
+    report::write_report(folder, report::ResultKind::kSimulation);
+  }
+}
+
+}  // namespace
 
 ExitCode simulate_command(const Options& options) {
   scene::Scene scene = load_moving_scene(options.scene, options.settings);
@@ -32,7 +56,9 @@ ExitCode simulate_command(const Options& options) {
     add_link_compliances_by_plugin(scene, options);
   }
   std::optional<FolderLock> lock;
-  if (!options.out.empty()) lock.emplace(options.out);
+  if (!options.out.empty() || options.report) {
+    lock.emplace(output_folder(options));
+  }
   report::MotionReport report;
   report.version = CLEVIS_VERSION;
   report.scene = scene.name;
@@ -47,7 +73,7 @@ ExitCode simulate_command(const Options& options) {
   report.bearings = report::bearing_reports(
       machine::judge_bearings(scene.bearings, scene.mechanism, report.motion),
       scene.mechanism);
-  if (lock) report::write_motion_files(report, options.out);
+  if (lock) write_files(scene, report, options);
   std::cout << (options.json ? report::motion_json(report)
                              : report::motion_table(
                                    report, report::colour_of(STDOUT_FILENO)));

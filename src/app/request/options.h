@@ -21,6 +21,8 @@ struct Options {
   std::string engine = "auto";      ///< or a word of elasticity::kEngineWords
   bool mesh = false;                ///< make outdated meshes first
   bool resume = false;              ///< keep a finished result of these inputs
+  bool report = false;              ///< write report.html too
+  bool glb = false;                 ///< a glTF of a result, no decks
   int jobs = 0;                     ///< parts in parallel; 0: one per core
   std::string elements = "C3D20R";  ///< CalculiX's hexahedra
   int split = 0;                    ///< pieces of each hexahedron's edges; 0:
@@ -40,6 +42,12 @@ struct PlanOptions {
   std::optional<double> tolerance;  ///< the same, relative [1]
   std::string model = "auto";
   int jobs = 1;
+};
+
+/// Options of `clevis report`.
+struct ReportOptions {
+  std::filesystem::path result;  ///< folder of a check or simulation
+  std::filesystem::path file;    ///< empty: report.html in it
 };
 
 /// Options of `clevis compare`.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/text/atomic_file.h"
+#include "report/view/view_files.h"
 
 namespace clevis::app {
 namespace {
@@ -18,6 +19,7 @@ void remove_part(const fs::path& folder, const std::string& name) {
        {".vtu", "_linear.vtu", "_history.csv", ".pvd", "_buckling.vtu"}) {
     fs::remove(folder / (name + ending), ignored);
   }
+  fs::remove(report::part_view_file(folder, name), ignored);
   for (const auto& frame : fs::directory_iterator(folder / "frames", ignored)) {
     const std::string file = frame.path().filename().string();
     if (file.size() == name.size() + 9 && file.starts_with(name + "_")) {
@@ -55,10 +57,13 @@ void remove_previous_run(const fs::path& folder) {
     const auto name = part["name"].get<std::string>();
     if (report::is_file_name(name)) remove_part(folder, name);
   }
-  for (const char* name : {"mechanism.pvd", "reactions.csv", "parts.csv",
-                           "junit.xml", "bearings.csv", "result.json"}) {
+  for (const char* name :
+       {"mechanism.pvd", "reactions.csv", "parts.csv", "junit.xml",
+        "bearings.csv", "report.html", "result.json"}) {
     fs::remove(folder / name, ignored);
   }
+  fs::remove(report::motion_view_file(folder, report::ResultKind::kCheck),
+             ignored);
 }
 
 }  // namespace clevis::app

@@ -14,6 +14,8 @@
 #include "app/parts/part_files.h"
 #include "app/parts/part_jobs.h"
 #include "app/parts/solver_jobs.h"
+#include "app/pictures/surface_view.h"
+#include "app/pictures/view_inputs.h"
 #include "app/processes/error_text.h"
 #include "app/processes/folder_lock.h"
 #include "app/processes/rank_jobs.h"
@@ -32,11 +34,13 @@
 #include "report/check/result_files.h"
 #include "report/check/result_json.h"
 #include "report/motion/motion_csv.h"
+#include "report/page/report_page.h"
 #include "report/parts/part_result_json.h"
 #include "report/summary/motion_report.h"
 #include "report/text/atomic_file.h"
 #include "report/text/progress.h"
 #include "report/text/terminal.h"
+#include "report/view/view_files.h"
 
 namespace clevis::app {
 namespace {
@@ -49,8 +53,10 @@ constexpr char kRefusal = 'E';
 
 /// Runs in a worker process or a rank: checks the part and writes its fields;
 /// of a part that all ranks check, the first one's.
+/// @param carrier  the body that carries the part; empty: none.
 std::string check_one(const PartJob& job,
                       const std::optional<MovingPart>& moving,
+                      const std::string& carrier,
                       const elasticity::RankTeam* team,
                       const fs::path& folder) {
   try {
@@ -59,6 +65,8 @@ std::string check_one(const PartJob& job,
     if (!job.is_shared || mpi_rank() == 0) {
       write_part_files(assessment, moving, job.part.material.yield_strength,
                        folder);
+      report::write_part_view(surface_view(job, assessment, moving, carrier),
+                              folder);
     }
     assessment.result.seconds.write = watch.lap();
     assessment.result.seconds.total += assessment.result.seconds.write;
@@ -141,9 +149,13 @@ void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
   longest_first(jobs);
   const auto check = [&](std::size_t index) {
     const auto body = loaded.body_of(jobs[index].part.name);
-    std::optional<MovingPart> moving;
-    if (body != mechanism::kGround) moving = MovingPart{&motion, body};
-    return check_one(jobs[index], moving, team, folder);
+    if (body == mechanism::kGround) {
+      return check_one(jobs[index], std::nullopt, "", team, folder);
+    }
+    const auto& carrier =
+        loaded.scene.mechanism.bodies[static_cast<std::size_t>(body)];
+    return check_one(jobs[index], MovingPart{&motion, body}, carrier.name, team,
+                     folder);
   };
   if (team != nullptr) choose_shared(jobs);
   const auto outcomes = team != nullptr
@@ -178,6 +190,17 @@ void write_reactions(const LoadedScene& loaded, const mechanism::Motion& motion,
   motion_report.motion = motion;
   report::write_file(folder / "reactions.csv",
                      report::reactions_csv(motion_report));
+}
+
+/// Times at which parts are worst [s].
+std::vector<double> worst_times(const report::CheckReport& report) {
+  std::vector<double> times;
+  for (const auto& part : report.parts) {
+    times.push_back(judged_peak(part).instant);
+    times.push_back(part.deflection_instant);
+    times.push_back(part.buckling.instant);
+  }
+  return times;
 }
 
 }  // namespace
@@ -239,8 +262,18 @@ ExitCode run_check(const Options& options) {
   if (loaded.scene.has_mechanism) {
     write_reactions(loaded, motion, folder);
   }
+  report::write_motion_view({.version = CLEVIS_VERSION,
+                             .scene = loaded.scene.name,
+                             .inputs = view_inputs(loaded.scene),
+                             .definition = loaded.scene.mechanism,
+                             .motion = motion,
+                             .worst_times = worst_times(report)},
+                            folder, report::ResultKind::kCheck);
   report.seconds.emplace_back("total", total.lap());
   report::write_result_files(report, folder);
+  if (options.report) {
+    report::write_report(folder, report::ResultKind::kCheck);
+  }
   if (options.json) {
     std::cout << report::result_json(report);
   } else {

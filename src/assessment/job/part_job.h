@@ -19,6 +19,7 @@
 #include "part/part_definition.h"
 #include "part/supports.h"
 #include "stress/field/stress_history.h"
+#include "stress/surface/point_history.h"
 
 namespace clevis::assessment {
 
@@ -108,6 +109,12 @@ struct PartFields {
   std::optional<BucklingShape> buckling;
   /// Displacement and stress at an instant on a lattice.
   std::function<stress::InstantField(int instant, int subdivisions)> at;
+  /// The same of points of the lattice, those of a cell together, at several
+  /// instants.
+  std::function<stress::PointHistory(
+      const std::vector<stress::FieldPoint>& points, int subdivisions,
+      const std::vector<int>& instants)>
+      over;
 };
 
 struct PartAssessment {

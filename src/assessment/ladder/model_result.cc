@@ -234,6 +234,12 @@ PartFields make_fields(const PartJob& job, const Level<dim>& level) {
                   int instant, int subdivisions) {
     return stress::instant_field<dim>(*basis, material, subdivisions, instant);
   };
+  fields.over = [basis = level.governing, material = job.part.material](
+                    const std::vector<stress::FieldPoint>& points,
+                    int subdivisions, const std::vector<int>& instants) {
+    return stress::point_history<dim>(*basis, material, subdivisions, points,
+                                      instants);
+  };
   return fields;
 }
 

@@ -1,0 +1,201 @@
+#include "app/pictures/surface_view.h"
+
+#include <algorithm>
+#include <set>
+
+#include "stress/surface/surface_mesh.h"
+
+namespace clevis::app {
+namespace {
+
+using assessment::PartAssessment;
+using assessment::PartFields;
+using Eigen::Index;
+
+constexpr int kMostColumns = 64;
+
+/// Lattice of a cell: finer for flat cells, of which there are fewer, and of
+/// simplices so fine that a face has a point inside.
+int subdivisions_of(const PartFields& fields, std::size_t cells) {
+  constexpr std::size_t kMany = 3000;
+  const bool is_simplex = fields.shape == mesh::CellShape::kSimplex;
+  if (is_simplex || fields.dim == 2) return 3;
+  return cells > kMany ? 1 : 2;
+}
+
+/// How many instants a part's fields are looked at: their cost is cells times
+/// instants.
+std::size_t most_frames(std::size_t cells) {
+  constexpr std::size_t kMost = 240, kFewest = 24, kCells = 200000;
+  return std::clamp(kCells / std::max<std::size_t>(cells, 1), kFewest, kMost);
+}
+
+/// Whether the governing loads are those of the motion.
+bool is_motion(const PartFields& fields,
+               const std::optional<MovingPart>& moving) {
+  return moving && std::ranges::equal(fields.times, moving->motion->instants,
+                                      {}, {}, &mechanism::Instant::t);
+}
+
+/// First row of the history that tells the governing loads.
+std::size_t governing_rows(const PartFields& fields) {
+  const auto& history = fields.history;
+  const auto peak = static_cast<std::size_t>(fields.peak_instant);
+  for (std::size_t row = 0; row + fields.times.size() <= history.size();
+       ++row) {
+    if (history[row + peak].peak == fields.worst.largest() &&
+        history[row + peak].time == fields.times[peak]) {
+      return row;
+    }
+  }
+  return 0;
+}
+
+/// Uniform instants up to `most`, and those at which the part is worst.
+std::vector<int> frames_of(const PartFields& fields,
+                           const assessment::PartResult& result,
+                           std::size_t most) {
+  std::set<int> frames{fields.peak_instant};
+  const std::size_t last = fields.times.size() - 1;
+  const std::size_t steps = std::min(last, most - 1);
+  for (std::size_t k = 0; k <= steps; ++k) {
+    frames.insert(static_cast<int>(steps == 0 ? 0 : last * k / steps));
+  }
+  for (const double t :
+       {result.deflection_instant, result.strain_energy_instant,
+        judged_peak(result).instant, result.buckling.instant}) {
+    const auto found = std::ranges::find(fields.times, t);
+    if (found == fields.times.end()) continue;
+    frames.insert(static_cast<int>(found - fields.times.begin()));
+  }
+  return {frames.begin(), frames.end()};
+}
+
+report::ViewInstant view_instant(const assessment::InstantRow& row) {
+  return {row.label, row.time, row.peak, row.strain_energy};
+}
+
+void fill_surface(const assessment::PartJob& job, const PartFields& fields,
+                  const stress::SurfaceMesh& surface,
+                  const stress::InstantField& field, report::PartView& view) {
+  view.positions.resize(static_cast<Index>(surface.points.size()), 3);
+  for (std::size_t p = 0; p < surface.points.size(); ++p) {
+    const auto& at = surface.points[p];
+    view.positions.row(static_cast<Index>(p)) =
+        field.points[static_cast<std::size_t>(at.cell)].row(at.point);
+  }
+  view.triangles = surface.triangles;
+  view.outline = surface.outline;
+  if (fields.dim == 3) return;
+  double low = job.mesh.vertices.front().z(), high = low;
+  for (const auto& vertex : job.mesh.vertices) {
+    low = std::min(low, vertex.z());
+    high = std::max(high, vertex.z());
+  }
+  view.faces_z = {low, high};
+}
+
+report::PackedField packed(Eigen::MatrixXd values, Index first) {
+  const double largest = values.lpNorm<Eigen::Infinity>();
+  return report::pack(std::move(values), first,
+                      report::kViewTolerance * largest, kMostColumns);
+}
+
+/// Surface of a lattice of all cells, with its fields.
+struct Skin {
+  int subdivisions{};
+  stress::InstantField field;  ///< at the worst instant
+  stress::SurfaceMesh surface;
+  stress::PointHistory values;
+};
+
+/// The surface's point of the cell of the peak that may stand in for it, if the
+/// peak stands on the surface.
+std::optional<Index> point_of_peak(const PartFields& fields, const Skin& skin) {
+  if (skin.subdivisions == 1) return std::nullopt;
+  const auto& worst = fields.worst;
+  const auto stand_in =
+      fields.dim == 2 ? stress::stand_in<2> : stress::stand_in<3>;
+  const int point = stand_in(fields.shape, worst.subdivisions,
+                             worst.peak_at.point, skin.subdivisions);
+  const auto& points = skin.surface.points;
+  const auto found =
+      std::ranges::find_if(points, [&](const stress::FieldPoint& at) {
+        return at.cell == worst.peak_at.cell && at.point == point;
+      });
+  if (found == points.end()) return std::nullopt;
+  return found - points.begin();
+}
+
+/// Moves a point of the coarse lattice to the peak, which is then told as it
+/// was found.
+void show_peak(const PartFields& fields, const std::vector<int>& frames,
+               Index point, Skin& skin, report::PartView& view) {
+  const auto& worst = fields.worst;
+  const auto fine = fields.at(fields.peak_instant, worst.subdivisions);
+  view.positions.row(point) =
+      fine.points[static_cast<std::size_t>(worst.peak_at.cell)].row(
+          worst.peak_at.point);
+  const auto peak = fields.over({worst.peak_at}, worst.subdivisions, frames);
+  skin.values.von_mises.row(point) = peak.von_mises;
+  const Index points = skin.values.von_mises.rows();
+  for (int d = 0; d < fields.dim; ++d) {
+    skin.values.displacement.row(point + d * points) = peak.displacement.row(d);
+  }
+}
+
+Skin skin_of(const PartFields& fields, const std::vector<int>& frames,
+             int subdivisions) {
+  Skin skin{subdivisions, fields.at(fields.peak_instant, subdivisions), {}, {}};
+  skin.surface = fields.dim == 2
+                     ? stress::surface_mesh<2>(fields.shape, skin.field)
+                     : stress::surface_mesh<3>(fields.shape, skin.field);
+  skin.values = fields.over(skin.surface.points, subdivisions, frames);
+  return skin;
+}
+
+/// Stress, displacement, and where and when the largest stress stands.
+void fill_fields(const PartFields& fields, const std::vector<int>& frames,
+                 Skin& skin, report::PartView& view) {
+  const auto worst = std::ranges::find(frames, fields.peak_instant);
+  view.peak_frame = static_cast<int>(worst - frames.begin());
+  Index at = 0;
+  skin.values.von_mises.col(view.peak_frame).maxCoeff(&at);
+  if (const auto point = point_of_peak(fields, skin)) {
+    at = *point;
+    show_peak(fields, frames, at, skin, view);
+  }
+  view.peak_point = static_cast<int>(at);
+  view.stress = packed(std::move(skin.values.von_mises), view.peak_frame);
+  view.displacement =
+      packed(std::move(skin.values.displacement), view.peak_frame);
+}
+
+}  // namespace
+
+report::PartView surface_view(const assessment::PartJob& job,
+                              const PartAssessment& assessment,
+                              const std::optional<MovingPart>& moving,
+                              const std::string& body) {
+  const PartFields& fields = assessment.fields;
+  const auto cells = static_cast<std::size_t>(fields.worst.worst.cols());
+  const auto frames = frames_of(fields, assessment.result, most_frames(cells));
+  Skin skin = skin_of(fields, frames, subdivisions_of(fields, cells));
+  report::PartView view;
+  view.definition = job.part;
+  view.body = body;
+  view.is_motion = is_motion(fields, moving);
+  fill_surface(job, fields, skin.surface, skin.field, view);
+  fill_fields(fields, frames, skin, view);
+  const std::size_t row = governing_rows(fields);
+  for (const int frame : frames) {
+    view.frames.push_back(
+        view_instant(fields.history[row + static_cast<std::size_t>(frame)]));
+  }
+  for (const auto& instant : fields.history) {
+    view.history.push_back(view_instant(instant));
+  }
+  return view;
+}
+
+}  // namespace clevis::app

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "app/parts/part_files.h"
+#include "assessment/job/part_job.h"
+#include "report/view/part_view.h"
+
+namespace clevis::app {
+
+/// The surface of a part with its fields over the instants of its governing
+/// loads; all of up to 240, else as many uniform ones and the worst. Fewer of
+/// parts with many cells.
+/// @param moving  the motion of its body, if one carries it.
+report::PartView surface_view(const assessment::PartJob& job,
+                              const assessment::PartAssessment& assessment,
+                              const std::optional<MovingPart>& moving,
+                              const std::string& body);
+
+}  // namespace clevis::app

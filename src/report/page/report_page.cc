@@ -1,0 +1,90 @@
+#include "report/page/report_page.h"
+
+#include <fmt/format.h>
+
+#include "report/page/page_assets.h"
+#include "report/text/atomic_file.h"
+
+namespace clevis::report {
+namespace {
+
+std::string data_element(std::string_view id, std::string_view json) {
+  return fmt::format(
+      "<script type=\"application/json\" id=\"{}\">{}</script>\n", id,
+      escape_json_for_html(json));
+}
+
+std::string head(const std::string& title) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src "
+      "'none'; {}; img-src data:; base-uri 'none'; form-action 'none'\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\">\n"
+      "<title>{}</title>\n<link rel=\"icon\" href=\"data:,\">\n"
+      "<style>{}</style>\n</head>\n",
+      viewer_policy(), escape_html(title), viewer_style());
+}
+
+}  // namespace
+
+std::string escape_html(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string escape_json_for_html(std::string_view json) {
+  std::string escaped;
+  escaped.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<') {
+      escaped += "\\u003c";
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string report_page(const StoredPage& page) {
+  std::string html = head(page.title);
+  html +=
+      "<body>\n<div id=\"report\"><noscript>This report needs JavaScript; it "
+      "loads nothing from elsewhere. Its numbers also stand in result.json."
+      "</noscript></div>\n";
+  html += data_element("result", page.result);
+  html += data_element("motion", page.motion);
+  for (std::size_t p = 0; p < page.parts.size(); ++p) {
+    html += data_element(fmt::format("part-{}", p), page.parts[p]);
+  }
+  html +=
+      fmt::format("<script>{}</script>\n</body>\n</html>\n", viewer_script());
+  return html;
+}
+
+std::filesystem::path write_report(const std::filesystem::path& folder,
+                                   ResultKind kind) {
+  const std::filesystem::path file = folder / "report.html";
+  write_file(file, report_page(read_result_folder(folder, kind)));
+  return file;
+}
+
+}  // namespace clevis::report

@@ -1,0 +1,76 @@
+#include "report/view/packed_field.h"
+
+#include <cmath>
+
+namespace clevis::report {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kLargest16 = 32767.0, kLargest8 = 127.0;
+/// Columns up to so many tolerances are rounded by a quarter of one in 8 bits.
+constexpr double kSmall = 64.0;
+
+/// Instant that stands farthest from what the columns tell.
+struct Worst {
+  Index instant{};
+  double error{};
+};
+Worst worst_of(const MatrixXd& rest) {
+  Worst worst;
+  for (Index i = 0; i < rest.cols(); ++i) {
+    const double here = rest.col(i).lpNorm<Eigen::Infinity>();
+    if (here > worst.error) worst = {i, here};
+  }
+  return worst;
+}
+
+}  // namespace
+
+Eigen::MatrixXd PackedField::values() const {
+  return integers.cast<double>() * scale.asDiagonal() *
+         coefficients.cast<double>();
+}
+
+PackedField pack(Eigen::MatrixXd values, Eigen::Index first, double tolerance,
+                 int most) {
+  PackedField field;
+  std::vector<VectorXd> columns;
+  std::vector<double> scales;
+  std::vector<Eigen::RowVectorXf> rows;
+  Worst next{first, values.size() > 0
+                        ? values.col(first).lpNorm<Eigen::Infinity>()
+                        : 0.0};
+  if (next.error == 0.0) next = worst_of(values);
+  while (next.error > tolerance && static_cast<int>(columns.size()) < most) {
+    const bool is_small = !columns.empty() && next.error < kSmall * tolerance;
+    const double scale = next.error / (is_small ? kLargest8 : kLargest16);
+    // What is stored, rounding and all, is what the rest is measured against.
+    const VectorXd column = (values.col(next.instant) / scale).array().round();
+    const Eigen::RowVectorXf row =
+        ((column.transpose() * values) / (scale * column.squaredNorm()))
+            .cast<float>();
+    values.noalias() -= (scale * column) * row.cast<double>();
+    columns.push_back(column);
+    scales.push_back(scale);
+    field.bits.push_back(is_small ? 8 : 16);
+    rows.push_back(row);
+    next = worst_of(values);
+  }
+  field.error = next.error;
+  const auto count = static_cast<Index>(columns.size());
+  field.integers.resize(values.rows(), count);
+  field.scale.resize(count);
+  field.coefficients.resize(count, values.cols());
+  for (Index k = 0; k < count; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    field.integers.col(k) = columns[at].cast<std::int16_t>();
+    field.scale[k] = scales[at];
+    field.coefficients.row(k) = rows[at];
+  }
+  return field;
+}
+
+}  // namespace clevis::report

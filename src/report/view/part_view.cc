@@ -1,0 +1,166 @@
+#include "report/view/part_view.h"
+
+#include <nlohmann/json.hpp>
+
+#include "report/text/json_text.h"
+#include "report/text/units.h"
+#include "report/view/view_numbers.h"
+
+namespace clevis::report {
+namespace {
+
+using Eigen::Index;
+using nlohmann::ordered_json;
+
+template <std::size_t n>
+ordered_json corners(const std::vector<std::array<int, n>>& pieces) {
+  std::vector<std::uint32_t> numbers;
+  for (const auto& piece : pieces) {
+    for (const int point : piece) {
+      numbers.push_back(static_cast<std::uint32_t>(point));
+    }
+  }
+  return packed(numbers);
+}
+
+ordered_json positions_json(const Eigen::MatrixX3d& positions) {
+  std::vector<float> numbers;
+  for (Index p = 0; p < positions.rows(); ++p) {
+    for (int d = 0; d < 3; ++d) {
+      numbers.push_back(static_cast<float>(millimetres(positions(p, d))));
+    }
+  }
+  return packed(numbers);
+}
+
+/// @param unit  of what is shown, over SI.
+ordered_json field_json(const PackedField& field, double unit) {
+  std::vector<float> coefficients(
+      field.coefficients.data(),
+      field.coefficients.data() + field.coefficients.size());
+  ordered_json scale = ordered_json::array(), columns = scale;
+  for (Index k = 0; k < field.scale.size(); ++k) {
+    scale.push_back(field.scale[k] * unit);
+    const auto column = field.integers.col(k);
+    if (field.bits[static_cast<std::size_t>(k)] == 16) {
+      columns.push_back(
+          packed(std::vector<std::int16_t>(column.begin(), column.end())));
+    } else {
+      columns.push_back(
+          packed(std::vector<std::int8_t>(column.begin(), column.end())));
+    }
+  }
+  return {{"columns", columns},
+          {"scale", scale},
+          {"coefficients", packed(coefficients)},
+          {"largest_error", field.error * unit}};
+}
+
+ordered_json instants_json(const std::vector<ViewInstant>& instants) {
+  ordered_json labels = ordered_json::array(), times = labels, peaks = labels,
+               energies = labels;
+  for (const ViewInstant& instant : instants) {
+    labels.push_back(instant.label);
+    times.push_back(instant.time);
+    peaks.push_back(megapascals(instant.peak));
+    energies.push_back(millijoules(instant.strain_energy));
+  }
+  return {{"label", labels},
+          {"t_s", times},
+          {"peak_von_mises_MPa", peaks},
+          {"strain_energy_mJ", energies}};
+}
+
+ordered_json vector_json(const Eigen::Vector3d& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+ordered_json held_json(const part::Supports& supports) {
+  ordered_json json = ordered_json::object();
+  for (const auto& [group, held] : supports) {
+    std::string axes;
+    for (std::size_t d = 0; d < 3; ++d) {
+      if (held[d]) axes += "xyz"[d];
+    }
+    json[group] = axes;
+  }
+  return json;
+}
+
+ordered_json case_json(const part::LoadCaseDefinition& given) {
+  ordered_json pins = ordered_json::object(), pressure = pins, traction = pins;
+  for (const auto& [group, force] : given.pins) {
+    pins[group] = vector_json(force);
+  }
+  for (const auto& [group, value] : given.pressure) {
+    pressure[group] = megapascals(value);
+  }
+  for (const auto& [group, value] : given.traction) {
+    traction[group] = vector_json(value * 1e-6);
+  }
+  return {{"name", given.name},
+          {"pins_N", pins},
+          {"pressure_MPa", pressure},
+          {"traction_MPa", traction},
+          {"fixed", held_json(given.fixed)},
+          {"held_by_pin", given.held_by_pin},
+          {"acceleration_m_per_s2", vector_json(given.acceleration)}};
+}
+
+ordered_json definition_json(const part::PartDefinition& part) {
+  constexpr double kGiga = 1e-9;
+  ordered_json seats = ordered_json::array(), cases = seats;
+  for (const auto& seat : part.seats) {
+    seats.push_back({{"from", seat.joint}, {"group", seat.group}});
+  }
+  for (const auto& seat : part.drive_seats) {
+    seats.push_back({{"from", seat.drive}, {"group", seat.group}});
+  }
+  for (const auto& seat : part.force_seats) {
+    seats.push_back({{"from", seat.force}, {"group", seat.group}});
+  }
+  for (const auto& given : part.cases) cases.push_back(case_json(given));
+  return {{"mesh", part.mesh.filename().string()},
+          {"material",
+           {{"name", part.material.name},
+            {"youngs_modulus_GPa", part.material.youngs_modulus * kGiga},
+            {"poissons_ratio", part.material.poissons_ratio},
+            {"density_kg_per_m3", part.material.density},
+            {"yield_strength_MPa", megapascals(part.material.yield_strength)}}},
+          {"seats", seats},
+          {"cases", cases}};
+}
+
+}  // namespace
+
+std::string part_view_json(const PartView& view) {
+  const Index points = view.positions.rows();
+  ordered_json json = {
+      {"schema", 1},
+      {"part", view.definition.name},
+      {"body", view.body},
+      {"definition", definition_json(view.definition)},
+      {"points", points},
+      {"positions_mm", positions_json(view.positions)},
+      {"triangles", corners(view.triangles)},
+      {"outline", corners(view.outline)},
+      {"faces_z_mm", nullptr},
+      {"frames", instants_json(view.frames)},
+      {"is_motion", view.is_motion},
+      {"peak_point", view.peak_point},
+      {"peak_frame", view.peak_frame},
+      {"von_mises_MPa", field_json(view.stress, 1e-6)},
+      {"displacement_components",
+       points > 0 ? view.displacement.integers.rows() / points : 0},
+      {"displacement_mm", field_json(view.displacement, 1e3)},
+      {"history", instants_json(view.history)}};
+  if (view.faces_z) {
+    json["faces_z_mm"] = {millimetres((*view.faces_z)[0]),
+                          millimetres((*view.faces_z)[1])};
+  }
+  refuse_non_finite(json, "part " + view.definition.name);
+  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace) +
+         "\n";
+}
+
+}  // namespace clevis::report

@@ -1,0 +1,251 @@
+#include "stress/surface/surface_mesh.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <map>
+
+#include "elasticity/fe_space/tabulation.h"
+#include "mesh/basis/simplex_basis.h"
+
+namespace clevis::stress {
+namespace {
+
+using Eigen::Index;
+
+/// Lattice points of a piece of a cell's boundary, outward: a quadrangle or
+/// triangle, of a flat cell an edge.
+using Facet = std::vector<int>;
+
+/// How the lattice of a cell makes surface.
+struct CellPattern {
+  std::vector<Facet> facets;  ///< of the cell's boundary
+  std::vector<Facet> sheet;   ///< of a flat cell: its own area
+};
+
+/// Quadrangles of the cell [0, n]^3 on the face where axis d has its lower or
+/// upper end.
+void add_square_face(int n, int d, bool upper, std::vector<Facet>& facets) {
+  const std::array<int, 3> stride{1, n + 1, (n + 1) * (n + 1)};
+  const int u = stride[static_cast<std::size_t>((d + 1) % 3)];
+  const int v = stride[static_cast<std::size_t>((d + 2) % 3)];
+  const int base = upper ? n * stride[static_cast<std::size_t>(d)] : 0;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const int at = base + i * u + j * v;
+      if (upper) {
+        facets.push_back({at, at + u, at + u + v, at + v});
+      } else {
+        facets.push_back({at, at + v, at + u + v, at + u});
+      }
+    }
+  }
+}
+
+template <int dim>
+CellPattern tensor_pattern(int n) {
+  CellPattern pattern;
+  if constexpr (dim == 3) {
+    for (int d = 0; d < 3; ++d) {
+      add_square_face(n, d, false, pattern.facets);
+      add_square_face(n, d, true, pattern.facets);
+    }
+  } else {
+    const int row = n + 1;
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) {
+        const int at = i + j * row;
+        pattern.sheet.push_back({at, at + 1, at + 1 + row, at + row});
+      }
+    }
+    for (int i = 0; i < n; ++i) {
+      pattern.facets.push_back({i, i + 1});
+      pattern.facets.push_back({i + 1 + n * row, i + n * row});
+      pattern.facets.push_back({n + i * row, n + (i + 1) * row});
+      pattern.facets.push_back({(i + 1) * row, i * row});
+    }
+  }
+  return pattern;
+}
+
+/// Facets of a part of a simplex's lattice, outward.
+std::vector<Facet> facets_of(const std::array<int, 4>& p) {
+  return {{p[0], p[2], p[1]},
+          {p[0], p[1], p[3]},
+          {p[0], p[3], p[2]},
+          {p[1], p[2], p[3]}};
+}
+std::vector<Facet> facets_of(const std::array<int, 3>& p) {
+  return {{p[0], p[1]}, {p[1], p[2]}, {p[2], p[0]}};
+}
+
+template <int dim>
+CellPattern simplex_pattern(int n) {
+  CellPattern pattern;
+  std::map<std::vector<int>, std::vector<Facet>> by_points;
+  for (const auto& part : mesh::simplex_parts<dim>(n)) {
+    if constexpr (dim == 2) {
+      pattern.sheet.emplace_back(part.begin(), part.end());
+    }
+    for (const Facet& facet : facets_of(part)) {
+      std::vector<int> key = facet;
+      std::ranges::sort(key);
+      by_points[key].push_back(facet);
+    }
+  }
+  for (const auto& [key, facets] : by_points) {
+    if (facets.size() == 1) pattern.facets.push_back(facets.front());
+  }
+  return pattern;
+}
+
+/// Numbers of positions: the same for points that coincide.
+class PointNumbers {
+ public:
+  explicit PointNumbers(const InstantField& field) {
+    Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300), high = -low;
+    for (const auto& cell : field.points) {
+      low = low.cwiseMin(cell.colwise().minCoeff().transpose());
+      high = high.cwiseMax(cell.colwise().maxCoeff().transpose());
+    }
+    constexpr double kSame = 1e-7;
+    step_ = kSame * (high - low).maxCoeff();
+    // Round numbers of millimetres must not stand where rounding turns.
+    origin_ = low - step_ * Eigen::Vector3d(0.2931, 0.3137, 0.2771);
+  }
+
+  int operator()(const Eigen::Vector3d& position) {
+    const Eigen::Array3d cell = ((position - origin_) / step_).array().round();
+    const std::array<std::int64_t, 3> key{static_cast<std::int64_t>(cell[0]),
+                                          static_cast<std::int64_t>(cell[1]),
+                                          static_cast<std::int64_t>(cell[2])};
+    return numbers_.try_emplace(key, static_cast<int>(numbers_.size()))
+        .first->second;
+  }
+
+ private:
+  double step_{};
+  Eigen::Vector3d origin_;
+  std::map<std::array<std::int64_t, 3>, int> numbers_;
+};
+
+/// A facet of a cell, and how many cells have it.
+struct SharedFacet {
+  int cell{};
+  const Facet* facet{};
+  int cells = 0;
+};
+
+std::vector<SharedFacet> outer_facets(const CellPattern& pattern,
+                                      const InstantField& field) {
+  PointNumbers number_of(field);
+  std::map<std::vector<int>, std::size_t> known;
+  std::vector<SharedFacet> facets;
+  for (std::size_t c = 0; c < field.points.size(); ++c) {
+    for (const Facet& facet : pattern.facets) {
+      std::vector<int> key;
+      for (const int q : facet) {
+        key.push_back(number_of(field.points[c].row(q).transpose()));
+      }
+      std::ranges::sort(key);
+      const auto [found, is_new] = known.try_emplace(key, facets.size());
+      if (is_new) facets.push_back({static_cast<int>(c), &facet, 0});
+      ++facets[found->second].cells;
+    }
+  }
+  std::erase_if(facets, [](const SharedFacet& f) {
+    return f.cells > 1;
+  });
+  return facets;
+}
+
+/// Collects points in the order in which they are asked for.
+class PointList {
+ public:
+  explicit PointList(std::vector<FieldPoint>& points) : points_(points) {}
+  int operator()(int cell, int point) {
+    const auto [found, is_new] =
+        places_.try_emplace({cell, point}, static_cast<int>(points_.size()));
+    if (is_new) points_.push_back({cell, point});
+    return found->second;
+  }
+
+ private:
+  std::vector<FieldPoint>& points_;
+  std::map<std::array<int, 2>, int> places_;
+};
+
+/// Triangles of a facet, a fan from its first point.
+void add_triangles(int cell, const Facet& facet, PointList& place,
+                   SurfaceMesh& surface) {
+  for (std::size_t k = 1; k + 1 < facet.size(); ++k) {
+    surface.triangles.push_back({place(cell, facet[0]), place(cell, facet[k]),
+                                 place(cell, facet[k + 1])});
+  }
+}
+
+/// Which sides of the cell a reference point lies on.
+template <int dim>
+std::vector<bool> sides_of(mesh::CellShape shape,
+                           const Eigen::Matrix<double, dim, 1>& point) {
+  constexpr double kOn = 1e-9;
+  std::vector<bool> sides;
+  for (int d = 0; d < dim; ++d) {
+    sides.push_back(point[d] < kOn);
+    if (shape == mesh::CellShape::kTensor) sides.push_back(point[d] > 1 - kOn);
+  }
+  if (shape == mesh::CellShape::kSimplex) {
+    sides.push_back(point.sum() > 1 - kOn);
+  }
+  return sides;
+}
+
+}  // namespace
+
+template <int dim>
+SurfaceMesh surface_mesh(mesh::CellShape shape, const InstantField& field) {
+  const CellPattern pattern = shape == mesh::CellShape::kTensor
+                                  ? tensor_pattern<dim>(field.subdivisions)
+                                  : simplex_pattern<dim>(field.subdivisions);
+  SurfaceMesh surface;
+  PointList place(surface.points);
+  for (std::size_t c = 0; c < field.points.size(); ++c) {
+    for (const Facet& facet : pattern.sheet) {
+      add_triangles(static_cast<int>(c), facet, place, surface);
+    }
+  }
+  for (const SharedFacet& outer : outer_facets(pattern, field)) {
+    if constexpr (dim == 3) {
+      add_triangles(outer.cell, *outer.facet, place, surface);
+    } else {
+      surface.outline.push_back({place(outer.cell, (*outer.facet)[0]),
+                                 place(outer.cell, (*outer.facet)[1])});
+    }
+  }
+  return surface;
+}
+
+template <int dim>
+int stand_in(mesh::CellShape shape, int fine, int fine_point, int coarse) {
+  const auto points = elasticity::lattice<dim>(shape, coarse);
+  const Eigen::Matrix<double, dim, 1> wanted =
+      elasticity::lattice<dim>(shape, fine).col(fine_point);
+  const auto sides = sides_of<dim>(shape, wanted);
+  int nearest = -1;
+  for (Index q = 0; q < points.cols(); ++q) {
+    if (sides_of<dim>(shape, points.col(q)) != sides) continue;
+    if (nearest < 0 || (points.col(q) - wanted).norm() <
+                           (points.col(nearest) - wanted).norm()) {
+      nearest = static_cast<int>(q);
+    }
+  }
+  assert(nearest >= 0 && "the lattice is too coarse");
+  return nearest;
+}
+
+template SurfaceMesh surface_mesh<2>(mesh::CellShape, const InstantField&);
+template SurfaceMesh surface_mesh<3>(mesh::CellShape, const InstantField&);
+template int stand_in<2>(mesh::CellShape, int, int, int);
+template int stand_in<3>(mesh::CellShape, int, int, int);
+
+}  // namespace clevis::stress

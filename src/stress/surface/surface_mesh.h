@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesh/cells/part_mesh.h"
+#include "stress/field/stress_history.h"
+
+namespace clevis::stress {
+
+/// Surface of a field's lattice, for pictures. Each cell keeps its own points:
+/// stresses jump between cells, and a mean would hide the peak.
+struct SurfaceMesh {
+  std::vector<FieldPoint> points;
+  /// Positions in `points`, outward; of dim = 2 the mid-plane, up its z.
+  std::vector<std::array<int, 3>> triangles;
+  /// Of dim = 2 the edges of the outline, counterclockwise about z; else none.
+  std::vector<std::array<int, 2>> outline;
+};
+
+/// @param field  of a mesh of `shape` cells; faces whose lattice points
+///   coincide to 1e-7 of its size are inner ones.
+template <int dim>
+SurfaceMesh surface_mesh(mesh::CellShape shape, const InstantField& field);
+
+/// Point of a coarser lattice of a cell that may stand in for one of a finer:
+/// the nearest on the same corner, edge or face of the cell, or inside it.
+/// @pre coarse > 1 unless the fine point is a corner.
+template <int dim>
+int stand_in(mesh::CellShape shape, int fine, int fine_point, int coarse);
+
+}  // namespace clevis::stress

@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""The page of `clevis report` in a real Chromium.
+
+    report_page.py CLEVIS SOURCE bundle          viewer/dist is what viewer/src makes
+    report_page.py CLEVIS SOURCE page FOLDER     the report and glTF of a check
+    report_page.py CLEVIS SOURCE simulate        mechanisms without a mesh
+    report_page.py CLEVIS SOURCE hostile         texts of a scene that would be code
+
+Returns 77 (skipped) without Node.js, the packages of viewer/package-lock.json
+or, of pages, Chromium.
+"""
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SKIPPED = 77
+# Of each kind of mechanism one: driven with a change point, forces and
+# contacts, spatial.
+SIMULATED = ["two_window_four_bar/scene", "wheel/drop", "bennett/scene",
+             "gas_cylinder/scene"]
+
+
+def node(source, script, *arguments):
+    """What a script of viewer/ says; ends this one where it cannot run."""
+    viewer = Path(source) / "viewer"
+    if not shutil.which("node"):
+        print("skipped: no node; Debian's package nodejs brings it")
+        sys.exit(SKIPPED)
+    if not (viewer / "node_modules/esbuild").is_dir():
+        print("skipped: npm ci --ignore-scripts in viewer/ installs what is "
+              "missing")
+        sys.exit(SKIPPED)
+    run = subprocess.run(["node", viewer / script, *arguments],
+                         capture_output=True, text=True)
+    print(run.stdout + run.stderr, end="")
+    if run.returncode == SKIPPED:
+        sys.exit(SKIPPED)
+    return run.returncode
+
+
+def run_clevis(clevis, *arguments):
+    run = subprocess.run([clevis, *arguments], capture_output=True, text=True)
+    if run.returncode != 0:
+        sys.exit(f"clevis {arguments[0]}: exit {run.returncode}\n{run.stderr}")
+    return run.stdout.strip()
+
+
+def page(clevis, source, folder):
+    with tempfile.TemporaryDirectory() as name:
+        files = [Path(name) / f"{which}.html" for which in "ab"]
+        for file in files:
+            run_clevis(clevis, "report", folder, "--out", file)
+        if files[0].read_bytes() != files[1].read_bytes():
+            print("two reports of one result differ")
+            return 1
+        code = node(source, "test/report.mjs", files[0], folder)
+        glb = run_clevis(clevis, "export", folder, "--glb", "--out", name)
+        parts = json.loads((Path(folder) / "result.json").read_text())["parts"]
+        return code or node(source, "test/glb.mjs", glb, str(len(parts)))
+
+
+def simulate(clevis, source):
+    code = 0
+    with tempfile.TemporaryDirectory() as name:
+        for scene in SIMULATED:
+            folder = Path(name) / scene.replace("/", "_")
+            run_clevis(clevis, "simulate", "--report", "--out", folder,
+                       f"{source}/geometry/{scene}.toml")
+            print(scene)
+            code |= node(source, "test/report.mjs", folder / "report.html",
+                         folder)
+    return code
+
+
+def hostile(clevis, source):
+    code = ("</script><script>document.title='owned'</script>"
+            "<img src=x onerror=alert(1)>")
+    text = Path(f"{source}/geometry/two_window_four_bar/scene.toml").read_text()
+    lines = text.splitlines()
+    first = next(i for i, line in enumerate(lines) if line.startswith("name = "))
+    lines[first] = f"name = {json.dumps(code)}"
+    with tempfile.TemporaryDirectory() as name:
+        scene = Path(name) / "scene.toml"
+        scene.write_text("\n".join(lines) + f"\n# {code}\n")
+        run_clevis(clevis, "simulate", "--report", "--out", name, scene)
+        html = (Path(name) / "report.html").read_text()
+        if "<img" in html or "<script>document" in html:
+            print("text of the scene stands in the page as markup")
+            return 1
+        return node(source, "test/report.mjs", Path(name) / "report.html", name)
+
+
+def main():
+    clevis, source, what, *rest = sys.argv[1:]
+    if what == "bundle":
+        return node(source, "build.mjs", "--check")
+    return {"page": page, "simulate": simulate, "hostile": hostile}[what](
+        clevis, source, *rest)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,62 @@
+// Quantities over time, with the moment that is shown; a click goes there.
+import uPlot from "uplot";
+import { DASHES, SERIES } from "./colour.js";
+import { h } from "./dom.js";
+import { number } from "./format.js";
+
+/** @param series  [{ label, values }], over `times` [s] */
+export class Chart {
+  constructor(title, unit, times, series, { onTime, limits = [] } = {}) {
+    this.title = title;
+    this.t = null;
+    this.holder = h("div", { class: "plot" });
+    this.element = h("figure", { class: "chart" },
+      h("figcaption", {}, `${title} [${unit}] over time [s]`), this.holder);
+    const all = [...series, ...limits.map((limit) => ({
+      label: limit.label, values: times.map(() => limit.value) }))];
+    this.plot = new uPlot({
+      width: 420, height: 220,
+      scales: { x: { time: false } },
+      cursor: { drag: { x: false, y: false } },
+      axes: [0, 1].map((axis) => ({
+        stroke: "#222", size: axis ? 64 : 34,
+        values: (_, splits) => splits.map((value) => number(value, 6)) })),
+      series: [{ label: "t [s]", value: (_, t) => number(t, 6) },
+        ...all.map(({ label }, k) => ({
+          label, width: 1.6, stroke: SERIES[k % SERIES.length],
+          dash: DASHES[Math.floor(k / SERIES.length) % DASHES.length || k % 4],
+          points: { show: times.length === 1 },
+          value: (_, value) => number(value) }))],
+      hooks: { draw: [(plot) => this.#draw_moment(plot)] },
+    }, [Float64Array.from(times), ...all.map(({ values }) => values)],
+    this.holder);
+    this.plot.over.addEventListener("click", () => {
+      const at = this.plot.cursor.idx;
+      if (at !== null && at !== undefined) onTime?.(times[at]);
+    });
+  }
+
+  #draw_moment(plot) {
+    if (this.t === null) return;
+    const x = Math.round(plot.valToPos(this.t, "x", true));
+    const { ctx, bbox } = plot;
+    ctx.save();
+    ctx.strokeStyle = "#000";
+    ctx.lineWidth = devicePixelRatio;
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.restore();
+  }
+
+  resize() {
+    const width = this.holder.clientWidth;
+    if (width > 0) this.plot.setSize({ width, height: 220 });
+  }
+
+  set time(t) {
+    this.t = t;
+    this.plot.redraw(false);
+  }
+}

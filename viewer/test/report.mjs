@@ -1,0 +1,229 @@
+// A report in a real Chromium.
+//
+//     node report.mjs REPORT.html RESULT_DIR [FOLDER_FOR_PICTURES]
+//
+// It loads without a word on the console and without a request, plays, scrubs
+// by keyboard, picks, prints; axe finds nothing serious; the colour at the
+// worst point of a part is that of its stress in result.json. Prints a fault
+// per line; exit code 1 if there is one, 77 without a browser.
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { cpus, loadavg } from "node:os";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { browser, open } from "./browser.mjs";
+
+const [file, folder, pictures] = process.argv.slice(2);
+const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+const MOST_BYTES = 5e6, FIRST_FRAME = 2000;  // [ms]
+// Colours are told in 256 steps, of which 8 bits a channel keep most.
+const SAME_COLOUR = 6;
+
+const faults = [];
+async function check(what, test) {
+  try {
+    await test();
+    console.log(`ok: ${what}`);
+  } catch (failure) {
+    faults.push(what);
+    console.log(`FAULT: ${what}: ${failure.message}`);
+  }
+}
+
+const chromium = await browser();
+if (!chromium) {
+  console.log("skipped: no chromium; Debian's package chromium brings it");
+  process.exit(77);
+}
+const html = readFileSync(file);
+const isCheck = (() => {
+  try {
+    return JSON.parse(readFileSync(join(folder, "result.json")));
+  } catch {
+    return null;
+  }
+})();
+const { page, session, said, requests } = await open(chromium,
+                                            pathToFileURL(resolve(file)).href);
+const picture = async (name) => pictures &&
+  writeFileSync(join(pictures, name), await page.screenshot());
+const clock = () => page.$eval(".clock", (element) => element.textContent);
+
+await check(`at most ${MOST_BYTES / 1e6} MB`, () => {
+  console.log(`size: ${html.length} bytes`);
+  assert.ok(html.length <= MOST_BYTES);
+});
+await check("first frame within 2 s", async () => {
+  const first = Number(await page.evaluate(() =>
+    document.documentElement.dataset.firstFrame));
+  const busy = loadavg()[0] > cpus().length;
+  console.log(`first frame: ${first} ms${busy ? ", on a busy machine" : ""}`);
+  assert.ok(first > 0);
+  // a busy machine tells by the processor's time, of the page's own process
+  const { metrics } = await session.send("Performance.getMetrics");
+  const worked = 1e3 * metrics.find(({ name }) => name === "ThreadTime").value;
+  console.log(`processor time of the page: ${Math.round(worked)} ms`);
+  assert.ok((busy ? worked : first) <= FIRST_FRAME);
+});
+await picture("report.png");
+const moves = await page.evaluate(() =>
+  globalThis.clevisReport.data.motion.bodies.length > 0);
+if (moves) {
+  await check("plays and pauses", async () => {
+    const start = await clock();
+    await page.click("button[aria-label=Play]");
+    await page.waitForFunction((before) =>
+      document.querySelector(".clock").textContent !== before, {}, start);
+    await page.click("button[aria-label=Pause]");
+    const paused = await clock();
+    await new Promise((done) => setTimeout(done, 300));
+    assert.equal(await clock(), paused);
+  });
+  await check("scrubs by keyboard, and the drawing follows", async () => {
+    const pose = () => page.evaluate(() => globalThis.clevisReport.stage.mechanism
+      .bodies.map((body) => body.matrixWorld.toArray()).flat());
+    await page.focus(".stage");
+    await page.keyboard.press("Home");
+    const first = await pose();
+    await page.keyboard.press("End");
+    const last = await pose();
+    assert.notDeepEqual(first, last);
+    await page.keyboard.press("ArrowLeft");
+    assert.notDeepEqual(await pose(), last);
+    await page.focus(".timeline input[type=range]");
+    await page.keyboard.press("Home");
+    assert.deepEqual(await pose(), first);
+  });
+  await check("decimal commas of a German reader", async () => {
+    await page.focus(".stage");
+    await page.keyboard.press("End");
+    await page.keyboard.press("ArrowLeft");
+    const comma = await page.evaluate(() =>
+      new Intl.NumberFormat().format(1.5).includes(","));
+    assert.equal(/\d,\d/.test(await clock()), comma);
+    assert.ok(comma, "the browser's locale is not German");
+  });
+}
+
+/** The colour that the screen shows, as three bytes. */
+async function screenColour({ x, y }) {
+  const box = await (await page.$(".stage")).boundingBox();
+  const scrolled = await page.evaluate(() => [scrollX, scrollY]);
+  const shot = await page.screenshot({ encoding: "base64",
+    clip: { x: Math.round(box.x + scrolled[0] + x) - 1,
+            y: Math.round(box.y + scrolled[1] + y) - 1, width: 3, height: 3 } });
+  return page.evaluate(async (data) => {
+    // the page's policy lets images in from data: addresses
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const context = Object.assign(document.createElement("canvas"),
+      { width: 3, height: 3 }).getContext("2d", { willReadFrequently: true });
+    context.drawImage(image, 0, 0);
+    return Array.from(context.getImageData(1, 1, 1, 1).data.slice(0, 3));
+  }, shot);
+}
+
+/** The legend's colour of a stress, as it is drawn there. */
+const legendColour = (stress) => page.evaluate((value) => {
+  const canvas = document.querySelector(".colours");
+  const [low, high] = globalThis.clevisReport.stage.shared.range.value;
+  const y = Math.round((canvas.height - 1) * (1 - (value - low) / (high - low)));
+  const context = Object.assign(document.createElement("canvas"),
+    { width: 1, height: canvas.height })
+    .getContext("2d", { willReadFrequently: true });
+  context.drawImage(canvas, 0, 0);
+  return Array.from(context.getImageData(0, y, 1, 1).data.slice(0, 3));
+}, stress);
+
+for (const [index, part] of (isCheck?.parts ?? []).entries()) {
+  await check(`colour at the worst point of ${part.name}`, async () => {
+    // looked at from outside along the surface's normal, close by, without
+    // light, joints and marks, at the worst instant
+    const view = await page.evaluate((p) => {
+      const { data, stage, pickPart } = globalThis.clevisReport;
+      const part = data.parts[p];
+      pickPart(part);
+      stage.show({ part, scale: 0 });
+      stage.shading = 0;
+      document.querySelector(".overlay").style.display = "none";
+      const best = stage.lookAt(part, part.peak_point);
+      return best;
+    }, index);
+    const shown = await screenColour(view.screen);
+    const stress = view.stress;
+    const expected = part.peak_von_mises.field_maximum_MPa ??
+                     part.peak_von_mises.value_MPa;
+    assert.ok(Math.abs(stress - expected) <= 2e-3 * expected,
+              `${stress} MPa stored, ${expected} MPa in result.json`);
+    const wanted = await legendColour(stress);
+    const away = Math.max(...shown.map((v, c) => Math.abs(v - wanted[c])));
+    assert.ok(away <= SAME_COLOUR, `${shown} on the screen, ${wanted} in the ` +
+              `legend at ${stress} MPa`);
+  });
+}
+if (isCheck?.parts.length > 0) {
+  await page.evaluate(() => {
+    const { stage } = globalThis.clevisReport;
+    document.querySelector(".overlay").style.display = "";
+    stage.shading = 1;
+    stage.show({ part: null, scale: 1 });
+    stage.fit();
+  });
+  await check("a click picks the point under it", async () => {
+    const place = await page.evaluate(() => {
+      const { data, stage } = globalThis.clevisReport;
+      const part = data.parts[0];
+      stage.show({ part });
+      stage.fit();
+      const view = stage.lookAt(part, part.peak_point);
+      return view.screen;
+    });
+    const box = await (await page.$(".stage")).boundingBox();
+    await page.evaluate(() => {
+      document.querySelector(".overlay").style.display = "none";
+    });
+    await page.mouse.click(box.x + place.x, box.y + place.y);
+    const text = await page.$eval(".picked", (element) => element.textContent);
+    assert.match(text, new RegExp(`Point of ${isCheck.parts[0].name}`));
+    assert.match(text, /MPa/);
+    await page.evaluate(() => {
+      document.querySelector(".overlay").style.display = "";
+      const { stage } = globalThis.clevisReport;
+      stage.show({ part: null });
+      stage.fit();
+    });
+  });
+  await check("the mark of a worst point tells its numbers", async () => {
+    await page.$eval(".marker", (button) => button.click());
+    const text = await page.$eval(".picked", (element) => element.textContent);
+    assert.match(text, new RegExp(`Worst point of ${isCheck.parts[0].name}`));
+  });
+  await picture("picked.png");
+}
+await check("axe finds nothing serious", async () => {
+  // beside the page's policy, which lets no other script in
+  await page.evaluate(readFileSync(axe, "utf8"));
+  const { violations } = await page.evaluate(() => globalThis.axe.run());
+  const serious = violations.filter(({ impact }) =>
+    ["serious", "critical"].includes(impact));
+  assert.deepEqual(serious.map(({ id, nodes }) =>
+    `${id}: ${nodes.slice(0, 2).map((node) => node.html).join(" | ")}`), []);
+});
+await check("prints on A4 with pictures", async () => {
+  const pdf = Buffer.from(await page.pdf({ preferCSSPageSize: true }));
+  if (pictures) writeFileSync(join(pictures, "report.pdf"), pdf);
+  const text = pdf.toString("latin1");
+  const images = (text.match(/\/Subtype ?\/Image/g) ?? []).length;
+  const [, width, height] = text.match(
+    /\/MediaBox ?\[0 0 ([\d.]+) ([\d.]+)\]/);
+  assert.ok(Math.abs(width - 595) < 2 && Math.abs(height - 842) < 2,
+            `${width} x ${height} pt`);
+  const wanted = Math.max(1, isCheck?.parts.length ?? 1);
+  assert.ok(images >= wanted, `${images} pictures of ${wanted}`);
+});
+await check("nothing on the console", () => assert.deepEqual(said, []));
+await check("no request", () => assert.deepEqual(requests, []));
+await chromium.close();
+process.exit(faults.length > 0 ? 1 : 0);
