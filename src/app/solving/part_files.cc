@@ -125,6 +125,12 @@ void write_frames(const assessment::PartAssessment& assessment,
 
 }  // namespace
 
+bool covers_motion(const assessment::PartFields& fields,
+                   const mechanism::Motion& motion) {
+  return std::ranges::equal(fields.times, motion.instants, {}, {},
+                            &mechanism::Instant::t);
+}
+
 void write_part_files(const assessment::PartAssessment& assessment,
                       const std::optional<MovingPart>& moving,
                       double yield_strength,
@@ -150,13 +156,20 @@ void write_part_files(const assessment::PartAssessment& assessment,
   }
   report::write_file(folder / (name + "_history.csv"),
                      history_csv(fields.history));
-  if (moving) write_frames(assessment, *moving, folder);
+  if (moving && covers_motion(fields, *moving->motion)) {
+    write_frames(assessment, *moving, folder);
+  }
 }
 
 void write_mechanism_series(const std::vector<std::string>& parts,
                             const mechanism::Motion& motion,
                             const std::filesystem::path& folder) {
-  report::write_file(folder / "mechanism.pvd", pvd(series_of(parts, motion)));
+  std::vector<std::string> shown;
+  std::ranges::copy_if(
+      parts, std::back_inserter(shown), [&](const std::string& part) {
+        return std::filesystem::exists(folder / frame_name(part, 0));
+      });
+  report::write_file(folder / "mechanism.pvd", pvd(series_of(shown, motion)));
 }
 
 }  // namespace clevis::app

@@ -30,13 +30,6 @@ std::size_t most_frames(std::size_t cells) {
   return std::clamp(kCells / std::max<std::size_t>(cells, 1), kFewest, kMost);
 }
 
-/// Whether the governing loads are those of the motion.
-bool is_motion(const PartFields& fields,
-               const std::optional<MovingPart>& moving) {
-  return moving && std::ranges::equal(fields.times, moving->motion->instants,
-                                      {}, {}, &mechanism::Instant::t);
-}
-
 /// First row of the history that tells the governing loads.
 std::size_t governing_rows(const PartFields& fields) {
   const auto& history = fields.history;
@@ -184,7 +177,7 @@ report::PartView surface_view(const assessment::PartJob& job,
   report::PartView view;
   view.definition = job.part;
   view.body = body;
-  view.is_motion = is_motion(fields, moving);
+  view.is_motion = moving && covers_motion(fields, *moving->motion);
   fill_surface(job, fields, skin.surface, skin.field, view);
   fill_fields(fields, frames, skin, view);
   const std::size_t row = governing_rows(fields);

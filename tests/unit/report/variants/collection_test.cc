@@ -17,7 +17,7 @@
 #include "report/variants/collection_table.h"
 #include "report/variants/plan_file.h"
 #include "report/variants/variant_reader.h"
-#include "sample_report.h"
+#include "unit/report/sample_report.h"
 
 namespace clevis::report {
 namespace {
