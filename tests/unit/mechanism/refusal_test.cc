@@ -77,7 +77,7 @@ TEST(Refusal, OverDriven) {
   const std::string why = refusal(m);
   EXPECT_TRUE(has(why, "K003 second")) << why;
   EXPECT_TRUE(has(why, "cylinder, D")) << why;
-  EXPECT_TRUE(has(why, "remove 1 ")) << why;
+  EXPECT_TRUE(has(why, "Remove 1 ")) << why;
 }
 
 TEST(Refusal, StrokePastTheDeadCentre) {

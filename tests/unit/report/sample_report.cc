@@ -19,6 +19,7 @@ assessment::PartResult sample_part(const std::string& name) {
   part.dofs = 4758;
   part.cells = 137;
   part.load_columns = 15;
+  part.engine = "own";
   part.peak = {.value = 125e6,
                .band_low = 124.5e6,
                .band_high = 125.75e6,

@@ -78,7 +78,7 @@ TEST_F(ApplySettings, FindsEntriesByNameByJointAndByNumber) {
   EXPECT_EQ(*scene_.at_path("joint[0].at.AB[1]").value<std::string>(), "1 mm");
   EXPECT_EQ(scene_.at_path("joint[0].at.AB").as_array()->size(), 3u);
   EXPECT_EQ(place("joint[0].at.AB[1]"), "--set 1");
-  EXPECT_EQ(place("joint[0].at.AB[2]"), "x.toml:14:35");
+  EXPECT_EQ(place("joint[0].at.AB[2]"), "x.toml:14:32");
 }
 
 TEST_F(ApplySettings, AddsKeysAndTheTablesAboveThem) {

@@ -34,7 +34,7 @@ std::string parsed(const std::string& text) {
 TEST(CsvText, FollowsRfc4180) {
   EXPECT_EQ(parsed("a,b\r\n1,2\r\n"), "<a>1:1<b>1:3|<1>2:1<2>2:3|");
   EXPECT_EQ(parsed("a,b\n1,2"), "<a>1:1<b>1:3|<1>2:1<2>2:3|");
-  EXPECT_EQ(parsed("\"a,\"\"b\"\"\",c\n"), "<a,\"b\">1:1<c>1:10|");
+  EXPECT_EQ(parsed("\"a,\"\"b\"\"\",c\n"), "<a,\"b\">1:1<c>1:11|");
   EXPECT_EQ(parsed("\"x\ny\",c\n1,2\n"), "<x\ny>1:1<c>2:4|<1>3:1<2>3:3|");
   EXPECT_EQ(parsed("\xef\xbb\xbf"
                    "a\n\n1\n"),
