@@ -83,7 +83,7 @@ def call(clevis, *arguments, path=None):
 
 def study_files(checks, folder, document):
     names = sorted(p.name for p in folder.iterdir())
-    checks.expect(names == ["ring_peak.svg", "ring_study.csv",
+    checks.expect(names == [".lock", "ring_peak.svg", "ring_study.csv",
                             "ring_study.svg", "study.json"], "files", names)
     for svg in folder.glob("*.svg"):
         try:

@@ -125,10 +125,11 @@ void write_frames(const assessment::PartAssessment& assessment,
 
 }  // namespace
 
-bool covers_motion(const assessment::PartFields& fields,
-                   const mechanism::Motion& motion) {
-  return std::ranges::equal(fields.times, motion.instants, {}, {},
-                            &mechanism::Instant::t);
+bool begins_with_motion(const assessment::PartFields& fields,
+                        const mechanism::Motion& motion) {
+  const auto found = std::ranges::mismatch(motion.instants, fields.times, {},
+                                           &mechanism::Instant::t);
+  return found.in1 == motion.instants.end();
 }
 
 void write_part_files(const assessment::PartAssessment& assessment,
@@ -156,7 +157,7 @@ void write_part_files(const assessment::PartAssessment& assessment,
   }
   report::write_file(folder / (name + "_history.csv"),
                      history_csv(fields.history));
-  if (moving && covers_motion(fields, *moving->motion)) {
+  if (moving && begins_with_motion(fields, *moving->motion)) {
     write_frames(assessment, *moving, folder);
   }
 }
@@ -169,6 +170,7 @@ void write_mechanism_series(const std::vector<std::string>& parts,
       parts, std::back_inserter(shown), [&](const std::string& part) {
         return std::filesystem::exists(folder / frame_name(part, 0));
       });
+  if (shown.empty()) return;
   report::write_file(folder / "mechanism.pvd", pvd(series_of(shown, motion)));
 }
 

@@ -16,13 +16,15 @@ struct MovingPart {
   mechanism::BodyIndex body{};
 };
 
-/// Whether a part's fields are those of the motion: its governing loads may be
-/// those of a case.
-bool covers_motion(const assessment::PartFields& fields,
-                   const mechanism::Motion& motion);
+/// Whether a part's governing load set begins with the instants of the motion;
+/// cases of the same supports follow them, those of others are a set of their
+/// own.
+bool begins_with_motion(const assessment::PartFields& fields,
+                        const mechanism::Motion& motion);
 
 /// Writes NAME.vtu (Lagrange cells) and NAME_linear.vtu at the worst instant
-/// in frame L; for a moving part that no case governs also frames/NAME_####.vtu
+/// in frame L; for a moving part whose governing
+/// load set has the motion also frames/NAME_####.vtu
 /// in the world and NAME.pvd over them; NAME_buckling.vtu with the shape in
 /// which it buckles.
 /// @param yield_strength  of the material [Pa].
@@ -32,7 +34,8 @@ void write_part_files(const assessment::PartAssessment& assessment,
                       double yield_strength,
                       const std::filesystem::path& folder);
 
-/// Writes mechanism.pvd: the frames of all moving parts that have some.
+/// Writes mechanism.pvd: the frames of all moving parts that have some, if any
+/// has.
 void write_mechanism_series(const std::vector<std::string>& parts,
                             const mechanism::Motion& motion,
                             const std::filesystem::path& folder);

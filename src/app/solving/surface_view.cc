@@ -44,12 +44,13 @@ std::size_t governing_rows(const PartFields& fields) {
   return 0;
 }
 
-/// Uniform instants up to `most`, and those at which the part is worst.
+/// Uniform ones of the first `count` instants up to `most`, and those among
+/// them at which the part is worst.
 std::vector<int> frames_of(const PartFields& fields,
                            const assessment::PartResult& result,
-                           std::size_t most) {
+                           std::size_t count, std::size_t most) {
   std::set<int> frames{fields.peak_instant};
-  const std::size_t last = fields.times.size() - 1;
+  const std::size_t last = count - 1;
   const std::size_t steps = std::min(last, most - 1);
   for (std::size_t k = 0; k <= steps; ++k) {
     frames.insert(static_cast<int>(steps == 0 ? 0 : last * k / steps));
@@ -57,9 +58,10 @@ std::vector<int> frames_of(const PartFields& fields,
   for (const double t :
        {result.deflection_instant, result.strain_energy_instant,
         judged_peak(result).instant, result.buckling.instant}) {
-    const auto found = std::ranges::find(fields.times, t);
-    if (found == fields.times.end()) continue;
-    frames.insert(static_cast<int>(found - fields.times.begin()));
+    const auto at = std::ranges::find(fields.times, t) - fields.times.begin();
+    if (at < static_cast<std::ptrdiff_t>(count)) {
+      frames.insert(static_cast<int>(at));
+    }
   }
   return {frames.begin(), frames.end()};
 }
@@ -172,12 +174,19 @@ report::PartView surface_view(const assessment::PartJob& job,
                               const std::string& body) {
   const PartFields& fields = assessment.fields;
   const auto cells = static_cast<std::size_t>(fields.worst.worst.cols());
-  const auto frames = frames_of(fields, assessment.result, most_frames(cells));
+  const bool is_motion = moving &&
+                         begins_with_motion(fields, *moving->motion) &&
+                         static_cast<std::size_t>(fields.peak_instant) <
+                             moving->motion->instants.size();
+  const auto frames = frames_of(
+      fields, assessment.result,
+      is_motion ? moving->motion->instants.size() : fields.times.size(),
+      most_frames(cells));
   Skin skin = skin_of(fields, frames, subdivisions_of(fields, cells));
   report::PartView view;
   view.definition = job.part;
   view.body = body;
-  view.is_motion = moving && covers_motion(fields, *moving->motion);
+  view.is_motion = is_motion;
   fill_surface(job, fields, skin.surface, skin.field, view);
   fill_fields(fields, frames, skin, view);
   const std::size_t row = governing_rows(fields);
