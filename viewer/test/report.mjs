@@ -89,8 +89,9 @@ if (moves) {
     await page.keyboard.press("End");
     const last = await pose();
     assert.notDeepEqual(first, last);
-    await page.keyboard.press("ArrowLeft");
-    assert.notDeepEqual(await pose(), last);
+    const end = await clock();
+    await page.keyboard.press("ArrowLeft");  // bodies may rest by then
+    assert.notEqual(await clock(), end);
     await page.focus(".timeline input[type=range]");
     await page.keyboard.press("Home");
     assert.deepEqual(await pose(), first);
