@@ -1,29 +1,23 @@
 #include "report/figures/svg.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "report/text/markup.h"
+
 namespace clevis::report::svg {
 
 std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return result;
+  std::string plain = text;
+  std::ranges::replace_if(
+      plain,
+      [](char c) {
+        return static_cast<unsigned char>(c) < 0x20;
+      },
+      ' ');
+  return escape_markup(plain);
 }
 
 std::string text(double x, double y, const char* attributes,

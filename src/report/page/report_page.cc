@@ -4,6 +4,7 @@
 
 #include "report/page/page_assets.h"
 #include "report/text/atomic_file.h"
+#include "report/text/markup.h"
 
 namespace clevis::report {
 namespace {
@@ -23,33 +24,10 @@ std::string head(const std::string& title) {
       "initial-scale=1\">\n"
       "<title>{}</title>\n<link rel=\"icon\" href=\"data:,\">\n"
       "<style>{}</style>\n</head>\n",
-      viewer_policy(), escape_html(title), viewer_style());
+      viewer_policy(), escape_markup(title), viewer_style());
 }
 
 }  // namespace
-
-std::string escape_html(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
 
 std::string escape_json_for_html(std::string_view json) {
   std::string escaped;

@@ -8,9 +8,6 @@
 
 namespace clevis::report {
 
-/// `text` as the content of an HTML element.
-std::string escape_html(std::string_view text);
-
 /// The JSON text with every `<` of its strings as `\u003c`, so that nothing in
 /// it ends the element that holds it.
 std::string escape_json_for_html(std::string_view json);

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "report/quantities/member_count.h"
 #include "report/text/json_text.h"
-#include "report/text/member_count.h"
 
 namespace nlohmann {
 

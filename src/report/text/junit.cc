@@ -5,35 +5,14 @@
 #include <fmt/format.h>
 
 #include "report/text/json_text.h"
+#include "report/text/markup.h"
 #include "report/text/terminal.h"
 
 namespace clevis::report {
 namespace {
 
 std::string escape(const std::string& text) {
-  std::string escaped;
-  for (const char c : printable(valid_utf8(text))) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&apos;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
+  return escape_markup(printable(valid_utf8(text)));
 }
 
 std::string element(const JunitCase& test) {
