@@ -343,6 +343,19 @@ class PeakSearch {
     if (kShare * best_ < least_) find_places_above(kShare * best_);
   }
 
+  /// By how much the largest of several places that may be equal is too large,
+  /// for it was chosen by its error, too: its distance to their mean [Pa].
+  double excess_by_choice(double largest) const {
+    double sum = 0.0;
+    int equals = 0;
+    for (const Seen& seen : seen_) {
+      if (seen.closer.high < largest) continue;
+      sum += seen.closer.value;
+      ++equals;
+    }
+    return equals == 0 ? 0.0 : largest - sum / equals;
+  }
+
   NearbyPeak join(double tolerance) const {
     NearbyPeak peak;
     stress::Band& band = peak.band;
@@ -357,6 +370,7 @@ class PeakSearch {
       peak.instant = seen.place.instant;
       peak.jump = seen.place.high - seen.place.low;
     }
+    band.low -= excess_by_choice(band.value);
     // Places that are left may be as far off as the others were.
     const auto rest = highest_open();
     if (rest && place(*rest).high >= kReach * best_) {
