@@ -35,7 +35,7 @@ ROOMS = {
         "joints": "joint types: what each holds and leaves free, in numbers and in space",
         "drives": "prescribed coordinates over time",
         "force_laws": "scalar laws: contact, friction, gas",
-        "element_base": "what force elements share: lines, place, modes, ends that press",
+        "element_base": "what force elements share: lines, modes, response to a state, ends that press",
         "line_elements": "force elements along a line, one file pair each, and their registry",
         "force_elements": "all force elements: those beside lines, and the registry",
         "definition": "a mechanism as the user wrote it, its settings, and its motion",

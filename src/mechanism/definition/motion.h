@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "mechanism/definition/definition.h"
+#include "mechanism/element_base/element_state.h"
 
 namespace clevis::mechanism {
 

@@ -37,7 +37,7 @@ struct ElementProperties {
   bool slides = false;
   std::vector<ElementChannel> channels{};
   /// Efforts over time bend there, and jump at steps [s].
-  std::vector<double> bends{}, steps{};
+  std::vector<double> breakpoints{}, steps{};
   /// All times at which what is given over time bends [s].
   std::vector<double> breaks{};
   /// What its line is to follow, or null.
