@@ -132,7 +132,8 @@ ROOMS = {
         "variants": "many variants: plan, collect, and which results are finished",
         "solving": "the commands that solve, as the library that is loaded on demand",
         "results": "commands that read results: compare, report, glTF",
-        "commands": "the other commands, and the door to that library",
+        "plugin": "the door to that library, and the commands that ask it",
+        "commands": "the other commands",
         "start": "a way in: scenes to start from, what is installed, completion in shells",
     },
 }

@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include <CLI/CLI.hpp>
 #include <unistd.h>
 
 #include "base/errors.h"
@@ -31,6 +32,13 @@ ExitCode transmission_command(const Options& options) {
                              : report::transmission_text(
                                    report, report::colour_of(STDOUT_FILENO)));
   return ExitCode::kPass;
+}
+
+Run declare_transmission(CLI::App& command) {
+  const auto request = std::make_shared<SceneRequest>();
+  add_scene(command, *request);
+  add_output(command, request->options);
+  return run_request(request, transmission_command);
 }
 
 }  // namespace clevis::app

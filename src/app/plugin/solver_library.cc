@@ -1,18 +1,14 @@
-#include "app/commands/plugin_commands.h"
+#include "app/plugin/solver_library.h"
 
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <iostream>
 
 #include <dlfcn.h>
 
 #include "app/request/options.h"
-#include "app/scenes/mesh_parts.h"
 #include "app/solving/plugin_entries.h"
-#include "app/variants/finished_check.h"
 #include "base/errors.h"
-#include "base/mpi_run.h"
 
 namespace clevis::app {
 namespace {
@@ -88,36 +84,6 @@ ExitCode run_in_plugin(const char* entry_name, const Options& options) {
 void add_link_compliances_by_plugin(scene::Scene& scene,
                                     const Options& options) {
   reinterpret_cast<LinkEntry*>(plugin_entry(kLinkEntryName))(scene, options);
-}
-
-ExitCode check_command(const Options& options) {
-  if (options.mesh && mpi_ranks() > 1) {
-    throw Error("U001", "--mesh", "several ranks cannot mesh",
-                "Run clevis mesh alone first, with the same --set.");
-  }
-  try {
-    if (options.mesh) mesh_parts(options, MeshWhich::kOutdated, std::cerr);
-    if (options.resume) {
-      if (const auto code = finished_check(options)) return *code;
-    }
-    return run_in_plugin(kCheckEntryName, options);
-  } catch (const Error& error) {
-    // Whoever holds the folder writes there.
-    if (options.resume && error.code() != "I006") write_refusal(options, error);
-    throw;
-  }
-}
-
-ExitCode study_command(const Options& options) {
-  return run_in_plugin(kStudyEntryName, options);
-}
-
-ExitCode export_command(const Options& options) {
-  return run_in_plugin(kExportEntryName, options);
-}
-
-ExitCode modes_command(const Options& options) {
-  return run_in_plugin(kModesEntryName, options);
 }
 
 }  // namespace clevis::app

@@ -24,12 +24,4 @@ ExitCode run_in_plugin(const char* entry_name, const Options& options);
 void add_link_compliances_by_plugin(scene::Scene& scene,
                                     const Options& options);
 
-/// The commands that solve. Each writes its result to stdout and its progress
-/// to stderr.
-/// @throws Error as run_in_plugin() and the command itself.
-ExitCode check_command(const Options& options);
-ExitCode study_command(const Options& options);
-ExitCode export_command(const Options& options);
-ExitCode modes_command(const Options& options);
-
 }  // namespace clevis::app
