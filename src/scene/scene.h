@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "machine/bearing.h"
-#include "machine/ejector.h"
-#include "machine/transmission.h"
+#include "machine/bearings/bearing.h"
+#include "machine/devices/ejector.h"
+#include "machine/transmissions/transmission.h"
 #include "mechanism/definition/definition.h"
 #include "part/geometry_parameter.h"
 #include "part/part_definition.h"

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
-#include "beam/ejector.h"
+#include "beam/estimates/ejector.h"
 #include "report/machine/ejector_output.h"
 #include "scene/scene.h"
 

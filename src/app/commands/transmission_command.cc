@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
-#include "machine/transmission.h"
+#include "machine/transmissions/transmission.h"
 #include "report/machine/transmission_output.h"
 #include "scene/scene.h"
 

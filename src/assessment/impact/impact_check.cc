@@ -22,7 +22,7 @@
 #include "assessment/models/model_list.h"
 #include "base/errors.h"
 #include "elasticity/vibration/eigenmodes.h"
-#include "loads/case_loads.h"
+#include "loads/parts/case_loads.h"
 
 namespace clevis::assessment {
 namespace {

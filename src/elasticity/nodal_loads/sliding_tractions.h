@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
-#include "loads/discrete_balance.h"
-#include "loads/load_history.h"
-#include "loads/seat_traction.h"
+#include "loads/history/load_history.h"
+#include "loads/pressure/discrete_balance.h"
+#include "loads/pressure/seat_traction.h"
 #include "part/bore.h"
 
 namespace clevis::elasticity {

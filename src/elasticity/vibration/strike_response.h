@@ -5,10 +5,10 @@
 
 #include <Eigen/Core>
 
-#include "dynamics/strike.h"
+#include "dynamics/strike/strike.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/problem/elastic_problem.h"
-#include "loads/strike.h"
+#include "loads/history/strike.h"
 
 namespace clevis::elasticity {
 

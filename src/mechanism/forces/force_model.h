@@ -60,7 +60,8 @@ class ForceModel {
   /// See OdeSystem. @param internal  of that state.
   void hold_tangents(const ForceState& state, const double* internal);
   void release_tangents();
-  /// @param velocity_tolerance, break_free_speed  see ModeSwitch [m/s], of turns
+  /// @param velocity_tolerance, break_free_speed  see ModeSwitch [m/s], of
+  /// turns
   ///   over the length.
   /// @param per_second  bristles creep by this part of their deflection at
   ///   most [1/s].

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/problem/displacement_basis.h"
-#include "loads/load_history.h"
+#include "loads/history/load_history.h"
 #include "part/material.h"
 #include "part/supports.h"
 
