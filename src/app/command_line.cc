@@ -27,7 +27,7 @@ constexpr const char* kExitCodes =
   21 resource limit, 22 files, 70 internal error. `clevis explain CODE` explains
   a diagnostic, `clevis explain` lists them all.)";
 
-/// What to do about a command line that the parser refuses.
+/// Remedy for a command line that the parser refuses.
 std::string usage_remedy(const CLI::App& app, int argc,
                          const char* const* argv) {
   const auto chosen = app.get_subcommands();

@@ -49,7 +49,7 @@ struct Scene {
 Scene read_scene(const std::filesystem::path& file,
                  const std::vector<Setting>& settings = {});
 
-/// What a scene says with its settings, without layout, comments and [vary]:
+/// Content of a scene with its settings, without layout, comments and [vary]:
 /// equal for equal scenes, wherever a value comes from.
 /// @throws Error S001, I001 and those of apply_settings().
 std::string scene_content(const std::filesystem::path& file,

@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// What is left of a column beside what it was, for it to be round-off.
+/// Part of a column below which its rest is round-off.
 constexpr double kNothing = 1e-11;
 
 MatrixXd beside(const MatrixXd& left, const MatrixXd& right) {

@@ -46,7 +46,7 @@ class SlidingTractions {
   double largest_force_{}, largest_moment_{};
 };
 
-/// What of a cylinder a zone covers.
+/// Part of a cylinder that a zone covers.
 part::Bore touched(const part::Bore& cylinder, const loads::Seat& seat,
                    const loads::ContactZone& zone);
 

@@ -27,7 +27,7 @@ struct RevolutionProblem {
 struct RevolutionSolution {
   DisplacementBasis<3> basis;  ///< on the revolved discretisation
   int terms{};                 ///< of the Fourier series that are solved
-  /// What the upper half of the orders adds to basis.columns (no rows if
+  /// Contribution of the upper half of the orders to basis.columns (no rows if
   /// nothing is left out of the series): its stress at a point is about what
   /// the orders left out still bring there.
   Eigen::MatrixXd upper_half;

@@ -12,7 +12,7 @@
 
 namespace clevis::elasticity {
 
-/// What a part does after a strike.
+/// Response of a part to a strike.
 template <int dim>
 struct StrikeResponse {
   /// Displacements at the samples of `motion`, for stress::stress_history; the

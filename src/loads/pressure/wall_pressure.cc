@@ -92,7 +92,7 @@ std::optional<Matrix3Xd> wall_pressure(const GroupQuadrature& quadrature,
       quadrature.points * quadrature.weights / quadrature.weights.sum();
   const Matrix3Xd arms = quadrature.points.colwise() - centre;
   const double size = std::sqrt(arms.colwise().squaredNorm().maxCoeff());
-  // What a unit of pressure at each point is about the centre; moments over
+  // Wrench of a unit of pressure at each point about the centre; moments over
   // the size.
   MatrixXd unit(6, n);
   for (Index q = 0; q < n; ++q) {

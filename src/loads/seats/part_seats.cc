@@ -36,7 +36,7 @@ BodyJoint body_joint(const SeatContext& context, const std::string& name,
               "Name a joint that connects this body, or delete the entry.");
 }
 
-/// What a joint sits on: a pin's cylinder, a slide's wall, or for joints that
+/// Seat of a joint: a pin's cylinder, a slide's wall, or for joints that
 /// hold as welds do a face.
 Seat joint_seat(const SeatContext& context, const part::Seat& wanted,
                 const BodyJoint& joint) {

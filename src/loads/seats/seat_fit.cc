@@ -162,7 +162,7 @@ std::vector<Turn> turns() {
   return result;
 }
 
-/// What the user most likely has to change.
+/// Likely remedy for the user.
 std::string remedy_for(const std::vector<Pair>& pairs, double size) {
   const double gap = kGapTolerance * size;
   const Matrix3d as_is = Matrix3d::Identity();

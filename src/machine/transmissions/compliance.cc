@@ -59,7 +59,7 @@ double law_compliance(const ElementGroup& group, BallScrewUnit unit) {
   return group.parallel ? 1.0 / sum : sum;
 }
 
-/// What tables say of the elements, in the order of the variant.
+/// Table values of the elements, in the order of the variant.
 struct Naming {
   const char *type, *formula;
 };

@@ -20,7 +20,7 @@ class DrivenInstants {
   explicit DrivenInstants(const DrivenModel& model)
       : model_(model), forces_(model.definition, model.frame) {}
 
-  /// An instant and what the force elements do there.
+  /// An instant and the responses of the force elements there.
   struct Acted {
     Instant instant;
     ForceState forces;
@@ -35,7 +35,7 @@ class DrivenInstants {
   ///   the branch. @return nothing where no regular branch goes there.
   std::optional<Instant> singular(const Configuration& x,
                                   const Eigen::VectorXd& along, double t);
-  /// What the force elements alone do at a moment; from there turns are
+  /// Responses of the force elements alone at a moment; from there turns are
   /// counted.
   ForceState sense(const DrivenMoment& moment);
 

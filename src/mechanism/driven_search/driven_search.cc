@@ -14,7 +14,7 @@ namespace {
 
 // Looks beside the instants; each takes some kilobytes.
 constexpr std::size_t kMostLooks = 50'000;
-// What stress analysis takes in seconds.
+// Instants that stress analysis takes in seconds.
 constexpr std::size_t kMostAdded = 4000;
 // Looks over the duration where nothing else asks for any.
 constexpr int kLeastLooks = 33;

@@ -14,7 +14,7 @@
 
 namespace clevis::mechanism {
 
-/// What forces act on: an instant of a motion.
+/// State of a motion in which forces act.
 struct ActingState {
   double t{};  ///< [s]
   const Configuration& configuration;
@@ -28,7 +28,7 @@ struct AngleAnchor {
   double q{}, rate{}, t{};
 };
 
-/// A force element placed between two bodies: what it does in a state, in its
+/// A force element placed between two bodies: its response to a state, by its
 /// modes.
 ///
 /// Kinds override what they do otherwise than an element without states, modes,
@@ -43,12 +43,12 @@ class ActingElement : public InternalStates,
   ActingElement(const ActingElement&) = delete;
   ActingElement& operator=(const ActingElement&) = delete;
 
-  /// Puts what it does in a state. Sticking friction has no effort of its own.
+  /// Puts its response to a state. Sticking friction has no effort of its own.
   void evaluate(const ActingState& state, ElementResponse& now) const;
   /// The state at t [s] is part of the motion: angles count their turns from
   /// there.
   void accept(double t, const ElementResponse& now);
-  /// What it does to its bodies, where it touches, or at its ends.
+  /// Its actions on the bodies, where it touches, or at its ends.
   std::array<ElementAction, 2> actions(const ElementResponse& now) const;
 
   double guard_value(const ElementGuard& guard, double t,

@@ -11,7 +11,8 @@
 
 namespace clevis::mechanism {
 
-/// What a force element does to its bodies a and b in one state of a motion.
+/// Response of a force element in one state of a motion: place, effort, and its
+/// action on bodies a and b.
 struct ElementResponse {
   /// Without effort, at no place.
   ElementResponse();
@@ -26,8 +27,8 @@ struct ElementResponse {
   double q{}, rate{};          ///< of a line; a contact's depth; [m] or [rad]
   double effort{};             ///< on b, > 0 pushes apart; normal force
   double friction{};           ///< of a contact [N]
-  /// What friction is proportional to: 1, or the joint's force if it follows
-  /// that; 0 until that is known [N].
+  /// Load that friction is proportional to: 1, or the joint's force if it
+  /// follows that; 0 until that is known [N].
   double load = 1.0;
   double per_load{}, own_effort{};  ///< effort = load × per_load + own_effort
   std::vector<double> internal_rates;           ///< one per internal state

@@ -17,8 +17,7 @@ struct ElementGuard {
 
 /// Laws of several pieces, followed piece by piece: `modes` say which pieces
 /// hold, two events per element when they end. An element of one piece keeps
-/// the defaults. `now`: what the element does in its modes, in the state at
-/// hand.
+/// the defaults. `now`: its response to the state at hand.
 class ModeSwitch {
  public:
   virtual bool may_switch() const { return false; }

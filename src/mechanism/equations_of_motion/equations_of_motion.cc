@@ -115,7 +115,7 @@ const MechanismState& EquationsOfMotion::factor(double t, const VectorXd& y) {
   return state_;
 }
 
-/// What drives ask of them and velocities take from them.
+/// Accelerations that drives ask of rows, less those that velocities cause.
 void EquationsOfMotion::put_row_accelerations() {
   VectorXd& gamma = solution_.row_accelerations;
   const Index rows = system_.rows();

@@ -30,7 +30,7 @@ struct MotionSolution {
 /// Equations of motion of a mechanism with free coordinates, in the states y
 /// of StateLayout. Drives are constraints that move. Times [s].
 ///
-/// What a function returns by reference holds until the next call of place(),
+/// A reference that a function returns holds until the next call of place(),
 /// evaluate_forces(), factor() or solve().
 class EquationsOfMotion {
  public:

@@ -98,7 +98,8 @@ double EventFinder::root(numerics::Integrator& integrator, int event,
       from, at_from, right, at_right);
 }
 
-/// What rests follows only what time does to it: no step tells how fast.
+/// Windows of a step. A resting part follows time alone: no step tells how
+/// fast.
 /// @throws Error K008 where that is too much to look at.
 long EventFinder::windows(double start, double end) {
   if (!any_sticks(equations_.forces())) return 1;

@@ -6,7 +6,7 @@
 namespace clevis::mechanism {
 namespace {
 
-// What stress analysis takes in seconds.
+// Instants that stress analysis takes in seconds.
 constexpr long kMostInstants = 4000;
 constexpr int kDepth = 8;
 

@@ -37,7 +37,7 @@ class ForceModel {
 
   /// A state without efforts, of the sizes that evaluate() fills.
   ForceState none() const;
-  /// Puts what the elements do. @param internal  bristles, gas, currents.
+  /// Puts the elements' responses. @param internal  bristles, gas, currents.
   void evaluate(double t, const Configuration& x,
                 const std::vector<Twist>& twists, const double* internal,
                 ForceState& state) const;

@@ -6,8 +6,8 @@
 
 namespace clevis::mechanism {
 
-/// What all force elements of a mechanism do in one state of a motion. Values
-/// in SI, those of elements in units of their own.
+/// Responses of all force elements of a mechanism in one state of a motion
+/// (SI).
 struct ForceState {
   std::vector<ElementResponse> elements;  ///< by force element
 };

@@ -8,7 +8,7 @@
 namespace clevis::mechanism {
 
 // Motion of force elements' lines by that of bodies. Bodies by slot, in [m/s],
-// [rad/s] and per second; `now`: what the element does in that state.
+// [rad/s] and per second; `now`: the element's response to that state.
 
 /// Part of the line's acceleration that velocities cause [m/s²], [rad/s²].
 double line_bias(const ActingElement& e, const ElementResponse& now,

@@ -90,7 +90,7 @@ bool ArticulatedBodies::factor_joint(std::size_t k) {
   return true;
 }
 
-/// What the joint does not give way to, moved into the parent's centre.
+/// Inertia that the joint transmits, moved into the parent's centre.
 void ArticulatedBodies::add_to_parent(std::size_t k) {
   const JointCoordinates::Link& link = coordinates_.links()[k];
   const Body& body = bodies_[k];
