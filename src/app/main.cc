@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "app/command_line.h"
+#include "app/command_list.h"
 #include "app/error_output.h"
 #include "base/mpi_run.h"
 
@@ -25,7 +26,7 @@ clevis::ExitCode run(int argc, const char* const* argv) {
   return code;
 }
 
-/// Under mpirun all but `check` is the first rank's work, and only that rank
+/// Under mpirun most commands are the first rank's work, and only that rank
 /// speaks.
 /// @return whether this rank has nothing to do.
 bool stands_aside(std::span<const char* const> arguments) {
@@ -34,7 +35,9 @@ bool stands_aside(std::span<const char* const> arguments) {
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
   close(nowhere);
-  return arguments.size() < 2 || std::string_view(arguments[1]) != "check";
+  const clevis::app::Command* command =
+      arguments.size() < 2 ? nullptr : clevis::app::find_command(arguments[1]);
+  return command == nullptr || command->ranks != clevis::app::Ranks::kAll;
 }
 
 int fail(const Error& error, std::span<const char* const> arguments) {

@@ -8,7 +8,7 @@
 
 namespace clevis::calculix {
 
-/// What CalculiX found in one step, at the nodes; SI.
+/// Solution of CalculiX in one step, at the nodes; SI.
 struct StepResult {
   Eigen::Matrix3Xd displacement;  ///< [m]
   /// xx, yy, zz, xy, yz, xz: extrapolated from the integration points and

@@ -63,8 +63,8 @@ void require_direction(const MechanismDefinition& definition, double length,
   }
 }
 
-/// What the drives of a motion that may be either leave free, so that it is
-/// integrated; nothing if they fix it.
+/// Coordinates that the drives of a motion that may be either leave free, so
+/// that it is integrated; nothing if they fix it.
 std::optional<LeftFree> left_free(const MechanismDefinition& definition,
                                   const SolvingFrame& frame,
                                   const SimulationSettings& settings) {

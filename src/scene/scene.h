@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "machine/bearing.h"
-#include "machine/ejector.h"
-#include "machine/transmission.h"
+#include "machine/bearings/bearing.h"
+#include "machine/devices/ejector.h"
+#include "machine/transmissions/transmission.h"
 #include "mechanism/definition/definition.h"
 #include "part/geometry_parameter.h"
 #include "part/part_definition.h"
@@ -49,7 +49,7 @@ struct Scene {
 Scene read_scene(const std::filesystem::path& file,
                  const std::vector<Setting>& settings = {});
 
-/// What a scene says with its settings, without layout, comments and [vary]:
+/// Content of a scene with its settings, without layout, comments and [vary]:
 /// equal for equal scenes, wherever a value comes from.
 /// @throws Error S001, I001 and those of apply_settings().
 std::string scene_content(const std::filesystem::path& file,

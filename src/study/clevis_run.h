@@ -18,7 +18,7 @@ struct Series {
   elasticity::Engine engine = elasticity::Engine::kOwn;
 };
 
-/// What a series is called in tables and plots.
+/// Name of a series in tables and plots.
 std::string series_name(const Series& series);
 
 /// The series of a part: each model that suits it, with each number of terms,

@@ -9,7 +9,7 @@
 
 namespace clevis::study {
 
-/// What the whole command says.
+/// Output of the whole command.
 struct Study {
   std::string version, scene;
   std::vector<PartStudy> parts;

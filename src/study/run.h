@@ -35,7 +35,7 @@ struct Run {
   std::string left_out;  ///< why there are no values; else empty
 };
 
-/// What the runs are compared with.
+/// Reference of the runs.
 struct Reference {
   double value{};        ///< SI
   double uncertainty{};  ///< half-width [same]

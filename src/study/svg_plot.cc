@@ -160,7 +160,7 @@ std::string drawn_axes(const Panel& panel, const Axis& x, const Axis& y) {
   return out;
 }
 
-/// What is below the reference's own uncertainty, in grey.
+/// Draws the reference's own uncertainty in grey.
 std::string drawn_floor(double floor, const Axis& x, const Axis& y) {
   if (!(floor > 0.0) || std::log10(floor) <= y.low) return {};
   const double top = std::max(y.at(floor), y.end);

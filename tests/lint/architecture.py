@@ -35,7 +35,7 @@ ROOMS = {
         "joints": "joint types: what each holds and leaves free, in numbers and in space",
         "drives": "prescribed coordinates over time",
         "force_laws": "scalar laws: contact, friction, gas",
-        "element_base": "what force elements share: lines, place, modes, ends that press",
+        "element_base": "what force elements share: lines, modes, response to a state, ends that press",
         "line_elements": "force elements along a line, one file pair each, and their registry",
         "force_elements": "all force elements: those beside lines, and the registry",
         "definition": "a mechanism as the user wrote it, its settings, and its motion",
@@ -56,6 +56,11 @@ ROOMS = {
         "integration": "start, steps, breaks and energy of such a motion",
         "dynamic_motion": "motions that forces decide: one run from start to end",
     },
+    "machine": {
+        "bearings": "rolling bearings by their catalogues: load over a motion, life",
+        "transmissions": "drive trains: compliance, frequencies, error",
+        "devices": "machines of one kind: ejectors, the slide lever in closed form",
+    },
     "scene": {
         "text": "the scene as text: values with places, tables with known keys, names",
         "motion": "bodies, joints, couplings, drives, initial states, settings",
@@ -74,6 +79,23 @@ ROOMS = {
         "rounds": "cylinders behind faces, and cells that follow them",
         "reading": "from the file to a PartMesh with exact geometry",
         "derived": "meshes made of meshes: mid-planes, meridians, graded, parts of them",
+    },
+    "loads": {
+        "history": "loads of a part over time, the inertia in balance with them, blows",
+        "pressure": "tractions of seats on walls, in balance on their quadrature points",
+        "seats": "seats: where joints and forces of the scene press on a part",
+        "parts": "loads of a part: over the motion, in its cases, on pins that hold it",
+    },
+    "dynamics": {
+        "systems": "K and M as operators, their Krylov spaces, free vibrations",
+        "load_vibration": "vibration about the quasi-static answer to loads over time",
+        "struck_body": "the body under a strike: contact, shapes, one step in time",
+        "strike": "a strike: its duration, its steps, both sides in motion",
+    },
+    "beam": {
+        "theory": "closed forms: struts, bars under a blow",
+        "sections": "a part as a beam: sections, pins, lugs and the mass beside them",
+        "estimates": "stress, deflection and blow of a part or an ejector by these",
     },
     "elasticity": {
         "algebra": "dense and sparse matrices",
@@ -132,7 +154,8 @@ ROOMS = {
         "variants": "many variants: plan, collect, and which results are finished",
         "solving": "the commands that solve, as the library that is loaded on demand",
         "results": "commands that read results: compare, report, glTF",
-        "commands": "the other commands, and the door to that library",
+        "plugin": "the door to that library, and the commands that ask it",
+        "commands": "the other commands",
         "start": "a way in: scenes to start from, what is installed, completion in shells",
     },
 }
@@ -146,12 +169,23 @@ PUBLIC = {
     "mechanism": "definition/definition definition/drive_names definition/motion"
                  " force_elements/force_element joints/joint_types"
                  " reactions/other_sharings simulate structure/structure",
+    "machine": "bearings/bearing bearings/bearing_history bearings/bearing_life"
+               " devices/ejector devices/slide_lever_closed_form"
+               " transmissions/transmission",
     "scene": "scene text/name_index text/suggestion variants/design"
              " variants/setting variants/variant_list",
     "mesh": "basis/simplex_basis basis/simplex_quadrature basis/tensor_basis cells/part_mesh cells/section"
             " cells/topology derived/graded_mesh derived/plate derived/quadrangles"
             " derived/revolution derived/split_cells derived/sub_mesh"
             " gmsh/gmsh_element quality/mass_properties reading/mesh_reader",
+    "loads": "history/balance history/load_history history/strike"
+             " parts/case_loads parts/held_pins parts/part_loads"
+             " pressure/discrete_balance pressure/seat_traction"
+             " pressure/wall_pressure seats/part_seats seats/seat_spans",
+    "dynamics": "load_vibration/load_answer load_vibration/load_path"
+                " load_vibration/load_shapes strike/strike strike/strike_steps"
+                " systems/block_krylov systems/eigenmodes systems/linear_system",
+    "beam": "estimates/beam_estimate estimates/ejector estimates/struck_part",
     "elasticity": "algebra/dense_product algebra/rank_team assembly/stiffness assembly/supports"
                   " buckling/buckling fe_space/discretization fe_space/group_trace"
                   " fe_space/tabulation nodal_loads/load_vectors plate/layered_solve"

@@ -11,7 +11,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
-#include "dynamics/linear_system.h"
+#include "dynamics/systems/linear_system.h"
 
 namespace clevis::support {
 

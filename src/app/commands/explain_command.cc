@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <iostream>
+#include <memory>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "base/diagnostics.h"
@@ -45,6 +47,14 @@ ExitCode explain_command(const std::string& code) {
                            static_cast<int>(entry.exit_code));
   print_wrapped(entry.explanation);
   return ExitCode::kPass;
+}
+
+Run declare_explain(CLI::App& command) {
+  const auto code = std::make_shared<std::string>();
+  command.add_option("CODE", *code, "e.g. S004; none lists all");
+  return [code] {
+    return explain_command(*code);
+  };
 }
 
 }  // namespace clevis::app

@@ -2,10 +2,11 @@
 
 #include <iostream>
 
+#include <CLI/CLI.hpp>
 #include <unistd.h>
 
 #include "base/errors.h"
-#include "beam/ejector.h"
+#include "beam/estimates/ejector.h"
 #include "report/machine/ejector_output.h"
 #include "scene/scene.h"
 
@@ -32,6 +33,13 @@ ExitCode impact_command(const Options& options) {
                              : report::ejector_text(
                                    report, report::colour_of(STDOUT_FILENO)));
   return ExitCode::kPass;
+}
+
+Run declare_impact(CLI::App& command) {
+  const auto request = std::make_shared<SceneRequest>();
+  add_scene(command, *request);
+  add_output(command, request->options);
+  return run_request(request, impact_command);
 }
 
 }  // namespace clevis::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/request/command_options.h"
 #include "app/request/options.h"
 #include "base/exit_code.h"
 
@@ -8,5 +9,8 @@ namespace clevis::app {
 /// Ejector and blow of the scene by beam theory, without finite elements.
 /// @throws Error as read_scene.
 ExitCode impact_command(const Options& options);
+
+/// Declares the options of `clevis impact`. @return what runs it.
+Run declare_impact(CLI::App& command);
 
 }  // namespace clevis::app

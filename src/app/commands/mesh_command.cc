@@ -2,6 +2,8 @@
 
 #include <iostream>
 
+#include <CLI/CLI.hpp>
+
 #include "app/scenes/mesh_parts.h"
 
 namespace clevis::app {
@@ -11,6 +13,17 @@ ExitCode mesh_command(const Options& options) {
     std::cout << "no part of the scene has a geometry: nothing to mesh\n";
   }
   return ExitCode::kPass;
+}
+
+Run declare_mesh(CLI::App& command) {
+  command.footer(
+      "Runs gmsh on the .geo files that the scene names. A .geo can run shell\n"
+      "commands: mesh only scenes that you trust. No other command runs gmsh,\n"
+      "but `check` with --mesh; they read the .msh.");
+  const auto request = std::make_shared<SceneRequest>();
+  add_scene(command, *request);
+  add_parts(command, request->options.parts);
+  return run_request(request, mesh_command);
 }
 
 }  // namespace clevis::app

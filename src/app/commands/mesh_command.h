@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/request/command_options.h"
 #include "app/request/options.h"
 #include "base/exit_code.h"
 
@@ -8,5 +9,8 @@ namespace clevis::app {
 /// Meshes the parts' geometries by gmsh, each in a process of its own.
 /// @throws Error of what gmsh said, with the geometry as place.
 ExitCode mesh_command(const Options& options);
+
+/// Declares the options of `clevis mesh`. @return what runs it.
+Run declare_mesh(CLI::App& command);
 
 }  // namespace clevis::app

@@ -3,16 +3,17 @@
 #include <iostream>
 #include <optional>
 
+#include <CLI/CLI.hpp>
 #include <unistd.h>
 
-#include "app/commands/plugin_commands.h"
 #include "app/commands/slide_lever_comparison.h"
+#include "app/plugin/solver_library.h"
 #include "app/processes/folder_lock.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
 #include "app/scenes/view_inputs.h"
 #include "base/errors.h"
-#include "machine/bearing_life.h"
+#include "machine/bearings/bearing_life.h"
 #include "mechanism/simulate.h"
 #include "mechanism/structure/structure.h"
 #include "report/motion/motion_files.h"
@@ -77,6 +78,14 @@ ExitCode simulate_command(const Options& options) {
                              : report::motion_table(
                                    report, report::colour_of(STDOUT_FILENO)));
   return ExitCode::kPass;
+}
+
+Run declare_simulate(CLI::App& command) {
+  const auto request = std::make_shared<SceneRequest>();
+  add_scene(command, *request);
+  add_output(command, request->options);
+  add_report_flag(command, request->options);
+  return run_request(request, simulate_command);
 }
 
 }  // namespace clevis::app

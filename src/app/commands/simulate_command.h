@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/request/command_options.h"
 #include "app/request/options.h"
 #include "base/exit_code.h"
 
@@ -9,5 +10,8 @@ namespace clevis::app {
 /// JSON on stdout and as files with --out.
 /// @throws Error as load_scene and simulate.
 ExitCode simulate_command(const Options& options);
+
+/// Declares the options of `clevis simulate`. @return what runs it.
+Run declare_simulate(CLI::App& command);
 
 }  // namespace clevis::app

@@ -2,10 +2,11 @@
 
 #include <iostream>
 
+#include <CLI/CLI.hpp>
 #include <unistd.h>
 
 #include "base/errors.h"
-#include "machine/transmission.h"
+#include "machine/transmissions/transmission.h"
 #include "report/machine/transmission_output.h"
 #include "scene/scene.h"
 
@@ -31,6 +32,13 @@ ExitCode transmission_command(const Options& options) {
                              : report::transmission_text(
                                    report, report::colour_of(STDOUT_FILENO)));
   return ExitCode::kPass;
+}
+
+Run declare_transmission(CLI::App& command) {
+  const auto request = std::make_shared<SceneRequest>();
+  add_scene(command, *request);
+  add_output(command, request->options);
+  return run_request(request, transmission_command);
 }
 
 }  // namespace clevis::app

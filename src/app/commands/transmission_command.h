@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/request/command_options.h"
 #include "app/request/options.h"
 #include "base/exit_code.h"
 
@@ -8,5 +9,8 @@ namespace clevis::app {
 /// Twists and stresses of the scene's transmissions.
 /// @throws Error as read_scene.
 ExitCode transmission_command(const Options& options);
+
+/// Declares the options of `clevis transmission`. @return what runs it.
+Run declare_transmission(CLI::App& command);
 
 }  // namespace clevis::app

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "elasticity/solid/open_reactions.h"
-#include "loads/balance.h"
-#include "loads/case_loads.h"
+#include "loads/history/balance.h"
+#include "loads/parts/case_loads.h"
 
 namespace clevis::app {
 namespace {

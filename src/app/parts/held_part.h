@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/scenes/load_scene.h"
-#include "loads/held_pins.h"
+#include "loads/parts/held_pins.h"
 #include "part/part_definition.h"
 
 namespace clevis::app {

@@ -42,7 +42,7 @@ const Impact& hardest_of(const MechanismDefinition& definition,
       "and speed.");
 }
 
-/// What contacts and stops of a driven motion do, by its instants: these stand
+/// Blows of contacts and stops in a driven motion, by its instants: these stand
 /// on both sides of each touch and where forces are largest.
 std::vector<Impact> presses(const MechanismDefinition& definition,
                             const Motion& motion) {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "elasticity/solid/seat_compliance.h"
-#include "loads/balance.h"
-#include "loads/part_seats.h"
+#include "loads/history/balance.h"
+#include "loads/seats/part_seats.h"
 
 namespace clevis::app {
 namespace {

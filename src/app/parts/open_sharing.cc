@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "loads/balance.h"
-#include "loads/part_loads.h"
+#include "loads/history/balance.h"
+#include "loads/parts/part_loads.h"
 
 namespace clevis::app {
 namespace {

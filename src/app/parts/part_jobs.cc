@@ -11,7 +11,7 @@
 #include "app/parts/impact_jobs.h"
 #include "app/parts/open_sharing.h"
 #include "base/errors.h"
-#include "loads/seat_spans.h"
+#include "loads/seats/seat_spans.h"
 
 namespace clevis::app {
 namespace {

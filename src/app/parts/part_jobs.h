@@ -9,7 +9,7 @@
 
 namespace clevis::app {
 
-/// What must be solved for each part that is asked for: loads over the motion
+/// Jobs of each part that is asked for: loads over the motion
 /// of its body, and its own cases, those with the same supports as one set.
 /// @param names  of the parts; empty: all.
 /// @param tolerance  of the peak stress, relative [1].

@@ -33,8 +33,9 @@ nlohmann::ordered_json part_modes(const LoadedPart& part,
                                   const ModesRequest& request,
                                   const std::filesystem::path& folder);
 
-/// What can be asked of a part: free if a body of the mechanism carries it or
-/// nothing holds it, and the supports of each case and blow once.
+/// Supports of a part whose modes can be asked for: free if a body of the
+/// mechanism carries it or nothing holds it, and the supports of each case and
+/// blow once.
 /// @param tolerance  of the frequencies, relative [1].
 std::vector<ModesRequest> modes_requests(const LoadedPart& part, bool moves,
                                          int count, double tolerance);

@@ -9,7 +9,7 @@
 #include "app/parts/part_jobs.h"
 #include "app/processes/error_text.h"
 #include "assessment/impact/impact_check.h"
-#include "loads/part_loads.h"
+#include "loads/parts/part_loads.h"
 #include "mechanism/simulate.h"
 #include "report/text/progress.h"
 

@@ -154,7 +154,7 @@ study::Run run_calculix(const PartJob& job, const CalculixRequest& request) {
   run.seconds.total = outcome.seconds;
   run.cpu_seconds = outcome.cpu_seconds;
   run.memory = outcome.peak_memory;
-  // What has plane models alone cannot be compared with.
+  // A part with plane models alone has nothing to compare with.
   const auto finest = study::series_of(job).back().model;
   if (assessment::traits_of(finest).dim == 3) {
     run.displacement_difference =

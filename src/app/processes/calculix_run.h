@@ -13,7 +13,7 @@ namespace clevis::app {
 /// "CalculiX 2.20" if `ccx` is found and says its version.
 std::optional<std::string> calculix_version();
 
-/// What CalculiX is to solve.
+/// Problem for CalculiX.
 struct CalculixRequest {
   calculix::Hexahedron hexahedron{};
   int split = 1;  ///< cuts of each hexahedron's edges
@@ -21,7 +21,7 @@ struct CalculixRequest {
   bool every_instant = false;
 };
 
-/// What tells the runs of CalculiX's series apart: "h", "h/2".
+/// Label of a run in CalculiX's series: "h", "h/2".
 std::string calculix_setting(int split);
 
 /// Number of degrees of freedom of the deck that a request makes, roughly [1].

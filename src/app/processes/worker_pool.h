@@ -22,7 +22,7 @@ class InterruptGuard {
   }, old_terminate_{};
 };
 
-/// What became of a task.
+/// Outcome of a task.
 struct WorkerOutcome {
   enum class Kind { kDone, kDied, kInterrupted };
   Kind kind = Kind::kInterrupted;

@@ -1,7 +1,9 @@
 #include "app/results/compare_command.h"
 
 #include <iostream>
+#include <memory>
 
+#include <CLI/CLI.hpp>
 #include <unistd.h>
 
 #include "base/errors.h"
@@ -50,6 +52,27 @@ ExitCode compare_command(const CompareOptions& options) {
                           comparison, report::colour_of(STDOUT_FILENO)));
   return report::is_regression(comparison) ? ExitCode::kRegression
                                            : ExitCode::kPass;
+}
+
+Run declare_compare(CLI::App& command) {
+  const auto options = std::make_shared<CompareOptions>();
+  command.add_option("RESULT", options->result, "result.json or its folder")
+      ->required();
+  command.add_option("BASELINE", options->baseline, "what it should be")
+      ->required();
+  command
+      .add_option("--tolerance", options->tolerances,
+                  "QUANTITY=VALUE, e.g. peak_von_mises=0.2%; may be repeated")
+      ->type_name("QUANTITY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_option("--junit", options->junit, "write JUnit XML here")
+      ->type_name("FILE");
+  command.add_flag("--json", options->json,
+                   "print one JSON document instead of a table");
+  return [options] {
+    return compare_command(*options);
+  };
 }
 
 }  // namespace clevis::app

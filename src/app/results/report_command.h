@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/request/command_options.h"
 #include "app/request/options.h"
 #include "base/exit_code.h"
 
@@ -8,5 +9,8 @@ namespace clevis::app {
 /// Writes a result as one HTML file and prints its name.
 /// @throws Error I003, I008 if the folder holds no whole result.
 ExitCode report_command(const ReportOptions& options);
+
+/// Declares the options of `clevis report`. @return what runs it.
+Run declare_report(CLI::App& command);
 
 }  // namespace clevis::app

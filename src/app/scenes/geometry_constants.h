@@ -16,7 +16,7 @@ struct GeometryConstants {
   std::set<std::string, std::less<>> assigned;   ///< by statements beside them
 };
 
-/// What the text of a .geo defines; comments and texts are left out.
+/// Constants that the text of a .geo defines, without comments and texts.
 GeometryConstants geometry_constants(std::string_view text);
 
 /// Refuses parameters that a .geo would not take: gmsh gives them

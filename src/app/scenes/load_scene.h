@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "loads/part_loads.h"
+#include "loads/parts/part_loads.h"
 #include "mesh/cells/part_mesh.h"
 #include "part/mass_properties.h"
 #include "scene/scene.h"

@@ -32,12 +32,12 @@ std::string frame_name(const std::string& part, std::size_t frame) {
 std::string vtu(const assessment::PartFields& fields,
                 const stress::InstantField& field,
                 const std::vector<stress::ScalarField>& scalars,
-                stress::CellOrder order, const stress::Placement& placement) {
+                stress::CellOrder order, const part::Pose& pose) {
   std::ostringstream out;
   if (fields.dim == 2) {
-    stress::write_vtu<2>(out, fields.shape, field, scalars, order, placement);
+    stress::write_vtu<2>(out, fields.shape, field, scalars, order, pose);
   } else {
-    stress::write_vtu<3>(out, fields.shape, field, scalars, order, placement);
+    stress::write_vtu<3>(out, fields.shape, field, scalars, order, pose);
   }
   return out.str();
 }
@@ -117,7 +117,7 @@ void write_frames(const assessment::PartAssessment& assessment,
     report::write_file(
         folder / frame_name(assessment.result.name, f),
         vtu(assessment.fields, assessment.fields.at(frames[f], subdivisions),
-            {}, stress::CellOrder::kLinear, {pose.p_WL, pose.R_WL}));
+            {}, stress::CellOrder::kLinear, pose));
   }
   report::write_file(folder / (assessment.result.name + ".pvd"),
                      pvd(series_of({assessment.result.name}, *moving.motion)));

@@ -1,5 +1,7 @@
 #include "app/start/completion.h"
 
+#include <iostream>
+#include <memory>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -89,6 +91,22 @@ std::string fish(const CLI::App& app) {
 std::string completion(const CLI::App& app, std::string_view shell) {
   if (shell == "bash") return bash(app);
   return shell == "zsh" ? zsh(app) : fish(app);
+}
+
+Run declare_completion(CLI::App& command) {
+  command.footer(
+      "bash: clevis completion bash > ~/.local/share/bash-completion/"
+      "completions/clevis\n"
+      "zsh:  clevis completion zsh > DIR/_clevis, DIR a folder of $fpath\n"
+      "fish: clevis completion fish > ~/.config/fish/completions/clevis.fish");
+  const auto shell = std::make_shared<std::string>();
+  command.add_option("SHELL", *shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  return [shell, app = command.get_parent()] {
+    std::cout << completion(*app, *shell);
+    return ExitCode::kPass;
+  };
 }
 
 }  // namespace clevis::app

@@ -6,10 +6,11 @@
 #include <string>
 #include <thread>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "app/commands/plugin_commands.h"
+#include "app/plugin/solver_library.h"
 #include "app/processes/child_process.h"
 #include "app/processes/temporary_folder.h"
 
@@ -80,6 +81,10 @@ ExitCode doctor_command() {
   print("memory", fmt::format("{:.1f} GiB", memory_GiB()), "");
   print("temporary", fs::temp_directory_path().string(), "clevis mesh, study");
   return code;
+}
+
+Run declare_doctor(CLI::App& /*command*/) {
+  return doctor_command;
 }
 
 }  // namespace clevis::app

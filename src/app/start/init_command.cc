@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
+#include <string>
 #include <system_error>
+#include <vector>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/start/templates.h"
 #include "base/errors.h"
@@ -48,6 +53,26 @@ ExitCode init_command(const InitOptions& options) {
       "{}: {}\nNext:\n  clevis mesh {}\n  clevis check {}\n",
       options.folder.string(), chosen->about, scene, scene);
   return ExitCode::kPass;
+}
+
+Run declare_init(CLI::App& command) {
+  std::vector<std::string> words;
+  std::string about = "Templates:";
+  for (const Template& entry : templates()) {
+    words.emplace_back(entry.word);
+    about += fmt::format("\n  {:<13} {}", entry.word, entry.about);
+  }
+  command.footer(about);
+  const auto options = std::make_shared<InitOptions>();
+  command.add_option("NAME", options->folder, "folder to make")->required();
+  command
+      .add_option("--template", options->template_word,
+                  fmt::format("{} [part]", fmt::join(words, ", ")))
+      ->type_name("TEMPLATE")
+      ->check(CLI::IsMember(words));
+  return [options] {
+    return init_command(*options);
+  };
 }
 
 }  // namespace clevis::app

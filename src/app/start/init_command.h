@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "app/request/command_options.h"
 #include "base/exit_code.h"
 
 namespace clevis::app {
@@ -17,5 +18,8 @@ struct InitOptions {
 /// into a new folder.
 /// @throws Error I005 if the folder is there and holds anything, I002.
 ExitCode init_command(const InitOptions& options);
+
+/// Declares the options of `clevis init`. @return what runs it.
+Run declare_init(CLI::App& command);
 
 }  // namespace clevis::app

@@ -5,7 +5,7 @@
 
 namespace clevis::app {
 
-/// What a check with these options depends on, from the files as they are.
+/// Inputs of a check with these options, from the files as they are.
 /// @throws Error S…, I001 as read_scene().
 report::CheckInputs check_inputs(const Options& options);
 

@@ -1,7 +1,9 @@
 #include "app/variants/collect_command.h"
 
 #include <iostream>
+#include <memory>
 
+#include <CLI/CLI.hpp>
 #include <unistd.h>
 
 #include "report/text/atomic_file.h"
@@ -23,6 +25,15 @@ ExitCode collect_command(const std::filesystem::path& folder) {
             << "\nfiles: " << (folder / "variants.csv").string() << ", "
             << (folder / "variants.svg").string() << "\n";
   return report::exit_code(collection);
+}
+
+Run declare_collect(CLI::App& command) {
+  const auto folder = std::make_shared<std::filesystem::path>();
+  command.add_option("DIR", *folder, "folder that the plan was written to")
+      ->required();
+  return [folder] {
+    return collect_command(*folder);
+  };
 }
 
 }  // namespace clevis::app

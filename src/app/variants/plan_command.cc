@@ -1,7 +1,10 @@
 #include "app/variants/plan_command.h"
 
+#include <cerrno>
 #include <iostream>
+#include <memory>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -98,6 +101,41 @@ ExitCode plan_command(const PlanOptions& options) {
   report::write_file(folder / report::kPlanFile, report::plan_json(plan));
   std::cout << commands;
   return ExitCode::kPass;
+}
+
+Run declare_plan(CLI::App& command) {
+  command.footer(
+      "Prints one command per line for GNU parallel, a cluster's scheduler or\n"
+      "a loop, and writes the plan to --out for `clevis collect`. A command "
+      "can\n"
+      "be repeated: what is finished is skipped. docs/cluster.md has recipes.");
+  const auto options = std::make_shared<PlanOptions>();
+  options->program = program_invocation_name;
+  command.add_option("SCENE", options->scene, "the scene's .toml file")
+      ->required();
+  command
+      .add_option("--vary", options->vary,
+                  "CSV of variants: a header of paths, a row for each [the "
+                  "scene's table vary]")
+      ->type_name("FILE");
+  command
+      .add_option("--out", options->out,
+                  "folder of the variants [results/<scene>_variants]")
+      ->type_name("DIR");
+  add_parts(command, options->parts);
+  const CLI::Option* tolerance =
+      command
+          .add_option("--tolerance", options->tolerance_text,
+                      "of the peak stress, e.g. 5%; replaces the scene's")
+          ->type_name("RATIO");
+  add_model(command, options->model);
+  add_jobs(command, options->jobs, "parts in parallel of each check [1]");
+  return [options, tolerance] {
+    if (tolerance->count() > 0) {
+      options->tolerance = peak_tolerance(options->tolerance_text);
+    }
+    return plan_command(*options);
+  };
 }
 
 }  // namespace clevis::app

@@ -46,8 +46,8 @@ void add_time_error(const BlowTimes& times, const std::string& impact,
       0.0, held.band_low - (times.error + times.root_below) * held.value);
   held.band_high +=
       (times.error + times.root_above + times.root_later - 1.0) * held.value;
-  if (times.spread.is_there()) {
-    widen(times.spread.root_low, times.spread.root_high, held.band_low,
+  if (times.spread) {
+    widen(times.spread->root_low, times.spread->root_high, held.band_low,
           held.band_high);
   }
   held.label = fmt::format("impact {}", impact);
@@ -58,8 +58,8 @@ void add_time_error(const BlowTimes& times, PeakStress& peak) {
   const double above = times.error + times.above;
   peak.band_low = std::max(0.0, peak.band_low - below * peak.value);
   peak.band_high += (above + times.later - 1.0) * peak.value;
-  if (times.spread.is_there()) {
-    widen(times.spread.stress_low, times.spread.stress_high, peak.band_low,
+  if (times.spread) {
+    widen(times.spread->stress_low, times.spread->stress_high, peak.band_low,
           peak.band_high);
   }
   peak.model_error += std::max(below, above) * peak.value;

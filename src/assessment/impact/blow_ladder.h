@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "assessment/impact/response_scatter.h"
 #include "assessment/impact/struck_run.h"
 #include "assessment/models/fe_model.h"
@@ -17,7 +19,7 @@ struct BlowTimes {
   /// Largest stress after them over that at them, outside the zones and in the
   /// held sections [1].
   double later = 1.0, root_later = 1.0;
-  ResponseScatter spread;  ///< holds the bands at the least
+  std::optional<ResponseScatter> spread;  ///< that bands hold at the least
 
   int samples() const { return static_cast<int>(time.size()) - 1; }
 };
@@ -27,8 +29,8 @@ struct BlowTimes {
 /// candidate samples, the fields those of the instants. The band has the error
 /// of steps, shapes and front.
 ///
-/// What the highest degree leaves may be above the tolerance, as waves ask for
-/// more than loads at rest: up to a tenth the band is judged.
+/// The error that the highest degree leaves may be above the tolerance, as
+/// waves ask for more than loads at rest: up to a tenth the band is judged.
 /// @param model  of loads at rest, with its error.
 /// @param faces  of the model's mesh.
 /// @throws Error of StruckFace.

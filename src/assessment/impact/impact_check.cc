@@ -22,7 +22,7 @@
 #include "assessment/models/model_list.h"
 #include "base/errors.h"
 #include "elasticity/vibration/eigenmodes.h"
-#include "loads/case_loads.h"
+#include "loads/parts/case_loads.h"
 
 namespace clevis::assessment {
 namespace {
@@ -217,7 +217,7 @@ Computed compute(const PartJob& job, const ImpactJob& given,
     result.beam_factor = beam_factor(*bar, impact.strike);
   }
   result.root = support_stress(fine, coarse, result);
-  const ResponseScatter spread =
+  const std::optional<ResponseScatter> spread =
       response_scatter(job, impact, zones, low, coarse, fine, faces);
   const double space =
       std::abs(coarse.factor / fine.factor * fine.stress / same_front - 1.0);
@@ -246,7 +246,7 @@ Computed compute(const PartJob& job, const ImpactJob& given,
   result.stress = fine.stress;
   result.band_low = fine.stress * (1.0 - error - fronts.below);
   result.band_high = fine.stress * (1.0 + error + fronts.above);
-  if (spread.is_there()) take_spread(spread, result);
+  if (spread) take_spread(*spread, result);
   found.stiffness = stiffness;
   found.times = {.time = fine.response.motion().time,
                  .candidates = fine.candidates,

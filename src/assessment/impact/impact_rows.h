@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "assessment/impact/struck_run.h"
-#include "beam/struck_part.h"
+#include "beam/estimates/struck_part.h"
 
 namespace clevis::assessment {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "assessment/impact/free_vibration.h"
-#include "dynamics/strike_steps.h"
+#include "dynamics/strike/strike_steps.h"
 #include "stress/field/deflection.h"
 
 namespace clevis::assessment {

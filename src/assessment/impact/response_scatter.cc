@@ -43,14 +43,13 @@ class VariedQuantity {
 }  // namespace
 
 template <int dim>
-ResponseScatter response_scatter(const PartJob& job, const ImpactJob& impact,
-                                 const std::vector<stress::SingularZone>& zones,
-                                 int degree, const StruckRun<dim>& coarse,
-                                 const StruckRun<dim>& fine,
-                                 StruckFaces<dim>& faces) {
+std::optional<ResponseScatter> response_scatter(
+    const PartJob& job, const ImpactJob& impact,
+    const std::vector<stress::SingularZone>& zones, int degree,
+    const StruckRun<dim>& coarse, const StruckRun<dim>& fine,
+    StruckFaces<dim>& faces) {
   constexpr double kNoticed = 0.01;
-  ResponseScatter spread;
-  if (coarse.response.motion().touches < 2) return spread;
+  if (coarse.response.motion().touches < 2) return std::nullopt;
   VariedQuantity stress(coarse.stress), root(coarse.root.value),
       deflection(coarse.deflection.value);
   auto& face = faces.get(job, impact, degree);
@@ -68,20 +67,21 @@ ResponseScatter response_scatter(const PartJob& job, const ImpactJob& impact,
   }
   const double largest =
       std::max({stress.width(), root.width(), deflection.width()});
-  if (largest < kNoticed) return spread;
-  return {stress.least(fine.stress),
-          stress.most(fine.stress),
-          root.least(fine.root.value),
-          root.most(fine.root.value),
-          deflection.least(fine.deflection.value),
-          deflection.most(fine.deflection.value),
-          largest};
+  if (largest < kNoticed) return std::nullopt;
+  return ResponseScatter{
+      .stress_low = stress.least(fine.stress),
+      .stress_high = stress.most(fine.stress),
+      .root_low = root.least(fine.root.value),
+      .root_high = root.most(fine.root.value),
+      .deflection_low = deflection.least(fine.deflection.value),
+      .deflection_high = deflection.most(fine.deflection.value),
+      .largest = largest};
 }
 
-template ResponseScatter response_scatter<2>(
+template std::optional<ResponseScatter> response_scatter<2>(
     const PartJob&, const ImpactJob&, const std::vector<stress::SingularZone>&,
     int, const StruckRun<2>&, const StruckRun<2>&, StruckFaces<2>&);
-template ResponseScatter response_scatter<3>(
+template std::optional<ResponseScatter> response_scatter<3>(
     const PartJob&, const ImpactJob&, const std::vector<stress::SingularZone>&,
     int, const StruckRun<3>&, const StruckRun<3>&, StruckFaces<3>&);
 

@@ -8,7 +8,7 @@
 #include "base/errors.h"
 #include "base/stopwatch.h"
 #include "elasticity/solid/solid_solve.h"
-#include "loads/case_loads.h"
+#include "loads/parts/case_loads.h"
 #include "stress/field/stress_history.h"
 #include "stress/zones/zone_mask.h"
 

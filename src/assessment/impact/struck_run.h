@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "assessment/job/part_job.h"
-#include "dynamics/strike.h"
+#include "dynamics/strike/strike.h"
 #include "elasticity/vibration/strike_response.h"
 #include "stress/field/deflection.h"
 #include "stress/sections/support_face.h"

@@ -10,7 +10,7 @@ namespace clevis::assessment {
 /// Finite-element models of a part, in the order of their cost.
 enum class ModelKind { kPlaneStress, kLayered, kRevolution, kSolid };
 
-/// What is known of a model before a part is. What it does with a part stands
+/// Traits of a model that hold for every part. Its work on a part stands
 /// in models/model_list.h, in the same order.
 struct ModelTraits {
   ModelKind kind{};

@@ -15,7 +15,7 @@ void widen(double tolerance, double model_error, PeakStress& peak) {
   peak.discretization_error =
       std::max(peak.band_high - peak.value, peak.value - peak.band_low);
   peak.model_error = model_error * peak.value;
-  // What lies between instants can only rise.
+  // Loads between instants can only raise it.
   peak.shares.mesh = std::max(peak.value - peak.band_low,
                               peak.band_high - peak.value - peak.shares.time);
   peak.shares.model = peak.model_error;
@@ -67,7 +67,7 @@ void add_model_error(double tolerance, double model_error, PartResult& result) {
   const bool is_outside = result.peak_outside.has_value();
   widen(tolerance, is_outside ? 0.0 : model_error, result.peak);
   if (is_outside) widen(tolerance, model_error, *result.peak_outside);
-  // What a model leaves out it leaves out of stiffness too, and less of it.
+  // A model's omission concerns stiffness too, and less so.
   const double rest = model_error * result.deflection;
   result.deflection_low = std::max(0.0, result.deflection_low - rest);
   result.deflection_high += rest;

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "loads/load_history.h"
+#include "loads/history/load_history.h"
 
 namespace clevis::assessment {
 

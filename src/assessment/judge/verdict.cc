@@ -221,7 +221,7 @@ std::string wide_band(const PartResult& result) {
       doubt_text(peak));
 }
 
-/// What a part that passes without its zones was not held against.
+/// Zones that a passing part was not held against.
 std::string left_out(const part::PartDefinition& part,
                      const PartResult& result) {
   if (!leaves_zones_out(part, result)) return "";
@@ -269,7 +269,8 @@ bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
   return false;
 }
 
-/// What turns or strains far has no stress that linear theory knows.
+/// Refuses a verdict on large rotations or strains: linear theory knows no
+/// stress of them.
 bool judge_finite_motion(const part::PartDefinition&, PartResult& result) {
   std::string why = beyond_small_displacements(result.finite_motion);
   if (why.empty()) return true;
@@ -308,7 +309,7 @@ double governing_stress(const part::PartDefinition& part,
   return nominal ? std::max(peak, nominal->value) : peak;
 }
 
-// What one limit cannot tell another may: a part fails by any of them.
+// A limit may tell where another cannot: a part fails by any of them.
 void judge(const part::PartDefinition& part, PartResult& result) {
   std::string open;
   for (const auto holds : {judge_finite_motion, judge_stress, judge_nominal,

@@ -161,9 +161,9 @@ class Climb {
            history.largest();
   }
 
-  /// What may come to a peak from outside of its neighbourhood [1]: a share of
-  /// what the strain energy of the same instant, or else the peak, still
-  /// changes by.
+  /// Share of a peak that may come from outside of its neighbourhood [1]: a
+  /// share of what the strain energy of the same instant, or else the peak,
+  /// still changes by.
   double pollution() const {
     constexpr double kShareOfEnergy = 0.1;
     constexpr double kShareOfPeak = 0.01;
@@ -221,7 +221,8 @@ DegreeLadder<dim> climb_with_all(const PartJob& job, const FeModel<dim>& model,
     try {
       climb.take(job.load_sets, degree);
     } catch (const Error& error) {
-      // What the memory does not hold ends the sequence; three have a band.
+      // A degree that the memory does not hold ends the sequence; three have a
+      // band.
       if (error.code() != "F004" || climb.ladder().sequence.size() < 3) throw;
       break;
     }

@@ -13,7 +13,7 @@
 
 namespace clevis::assessment {
 
-/// What climbing the degrees of a model has left: the last degree, all
+/// Result of climbing the degrees of a model: the last degree, all
 /// instants solved, and the values of all degrees.
 template <int dim>
 struct DegreeLadder {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "assessment/judge/verdict.h"
-#include "beam/beam_estimate.h"
+#include "beam/estimates/beam_estimate.h"
 
 namespace clevis::assessment {
 

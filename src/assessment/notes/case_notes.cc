@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "loads/balance.h"
-#include "loads/held_pins.h"
+#include "loads/history/balance.h"
+#include "loads/parts/held_pins.h"
 
 namespace clevis::assessment {
 namespace {

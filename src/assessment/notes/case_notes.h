@@ -4,7 +4,7 @@
 
 namespace clevis::assessment {
 
-/// What the cases of a part took for granted: reactions of the pins that hold
+/// Assumptions of the cases of a part: reactions of the pins that hold
 /// it, loads that its inertia took up.
 void note_cases(const PartJob& job, PartResult& result);
 

@@ -7,7 +7,7 @@
 
 namespace clevis::assessment {
 
-/// What the user should know of the part as given: a size that few links of
+/// Notes on the part as given: a size that few links of
 /// mechanisms have, physical groups that hold nothing.
 std::vector<std::string> part_notes(const PartJob& job);
 

@@ -28,7 +28,7 @@ template <int dim>
 PlacesOfSet find_places(const elasticity::Discretization<dim>& discretization,
                         const stress::StressHistory& history, double least);
 
-/// What the cells that meet say of the peak of the solved fields: a second
+/// Estimate of the peak of the solved fields by the cells that meet: a second
 /// opinion, for the peak is by one cell alone [Pa].
 struct CellAgreement {
   double mean{};  ///< largest mean

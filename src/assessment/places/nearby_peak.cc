@@ -38,7 +38,7 @@ struct FinerFields {
   stress::JoinedStress high;  ///< two degrees higher
 };
 
-/// What degree, layer and cells differ by, each by its largest in the cell
+/// Differences by degree, layer and cells, each by its largest in the cell
 /// where the stress is not far below its largest: what agrees at a point by
 /// chance does not hide it.
 /// @param rise  of each cell, from the instant that was solved for to its worst

@@ -65,7 +65,7 @@ std::vector<std::vector<std::string>> holds_of(const LoadSet& set) {
   return pairs;
 }
 
-/// What is looked at with one degree.
+/// Results of one degree.
 struct Candidate {
   std::size_t set{};
   loads::LoadHistory history;

@@ -14,7 +14,7 @@
 #include "assessment/models/level.h"
 #include "assessment/models/model_list.h"
 #include "elasticity/problem/displacement_basis.h"
-#include "loads/balance.h"
+#include "loads/history/balance.h"
 #include "stress/field/deflection.h"
 #include "stress/field/stress_history.h"
 #include "stress/zones/singular_zone.h"

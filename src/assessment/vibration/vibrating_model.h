@@ -7,8 +7,8 @@
 
 #include "assessment/job/part_job.h"
 #include "assessment/vibration/vibration_times.h"
-#include "dynamics/load_answer.h"
-#include "dynamics/load_path.h"
+#include "dynamics/load_vibration/load_answer.h"
+#include "dynamics/load_vibration/load_path.h"
 #include "elasticity/vibration/load_vibration.h"
 #include "stress/zones/singular_zone.h"
 #include "stress/zones/zone_mask.h"

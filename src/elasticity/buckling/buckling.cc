@@ -9,7 +9,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "dynamics/block_krylov.h"
+#include "dynamics/systems/block_krylov.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/assembly/equations.h"
 #include "elasticity/assembly/foundation.h"

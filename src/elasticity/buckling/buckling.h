@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/fe_space/discretization.h"
-#include "loads/load_history.h"
+#include "loads/history/load_history.h"
 #include "part/material.h"
 #include "part/part_definition.h"
 #include "part/supports.h"

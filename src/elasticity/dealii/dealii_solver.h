@@ -12,7 +12,7 @@
 
 namespace clevis::elasticity {
 
-/// What a solve took, largest over the columns.
+/// Effort of a solve, largest over the columns.
 struct DealiiReport {
   int iterations{};     ///< conjugate gradients, all sweeps
   double correction{};  ///< of the last sweep over the solution [1]

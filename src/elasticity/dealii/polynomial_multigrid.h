@@ -8,7 +8,7 @@
 
 namespace clevis::elasticity {
 
-/// What the levels of a multigrid are made of.
+/// Operators and transfers of the levels of a multigrid.
 template <int dim>
 struct LevelSetup {
   const MeshShare<dim>& share;

@@ -7,7 +7,7 @@
 
 #include "elasticity/fe_space/discretization.h"
 #include "elasticity/fe_space/tabulation.h"
-#include "loads/discrete_balance.h"
+#include "loads/pressure/discrete_balance.h"
 
 namespace clevis::elasticity {
 

@@ -12,13 +12,13 @@ namespace clevis::elasticity {
 bool suits_multigrid(const Discretization<3>& discretization,
                      const part::Material& material);
 
-/// What a direct solve would take.
+/// Effort of a direct solve.
 struct DirectCost {
   double flops{};  ///< of all factors
   double bytes{};  ///< of all factors, kept together
 };
 
-/// What a solve takes [s] on one core of 2020: only ratios matter.
+/// Time of a solve [s] on one core of 2020: only ratios matter.
 /// @param flops  of all factors.
 double factor_seconds(double flops);
 /// @param columns  right-hand sides of all classes together.

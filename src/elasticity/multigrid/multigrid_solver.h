@@ -10,7 +10,7 @@
 
 namespace clevis::elasticity {
 
-/// What a solve took, largest over the columns.
+/// Effort of a solve, largest over the columns.
 struct MultigridReport {
   int iterations{};   ///< conjugate gradients, to the tolerance
   double residual{};  ///< ‖f − K u‖ / ‖f‖ with K applied to the result

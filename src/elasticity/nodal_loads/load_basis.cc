@@ -97,7 +97,7 @@ struct Orthonormal {
   MatrixXd combine, coordinates;
 };
 
-/// What counts of a column.
+/// Part of a column that counts.
 constexpr double kCounts = 1e-10;
 
 /// By passes as in compress_over, every direction that counts.
@@ -177,7 +177,7 @@ LoadBasis compress(const LoadBasis& loads, double tolerance, double scale) {
   const MatrixXd gram = split.gram();
   if (scale == 0.0) scale = largest_instant(gram, loads.coefficients);
   const VectorXd size = gram.diagonal().cwiseSqrt();
-  // What counts, to unit length: X chooses it of the columns.
+  // The part that counts, to unit length: X chooses it of the columns.
   MatrixXd choose = MatrixXd::Zero(count, count);
   MatrixXd coefficients(count, loads.coefficients.cols());
   Index kept = 0;

@@ -6,7 +6,7 @@
 
 #include "elasticity/fe_space/discretization.h"
 #include "elasticity/nodal_loads/load_basis.h"
-#include "loads/load_history.h"
+#include "loads/history/load_history.h"
 
 namespace clevis::elasticity {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "loads/wall_pressure.h"
+#include "loads/pressure/wall_pressure.h"
 
 namespace clevis::elasticity {
 

@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
-#include "loads/discrete_balance.h"
-#include "loads/load_history.h"
-#include "loads/seat_traction.h"
+#include "loads/history/load_history.h"
+#include "loads/pressure/discrete_balance.h"
+#include "loads/pressure/seat_traction.h"
 #include "part/bore.h"
 
 namespace clevis::elasticity {
@@ -46,7 +46,7 @@ class SlidingTractions {
   double largest_force_{}, largest_moment_{};
 };
 
-/// What of a cylinder a zone covers.
+/// Part of a cylinder that a zone covers.
 part::Bore touched(const part::Bore& cylinder, const loads::Seat& seat,
                    const loads::ContactZone& zone);
 

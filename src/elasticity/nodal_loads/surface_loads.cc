@@ -11,8 +11,8 @@
 #include "elasticity/fe_space/group_trace.h"
 #include "elasticity/nodal_loads/sliding_tractions.h"
 #include "elasticity/nodal_loads/zone_trace.h"
-#include "loads/discrete_balance.h"
-#include "loads/seat_traction.h"
+#include "loads/pressure/discrete_balance.h"
+#include "loads/pressure/seat_traction.h"
 
 namespace clevis::elasticity {
 namespace {

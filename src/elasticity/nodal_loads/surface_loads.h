@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/fe_space/discretization.h"
-#include "loads/load_history.h"
+#include "loads/history/load_history.h"
 
 namespace clevis::elasticity {
 

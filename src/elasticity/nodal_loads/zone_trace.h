@@ -8,7 +8,7 @@
 
 #include "elasticity/fe_space/group_trace.h"
 #include "elasticity/nodal_loads/face_map.h"
-#include "loads/load_history.h"
+#include "loads/history/load_history.h"
 
 namespace clevis::elasticity {
 

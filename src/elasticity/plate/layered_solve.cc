@@ -177,7 +177,7 @@ void append(const MatrixXd& columns, const MatrixXd& coefficients,
   result.coefficients = std::move(c);
 }
 
-/// What both parities share.
+/// Data that both parities share.
 struct Plate {
   const ElasticProblem<2>& problem;
   const Discretization<2>& plane;

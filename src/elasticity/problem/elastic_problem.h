@@ -5,7 +5,7 @@
 #include <string>
 
 #include "elasticity/problem/engine.h"
-#include "loads/load_history.h"
+#include "loads/history/load_history.h"
 #include "mesh/cells/part_mesh.h"
 #include "part/material.h"
 #include "part/part_definition.h"

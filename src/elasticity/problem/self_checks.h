@@ -12,7 +12,7 @@
 
 namespace clevis::elasticity {
 
-/// What is checked on every solve; largest over instants or columns.
+/// Residuals checked on every solve; largest over instants or columns.
 struct SolveChecks {
   double relief{};       ///< discrete residual that inertia relief takes up [1]
   double balance{};      ///< what is left of it over the load: free parts [1]

@@ -8,7 +8,7 @@
 
 #include "elasticity/fe_space/discretization.h"
 #include "elasticity/revolution/harmonic.h"
-#include "loads/load_history.h"
+#include "loads/history/load_history.h"
 #include "mesh/derived/revolution.h"
 
 namespace clevis::elasticity {

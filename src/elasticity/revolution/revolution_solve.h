@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/problem/displacement_basis.h"
-#include "loads/load_history.h"
+#include "loads/history/load_history.h"
 #include "mesh/derived/revolution.h"
 #include "part/material.h"
 #include "part/supports.h"
@@ -27,7 +27,7 @@ struct RevolutionProblem {
 struct RevolutionSolution {
   DisplacementBasis<3> basis;  ///< on the revolved discretisation
   int terms{};                 ///< of the Fourier series that are solved
-  /// What the upper half of the orders adds to basis.columns (no rows if
+  /// Contribution of the upper half of the orders to basis.columns (no rows if
   /// nothing is left out of the series): its stress at a point is about what
   /// the orders left out still bring there.
   Eigen::MatrixXd upper_half;

@@ -7,7 +7,7 @@
 
 namespace clevis::elasticity {
 
-/// What the engines would take for one problem.
+/// Forecast of the engines' time and memory for one problem.
 struct EngineForecast {
   double own{}, dealii{};  ///< [s] of one core
   bool own_fits = true;    ///< into memory

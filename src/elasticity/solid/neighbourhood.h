@@ -41,7 +41,7 @@ struct Enriched {
 /// those that share a vertex with them (of `layers`, these and so on), the
 /// displacement of the lower degree kept on its border to the rest of the part.
 ///
-/// What that changes at the centre is an estimate of the error there: it holds
+/// Its change at the centre is an estimate of the error there: it holds
 /// what the cells nearby do not resolve, not what comes from far away; of that
 /// more layers tell.
 /// @param centre  cells of `fine`.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "loads/load_history.h"
+#include "loads/history/load_history.h"
 
 namespace clevis::elasticity {
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "loads/load_history.h"
+#include "loads/history/load_history.h"
 #include "mesh/cells/part_mesh.h"
 #include "part/mass_properties.h"
 #include "part/material.h"

@@ -111,6 +111,29 @@ void require_memory_for(const ElasticProblem<dim>& problem,
                  usable_memory(), place);
 }
 
+/// The folded part, which has no groups, with the bed of the whole.
+template <int dim>
+struct BeddedPart {
+  BeddedPart(const ElasticProblem<dim>& problem, const Folding<dim>& folding,
+             const Discretization<dim>& whole)
+      : material(problem.material),
+        part(folding.part),
+        bed(whole, problem.foundations, problem.name) {
+    bed.renumber(folding.node);
+  }
+
+  /// By strains [N]. @param u  displacements, dofs × columns [m].
+  MatrixXd forces(const MatrixXd& u) const {
+    MatrixXd sum = forces_by_strain(part, material, u);
+    bed.add_forces(u, sum);
+    return sum;
+  }
+
+  const part::Material& material;
+  const Discretization<dim>& part;
+  FoundationStiffness<dim> bed;
+};
+
 /// One factorisation per class; fills the classes' columns, the checks, the
 /// strain energy and the seconds.
 template <int dim>
@@ -120,12 +143,10 @@ void solve_by_factors(const ElasticProblem<dim>& problem,
                       std::vector<ParityClass>& classes,
                       DisplacementBasis<dim>& result) {
   Stopwatch watch;
+  const BeddedPart<dim> bedded(problem, folding, result.discretization);
   const Discretization<dim>& part = folding.part;
   auto stiffness = assemble_stiffness(part, problem.material, place);
-  FoundationStiffness<dim> bed(result.discretization, problem.foundations,
-                               problem.name);
-  bed.renumber(folding.node);  // the folded part has no groups
-  bed.add_to(stiffness);
+  bedded.bed.add_to(stiffness);
   for (ParityClass& c : classes) {
     c.numbers = number_equations(part.dofs(), c.held);
     const UpperTriangle upper = free_equations(stiffness, c.numbers);
@@ -143,12 +164,9 @@ void solve_by_factors(const ElasticProblem<dim>& problem,
   };
   check(action_of(stiffness));
   if (wants_refinement(result.checks)) {
-    const auto forces = [&](const MatrixXd& u) {
-      MatrixXd sum = forces_by_strain(part, problem.material, u);
-      bed.add_forces(u, sum);
-      return sum;
-    };
-    const StiffnessAction by_strain{forces,
+    const StiffnessAction by_strain{[&](const MatrixXd& u) {
+                                      return bedded.forces(u);
+                                    },
                                     action_of(stiffness).multiply_absolute};
     for (ParityClass& c : classes) {
       refine(by_strain, *c.factor, c.numbers, c.loads, c.columns);
@@ -198,25 +216,21 @@ void solve_by_dealii(const ElasticProblem<dim>& problem,
                      std::vector<ParityClass>& classes,
                      DisplacementBasis<dim>& result) {
   Stopwatch watch;
-  const Discretization<dim>& part = folding.part;
-  FoundationStiffness<dim> bed(result.discretization, problem.foundations,
-                               problem.name);
-  bed.renumber(folding.node);
+  const BeddedPart<dim> bedded(problem, folding, result.discretization);
   std::unique_ptr<DealiiSolver<dim>> solver;
   for (ParityClass& c : classes) {
     solver.reset();  // before the next: memory
-    solver = std::make_unique<DealiiSolver<dim>>(
-        part, problem.material, bed, c.held, place, problem.is_shared);
+    solver = std::make_unique<DealiiSolver<dim>>(folding.part, problem.material,
+                                                 bedded.bed, c.held, place,
+                                                 problem.is_shared);
     result.seconds.factor += watch.lap();
     c.columns = solver->solve(c.loads.columns);
     result.seconds.solve += watch.lap();
   }
-  const auto forces = [&](const MatrixXd& u) {
-    MatrixXd sum = forces_by_strain(part, problem.material, u);
-    bed.add_forces(u, sum);
-    return sum;
-  };
-  const StiffnessAction action{forces, [&](const MatrixXd& u) {
+  const StiffnessAction action{[&](const MatrixXd& u) {
+                                 return bedded.forces(u);
+                               },
+                               [&](const MatrixXd& u) {
                                  return solver->multiply_absolute_diagonal(u);
                                }};
   result.strain_energy =

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/eigenmodes.h"
+#include "dynamics/systems/eigenmodes.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "elasticity/vibration/vibrating_part.h"
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "dynamics/block_krylov.h"
+#include "dynamics/systems/block_krylov.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "elasticity/solid/solid_solve.h"

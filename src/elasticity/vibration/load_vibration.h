@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "dynamics/load_shapes.h"
+#include "dynamics/load_vibration/load_shapes.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "elasticity/vibration/vibrating_part.h"

@@ -5,14 +5,14 @@
 
 #include <Eigen/Core>
 
-#include "dynamics/strike.h"
+#include "dynamics/strike/strike.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/problem/elastic_problem.h"
-#include "loads/strike.h"
+#include "loads/history/strike.h"
 
 namespace clevis::elasticity {
 
-/// What a part does after a strike.
+/// Response of a part to a strike.
 template <int dim>
 struct StrikeResponse {
   /// Displacements at the samples of `motion`, for stress::stress_history; the

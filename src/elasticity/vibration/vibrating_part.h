@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "dynamics/linear_system.h"
+#include "dynamics/systems/linear_system.h"
 #include "elasticity/assembly/equations.h"
 #include "elasticity/fe_space/discretization.h"
 #include "elasticity/problem/displacement_basis.h"

@@ -32,7 +32,7 @@ MatrixXd all_components(const SolvingFrame& frame,
       continue;
     }
     const PlacedJoint& joint = placed[index(row.joint)];
-    const Twist action = joint.action(row.row);
+    const SpatialForce action = joint.action(row.row);
     E.block<3, 1>(6 * row.joint, i) =
         system.scale(row) * (joint.axes_a.transpose() * action.v);
     E.block<3, 1>(6 * row.joint + 3, i) =

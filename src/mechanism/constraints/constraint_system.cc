@@ -100,7 +100,7 @@ void ConstraintSystem::add_levers(MatrixXd& J, int row, int slot_a, int slot_b,
                                   const PlacedJoint::Levers& levers,
                                   double factor) const {
   const int width = static_cast<int>(components_.size());
-  const auto add = [&](int slot, const Twist& lever) {
+  const auto add = [&](int slot, const SpatialForce& lever) {
     if (slot == 0) return;
     for (int k = 0; k < width; ++k) {
       const int component = components_[index(k)];
@@ -178,12 +178,12 @@ std::vector<Twist> ConstraintSystem::twists(const VectorXd& unknowns) const {
 }
 
 VectorXd ConstraintSystem::wrench_vector(
-    const std::vector<Twist>& wrenches) const {
+    const std::vector<SpatialForce>& wrenches) const {
   VectorXd result(columns_);
   const int width = static_cast<int>(components_.size());
   for (int i = 0; i < columns_; ++i) {
     const int component = components_[index(i % width)];
-    const Twist& wrench = wrenches[index(1 + i / width)];
+    const SpatialForce& wrench = wrenches[index(1 + i / width)];
     result[i] =
         component < 3 ? wrench.v[component] : wrench.w[component - 3] / length_;
   }

@@ -66,7 +66,8 @@ class ConstraintSystem {
   /// Unknowns ↔ twists by slot.
   std::vector<Twist> twists(const Eigen::VectorXd& unknowns) const;
   /// Wrenches about M by slot → right-hand side of Jᵀλ = wrench [N].
-  Eigen::VectorXd wrench_vector(const std::vector<Twist>& wrenches) const;
+  Eigen::VectorXd wrench_vector(
+      const std::vector<SpatialForce>& wrenches) const;
   /// Multiplier of a row in N or N m from the scaled one.
   double multiplier(const Row& row, double scaled) const;
 

@@ -11,14 +11,11 @@
 #include "mechanism/joints/joint_definition.h"
 #include "numerics/integrators/integrator_choice.h"
 #include "part/mass_properties.h"
+#include "part/pose.h"
 
 namespace clevis::mechanism {
 
-/// Position and orientation of frame L in frame W.
-struct Pose {
-  Eigen::Vector3d p_WL = Eigen::Vector3d::Zero();      ///< [m]
-  Eigen::Matrix3d R_WL = Eigen::Matrix3d::Identity();  ///< columns: axes of L
-};
+using part::Pose;
 
 /// Compliance of a link at its joints: displacements and turns at `points` per
 /// force [N] and moment about the point [N m] there, in L, beside those of

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "mechanism/definition/definition.h"
+#include "mechanism/element_base/element_state.h"
 
 namespace clevis::mechanism {
 
@@ -31,7 +32,7 @@ struct JointReaction {
   /// Axes of frame J on body a: columns.
   Eigen::Matrix3d R_WJ = Eigen::Matrix3d::Identity();
   /// The same by component: force, then moment, along x, y, z of frame J.
-  /// What is not unique is shared by the joints' compliance. A planar
+  /// The joints' compliance shares reactions that are not unique. A planar
   /// mechanism without loads across its plane has none across it either:
   /// those count as unique.
   std::array<bool, 6> unique_components{true, true, true, true, true, true};

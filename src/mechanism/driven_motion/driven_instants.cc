@@ -8,6 +8,7 @@
 #include "base/index.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/drives/drive_law.h"
+#include "mechanism/forces/element_modes.h"
 #include "mechanism/reactions/body_motion.h"
 #include "mechanism/reactions/reaction_friction.h"
 
@@ -89,30 +90,32 @@ Instant DrivenInstants::kinematics(const ClosedConfiguration& at, double t,
 }
 
 /// Lets the force elements act, in the modes of this state.
-/// @return their wrenches by slot.
-std::vector<Twist> DrivenInstants::act(const ClosedConfiguration& at, double t,
-                                       const Rates& rates) {
-  forces_.evaluate(t, at.x, rates.twists, nullptr);
-  forces_.choose_modes();
-  forces_.evaluate(t, at.x, rates.twists, nullptr);
-  forces_.accept(t);
-  std::vector<Twist> applied(at.x.size());
-  forces_.add_to(applied);
-  return applied;
+ForceState DrivenInstants::act(const ClosedConfiguration& at, double t,
+                               const Rates& rates) {
+  ForceState acting = forces_.none();
+  forces_.evaluate(t, at.x, rates.twists, nullptr, acting);
+  mechanism::choose_modes(acting, forces_);
+  forces_.evaluate(t, at.x, rates.twists, nullptr, acting);
+  forces_.accept(t, acting);
+  return acting;
 }
 
-Instant DrivenInstants::regular(const ClosedConfiguration& at, double t) {
+DrivenInstants::Acted DrivenInstants::act_at(const ClosedConfiguration& at,
+                                             double t) {
   const Rates motion = rates(at, t);
-  Instant result = kinematics(at, t, motion);
-  act(at, t, motion);
-  const auto balance = [&](std::span<const Twist> applied) {
+  Acted result{.instant = kinematics(at, t, motion),
+               .forces = act(at, t, motion)};
+  const auto balance = [&](std::span<const SpatialForce> applied) {
     return model_.equilibrium.solve(at.x, at.placed, at.factor, motion.twists,
                                     motion.accelerations, applied);
   };
-  put_forces(model_.frame, model_.system, at.placed,
-             balance_with_friction(forces_, at.x.size(), balance), result);
-  result.elements = forces_.states();
-  require_unique_loads(model_.definition, forces_, result.joints);
+  put_forces(
+      model_.frame, model_.system, at.placed,
+      balance_with_friction(forces_, result.forces, at.x.size(), balance),
+      result.instant);
+  result.instant.elements = forces_.results(result.forces);
+  require_unique_loads(model_.definition, forces_, result.forces,
+                       result.instant.joints);
   return result;
 }
 
@@ -126,8 +129,10 @@ std::optional<Instant> DrivenInstants::singular(const Configuration& x,
   if (!here) return std::nullopt;
   const ClosedConfiguration at = model_.moment(point->x, t).at;
   Instant result = kinematics(at, t, *here);
-  const std::vector<Twist> applied = act(at, t, *here);
-  result.elements = forces_.states();
+  const ForceState acting = act(at, t, *here);
+  std::vector<SpatialForce> applied(at.x.size());
+  forces_.add_to(acting, applied);
+  result.elements = forces_.results(acting);
   auto forces = model_.equilibrium.solve_compliant(
       at.x, at.placed, here->twists, here->accelerations, applied);
   if (!forces) return std::nullopt;
@@ -137,16 +142,17 @@ std::optional<Instant> DrivenInstants::singular(const Configuration& x,
   return result;
 }
 
-const ForceModel& DrivenInstants::sense(const DrivenMoment& moment) {
+ForceState DrivenInstants::sense(const DrivenMoment& moment) {
+  ForceState acting = forces_.none();
   forces_.evaluate(moment.t, moment.at.x, rates(moment.at, moment.t).twists,
-                   nullptr);
-  forces_.accept(moment.t);
-  return forces_;
+                   nullptr, acting);
+  forces_.accept(moment.t, acting);
+  return acting;
 }
 
-std::vector<int> DrivenInstants::choose_modes() {
-  forces_.choose_modes();
-  return forces_.modes();
+std::vector<int> DrivenInstants::choose_modes(const ForceState& state) {
+  mechanism::choose_modes(state, forces_);
+  return modes(forces_);
 }
 
 std::vector<double> DrivenInstants::line_angles() const {
@@ -154,8 +160,8 @@ std::vector<double> DrivenInstants::line_angles() const {
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     const ActingElement& e = forces_.element(k);
     if (!e.line.counts_turns) continue;
-    lines.push_back(e.q_start);
-    lines.push_back(e.rate_start);
+    lines.push_back(e.anchor.q);
+    lines.push_back(e.anchor.rate);
   }
   return lines;
 }
@@ -164,8 +170,9 @@ void DrivenInstants::set_line_angles(const std::vector<double>& lines,
                                      double t) {
   std::size_t i = 0;
   for (std::size_t k = 0; i < lines.size(); ++k) {
-    if (!forces_.element(k).line.counts_turns) continue;
-    forces_.anchor(k, lines[i], lines[i + 1], t);
+    ActingElement& e = forces_.element(k);
+    if (!e.line.counts_turns) continue;
+    e.anchor = {lines[i], lines[i + 1], t};
     i += 2;
   }
 }

@@ -20,22 +20,30 @@ class DrivenInstants {
   explicit DrivenInstants(const DrivenModel& model)
       : model_(model), forces_(model.definition, model.frame) {}
 
+  /// An instant and the responses of the force elements there.
+  struct Acted {
+    Instant instant;
+    ForceState forces;
+  };
   /// At a regular configuration.
-  Instant regular(const ClosedConfiguration& at, double t);
+  Acted act_at(const ClosedConfiguration& at, double t);
+  Instant regular(const ClosedConfiguration& at, double t) {
+    return act_at(at, t).instant;
+  }
   /// At a change point, with the forces of joints that give way.
   /// @param along  velocity of the unknowns [m/s], or a direction of it [1], on
   ///   the branch. @return nothing where no regular branch goes there.
   std::optional<Instant> singular(const Configuration& x,
                                   const Eigen::VectorXd& along, double t);
-  /// Evaluates the force elements alone. @return they.
-  const ForceModel& sense(const DrivenMoment& moment);
+  /// Responses of the force elements alone at a moment; from there turns are
+  /// counted.
+  ForceState sense(const DrivenMoment& moment);
 
-  /// As of the last instant or sense().
   const ForceModel& forces() const { return forces_; }
-  /// Modes that the state of the last sense() suggests.
-  std::vector<int> choose_modes();
-  /// Angles [rad] and rates [rad/s] of the elements' lines of the last instant
-  /// or sense(): from there turns are counted.
+  /// Modes that a state of the elements suggests; they take them.
+  std::vector<int> choose_modes(const ForceState& state);
+  /// Angles [rad] and rates [rad/s] of the elements' lines from which turns are
+  /// counted: those of the last instant or sense().
   std::vector<double> line_angles() const;
   void set_line_angles(const std::vector<double>& lines, double t);
 
@@ -50,8 +58,7 @@ class DrivenInstants {
                                     double t) const;
   Instant kinematics(const ClosedConfiguration& at, double t,
                      const Rates& rates) const;
-  std::vector<Twist> act(const ClosedConfiguration& at, double t,
-                         const Rates& rates);
+  ForceState act(const ClosedConfiguration& at, double t, const Rates& rates);
 
   const DrivenModel& model_;
   ForceModel forces_;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "mechanism/driven_motion/driven_start.h"
+#include "mechanism/forces/line_motion.h"
 #include "mechanism/reactions/power_balance.h"
 #include "mechanism/sampling/instant_brackets.h"
 
@@ -14,7 +15,7 @@ DrivenMotion::DrivenMotion(const MechanismDefinition& definition,
       model_(definition, settings),
       instants_(model_),
       change_points_(model_, instants_, settings.at_singularity),
-      path_(definition, model_.frame, instants_.forces().counts_turns()) {}
+      path_(definition, model_.frame, counts_turns(instants_.forces())) {}
 
 DrivenMoment DrivenMotion::start(Motion& motion) {
   return start_driven(model_, instants_, settings_, motion);
@@ -35,7 +36,7 @@ void DrivenMotion::advance(DrivenMoment& last, std::optional<double>& singular,
       change_points_.note_between(last, next, motion);
     }
     last = std::move(next);
-    if (instants_.forces().counts_turns()) instants_.sense(last);
+    if (counts_turns(instants_.forces())) instants_.sense(last);
   }
 }
 

@@ -36,7 +36,7 @@ using Eigen::VectorXd;
              : "Leave this [[initial]] out, or change the drive.");
 }
 
-/// What [[initial]] says must be what the drives make of the start.
+/// Compares [[initial]] with the start that the drives make.
 /// @throws Error K007.
 void require_agreement(const DrivenModel& model,
                        const ClosedConfiguration& at) {

@@ -103,8 +103,7 @@ void DrivenEvents::roots(At left, const End& a, const End& b) {
     };
     const double t = numerics::brent_root(value, a.t, sign * a.values[i], b.t,
                                           sign * b.values[i]);
-    trajectory_.guards_between(left, t);
-    if (!trajectory_.guards().matters(i, trajectory_.forces())) continue;
+    if (!trajectory_.matters_between(left, t, i)) continue;
     (trajectory_.guards().jumps(i) ? found_ : bends_).push_back(t);
   }
 }

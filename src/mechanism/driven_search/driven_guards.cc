@@ -16,21 +16,23 @@ DrivenGuards::DrivenGuards(const ForceModel& forces) {
   }
 }
 
-VectorXd DrivenGuards::values(const ForceModel& forces, double t) const {
+VectorXd DrivenGuards::values(const ForceModel& forces,
+                              const ForceState& acting, double t) const {
   VectorXd values(size());
   for (Index i = 0; i < size(); ++i) {
     const Guard& guard = all_[static_cast<std::size_t>(i)];
-    values[i] = forces.element(guard.element).guard_value(guard.of, t);
+    values[i] = forces.element(guard.element)
+                    .guard_value(guard.of, t, acting.elements[guard.element]);
   }
   return values;
 }
 
 std::vector<std::optional<double>> DrivenGuards::rates(
-    const ForceModel& forces) const {
+    const ForceState& acting) const {
   std::vector<std::optional<double>> rates(all_.size());
   for (std::size_t i = 0; i < all_.size(); ++i) {
     const Guard& guard = all_[i];
-    const ActingElement& e = forces.element(guard.element);
+    const ElementResponse& e = acting.elements[guard.element];
     if (guard.of.kind == Kind::kDepth) {
       rates[i] = e.depth_rate[index(guard.of.end)];
     }
@@ -39,9 +41,11 @@ std::vector<std::optional<double>> DrivenGuards::rates(
   return rates;
 }
 
-bool DrivenGuards::matters(Index i, const ForceModel& forces) const {
+bool DrivenGuards::matters(Index i, const ForceModel& forces,
+                           const ForceState& acting) const {
   const Guard& guard = all_[static_cast<std::size_t>(i)];
-  return forces.element(guard.element).guard_matters(guard.of);
+  return forces.element(guard.element)
+      .guard_matters(guard.of, acting.elements[guard.element]);
 }
 
 bool DrivenGuards::jumps(Index i) const {

@@ -19,16 +19,17 @@ class DrivenGuards {
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(all_.size()); }
   bool empty() const { return all_.empty(); }
-  /// As of ForceModel::evaluate() at t [s]: depth and position [m] or [rad],
+  /// In a state at t [s]: depth and position [m] or [rad],
   /// rate and sliding [m/s] or [rad/s], a servo's effort [N] or [N m]; of a
   /// contact that lets go only the sign counts.
-  Eigen::VectorXd values(const ForceModel& forces, double t) const;
+  Eigen::VectorXd values(const ForceModel& forces, const ForceState& acting,
+                         double t) const;
   /// Their rates, per second in the units of the values; absent where
-  /// evaluate() does not give them.
-  std::vector<std::optional<double>> rates(const ForceModel& forces) const;
-  /// Whether its zero changes anything, as of evaluate(): what lets go must
-  /// press.
-  bool matters(Eigen::Index guard, const ForceModel& forces) const;
+  /// the state does not give them.
+  std::vector<std::optional<double>> rates(const ForceState& acting) const;
+  /// Whether its zero changes anything in a state: what lets go must press.
+  bool matters(Eigen::Index guard, const ForceModel& forces,
+               const ForceState& acting) const;
   /// Whether loads may jump at its zero; else they bend.
   bool jumps(Eigen::Index guard) const;
 

@@ -5,6 +5,7 @@
 
 #include "mechanism/driven_motion/driven_motion.h"
 #include "mechanism/driven_search/driven_search.h"
+#include "mechanism/forces/line_motion.h"
 #include "mechanism/sampling/driven_sampling.h"
 
 namespace clevis::mechanism {
@@ -18,7 +19,7 @@ Motion run_driven(const MechanismDefinition& definition,
   DrivenSearch::Found found = DrivenSearch(definition, settings, driven).run();
   instants.set_line_angles(start, 0.0);
   // Turns are counted along the way.
-  Motion motion = found.positions.empty() || instants.forces().counts_turns()
+  Motion motion = found.positions.empty() || counts_turns(instants.forces())
                       ? driven.run_at(found.times)
                       : driven.run_through(found.times, found.positions);
   motion.events = std::move(found.events);

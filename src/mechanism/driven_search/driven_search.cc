@@ -14,7 +14,7 @@ namespace {
 
 // Looks beside the instants; each takes some kilobytes.
 constexpr std::size_t kMostLooks = 50'000;
-// What stress analysis takes in seconds.
+// Instants that stress analysis takes in seconds.
 constexpr std::size_t kMostAdded = 4000;
 // Looks over the duration where nothing else asks for any.
 constexpr int kLeastLooks = 33;
@@ -43,7 +43,8 @@ void DrivenSearch::mark_laws() {
   auto& looks = trajectory_.looks();
   auto step = laws_.steps.begin();
   for (auto i = looks.begin(); i != looks.end(); ++i) {
-    i->bends = is_one_of(laws_.bends, i->t) || is_one_of(laws_.knots, i->t);
+    i->bends =
+        is_one_of(laws_.breakpoints, i->t) || is_one_of(laws_.knots, i->t);
     while (step != laws_.steps.end() && *step + 1.5 * side < i->t) ++step;
     if (step == laws_.steps.end() || std::next(i) == looks.end()) continue;
     // the last look before a step to the first behind it
@@ -78,7 +79,7 @@ DrivenSearch::Found DrivenSearch::run() {
   std::vector<double> instants = uniform_;
   add_times(instants_of_laws(laws_, duration), duration, instants);
   std::vector<double> times = instants;
-  for (const auto* more : {&laws_.bends, &laws_.knots, &laws_.looks}) {
+  for (const auto* more : {&laws_.breakpoints, &laws_.knots, &laws_.looks}) {
     add_times(*more, duration, times);
   }
   SimulationSettings least = settings_;

@@ -34,7 +34,7 @@ DrivenTrajectory::DrivenTrajectory(const MechanismDefinition& definition,
 
 DrivenTrajectory::Look DrivenTrajectory::look_at(const DrivenMoment& moment) {
   DrivenInstants& instants = motion_.instants();
-  const Instant instant = instants.regular(moment.at, moment.t);
+  const auto [instant, acting] = instants.act_at(moment.at, moment.t);
   ++count_;
   Look look;
   look.t = moment.t;
@@ -42,8 +42,8 @@ DrivenTrajectory::Look DrivenTrajectory::look_at(const DrivenMoment& moment) {
   look.loads = loads_.of(instant);
   look.turning = fastest(instant);
   const ForceModel& forces = instants.forces();
-  look.guards = guards_.values(forces, moment.t);
-  look.rates = guards_.rates(forces);
+  look.guards = guards_.values(forces, acting, moment.t);
+  look.rates = guards_.rates(acting);
   look.lines = instants.line_angles();
   return look;
 }
@@ -98,14 +98,21 @@ std::optional<DrivenTrajectory::At> DrivenTrajectory::look(At left, double t) {
   return looks_.insert(std::next(left), look_at(there));
 }
 
-VectorXd DrivenTrajectory::guards_between(At left, double t) {
+ForceState DrivenTrajectory::forces_between(At left, double t) {
   ++count_;
-  return guards_.values(motion_.instants().sense(follow(left, t)), t);
+  return motion_.instants().sense(follow(left, t));
+}
+
+VectorXd DrivenTrajectory::guards_between(At left, double t) {
+  return guards_.values(forces(), forces_between(left, t), t);
+}
+
+bool DrivenTrajectory::matters_between(At left, double t, Eigen::Index guard) {
+  return guards_.matters(guard, forces(), forces_between(left, t));
 }
 
 std::vector<int> DrivenTrajectory::modes_between(At left, double t) {
-  guards_between(left, t);
-  return motion_.instants().choose_modes();
+  return motion_.instants().choose_modes(forces_between(left, t));
 }
 
 }  // namespace clevis::mechanism

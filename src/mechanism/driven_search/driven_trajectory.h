@@ -45,7 +45,8 @@ class DrivenTrajectory {
   std::optional<At> look(At left, double t);
   /// Guards at such a time, without a look.
   Eigen::VectorXd guards_between(At left, double t);
-  /// The forces as of the last look or guards_between().
+  /// Whether a guard's zero at such a time changes anything.
+  bool matters_between(At left, double t, Eigen::Index guard);
   const ForceModel& forces() const { return motion_.instants().forces(); }
   /// Modes of the elements at such a time.
   std::vector<int> modes_between(At left, double t);
@@ -64,6 +65,7 @@ class DrivenTrajectory {
   Look look_at(const DrivenMoment& moment);
   const DrivenMoment& moment_of(At look);
   DrivenMoment follow(At left, double t);
+  ForceState forces_between(At left, double t);
   void turn_often(At left, std::size_t most);
 
   const MechanismDefinition& definition_;

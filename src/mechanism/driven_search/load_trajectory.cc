@@ -20,7 +20,7 @@ namespace {
 using At = DrivenTrajectory::At;
 using Piece = std::vector<At>;
 
-// What the cubic through a look's neighbours may miss it by, over the largest;
+// Error allowed to the cubic through a look's neighbours, over the largest;
 // halfway between looks it then misses by a seventh of that.
 constexpr double kResolved = 5e-3;
 // How far loads may lie off the line between two instants, likewise.
@@ -69,7 +69,7 @@ void neighbours(const Piece& piece, std::size_t i, int step, std::size_t count,
   }
 }
 
-/// What the four looks about a time say of the loads there; nothing if there
+/// Loads at a time by the four looks about it; nothing if there
 /// are fewer.
 std::optional<VectorXd> by_cubic(const std::vector<At>& about, double t) {
   if (about.size() != 4) return std::nullopt;

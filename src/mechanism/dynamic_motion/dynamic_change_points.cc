@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 Instant motion_at(const MechanismDefinition& definition,
                   const SolvingFrame& frame, const MechanismState& state,
                   const ForceModel& forces, double t,
-                  const std::vector<Twist>& accelerations) {
+                  const std::vector<SpatialAcceleration>& accelerations) {
   Instant instant;
   instant.t = t;
   for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
@@ -27,7 +27,7 @@ Instant motion_at(const MechanismDefinition& definition,
                                          state.x[i + 1], state.twists[i + 1],
                                          accelerations[i + 1]));
   }
-  instant.elements = forces.states();
+  instant.elements = forces.results(state.loads.forces);
   for (const DriveDefinition& drive : definition.drives) {
     const DriveTarget target = drive_target(drive, t);
     instant.drives.push_back({.position = target.position,
@@ -133,8 +133,8 @@ std::optional<DynamicChangePoints::OnBranch> DynamicChangePoints::on_branch(
   OnBranch result{.accelerations = system.twists(found->accelerations),
                   .forces = {}};
   const std::vector<Twist>& twists = equations_.state().twists;
-  std::vector<Twist> applied(twists.size());
-  equations_.forces().add_to(applied);
+  std::vector<SpatialForce> applied(twists.size());
+  equations_.forces().add_to(equations_.state().loads.forces, applied);
   const Configuration x = with_quaternions(equations_.state().x);
   result.forces = model_.equilibrium.solve_compliant(
       x, system.place(x), twists, result.accelerations, applied, found->open);

@@ -14,12 +14,12 @@
 namespace clevis::mechanism {
 
 /// Positions, rates, drives and elements of an integrated motion; no forces
-/// but the elements'. Time t [s]. @param forces  evaluated at the state.
+/// but the elements'. Time t [s]. @param state  with its loads.
 /// @param accelerations  by slot, of M, in P [m/s²], [rad/s²].
 Instant motion_at(const MechanismDefinition& definition,
                   const SolvingFrame& frame, const MechanismState& state,
                   const ForceModel& forces, double t,
-                  const std::vector<Twist>& accelerations);
+                  const std::vector<SpatialAcceleration>& accelerations);
 
 /// The change points that an integrated motion passes. Times [s], states in the
 /// units of StateLayout.
@@ -48,7 +48,7 @@ class DynamicChangePoints {
   int rank() const { return rank_; }
   /// Accelerations and forces at a change point, where J leaves them open.
   struct OnBranch {
-    std::vector<Twist> accelerations;
+    std::vector<SpatialAcceleration> accelerations;
     /// Of joints that give way; nothing if these do not hold the loads.
     std::optional<Equilibrium::Solution> forces;
   };

@@ -112,8 +112,8 @@ void DynamicInstants::add(double t, VectorXd& y) {
   }
   const ForceModel& elements = equations.forces();
   if (!forces) {
-    std::vector<Twist> applied(state.twists.size());
-    elements.add_to(applied);
+    std::vector<SpatialForce> applied(state.twists.size());
+    elements.add_to(state.loads.forces, applied);
     forces = model_.equilibrium.solve(state.x, state.placed, factor,
                                       state.twists, accelerations, applied);
   }
@@ -121,9 +121,10 @@ void DynamicInstants::add(double t, VectorXd& y) {
                               t, accelerations);
   put_forces(model_.frame, system, state.placed, std::move(*forces), instant);
   mark_what_friction_leaves_open(model_.frame, system, state.placed, elements,
-                                 instant);
+                                 state.loads.forces, instant);
   instant.is_change_point = is_change_point;
-  require_unique_loads(model_.definition, elements, instant.joints);
+  require_unique_loads(model_.definition, elements, state.loads.forces,
+                       instant.joints);
   instant.closure_error = gap;
   instants_.push_back(std::move(instant));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mechanism/forces/element_modes.h"
 #include "mechanism/integration/initial_state.h"
 #include "mechanism/reactions/power_balance.h"
 #include "mechanism/reactions/reaction_friction.h"
@@ -50,7 +51,7 @@ void DynamicRun::start() {
 void DynamicRun::communicate(double t) {
   if (equations_.forces().next_communication() > t) return;
   equations_.solve(t, y_);
-  equations_.forces().communicate(t);
+  equations_.forces().communicate(t, equations_.state().loads.forces);
 }
 
 Motion DynamicRun::run() {
@@ -107,14 +108,14 @@ void DynamicRun::pass(const EventFinder::Event& event) {
   change_points_.look(integrator_, t, y_);
   equations_.solve(t, y_);
   ForceModel& forces = equations_.forces();
-  const std::vector<int> before = forces.modes();
-  forces.pass_event(event.index);
+  const std::vector<int> before = modes(forces);
+  pass_event(event.index, equations_.state().loads.forces, forces);
   stick_slip_.stop_or_reverse(t, y_, static_cast<std::size_t>(event.index / 2));
   stick_slip_.resolve_modes(t, y_);
   projection_.project(t, y_);
   equations_.accept(t, y_);
   impacts_.pass(t, y_, before);
-  for (MotionEvent& change : forces.changes(event.index, t, before)) {
+  for (MotionEvent& change : mode_changes(forces, event.index, t, before)) {
     motion_.events.push_back(std::move(change));
   }
   restart(t);

@@ -10,6 +10,7 @@
 #include "base/index.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/drives/drive_law.h"
+#include "mechanism/forces/element_modes.h"
 #include "mechanism/reactions/reaction_friction.h"
 
 namespace clevis::mechanism {
@@ -48,10 +49,11 @@ void MotionGuards::require_closed(double t, double gap) {
 }
 
 void MotionGuards::require_resisting_friction(const VectorXd& y) {
-  ForceModel& forces = model_.equations.forces();
+  const ForceModel& forces = model_.equations.forces();
   if (forces.empty()) return;
-  model_.equations.evaluate_forces(integrator_.t(), y);
-  const std::size_t k = forces.line_against_its_mode();
+  const MechanismState& state =
+      model_.equations.evaluate_forces(integrator_.t(), y);
+  const std::size_t k = line_against_its_mode(forces, state.loads.forces);
   if (k == forces.size()) return;
   const ForceElement& element = model_.definition.elements[k];
   throw Error("K012", place_of(element),

@@ -9,7 +9,7 @@
 
 namespace clevis::mechanism {
 
-/// What drives ask at a time: coordinates [m] or [rad], and by row of a
+/// Targets of drives at a time: coordinates [m] or [rad], and by row of a
 /// ConstraintSystem rates [m/s] and accelerations [m/s²], turns × length.
 struct DriveTargets {
   Eigen::VectorXd coordinates;        ///< by drive

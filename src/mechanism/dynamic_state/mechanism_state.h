@@ -4,12 +4,13 @@
 
 #include <Eigen/Core>
 
+#include "mechanism/forces/applied_loads.h"
 #include "mechanism/joints/configuration.h"
 
 namespace clevis::mechanism {
 
-/// A state of a motion by forces, spread over bodies and joints. Bodies are
-/// referred to their centres of mass M.
+/// A state of a motion by forces, spread over bodies, joints and loads. Bodies
+/// are referred to their centres of mass M.
 struct MechanismState {
   /// Positions by slot, turns by joint [m], [rad]. Planar: without quaternions.
   Configuration x;
@@ -18,6 +19,7 @@ struct MechanismState {
   /// Of the unknowns of ConstraintSystem, then of rotors, which turn as their
   /// joints do: 0 [m/s].
   Eigen::VectorXd speeds;
+  LoadState loads;  ///< where they have been evaluated
 };
 
 }  // namespace clevis::mechanism

@@ -167,7 +167,7 @@ void StateLayout::turn(const VectorXd& y, Axes to,
   }
 }
 
-void StateLayout::add_lever(int slot, const Twist& lever,
+void StateLayout::add_lever(int slot, const SpatialForce& lever,
                             VectorXd& force) const {
   if (slot == 0) return;
   if (planar_) {

@@ -68,7 +68,8 @@ class StateLayout {
   void from_axes(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> v) const;
   /// Adds a lever of a line, a unit force [1] with its moment [m] on a body, as
   /// a force on the unknowns.
-  void add_lever(int slot, const Twist& lever, Eigen::VectorXd& force) const;
+  void add_lever(int slot, const SpatialForce& lever,
+                 Eigen::VectorXd& force) const;
 
  private:
   enum class Axes { kOfBodies, kOfFrame };

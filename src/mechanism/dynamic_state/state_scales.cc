@@ -24,10 +24,12 @@ void StateScales::note(const VectorXd& y, const VectorXd& accelerations,
       std::sqrt(length * accelerations.lpNorm<Eigen::Infinity>());
   speed_ = std::max({slowest_, speed_, speed, speed_ > 0.0 ? 0.0 : reached});
   // well above what steps may err by
-  const double slack = 10.0 * tolerance_ * speed_;
+  const double velocity_tolerance = 10.0 * tolerance_ * speed_;
   // clearly beyond what counts as rest
-  const double leaving = std::max(1e-3 * slack, 1e-8 * speed_);
-  forces.set_slack(slack, leaving, length, slowest_ / length);
+  const double break_free_speed =
+      std::max(1e-3 * velocity_tolerance, 1e-8 * speed_);
+  forces.set_velocity_tolerance(velocity_tolerance, break_free_speed, length,
+                                slowest_ / length);
   lowest_pivot_ = std::min(lowest_pivot_, smallest_pivot);
 }
 

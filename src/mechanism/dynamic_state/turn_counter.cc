@@ -16,8 +16,8 @@ TurnCounter::TurnCounter(const SolvingFrame& frame, const StateLayout& layout,
   }
   for (std::size_t k = 0; frame.planar && k < forces.size(); ++k) {
     const ActingElement& e = forces.element(k);
-    if (e.joint < 0 || !forces.is_angle(k)) continue;
-    plane_angles_.push_back({k, index(e.joint), e.q_start});
+    if (e.joint < 0 || !e.row.is_angle()) continue;
+    plane_angles_.push_back({k, index(e.joint), e.anchor.q});
   }
 }
 
@@ -39,7 +39,7 @@ void TurnCounter::count(double t, const VectorXd& y, MechanismState& state,
   for (const PlaneAngle& known : plane_angles_) {
     const double turned = layout_.plane_angle(frame_.joints[known.joint], y) -
                           turns_[known.joint].plane_angle;
-    forces.anchor(known.element, known.accepted + turned, 0.0, t);
+    forces.element(known.element).anchor = {known.accepted + turned, 0.0, t};
   }
 }
 
@@ -55,8 +55,7 @@ double TurnCounter::turned_since(std::size_t j, double t, const VectorXd& y,
 }
 
 void TurnCounter::accept(double t, const VectorXd& y,
-                         const MechanismState& state,
-                         const ForceModel& forces) {
+                         const MechanismState& state) {
   accepted_at_ = t;
   for (std::size_t j = 0; j < turns_.size(); ++j) {
     const JointModel& joint = frame_.joints[j];
@@ -67,7 +66,7 @@ void TurnCounter::accept(double t, const VectorXd& y,
                  frame_.planar ? layout_.plane_angle(joint, y) : 0.0};
   }
   for (PlaneAngle& known : plane_angles_) {
-    known.accepted = forces.element(known.element).q;
+    known.accepted = state.loads.forces.elements[known.element].q;
   }
 }
 

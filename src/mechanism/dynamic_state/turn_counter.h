@@ -26,9 +26,8 @@ class TurnCounter {
   void count(double t, const Eigen::VectorXd& y, MechanismState& state,
              ForceModel& forces) const;
   /// A state is part of the motion: turns go on from there.
-  /// @param forces  evaluated there.
-  void accept(double t, const Eigen::VectorXd& y, const MechanismState& state,
-              const ForceModel& forces);
+  /// @param state  with its loads.
+  void accept(double t, const Eigen::VectorXd& y, const MechanismState& state);
   /// Spatial: the angles of all joints are known at t, turns are counted from
   /// there.
   void anchor(double t, const Configuration& x);

@@ -10,9 +10,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-const JointModel kNothing{.frame_a = {}, .frame_b = {}};
-const BodyPlacement kNowhere;
-
 JointFrame frame_of(const ElementPoint& p, const ReferenceFrame& frame) {
   JointFrame result;
   if (p.body == kGround) {
@@ -32,8 +29,8 @@ double angle_near(const ActingElement& e, const ActingState& state,
       e.row.is_second_angle()
           ? Vector3d(x[index(e.line.b)].R * e.line.frame_b.R_LJ.col(0))
           : Vector3d(x[index(e.line.a)].R * e.line.frame_a.R_LJ.col(2));
-  return e.q_start +
-         0.5 * (e.rate_start + axis.dot(turning)) * (state.t - e.t_start);
+  return e.anchor.q +
+         0.5 * (e.anchor.rate + axis.dot(turning)) * (state.t - e.anchor.t);
 }
 
 }  // namespace
@@ -44,8 +41,6 @@ Matrix3d with_z_along(const Vector3d& direction) {
       .toRotationMatrix();
 }
 
-ActingElement::ActingElement() : placed(kNothing, kNowhere, kNowhere) {}
-
 void ActingElement::join(const ElementPoint& a, const ElementPoint& b,
                          const ReferenceFrame& frame) {
   line.a = a.body + 1;
@@ -54,68 +49,65 @@ void ActingElement::join(const ElementPoint& a, const ElementPoint& b,
   line.frame_b = frame_of(b, frame);
 }
 
-void ActingElement::evaluate(const ActingState& state) {
+void ActingElement::evaluate(const ActingState& state,
+                             ElementResponse& now) const {
   const Twist& a = state.twists[index(line.a)];
   const Twist& b = state.twists[index(line.b)];
   const Configuration& x = state.configuration;
   const double near =
       line.counts_turns ? angle_near(*this, state, b.w - a.w) : 0.0;
-  placed = PlacedJoint(line, x[index(line.a)], x[index(line.b)], near);
-  act(state, a, b);
-  power = on_a.v.dot(a.v) + on_a.w.dot(a.w) + on_b.v.dot(b.v) + on_b.w.dot(b.w);
+  now.placed = PlacedJoint(line, x[index(line.a)], x[index(line.b)], near);
+  act(state, a, b, now);
+  now.power = now.on_a.v.dot(a.v) + now.on_a.w.dot(a.w) + now.on_b.v.dot(b.v) +
+              now.on_b.w.dot(b.w);
 }
 
-void ActingElement::accept(double t) {
-  if (!line.counts_turns) return;
-  q_start = q;
-  rate_start = rate;
-  t_start = t;
+void ActingElement::accept(double t, const ElementResponse& now) {
+  if (line.counts_turns) anchor = {now.q, now.rate, t};
 }
 
-std::array<ElementAction, 2> ActingElement::actions() const {
-  const auto [to_a, to_b] = touched();
+std::array<ElementAction, 2> ActingElement::actions(
+    const ElementResponse& now) const {
+  const auto [to_a, to_b] = touched(now);
   const Matrix3d R_WP = R_PW.transpose();
   const auto action = [&R_WP](int slot, const Vector3d& p_J, const Vector3d& r,
-                              const Vector3d& to, const Twist& wrench) {
+                              const Vector3d& to, const SpatialForce& wrench) {
     const Vector3d about_p = wrench.w - (r + to).cross(wrench.v);
     return ElementAction{.body = slot - 1,
                          .p_W = R_WP * (p_J + to),
                          .f_W = R_WP * wrench.v,
                          .t_W = R_WP * about_p};
   };
-  return {action(line.a, placed.p_b - placed.d, placed.r_a, to_a, on_a),
-          action(line.b, placed.p_b, placed.r_b, to_b, on_b)};
+  const PlacedJoint& placed = now.placed;
+  return {action(line.a, placed.p_b - placed.d, placed.r_a, to_a, now.on_a),
+          action(line.b, placed.p_b, placed.r_b, to_b, now.on_b)};
 }
 
-double ActingElement::guard_value(const ElementGuard& guard,
-                                  double /*t*/) const {
+double ActingElement::guard_value(const ElementGuard& guard, double /*t*/,
+                                  const ElementResponse& now) const {
   switch (guard.kind) {
     case ElementGuard::Kind::kDepth:
-      return depth[index(guard.end)] - guard.level;
+      return now.depth[index(guard.end)] - guard.level;
     case ElementGuard::Kind::kRate:
-      return rate - guard.level;
+      return now.rate - guard.level;
     case ElementGuard::Kind::kPosition:
-      return q - guard.level;
+      return now.q - guard.level;
     case ElementGuard::Kind::kOwn:
       break;
   }
   return 1.0;
 }
 
-void ActingElement::act_along(double new_effort) {
-  effort = new_effort;
-  on_a = {effort * levers.a.v, effort * levers.a.w};
-  on_b = {effort * levers.b.v, effort * levers.b.w};
-}
-
-PlacedJoint::Levers ActingElement::apart(int end) const {
+PlacedJoint::Levers ActingElement::apart(int end,
+                                         const ElementResponse& now) const {
+  const PlacedJoint::Levers& levers = now.levers;
   if (end == 0) return levers;
   return {.a = {-levers.a.v, -levers.a.w}, .b = {-levers.b.v, -levers.b.w}};
 }
 
-double ActingElement::apart_bias(int end, const Twist& a,
-                                 const Twist& b) const {
-  return (end == 0 ? 1.0 : -1.0) * placed.bias(row, a, b);
+double ActingElement::apart_bias(int end, const ElementResponse& now,
+                                 const Twist& a, const Twist& b) const {
+  return (end == 0 ? 1.0 : -1.0) * now.placed.bias(row, a, b);
 }
 
 }  // namespace clevis::mechanism

@@ -12,7 +12,7 @@ namespace clevis::mechanism {
 
 struct GasCylinderLaw;
 
-/// What moves the line of an element, where its law alone does: nothing, a
+/// Source of motion of an element's line, where its law alone is: nothing, a
 /// force over time, or a machine.
 enum class Actuation { kNone, kForce, kMachine };
 
@@ -22,8 +22,8 @@ struct ElementChannel {
   bool is_coordinate = false;  ///< [m] or [rad] of its line; key without unit
 };
 
-/// What the rest of the program asks of a force element, whatever its kind.
-/// Each kind fills it in its own file.
+/// Properties of a force element, whatever its kind, for the rest of the
+/// program. Each kind fills it in its own file.
 struct ElementProperties {
   std::string_view type;  ///< word of scenes and results
   /// Ends press and let go: a contact or a stop.
@@ -37,10 +37,10 @@ struct ElementProperties {
   bool slides = false;
   std::vector<ElementChannel> channels{};
   /// Efforts over time bend there, and jump at steps [s].
-  std::vector<double> bends{}, steps{};
+  std::vector<double> breakpoints{}, steps{};
   /// All times at which what is given over time bends [s].
   std::vector<double> breaks{};
-  /// What its line is to follow, or null.
+  /// Target of its line, or null.
   const DriveDefinition* reference = nullptr;
   /// Paths of a target over time.
   std::vector<const numerics::CubicSpline*> paths{};

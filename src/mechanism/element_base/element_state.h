@@ -10,7 +10,7 @@
 
 namespace clevis::mechanism {
 
-/// What a force element does to one of its bodies, in W.
+/// Action of a force element on one of its bodies, in W.
 struct ElementAction {
   BodyIndex body = kGround;
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< point of attack [m]
@@ -47,7 +47,7 @@ struct MotorState {
   double stored{};                     ///< in the windings [J]
 };
 
-/// What a force element does.
+/// Response of a force element at an instant, as a result.
 struct ElementState {
   double position{}, rate{};  ///< of its line; a contact's depth [m] or [rad]
   double effort{};     ///< on b, > 0 pushes apart; a contact's normal force

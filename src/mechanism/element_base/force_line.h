@@ -15,7 +15,7 @@ struct ElementPoint {
   Eigen::Vector3d p_L = Eigen::Vector3d::Zero();
 };
 
-/// What an element measures and along which it acts: a joint's coordinate,
+/// Coordinate that an element measures and along which it acts: a joint's,
 /// the distance of two points, or how far point b is from point a along an
 /// axis that is fixed in body a. [m] or [rad].
 struct ElementLine {

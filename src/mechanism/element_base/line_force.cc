@@ -43,22 +43,25 @@ LineForce::LineForce(const LineDefinition& definition,
   line.frame_a.R_LJ = line.frame_a.R_LJ * with_z_along(measured.axis_L);
 }
 
-void LineForce::measure() {
+void LineForce::measure(ElementResponse& now) const {
+  PlacedJoint& placed = now.placed;
   const bool is_distance = row.kind == JointRow::Kind::kDistance;
   // the row then measures the distance itself
   if (is_distance) placed.length = std::max(placed.d.norm(), kShortest);
-  levers = placed.levers(row);
-  q = is_distance ? placed.length : placed.displacement(row);
+  now.levers = placed.levers(row);
+  now.q = is_distance ? placed.length : placed.displacement(row);
   if (!row.is_second_angle()) return;
   constexpr double kTurn = 2.0 * std::numbers::pi;
-  q += kTurn * std::round((placed.angle_near - q) / kTurn);
+  now.q += kTurn * std::round((placed.angle_near - now.q) / kTurn);
 }
 
-void LineForce::act(const ActingState& state, const Twist& a, const Twist& b) {
-  measure();
-  rate = levers.a.v.dot(a.v) + levers.a.w.dot(a.w) + levers.b.v.dot(b.v) +
-         levers.b.w.dot(b.w);
-  act_along(law_effort(state));
+void LineForce::act(const ActingState& state, const Twist& a, const Twist& b,
+                    ElementResponse& now) const {
+  measure(now);
+  const PlacedJoint::Levers& levers = now.levers;
+  now.rate = levers.a.v.dot(a.v) + levers.a.w.dot(a.w) + levers.b.v.dot(b.v) +
+             levers.b.w.dot(b.w);
+  now.act_along(law_effort(state, now));
 }
 
 OneSenseForce::OneSenseForce(const LineDefinition& definition,
@@ -68,11 +71,12 @@ OneSenseForce::OneSenseForce(const LineDefinition& definition,
       full_speed_(definition.full_speed),
       sharp_sense_(full_speed_ > 0.0 ? 0.0 : sense_of(acts_on_)) {}
 
-double OneSenseForce::law_effort(const ActingState& state) {
-  return part_in_sense() * full_effort(state);
+double OneSenseForce::law_effort(const ActingState& state,
+                                 ElementResponse& now) const {
+  return part_in_sense(now.rate) * full_effort(state, now);
 }
 
-double OneSenseForce::part_in_sense() const {
+double OneSenseForce::part_in_sense(double rate) const {
   if (acts_in_both()) return 1.0;
   if (full_speed_ <= 0.0) return modes[1] == 1 ? 1.0 : 0.0;
   const double s =
@@ -80,17 +84,17 @@ double OneSenseForce::part_in_sense() const {
   return s * s * (3.0 - 2.0 * s);
 }
 
-void OneSenseForce::choose_modes() {
-  if (sharp_sense_ != 0.0) modes[1] = sharp_sense_ * rate > 0.0 ? 1 : 0;
+void OneSenseForce::choose_modes(const ElementResponse& now) {
+  if (sharp_sense_ != 0.0) modes[1] = sharp_sense_ * now.rate > 0.0 ? 1 : 0;
 }
 
-double OneSenseForce::event_value(int end) const {
+double OneSenseForce::event_value(int end, const ElementResponse& now) const {
   if (sharp_sense_ == 0.0 || end == 0) return 1.0;
   const double forward = modes[1] == 1 ? sharp_sense_ : -sharp_sense_;
-  return forward * rate + kOfSlack * slack;
+  return forward * now.rate + kOfTolerance * velocity_tolerance;
 }
 
-void OneSenseForce::pass_event(int end) {
+void OneSenseForce::pass_event(int end, const ElementResponse& /*now*/) {
   if (end == 1 && sharp_sense_ != 0.0) modes[1] = 1 - modes[1];
 }
 

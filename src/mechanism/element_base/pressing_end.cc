@@ -4,40 +4,41 @@
 
 namespace clevis::mechanism {
 
-double press(ActingElement& e, std::size_t end, const ContactLaw& law,
-             double depth, double rate) {
-  e.depth[end] = depth;
-  e.depth_rate[end] = rate;
-  e.unbounded[end] = contact_effort(law, depth, rate);
-  return e.modes[end] == 1 ? e.unbounded[end] : 0.0;
+double press(const ModeSwitch& e, std::size_t end, const ContactLaw& law,
+             double depth, double rate, ElementResponse& now) {
+  now.depth[end] = depth;
+  now.depth_rate[end] = rate;
+  now.unbounded[end] = contact_effort(law, depth, rate);
+  return e.modes[end] == 1 ? now.unbounded[end] : 0.0;
 }
 
-int pressing_mode(const ActingElement& e, std::size_t end,
+int pressing_mode(const ElementResponse& now, std::size_t end,
                   const ContactLaw& law) {
-  if (!(e.depth[end] > 0.0)) return 0;
-  return e.unbounded[end] >= 0.0 || may_pull(law) ? 1 : 2;
+  if (!(now.depth[end] > 0.0)) return 0;
+  return now.unbounded[end] >= 0.0 || may_pull(law) ? 1 : 2;
 }
 
-double pressing_value(const ActingElement& e, std::size_t end,
-                      const ContactLaw& law) {
-  const double depth = e.depth[end], rate = e.depth_rate[end];
+double pressing_value(const ModeSwitch& e, std::size_t end,
+                      const ContactLaw& law, const ElementResponse& now) {
+  const double depth = now.depth[end], rate = now.depth_rate[end];
   if (e.modes[end] == 0) return -depth;
   // without force: until it is out, or pressed again
-  if (e.modes[end] == 2) return std::min(depth, -e.unbounded[end]);
+  if (e.modes[end] == 2) return std::min(depth, -now.unbounded[end]);
   if (may_pull(law)) return depth;
   const double sign = contact_sign(law, depth, rate);
   return law.model == ContactModel::kHuntCrossley ? std::min(depth, sign)
                                                   : sign;
 }
 
-void pass_pressing(ActingElement& e, std::size_t end, const ContactLaw& law) {
+void pass_pressing(ModeSwitch& e, std::size_t end, const ContactLaw& law,
+                   const ElementResponse& now) {
   int& mode = e.modes[end];
   if (mode == 0) {
     mode = 1;
   } else if (mode == 1) {
-    mode = !may_pull(law) && e.depth[end] > 0.0 ? 2 : 0;
+    mode = !may_pull(law) && now.depth[end] > 0.0 ? 2 : 0;
   } else {
-    const bool leaves = e.depth_rate[end] < 0.0 && e.unbounded[end] <= 0.0;
+    const bool leaves = now.depth_rate[end] < 0.0 && now.unbounded[end] <= 0.0;
     mode = leaves ? 0 : 1;
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mechanism/element_base/acting_element.h"
+#include "mechanism/element_base/mode_switch.h"
 #include "mechanism/force_laws/contact_law.h"
 
 namespace clevis::mechanism {
@@ -9,17 +9,18 @@ namespace clevis::mechanism {
 // stop. Mode of an end: 0 open, 1 pressing, 2 deep but without force.
 
 /// Notes depth, rate and effort of an end. @return its effort in its mode.
-double press(ActingElement& e, std::size_t end, const ContactLaw& law,
-             double depth, double rate);
+double press(const ModeSwitch& e, std::size_t end, const ContactLaw& law,
+             double depth, double rate, ElementResponse& now);
 /// Mode of an end by its depth alone.
-int pressing_mode(const ActingElement& e, std::size_t end,
+int pressing_mode(const ElementResponse& now, std::size_t end,
                   const ContactLaw& law);
-/// See ActingElement::event_value().
-double pressing_value(const ActingElement& e, std::size_t end,
-                      const ContactLaw& law);
-/// See ActingElement::pass_event().
-void pass_pressing(ActingElement& e, std::size_t end, const ContactLaw& law);
-/// See ActingElement::name_of_change().
+/// See ModeSwitch::event_value().
+double pressing_value(const ModeSwitch& e, std::size_t end,
+                      const ContactLaw& law, const ElementResponse& now);
+/// See ModeSwitch::pass_event().
+void pass_pressing(ModeSwitch& e, std::size_t end, const ContactLaw& law,
+                   const ElementResponse& now);
+/// See ModeSwitch::name_of_change().
 const char* name_of_pressing(int mode, int mode_before);
 
 /// Guards of an end: touched, fully pressed, and as its own, numbered like the

@@ -1,8 +1,9 @@
 #include "mechanism/equations_of_motion/equations_of_motion.h"
 
-#include <algorithm>
-
 #include "mechanism/equations_of_motion/sticking_shares.h"
+#include "mechanism/forces/element_modes.h"
+#include "mechanism/forces/given_efforts.h"
+#include "mechanism/forces/line_motion.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -16,6 +17,26 @@ MotionSolution no_solution(Index columns, Index rows) {
           .row_accelerations = VectorXd::Zero(rows),
           .accelerations = VectorXd::Zero(columns),
           .multipliers = VectorXd::Zero(rows)};
+}
+
+/// Q of the wrenches about the centres of mass, less what turning bodies take.
+void put_forces(const StateLayout& layout, const BodyInertias& inertias,
+                const MechanismState& state, VectorXd& Q) {
+  const std::vector<SpatialForce>& wrenches = state.loads.wrenches;
+  const double length = layout.length();
+  for (std::size_t i = 1; i < wrenches.size(); ++i) {
+    if (layout.is_planar()) {
+      const auto at = static_cast<Index>(3 * (i - 1));
+      Q.segment<2>(at) = wrenches[i].v.head<2>();
+      Q[at + 2] = wrenches[i].w.z() / length;
+    } else {
+      const auto at = static_cast<Index>(6 * (i - 1));
+      const Vector3d& w = state.twists[i].w;
+      const Vector3d spin = inertias.spin(i, state.x[i].R, w);
+      Q.segment<3>(at) = wrenches[i].v;
+      Q.segment<3>(at + 3) = (wrenches[i].w - w.cross(spin)) / length;
+    }
+  }
 }
 
 }  // namespace
@@ -37,7 +58,8 @@ EquationsOfMotion::EquationsOfMotion(const MechanismDefinition& definition,
       state_{.x = frame.placement,
              .twists = std::vector<Twist>(frame.placement.size()),
              .placed = system_.place(frame.placement),
-             .speeds = VectorXd::Zero(constraints_.columns())},
+             .speeds = VectorXd::Zero(constraints_.columns()),
+             .loads = loads_.none()},
       targets_(drives_.none(constraints_.most_rows())),
       solution_(no_solution(constraints_.columns(), constraints_.most_rows())),
       response_(solution_),
@@ -57,8 +79,8 @@ void EquationsOfMotion::enter_piece(double t) {
 }
 
 void EquationsOfMotion::accept(double t, const VectorXd& y) {
-  forces().accept(t);
-  turns_.accept(t, y, state_, forces());
+  forces().accept(t, state_.loads.forces);
+  turns_.accept(t, y, state_);
 }
 
 const MechanismState& EquationsOfMotion::place(double t, const VectorXd& y) {
@@ -73,56 +95,36 @@ const MechanismState& EquationsOfMotion::evaluate_forces(double t,
                                                          const VectorXd& y) {
   place(t, y);
   forces().evaluate(t, state_.x, state_.twists,
-                    y.data() + layout_.internal_index());
+                    y.data() + layout_.internal_index(), state_.loads.forces);
   return state_;
 }
 
-const MechanismState& EquationsOfMotion::evaluate_loads(double t,
-                                                        const VectorXd& y) {
+void EquationsOfMotion::hold_tangents(double t, const VectorXd& y) {
   place(t, y);
-  put_loads(t, y);
-  return state_;
+  loads_.hold_tangents(t, state_.x, state_.twists,
+                       y.data() + layout_.internal_index(), state_.loads);
 }
 
 const MechanismState& EquationsOfMotion::factor(double t, const VectorXd& y) {
   place(t, y);
   drives_.put(t, targets_);
-  put_loads(t, y);
-  constraints_.factor(state_.placed);
+  loads_.evaluate(t, state_.x, state_.twists,
+                  y.data() + layout_.internal_index(), state_.loads);
+  put_forces(layout_, inertias_, state_, solution_.forces);
+  constraints_.factor(state_);
   return state_;
 }
 
-/// Wrenches about the centres of mass, and Q of them.
-void EquationsOfMotion::put_loads(double t, const VectorXd& y) {
-  loads_.evaluate(t, state_.x, state_.twists,
-                  y.data() + layout_.internal_index());
-  const std::vector<Twist>& wrenches = loads_.wrenches();
-  const double length = layout_.length();
-  VectorXd& Q = solution_.forces;
-  for (std::size_t i = 1; i < wrenches.size(); ++i) {
-    if (layout_.is_planar()) {
-      const auto at = static_cast<Index>(3 * (i - 1));
-      Q.segment<2>(at) = wrenches[i].v.head<2>();
-      Q[at + 2] = wrenches[i].w.z() / length;
-    } else {
-      const auto at = static_cast<Index>(6 * (i - 1));
-      const Vector3d& w = state_.twists[i].w;
-      const Vector3d spin = inertias_.spin(i, state_.x[i].R, w);
-      Q.segment<3>(at) = wrenches[i].v;
-      Q.segment<3>(at + 3) = (wrenches[i].w - w.cross(spin)) / length;
-    }
-  }
-}
-
-/// What drives ask of them and velocities take from them.
+/// Accelerations that drives ask of rows, less those that velocities cause.
 void EquationsOfMotion::put_row_accelerations() {
   VectorXd& gamma = solution_.row_accelerations;
   const Index rows = system_.rows();
   system_.bias(state_.placed, state_.twists, gamma);
   gamma.head(rows) = targets_.row_accelerations.head(rows) - gamma.head(rows);
   constraints_.for_each_element_row([&](std::size_t k, int row) {
-    gamma[row] =
-        -constraints_.row_scale(k) * forces().line_bias(k, state_.twists);
+    gamma[row] = -constraints_.row_scale(k) *
+                 line_bias(forces().element(k), state_.loads.forces.elements[k],
+                           state_.twists);
   });
 }
 
@@ -130,18 +132,21 @@ const MotionSolution& EquationsOfMotion::solve(double t, const VectorXd& y) {
   factor(t, y);
   put_row_accelerations();
   MotionSolution& s = solution_;
+  ForceState& acting = state_.loads.forces;
   ConstrainedMass& mass = constraints_.mass();
   mass.accelerate(s.row_accelerations, s.forces, s.accelerations,
                   s.multipliers);
   if (mass.rank() < constraints_.rows()) {
-    share_among_sticking(constraints_, forces(), s.multipliers);
+    share_among_sticking(constraints_, forces(), acting, s.multipliers);
   }
-  s.following_power =
-      following_.empty()
-          ? 0.0
-          : following_.solve(forces(), mass, s.accelerations, s.multipliers);
+  s.following_power = following_.empty()
+                          ? 0.0
+                          : following_.solve(forces(), mass, acting,
+                                             s.accelerations, s.multipliers);
   constraints_.for_each_element_row([&](std::size_t k, int row) {
-    forces().set_row_effort(k, constraints_.row_scale(k) * s.multipliers[row]);
+    give_row_effort(forces().element(k),
+                    constraints_.row_scale(k) * s.multipliers[row],
+                    acting.elements[k]);
   });
   return s;
 }
@@ -153,7 +158,7 @@ const MotionSolution& EquationsOfMotion::respond(const VectorXd& force) {
 }
 
 bool EquationsOfMotion::has_joints_alone() const {
-  return following_.empty() && !loads_.forces().any_sticks();
+  return following_.empty() && !any_sticks(loads_.forces());
 }
 
 double EquationsOfMotion::kinetic_energy(const VectorXd& y) {
@@ -161,19 +166,11 @@ double EquationsOfMotion::kinetic_energy(const VectorXd& y) {
   double energy = inertias_.kinetic_energy(state_.x, state_.twists);
   for (std::size_t k = 0; k < forces().size(); ++k) {
     if (!constraints_.turns_rotor(k)) continue;
-    const double turn = forces().joint_rate(k, state_.placed, state_.twists);
-    energy += 0.5 * forces().inertia(k) * turn * turn;
+    const ActingElement& e = forces().element(k);
+    const double turn = joint_rate(e, state_.placed, state_.twists);
+    energy += 0.5 * e.inertia() * turn * turn;
   }
   return energy;
-}
-
-double EquationsOfMotion::largest_load() const {
-  double largest = 0.0;
-  for (const Twist& wrench : loads_.wrenches()) {
-    largest =
-        std::max(largest, wrench.v.norm() + wrench.w.norm() / layout_.length());
-  }
-  return largest;
 }
 
 }  // namespace clevis::mechanism

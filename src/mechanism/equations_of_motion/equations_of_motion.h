@@ -30,8 +30,8 @@ struct MotionSolution {
 /// Equations of motion of a mechanism with free coordinates, in the states y
 /// of StateLayout. Drives are constraints that move. Times [s].
 ///
-/// What a function returns by reference holds until the next call of place(),
-/// evaluate_forces(), evaluate_loads(), factor() or solve().
+/// A reference that a function returns holds until the next call of place(),
+/// evaluate_forces(), factor() or solve().
 class EquationsOfMotion {
  public:
   /// @param definition, frame  outlive this; frame_at_centres().
@@ -43,18 +43,19 @@ class EquationsOfMotion {
   /// Drives and forces follow from now on, at t itself too, what their laws say
   /// behind a bend at t.
   void enter_piece(double t);
-  /// The state at hand, y, is part of the motion: angles that count turns go
-  /// on from there.
+  /// The state y is part of the motion: angles that count turns go on from
+  /// there. @pre it, or one close to it, is state(), with its loads.
   void accept(double t, const Eigen::VectorXd& y);
 
   /// Bodies and joints of a state.
   const MechanismState& place(double t, const Eigen::VectorXd& y);
   /// The same, and the force elements.
   const MechanismState& evaluate_forces(double t, const Eigen::VectorXd& y);
-  /// The same with the wrenches of loads(), and Q.
-  const MechanismState& evaluate_loads(double t, const Eigen::VectorXd& y);
-  /// The same with constraints, factored, and the targets of drives.
+  /// The same with all loads, Q, constraints, factored, and the targets of
+  /// drives.
   const MechanismState& factor(double t, const Eigen::VectorXd& y);
+  /// Places a state; from now on friction acts by its tangents there.
+  void hold_tangents(double t, const Eigen::VectorXd& y);
   /// Accelerations, multipliers, and efforts of what sticks. Not finite where
   /// jams().
   const MotionSolution& solve(double t, const Eigen::VectorXd& y);
@@ -68,9 +69,6 @@ class EquationsOfMotion {
   bool has_joints_alone() const;
   /// Of bodies and rotors [J].
   double kinetic_energy(const Eigen::VectorXd& y);
-  /// Largest force on a body, moments over the length, as of the last
-  /// evaluate_loads(), joints left out [N].
-  double largest_load() const;
 
   const StateLayout& layout() const { return layout_; }
   const ConstraintSystem& system() const { return system_; }
@@ -85,7 +83,6 @@ class EquationsOfMotion {
   const MotionSolution& solution() const { return solution_; }
 
  private:
-  void put_loads(double t, const Eigen::VectorXd& y);
   void put_row_accelerations();
 
   ConstraintSystem system_;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "mechanism/forces/given_efforts.h"
 #include "mechanism/reactions/reaction_friction.h"
 
 namespace clevis::mechanism {
@@ -60,19 +61,21 @@ Vector2d FollowingFriction::reaction(std::size_t line,
 
 /// Accelerations and multipliers of one unit of each effort alone.
 void FollowingFriction::respond(const ForceModel& forces,
+                                const ForceState& acting,
                                 ConstrainedMass& mass) {
   levers_.setZero();
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const auto at = static_cast<Index>(i);
-    const ActingElement& e = forces.element(lines_[i].element);
+    const JointModel& line = forces.element(lines_[i].element).line;
+    const ElementResponse& e = acting.elements[lines_[i].element];
     lines_[i].per_load = e.per_load;
     if (e.per_load == 0.0) {
       accelerations_.col(at).setZero();
       multipliers_.col(at).setZero();
       continue;
     }
-    system_.add_levers(levers_, static_cast<int>(i), e.line.a, e.line.b,
-                       e.levers, 1.0);
+    system_.add_levers(levers_, static_cast<int>(i), line.a, line.b, e.levers,
+                       1.0);
     Q_ = levers_.row(at).transpose();
     mass.accelerate(none_, Q_, a_, lambda_);
     accelerations_.col(at) = a_;
@@ -134,12 +137,13 @@ bool FollowingFriction::find_efforts() {
   return false;
 }
 
-double FollowingFriction::solve(ForceModel& forces, ConstrainedMass& mass,
-                                VectorXd& a, VectorXd& lambda) {
+double FollowingFriction::solve(const ForceModel& forces, ConstrainedMass& mass,
+                                ForceState& acting, VectorXd& a,
+                                VectorXd& lambda) {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     lines_[i].free = reaction(i, lambda);
   }
-  respond(forces, mass);
+  respond(forces, acting, mass);
   is_self_locking_ = !contracts() || !find_efforts();
   if (is_self_locking_) return std::numeric_limits<double>::quiet_NaN();
   a.noalias() += accelerations_ * efforts_;
@@ -147,8 +151,9 @@ double FollowingFriction::solve(ForceModel& forces, ConstrainedMass& mass,
   double power = 0.0;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const std::size_t k = lines_[i].element;
-    forces.set_load(k, reaction(i, lambda).norm());
-    power += efforts_[static_cast<Index>(i)] * forces.element(k).rate;
+    give_load(forces.element(k), reaction(i, lambda).norm(),
+              acting.elements[k]);
+    power += efforts_[static_cast<Index>(i)] * acting.elements[k].rate;
   }
   return power;
 }

@@ -23,16 +23,18 @@ class FollowingFriction {
 
   bool empty() const { return lines_.empty(); }
   /// Gives the lines their loads and efforts.
-  /// @param mass  factored. @param a, lambda  those without this friction;
-  ///   with it on return. @return power of the friction [W]; NaN if no
-  ///   efforts fit, or several may: the joint jams.
-  double solve(ForceModel& forces, ConstrainedMass& mass, Eigen::VectorXd& a,
-               Eigen::VectorXd& lambda);
+  /// @param mass  factored. @param acting  given the loads and efforts.
+  /// @param a, lambda  those without this friction; with it on return.
+  /// @return power of the friction [W]; NaN if no efforts fit, or several may:
+  ///   the joint jams.
+  double solve(const ForceModel& forces, ConstrainedMass& mass,
+               ForceState& acting, Eigen::VectorXd& a, Eigen::VectorXd& lambda);
   /// Whether the last solve() failed so.
   bool is_self_locking() const { return is_self_locking_; }
 
  private:
-  void respond(const ForceModel& forces, ConstrainedMass& mass);
+  void respond(const ForceModel& forces, const ForceState& acting,
+               ConstrainedMass& mass);
   bool contracts();
   bool find_efforts();
   Eigen::Vector2d reaction(std::size_t line,

@@ -22,10 +22,10 @@ void ForwardDynamics::rate(double t, const VectorXd& y, VectorXd& rate) {
   layout.put_position_rates(y, state, rate);
   rate.segment(layout.velocity_index(), layout.velocities()) =
       solution.accelerations.head(layout.velocities());
-  loads_.forces().internal_rates(rate.data() + layout.internal_index());
+  put_internal_rates(state.loads.forces, rate.data() + layout.internal_index());
   rate[layout.work_index()] = equations_.drives().add_power(
       equations_.targets(), solution.multipliers,
-      solution.following_power + loads_.power(state.twists));
+      solution.following_power + state.loads.power(state.twists));
 }
 
 void ForwardDynamics::error_weights(const VectorXd& y,
@@ -38,17 +38,17 @@ void ForwardDynamics::scales(const VectorXd& y, VectorXd& scales) const {
 }
 
 void ForwardDynamics::hold_tangents(double t, const VectorXd& y) {
-  const MechanismState& state = equations_.place(t, y);
-  loads_.hold_tangents(t, state.x, state.twists,
-                       y.data() + equations_.layout().internal_index());
+  equations_.hold_tangents(t, y);
 }
 
 void ForwardDynamics::effort_response(Index k, Eigen::Ref<VectorXd> rate) {
   const StateLayout& layout = equations_.layout();
-  const ActingElement& e = loads_.element_of_effort(k);
+  const std::size_t which = loads_.element_of_effort(k);
+  const JointModel& line = loads_.forces().element(which).line;
+  const ElementResponse& e = equations_.state().loads.forces.elements[which];
   force_.setZero();
-  layout.add_lever(e.line.a, e.levers.a, force_);
-  layout.add_lever(e.line.b, e.levers.b, force_);
+  layout.add_lever(line.a, e.levers.a, force_);
+  layout.add_lever(line.b, e.levers.b, force_);
   const MotionSolution& response = equations_.respond(force_);
   rate.setZero();
   rate.segment(layout.velocity_index(), layout.velocities()) =

@@ -48,7 +48,7 @@ class ForwardDynamics : public numerics::OdeSystem {
     loads_.hold_efforts(given);
   }
   void efforts_by_law(Eigen::VectorXd& efforts) const override {
-    efforts = loads_.efforts_by_law();
+    efforts = equations_.state().loads.efforts_by_law;
   }
   void effort_response(Eigen::Index k,
                        Eigen::Ref<Eigen::VectorXd> rate) override;

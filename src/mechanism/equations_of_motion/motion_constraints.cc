@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 std::vector<Index> rotor_unknowns(const ForceModel& forces, Index bodies) {
   std::vector<Index> unknowns(forces.size(), -1);
   for (std::size_t k = 0; k < forces.size(); ++k) {
-    if (forces.inertia(k) > 0.0) unknowns[k] = bodies++;
+    if (forces.element(k).inertia() > 0.0) unknowns[k] = bodies++;
   }
   return unknowns;
 }
@@ -65,7 +65,7 @@ void MotionConstraints::put_rotors() {
   VectorXd root = VectorXd::Ones(columns_);
   for (std::size_t k = 0; k < rotors_.size(); ++k) {
     if (!turns_rotor(k)) continue;
-    root[rotors_[k]] = row_scale(k) / std::sqrt(forces_.inertia(k));
+    root[rotors_[k]] = row_scale(k) / std::sqrt(forces_.element(k).inertia());
   }
   for (Index at = system_.columns(); at < columns_; at += 3) {
     mass_.set_diagonal(static_cast<int>(at / 3), root.segment<3>(at));
@@ -78,11 +78,11 @@ bool MotionConstraints::factor_tree(const std::vector<PlacedJoint>& placed) {
   TreeMass* tree = mass_.tree();
   if (tree == nullptr) return false;
   for (std::size_t k = 0; k < forces_.size(); ++k) {
-    if (forces_.brings_row(k)) return false;
+    if (brings_row(forces_.element(k))) return false;
   }
   const bool planar = frame_.planar;
   const double length = frame_.length;
-  const auto put = [&](const Twist& lever, double scale, int slot,
+  const auto put = [&](const SpatialForce& lever, double scale, int slot,
                        double* row) {
     for (int c = 0; c < 3; ++c) {
       row[c] = scale * lever.v[c];
@@ -110,14 +110,15 @@ bool MotionConstraints::factor_tree(const std::vector<PlacedJoint>& placed) {
   return mass_.factor_tree();
 }
 
-void MotionConstraints::factor(const std::vector<PlacedJoint>& placed) {
-  if (factor_tree(placed)) return;
-  system_.fill_jacobian(placed, J_);
+void MotionConstraints::factor(const MechanismState& state) {
+  if (factor_tree(state.placed)) return;
+  system_.fill_jacobian(state.placed, J_);
   rows_ = system_.rows();
-  for_each_element_row([this](std::size_t k, int row) {
-    const ActingElement& e = forces_.element(k);
+  for_each_element_row([&](std::size_t k, int row) {
+    const JointModel& line = forces_.element(k).line;
     J_.row(row).setZero();
-    system_.add_levers(J_, row, e.line.a, e.line.b, e.levers, row_scale(k));
+    system_.add_levers(J_, row, line.a, line.b,
+                       state.loads.forces.elements[k].levers, row_scale(k));
     if (turns_rotor(k)) J_(row, rotors_[k]) = -1.0;
     rows_ = row + 1;
   });

@@ -5,7 +5,9 @@
 #include <Eigen/Core>
 
 #include "mechanism/constraints/constraint_system.h"
+#include "mechanism/dynamic_state/mechanism_state.h"
 #include "mechanism/forces/force_model.h"
+#include "mechanism/forces/given_efforts.h"
 #include "mechanism/mass_matrix/body_inertias.h"
 #include "mechanism/mass_matrix/constrained_mass.h"
 
@@ -31,7 +33,7 @@ class MotionConstraints {
   Index most_rows() const { return J_.rows(); }
   /// Scale of the row that element k brings: 1, or the length of angles [m].
   double row_scale(std::size_t k) const {
-    return forces_.is_angle(k) ? frame_.length : 1.0;
+    return forces_.element(k).row.is_angle() ? frame_.length : 1.0;
   }
   bool turns_rotor(std::size_t k) const { return rotors_[k] >= 0; }
   /// Calls f(k, row) for each element k that brings a row.
@@ -39,13 +41,13 @@ class MotionConstraints {
   void for_each_element_row(Function f) const {
     int row = system_.rows();
     for (std::size_t k = 0; k < forces_.size(); ++k) {
-      if (forces_.brings_row(k)) f(k, row++);
+      if (brings_row(forces_.element(k))) f(k, row++);
     }
   }
 
   /// Fills the Jacobian and factors the mass matrix with it.
-  /// @param placed  by joint; forces are evaluated there.
-  void factor(const std::vector<PlacedJoint>& placed);
+  /// @param state  with its loads.
+  void factor(const MechanismState& state);
   /// Fills the rows of joints and drives anew, without factoring them.
   /// @return all rows() of J [1]; those of elements are of the last factor()
   ///   where that was not of a tree.

@@ -42,7 +42,7 @@ double Projection::correct_positions(double t, VectorXd& y) {
     equations_.layout().move(y, change_);
     equations_.place(t, y);
     // the factor at hand serves unless the gap was large
-    if (gap > 1e-6 * length) constraints.factor(state.placed);
+    if (gap > 1e-6 * length) constraints.factor(state);
   }
 }
 
@@ -69,7 +69,7 @@ void Projection::jump(double t, VectorXd& y) {
   const double before = equations_.kinetic_energy(y);
   ForceModel& forces = equations_.forces();
   for (std::size_t k = 0; k < forces.size(); ++k) {
-    if (forces.is_dry(k)) forces.set_mode(k, kOmitted);
+    if (forces.element(k).is_dry()) forces.element(k).modes[0] = kOmitted;
   }
   project(t, y);
   y[equations_.layout().work_index()] += equations_.kinetic_energy(y) - before;

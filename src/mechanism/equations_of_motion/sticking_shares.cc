@@ -13,13 +13,14 @@ constexpr double kTakesPart = 1e-6;
 }  // namespace
 
 void share_among_sticking(const MotionConstraints& constraints,
-                          const ForceModel& forces,
+                          const ForceModel& forces, const ForceState& acting,
                           Eigen::VectorXd& multipliers) {
   const Eigen::Index rows = constraints.rows();
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(rows);
   bool any = false;
   constraints.for_each_element_row([&](std::size_t k, int row) {
-    const double most = forces.sticks(k) ? forces.breakaway(k) : 0.0;
+    const ActingElement& e = forces.element(k);
+    const double most = e.sticks() ? e.breakaway(acting.elements[k]) : 0.0;
     if (!(most > 0.0)) return;
     weight[row] = constraints.row_scale(k) / most;
     any = true;

@@ -11,7 +11,7 @@ namespace clevis::mechanism {
 /// at which the sum of squares of efforts over their breakaways is least.
 /// @pre constraints.factor() was of these rows.
 void share_among_sticking(const MotionConstraints& constraints,
-                          const ForceModel& forces,
+                          const ForceModel& forces, const ForceState& acting,
                           Eigen::VectorXd& multipliers);
 
 }  // namespace clevis::mechanism

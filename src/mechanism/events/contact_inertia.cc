@@ -11,7 +11,8 @@ ContactInertia contact_inertia(EquationsOfMotion& equations,
                                std::size_t element, int end) {
   const MechanismState& state = equations.state();
   const ActingElement& e = equations.forces().element(element);
-  const PlacedJoint::Levers levers = e.apart(end);
+  const ElementResponse& acting = state.loads.forces.elements[element];
+  const PlacedJoint::Levers levers = e.apart(end, acting);
   const Eigen::VectorXd& acceleration = equations.solution().accelerations;
   Eigen::VectorXd on_a = Eigen::VectorXd::Zero(acceleration.size());
   Eigen::VectorXd on_b = on_a;
@@ -19,9 +20,10 @@ ContactInertia contact_inertia(EquationsOfMotion& equations,
   equations.layout().add_lever(e.line.b, levers.b, on_b);
   const Eigen::VectorXd both = on_a + on_b;
   const double opening =
-      both.dot(acceleration) + e.apart_bias(end, state.twists[index(e.line.a)],
+      both.dot(acceleration) + e.apart_bias(end, acting,
+                                            state.twists[index(e.line.a)],
                                             state.twists[index(e.line.b)]);
-  const auto free_response = [&](int slot, const Twist& lever) {
+  const auto free_response = [&](int slot, const SpatialForce& lever) {
     return equations.inertias().free_response(slot, state.x[index(slot)].R,
                                               lever);
   };
@@ -38,7 +40,8 @@ ContactInertia contact_inertia(EquationsOfMotion& equations,
   found.mass_b = mass(on_b, free_b);
   found.mass = mass(both, free_a + free_b);
   if (std::isfinite(found.mass)) {
-    const double own = e.modes[index(end)] == 1 ? e.unbounded[index(end)] : 0.0;
+    const double own =
+        e.modes[index(end)] == 1 ? acting.unbounded[index(end)] : 0.0;
     found.force = own - found.mass * opening;
   }
   return found;

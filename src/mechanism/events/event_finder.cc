@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "mechanism/forces/element_modes.h"
 #include "numerics/curves/brent.h"
 #include "numerics/curves/dip.h"
 
@@ -37,7 +38,7 @@ double longest_look(const MechanismDefinition& definition) {
 EventFinder::EventFinder(EquationsOfMotion& equations,
                          const MechanismDefinition& definition)
     : equations_(equations), longest_look_(longest_look(definition)) {
-  all_.setOnes(equations.forces().events());
+  all_.setOnes(event_count(equations.forces()));
   floors_ = all_;
   for (Sample& sample : samples_) sample.values = all_;
   for (Sample& sample : middles_) sample.values = all_;
@@ -46,18 +47,19 @@ EventFinder::EventFinder(EquationsOfMotion& equations,
 }
 
 void EventFinder::start(double t, const VectorXd& y) {
-  if (!equations_.forces().may_switch()) return;
+  if (!may_switch(equations_.forces())) return;
   measure(t, y, samples_.back().values);
 }
 
 /// Accelerations count only where efforts hold lines.
 void EventFinder::measure(double t, const VectorXd& y, VectorXd& values) {
-  if (equations_.forces().any_sticks()) {
+  if (any_sticks(equations_.forces())) {
     equations_.solve(t, y);
   } else {
     equations_.evaluate_forces(t, y);
   }
-  equations_.forces().event_values(values);
+  put_event_values(equations_.forces(), equations_.state().loads.forces,
+                   values);
 }
 
 void EventFinder::look(numerics::Integrator& integrator, double t,
@@ -96,10 +98,11 @@ double EventFinder::root(numerics::Integrator& integrator, int event,
       from, at_from, right, at_right);
 }
 
-/// What rests follows only what time does to it: no step tells how fast.
+/// Windows of a step. A resting part follows time alone: no step tells how
+/// fast.
 /// @throws Error K008 where that is too much to look at.
 long EventFinder::windows(double start, double end) {
-  if (!equations_.forces().any_sticks()) return 1;
+  if (!any_sticks(equations_.forces())) return 1;
   constexpr double kMost = 5e6;  // of a motion, of half a period each
   const double count =
       std::max(std::ceil((end - start) / (kPieces * longest_look_)), 1.0);
@@ -115,7 +118,7 @@ long EventFinder::windows(double start, double end) {
 
 EventFinder::Event EventFinder::find(numerics::Integrator& integrator) {
   constexpr int kMostLooks = 400;
-  if (!equations_.forces().may_switch()) return {};
+  if (!may_switch(equations_.forces())) return {};
   const double start = integrator.t_start(), end = integrator.t();
   const long count = windows(start, end) * kPieces;
   samples_.back().t = start;

@@ -24,7 +24,7 @@ class EventFinder {
   void start(double t, const Eigen::VectorXd& y);
 
   struct Event {
-    int index = -1;  ///< of ForceModel, or −1: the modes hold to the end
+    int index = -1;  ///< see element_modes.h, or −1: the modes hold to the end
     double t{};
   };
   /// The first one in the integrator's last step.

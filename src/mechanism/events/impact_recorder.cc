@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/index.h"
+#include "mechanism/forces/element_modes.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -21,7 +22,7 @@ constexpr int kPressing = 1;
 
 ImpactRecorder::ImpactRecorder(EquationsOfMotion& equations)
     : equations_(equations),
-      open_(index(equations.forces().events()), -1),
+      open_(index(event_count(equations.forces())), -1),
       last_(open_) {
   state_.setZero(equations.layout().size());
 }
@@ -34,9 +35,8 @@ Impact* ImpactRecorder::open_impact(int event) {
 double ImpactRecorder::effort(const Impact& impact,
                               numerics::Integrator& integrator, double t) {
   integrator.interpolate(t, state_);
-  equations_.evaluate_forces(t, state_);
-  return equations_.forces()
-      .element(index(impact.element))
+  const MechanismState& state = equations_.evaluate_forces(t, state_);
+  return state.loads.forces.elements[index(impact.element)]
       .unbounded[index(impact.end)];
 }
 
@@ -83,7 +83,8 @@ void ImpactRecorder::begin(int event, double t) {
   impact.element = event / 2;
   impact.end = event % 2;
   impact.t = impact.peak_at = t;
-  impact.approach_speed = equations_.forces().element(element).depth_rate[end];
+  impact.approach_speed =
+      equations_.state().loads.forces.elements[element].depth_rate[end];
   const ContactInertia inertia =
       contact_inertia(equations_, element, event % 2);
   impact.mass_a = inertia.mass_a;
@@ -96,18 +97,18 @@ void ImpactRecorder::begin(int event, double t) {
 
 void ImpactRecorder::pass(double t, const Eigen::VectorXd& y,
                           const std::vector<int>& before) {
-  const std::vector<int> now = equations_.forces().modes();
+  const std::vector<int> now = modes(equations_.forces());
   bool evaluated = false;
   for (std::size_t event = 0; event < now.size(); ++event) {
-    const auto& element = equations_.forces().element(event / 2);
-    if (!element.presses()) continue;
+    if (!equations_.forces().element(event / 2).presses()) continue;
     const bool pressed = before[event] == kPressing;
     const bool presses = now[event] == kPressing;
     if (pressed == presses) continue;
     if (!presses) {
       if (Impact* impact = open_impact(static_cast<int>(event))) {
         impact->duration = t - impact->t;
-        impact->exit_speed = -element.depth_rate[event % 2];
+        const ForceState& acting = equations_.state().loads.forces;
+        impact->exit_speed = -acting.elements[event / 2].depth_rate[event % 2];
       }
       open_[event] = -1;
     } else if (before[event] == 0 || last_[event] < 0) {

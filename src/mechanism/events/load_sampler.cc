@@ -6,7 +6,7 @@
 namespace clevis::mechanism {
 namespace {
 
-// What stress analysis takes in seconds.
+// Instants that stress analysis takes in seconds.
 constexpr long kMostInstants = 4000;
 constexpr int kDepth = 8;
 
@@ -25,8 +25,8 @@ LoadSampler::LoadSampler(EquationsOfMotion& equations, const VectorXd& largest)
 void LoadSampler::restart(double t, const VectorXd& y) {
   const MotionSolution& solution = equations_.solve(t, y);
   taken_.t = t;
-  list_.get(equations_.system(), solution.multipliers, equations_.forces(),
-            taken_.loads);
+  list_.get(equations_.system(), solution.multipliers,
+            equations_.state().loads.forces, taken_.loads);
 }
 
 LoadSampler::Sample LoadSampler::at(numerics::Integrator& integrator,
@@ -34,8 +34,8 @@ LoadSampler::Sample LoadSampler::at(numerics::Integrator& integrator,
   integrator.interpolate(t, state_);
   const MotionSolution& solution = equations_.solve(t, state_);
   Sample sample{t, {}};
-  list_.get(equations_.system(), solution.multipliers, equations_.forces(),
-            sample.loads);
+  list_.get(equations_.system(), solution.multipliers,
+            equations_.state().loads.forces, sample.loads);
   return sample;
 }
 

@@ -22,8 +22,8 @@ ReactionPeaks::ReactionPeaks(EquationsOfMotion& equations)
 /// Squares by vector.
 void ReactionPeaks::measure(double t, const VectorXd& y, VectorXd& values) {
   const MotionSolution& solution = equations_.solve(t, y);
-  list_.get(equations_.system(), solution.multipliers, equations_.forces(),
-            loads_);
+  list_.get(equations_.system(), solution.multipliers,
+            equations_.state().loads.forces, loads_);
   list_.squares(loads_, values);
 }
 

@@ -9,6 +9,9 @@
 
 #include "base/errors.h"
 #include "mechanism/drives/drive_law.h"
+#include "mechanism/forces/element_modes.h"
+#include "mechanism/forces/given_efforts.h"
+#include "mechanism/forces/line_motion.h"
 #include "mechanism/line_elements/friction.h"
 
 namespace clevis::mechanism {
@@ -49,8 +52,8 @@ StickSlip::StickSlip(ForwardDynamics& dynamics)
       forces_(equations_.forces()) {}
 
 void StickSlip::choose_modes(double t, const VectorXd& y) {
-  equations_.evaluate_loads(t, y);
-  forces_.choose_modes();
+  const MechanismState& state = equations_.evaluate_forces(t, y);
+  mechanism::choose_modes(state.loads.forces, forces_);
   resolve_modes(t, y);
 }
 
@@ -61,18 +64,19 @@ void StickSlip::stop_what_hardly_moves() {
       std::max(scales_.largest_speed(),
                equations_.state().speeds.lpNorm<Eigen::Infinity>());
   for (std::size_t k = 0; k < forces_.size(); ++k) {
-    if (std::abs(forces_.element(k).modes[0]) != 1 || !forces_.is_dry(k)) {
+    if (std::abs(forces_.element(k).modes[0]) != 1 ||
+        !forces_.element(k).is_dry()) {
       continue;
     }
     const double size = constraints_.row_scale(k);
-    if (size * std::abs(forces_.element(k).rate) <= kRoundOff * fastest) {
-      forces_.set_mode(k, 0);
+    if (size * std::abs(acting(k).rate) <= kRoundOff * fastest) {
+      forces_.element(k).modes[0] = 0;
     }
   }
 }
 
 void StickSlip::stop_or_reverse(double t, VectorXd& y, std::size_t k) {
-  if (!forces_.is_dry(k) || forces_.element(k).modes[0] != 0) return;
+  if (!forces_.element(k).is_dry() || forces_.element(k).modes[0] != 0) return;
   const VectorXd before = y;
   projection_.project(t, y);
   const VectorXd moved = y - before;
@@ -80,16 +84,16 @@ void StickSlip::stop_or_reverse(double t, VectorXd& y, std::size_t k) {
   if (change <= kTimesError * scales_.tolerance() * scales_.largest_speed())
     return;
   y = before;
-  forces_.set_mode(k, kOmitted);
+  forces_.element(k).modes[0] = kOmitted;
   equations_.solve(t, y);
-  forces_.set_mode(k, line_acceleration(k) > 0.0 ? 1 : -1);
+  forces_.element(k).modes[0] = line_acceleration(k) > 0.0 ? 1 : -1;
 }
 
 /// Size of accelerations, free bodies' among them, of which round-off is a
 /// part [m/s²].
 double StickSlip::acceleration_size() const {
   const double speed = equations_.state().speeds.lpNorm<Eigen::Infinity>();
-  const std::vector<Twist>& wrenches = equations_.loads().wrenches();
+  const std::vector<SpatialForce>& wrenches = equations_.state().loads.wrenches;
   double size = equations_.solution().accelerations.lpNorm<Eigen::Infinity>() +
                 speed * speed / equations_.layout().length();
   for (std::size_t i = 1; i < wrenches.size(); ++i) {
@@ -108,34 +112,36 @@ bool StickSlip::release_most_loaded() {
   double worst = 1.0 + kRoundOff;
   std::size_t which = forces_.size();
   for (std::size_t k = 0; k < forces_.size(); ++k) {
-    if (!forces_.sticks(k)) continue;
-    const double breakaway = forces_.breakaway(k);
+    if (!forces_.element(k).sticks()) continue;
+    const double breakaway = forces_.element(k).breakaway(acting(k));
     const double ratio =
-        breakaway > 0.0 ? std::abs(forces_.element(k).effort) / breakaway : 2.0;
+        breakaway > 0.0 ? std::abs(acting(k).effort) / breakaway : 2.0;
     if (ratio > worst) {
       worst = ratio;
       which = k;
     }
   }
   if (which == forces_.size()) return false;
-  forces_.set_mode(which, forces_.element(which).effort > 0.0 ? -2 : 2);
+  forces_.element(which).modes[0] = acting(which).effort > 0.0 ? -2 : 2;
   return true;
 }
 
 /// Acceleration of a line [m/s²], turns times length, as of solve().
 double StickSlip::line_acceleration(std::size_t k) const {
   return constraints_.row_scale(k) *
-         forces_.line_acceleration(
-             k, equations_.system().twists(equations_.solution().accelerations),
+         mechanism::line_acceleration(
+             forces_.element(k), acting(k),
+             equations_.system().twists(equations_.solution().accelerations),
              equations_.state().twists);
 }
 
 /// Acceleration that the breakaway force of a line would cause if nothing else
 /// held its bodies [m/s²], turns times length.
 double StickSlip::free_acceleration(std::size_t k) const {
-  const ActingElement& e = forces_.element(k);
+  const JointModel& line = forces_.element(k).line;
+  const ElementResponse& e = acting(k);
   double sum = 0.0;
-  const auto add = [&](int slot, const Twist& lever) {
+  const auto add = [&](int slot, const SpatialForce& lever) {
     if (slot == 0) return;
     const auto at = static_cast<std::size_t>(slot);
     sum += lever.v.squaredNorm() / equations_.inertias().mass(at) +
@@ -143,8 +149,8 @@ double StickSlip::free_acceleration(std::size_t k) const {
                equations_.inertias().turn_factor(at).squaredNorm() /
                (equations_.layout().length() * equations_.layout().length());
   };
-  add(e.line.a, e.levers.a);
-  add(e.line.b, e.levers.b);
+  add(line.a, e.levers.a);
+  add(line.b, e.levers.b);
   return constraints_.row_scale(k) * sum * std::abs(e.effort);
 }
 
@@ -155,16 +161,16 @@ double StickSlip::free_acceleration(std::size_t k) const {
 bool StickSlip::judge_lines_at_breakaway(double t, const VectorXd& y) {
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     const int mode = forces_.element(k).modes[0];
-    if (!forces_.is_dry(k) || std::abs(mode) != 2) continue;
+    if (!forces_.element(k).is_dry() || std::abs(mode) != 2) continue;
     const double round_off =
         kRoundOff * std::max(free_acceleration(k), acceleration_size());
     const double a = line_acceleration(k);
-    forces_.set_mode(k, kOmitted);
+    forces_.element(k).modes[0] = kOmitted;
     equations_.solve(t, y);
     const double free = line_acceleration(k);
     const bool is_held = std::abs(free) <= round_off;
     const bool goes_back = a * mode < -2.0 * round_off;
-    forces_.set_mode(k, is_held ? mode : goes_back ? 0 : mode / 2);
+    forces_.element(k).modes[0] = is_held ? mode : goes_back ? 0 : mode / 2;
     equations_.solve(t, y);
     if (!is_held) return true;
   }
@@ -182,10 +188,11 @@ double StickSlip::first_step(double t, const VectorXd& y) {
     if (!(zone > 0.0) || e.modes[1] != 1 || std::abs(e.modes[0]) != 1) continue;
     equations_.solve(t, y);
     const double a =
-        e.is_line() ? std::abs(line_acceleration(k)) / constraints_.row_scale(k)
-                    : forces_.sliding_acceleration(
-                          k, equations_.system().twists(
-                                 equations_.solution().accelerations));
+        e.is_line()
+            ? std::abs(line_acceleration(k)) / constraints_.row_scale(k)
+            : sliding_acceleration(e, acting(k),
+                                   equations_.system().twists(
+                                       equations_.solution().accelerations));
     const double through = kPart * zone / std::max(a, 1e-300);
     if (through > kLong * duration) continue;
     step = step > 0.0 ? std::min(step, through) : through;
@@ -252,7 +259,7 @@ bool StickSlip::release_first_of_dependent(double t, const VectorXd& y) {
   std::size_t first = forces_.size();
   const int mode = first_at_breakaway(push, first);
   if (mode == 0) return false;
-  forces_.set_mode(first, goes_on ? mode / 2 : mode);
+  forces_.element(first).modes[0] = goes_on ? mode / 2 : mode;
   equations_.solve(t, y);
   return true;
 }
@@ -267,13 +274,15 @@ int StickSlip::first_at_breakaway(const VectorXd& push,
   int mode = 0, taking_part = 0;
   Index row = equations_.system().rows();
   for (std::size_t k = 0; k < forces_.size(); ++k) {
-    if (!forces_.brings_row(k)) continue;
+    if (!brings_row(forces_.element(k))) continue;
     const double along = push[row++];
-    if (!forces_.sticks(k) || !(std::abs(along) > least_part)) continue;
+    if (!forces_.element(k).sticks() || !(std::abs(along) > least_part))
+      continue;
     ++taking_part;
-    const double most = std::copysign(forces_.breakaway(k), along);
-    const double way = (most - forces_.element(k).effort) /
-                       (constraints_.row_scale(k) * along);
+    const double most =
+        std::copysign(forces_.element(k).breakaway(acting(k)), along);
+    const double way =
+        (most - acting(k).effort) / (constraints_.row_scale(k) * along);
     if (way >= least) continue;
     least = way;
     first = k;
@@ -287,16 +296,16 @@ int StickSlip::first_at_breakaway(const VectorXd& push,
 bool StickSlip::is_carried(double t, const VectorXd& y, std::size_t k) {
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < forces_.size(); ++i) {
-    if (i != k && forces_.sticks(i)) others.push_back(i);
+    if (i != k && forces_.element(i).sticks()) others.push_back(i);
   }
-  for (const std::size_t i : others) forces_.set_mode(i, kOmitted);
-  forces_.set_mode(k, 0);
+  for (const std::size_t i : others) forces_.element(i).modes[0] = kOmitted;
+  forces_.element(k).modes[0] = 0;
   equations_.solve(t, y);
   const int with = constraints_.mass().rank();
-  forces_.set_mode(k, kOmitted);
+  forces_.element(k).modes[0] = kOmitted;
   equations_.solve(t, y);
   const int without = constraints_.mass().rank();
-  for (const std::size_t i : others) forces_.set_mode(i, 0);
+  for (const std::size_t i : others) forces_.element(i).modes[0] = 0;
   return with == without;
 }
 
@@ -322,14 +331,14 @@ int StickSlip::mode_of_dependent_line(double t, const VectorXd& y,
 /// @return whether there was a sticking line that can hold nothing.
 bool StickSlip::release_dependent_lines(double t, const VectorXd& y) {
   for (std::size_t k = 0; k < forces_.size(); ++k) {
-    if (!forces_.sticks(k)) continue;
+    if (!forces_.element(k).sticks()) continue;
     const int rank = constraints_.mass().rank();
-    forces_.set_mode(k, kOmitted);
+    forces_.element(k).modes[0] = kOmitted;
     equations_.solve(t, y);
     const int mode = constraints_.mass().rank() == rank
                          ? mode_of_dependent_line(t, y, k)
                          : 0;
-    forces_.set_mode(k, mode);
+    forces_.element(k).modes[0] = mode;
     equations_.solve(t, y);
     if (mode != 0) return true;
   }

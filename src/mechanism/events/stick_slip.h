@@ -41,6 +41,9 @@ class StickSlip {
   double line_acceleration(std::size_t k) const;
   double free_acceleration(std::size_t k) const;
   double acceleration_size() const;
+  const ElementResponse& acting(std::size_t k) const {
+    return equations_.state().loads.forces.elements[k];
+  }
 
   EquationsOfMotion& equations_;
   MotionConstraints& constraints_;  ///< of the equations

@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include "mechanism/element_base/acting_element.h"
+
 namespace clevis::mechanism {
 namespace {
 
@@ -40,25 +42,21 @@ class Bushing final : public ActingElement {
     line.frame_b.R_LJ = line.frame_b.R_LJ * bushing.R_BJ;
   }
 
-  void report(double /*t*/, ElementState& state) const override {
-    state.channels = {moment_, energy_};
-  }
-
  protected:
-  void act(const ActingState& state, const Twist& a, const Twist& b) override;
+  void act(const ActingState& state, const Twist& a, const Twist& b,
+           ElementResponse& now) const override;
   /// The force acts at the origin of J on b.
-  std::array<Vector3d, 2> touched() const override {
-    return {placed.d, Vector3d::Zero()};
+  std::array<Vector3d, 2> touched(const ElementResponse& now) const override {
+    return {now.placed.d, Vector3d::Zero()};
   }
 
  private:
   const BushingElement& bushing_;
-  double moment_{};  ///< [N m]
-  double energy_{};  ///< [J]
 };
 
-void Bushing::act(const ActingState& /*state*/, const Twist& a,
-                  const Twist& b) {
+void Bushing::act(const ActingState& /*state*/, const Twist& a, const Twist& b,
+                  ElementResponse& now) const {
+  const PlacedJoint& placed = now.placed;
   const Matrix3d& A = placed.axes_a;
   const Eigen::AngleAxisd turn(Matrix3d(A.transpose() * placed.axes_b));
   const Vector3d rotation = turn.angle() * turn.axis();
@@ -73,13 +71,12 @@ void Bushing::act(const ActingState& /*state*/, const Twist& a,
   const Vector6 s = elastic + bushing_.damping * x_rate;
   const Vector3d f = -(A * s.head<3>());
   const Vector3d m = -(A * (rate_of_rotation.transpose() * s.tail<3>()));
-  on_b = {f, placed.r_b.cross(f) + m};
-  on_a = {-f, -(to_b.cross(f) + m)};
-  q = placed.d.norm();
-  rate = q > 0.0 ? x.head<3>().dot(x_rate.head<3>()) / q : 0.0;
-  effort = f.norm();
-  moment_ = m.norm();
-  energy_ = 0.5 * x.dot(elastic);
+  now.on_b = {f, placed.r_b.cross(f) + m};
+  now.on_a = {-f, -(to_b.cross(f) + m)};
+  now.q = placed.d.norm();
+  now.rate = now.q > 0.0 ? x.head<3>().dot(x_rate.head<3>()) / now.q : 0.0;
+  now.effort = f.norm();
+  now.channels = {m.norm(), 0.5 * x.dot(elastic)};
 }
 
 }  // namespace

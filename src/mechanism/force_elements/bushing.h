@@ -7,10 +7,13 @@
 
 #include <Eigen/Core>
 
-#include "mechanism/element_base/acting_element.h"
 #include "mechanism/element_base/element_properties.h"
+#include "mechanism/element_base/force_line.h"
 
 namespace clevis::mechanism {
+
+class ActingElement;
+struct ReferenceFrame;
 
 /// An elastic bearing between frames J on bodies a and b, unstrained where
 /// they coincide. By s = K q + C q': force −s on b along the axes of J on a,

@@ -1,5 +1,7 @@
 #include "mechanism/force_elements/constant.h"
 
+#include "mechanism/element_base/acting_element.h"
+
 namespace clevis::mechanism {
 namespace {
 
@@ -12,15 +14,16 @@ class Constant final : public ActingElement {
     join({.body = kGround}, force.point, frame);
     f_ = R_PW * force.f_W;
     t_ = R_PW * force.t_W;
-    effort = f_.norm();
   }
 
  protected:
-  void act(const ActingState& /*state*/, const Twist& /*a*/,
-           const Twist& b) override {
-    const Vector3d v = b.v + b.w.cross(placed.r_b);
-    rate = effort > 0.0 ? f_.dot(v) / effort : 0.0;
-    on_b = {f_, placed.r_b.cross(f_) + t_};
+  void act(const ActingState& /*state*/, const Twist& /*a*/, const Twist& b,
+           ElementResponse& now) const override {
+    const Vector3d& r_b = now.placed.r_b;
+    const Vector3d v = b.v + b.w.cross(r_b);
+    now.effort = f_.norm();
+    now.rate = now.effort > 0.0 ? f_.dot(v) / now.effort : 0.0;
+    now.on_b = {f_, r_b.cross(f_) + t_};
   }
 
  private:

@@ -7,10 +7,13 @@
 
 #include <Eigen/Core>
 
-#include "mechanism/element_base/acting_element.h"
 #include "mechanism/element_base/element_properties.h"
+#include "mechanism/element_base/force_line.h"
 
 namespace clevis::mechanism {
+
+class ActingElement;
+struct ReferenceFrame;
 
 /// A constant force and moment on a body, directions fixed in W. Its effort is
 /// the size of the force, its rate that of the point along it.

@@ -7,11 +7,14 @@
 
 #include <Eigen/Core>
 
-#include "mechanism/element_base/acting_element.h"
 #include "mechanism/element_base/element_properties.h"
+#include "mechanism/element_base/force_line.h"
 #include "mechanism/force_laws/contact_law.h"
 
 namespace clevis::mechanism {
+
+class ActingElement;
+struct ReferenceFrame;
 
 /// A sphere (a wheel, in the plane) on a plane, with regularised friction.
 struct ContactElement {
@@ -37,11 +40,11 @@ struct SlidingFriction {
   Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();  ///< [s/m]
 };
 /// @param sliding  [m/s]. The coefficient rises to the static one at the
-///   critical speed, at least `slack`, falls to the kinetic one beyond it;
-///   smooth.
+///   critical speed, at least the tolerance, falls to the kinetic one beyond
+///   it; smooth.
 SlidingFriction sliding_friction(const ContactElement& contact,
                                  const Eigen::Vector3d& sliding,
-                                 double slack = 0.0);
+                                 double velocity_tolerance = 0.0);
 
 ElementProperties properties(const ContactElement& contact);
 /// @param contact  outlives the result.

@@ -1,5 +1,7 @@
 #include "mechanism/force_elements/force_element.h"
 
+#include "mechanism/element_base/acting_element.h"
+
 namespace clevis::mechanism {
 
 const std::string& name_of(const ForceElement& element) {

@@ -1,6 +1,7 @@
 #include "mechanism/force_elements/impedance.h"
 
 #include "base/index.h"
+#include "mechanism/element_base/acting_element.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -16,14 +17,16 @@ class Impedance final : public ActingElement {
   }
 
  protected:
-  void act(const ActingState& state, const Twist& a, const Twist& b) override;
+  void act(const ActingState& state, const Twist& a, const Twist& b,
+           ElementResponse& now) const override;
 
  private:
   const ImpedanceElement& impedance_;
 };
 
 void Impedance::act(const ActingState& state, const Twist& /*a*/,
-                    const Twist& b) {
+                    const Twist& b, ElementResponse& now) const {
+  const PlacedJoint& placed = now.placed;
   Vector3d target = impedance_.target_W, target_rate = Vector3d::Zero();
   for (int k = 0; k < 3; ++k) {
     const numerics::CubicSpline& path = impedance_.path_W[index(k)];
@@ -35,10 +38,10 @@ void Impedance::act(const ActingState& state, const Twist& /*a*/,
   const Vector3d off = placed.p_b - R_PW * target;
   const Vector3d slip = b.v + b.w.cross(placed.r_b) - R_PW * target_rate;
   const Vector3d f = -impedance_.stiffness * off - impedance_.damping * slip;
-  q = off.norm();
-  rate = slip.norm();
-  effort = f.norm();
-  on_b = {f, placed.r_b.cross(f)};
+  now.q = off.norm();
+  now.rate = slip.norm();
+  now.effort = f.norm();
+  now.on_b = {f, placed.r_b.cross(f)};
 }
 
 }  // namespace

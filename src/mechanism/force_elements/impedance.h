@@ -7,11 +7,14 @@
 
 #include <Eigen/Core>
 
-#include "mechanism/element_base/acting_element.h"
 #include "mechanism/element_base/element_properties.h"
+#include "mechanism/element_base/force_line.h"
 #include "numerics/curves/cubic_spline.h"
 
 namespace clevis::mechanism {
+
+class ActingElement;
+struct ReferenceFrame;
 
 /// F = −stiffness (x − x₀) − damping (v − v₀) on a point of a body, from
 /// ground; the target x₀ rests or follows splines.

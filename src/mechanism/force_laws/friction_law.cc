@@ -38,14 +38,14 @@ FrictionEffort on_bristles(const FrictionLaw& law, int mode, double speed,
 }  // namespace
 
 FrictionEffort friction_effort(const FrictionLaw& law, int mode, double speed,
-                               double bristle, double slack) {
+                               double bristle, double velocity_tolerance) {
   if (law.model == FrictionModel::kLuGre) {
     return on_bristles(law, mode, speed, bristle);
   }
   FrictionEffort f;
   if (law.model == FrictionModel::kRegularized) {
     const Size size = kinetic_size(law, speed);
-    const double regular = std::max(law.regularizing_speed, slack);
+    const double regular = std::max(law.regularizing_speed, velocity_tolerance);
     const double sense = std::tanh(speed / regular);
     f.per_load = -size.value * sense;
     f.per_load_slope =

@@ -33,9 +33,10 @@ struct FrictionEffort {
 ///   3 is left out. @param bristle  LuGre: its deflection
 ///   [m] or [rad].
 /// @param speed  of the line [m/s] or [rad/s].
-/// @param slack  lower bound of the regularizing speed [m/s] or [rad/s].
+/// @param velocity_tolerance  lower bound of the regularizing speed [m/s] or
+/// [rad/s].
 FrictionEffort friction_effort(const FrictionLaw& law, int mode, double speed,
-                               double bristle, double slack = 0.0);
+                               double bristle, double velocity_tolerance = 0.0);
 
 /// The same by the tangent at another speed [m/s] or [rad/s] and bristle [m] or
 /// [rad].

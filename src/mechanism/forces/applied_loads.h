@@ -10,24 +10,34 @@
 
 namespace clevis::mechanism {
 
+/// Loads on the bodies of a mechanism in one state of a motion.
+struct LoadState {
+  ForceState forces;
+  /// By slot, about the centres of mass, weight among them [N], [N m].
+  std::vector<SpatialForce> wrenches;
+  /// Of AppliedLoads::efforts(), as their laws say [N], [N m].
+  Eigen::VectorXd efforts_by_law;
+
+  /// Power of all wrenches [W]. @param twists  by slot [m/s], [rad/s].
+  double power(const std::vector<Twist>& twists) const;
+};
+
 /// Loads on the bodies of a mechanism beside those of joints and drives: weight
-/// and force elements. None of it allocates. Times are in seconds [s], efforts
-/// in [N] or [N m], states of force elements in units of their own.
+/// and force elements. None of it allocates but none(). Times are in seconds
+/// [s], efforts in [N] or [N m], states of force elements in units of their
+/// own.
 class AppliedLoads {
  public:
   /// @param frame  referred to the bodies' centres of mass.
   AppliedLoads(const MechanismDefinition& definition,
                const SolvingFrame& frame);
 
+  /// A state without loads, of the sizes that evaluate() fills.
+  LoadState none() const;
   /// @param internal  states of the force elements.
   void evaluate(double t, const Configuration& x,
-                const std::vector<Twist>& twists, const double* internal);
-  /// By slot, about the centres of mass [N], [N m], as of evaluate().
-  const std::vector<Twist>& wrenches() const { return wrenches_; }
-  /// Power of all wrenches [W].
-  double power(const std::vector<Twist>& twists) const;
-  /// Mass of a body [kg].
-  double mass(std::size_t slot) const { return masses_[slot]; }
+                const std::vector<Twist>& twists, const double* internal,
+                LoadState& state) const;
 
   ForceModel& forces() { return forces_; }
   const ForceModel& forces() const { return forces_; }
@@ -37,24 +47,24 @@ class AppliedLoads {
     return static_cast<Eigen::Index>(stiff_.size());
   }
   void hold_efforts(const Eigen::VectorXd* given) { given_ = given; }
-  const Eigen::VectorXd& efforts_by_law() const { return by_law_; }
-  const ActingElement& element_of_effort(Eigen::Index k) const {
-    return forces_.element(stiff_[static_cast<std::size_t>(k)]);
+  /// Force element of an effort.
+  std::size_t element_of_effort(Eigen::Index k) const {
+    return stiff_[static_cast<std::size_t>(k)];
   }
+  /// Friction acts by its tangents at a state, which it puts.
   void hold_tangents(double t, const Configuration& x,
-                     const std::vector<Twist>& twists, const double* internal);
+                     const std::vector<Twist>& twists, const double* internal,
+                     LoadState& state);
   void release_tangents() { forces_.release_tangents(); }
 
  private:
-  void take_efforts();
+  void take_efforts(LoadState& state) const;
 
   ForceModel forces_;
   std::vector<double> masses_;  ///< by slot
   Eigen::Vector3d gravity_;
-  std::vector<Twist> wrenches_;
   std::vector<std::size_t> stiff_;          ///< elements of efforts()
   const Eigen::VectorXd* given_ = nullptr;  ///< see hold_efforts()
-  Eigen::VectorXd by_law_;
 };
 
 }  // namespace clevis::mechanism

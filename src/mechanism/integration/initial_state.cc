@@ -113,8 +113,8 @@ VectorXd momentum(const MechanismDefinition& definition,
   return result;
 }
 
-/// What J leaves open of v is chosen so that the kinetic energy of v − guess is
-/// least.
+/// Chooses the part of v that J leaves open so that the kinetic energy of
+/// v − guess is least.
 void settle_open_velocities(const MechanismDefinition& definition,
                             const SolvingFrame& frame, const Configuration& x,
                             const MatrixXd& J, const VectorXd& guess,

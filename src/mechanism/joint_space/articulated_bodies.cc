@@ -90,7 +90,7 @@ bool ArticulatedBodies::factor_joint(std::size_t k) {
   return true;
 }
 
-/// What the joint does not give way to, moved into the parent's centre.
+/// Inertia that the joint transmits, moved into the parent's centre.
 void ArticulatedBodies::add_to_parent(std::size_t k) {
   const JointCoordinates::Link& link = coordinates_.links()[k];
   const Body& body = bodies_[k];
@@ -112,7 +112,7 @@ void ArticulatedBodies::add_to_parent(std::size_t k) {
   parent.C += left.C + rB + rB.transpose() - times_cross(rA, r);
 }
 
-void ArticulatedBodies::accelerate(const std::vector<Twist>& wrenches,
+void ArticulatedBodies::accelerate(const std::vector<SpatialForce>& wrenches,
                                    const Configuration& x,
                                    const std::vector<Twist>* twists,
                                    double* u_rate) {
@@ -141,7 +141,7 @@ void ArticulatedBodies::sweep_inwards(bool with_bias) {
       body.left[i] = left * body.L(i, i);
     }
     if (link.parent < 0) continue;
-    Twist force = body.force;
+    SpatialForce force = body.force;
     for (int i = 0; i < link.open; ++i) {
       add(body.left[i], body.V[static_cast<std::size_t>(i)], force);
     }
@@ -182,7 +182,7 @@ double ArticulatedBodies::drive_power(const double* u,
   for (const JointCoordinates::Driven& driven : coordinates_.driven()) {
     const JointCoordinates::Link& link = coordinates_.links()[driven.link];
     const Body& body = bodies_[driven.link];
-    Twist force = body.inertia.times(body.acceleration);
+    SpatialForce force = body.inertia.times(body.acceleration);
     add(1.0, body.force, force);
     for (int j = link.open; j < link.count; ++j) {
       const auto at = static_cast<std::size_t>(j);

@@ -26,8 +26,9 @@ class ArticulatedBodies {
   /// @param wrenches  by slot, about the centres of mass [N], [N m].
   /// @param twists  by slot; nullptr: wrenches act alone.
   /// @param u_rate  of all joints [m/s²] or [rad/s²]; open ones are filled.
-  void accelerate(const std::vector<Twist>& wrenches, const Configuration& x,
-                  const std::vector<Twist>* twists, double* u_rate);
+  void accelerate(const std::vector<SpatialForce>& wrenches,
+                  const Configuration& x, const std::vector<Twist>* twists,
+                  double* u_rate);
   /// Power of the drives, as of accelerate() [W]. @param u  of all joints.
   double drive_power(const double* u, const double* u_rate) const;
 
@@ -52,8 +53,8 @@ class ArticulatedBodies {
     std::array<Twist, 6> V;
     Eigen::Matrix<double, 6, 6> L;
     Eigen::Matrix<double, 6, 1> left;
-    Twist force;         ///< at no acceleration of the parent
-    Twist acceleration;  ///< without the bias
+    SpatialForce force;                ///< at no acceleration of the parent
+    SpatialAcceleration acceleration;  ///< without the bias
   };
 
   void place_inertias(const Configuration& x);

@@ -20,10 +20,10 @@ std::vector<double> armatures(const JointCoordinates& coordinates,
                               const ForceModel& forces) {
   std::vector<double> result(index(coordinates.velocities()), 0.0);
   for (std::size_t k = 0; k < forces.size(); ++k) {
-    if (!(forces.inertia(k) > 0.0)) continue;
     const ActingElement& e = forces.element(k);
+    if (!(e.inertia() > 0.0)) continue;
     const auto at = coordinates.measured(e.joint, e.row);
-    result[index(at->u)] += forces.inertia(k);
+    result[index(at->u)] += e.inertia();
   }
   return result;
 }
@@ -36,6 +36,7 @@ TreeSystem::TreeSystem(const MechanismDefinition& definition,
       scales_(dynamics.state_scales()),
       coordinates_(coordinates),
       loads_(equations_.loads()),
+      acting_(loads_.none()),
       bodies_(definition, coordinates,
               armatures(coordinates, equations_.forces())),
       x_(equations_.state().x),
@@ -52,7 +53,7 @@ TreeSystem::TreeSystem(const MechanismDefinition& definition,
   }
   for (std::size_t k = 0; k < definition.elements.size(); ++k) {
     const ActingElement& e = equations_.forces().element(k);
-    if (e.joint < 0 || !equations_.forces().is_angle(k)) continue;
+    if (e.joint < 0 || !e.row.is_angle()) continue;
     const auto at = coordinates.measured(e.joint, e.row);
     if (at) counted_.push_back({k, *at, 0.0});
   }
@@ -61,8 +62,8 @@ TreeSystem::TreeSystem(const MechanismDefinition& definition,
 bool TreeSystem::can_follow(const JointCoordinates& coordinates,
                             const ForceModel& forces) {
   for (std::size_t k = 0; k < forces.size(); ++k) {
-    if (!(forces.inertia(k) > 0.0)) continue;
     const ActingElement& e = forces.element(k);
+    if (!(e.inertia() > 0.0)) continue;
     if (e.joint < 0 || !coordinates.measured(e.joint, e.row)) {
       return false;
     }
@@ -83,9 +84,8 @@ void TreeSystem::place(double t, const VectorXd& z) {
   coordinates_.place(q_.data(), u_.data(), u_rate_.data(), x_, twists_);
   for (const Counted& counted : counted_) {
     const auto& [q, u, sign] = counted.at;
-    loads_.forces().anchor(counted.element,
-                           sign * q_[index(q)] + counted.offset,
-                           sign * u_[index(u)], t);
+    loads_.forces().element(counted.element).anchor = {
+        sign * q_[index(q)] + counted.offset, sign * u_[index(u)], t};
   }
 }
 
@@ -100,29 +100,31 @@ void TreeSystem::put_open(const std::vector<double>& q,
 
 void TreeSystem::rate(double t, const VectorXd& z, VectorXd& rate) {
   place(t, z);
-  loads_.evaluate(t, x_, twists_, z.data() + internal_index());
+  loads_.evaluate(t, x_, twists_, z.data() + internal_index(), acting_);
   if (!bodies_.factor(x_)) {
     rate.setConstant(std::numeric_limits<double>::quiet_NaN());
     return;
   }
-  bodies_.accelerate(loads_.wrenches(), x_, &twists_, u_rate_.data());
+  bodies_.accelerate(acting_.wrenches, x_, &twists_, u_rate_.data());
   coordinates_.rates(q_.data(), u_.data(), q_rate_.data());
   put_open(q_rate_, u_rate_, rate);
-  loads_.forces().internal_rates(rate.data() + internal_index());
+  put_internal_rates(acting_.forces, rate.data() + internal_index());
   rate[work_index()] =
-      loads_.power(twists_) + bodies_.drive_power(u_.data(), u_rate_.data());
+      acting_.power(twists_) + bodies_.drive_power(u_.data(), u_rate_.data());
 }
 
 void TreeSystem::hold_tangents(double t, const VectorXd& z) {
   place(t, z);
-  loads_.hold_tangents(t, x_, twists_, z.data() + internal_index());
+  loads_.hold_tangents(t, x_, twists_, z.data() + internal_index(), acting_);
 }
 
 void TreeSystem::effort_response(Index k, Eigen::Ref<VectorXd> rate) {
-  const ActingElement& e = loads_.element_of_effort(k);
+  const std::size_t which = loads_.element_of_effort(k);
+  const JointModel& line = loads_.forces().element(which).line;
+  const ElementResponse& e = acting_.forces.elements[which];
   std::ranges::fill(levers_, Twist{});
-  levers_[index(e.line.a)] = e.levers.a;
-  levers_[index(e.line.b)] = e.levers.b;
+  levers_[index(line.a)] = e.levers.a;
+  levers_[index(line.b)] = e.levers.b;
   rate.setZero();
   bodies_.accelerate(levers_, x_, nullptr, response_.data());
   std::ranges::fill(q_rate_, 0.0);
@@ -136,7 +138,7 @@ void TreeSystem::start(double t, const VectorXd& y, VectorXd& z) {
   start_y_ = y;
   q_start_ = q_;
   loads_.evaluate(t, equations_.state().x, equations_.state().twists,
-                  z.data() + internal_index());
+                  z.data() + internal_index(), acting_);
   count_turns();
   place(t, z);
   sizes_ = tree_scales(coordinates_, x_, equations_.layout().length());
@@ -148,7 +150,7 @@ void TreeSystem::count_turns() {
   for (Counted& counted : counted_) {
     const double q = counted.at.sign * q_[index(counted.at.q)];
     const double turns =
-        (loads_.forces().element(counted.element).q - q) / kTurn;
+        (acting_.forces.elements[counted.element].q - q) / kTurn;
     counted.offset = kTurn * std::round(turns);
   }
 }

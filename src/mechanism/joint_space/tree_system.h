@@ -41,7 +41,7 @@ class TreeSystem : public numerics::OdeSystem {
     loads_.hold_efforts(given);
   }
   void efforts_by_law(Eigen::VectorXd& efforts) const override {
-    efforts = loads_.efforts_by_law();
+    efforts = acting_.efforts_by_law;
   }
   void effort_response(Eigen::Index k,
                        Eigen::Ref<Eigen::VectorXd> rate) override;
@@ -75,6 +75,7 @@ class TreeSystem : public numerics::OdeSystem {
   const StateScales& scales_;
   JointCoordinates& coordinates_;
   AppliedLoads& loads_;
+  LoadState acting_;  ///< at the last state placed
   ArticulatedBodies bodies_;
   Configuration x_;
   std::vector<Twist> twists_, levers_;

@@ -127,7 +127,7 @@ Twist PlacedJoint::action(const JointRow& row) const {
   return {d / length, none};
 }
 
-PlacedJoint::Levers PlacedJoint::levers(const Twist& action) const {
+PlacedJoint::Levers PlacedJoint::levers(const SpatialForce& action) const {
   const Vector3d& f = action.v;
   const Vector3d& t = action.w;
   if (f.isZero(0.0)) return {{f, -t}, {f, t}};

@@ -20,12 +20,17 @@ struct BodyPlacement {
             const Eigen::Vector3d& rotation);
 };
 
-/// Velocity of M and angular velocity of a body; or accelerations; or a force
-/// and a moment.
-struct Twist {
+/// A vector of M and one of the body: linear and angular.
+struct SpatialVector {
   Eigen::Vector3d v = Eigen::Vector3d::Zero();
   Eigen::Vector3d w = Eigen::Vector3d::Zero();
 };
+/// Velocity of M [m/s] and angular velocity [rad/s].
+using Twist = SpatialVector;
+/// Acceleration of M [m/s²] and angular acceleration [rad/s²].
+using SpatialAcceleration = SpatialVector;
+/// Force [N] and moment about M [N m].
+using SpatialForce = SpatialVector;
 
 /// A joint between bodies by slot (0 is ground), frames relative to M.
 struct JointModel {
@@ -56,15 +61,15 @@ struct PlacedJoint {
   double displacement(const JointRow& row) const;
 
   /// Force and moment on b at its J per unit multiplier of the row.
-  Twist action(const JointRow& row) const;
+  SpatialForce action(const JointRow& row) const;
 
   /// The same as (force, moment about M) on a and on b: the row of the
   /// constraint Jacobian. Exact where the joint is closed.
   struct Levers {
-    Twist a, b;
+    SpatialForce a, b;
   };
   Levers levers(const JointRow& row) const { return levers(action(row)); }
-  Levers levers(const Twist& action) const;
+  Levers levers(const SpatialForce& action) const;
 
   /// Second time derivative of the row that velocities alone cause: [m/s²] or
   /// [rad/s²].

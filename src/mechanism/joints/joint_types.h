@@ -42,14 +42,14 @@ struct JointCoordinate {
   JointRow row;
 };
 
-/// What a joint type is, for everybody who asks: one row of the table in
+/// Traits of a joint type, for everybody who asks: one row of the table in
 /// joint_types.cc. A new type needs that row and, in joint_motion.cc, the
 /// coordinates of its motion; one that holds a new kind of row needs that kind
 /// in PlacedJoint.
 struct JointTraits {
   /// Key `axis` of the scene: z of the joint's frame.
   enum class Axis { kNone, kOptional, kNeeded };
-  /// What of its own the type wants to know.
+  /// Data of its own that the type needs.
   enum class Parameter { kNone, kLead, kLength };
   /// How the frame stands where bodies move in a plane.
   enum class InPlane {
@@ -97,7 +97,7 @@ const JointTraits& traits(JointType type);
 /// All types, in the order of the enumeration.
 std::span<const JointTraits> all_joint_types();
 
-/// What a joint type holds, within the given motions. In the plane, frames
+/// Rows that a joint type holds, within the given motions. In the plane, frames
 /// have z normal to it, of slides x.
 std::span<const JointRow> constrained_rows(JointType type, Motions motions);
 

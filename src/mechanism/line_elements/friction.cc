@@ -15,28 +15,30 @@ class Friction final : public LineForce {
            const ReferenceFrame& frame)
       : LineForce(definition, frame), law_(law) {
     if (is_switched()) modes[0] = 1;  // free, until modes are chosen
-    follows_reaction = law.follows_reaction;
   }
 
   int internal_states() const override { return has_bristles() ? 1 : 0; }
   void scales(const double* own, double* scales) const override;
 
   bool may_switch() const override { return is_switched(); }
-  void choose_modes() override;
-  double event_value(int end) const override;
-  void pass_event(int end) override;
+  void choose_modes(const ElementResponse& now) override;
+  double event_value(int end, const ElementResponse& now) const override;
+  void pass_event(int end, const ElementResponse& now) override;
   const char* name_of_change(int end, int mode_before) const override;
   std::vector<ElementGuard> guards() const override;
 
   bool is_dry() const override { return law_.model == FrictionModel::kCoulomb; }
+  bool follows_reaction() const override { return law_.follows_reaction; }
   double breakaway_per_load() const override { return law_.breakaway; }
   double stribeck_zone() const override;
   double bristle_deflection() const override;
-  void hold_tangent(const double* states) override;
+  void hold_tangent(const ElementResponse& there,
+                    const double* states) override;
   void release_tangent() override { tangent_.holds = false; }
 
  protected:
-  double law_effort(const ActingState& state) override;
+  double law_effort(const ActingState& state,
+                    ElementResponse& now) const override;
 
  private:
   bool has_bristles() const { return law_.model == FrictionModel::kLuGre; }
@@ -45,7 +47,7 @@ class Friction final : public LineForce {
   double bristle(const double* states) const {
     return has_bristles() ? states[internal] : 0.0;
   }
-  double zone_value() const;
+  double zone_value(double rate) const;
 
   /// The law at the state of hold_tangent(); acts instead of it.
   struct Tangent {
@@ -58,18 +60,21 @@ class Friction final : public LineForce {
   Tangent tangent_;
 };
 
-double Friction::law_effort(const ActingState& state) {
+double Friction::law_effort(const ActingState& state,
+                            ElementResponse& now) const {
+  const double rate = now.rate;
   const double deflection = bristle(state.internal);
   const FrictionEffort f =
       tangent_.holds
           ? friction_along_tangent(law_, tangent_.effort, rate - tangent_.rate,
                                    deflection - tangent_.bristle)
-          : friction_effort(law_, modes[0], rate, deflection, slack);
-  if (has_bristles()) internal_rates[0] = f.bristle_rate;
-  load = law_.follows_reaction ? 0.0 : 1.0;
-  per_load = f.per_load;
-  own_effort = f.own;
-  return load * f.per_load + f.own;
+          : friction_effort(law_, modes[0], rate, deflection,
+                            velocity_tolerance);
+  if (has_bristles()) now.internal_rates[0] = f.bristle_rate;
+  now.load = law_.follows_reaction ? 0.0 : 1.0;
+  now.per_load = f.per_load;
+  now.own_effort = f.own;
+  return now.load * f.per_load + f.own;
 }
 
 void Friction::scales(const double* /*own*/, double* scales) const {
@@ -86,16 +91,18 @@ double Friction::stribeck_zone() const {
   return is_switched() ? kTimesSpeed * law_.stribeck_speed : 0.0;
 }
 
-void Friction::hold_tangent(const double* states) {
-  tangent_.rate = rate;
+void Friction::hold_tangent(const ElementResponse& there,
+                            const double* states) {
+  tangent_.rate = there.rate;
   tangent_.bristle = bristle(states);
-  tangent_.effort =
-      friction_effort(law_, modes[0], rate, tangent_.bristle, slack);
+  tangent_.effort = friction_effort(law_, modes[0], there.rate,
+                                    tangent_.bristle, velocity_tolerance);
   tangent_.holds = true;
 }
 
-void Friction::choose_modes() {
+void Friction::choose_modes(const ElementResponse& now) {
   if (!is_switched()) return;
+  const double rate = now.rate;
   modes[0] = rate > 0.0 ? 1 : rate < 0.0 ? -1 : 0;
   modes[1] = std::abs(rate) < stribeck_zone() ? 1 : 0;
   if (has_bristles() && modes[0] == 0) modes[0] = 1;
@@ -103,7 +110,7 @@ void Friction::choose_modes() {
 
 /// With the sign of the speed, so that no step over the zone and zero hides
 /// both.
-double Friction::zone_value() const {
+double Friction::zone_value(double rate) const {
   const double zone = stribeck_zone();
   if (zone <= 0.0) return 1.0;
   const bool slips = std::abs(modes[0]) == 1;
@@ -111,15 +118,16 @@ double Friction::zone_value() const {
   return modes[1] == 1 ? inside : -inside;
 }
 
-double Friction::event_value(int end) const {
+double Friction::event_value(int end, const ElementResponse& now) const {
   if (!is_switched()) return 1.0;
-  if (end == 1) return zone_value();
-  if (sticks()) return breakaway() - std::abs(effort);
-  if (std::abs(modes[0]) >= 2) return leaving - std::abs(rate);
-  return modes[0] * rate + (has_bristles() ? 1.0 : kOfSlack) * slack;
+  if (end == 1) return zone_value(now.rate);
+  if (sticks()) return breakaway(now) - std::abs(now.effort);
+  if (std::abs(modes[0]) >= 2) return break_free_speed - std::abs(now.rate);
+  return modes[0] * now.rate +
+         (has_bristles() ? 1.0 : kOfTolerance) * velocity_tolerance;
 }
 
-void Friction::pass_event(int end) {
+void Friction::pass_event(int end, const ElementResponse& now) {
   if (!is_switched()) return;
   if (end == 1) {
     modes[1] = 1 - modes[1];
@@ -129,9 +137,9 @@ void Friction::pass_event(int end) {
   if (has_bristles()) {
     mode = -mode;
   } else if (mode == 0) {
-    mode = effort > 0.0 ? -2 : 2;
+    mode = now.effort > 0.0 ? -2 : 2;
   } else if (std::abs(mode) >= 2) {
-    mode = rate > 0.0 ? 1 : -1;
+    mode = now.rate > 0.0 ? 1 : -1;
   } else {
     mode = 0;
   }

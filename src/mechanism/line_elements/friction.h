@@ -2,11 +2,14 @@
 
 #include <memory>
 
-#include "mechanism/element_base/acting_element.h"
 #include "mechanism/element_base/element_properties.h"
+#include "mechanism/element_base/force_line.h"
 #include "mechanism/force_laws/friction_law.h"
 
 namespace clevis::mechanism {
+
+class ActingElement;
+struct ReferenceFrame;
 
 /// Mode of friction that is left out: for a moment, or at rest while joints and
 /// drives alone carry its line. The others: 0 sticks, ±1 slips in that sense,

@@ -181,48 +181,50 @@ class GasCylinder final : public LineForce {
     gas_scales(law_, own, scales);
   }
   double next_communication() const override {
-    return law_.is_coupled() ? interface_.since + law_.step
+    return law_.is_coupled() ? known_.since + law_.step
                              : LineForce::next_communication();
   }
-  void communicate(double t) override {
-    if (law_.is_coupled()) mechanism::communicate(interface_, t, rate);
+  void communicate(double t, const ElementResponse& now) override {
+    if (!law_.is_coupled()) return;
+    known_ = *now.interface;
+    mechanism::communicate(known_, t, now.rate);
   }
   bool has_smooth_effort() const override { return true; }
-  void report(double t, ElementState& state) const override;
 
  protected:
-  double law_effort(const ActingState& state) override;
+  double law_effort(const ActingState& state,
+                    ElementResponse& now) const override;
 
  private:
   const LineDefinition& definition_;
   const GasCylinderLaw& law_;
-  GasInternals rates_{};
-  GasChamberStates chambers_{};
-  GasInterface interface_{};
+  GasInterface known_{};  ///< since the last communication
 };
 
 void GasCylinder::start(const Configuration& x, double* own) {
-  placed = PlacedJoint(line, x[index(line.a)], x[index(line.b)]);
-  measure();
-  start_gas(law_, definition_.name, definition_.place, q, own);
-  interface_ = {.since = -law_.step, .q = q};  // due at t = 0
+  ElementResponse there;
+  there.placed = PlacedJoint(line, x[index(line.a)], x[index(line.b)]);
+  measure(there);
+  start_gas(law_, definition_.name, definition_.place, there.q, own);
+  known_ = {.since = -law_.step, .q = there.q};  // due at t = 0
 }
 
-double GasCylinder::law_effort(const ActingState& state) {
+double GasCylinder::law_effort(const ActingState& state,
+                               ElementResponse& now) const {
   const double* own = state.internal + internal;
+  GasInternals rates{};
+  GasChamberStates chambers;
+  if (law_.is_coupled()) now.interface = known_;
   const double found =
       law_.is_coupled()
-          ? coupled_gas_effort(law_, state.t, rate, own, rates_, chambers_,
-                               interface_)
-          : gas_effort(law_, state.t, q, rate, own, rates_, chambers_);
-  std::copy_n(rates_.begin(), internal_rates.size(), internal_rates.begin());
-  return found;
-}
-
-void GasCylinder::report(double /*t*/, ElementState& state) const {
+          ? coupled_gas_effort(law_, state.t, now.rate, own, rates, chambers,
+                               *now.interface)
+          : gas_effort(law_, state.t, now.q, now.rate, own, rates, chambers);
+  std::copy_n(rates.begin(), now.internal_rates.size(),
+              now.internal_rates.begin());
   const auto count = static_cast<std::ptrdiff_t>(law_.chambers.size());
-  state.chambers.assign(chambers_.begin(), chambers_.begin() + count);
-  if (law_.is_coupled()) state.interface = interface_;
+  now.chambers.assign(chambers.begin(), chambers.begin() + count);
+  return found;
 }
 
 }  // namespace

@@ -6,11 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "mechanism/element_base/acting_element.h"
 #include "mechanism/element_base/element_properties.h"
+#include "mechanism/element_base/element_state.h"
+#include "mechanism/element_base/force_line.h"
 #include "mechanism/force_laws/gas.h"
 
 namespace clevis::mechanism {
+
+class ActingElement;
+struct ReferenceFrame;
 
 /// A valve with three ways: a signal s > 0 opens from the supply into the
 /// chamber, s < 0 from the chamber to the environment.
@@ -95,8 +99,8 @@ double gas_effort(const GasCylinderLaw& law, double t, double q, double rate,
 double coupled_gas_effort(const GasCylinderLaw& law, double t, double rate,
                           const double* internal, GasInternals& rates,
                           GasChamberStates& states, GasInterface& interface);
-/// Gas and mechanism tell one another effort and rate, as of the last
-/// coupled_gas_effort().
+/// Gas and mechanism tell one another effort and rate, as
+/// coupled_gas_effort() left them.
 void communicate(GasInterface& interface, double t, double rate);
 
 /// A size that is large for each internal state.

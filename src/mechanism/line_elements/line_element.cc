@@ -1,6 +1,7 @@
 #include "mechanism/line_elements/line_element.h"
 
 #include "base/index.h"
+#include "mechanism/element_base/acting_element.h"
 
 namespace clevis::mechanism {
 

@@ -60,19 +60,16 @@ class Motor final : public LineForce {
     motor_scales(law_, own, scales);
   }
   double inertia() const override { return law_.inertia_at_joint(); }
-  void report(double /*t*/, ElementState& state) const override {
-    state.motor = state_;
-  }
 
  protected:
-  double law_effort(const ActingState& state) override {
-    return motor_effort(law_, state.t, rate, state.internal + internal,
-                        internal_rates.data(), state_);
+  double law_effort(const ActingState& state,
+                    ElementResponse& now) const override {
+    return motor_effort(law_, state.t, now.rate, state.internal + internal,
+                        now.internal_rates.data(), now.motor.emplace());
   }
 
  private:
   const MotorLaw& law_;
-  MotorState state_{};
 };
 
 }  // namespace

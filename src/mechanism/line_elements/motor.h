@@ -3,10 +3,14 @@
 #include <memory>
 #include <vector>
 
-#include "mechanism/element_base/acting_element.h"
 #include "mechanism/element_base/element_properties.h"
+#include "mechanism/element_base/element_state.h"
+#include "mechanism/element_base/force_line.h"
 
 namespace clevis::mechanism {
+
+class ActingElement;
+struct ReferenceFrame;
 
 /// Who sets the voltage of the d axis.
 enum class DirectAxis {

@@ -22,25 +22,25 @@ class Servo final : public LineForce {
     if (!law_.limit) return {};
     return {{kOwn, 0, *law_.limit}, {kOwn, 0, -*law_.limit}};
   }
-  double guard_value(const ElementGuard& guard, double t) const override {
-    return wanted(t) - guard.level;
-  }
-  void report(double t, ElementState& state) const override {
-    state.channels = {drive_target(law_.reference, t).position};
+  double guard_value(const ElementGuard& guard, double t,
+                     const ElementResponse& now) const override {
+    return wanted(drive_target(law_.reference, t), now) - guard.level;
   }
 
  protected:
-  double law_effort(const ActingState& state) override {
-    const double free = wanted(state.t);
+  double law_effort(const ActingState& state,
+                    ElementResponse& now) const override {
+    const DriveTarget target = drive_target(law_.reference, state.t);
+    now.channels = {target.position};
+    const double free = wanted(target, now);
     return law_.limit ? std::clamp(free, -*law_.limit, *law_.limit) : free;
   }
 
  private:
   /// Effort without its limit.
-  double wanted(double t) const {
-    const DriveTarget target = drive_target(law_.reference, t);
-    return -law_.stiffness * (q - target.position) -
-           law_.damping * (rate - target.rate);
+  double wanted(const DriveTarget& target, const ElementResponse& now) const {
+    return -law_.stiffness * (now.q - target.position) -
+           law_.damping * (now.rate - target.rate);
   }
 
   const ServoLaw& law_;

@@ -4,10 +4,13 @@
 #include <optional>
 
 #include "mechanism/drives/drive_definition.h"
-#include "mechanism/element_base/acting_element.h"
 #include "mechanism/element_base/element_properties.h"
+#include "mechanism/element_base/force_line.h"
 
 namespace clevis::mechanism {
+
+class ActingElement;
+struct ReferenceFrame;
 
 /// Follows a reference r(t): effort −stiffness (q − r) − damping (q' − r'), at
 /// most `limit`.

@@ -14,8 +14,9 @@ class Spring final : public OneSenseForce {
   bool has_smooth_effort() const override { return acts_in_both(); }
 
  protected:
-  double full_effort(const ActingState& /*state*/) override {
-    return -law_.stiffness * (q - law_.free) - law_.damping * rate -
+  double full_effort(const ActingState& /*state*/,
+                     const ElementResponse& now) const override {
+    return -law_.stiffness * (now.q - law_.free) - law_.damping * now.rate -
            law_.preload;
   }
 

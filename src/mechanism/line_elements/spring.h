@@ -2,10 +2,13 @@
 
 #include <memory>
 
-#include "mechanism/element_base/acting_element.h"
 #include "mechanism/element_base/element_properties.h"
+#include "mechanism/element_base/force_line.h"
 
 namespace clevis::mechanism {
+
+class ActingElement;
+struct ReferenceFrame;
 
 /// Effort on b: −stiffness (q − free) − damping q' − preload; > 0 pushes apart.
 struct SpringLaw {

@@ -18,17 +18,18 @@ class Stop final : public LineForce {
   bool presses() const override { return true; }
   bool may_switch() const override { return true; }
 
-  void choose_modes() override {
+  void choose_modes(const ElementResponse& now) override {
     for (const std::size_t end : {0, 1}) {
-      modes[end] = has_end(end) ? pressing_mode(*this, end, law_.contact) : 0;
+      modes[end] = has_end(end) ? pressing_mode(now, end, law_.contact) : 0;
     }
   }
-  double event_value(int end) const override {
-    return has_end(index(end)) ? pressing_value(*this, index(end), law_.contact)
-                               : 1.0;
+  double event_value(int end, const ElementResponse& now) const override {
+    return has_end(index(end))
+               ? pressing_value(*this, index(end), law_.contact, now)
+               : 1.0;
   }
-  void pass_event(int end) override {
-    pass_pressing(*this, index(end), law_.contact);
+  void pass_event(int end, const ElementResponse& now) override {
+    pass_pressing(*this, index(end), law_.contact, now);
   }
   const char* name_of_change(int end, int mode_before) const override {
     return name_of_pressing(modes[index(end)], mode_before);
@@ -41,26 +42,29 @@ class Stop final : public LineForce {
     }
     return all;
   }
-  double guard_value(const ElementGuard& guard, double t) const override {
+  double guard_value(const ElementGuard& guard, double t,
+                     const ElementResponse& now) const override {
     if (guard.kind != ElementGuard::Kind::kOwn) {
-      return ActingElement::guard_value(guard, t);
+      return ActingElement::guard_value(guard, t, now);
     }
     const std::size_t end = index(guard.end);
-    return contact_sign(law_.contact, depth[end], depth_rate[end]);
+    return contact_sign(law_.contact, now.depth[end], now.depth_rate[end]);
   }
-  bool guard_matters(const ElementGuard& guard) const override {
+  bool guard_matters(const ElementGuard& guard,
+                     const ElementResponse& now) const override {
     return guard.kind != ElementGuard::Kind::kOwn ||
-           depth[index(guard.end)] > 0.0;
+           now.depth[index(guard.end)] > 0.0;
   }
 
  protected:
-  double law_effort(const ActingState& /*state*/) override {
+  double law_effort(const ActingState& /*state*/,
+                    ElementResponse& now) const override {
     double sum = 0.0;
     if (law_.lower) {
-      sum += press(*this, 0, law_.contact, *law_.lower - q, -rate);
+      sum += press(*this, 0, law_.contact, *law_.lower - now.q, -now.rate, now);
     }
     if (law_.upper) {
-      sum -= press(*this, 1, law_.contact, q - *law_.upper, rate);
+      sum -= press(*this, 1, law_.contact, now.q - *law_.upper, now.rate, now);
     }
     return sum;
   }

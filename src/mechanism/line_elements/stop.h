@@ -3,11 +3,14 @@
 #include <memory>
 #include <optional>
 
-#include "mechanism/element_base/acting_element.h"
 #include "mechanism/element_base/element_properties.h"
+#include "mechanism/element_base/force_line.h"
 #include "mechanism/force_laws/contact_law.h"
 
 namespace clevis::mechanism {
+
+class ActingElement;
+struct ReferenceFrame;
 
 /// Unilateral springs at the ends of a line's range.
 struct StopLaw {

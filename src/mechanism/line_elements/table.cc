@@ -18,30 +18,32 @@ class Table final : public OneSenseForce {
   bool may_switch() const override {
     return over_position() || OneSenseForce::may_switch();
   }
-  void choose_modes() override;
-  double event_value(int end) const override;
-  void pass_event(int end) override;
+  void choose_modes(const ElementResponse& now) override;
+  double event_value(int end, const ElementResponse& now) const override;
+  void pass_event(int end, const ElementResponse& now) override;
   std::vector<ElementGuard> guards() const override;
 
  protected:
-  double full_effort(const ActingState& state) override;
+  double full_effort(const ActingState& state,
+                     const ElementResponse& now) const override;
 
  private:
   bool over_position() const { return !law_.positions.empty(); }
-  double piece_effort() const;
-  double way_left(int end) const;
+  double piece_effort(double q) const;
+  double way_left(int end, double q) const;
 
   const TableLaw& law_;
 };
 
-double Table::full_effort(const ActingState& state) {
-  return over_position() ? piece_effort()
+double Table::full_effort(const ActingState& state,
+                          const ElementResponse& now) const {
+  return over_position() ? piece_effort(now.q)
                          : numerics::linear_at(law_.times, law_.efforts,
                                                state.t, state.side);
 }
 
 /// Effort by the piece of the mode, which goes on beyond its ends.
-double Table::piece_effort() const {
+double Table::piece_effort(double q) const {
   const auto at = static_cast<std::size_t>(modes[0]);
   if (at == 0) return law_.efforts.front();
   if (at == law_.positions.size()) return law_.efforts.back();
@@ -51,34 +53,36 @@ double Table::piece_effort() const {
 }
 
 /// How far the position is from an end of its piece; 1 where there is none.
-double Table::way_left(int end) const {
+double Table::way_left(int end, double q) const {
   const auto at = static_cast<std::size_t>(modes[0]);
   if (end == 0) return at == 0 ? 1.0 : q - law_.positions[at - 1];
   return at == law_.positions.size() ? 1.0 : law_.positions[at] - q;
 }
 
-void Table::choose_modes() {
-  OneSenseForce::choose_modes();
+void Table::choose_modes(const ElementResponse& now) {
+  OneSenseForce::choose_modes(now);
   if (!over_position()) return;
-  modes[0] = static_cast<int>(std::ranges::upper_bound(law_.positions, q) -
+  modes[0] = static_cast<int>(std::ranges::upper_bound(law_.positions, now.q) -
                               law_.positions.begin());
 }
 
-double Table::event_value(int end) const {
+double Table::event_value(int end, const ElementResponse& now) const {
   const bool has_sense = sharp_sense() != 0.0;
   if (!over_position() || (has_sense && end == 1)) {
-    return OneSenseForce::event_value(end);
+    return OneSenseForce::event_value(end, now);
   }
-  return has_sense ? std::min(way_left(0), way_left(1)) : way_left(end);
+  return has_sense ? std::min(way_left(0, now.q), way_left(1, now.q))
+                   : way_left(end, now.q);
 }
 
-void Table::pass_event(int end) {
+void Table::pass_event(int end, const ElementResponse& now) {
   const bool has_sense = sharp_sense() != 0.0;
   if (!over_position() || (has_sense && end == 1)) {
-    OneSenseForce::pass_event(end);
+    OneSenseForce::pass_event(end, now);
     return;
   }
-  const bool back = has_sense ? way_left(0) < way_left(1) : end == 0;
+  const bool back =
+      has_sense ? way_left(0, now.q) < way_left(1, now.q) : end == 0;
   modes[0] += back ? -1 : 1;
 }
 
@@ -95,7 +99,7 @@ std::vector<ElementGuard> Table::guards() const {
 ElementProperties properties(const TableLaw& law) {
   ElementProperties result{.type = "table", .may_be_pressure = true};
   if (!law.times.empty()) result.actuation = Actuation::kForce;
-  result.bends = law.times;
+  result.breakpoints = law.times;
   result.breaks = law.times;
   for (std::size_t i = 1; i < law.times.size(); ++i) {
     if (law.times[i] == law.times[i - 1]) result.steps.push_back(law.times[i]);

@@ -3,10 +3,13 @@
 #include <memory>
 #include <vector>
 
-#include "mechanism/element_base/acting_element.h"
 #include "mechanism/element_base/element_properties.h"
+#include "mechanism/element_base/force_line.h"
 
 namespace clevis::mechanism {
+
+class ActingElement;
+struct ReferenceFrame;
 
 /// Effort over time, or over the line's coordinate, linear between the points,
 /// constant outside. Two equal times: a step, the later effort from then on.

@@ -51,7 +51,7 @@ double BodyInertias::kinetic_energy(const Configuration& x,
 }
 
 double BodyInertias::free_response(int slot, const Matrix3d& R,
-                                   const Twist& lever) const {
+                                   const SpatialForce& lever) const {
   if (slot == 0) return 0.0;
   const Body& body = bodies_[index(slot)];
   const Vector3d turn = body.turn_factor.transpose() * R.transpose() * lever.w;

@@ -35,7 +35,7 @@ class BodyInertias {
   /// Acceleration along a lever [m/s²] per force along it [N], were the body
   /// free [1/kg].
   double free_response(int slot, const Eigen::Matrix3d& R,
-                       const Twist& lever) const;
+                       const SpatialForce& lever) const;
 
   /// Gives the mass matrix the blocks that orientations do not change: all of
   /// planar bodies, those of displacements of others.

@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 BodyState body_motion(const SolvingFrame& frame, BodyIndex body,
                       const BodyPlacement& placement, const Twist& twist,
-                      const Twist& acceleration) {
+                      const SpatialAcceleration& acceleration) {
   const auto& R_WP = frame.R_WP;
   const Vector3d lever =
       -(placement.R * frame.p_LM[static_cast<std::size_t>(body)]);
@@ -39,7 +39,7 @@ void put_forces(const SolvingFrame& frame, const ConstraintSystem& system,
   for (std::size_t k = 0; k < instant.drives.size(); ++k) {
     const auto& row = system.row_list()[static_cast<std::size_t>(
         system.joint_rows() + static_cast<int>(k))];
-    const Twist action =
+    const SpatialForce action =
         placed[static_cast<std::size_t>(row.joint)].action(row.row);
     instant.drives[k].effort = forces.efforts[k];
     instant.drives[k].axis_W =

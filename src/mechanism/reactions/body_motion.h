@@ -10,7 +10,7 @@ namespace clevis::mechanism {
 /// solving frame.
 BodyState body_motion(const SolvingFrame& frame, BodyIndex body,
                       const BodyPlacement& placement, const Twist& twist,
-                      const Twist& acceleration);
+                      const SpatialAcceleration& acceleration);
 
 /// Moves reactions, efforts of drives and couplings, expressed in P, into the
 /// instant, where they are expressed in W; its drives are there already.

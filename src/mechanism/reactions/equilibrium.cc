@@ -15,10 +15,10 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// Largest force, and moment over length, in the given components.
-double largest(const std::vector<Twist>& wrenches, Motions motions,
+double largest(const std::vector<SpatialForce>& wrenches, Motions motions,
                double length) {
   double result = 0.0;
-  for (const Twist& wrench : wrenches) {
+  for (const SpatialForce& wrench : wrenches) {
     for (const int k : twist_components(motions)) {
       result = std::max(result, k < 3 ? std::abs(wrench.v[k])
                                       : std::abs(wrench.w[k - 3]) / length);
@@ -49,9 +49,9 @@ Equilibrium::Equilibrium(const MechanismDefinition& definition,
 
 std::vector<Twist> Equilibrium::required_wrenches(
     const Configuration& x, const std::vector<Twist>& twists,
-    const std::vector<Twist>& accelerations,
-    std::span<const Twist> applied) const {
-  std::vector<Twist> required(x.size());
+    const std::vector<SpatialAcceleration>& accelerations,
+    std::span<const SpatialForce> applied) const {
+  std::vector<SpatialForce> required(x.size());
   for (std::size_t i = 1; i < x.size(); ++i) {
     const Inertia& body = inertia_[i];
     const Vector3d c = x[i].R * body.p_MCm;
@@ -80,8 +80,9 @@ void Equilibrium::add(Solution& solution,
     const double value = rows.multiplier(row, lambda[i]);
     if (row.coupling >= 0) {
       const CouplingModel& coupling = frame_.couplings[index(row.coupling)];
-      const Twist first = placed[index(coupling.joint_1)].action(row.row);
-      const Twist second =
+      const SpatialForce first =
+          placed[index(coupling.joint_1)].action(row.row);
+      const SpatialForce second =
           placed[index(coupling.joint_2)].action(coupling.row_2);
       const double value_2 = -coupling.ratio * value;
       solution.couplings[index(row.coupling)] = {.effort = value,
@@ -92,7 +93,7 @@ void Equilibrium::add(Solution& solution,
       continue;
     }
     JointReaction& reaction = solution.joints[index(row.joint)];
-    const Twist action = placed[index(row.joint)].action(row.row);
+    const SpatialForce action = placed[index(row.joint)].action(row.row);
     reaction.f_W += value * action.v;
     reaction.t_W += value * action.w;
   }
@@ -112,8 +113,9 @@ void Equilibrium::mark(Solution& solution, const SharedReactions& shared) {
   }
 }
 
-bool Equilibrium::acts_across_plane(const std::vector<PlacedJoint>& placed,
-                                    const std::vector<Twist>& required) const {
+bool Equilibrium::acts_across_plane(
+    const std::vector<PlacedJoint>& placed,
+    const std::vector<SpatialForce>& required) const {
   constexpr double kRoundOff = 1e-12;
   const double beside = kRoundOff * frame_.length;
   for (std::size_t j = 0; j < placed.size(); ++j) {
@@ -127,7 +129,7 @@ bool Equilibrium::acts_across_plane(const std::vector<PlacedJoint>& placed,
 
 void Equilibrium::solve_out_of_plane(Solution& solution,
                                      const std::vector<PlacedJoint>& placed,
-                                     std::vector<Twist> required) const {
+                                     std::vector<SpatialForce> required) const {
   // what the reactions and drives in the plane already do across it
   std::vector<Vector3d> forces(placed.size());
   for (std::size_t j = 0; j < placed.size(); ++j) {
@@ -145,8 +147,8 @@ void Equilibrium::solve_out_of_plane(Solution& solution,
   for (std::size_t j = 0; j < placed.size(); ++j) {
     const Vector3d& f = forces[j];
     const Vector3d& t = solution.joints[j].t_W;
-    Twist& on_a = required[index(frame_.joints[j].a)];
-    Twist& on_b = required[index(frame_.joints[j].b)];
+    SpatialForce& on_a = required[index(frame_.joints[j].a)];
+    SpatialForce& on_b = required[index(frame_.joints[j].b)];
     on_b.v -= f;
     on_b.w -= t + placed[j].r_b.cross(f);
     on_a.v += f;
@@ -165,7 +167,7 @@ void Equilibrium::solve_out_of_plane(Solution& solution,
 
 std::optional<Equilibrium::Solution> Equilibrium::solve_in_space(
     const std::vector<PlacedJoint>& placed,
-    const std::vector<Twist>& required) const {
+    const std::vector<SpatialForce>& required) const {
   constexpr double kInBalance = 1e-9;
   const VectorXd f = in_space_.wrench_vector(required);
   const MatrixXd J = in_space_.jacobian(placed);
@@ -205,9 +207,9 @@ void Equilibrium::add_efforts(Solution& solution, const ConstraintSystem& rows,
 Equilibrium::Solution Equilibrium::solve(
     const Configuration& x, const std::vector<PlacedJoint>& placed,
     const numerics::JacobianFactor& factor, const std::vector<Twist>& twists,
-    const std::vector<Twist>& accelerations,
-    std::span<const Twist> applied) const {
-  const std::vector<Twist> required =
+    const std::vector<SpatialAcceleration>& accelerations,
+    std::span<const SpatialForce> applied) const {
+  const std::vector<SpatialForce> required =
       required_wrenches(x, twists, accelerations, applied);
   const bool across = frame_.planar && acts_across_plane(placed, required);
   const bool open = system_.rows() > factor.rank();
@@ -256,8 +258,9 @@ void Equilibrium::balance_nearly_dependent(
 
 std::optional<Equilibrium::Solution> Equilibrium::solve_compliant(
     const Configuration& x, const std::vector<PlacedJoint>& placed,
-    const std::vector<Twist>& twists, const std::vector<Twist>& accelerations,
-    std::span<const Twist> applied, const MatrixXd& held) const {
+    const std::vector<Twist>& twists,
+    const std::vector<SpatialAcceleration>& accelerations,
+    std::span<const SpatialForce> applied, const MatrixXd& held) const {
   const VectorXd f = system_.wrench_vector(
       required_wrenches(x, twists, accelerations, applied));
   const CompliantBalance balance =

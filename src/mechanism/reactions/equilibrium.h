@@ -33,26 +33,27 @@ class Equilibrium {
   Solution solve(const Configuration& x, const std::vector<PlacedJoint>& placed,
                  const numerics::JacobianFactor& factor,
                  const std::vector<Twist>& twists,
-                 const std::vector<Twist>& accelerations,
-                 std::span<const Twist> applied = {}) const;
+                 const std::vector<SpatialAcceleration>& accelerations,
+                 std::span<const SpatialForce> applied = {}) const;
 
   /// The same with joints that give way, of the system's own motions only.
   /// Nothing if no balance was found. @param held  columns of unknowns [m], see
   /// compliant_balance().
   std::optional<Solution> solve_compliant(
       const Configuration& x, const std::vector<PlacedJoint>& placed,
-      const std::vector<Twist>& twists, const std::vector<Twist>& accelerations,
-      std::span<const Twist> applied = {},
+      const std::vector<Twist>& twists,
+      const std::vector<SpatialAcceleration>& accelerations,
+      std::span<const SpatialForce> applied = {},
       const Eigen::MatrixXd& held = {}) const;
 
  private:
   Solution empty_solution(const std::vector<PlacedJoint>& placed) const;
   void add_efforts(Solution& solution, const ConstraintSystem& rows,
                    const Eigen::VectorXd& lambda) const;
-  std::vector<Twist> required_wrenches(const Configuration& x,
-                                       const std::vector<Twist>& twists,
-                                       const std::vector<Twist>& accelerations,
-                                       std::span<const Twist> applied) const;
+  std::vector<SpatialForce> required_wrenches(
+      const Configuration& x, const std::vector<Twist>& twists,
+      const std::vector<SpatialAcceleration>& accelerations,
+      std::span<const SpatialForce> applied) const;
   void balance_nearly_dependent(const std::vector<PlacedJoint>& placed,
                                 const Eigen::VectorXd& f,
                                 SharedReactions& shared) const;
@@ -61,16 +62,16 @@ class Equilibrium {
   /// Whether anything loads the parts across the plane of motion: loads with
   /// such components, or joints beside one another along its normal.
   bool acts_across_plane(const std::vector<PlacedJoint>& placed,
-                         const std::vector<Twist>& required) const;
+                         const std::vector<SpatialForce>& required) const;
   void solve_out_of_plane(Solution& solution,
                           const std::vector<PlacedJoint>& placed,
-                          std::vector<Twist> required) const;
+                          std::vector<SpatialForce> required) const;
   /// All reactions together, where the plane alone leaves some open and loads
   /// or joints lie beside it: how far these give way across the plane then
   /// shares those in it. Nothing if the joints do not hold the loads.
   std::optional<Solution> solve_in_space(
       const std::vector<PlacedJoint>& placed,
-      const std::vector<Twist>& required) const;
+      const std::vector<SpatialForce>& required) const;
   static void mark(Solution& solution, const SharedReactions& shared);
 
   struct Inertia {

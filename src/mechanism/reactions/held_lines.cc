@@ -17,7 +17,7 @@ std::vector<std::size_t> held_lines(const ForceModel& forces) {
   std::vector<std::size_t> held;
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const int mode = forces.element(k).modes[0];
-    if (forces.is_dry(k) && (mode == 0 || std::abs(mode) >= 2)) {
+    if (forces.element(k).is_dry() && (mode == 0 || std::abs(mode) >= 2)) {
       held.push_back(k);
     }
   }
@@ -27,15 +27,16 @@ std::vector<std::size_t> held_lines(const ForceModel& forces) {
 /// Rows of the joints and drives, then of the lines.
 MatrixXd all_rows(const ConstraintSystem& system,
                   const std::vector<PlacedJoint>& placed,
-                  const ForceModel& forces,
+                  const ForceModel& forces, const ForceState& acting,
                   const std::vector<std::size_t>& held, std::size_t slots) {
   MatrixXd J(system.rows() + static_cast<Index>(held.size()), system.columns());
   J.topRows(system.rows()) = system.jacobian(placed);
   for (std::size_t i = 0; i < held.size(); ++i) {
     const ActingElement& e = forces.element(held[i]);
-    std::vector<Twist> levers(slots);
-    levers[static_cast<std::size_t>(e.line.a)] = e.levers.a;
-    levers[static_cast<std::size_t>(e.line.b)] = e.levers.b;
+    const PlacedJoint::Levers& along = acting.elements[held[i]].levers;
+    std::vector<SpatialForce> levers(slots);
+    levers[static_cast<std::size_t>(e.line.a)] = along.a;
+    levers[static_cast<std::size_t>(e.line.b)] = along.b;
     J.row(system.rows() + static_cast<Index>(i)) =
         system.scale(e.row) * system.wrench_vector(levers);
   }
@@ -64,12 +65,13 @@ void mark_what_friction_leaves_open(const SolvingFrame& frame,
                                     const ConstraintSystem& system,
                                     const std::vector<PlacedJoint>& placed,
                                     const ForceModel& forces,
+                                    const ForceState& acting,
                                     Instant& instant) {
   const std::vector<std::size_t> held = held_lines(forces);
   if (held.empty()) return;
   numerics::JacobianFactor factor;
   factor.compute(
-      all_rows(system, placed, forces, held, frame.placement.size()));
+      all_rows(system, placed, forces, acting, held, frame.placement.size()));
   const MatrixXd N = factor.left_null_space();
   if (N.cols() == 0) return;
   for (std::size_t i = 0; i < held.size(); ++i) {

@@ -16,6 +16,7 @@ namespace clevis::mechanism {
 void mark_what_friction_leaves_open(const SolvingFrame& frame,
                                     const ConstraintSystem& system,
                                     const std::vector<PlacedJoint>& placed,
-                                    const ForceModel& forces, Instant& instant);
+                                    const ForceModel& forces,
+                                    const ForceState& acting, Instant& instant);
 
 }  // namespace clevis::mechanism

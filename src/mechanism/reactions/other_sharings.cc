@@ -213,8 +213,8 @@ struct OtherSharings::Solver {
   }
 
   /// Wrenches of force elements about the points M, by slot.
-  std::vector<Twist> applied(const Instant& instant,
-                             const Configuration& x) const {
+  std::vector<SpatialForce> applied(const Instant& instant,
+                                    const Configuration& x) const {
     std::vector<Twist> result(x.size());
     const auto R_PW = frame.R_WP.transpose();
     for (const ElementState& element : instant.elements) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "mechanism/forces/given_efforts.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -15,12 +16,12 @@ constexpr double kSettled = 1e-13;  // of the largest effort
 }  // namespace
 
 Equilibrium::Solution balance_with_friction(
-    ForceModel& forces, std::size_t slots,
+    const ForceModel& forces, ForceState& acting, std::size_t slots,
     const std::function<Equilibrium::Solution(std::span<const Twist>)>&
         balance) {
   constexpr int kMost = 300;
-  std::vector<Twist> applied(slots);
-  forces.add_to(applied);
+  std::vector<SpatialForce> applied(slots);
+  forces.add_to(acting, applied);
   Equilibrium::Solution solution = balance(applied);
   for (int i = 0; i < kMost; ++i) {
     double change = 0.0, largest = 0.0;
@@ -28,16 +29,17 @@ Equilibrium::Solution balance_with_friction(
       const int joint = forces.element(k).followed_joint();
       if (joint < 0) continue;
       const auto& reaction = solution.joints[static_cast<std::size_t>(joint)];
-      const double before = forces.element(k).load;
-      forces.set_load(k, reaction.components().head<2>().norm());
-      const double load = forces.element(k).load;
+      ElementResponse& element = acting.elements[k];
+      const double before = element.load;
+      const double load = reaction.components().head<2>().norm();
+      give_load(forces.element(k), load, element);
       change = std::max(change, std::abs(load - before));
       largest = std::max(largest, load);
     }
     if (!std::isfinite(largest)) break;
     if (change <= kSettled * largest) return solution;
     std::ranges::fill(applied, Twist{});
-    forces.add_to(applied);
+    forces.add_to(acting, applied);
     solution = balance(applied);
   }
   throw Error("K011", "mechanism",
@@ -51,7 +53,8 @@ namespace {
 
 bool some_friction_rests(const ForceModel& forces) {
   for (std::size_t k = 0; k < forces.size(); ++k) {
-    if (forces.is_dry(k) && std::abs(forces.element(k).modes[0]) != 1) {
+    if (forces.element(k).is_dry() &&
+        std::abs(forces.element(k).modes[0]) != 1) {
       return true;
     }
   }
@@ -71,12 +74,13 @@ bool is_open(const ActingElement& element,
 /// Whether friction at rest holds more than the reaction lets it, as the
 /// compliances share that.
 bool exceeds_its_most(const ActingElement& element,
+                      const ElementResponse& acting,
                       const std::vector<JointReaction>& joints) {
   constexpr double kMargin = 1e-6;
   const auto j = static_cast<std::size_t>(element.followed_joint());
   const double load = joints[j].components().head<2>().norm();
   const double most = element.breakaway_per_load() * load;
-  return std::abs(element.effort) > (1.0 + kMargin) * most;
+  return std::abs(acting.effort) > (1.0 + kMargin) * most;
 }
 
 [[noreturn]] void refuse_open_load(const MechanismDefinition& definition,
@@ -99,14 +103,15 @@ bool exceeds_its_most(const ActingElement& element,
 }  // namespace
 
 void require_unique_loads(const MechanismDefinition& definition,
-                          const ForceModel& forces,
+                          const ForceModel& forces, const ForceState& acting,
                           const std::vector<JointReaction>& joints) {
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const ActingElement& element = forces.element(k);
     if (!is_open(element, joints)) continue;
     const bool slides = std::abs(element.modes[0]) == 1;
     const bool fails =
-        slides || (element.is_dry() && exceeds_its_most(element, joints));
+        slides || (element.is_dry() &&
+                   exceeds_its_most(element, acting.elements[k], joints));
     if (fails) refuse_open_load(definition, forces, k);
   }
 }

@@ -11,10 +11,11 @@ namespace clevis::mechanism {
 
 /// Reactions and the friction that is proportional to them, at known
 /// accelerations, by iteration.
+/// @param acting  given the loads and efforts.
 /// @param balance  reactions under wrenches about M by slot.
 /// @throws Error K011 if the friction does not settle.
 Equilibrium::Solution balance_with_friction(
-    ForceModel& forces, std::size_t slots,
+    const ForceModel& forces, ForceState& acting, std::size_t slots,
     const std::function<Equilibrium::Solution(std::span<const Twist>)>&
         balance);
 
@@ -22,7 +23,7 @@ Equilibrium::Solution balance_with_friction(
 ///   open and slides, or holds more than that lets it. @param joints  of an
 ///   instant.
 void require_unique_loads(const MechanismDefinition& definition,
-                          const ForceModel& forces,
+                          const ForceModel& forces, const ForceState& acting,
                           const std::vector<JointReaction>& joints);
 
 /// @throws Error K011 if any friction follows such a reaction: for where a

@@ -41,7 +41,7 @@ class Collector {
 
   void element(const ForceElement& element) {
     const ElementProperties given = properties(element);
-    for (const double t : given.bends) add(t, times_.bends);
+    for (const double t : given.breakpoints) add(t, times_.breakpoints);
     for (const double t : given.steps) step(t);
     if (given.reference != nullptr) drive(*given.reference);
     for (const numerics::CubicSpline* path : given.paths) spline(*path, 0.0);
@@ -111,10 +111,11 @@ LawTimes law_times(const MechanismDefinition& definition, double duration,
   for (const ForceElement& element : definition.elements) {
     collector.element(element);
   }
-  for (auto* each : {&times.steps, &times.bends, &times.knots, &times.looks}) {
+  for (auto* each :
+       {&times.steps, &times.breakpoints, &times.knots, &times.looks}) {
     sort_once(*each);
   }
-  for (auto* each : {&times.bends, &times.knots, &times.looks}) {
+  for (auto* each : {&times.breakpoints, &times.knots, &times.looks}) {
     std::erase_if(*each, [&times](double t) {
       return std::ranges::binary_search(times.steps, t);
     });
@@ -125,7 +126,7 @@ LawTimes law_times(const MechanismDefinition& definition, double duration,
 std::vector<double> instants_of_laws(const LawTimes& times, double duration) {
   constexpr std::size_t kCrowd = 1000;  // bends: the largest loads then choose
   std::vector<double> instants;
-  if (times.bends.size() <= kCrowd) instants = times.bends;
+  if (times.breakpoints.size() <= kCrowd) instants = times.breakpoints;
   const double side = 0.5 * kSides * duration;
   for (const double t : times.steps) {
     if (t <= 2.0 * side || t >= duration - 2.0 * side) continue;

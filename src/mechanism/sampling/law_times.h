@@ -12,7 +12,7 @@ struct LawTimes {
   /// Loads may jump there: a drive starts or ends, a table steps.
   std::vector<double> steps;
   /// Tables of forces bend there.
-  std::vector<double> bends;
+  std::vector<double> breakpoints;
   /// Splines change from one cubic to the next.
   std::vector<double> knots;
   /// Between them and all of the above no law turns back or changes its pace

@@ -44,16 +44,16 @@ LoadList::LoadList(const Instant& instant)
 }
 
 void LoadList::get(const ConstraintSystem& system, const VectorXd& multipliers,
-                   const ForceModel& forces, VectorXd& values) const {
+                   const ForceState& acting, VectorXd& values) const {
   values.resize(size());
   Index at = 0;
   for (; at < system.rows(); ++at) {
     values[at] = system.multiplier(
         system.row_list()[static_cast<std::size_t>(at)], multipliers[at]);
   }
-  for (std::size_t k = 0; k < forces.size(); ++k) {
-    values[at++] = forces.element(k).effort;
-    values[at++] = forces.element(k).friction;
+  for (const ElementResponse& element : acting.elements) {
+    values[at++] = element.effort;
+    values[at++] = element.friction;
   }
 }
 

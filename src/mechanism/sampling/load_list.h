@@ -35,7 +35,7 @@ class LoadList {
   /// Allocates nothing. @param multipliers  scaled, of the system's rows.
   /// @param forces  evaluated.
   void get(const ConstraintSystem& system, const Eigen::VectorXd& multipliers,
-           const ForceModel& forces, Eigen::VectorXd& values) const;
+           const ForceState& acting, Eigen::VectorXd& values) const;
   void get(const Instant& instant, Eigen::VectorXd& values) const;
   /// Squares of the vectors' lengths [N²] or [N² m²].
   void squares(const Eigen::VectorXd& values, Eigen::VectorXd& squares) const;

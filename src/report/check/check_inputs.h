@@ -9,7 +9,7 @@
 
 namespace clevis::report {
 
-/// What the result of a check depends on: equal for two checks that must give
+/// Inputs of the result of a check: equal for two checks that must give
 /// the same numbers.
 struct CheckInputs {
   std::string version;  ///< of clevis

@@ -36,7 +36,7 @@ struct CheckReport {
   std::vector<assessment::PartResult> parts;
   std::vector<PartFailure> failures;
   std::vector<BearingReport> bearings;
-  /// What the user allows, by part; a part without limits may be absent.
+  /// Limits of the user, by part; a part without limits may be absent.
   std::map<std::string, part::Limits> limits;
   /// False if parts are missing because the user interrupted the check.
   bool complete = true;
@@ -48,7 +48,7 @@ struct CheckReport {
 /// not be computed or was not reached; else pass.
 part::Verdict overall_verdict(const CheckReport& report);
 
-/// What the process returns: that of the first failure if there is one, else
+/// Exit code of the process: that of the first failure if there is one, else
 /// by the overall verdict.
 ExitCode exit_code(const CheckReport& report);
 

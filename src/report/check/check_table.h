@@ -7,7 +7,7 @@
 
 namespace clevis::report {
 
-/// What `clevis check` prints: one line per part, below it the reasons of a
+/// Table of `clevis check`: one line per part, below it the reasons of a
 /// verdict or of a ratio that needs one, last the overall verdict.
 std::string check_table(const CheckReport& report, Colour colour);
 

@@ -7,7 +7,7 @@
 
 namespace clevis::report {
 
-/// What moved, one line per quantity, and a line on what did not.
+/// Moved quantities, a line each, and a line on the others.
 std::string comparison_table(const Comparison& comparison, Colour colour);
 
 /// One JSON document (docs/results.md) with what comparison_table() tells.

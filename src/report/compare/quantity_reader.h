@@ -8,7 +8,7 @@
 
 namespace clevis::report {
 
-/// What stands at a row's key; absent where it may lack and does.
+/// Value at a row's key; absent where it may lack and does.
 /// @param may_lack  as of the row; what was added later may, too.
 /// @param node  the subject's.
 /// @throws Error I003 if it is not of the row's kind, or lacks and may not.
@@ -16,7 +16,7 @@ std::optional<ResultValue> stored_value(const QuantityRow& row,
                                         QuantityKind kind, bool may_lack,
                                         const JsonNode& node);
 
-/// What `compare` looks at of a subject, by its rows.
+/// Quantities of a subject for `compare`, by its rows.
 /// @throws Error I003.
 template <class Of>
 Subject stored_subject(std::string name, const Quantities<Of>& rows,

@@ -15,7 +15,7 @@ struct ToleranceRule {
   std::string subjects;  ///< "part, impact": whose quantity it is
   Tolerance tolerance;
   std::string_view reason;
-  /// What was added later a baseline may be too old for: that is told, and is
+  /// A later addition, which an old baseline may lack: that is told, and is
   /// no regression.
   Since since = Since::kSchema;
 };

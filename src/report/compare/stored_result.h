@@ -19,7 +19,7 @@ struct Subject {
   std::map<std::string, ResultValue, std::less<>> values;
 };
 
-/// What `clevis compare` looks at in a result.json or transmission.json.
+/// Quantities of a result.json or transmission.json for `clevis compare`.
 struct StoredResult {
   std::filesystem::path file;
   std::string scene, version;

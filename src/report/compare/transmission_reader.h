@@ -7,8 +7,8 @@
 
 namespace clevis::report {
 
-/// What `clevis compare` looks at in a transmission.json: each transmission and
-/// each of its elements. @throws Error I003.
+/// Quantities of a transmission.json for `clevis compare`: each transmission
+/// and each of its elements. @throws Error I003.
 std::vector<Subject> transmission_subjects(const JsonNode& document);
 
 }  // namespace clevis::report

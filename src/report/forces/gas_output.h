@@ -23,7 +23,7 @@ void add_interface_titles(std::string& text,
 std::array<double, 5> interface_values(
     const mechanism::GasInterface& interface);
 
-/// What the steps of the communication did to the energy.
+/// Energy error of the communication's steps.
 nlohmann::ordered_json interface_summary_json(
     const mechanism::Motion& motion, std::size_t element,
     const mechanism::ForceElement& force);

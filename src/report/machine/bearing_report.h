@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "machine/bearing.h"
+#include "machine/bearings/bearing.h"
 
 namespace clevis::report {
 

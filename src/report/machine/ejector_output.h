@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "beam/ejector.h"
+#include "beam/estimates/ejector.h"
 #include "report/text/terminal.h"
 
 namespace clevis::report {

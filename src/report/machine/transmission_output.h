@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "machine/transmission.h"
+#include "machine/transmissions/transmission.h"
 #include "report/text/terminal.h"
 
 namespace clevis::report {

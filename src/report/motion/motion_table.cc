@@ -166,7 +166,7 @@ std::string reactions_text(const MotionReport& report,
   return table.text(colour);
 }
 
-/// What redundancy leaves to the joints' compliance.
+/// Reactions that redundancy leaves to the joints' compliance.
 std::string open_components_text(const MechanismSummary& summary,
                                  Colour colour) {
   TextTable table({{"left open by equilibrium"},

@@ -7,7 +7,7 @@
 
 namespace clevis::report {
 
-/// What `clevis simulate` prints: structure, quality of the motion, peak
+/// Table of `clevis simulate`: structure, quality of the motion, peak
 /// reactions, drives, paths of the markers, closed form.
 std::string motion_table(const MotionReport& report, Colour colour);
 

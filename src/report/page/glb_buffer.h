@@ -11,7 +11,7 @@ namespace clevis::report {
 /// The binary part of a glTF file, and what its JSON says of it.
 class GlbBuffer {
  public:
-  /// What an accessor is used for: glTF's bufferView targets.
+  /// Use of an accessor: glTF's bufferView targets.
   enum class Use { kAnimation = 0, kVertices = 34962, kIndices = 34963 };
 
   /// Adds numbers as an accessor. @param type  "SCALAR", "VEC3" …

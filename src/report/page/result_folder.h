@@ -16,7 +16,7 @@ struct StoredPage {
   std::vector<std::string> parts;  ///< view/part_NAME.json, in their order
 };
 
-/// What stands in the folder; of both the check.
+/// Kind of result in the folder; of both the check.
 /// @throws Error I001 if it is not there, I008 if neither is in it.
 ResultKind result_kind(const std::filesystem::path& folder);
 

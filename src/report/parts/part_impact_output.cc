@@ -97,7 +97,7 @@ std::string later_peaks_of(const ImpactResult& impact) {
                          : "");
 }
 
-/// What the free swing may come to, over the judged value; 0: no more.
+/// Largest free vibration over the judged value; 0: no more.
 double free_vibration_over(const std::optional<double>& vibration,
                            double later) {
   constexpr double kMore = 1.02;
@@ -174,7 +174,7 @@ std::string duration_ratios_text(const PartResult& part) {
   return text;
 }
 
-/// What vibration makes of the peak.
+/// Peak under vibration.
 std::string vibration_text(const PartResult& part) {
   const assessment::VibrationResult& v = part.vibration;
   if (!v.failure.empty()) {

@@ -26,7 +26,7 @@ constexpr Rule like_beam_stress(double absolute) {
   return {compare_within(5e-4, absolute), "as beam_stress"};
 }
 
-/// What decides where a singular zone governs.
+/// Deciding measure where a singular zone governs.
 void add_outside_peak(Quantities<PartResult>& rows) {
   const std::string key = "/peak_outside_singular_zones";
   const auto of = [](double PeakStress::*member) {
@@ -133,7 +133,7 @@ Quantities<PartSeconds> second_rows() {
   };
 }
 
-/// What the part is, and its verdict.
+/// Identity of the part, and its verdict.
 Quantities<PartResult> head_rows() {
   using S = PartResult;
   const auto verdict = [](const S& part) {
@@ -157,7 +157,7 @@ Quantities<PartResult> head_rows() {
   };
 }
 
-/// What follows from the displacements.
+/// Quantities that follow from the displacements.
 Quantities<PartResult> answer_rows() {
   using S = PartResult;
   return {

@@ -6,7 +6,7 @@
 
 namespace clevis::report {
 
-/// What becomes of keys without a value.
+/// Treatment of keys without a value.
 enum class Unknown {
   kNull,     ///< null; an object or list of nothing else as a whole
   kLeftOut,  ///< no key

@@ -27,7 +27,7 @@ std::vector<NamedImpact> named_impacts(
 /// Table of the hardest; empty without any.
 std::string impacts_text(const std::vector<NamedImpact>& impacts,
                          Colour colour);
-/// What cannot give way has no mass, what still presses no duration: null.
+/// Immovable parts have no mass, contacts that still press no duration: null.
 nlohmann::ordered_json impacts_json(const std::vector<NamedImpact>& impacts);
 std::string impacts_csv(const std::vector<NamedImpact>& impacts);
 

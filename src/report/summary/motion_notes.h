@@ -8,7 +8,7 @@
 
 namespace clevis::report {
 
-/// What a reader must know of how a motion came about, one sentence each:
+/// Notes on how a motion came about, one sentence each:
 /// freedom that no drive fixes and that was integrated, from which start;
 /// bodies that assembly moved far from their placement, or that had none; a
 /// search for the largest loads that did not come to its end.

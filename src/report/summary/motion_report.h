@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "machine/slide_lever_closed_form.h"
+#include "machine/devices/slide_lever_closed_form.h"
 #include "mechanism/definition/definition.h"
 #include "mechanism/definition/motion.h"
 #include "mechanism/structure/structure.h"

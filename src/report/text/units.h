@@ -2,7 +2,8 @@
 
 namespace clevis::report {
 
-// What people read. Powers of ten >= 1 are exact, so 0.14 m becomes 140 mm.
+// Units that people read. Powers of ten >= 1 are exact, so 0.14 m becomes 140
+// mm.
 
 /// From [m], number or vector.
 template <typename Length>

@@ -15,7 +15,7 @@ struct Banded {
   double value{}, low{}, high{};
 };
 
-/// What a part of a variant is judged by.
+/// Measure that a part of a variant is judged by.
 struct VariantPart {
   std::string name;
   part::Verdict verdict{};
@@ -63,7 +63,7 @@ struct Collection {
 /// The value of a setting; "-" if the variant leaves it to the scene.
 std::string setting_of(const Variant& variant, const std::string& path);
 
-/// What the process returns, as of a check with the variants for parts: the
+/// Exit code of the process, as of a check with the variants for parts: the
 /// first refusal's code; else 1 if one fails, 4 if one is not judged or
 /// missing, 0 if all pass.
 ExitCode exit_code(const Collection& collection);

@@ -50,7 +50,7 @@ std::vector<double> abscissae(const Collection& collection,
   return numbers.size() == places.size() ? numbers : places;
 }
 
-/// What stands behind the number of the first value: its unit.
+/// Unit behind the number of the first value.
 std::string unit_of(const Collection& collection, const std::string& path) {
   for (const Variant& variant : collection.variants) {
     const std::string value = setting_of(variant, path);

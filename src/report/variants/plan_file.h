@@ -15,7 +15,7 @@ struct PlannedVariant {
   CheckInputs inputs;  ///< of its check, without version and meshes
 };
 
-/// What `clevis plan` leaves for `clevis collect`.
+/// Plan that `clevis plan` leaves for `clevis collect`.
 struct Plan {
   std::string scene;  ///< the scene's name
   std::filesystem::path file;

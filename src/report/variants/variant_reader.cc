@@ -34,8 +34,8 @@ Banded banded(const JsonNode& node, const char* value, const char* band,
   return {node.at(value).number() * unit, ends[0] * unit, ends[1] * unit};
 }
 
-/// What the part is judged by: its vibration where that governs, its peak away
-/// from singular zones where the limits leave them out.
+/// Measure that the part is judged by: its vibration where that governs, its
+/// peak away from singular zones where the limits leave them out.
 Banded judged_peak(const JsonNode& part) {
   if (part.has("vibration") && part.at("vibration").has("governs") &&
       part.at("vibration").at("governs").flag()) {

@@ -15,7 +15,7 @@ struct ViewInput {
   std::string role;  ///< "scene", "mesh of AB", "geometry of AB"
 };
 
-/// What pictures show beside the parts: the mechanism over its motion, and
+/// Content of pictures beside the parts: the mechanism over its motion, and
 /// what it was made from.
 struct MotionView {
   std::string version;                        ///< of clevis

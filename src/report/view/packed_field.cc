@@ -47,7 +47,7 @@ PackedField pack(Eigen::MatrixXd values, Eigen::Index first, double tolerance,
   while (next.error > tolerance && static_cast<int>(columns.size()) < most) {
     const bool is_small = !columns.empty() && next.error < kSmall * tolerance;
     const double scale = next.error / (is_small ? kLargest8 : kLargest16);
-    // What is stored, rounding and all, is what the rest is measured against.
+    // The rest is measured against the stored values, rounding and all.
     const VectorXd column = (values.col(next.instant) / scale).array().round();
     const Eigen::RowVectorXf row =
         ((column.transpose() * values) / (scale * column.squaredNorm()))

@@ -40,7 +40,7 @@ struct PartView {
   std::vector<ViewInstant> history;  ///< of all instants and cases
 };
 
-/// What `stress` and `displacement` may be off by, over the largest [1].
+/// Error of `stress` and `displacement`, over the largest [1].
 inline constexpr double kViewTolerance = 1e-3;
 
 /// One JSON document (docs/results.md, "The files of the report").

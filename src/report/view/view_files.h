@@ -9,7 +9,7 @@
 
 namespace clevis::report {
 
-/// What a folder is the result of.
+/// Origin of a folder's result.
 enum class ResultKind { kCheck, kSimulation };
 
 /// Folder of the files that only a report reads, in that of a result.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "mechanism/joints/joint_types.h"
 #include "scene/element_base/line_source.h"
 #include "scene/text/times.h"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "machine/bearing_history.h"
+#include "machine/bearings/bearing_history.h"
 #include "mechanism/joints/joint_types.h"
 #include "scene/text/names.h"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "machine/bearing.h"
+#include "machine/bearings/bearing.h"
 #include "mechanism/joints/joint_types.h"
 #include "scene/text/names.h"
 #include "scene/text/strict_table.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "machine/transmission.h"
+#include "machine/transmissions/transmission.h"
 #include "scene/text/strict_table.h"
 
 namespace clevis::scene {

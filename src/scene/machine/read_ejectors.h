@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "machine/ejector.h"
+#include "machine/devices/ejector.h"
 #include "part/part_definition.h"
 #include "scene/text/names.h"
 #include "scene/text/strict_table.h"

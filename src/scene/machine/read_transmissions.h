@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "machine/transmission.h"
+#include "machine/transmissions/transmission.h"
 #include "scene/text/names.h"
 #include "scene/text/strict_table.h"
 

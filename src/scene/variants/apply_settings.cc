@@ -32,7 +32,7 @@ std::string quoted(std::string_view text) {
   return result + '"';
 }
 
-/// What the value means: TOML if it is that, else a text.
+/// Value of a setting: TOML if it is that, else a text.
 toml::table value_table(const Setting& setting) {
   try {
     toml::table table = parsed(setting.value, setting.place);

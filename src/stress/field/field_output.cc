@@ -56,11 +56,11 @@ std::vector<PatchShape> patch_shapes(mesh::CellShape shape, int subdivisions) {
 /// von Mises, scalars, position; points × arrays.
 Eigen::MatrixXd cell_data(const InstantField& field, std::size_t cell,
                           const std::vector<ScalarField>& scalars,
-                          const Placement& placement) {
+                          const part::Pose& pose) {
   const auto n_scalars = static_cast<Index>(scalars.size());
   Eigen::MatrixXd data(field.points[cell].rows(), kFixedArrays + n_scalars + 3);
   data.leftCols<kDisplacement>() =
-      field.displacement[cell] * placement.rotation.transpose();
+      field.displacement[cell] * pose.R_WL.transpose();
   data.middleCols<6>(kDisplacement) = field.stress[cell];
   data.col(kFixedArrays - 1) = von_mises(field.stress[cell]);
   for (Index s = 0; s < n_scalars; ++s) {
@@ -68,9 +68,8 @@ Eigen::MatrixXd cell_data(const InstantField& field, std::size_t cell,
         scalars[static_cast<std::size_t>(s)].values.col(
             static_cast<Index>(cell));
   }
-  data.rightCols<3>() =
-      (field.points[cell] * placement.rotation.transpose()).rowwise() +
-      placement.origin.transpose();
+  data.rightCols<3>() = (field.points[cell] * pose.R_WL.transpose()).rowwise() +
+                        pose.p_WL.transpose();
   return data;
 }
 
@@ -125,12 +124,12 @@ template <int dim>
 void write_vtu(std::ostream& out, mesh::CellShape shape,
                const InstantField& field,
                const std::vector<ScalarField>& scalars, CellOrder order,
-               const Placement& placement) {
+               const part::Pose& pose) {
   const auto shapes = patch_shapes<dim>(shape, field.subdivisions);
   std::vector<Patch<dim, 3>> patches;
   patches.reserve(field.points.size() * shapes.size());
   for (std::size_t c = 0; c < field.points.size(); ++c) {
-    const Eigen::MatrixXd data = cell_data(field, c, scalars, placement);
+    const Eigen::MatrixXd data = cell_data(field, c, scalars, pose);
     for (const PatchShape& part : shapes) {
       patches.push_back(make_patch<dim>(data, part, shape, field.subdivisions));
       patches.back().patch_index = static_cast<unsigned>(patches.size() - 1);
@@ -150,9 +149,9 @@ void write_vtu(std::ostream& out, mesh::CellShape shape,
 
 template void write_vtu<2>(std::ostream&, mesh::CellShape, const InstantField&,
                            const std::vector<ScalarField>&, CellOrder,
-                           const Placement&);
+                           const part::Pose&);
 template void write_vtu<3>(std::ostream&, mesh::CellShape, const InstantField&,
                            const std::vector<ScalarField>&, CellOrder,
-                           const Placement&);
+                           const part::Pose&);
 
 }  // namespace clevis::stress

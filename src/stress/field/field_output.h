@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "mesh/cells/part_mesh.h"
+#include "part/pose.h"
 #include "stress/field/stress_history.h"
 
 namespace clevis::stress {
@@ -22,21 +23,15 @@ enum class CellOrder {
   kLinear,    ///< the lattice as linear sub-cells, for readers without them
 };
 
-/// Rigid placement of the part in the file's frame.
-struct Placement {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< [m]
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-};
-
 /// Writes displacement (m), stress_xx … stress_xz and von_mises (Pa) of an
 /// instant with extra scalars as VTU, in SI; units stand at each array.
-/// Displacement is turned with the placement, stresses stay in frame L.
+/// Displacement is turned with the part, stresses stay in frame L.
 /// Repeatable: no date, fixed compression.
 /// @param dim  of the cells (2: a plate's mid-plane in space).
 template <int dim>
 void write_vtu(std::ostream& out, mesh::CellShape shape,
                const InstantField& field,
                const std::vector<ScalarField>& scalars, CellOrder order,
-               const Placement& placement = {});
+               const part::Pose& pose = {});
 
 }  // namespace clevis::stress

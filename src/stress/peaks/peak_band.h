@@ -12,7 +12,7 @@ struct SequenceValue {
 
 enum class Convergence { kConverged, kSingular, kNotConverged };
 
-/// What the sequence says of the exact value.
+/// Estimate of the exact value by the sequence.
 struct Band {
   double value{};  ///< of the highest degree
   double low{}, high{};
@@ -38,7 +38,7 @@ struct LocalValues {
   double value{};   ///< of the degree that was solved for
   double finer{};   ///< nearby two degrees higher
   double finest{};  ///< nearby three degrees higher
-  /// What other places are off, e.g. the peak of which this is not one.
+  /// Error of other places, e.g. the peak of which this is not one.
   double elsewhere = 0.0;
 };
 

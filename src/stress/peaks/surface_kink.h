@@ -8,7 +8,7 @@
 
 namespace clevis::stress {
 
-/// What the mesh makes of a curved surface that it does not follow exactly:
+/// Error of the mesh on a curved surface that it does not follow exactly:
 /// the largest product of the angle between neighbouring faces of the boundary
 /// along their common edge, where it is below 20° everywhere, and of the stress
 /// that flows across the edge [Pa]. Other edges are edges of the part.

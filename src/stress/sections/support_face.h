@@ -8,13 +8,13 @@
 #include <Eigen/Core>
 
 #include "elasticity/problem/displacement_basis.h"
-#include "loads/load_history.h"
+#include "loads/history/load_history.h"
 #include "part/material.h"
 #include "part/supports.h"
 
 namespace clevis::stress {
 
-/// What a support does to a part at a plane piece of its faces, per instant.
+/// Reaction of a support on a plane piece of a part's faces, per instant.
 struct SupportFace {
   std::string name;                 ///< of its group, or groups
   std::vector<std::string> groups;  ///< whose faces it has

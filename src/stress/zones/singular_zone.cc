@@ -34,7 +34,7 @@ constexpr double kSkewRoller = 15.0;  // degrees
 constexpr double kRadiusOfWay = 0.5;
 constexpr double kNearlyWhole = 355.0 / 180.0 * kPi;  // a crack
 
-/// What holds a side: in the plane across the corner and along its axis.
+/// Support of a side: in the plane across the corner and along its axis.
 struct HeldSide {
   WedgeSide wedge;
   bool along_axis{};

@@ -4,7 +4,7 @@
 
 namespace clevis::stress {
 
-/// What holds one straight side of a wedge: nothing, both components, or one
+/// Support of one straight side of a wedge: nothing, both components, or one
 /// of them, the tangential one left free of traction across it.
 struct WedgeSide {
   enum class Hold { kNothing, kOneDirection, kBoth };

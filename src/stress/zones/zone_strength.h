@@ -14,7 +14,7 @@ namespace clevis::stress {
 std::vector<std::vector<int>> rings_of(const mesh::GradedMesh& graded,
                                        std::size_t vertex);
 
-/// What the solved field does at a singular vertex.
+/// Behaviour of the solved field at a singular vertex.
 struct ZoneStrength {
   /// λ from the energies of the rings; 1 where the stress is even.
   double exponent = 1.0;

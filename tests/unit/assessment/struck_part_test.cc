@@ -8,7 +8,7 @@
 #include "assessment/impact/impact_check.h"
 #include "assessment/part_check.h"
 #include "base/errors.h"
-#include "dynamics/strike.h"
+#include "dynamics/strike/strike.h"
 #include "part/verdict.h"
 #include "support/damped_blow.h"
 #include "support/dense_system.h"

@@ -7,9 +7,9 @@
 
 #include <Eigen/Core>
 
-#include "beam/part_model.h"
-#include "loads/load_history.h"
-#include "loads/part_loads.h"
+#include "beam/sections/part_model.h"
+#include "loads/history/load_history.h"
+#include "loads/parts/part_loads.h"
 #include "part/mass_properties.h"
 #include "part/material.h"
 

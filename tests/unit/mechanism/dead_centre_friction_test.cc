@@ -6,6 +6,7 @@
 
 #include "mechanism/dynamic_state/centre_frame.h"
 #include "mechanism/events/stick_slip.h"
+#include "mechanism/forces/element_modes.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 
@@ -303,12 +304,13 @@ TEST(DeadCentreFriction, LineAgainstItsModeIsFound) {
   y[equations.layout().velocity_index()] = -0.3;
   StickSlip(dynamics).choose_modes(0.0, y);
   dynamics.note_speed(y);
-  equations.evaluate_forces(0.0, y);
-  EXPECT_EQ(equations.forces().element(0).modes[0], -1);
-  EXPECT_EQ(equations.forces().line_against_its_mode(), 1u);  // none
+  const ForceState& acting = equations.evaluate_forces(0.0, y).loads.forces;
+  ForceModel& forces = equations.forces();
+  EXPECT_EQ(forces.element(0).modes[0], -1);
+  EXPECT_EQ(line_against_its_mode(forces, acting), 1u);  // none
   for (const int wrong : {0, 1}) {
-    equations.forces().set_mode(0, wrong);
-    EXPECT_EQ(equations.forces().line_against_its_mode(), 0u) << wrong;
+    forces.element(0).modes[0] = wrong;
+    EXPECT_EQ(line_against_its_mode(forces, acting), 0u) << wrong;
   }
 }
 

@@ -28,13 +28,13 @@ Sample sample() {
 }
 
 std::string vtu(const InstantField& field, CellOrder order,
-                const Placement& placement = {},
+                const part::Pose& pose = {},
                 mesh::CellShape shape = mesh::CellShape::kTensor) {
   ScalarField worst{"worst_von_mises", "Pa", {}};
   worst.values = Eigen::MatrixXd::Ones(
       field.points[0].rows(), static_cast<Eigen::Index>(field.points.size()));
   std::ostringstream out;
-  write_vtu<3>(out, shape, field, {worst}, order, placement);
+  write_vtu<3>(out, shape, field, {worst}, order, pose);
   return out.str();
 }
 
@@ -120,9 +120,9 @@ TEST(FieldOutput, SameBytesTwice) {
   const Sample s = sample();
   EXPECT_EQ(vtu(s.field, CellOrder::kLagrange),
             vtu(s.field, CellOrder::kLagrange));
-  Placement placement;
-  placement.origin.x() = 1.0;
-  EXPECT_NE(vtu(s.field, CellOrder::kLagrange, placement),
+  part::Pose pose;
+  pose.p_WL.x() = 1.0;
+  EXPECT_NE(vtu(s.field, CellOrder::kLagrange, pose),
             vtu(s.field, CellOrder::kLagrange));
 }
 

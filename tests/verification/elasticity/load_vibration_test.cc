@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dynamics/load_answer.h"
+#include "dynamics/load_vibration/load_answer.h"
 #include "stress/zones/zone_mask.h"
 #include "support/structured_mesh.h"
 

@@ -205,7 +205,7 @@ struct Pulled {
 TEST(EventFinder, LooksAtWhatRestsByThePeriodOfItsDrive) {
   const Pulled pulled(10.0);
   Sliders pair(pulled.m);
-  pair.forces().set_mode(1, 0);
+  pair.forces().element(1).modes[0] = 0;
   const auto event = pair.find(0.0, 1.0, pulled.path);
   EXPECT_EQ(event.index, 2);  // of the second element
   const double angle =
@@ -216,7 +216,7 @@ TEST(EventFinder, LooksAtWhatRestsByThePeriodOfItsDrive) {
 TEST(EventFinder, RefusesMorePeriodsThanItCanLookAt) {
   const Pulled pulled(1e9);
   Sliders pair(pulled.m);
-  pair.forces().set_mode(1, 0);
+  pair.forces().element(1).modes[0] = 0;
   try {
     pair.find(0.0, 10.0, [](double) {
       return std::vector{0.0, 0.0};

@@ -52,7 +52,7 @@ struct Chosen {
     return equations.forces().element(k).modes[0];
   }
   double effort(std::size_t k) const {
-    return equations.forces().element(k).effort;
+    return equations.state().loads.forces.elements[k].effort;
   }
   /// Of the first slider [m/s²].
   double acceleration() const {

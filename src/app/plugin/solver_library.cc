@@ -1,0 +1,89 @@
+#include "app/plugin/solver_library.h"
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+
+#include <dlfcn.h>
+
+#include "app/request/options.h"
+#include "app/solving/plugin_entries.h"
+#include "base/errors.h"
+
+namespace clevis::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Beside the executable in the build tree, in lib/clevis when installed.
+fs::path plugin_path() {
+  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path beside = folder / kCheckPlugin;
+  return fs::exists(beside)
+             ? beside
+             : folder.parent_path() / "lib/clevis" / kCheckPlugin;
+}
+
+/// Takes effect when the library loads.
+void set_up_blas() {
+  // Parts run in processes of their own; BLAS threads on top would only get
+  // in their way and change the order of sums.
+  setenv("OPENBLAS_NUM_THREADS", "1", 1);
+  setenv("OMP_NUM_THREADS", "1", 1);
+#if defined(__x86_64__)
+  // OpenBLAS 0.3.21 takes processors younger than itself for Haswell, which
+  // halves the speed of those with AVX-512.
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw") &&
+      __builtin_cpu_supports("avx512vl") &&
+      __builtin_cpu_supports("avx512cd")) {
+    setenv("OPENBLAS_CORETYPE", "SkylakeX", 0);
+  }
+#endif
+}
+
+void* plugin_handle(const fs::path& path) {
+  set_up_blas();
+  // An interrupt while the library loads waits for its InterruptGuard.
+  sigset_t interrupts;
+  sigemptyset(&interrupts);
+  sigaddset(&interrupts, SIGINT);
+  sigaddset(&interrupts, SIGTERM);
+  sigprocmask(SIG_BLOCK, &interrupts, nullptr);
+  void* plugin = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (plugin == nullptr) {
+    throw Error("I001", path.string(), dlerror(),
+                "Reinstall clevis: this library belongs to it.");
+  }
+  return plugin;
+}
+
+/// Loads the library and finds a function of it.
+void* plugin_entry(const char* entry_name) {
+  const fs::path path = plugin_path();
+  void* entry = dlsym(plugin_handle(path), entry_name);
+  if (entry == nullptr) {
+    throw Error("X001", path.string(), dlerror(),
+                "The executable and its library are of different versions.");
+  }
+  return entry;
+}
+
+}  // namespace
+
+fs::path load_plugin() {
+  const fs::path path = plugin_path();
+  plugin_handle(path);
+  return path;
+}
+
+ExitCode run_in_plugin(const char* entry_name, const Options& options) {
+  return reinterpret_cast<PluginEntry*>(plugin_entry(entry_name))(options);
+}
+
+void add_link_compliances_by_plugin(scene::Scene& scene,
+                                    const Options& options) {
+  reinterpret_cast<LinkEntry*>(plugin_entry(kLinkEntryName))(scene, options);
+}
+
+}  // namespace clevis::app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "dynamics/load_vibration/load_path.h"
+
+namespace clevis::dynamics {
+
+/// A body's vibration about its quasi-static answer.
+struct LoadAnswer {
+  Eigen::VectorXd time;    ///< the path's instants and the others, rising [s]
+  Eigen::MatrixXd path;    ///< coordinates of the quasi-static answer × times
+  Eigen::MatrixXd added;   ///< of each mode, what vibration adds, × times
+  Eigen::VectorXd energy;  ///< Σ ½ (w'² + ω² w²): of the vibration [J]
+};
+
+/// Vibration of modes about the quasi-static answer u = U c(t).
+///
+/// M u'' + K u = f with K U c = f has u = U c + Φ w, and for M-orthonormal
+/// modes without rigid motion
+///     w'' + 2 ζ ω w' + ω² w = −x'' − 2 ζ ω x',   x = Φᵀ M U c.
+/// x is cubic between the instants, so each interval is solved exactly; where
+/// x jumps, w jumps the other way, for a body cannot. Before the first instant
+/// the load has changed slowly: w = w' = 0.
+///
+/// @param participation  Φᵀ M U, modes × coordinates of the path.
+/// @param squares        ω² > 0 [1/s²].
+/// @param damping        ζ of every mode, 0 <= ζ < 1 [1].
+/// @param others         times to be looked at besides, rising, within the
+///   path [s].
+LoadAnswer answer_to(const LoadPath& path, const Eigen::MatrixXd& participation,
+                     const Eigen::VectorXd& squares, double damping,
+                     const Eigen::VectorXd& others);
+
+}  // namespace clevis::dynamics

@@ -1,0 +1,106 @@
+#include "dynamics/load_vibration/load_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace clevis::dynamics {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Between secants a (over h_a) and b: their weighted harmonic mean, 0 at a
+/// turn.
+double inner_slope(double a, double h_a, double b, double h_b) {
+  if (!(a * b > 0.0)) return 0.0;
+  const double w_a = 2.0 * h_b + h_a, w_b = h_b + 2.0 * h_a;
+  return (w_a + w_b) / (w_a / a + w_b / b);
+}
+
+/// At the end of a piece, a the secant there: of the parabola through three
+/// points, kept so that the cubic stays between its ends.
+double outer_slope(double a, double h_a, double b, double h_b) {
+  const double slope = ((2.0 * h_a + h_b) * a - h_a * b) / (h_a + h_b);
+  if (!(slope * a > 0.0)) return 0.0;
+  return a * b <= 0.0 && std::abs(slope) > 3.0 * std::abs(a) ? 3.0 * a : slope;
+}
+
+}  // namespace
+
+LoadPath::LoadPath(VectorXd time, MatrixXd values, double jump)
+    : time_(std::move(time)), values_(std::move(values)), jump_(jump) {
+  const Index intervals = std::max<Index>(0, size() - 1);
+  start_ = end_ = MatrixXd::Zero(coordinates(), intervals);
+  Index first = 0;
+  for (Index i = 0; i <= intervals; ++i) {
+    if (i < intervals && !is_jump(i)) continue;
+    if (i > first) set_piece(first, i);
+    first = i + 1;
+  }
+}
+
+bool LoadPath::is_jump(Index i) const {
+  return time_[i + 1] - time_[i] <= jump_;
+}
+
+void LoadPath::set_piece(Index first, Index last) {
+  const auto width = [&](Index i) {
+    return time_[i + 1] - time_[i];
+  };
+  for (Index k = 0; k < coordinates(); ++k) {
+    const auto secant = [&](Index i) {
+      return (values_(k, i + 1) - values_(k, i)) / width(i);
+    };
+    if (last - first == 1) {
+      start_(k, first) = end_(k, first) = secant(first);
+      continue;
+    }
+    start_(k, first) = outer_slope(secant(first), width(first),
+                                   secant(first + 1), width(first + 1));
+    for (Index i = first; i + 1 < last; ++i) {
+      end_(k, i) = start_(k, i + 1) =
+          inner_slope(secant(i), width(i), secant(i + 1), width(i + 1));
+    }
+    end_(k, last - 1) = outer_slope(secant(last - 1), width(last - 1),
+                                    secant(last - 2), width(last - 2));
+  }
+}
+
+MatrixXd LoadPath::cubic(Index i) const {
+  MatrixXd a = MatrixXd::Zero(coordinates(), 3);
+  if (is_jump(i)) return a;
+  const double h = time_[i + 1] - time_[i];
+  const VectorXd secant = (values_.col(i + 1) - values_.col(i)) / h;
+  a.col(0) = start_.col(i);
+  a.col(1) = (3.0 * secant - 2.0 * start_.col(i) - end_.col(i)) / h;
+  a.col(2) = (start_.col(i) + end_.col(i) - 2.0 * secant) / (h * h);
+  return a;
+}
+
+LoadPath thinned(const LoadPath& path) {
+  std::vector<Index> kept;
+  double smallest = 0.0;
+  Index in_piece = 0;
+  for (Index i = 0; i < path.size(); ++i) {
+    const bool begins = i == 0 || path.is_jump(i - 1);
+    const bool ends = i + 1 == path.size() || path.is_jump(i);
+    in_piece = begins ? 0 : in_piece + 1;
+    if (begins || ends || in_piece % 2 == 0) kept.push_back(i);
+    if (i > 0 && path.is_jump(i - 1)) {
+      smallest = std::max(smallest, path.time()[i] - path.time()[i - 1]);
+    }
+  }
+  const auto n = static_cast<Index>(kept.size());
+  VectorXd time(n);
+  MatrixXd values(path.coordinates(), n);
+  for (Index i = 0; i < n; ++i) {
+    time[i] = path.time()[kept[static_cast<std::size_t>(i)]];
+    values.col(i) = path.values().col(kept[static_cast<std::size_t>(i)]);
+  }
+  return {std::move(time), std::move(values), smallest};
+}
+
+}  // namespace clevis::dynamics

@@ -1,0 +1,106 @@
+#include "dynamics/systems/eigenmodes.h"
+
+#include <algorithm>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "dynamics/systems/block_krylov.h"
+
+namespace clevis::dynamics {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Wider than any eigenvalue of a symmetric part is multiple.
+constexpr Index kBlock = 6;
+
+/// Of the residual: eigenvalues have its square, shapes itself.
+constexpr double kTolerance = 1e-9;
+
+/// The same numbers on every run and platform.
+MatrixXd start_block(Index rows, Index columns, unsigned seed) {
+  std::mt19937 random(seed);
+  MatrixXd block(rows, columns);
+  for (Index j = 0; j < columns; ++j) {
+    for (Index i = 0; i < rows; ++i) {
+      block(i, j) = static_cast<double>(random()) / 4294967296.0 - 0.5;
+    }
+  }
+  return block;
+}
+
+void check(const LinearSystem& system, const BlockOperator& solve, double shift,
+           const std::string& name, Modes& modes) {
+  constexpr double kResidual = 1e-7, kRayleigh = 1e-7;
+  const MatrixXd weighted = system.mass(modes.shapes);
+  const MatrixXd forces = system.stiffness(modes.shapes);
+  const VectorXd shifted = modes.squares.array() + shift;
+  const MatrixXd rest = solve(weighted) * shifted.asDiagonal() - modes.shapes;
+  modes.residual = rest.cwiseProduct(system.mass(rest))
+                       .colwise()
+                       .sum()
+                       .cwiseMax(0.0)
+                       .cwiseSqrt()
+                       .transpose();
+  const VectorXd quotient =
+      modes.shapes.cwiseProduct(forces).colwise().sum().transpose().array() /
+      modes.shapes.cwiseProduct(weighted).colwise().sum().transpose().array();
+  modes.rayleigh_error =
+      (quotient - modes.squares).cwiseAbs().cwiseQuotient(shifted);
+  if (modes.residual.maxCoeff() < kResidual &&
+      modes.rayleigh_error.maxCoeff() < kRayleigh) {
+    return;
+  }
+  throw Error(
+      "F003", name,
+      fmt::format("a mode does not satisfy its equation: residual "
+                  "{:.2g}, Rayleigh quotient off by {:.2g}",
+                  modes.residual.maxCoeff(), modes.rayleigh_error.maxCoeff()),
+      "Mesh the part without slivers, or ask for fewer modes.");
+}
+
+}  // namespace
+
+Modes lowest_modes(const LinearSystem& system, int count,
+                   const std::string& name) {
+  const MatrixXd rigid = mass_orthonormal(system, system.rigid);
+  const double shift = rigid.cols() > 0 ? system.low_square : 0.0;
+  const BlockOperator solve = system.factor(shift);
+  const Index wanted =
+      std::min<Index>(std::max<Index>(count, rigid.cols()), system.size) -
+      rigid.cols();
+  Modes modes;
+  modes.rigid = static_cast<int>(rigid.cols());
+  MatrixXd elastic(system.size, 0);
+  VectorXd theta(0);
+  if (wanted > 0) {
+    const Index width = std::min(kBlock, system.size - rigid.cols());
+    BlockKrylov space(system, solve, start_block(system.size, width, 1), rigid);
+    for (;;) {
+      space.extend();
+      const auto ritz = space.ritz_values();
+      const Index n = std::min(wanted, space.size());
+      const bool settled =
+          n == wanted && (ritz.residual.head(n).array() <
+                          kTolerance * ritz.theta.head(n).array())
+                             .all();
+      if (!settled && !space.is_closed()) continue;
+      elastic = space.basis() * ritz.vectors.leftCols(n);
+      theta = ritz.theta.head(n);
+      modes.space = space.size();
+      break;
+    }
+  }
+  modes.shapes.resize(system.size, rigid.cols() + elastic.cols());
+  modes.shapes << rigid, elastic;
+  modes.squares = VectorXd::Zero(modes.shapes.cols());
+  modes.squares.tail(theta.size()) = theta.cwiseInverse().array() - shift;
+  check(system, solve, shift, name, modes);
+  return modes;
+}
+
+}  // namespace clevis::dynamics

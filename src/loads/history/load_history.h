@@ -1,0 +1,81 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "loads/history/contact_zone.h"
+#include "part/part_definition.h"
+
+namespace clevis::loads {
+
+/// Model by which a seat takes its wrench.
+enum class SeatKind {
+  kBearing,   ///< BearingTraction: cylinder pressed by a pin (bore) or by its
+              ///< guide (piston)
+  kTraction,  ///< LinearTraction: face under a drive's effort, welded face
+};
+
+/// A group of the part's surface where the mechanism acts.
+struct Seat {
+  std::string name;   ///< joint, drive or case entry
+  std::string group;  ///< physical group
+  SeatKind kind{};
+  /// Reference point: middle of the cylinder's axis, or the area's centroid.
+  Eigen::Vector3d p_LS = Eigen::Vector3d::Zero();  ///< [m]
+  /// Of a slide whose counterpart does not touch the whole group.
+  std::optional<SlideWall> slide = std::nullopt;
+};
+
+/// Force and moment on the part, in L; the moment about the seat's p_LS.
+struct Wrench {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< [N m]
+};
+
+/// Load per area on a whole group, whatever its shape: −pressure n + traction.
+struct SurfaceLoad {
+  std::string group;
+  double pressure{};  ///< > 0 pushes on the face [Pa]
+  Eigen::Vector3d traction = Eigen::Vector3d::Zero();  ///< uniform, in L [Pa]
+  Wrench resultant;  ///< of both over the exact face; moment about Lo
+  double total{};    ///< (|pressure| + |traction|) times the area [N]
+};
+
+/// Rigid motion of the part that its material feels, in L. The body force at
+/// a point Q is −ρ (acceleration + α×p_LQ + ω×(ω×p_LQ)).
+struct RigidAcceleration {
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< of Lo, minus
+                                                           ///< gravity [m/s²]
+  Eigen::Vector3d alpha = Eigen::Vector3d::Zero();         ///< [rad/s²]
+  Eigen::Vector3d omega = Eigen::Vector3d::Zero();         ///< [rad/s]
+};
+
+/// All loads of a part at an instant (or in a case); in balance unless fixed.
+struct InstantLoad {
+  std::string label;             ///< "t = 0.31 s" or the case's name
+  double time{};                 ///< [s]; 0 for a case
+  std::vector<Wrench> wrenches;  ///< one per seat
+  /// One per seat; empty where all seats take their load on the whole group.
+  std::vector<ContactZone> zones = {};
+  /// The same groups in the same order at every instant of a history.
+  std::vector<SurfaceLoad> surface_loads;
+  RigidAcceleration rigid;
+  /// Of a case: what its loads leave, which `rigid` takes up; about Lo.
+  Wrench relief = {};
+};
+
+/// Loads of a part over the motion, or its cases that share their supports.
+struct LoadHistory {
+  std::vector<Seat> seats;
+  std::vector<InstantLoad> instants;
+  /// Possible excess of loads between instants over those at the instants,
+  /// over the largest [1].
+  double unseen = 0.0;
+  /// Notes for the user on how the seats were modelled, a line each.
+  std::vector<std::string> notes = {};
+};
+
+}  // namespace clevis::loads

@@ -1,0 +1,143 @@
+#include "loads/parts/part_loads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "loads/history/balance.h"
+#include "loads/seats/force_seats.h"
+#include "loads/seats/part_seats.h"
+#include "loads/seats/seat_fit.h"
+#include "loads/seats/seat_spans.h"
+#include "loads/seats/slide_zone.h"
+
+namespace clevis::loads {
+
+using Eigen::Vector3d;
+
+namespace {
+
+Wrench reaction_on(const mechanism::Instant& instant, const JointSeat& seat,
+                   const mechanism::Pose& pose) {
+  const auto& reaction = instant.joints[seat.joint.index];
+  const auto R_LW = pose.R_WL.transpose();
+  const Vector3d p_LJ = R_LW * (reaction.p_WJ - pose.p_WL);
+  return about(R_LW * (seat.joint.sign * reaction.f_W),
+               R_LW * (seat.joint.sign * reaction.t_W), p_LJ, seat.seat.p_LS);
+}
+
+Wrench effort_on(const mechanism::Instant& instant, const DrivenSeat& driven,
+                 const mechanism::Pose& pose) {
+  const mechanism::DriveState& state = instant.drives[driven.drive];
+  const Vector3d effort_L =
+      pose.R_WL.transpose() * (driven.joint.sign * state.effort * state.axis_W);
+  if (!driven.turns) {
+    return about(effort_L, Vector3d::Zero(), driven.joint.frame->p_LJ,
+                 driven.seat.p_LS);
+  }
+  return {.force = Vector3d::Zero(), .moment = effort_L};
+}
+
+/// Adds a pressure to those on the groups; one surface load per group.
+void add_pressure(double pressure, const std::vector<GroupGeometry>& groups,
+                  InstantLoad& load) {
+  for (const GroupGeometry& group : groups) {
+    auto on_group =
+        std::ranges::find(load.surface_loads, group.name, &SurfaceLoad::group);
+    if (on_group == load.surface_loads.end()) {
+      load.surface_loads.push_back({.group = group.name, .resultant = {}});
+      on_group = load.surface_loads.end() - 1;
+    }
+    on_group->pressure += pressure;
+    on_group->resultant.force -= pressure * group.area_vector;
+    on_group->resultant.moment -= pressure * group.area_moment;
+    on_group->total = std::abs(on_group->pressure) * group.area;
+  }
+}
+
+double drive_pressure(const mechanism::Instant& instant,
+                      const DrivenSeat& driven) {
+  const double push =
+      driven.turns ? 0.0 : std::max(0.0, instant.drives[driven.drive].effort);
+  return push / driven.area;
+}
+
+RigidAcceleration rigid_acceleration(const mechanism::BodyState& state,
+                                     const Vector3d& gravity_W) {
+  const auto R_LW = state.pose.R_WL.transpose();
+  return {.acceleration = R_LW * (state.a_WLo - gravity_W),
+          .alpha = R_LW * state.alpha_WL,
+          .omega = R_LW * state.w_WL};
+}
+
+}  // namespace
+
+mechanism::Motion loading_motion(mechanism::Motion motion) {
+  std::erase_if(motion.instants, [](const mechanism::Instant& instant) {
+    return instant.is_change_point;
+  });
+  return motion;
+}
+
+LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
+                       const mechanism::Motion& motion,
+                       mechanism::BodyIndex body,
+                       const part::PartDefinition& part,
+                       const std::vector<GroupGeometry>& groups,
+                       const part::MassProperties& mass,
+                       const SeatSpans& spans) {
+  const SeatContext context{definition, body, part, groups,
+                            part_size(groups, mass)};
+  require_seats(context);
+  require_force_seats(context);
+  const std::vector<JointSeat> by_joint = joint_seats(context);
+  const std::vector<DrivenSeat> by_drive = driven_seats(context);
+  const std::vector<ForceSeat> by_force = force_seats(context);
+  LoadHistory history;
+  for (const JointSeat& seat : by_joint) history.seats.push_back(seat.seat);
+  for (const DrivenSeat& seat : by_drive) history.seats.push_back(seat.seat);
+  for (const ForceSeat& seat : by_force) history.seats.push_back(seat.seat);
+  for (const mechanism::Instant& instant : motion.instants) {
+    const auto& state = instant.bodies[static_cast<std::size_t>(body)];
+    InstantLoad load;
+    load.label = fmt::format("t = {:.6g} s", instant.t);
+    load.time = instant.t;
+    load.rigid = rigid_acceleration(state, definition.gravity_W);
+    for (const JointSeat& seat : by_joint) {
+      load.wrenches.push_back(reaction_on(instant, seat, state.pose));
+    }
+    for (const DrivenSeat& seat : by_drive) {
+      load.wrenches.push_back(effort_on(instant, seat, state.pose));
+      add_pressure(drive_pressure(instant, seat), seat.pressurized, load);
+    }
+    for (const ForceSeat& seat : by_force) {
+      load.wrenches.push_back(force_on(context, instant, seat));
+      if (seat.pressurized.empty()) continue;
+      add_pressure(pressure_of(instant, seat), seat.pressurized, load);
+    }
+    history.instants.push_back(std::move(load));
+  }
+  if (motion.search) {
+    constexpr double kSeen = 1e-12;  // what was searched is no longer unknown
+    history.unseen =
+        std::max(motion.search->bodies[static_cast<std::size_t>(body)], kSeen);
+  }
+  require_balance(history, mass, context.size, context.place("loads"));
+  history.notes = off_middle_notes(context, by_joint);
+  set_contact_zones(context, motion, spans, by_joint, history);
+  return history;
+}
+
+LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
+                       const mechanism::Motion& motion,
+                       mechanism::BodyIndex body,
+                       const part::PartDefinition& part,
+                       const std::vector<GroupGeometry>& groups,
+                       const part::MassProperties& mass) {
+  return part_loads(definition, motion, body, part, groups, mass, SeatSpans{});
+}
+
+}  // namespace clevis::loads

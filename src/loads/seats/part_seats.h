@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "loads/seats/seat_context.h"
+
+namespace clevis::loads {
+
+/// Groups that a pressure acts on without leaving a force.
+/// @throws Error L002, M003.
+std::vector<GroupGeometry> pressurized_groups(
+    const SeatContext& context, const std::vector<std::string>& names,
+    const std::string& place);
+
+/// Refuses a body on which a joint or drive acts that has no seat.
+/// @throws Error L004.
+void require_seats(const SeatContext& context);
+
+/// Seats of the joints, in the order of the part's definition.
+/// @throws Error L002, L003, L004, M003.
+std::vector<JointSeat> joint_seats(const SeatContext& context);
+
+/// Seats of the drives, in the order of the part's definition.
+/// @throws Error L002, L004, M003.
+std::vector<DrivenSeat> driven_seats(const SeatContext& context);
+
+}  // namespace clevis::loads

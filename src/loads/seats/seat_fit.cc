@@ -1,0 +1,270 @@
+#include "loads/seats/seat_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "loads/history/balance.h"
+#include "mechanism/joints/joint_types.h"
+
+namespace clevis::loads {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace {
+
+// Gap between a joint and its cylinder, relative to the part's size, and
+// angle between their axes [rad]. Scenes and meshes print coordinates to at
+// least seven digits.
+constexpr double kGapTolerance = 1e-6;
+constexpr double kAngleTolerance = 1e-6;
+
+/// A joint and the cylinder that it should lie in.
+struct Pair {
+  std::string name;  ///< of the joint
+  std::string group;
+  mechanism::JointFrame frame;
+  part::Bore cylinder;
+  bool has_axis;  ///< a weld and a ball have none of their own
+  bool slides;
+
+  const Vector3d& joint() const { return frame.p_LJ; }
+  Vector3d axis() const { return frame.R_LJ.col(2); }
+  /// From the cylinder's middle.
+  double along() const {
+    return (joint() - cylinder.p_LC).dot(cylinder.axis_L);
+  }
+  Vector3d across() const {
+    return joint() - cylinder.p_LC - along() * cylinder.axis_L;
+  }
+  double angle() const {
+    if (!has_axis) return 0.0;
+    return std::asin(std::min(1.0, axis().cross(cylinder.axis_L).norm()));
+  }
+  bool is_beyond_the_end(double gap) const {
+    return !slides && std::abs(along()) > 0.5 * cylinder.length + gap;
+  }
+  bool fits(double gap) const {
+    return across().norm() <= gap && angle() <= kAngleTolerance &&
+           !is_beyond_the_end(gap);
+  }
+};
+
+std::vector<Pair> pairs_of(const SeatContext& context,
+                           const std::vector<JointSeat>& seats) {
+  std::vector<Pair> pairs;
+  for (const JointSeat& seat : seats) {
+    if (seat.seat.kind != SeatKind::kBearing) continue;
+    const auto group = std::ranges::find(context.groups, seat.seat.group,
+                                         &GroupGeometry::name);
+    const auto& type = mechanism::traits(seat.joint.definition->type);
+    const bool has_axis = type.axis == mechanism::JointTraits::Axis::kNeeded;
+    pairs.push_back({seat.seat.name, seat.seat.group, *seat.joint.frame,
+                     group->cylinder, has_axis, type.slides()});
+  }
+  return pairs;
+}
+
+/// The pairs with the mesh turned or mirrored, scaled and shifted.
+std::vector<Pair> moved(std::vector<Pair> pairs, const Matrix3d& turn,
+                        double scale, const Vector3d& shift) {
+  for (Pair& pair : pairs) {
+    part::Bore& c = pair.cylinder;
+    c.p_LC = scale * (turn * c.p_LC) + shift;
+    c.axis_L = turn * c.axis_L;
+    c.radius *= scale;
+    c.length *= scale;
+  }
+  return pairs;
+}
+
+bool all_fit(const std::vector<Pair>& pairs, double gap) {
+  return std::ranges::all_of(pairs, [gap](const Pair& pair) {
+    return pair.fits(gap);
+  });
+}
+
+Vector3d mean_gap(const std::vector<Pair>& pairs) {
+  Vector3d sum = Vector3d::Zero();
+  for (const Pair& pair : pairs) sum += pair.joint() - pair.cylinder.p_LC;
+  return sum / static_cast<double>(pairs.size());
+}
+
+/// Largest distance from their mean.
+double spread(const std::vector<Vector3d>& points) {
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& p : points) mean += p;
+  mean /= static_cast<double>(points.size());
+  double largest = 0.0;
+  for (const Vector3d& p : points) {
+    largest = std::max(largest, (p - mean).norm());
+  }
+  return largest;
+}
+
+/// Joints' distances over the mesh's where that is a slip of the unit.
+std::optional<double> unit_slip(const std::vector<Pair>& pairs) {
+  constexpr double kAlike = 1e-3;
+  std::vector<Vector3d> joints, cylinders;
+  for (const Pair& pair : pairs) {
+    if (pair.slides) continue;  // its place along the axis says nothing
+    joints.push_back(pair.joint());
+    cylinders.push_back(pair.cylinder.p_LC);
+  }
+  if (joints.empty()) return std::nullopt;
+  if (joints.size() == 1) {  // from the origin
+    joints.emplace_back(Vector3d::Zero());
+    cylinders.emplace_back(Vector3d::Zero());
+  }
+  const double ratio = spread(joints) / spread(cylinders);
+  for (const double unit : {10.0, 100.0, 1000.0, 2.54, 25.4, 12.0, 304.8}) {
+    for (const double slip : {unit, 1.0 / unit}) {
+      if (std::abs(ratio / slip - 1.0) < kAlike) return slip;
+    }
+  }
+  return std::nullopt;
+}
+
+struct Turn {
+  std::string name;
+  Matrix3d matrix;
+};
+
+/// Mirrored in a plane, or turned by quarters about an axis.
+std::vector<Turn> turns() {
+  std::vector<Turn> result;
+  constexpr std::array<char, 3> kNames = {'x', 'y', 'z'};
+  for (int k = 0; k < 3; ++k) {
+    Matrix3d mirror = Matrix3d::Identity();
+    mirror(k, k) = -1.0;
+    result.push_back(
+        {fmt::format("Mirrored along {}", kNames[static_cast<std::size_t>(k)]),
+         mirror});
+  }
+  for (int k = 0; k < 3; ++k) {
+    for (const int degrees : {180, 90, 270}) {
+      const double angle = degrees * std::numbers::pi / 180.0;
+      Matrix3d matrix =
+          Eigen::AngleAxisd(angle, Vector3d::Unit(k)).toRotationMatrix();
+      matrix = matrix.array().round();
+      result.push_back({fmt::format("Turned by {} deg about {}", degrees,
+                                    kNames[static_cast<std::size_t>(k)]),
+                        matrix});
+    }
+  }
+  return result;
+}
+
+/// Likely remedy for the user.
+std::string remedy_for(const std::vector<Pair>& pairs, double size) {
+  const double gap = kGapTolerance * size;
+  const Matrix3d as_is = Matrix3d::Identity();
+  if (const auto slip = unit_slip(pairs)) {
+    return fmt::format(
+        "The joints' distances are {:.4g} times the mesh's: correct the "
+        "part's length_unit.",
+        *slip);
+  }
+  if (pairs.size() > 1) {
+    for (const Turn& turn : turns()) {
+      if (!all_fit(moved(pairs, turn.matrix, 1.0, Vector3d::Zero()), gap)) {
+        continue;
+      }
+      return fmt::format(
+          "{}, all cylinders of the mesh would lie on their joints: give the "
+          "mesh in the body's frame.",
+          turn.name);
+    }
+  }
+  const Vector3d shift = mean_gap(pairs);
+  if (all_fit(moved(pairs, as_is, 1.0, shift), gap)) {
+    return fmt::format(
+        "Move the mesh by {} mm, or the part's joints by the opposite.",
+        vector_text(shift * 1e3, size * 1e3));
+  }
+  return "Make the joint's position in the scene and the cylinder in the mesh "
+         "agree (same lengths, mesh in the body's frame, right length_unit).";
+}
+
+[[noreturn]] void refuse(const SeatContext& context, const Pair& pair,
+                         const std::string& place, const std::string& remedy) {
+  const std::string& group = pair.group;
+  const double size_mm = context.size * 1e3;
+  const double gap = kGapTolerance * context.size;
+  if (!(pair.across().norm() <= gap)) {
+    throw Error("L003", place,
+                fmt::format("the joint lies {:.6g} mm off the axis of "
+                            "\"{}\": joint at {} mm, cylinder at {} mm",
+                            pair.across().norm() * 1e3, group,
+                            vector_text(pair.joint() * 1e3, size_mm),
+                            vector_text(pair.cylinder.p_LC * 1e3, size_mm)),
+                remedy);
+  }
+  if (!(pair.angle() <= kAngleTolerance)) {
+    throw Error("L003", place,
+                fmt::format("the joint's axis and the cylinder \"{}\" make an "
+                            "angle of {:.6g} deg",
+                            group, pair.angle() * 180.0 / std::numbers::pi),
+                remedy);
+  }
+  throw Error("L003", place,
+              fmt::format("the joint lies {:.6g} mm from the middle of \"{}\", "
+                          "beyond its end: the cylinder is {:.6g} mm long",
+                          std::abs(pair.along()) * 1e3, group,
+                          pair.cylinder.length * 1e3),
+              remedy);
+}
+
+}  // namespace
+
+void require_fit(const SeatContext& context,
+                 const std::vector<JointSeat>& seats) {
+  const std::vector<Pair> pairs = pairs_of(context, seats);
+  for (const Pair& pair : pairs) {
+    if (pair.fits(kGapTolerance * context.size)) continue;
+    refuse(context, pair, context.place("joint " + pair.name),
+           remedy_for(pairs, context.size));
+  }
+}
+
+void require_coaxial(const SeatContext& context, const part::Bore& cylinder,
+                     int joint, const std::string& group,
+                     const std::string& place) {
+  const auto& definition =
+      context.definition.joints[static_cast<std::size_t>(joint)];
+  const Pair pair{definition.name,
+                  group,
+                  definition.body_b == context.body ? definition.frame_b
+                                                    : definition.frame_a,
+                  cylinder,
+                  true,
+                  true};
+  if (pair.fits(kGapTolerance * context.size)) return;
+  refuse(context, pair, place, remedy_for({pair}, context.size));
+}
+
+std::vector<std::string> off_middle_notes(const SeatContext& context,
+                                          const std::vector<JointSeat>& seats) {
+  constexpr double kSmall = 0.02;
+  std::vector<std::string> notes;
+  for (const Pair& pair : pairs_of(context, seats)) {
+    const double along = std::abs(pair.along());
+    if (pair.slides || along <= kSmall * pair.cylinder.length) continue;
+    notes.push_back(fmt::format(
+        "joint {} stands {:.4g} mm from the middle of \"{}\" along its axis "
+        "({:.3g} % of its length): its force bends the part across; if that "
+        "is not meant, move the mesh or the joint",
+        pair.name, along * 1e3, pair.group,
+        100.0 * along / pair.cylinder.length));
+  }
+  return notes;
+}
+
+}  // namespace clevis::loads

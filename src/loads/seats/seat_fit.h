@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "loads/seats/seat_context.h"
+
+namespace clevis::loads {
+
+/// Refuses cylinders that do not lie on the axes of their joints, or whose
+/// joint lies beyond their ends though it does not slide; the remedy says
+/// what would make all of the part's coincide: another unit, a mesh that is
+/// shifted, turned or mirrored.
+/// @throws Error L003.
+void require_fit(const SeatContext& context,
+                 const std::vector<JointSeat>& seats);
+
+/// Refuses a cylinder that does not lie on the axis of a joint of the body.
+/// @param joint  index. @throws Error L003.
+void require_coaxial(const SeatContext& context, const part::Bore& cylinder,
+                     int joint, const std::string& group,
+                     const std::string& place);
+
+/// A line for each joint that does not slide and stands more than 2 % of its
+/// cylinder's length away from the middle: its force bends the part across.
+std::vector<std::string> off_middle_notes(const SeatContext& context,
+                                          const std::vector<JointSeat>& seats);
+
+}  // namespace clevis::loads
