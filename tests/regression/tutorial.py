@@ -2,7 +2,7 @@
 
     tutorial.py CLEVIS SOURCE_DIR DOCUMENT [--update]
 
-DOCUMENT is docs/tutorial.md or README.md. It runs in an empty folder with
+DOCUMENT is docs/tutorial.md, README.md or one of docs/scene. It runs in an empty folder with
 `geometry` and `meshes` of the sources.
 
 Blocks of the document: "```toml scene.toml" (or any language and file) writes a
@@ -108,6 +108,8 @@ def main(clevis, source, name, update):
             place = f"{name}:{text.count(chr(10), 0, match.start()) + 1}"
             if language == "console":
                 block = console(block, folder, path, place, faults)
+            elif language == "toml" and not file:
+                faults.append(f"{place}: no file, so nothing runs it")
             elif file:
                 target = folder / file
                 target.parent.mkdir(parents=True, exist_ok=True)
