@@ -4,7 +4,8 @@
 include(GNUInstallDirs)
 install(FILES README.md CHANGELOG.md LICENSE.md TYPE DOC)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
-        FILES_MATCHING PATTERN "*.md" PATTERN "*.json" PATTERN "*.txt")
+        FILES_MATCHING PATTERN "*.md" PATTERN "*.json" PATTERN "*.svg"
+        PATTERN "*.txt")
 install(FILES docs/scene.schema.json docs/result.schema.json
         docs/transmission.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/clevis)
 install(DIRECTORY geometry DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples

@@ -6,7 +6,7 @@
 A key is a bracket of four letters and digits or more that begins with a
 capital, as [Lottes2023] or [ISO281]: longer than units ([MPa], [N m]), and not
 followed by a Markdown link's target. The first cell of a row of a table in the
-bibliography defines it. Cited are keys in README.md, docs/*.md,
+bibliography defines it. Cited are keys in README.md, docs/**/*.md,
 results/studies/*.md and in the comments of the sources.
 """
 import re
@@ -32,7 +32,7 @@ def main():
     keys = ROW.findall(BIBLIOGRAPHY.read_text())
     faults = [f"{key} stands twice in the bibliography"
               for key in sorted(set(keys)) if keys.count(key) > 1]
-    texts = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")),
+    texts = [ROOT / "README.md", *sorted((ROOT / "docs").glob("**/*.md")),
              *sorted((ROOT / "results/studies").glob("*.md")),
              *sorted(p for p in (ROOT / "src").rglob("*")
                      if p.suffix in (".h", ".cc"))]

@@ -5,9 +5,11 @@
 
 Every relative link of a *.md leads to a file (and heading), every `./...`
 command exists, every `clevis COMMAND --option` is one that `clevis --help`
-knows, the exit codes in README.md are those of base/exit_code.h, and no tracked
-text names a folder of one developer's machine or leaves work open.
+knows, the exit codes in README.md are those of base/exit_code.h, the pages of the scene
+file name every key of its schema and have a test each, and no tracked text
+names a folder of one developer's machine or leaves work open.
 """
+import json
 import re
 import subprocess
 import sys
@@ -88,6 +90,27 @@ def exit_code_faults():
             "not explained" if code in used else "never returned")
 
 
+def schema_keys(table):
+    """Of a JSON Schema and its definitions, by the name of the table."""
+    for name, part in {"": table, **table.get("$defs", {})}.items():
+        for key in part.get("properties", {}):
+            yield name, key
+
+
+def scene_faults():
+    pages = sorted((ROOT / "docs/scene").glob("*.md"))
+    words = {word for page in [ROOT / "docs/scene.md", *pages]
+             for word in re.findall(r"\w+", page.read_text())}
+    schema = json.loads((ROOT / "docs/scene.schema.json").read_text())
+    for table, key in schema_keys(schema):
+        if key not in words:
+            yield f"docs/scene: no page names the key {key} of {table}"
+    tests = (ROOT / "tests/regression/CMakeLists.txt").read_text()
+    tested = re.search(r"foreach\(page (.*?)\)", tests, re.S)[1].split()
+    for name in sorted({page.stem for page in pages} ^ set(tested)):
+        yield f"docs/scene/{name}.md and regression.scene.{name}: one is missing"
+
+
 def text_faults():
     tracked = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, text=True,
                              capture_output=True)
@@ -111,6 +134,7 @@ def main():
               for fault in (*link_faults(document),
                             *command_faults(document, clevis))]
     faults += [f"README.md: {fault}" for fault in exit_code_faults()]
+    faults += scene_faults()
     faults += text_faults()
     print("\n".join(faults) or f"{len(documents())} documents hold")
     return len(faults) > 0

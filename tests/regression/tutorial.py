@@ -1,6 +1,9 @@
-"""Every file, command and output of docs/tutorial.md, run in its order.
+"""Every file, command and output of a document, run in its order.
 
-    tutorial.py CLEVIS SOURCE_DIR [--update]
+    tutorial.py CLEVIS SOURCE_DIR DOCUMENT [--update]
+
+DOCUMENT is docs/tutorial.md, README.md or one of docs/scene. It runs in an empty folder with
+`geometry` and `meshes` of the sources.
 
 Blocks of the document: "```toml scene.toml" (or any language and file) writes a
 file, "```diff scene.toml" changes one, "```console" holds commands after "$ " and
@@ -91,18 +94,22 @@ def console(block, folder, path, place, faults):
     return "\n".join(text) + "\n"
 
 
-def main(clevis, source, update):
-    document = Path(source) / "docs/tutorial.md"
+def main(clevis, source, name, update):
+    document = Path(source) / name
     text = document.read_text()
     path = f"{Path(clevis).resolve().parent}:{os.environ['PATH']}"
     faults, result, end = [], "", 0
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
+        for given in ("geometry", "meshes"):
+            (folder / given).symlink_to(Path(source).resolve() / given)
         for match in BLOCK.finditer(text):
             language, file, block = match.groups()
-            place = f"docs/tutorial.md:{text.count(chr(10), 0, match.start()) + 1}"
+            place = f"{name}:{text.count(chr(10), 0, match.start()) + 1}"
             if language == "console":
                 block = console(block, folder, path, place, faults)
+            elif language == "toml" and not file:
+                faults.append(f"{place}: no file, so nothing runs it")
             elif file:
                 target = folder / file
                 target.parent.mkdir(parents=True, exist_ok=True)
@@ -113,7 +120,7 @@ def main(clevis, source, update):
     if update:
         document.write_text(result + text[end:])
         return 0
-    print("\n".join(faults) or "every command printed what the tutorial says")
+    print("\n".join(faults) or f"every command printed what {name} says")
     return 1 if faults else 0
 
 
