@@ -263,10 +263,13 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "The value has the right dimension but a size that no real part has, "
      "e.g. a Young's modulus outside 0.01-1200 GPa: the unit is likely "
      "wrong."},
-    {"S012", kSceneInvalid, "table of variants is not valid",
+    {"S012", kSceneInvalid, "table of variants or loads is not valid",
      "The CSV of `clevis plan --vary` has a header of paths and a row for each "
      "variant, every row with as many fields as the header and none empty "
-     "(RFC 4180: fields with commas or quotes stand in double quotes)."},
+     "(RFC 4180: fields with commas or quotes stand in double quotes). The "
+     "file "
+     "of a [[part.history]] likewise: a header of titles with units, and a row "
+     "for each time."},
     {"U001", kUsage, "wrong command line", "See clevis --help."},
     {"U002", kUsage, "unknown diagnostic code",
      "The catalogue has no such code; `clevis explain` lists all."},

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "part/load_series.h"
 #include "part/material.h"
 #include "part/slide_contact.h"
 #include "part/supports.h"
@@ -63,16 +64,6 @@ inline bool is_displacement(std::string_view quantity) {
   return quantity.starts_with("displacement_");
 }
 
-/// Elastic bed of a face: traction against its displacement [N/m³].
-struct Foundation {
-  double normal{};      ///< across the face
-  double tangential{};  ///< along it
-
-  bool operator==(const Foundation&) const = default;
-};
-/// By group of the mesh.
-using Foundations = std::map<std::string, Foundation>;
-
 /// A part checked alone, without a mechanism.
 struct LoadCaseDefinition {
   std::string name;
@@ -125,6 +116,7 @@ struct PartDefinition {
   Limits limits;
   double damping{};  ///< of its vibrations, over the critical [1]
   std::vector<LoadCaseDefinition> cases;
+  std::vector<LoadSeries> series;
   std::vector<ImpactDefinition> impacts;
   std::string place;  ///< file:line:column of the part's table
 };

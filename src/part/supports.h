@@ -10,4 +10,14 @@ namespace clevis::part {
 /// empty: a free part.
 using Supports = std::map<std::string, std::array<bool, 3>>;
 
+/// Elastic bed of a face: traction against its displacement [N/m³].
+struct Foundation {
+  double normal{};      ///< across the face
+  double tangential{};  ///< along it
+
+  bool operator==(const Foundation&) const = default;
+};
+/// By group of the mesh.
+using Foundations = std::map<std::string, Foundation>;
+
 }  // namespace clevis::part

@@ -150,6 +150,28 @@ Document document_with(const std::filesystem::path& file,
   return document;
 }
 
+/// Files that the load histories of a scene name, where those are texts.
+std::vector<std::string> history_files(const toml::table& root) {
+  std::vector<std::string> files;
+  const auto tables = [](const toml::table& table, std::string_view key) {
+    std::vector<const toml::table*> found;
+    const toml::array* array = table[key].as_array();
+    if (array == nullptr) return found;
+    for (const toml::node& node : *array) {
+      if (node.is_table()) found.push_back(node.as_table());
+    }
+    return found;
+  };
+  for (const toml::table* part : tables(root, "part")) {
+    for (const toml::table* history : tables(*part, "history")) {
+      if (const auto file = (*history)["file"].value<std::string>()) {
+        files.push_back(*file);
+      }
+    }
+  }
+  return files;
+}
+
 }  // namespace
 
 std::string scene_content(const std::filesystem::path& file,
@@ -158,6 +180,9 @@ std::string scene_content(const std::filesystem::path& file,
   document.root.erase("vary");
   std::ostringstream text;
   text << toml::toml_formatter(document.root);
+  for (const std::string& history : history_files(document.root)) {
+    text << '\n' << read_text(file.parent_path() / history);
+  }
   return text.str();
 }
 

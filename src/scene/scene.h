@@ -50,7 +50,8 @@ Scene read_scene(const std::filesystem::path& file,
                  const std::vector<Setting>& settings = {});
 
 /// Content of a scene with its settings, without layout, comments and [vary]:
-/// equal for equal scenes, wherever a value comes from.
+/// equal for equal scenes, wherever a value comes from. Files of
+/// load histories are part of it.
 /// @throws Error S001, I001 and those of apply_settings().
 std::string scene_content(const std::filesystem::path& file,
                           const std::vector<Setting>& settings);

@@ -68,7 +68,9 @@ ROOMS = {
         "line_elements": "forces along a line: one reader each",
         "force_elements": "the other forces, and the list of all readers",
         "machine": "bearings, transmissions, ejectors",
-        "parts": "parts, materials, seats, load cases, impacts",
+        "csv": "RFC 4180 tables: fields with places, columns with units",
+        "cases": "what loads and holds a part: load cases, histories in files",
+        "parts": "parts, materials, seats, impacts",
         "variants": "values in place of the scene's, and which variants are wanted",
     },
     "mesh": {
@@ -84,7 +86,7 @@ ROOMS = {
         "history": "loads of a part over time, the inertia in balance with them, blows",
         "pressure": "tractions of seats on walls, in balance on their quadrature points",
         "seats": "seats: where joints and forces of the scene press on a part",
-        "parts": "loads of a part: over the motion, in its cases, on pins that hold it",
+        "parts": "loads of a part: over the motion, in its cases and histories, on pins that hold it",
     },
     "dynamics": {
         "systems": "K and M as operators, their Krylov spaces, free vibrations",
@@ -179,7 +181,7 @@ PUBLIC = {
             " derived/revolution derived/split_cells derived/sub_mesh"
             " gmsh/gmsh_element quality/mass_properties reading/mesh_reader",
     "loads": "history/balance history/load_history history/strike"
-             " parts/case_loads parts/held_pins parts/part_loads"
+             " parts/case_loads parts/held_pins parts/part_loads parts/series_loads"
              " pressure/discrete_balance pressure/seat_traction"
              " pressure/wall_pressure seats/part_seats seats/seat_spans",
     "dynamics": "load_vibration/load_answer load_vibration/load_path"

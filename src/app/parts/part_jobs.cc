@@ -11,6 +11,7 @@
 #include "app/parts/impact_jobs.h"
 #include "app/parts/open_sharing.h"
 #include "base/errors.h"
+#include "loads/parts/series_loads.h"
 #include "loads/seats/seat_spans.h"
 
 namespace clevis::app {
@@ -84,6 +85,15 @@ void merge(loads::LoadHistory& history, const loads::LoadHistory& more) {
       *std::ranges::find(all, load.group, &loads::SurfaceLoad::group) = load;
     }
     instant.surface_loads = std::move(all);
+  }
+}
+
+/// A set for each history, so that its instants stay in the order of time.
+void add_series(const LoadedPart& part, PartJob& job) {
+  for (const auto& series : part.definition.series) {
+    job.load_sets.push_back(
+        {loads::series_loads(part.definition, series, part.groups, part.mass),
+         series.fixed, series.foundations});
   }
 }
 
@@ -185,6 +195,7 @@ PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
     }
     job.buckling_length = buckling_length(definition, motion, body);
   }
+  add_series(part, job);
   add_cases(part, job);
   job.impacts = impact_jobs(definition, motion, part.definition, part.groups);
   if (body != mechanism::kGround) {
@@ -193,7 +204,8 @@ PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
   if (job.load_sets.empty() && job.impacts.empty()) {
     throw Error("S003", part.definition.place,
                 fmt::format("nothing loads part \"{}\"", part.definition.name),
-                "Give it to a body with `part`, or add a [[part.case]].");
+                "Give it to a body with `part`, or add a [[part.case]] or a "
+                "[[part.history]].");
   }
   return job;
 }

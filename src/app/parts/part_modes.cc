@@ -171,11 +171,15 @@ std::vector<ModesRequest> modes_requests(const LoadedPart& part, bool moves,
                         tolerance, foundations});
   };
   const part::PartDefinition& given = part.definition;
-  if (moves || (given.cases.empty() && given.impacts.empty())) {
+  if (moves ||
+      (given.cases.empty() && given.series.empty() && given.impacts.empty())) {
     add("free", decltype(ModesRequest::fixed){});
   }
   for (const auto& load_case : given.cases) {
     add(load_case.name, load_case.fixed, load_case.foundations);
+  }
+  for (const auto& series : given.series) {
+    add(series.name, series.fixed, series.foundations);
   }
   for (const auto& impact : given.impacts) add(impact.name, impact.fixed);
   return requests;

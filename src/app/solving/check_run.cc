@@ -21,6 +21,7 @@
 #include "app/scenes/load_scene.h"
 #include "app/scenes/view_inputs.h"
 #include "app/solving/part_files.h"
+#include "app/solving/part_loads.h"
 #include "app/solving/surface_view.h"
 #include "app/variants/check_inputs.h"
 #include "assessment/part_check.h"
@@ -63,6 +64,10 @@ std::string check_one(const PartJob& job,
     if (!job.is_shared || mpi_rank() == 0) {
       write_part_files(assessment, moving, job.part.material.yield_strength,
                        folder);
+      if (moving) {
+        report::write_file(folder / (job.part.name + "_loads.csv"),
+                           loads_csv(job.load_sets.front().history));
+      }
       report::write_part_view(surface_view(job, assessment, moving, body),
                               folder);
     }

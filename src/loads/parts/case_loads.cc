@@ -1,47 +1,12 @@
 #include "loads/parts/case_loads.h"
 
-#include <cmath>
-#include <map>
-
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "loads/history/balance.h"
 #include "loads/parts/held_pins.h"
+#include "loads/parts/surface_loads.h"
 
 namespace clevis::loads {
-
-using Eigen::Vector3d;
-
-namespace {
-
-// Pressure and traction on one group become one surface load.
-std::vector<SurfaceLoad> surface_loads(
-    const part::LoadCaseDefinition& load_case,
-    const std::vector<GroupGeometry>& groups, const std::string& place) {
-  std::map<std::string, SurfaceLoad> by_group;
-  for (const auto& [group, pressure] : load_case.pressure) {
-    by_group[group].pressure = pressure;
-  }
-  for (const auto& [group, traction] : load_case.traction) {
-    by_group[group].traction = traction;
-  }
-  std::vector<SurfaceLoad> loads;
-  for (auto& [name, load] : by_group) {
-    const GroupGeometry& group = find_group(groups, name, place);
-    load.group = name;
-    const Vector3d traction_force = group.area * load.traction;
-    load.resultant = {
-        .force = -load.pressure * group.area_vector + traction_force,
-        .moment = -load.pressure * group.area_moment +
-                  group.centroid.cross(traction_force)};
-    load.total = group.area * (std::abs(load.pressure) + load.traction.norm());
-    loads.push_back(load);
-  }
-  return loads;
-}
-
-}  // namespace
 
 LoadHistory case_loads(const part::PartDefinition& part,
                        const part::LoadCaseDefinition& load_case,
@@ -64,7 +29,8 @@ LoadHistory case_loads(const part::PartDefinition& part,
                              .p_LS = group.cylinder.p_LC});
     instant.wrenches.push_back({.force = force});
   }
-  instant.surface_loads = surface_loads(load_case, groups, place);
+  instant.surface_loads =
+      surface_loads(load_case.pressure, load_case.traction, groups, place);
   for (const auto& [name, components] : load_case.fixed) {
     find_group(groups, name, place);
   }

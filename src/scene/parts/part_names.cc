@@ -21,6 +21,7 @@ int supports_of(const part::PartDefinition& part,
     all.insert(part::Supports{});
   }
   for (const auto& load_case : part.cases) all.insert(load_case.fixed);
+  for (const auto& series : part.series) all.insert(series.fixed);
   for (const auto& impact : part.impacts) all.insert(impact.fixed);
   return static_cast<int>(all.size());
 }

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/cases/read_supports.h"
 #include "scene/element_base/line_source.h"
-#include "scene/parts/read_cases.h"
 #include "scene/text/names.h"
 
 namespace clevis::scene {

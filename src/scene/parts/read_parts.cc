@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include "base/fingerprint.h"
-#include "scene/parts/read_cases.h"
+#include "scene/cases/read_cases.h"
+#include "scene/cases/read_histories.h"
 #include "scene/parts/read_parameters.h"
 #include "scene/text/names.h"
 
@@ -118,6 +119,7 @@ PartOfGeometry read_part(StrictTable& table, const Names& names,
     cases.add(name.title(), name);
     part.cases.push_back(read_case(entry));
   }
+  part.series = read_histories(table, file);
   return result;
 }
 

@@ -155,11 +155,12 @@ void read_seats(StrictTable& table, const MechanismDefinition& mechanism,
     read_pins(table, body, mechanism, names, part);
     read_drive_seats(table, body, mechanism, names, part);
     read_force_seats(table, body, mechanism, names, part);
-  } else if (part.cases.empty() && part.impacts.empty()) {
+  } else if (part.cases.empty() && part.series.empty() &&
+             part.impacts.empty()) {
     throw table.refusal(
         "S003",
         fmt::format("\"{}\" has no load: no body has it and "
-                    "it has neither [[part.case]] nor [[impact]]",
+                    "it has no [[part.case]], [[part.history]] or [[impact]]",
                     part.name),
         "Give a body part = \"" + part.name + "\", or give the part a case.");
   }

@@ -193,7 +193,7 @@ constexpr Key kSimulation[] = {"duration", "instants",   "tolerance",
 constexpr Key kPart[] = {"name",        "geometry",  "parameters", "mesh",
                          "length_unit", "thickness", "material",   "pins",
                          "drives",      "forces",    "limits",     "damping",
-                         "case"};
+                         "case",        "history"};
 constexpr Key kPartPins[] = {"group", "groups", "length", "width", "offset"};
 constexpr Key kPartDrives[] = {"face", "pressurized"};
 constexpr Key kPartForces[] = {"face", "pressurized", "chamber"};
@@ -211,6 +211,10 @@ constexpr Key kCase[] = {"name",
                          "angular_velocity",
                          "angular_acceleration",
                          "probes"};
+constexpr Key kHistory[] = {"name",  "file",       "frame",
+                            "pins",  "faces",      "gravity",
+                            "fixed", "foundation", "largest_imbalance"};
+constexpr Key kHistoryPins[] = {"group", "about"};
 constexpr Key kFoundation[] = {"normal", "tangential"};
 constexpr Key kProbes[] = {"name", "at", "quantity", "reference"};
 constexpr Key kVary[] = {"design", "samples", "seed", "quantity"};
@@ -257,6 +261,8 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"part.case", kCase},
     {"part.case.foundation", kFoundation},
     {"part.case.probes", kProbes},
+    {"part.history", kHistory},
+    {"part.history.pins", kHistoryPins},
     {"accuracy", kAccuracy},
     {"closed_form", kClosedForm},
     {"closed_form.slide_lever", kSlideLever},

@@ -7,44 +7,24 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "scene/csv/csv_column.h"
+#include "scene/csv/csv_text.h"
 #include "scene/text/document.h"
 #include "scene/text/value.h"
-#include "scene/variants/csv_text.h"
 #include "scene/variants/key_path.h"
 
 namespace clevis::scene {
 namespace {
 
-struct Column {
-  std::string path;  ///< empty: names of the variants
-  std::string unit;  ///< empty: fields are whole values
-};
-
-Column read_column(const CsvField& field) {
-  if (field.text == "variant") return {};
-  Column column{field.text, ""};
-  const std::size_t bracket = field.text.rfind(" [");
-  if (bracket != std::string::npos && field.text.ends_with(']')) {
-    column.path = field.text.substr(0, bracket);
-    column.unit =
-        field.text.substr(bracket + 2, field.text.size() - bracket - 3);
-  }
-  parse_path(column.path, field.place);
-  return column;
+bool is_name_column(const CsvColumn& column) {
+  return column.name == "variant";
 }
 
-std::vector<Column> read_header(const std::vector<CsvField>& header) {
-  std::vector<Column> columns;
-  for (const CsvField& field : header) {
-    Column column = read_column(field);
-    if (std::ranges::find(columns, column.path, &Column::path) !=
-        columns.end()) {
-      throw Error("S012", field.place,
-                  fmt::format("the column {:?} stands there twice",
-                              field.text.substr(0, 80)),
-                  "Give each value one column.");
-    }
-    columns.push_back(std::move(column));
+/// The columns of a table of variants; "variant" holds their names.
+std::vector<CsvColumn> path_columns(const std::vector<CsvField>& header) {
+  std::vector<CsvColumn> columns = csv_columns(header);
+  for (const CsvColumn& column : columns) {
+    if (!is_name_column(column)) parse_path(column.name, column.place);
   }
   return columns;
 }
@@ -68,13 +48,13 @@ std::string variant_name(const CsvField& field,
   return field.text;
 }
 
-Setting setting_of(const Column& column, const CsvField& field) {
+Setting setting_of(const CsvColumn& column, const CsvField& field) {
   if (field.text.find_first_not_of(' ') == std::string::npos) {
     throw Error("S012", field.place, "the field is empty",
                 "Give every variant a value in every column.");
   }
   const std::string unit = column.unit.empty() ? "" : " " + column.unit;
-  return {column.path, field.text + unit, field.place};
+  return {column.name, field.text + unit, field.place};
 }
 
 }  // namespace
@@ -86,13 +66,13 @@ std::vector<Variant> read_variant_list(const std::filesystem::path& file) {
                 rows.empty() ? "the table is empty" : "the table has no row",
                 "Write a header of paths, and a row for each variant.");
   }
-  const std::vector<Column> columns = read_header(rows.front());
+  const std::vector<CsvColumn> columns = path_columns(rows.front());
   std::map<std::string, std::string> places;
   std::vector<Variant> variants;
   for (std::size_t r = 1; r < rows.size(); ++r) {
     Variant variant{numbered_name(r, rows.size() - 1), {}};
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      if (columns[c].path.empty()) {
+      if (is_name_column(columns[c])) {
         variant.name = variant_name(rows[r][c], places);
       } else {
         variant.settings.push_back(setting_of(columns[c], rows[r][c]));

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
-#include "scene/variants/csv_text.h"
+#include "scene/csv/csv_text.h"
 
 namespace clevis::scene {
 namespace {

@@ -1,10 +1,10 @@
-#include "scene/parts/read_cases.h"
+#include "scene/cases/read_cases.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "part/supports.h"
+#include "scene/cases/read_supports.h"
 #include "scene/text/name_index.h"
 
 namespace clevis::scene {
@@ -12,20 +12,6 @@ namespace {
 
 using part::LoadCaseDefinition;
 using part::Probe;
-
-std::array<bool, 3> read_components(const Value& value) {
-  const auto elements = value.elements();
-  std::array<bool, 3> is_fixed{};
-  if (elements.empty()) {
-    throw value.refusal("S006", "holds nothing",
-                        "Name at least one of \"x\", \"y\", \"z\".");
-  }
-  for (const Value& element : elements) {
-    is_fixed.at(element.choice<std::size_t>({{"x", 0}, {"y", 1}, {"z", 2}})) =
-        true;
-  }
-  return is_fixed;
-}
 
 std::string read_quantity_name(const Value& value) {
   return value.choice<std::string>({{"von_mises", "von_mises"},
@@ -58,44 +44,10 @@ std::vector<Probe> read_probes(StrictTable& table) {
   return probes;
 }
 
-/// A map from groups of the mesh to what acts on them.
-template <typename Content, typename Read>
-std::map<std::string, Content> read_groups(StrictTable& table,
-                                           std::string_view key, Read read) {
-  std::map<std::string, Content> groups;
-  const auto value = table.find(key);
-  if (!value) return groups;
-  for (const auto& [group, entry] : value->entries()) {
-    groups.emplace(group, read(entry));
-  }
-  return groups;
-}
-
 Eigen::Vector3d vector_or_zero(StrictTable& table, std::string_view key,
                                Dimension dimension) {
   const auto value = table.find(key);
   return value ? value->vector(dimension) : Eigen::Vector3d::Zero();
-}
-
-/// A number: the same in all directions; a table: across and along the face.
-part::Foundation read_foundation(const Value& value) {
-  if (!value.is_table()) {
-    const double all = value.positive(Dimension::kBedding);
-    return {all, all};
-  }
-  part::Foundation foundation;
-  StrictTable table(value, "part.case.foundation");
-  if (const auto normal = table.find("normal")) {
-    foundation.normal = normal->positive(Dimension::kBedding);
-  }
-  if (const auto tangential = table.find("tangential")) {
-    foundation.tangential = tangential->positive(Dimension::kBedding);
-  }
-  if (foundation == part::Foundation{}) {
-    throw value.refusal("S006", "holds nothing",
-                        "Give normal, tangential or both.");
-  }
-  return foundation;
 }
 
 /// Bores whose pins hold the part; nothing else may hold it or load them.
@@ -149,10 +101,6 @@ void require_load(const StrictTable& table) {
 
 }  // namespace
 
-part::Supports read_fixed(StrictTable& table) {
-  return read_groups<std::array<bool, 3>>(table, "fixed", read_components);
-}
-
 LoadCaseDefinition read_case(StrictTable table) {
   const auto force = [](const Value& v) {
     return v.vector(Dimension::kForce);
@@ -170,8 +118,7 @@ LoadCaseDefinition read_case(StrictTable table) {
   load_case.pressure = read_groups<double>(table, "pressure", pressure);
   load_case.traction = read_groups<Eigen::Vector3d>(table, "traction", stress);
   load_case.fixed = read_fixed(table);
-  load_case.foundations =
-      read_groups<part::Foundation>(table, "foundation", read_foundation);
+  load_case.foundations = read_foundations(table);
   load_case.held_by_pin = read_held_by_pin(table, load_case);
   load_case.acceleration =
       vector_or_zero(table, "acceleration", Dimension::kAcceleration) -

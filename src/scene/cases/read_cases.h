@@ -1,15 +1,11 @@
 #pragma once
 
 #include "part/part_definition.h"
-#include "part/supports.h"
 #include "scene/text/strict_table.h"
 
 namespace clevis::scene {
 
 /// A [[part.case]] table. @throws Error S002–S011.
 part::LoadCaseDefinition read_case(StrictTable table);
-
-/// `fixed` of a case or an impact; empty without.
-part::Supports read_fixed(StrictTable& table);
 
 }  // namespace clevis::scene

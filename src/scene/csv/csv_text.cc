@@ -1,4 +1,4 @@
-#include "scene/variants/csv_text.h"
+#include "scene/csv/csv_text.h"
 
 #include <algorithm>
 #include <cstddef>

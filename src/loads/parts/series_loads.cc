@@ -1,0 +1,167 @@
+#include "loads/parts/series_loads.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "loads/history/balance.h"
+#include "loads/parts/surface_loads.h"
+
+namespace clevis::loads {
+namespace {
+
+using Eigen::Vector3d;
+using part::LoadSeries;
+using part::SeriesInstant;
+
+Seat seat_of(const part::SeriesSeat& given,
+             const std::vector<GroupGeometry>& groups,
+             const std::string& place) {
+  const GroupGeometry& group = find_group(groups, given.group, place);
+  Seat seat{.name = given.name, .group = given.group};
+  if (given.is_face) {
+    seat.kind = SeatKind::kTraction;
+    seat.p_LS = group.centroid;
+    return seat;
+  }
+  require_full_cylinder(group, place);
+  seat.kind = SeatKind::kBearing;
+  seat.p_LS = group.cylinder.p_LC;
+  return seat;
+}
+
+InstantLoad instant_of(const LoadSeries& series, const SeriesInstant& given,
+                       const std::vector<Seat>& seats,
+                       const std::vector<GroupGeometry>& groups,
+                       const std::string& place) {
+  InstantLoad instant;
+  instant.label = fmt::format("{}, t = {:.6g} s", series.name, given.time);
+  instant.time = given.time;
+  for (std::size_t s = 0; s < seats.size(); ++s) {
+    instant.wrenches.push_back(
+        about(given.forces[s], given.moments[s],
+              series.seats[s].about.value_or(seats[s].p_LS), seats[s].p_LS));
+  }
+  std::map<std::string, double> pressures;
+  for (std::size_t p = 0; p < series.pressurized.size(); ++p) {
+    pressures.emplace(series.pressurized[p], given.pressures[p]);
+  }
+  instant.surface_loads = surface_loads(pressures, {}, groups, place);
+  instant.rigid = {.acceleration = given.acceleration,
+                   .alpha = given.angular_acceleration,
+                   .omega = given.angular_velocity};
+  return instant;
+}
+
+/// Rests of the balance of a series, over its largest loads.
+class SeriesBalance {
+ public:
+  SeriesBalance(const LoadHistory& history, const part::MassProperties& mass,
+                double size) {
+    for (const InstantLoad& instant : history.instants) {
+      rests_.push_back(imbalance(history, instant, mass, size));
+      force_scale_ = std::max(force_scale_, rests_.back().force_scale);
+      moment_scale_ = std::max(moment_scale_, rests_.back().moment_scale);
+    }
+    for (Imbalance& rest : rests_) {
+      rest.force_scale = force_scale_;
+      rest.moment_scale = moment_scale_;
+    }
+  }
+
+  const Imbalance& operator[](std::size_t i) const { return rests_[i]; }
+  std::size_t largest() const {
+    const auto largest =
+        std::ranges::max_element(rests_, {}, [](const Imbalance& rest) {
+          return rest.relative();
+        });
+    return static_cast<std::size_t>(largest - rests_.begin());
+  }
+
+ private:
+  std::vector<Imbalance> rests_;
+  double force_scale_{};
+  double moment_scale_{};
+};
+
+std::string text_of(const Imbalance& rest) {
+  return fmt::format(
+      "{:.4g} N and, about the part's origin, {:.4g} N m, "
+      "{:.2g} % of the largest load",
+      rest.left.force.norm(), rest.left.moment.norm(), 100.0 * rest.relative());
+}
+
+/// Gives a free part the accelerations that balance its loads.
+void balance(const LoadSeries& series, const part::MassProperties& mass,
+             double size, const std::string& place, LoadHistory& history) {
+  const SeriesBalance rests(history, mass, size);
+  const std::size_t worst = rests.largest();
+  const std::string& label = history.instants[worst].label;
+  // Written so that a NaN is refused, too.
+  if (series.has_acceleration &&
+      !(rests[worst].relative() <= series.largest_imbalance)) {
+    throw Error(
+        "L001", place,
+        fmt::format("{}: the loads leave {}", label, text_of(rests[worst])),
+        fmt::format("Give the missing load or acceleration, its "
+                    "`gravity`, or a larger `largest_imbalance` than "
+                    "{:.3g} %; hold the part with `fixed` or a "
+                    "`foundation` if something holds it.",
+                    100.0 * series.largest_imbalance));
+  }
+  double fastest = 0.0;
+  for (std::size_t i = 0; i < history.instants.size(); ++i) {
+    const RigidAcceleration more = relieving_acceleration(rests[i].left, mass);
+    RigidAcceleration& rigid = history.instants[i].rigid;
+    rigid.acceleration += more.acceleration;
+    rigid.alpha += more.alpha;
+    history.instants[i].relief = rests[i].left;
+    const Vector3d force = inertia_load(rigid, mass).force;
+    fastest = std::max(fastest, force.norm() / mass.mass);
+  }
+  if (series.has_acceleration) {
+    history.notes.push_back(fmt::format(
+        "history {}: its loads leave at most {}, at t = {:.6g} s: "
+        "inertia takes it up",
+        series.name, text_of(rests[worst]), history.instants[worst].time));
+  } else {
+    history.notes.push_back(
+        fmt::format("history {}: its file has no accelerations; those that "
+                    "balance its loads reach {:.4g} m/s^2 at the centre of "
+                    "mass",
+                    series.name, fastest));
+  }
+}
+
+}  // namespace
+
+LoadHistory series_loads(const part::PartDefinition& part,
+                         const LoadSeries& series,
+                         const std::vector<GroupGeometry>& groups,
+                         const part::MassProperties& mass) {
+  const std::string place = fmt::format("{}: part {}, history {}", series.place,
+                                        part.name, series.name);
+  LoadHistory history;
+  for (const part::SeriesSeat& seat : series.seats) {
+    history.seats.push_back(seat_of(seat, groups, place));
+  }
+  for (const SeriesInstant& given : series.instants) {
+    history.instants.push_back(
+        instant_of(series, given, history.seats, groups, place));
+  }
+  for (const auto& [name, components] : series.fixed) {
+    find_group(groups, name, place);
+  }
+  for (const auto& [name, foundation] : series.foundations) {
+    find_group(groups, name, place);
+  }
+  if (series.fixed.empty() && series.foundations.empty()) {
+    balance(series, mass, part_size(groups, mass), place, history);
+  }
+  return history;
+}
+
+}  // namespace clevis::loads

@@ -1,0 +1,54 @@
+#include "scene/cases/read_supports.h"
+
+#include <array>
+#include <cstddef>
+
+namespace clevis::scene {
+namespace {
+
+std::array<bool, 3> read_components(const Value& value) {
+  const auto elements = value.elements();
+  std::array<bool, 3> is_fixed{};
+  if (elements.empty()) {
+    throw value.refusal("S006", "holds nothing",
+                        "Name at least one of \"x\", \"y\", \"z\".");
+  }
+  for (const Value& element : elements) {
+    is_fixed.at(element.choice<std::size_t>({{"x", 0}, {"y", 1}, {"z", 2}})) =
+        true;
+  }
+  return is_fixed;
+}
+
+/// A number: the same in all directions; a table: across and along the face.
+part::Foundation read_foundation(const Value& value) {
+  if (!value.is_table()) {
+    const double all = value.positive(Dimension::kBedding);
+    return {all, all};
+  }
+  part::Foundation foundation;
+  StrictTable table(value, "part.case.foundation");
+  if (const auto normal = table.find("normal")) {
+    foundation.normal = normal->positive(Dimension::kBedding);
+  }
+  if (const auto tangential = table.find("tangential")) {
+    foundation.tangential = tangential->positive(Dimension::kBedding);
+  }
+  if (foundation == part::Foundation{}) {
+    throw value.refusal("S006", "holds nothing",
+                        "Give normal, tangential or both.");
+  }
+  return foundation;
+}
+
+}  // namespace
+
+part::Supports read_fixed(StrictTable& table) {
+  return read_groups<std::array<bool, 3>>(table, "fixed", read_components);
+}
+
+part::Foundations read_foundations(StrictTable& table) {
+  return read_groups<part::Foundation>(table, "foundation", read_foundation);
+}
+
+}  // namespace clevis::scene

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "part/supports.h"
+#include "scene/text/strict_table.h"
+
+namespace clevis::scene {
+
+/// A map from groups of the mesh to what acts on them.
+template <typename Content, typename Read>
+std::map<std::string, Content> read_groups(StrictTable& table,
+                                           std::string_view key, Read read) {
+  std::map<std::string, Content> groups;
+  const auto value = table.find(key);
+  if (!value) return groups;
+  for (const auto& [group, entry] : value->entries()) {
+    groups.emplace(group, read(entry));
+  }
+  return groups;
+}
+
+/// `fixed` of a case, a history or an impact; empty without.
+/// @throws Error S005, S006, S009.
+part::Supports read_fixed(StrictTable& table);
+
+/// `foundation` of a case or a history; empty without.
+/// @throws Error S004, S005, S006.
+part::Foundations read_foundations(StrictTable& table);
+
+}  // namespace clevis::scene

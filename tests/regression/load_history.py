@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+"""[[part.history]]: the loads of a mechanism's part, read back from the file
+that `clevis check` wrote, stress the part alone as they did in the mechanism,
+in the part's frame and in the world's; a bar pushed at one end is stressed as
+its inertia asks; and what is refused.
+
+    load_history.py CLEVIS SOURCE_DIR
+"""
+import csv
+import math
+import random
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+import support
+
+CLEVIS = str(Path(sys.argv[1]).resolve())
+SOURCE = Path(sys.argv[2]).resolve()
+SAME = 1e-9  # relative: rounding of the loads' balance
+faults = []
+
+
+def near(name, found, wanted, tolerance):
+    print(f"{name}: {found:.9g}, wanted {wanted:.9g}")
+    if not abs(found - wanted) <= tolerance * abs(wanted):
+        faults.append(f"{name}: {found}, not {wanted} within {tolerance}")
+
+
+def scene(mesh, history, strength=355.0):
+    return f"""schema = 1
+name = "history"
+{support.steel(strength=strength)}
+[[part]]
+name = "part"
+mesh = "{mesh}"
+length_unit = "mm"
+material = "steel"
+limits = {{ safety_factor = 1.5 }}
+[[part.history]]
+name = "bench"
+file = "loads.csv"
+{history}
+"""
+
+
+def check(folder, mesh, history, table, exits=(0, 1)):
+    (folder / "loads.csv").write_text(table)
+    (folder / "scene.toml").write_text(scene(mesh, history))
+    return support.check(CLEVIS, folder / "scene.toml", exits=exits)
+
+
+def rotation(w, x, y, z):
+    """Matrix from the part's frame to the world of a unit quaternion."""
+    return [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
+
+
+def in_world(text, seed=4):
+    """The same loads by a world in which the part tumbles at random."""
+    rows = list(csv.reader(text.splitlines()))
+    draw = random.Random(seed)
+    starts = [i for i, title in enumerate(rows[0]) if "_x [" in title]
+    turned = [rows[0] + [f"orientation_{c}" for c in "wxyz"]]
+    for row in rows[1:]:
+        q = [draw.gauss(0, 1) for _ in range(4)]
+        q = [c / math.hypot(*q) for c in q]
+        R = rotation(*q)
+        new = list(row)
+        for start in starts:
+            v = [float(f) for f in row[start:start + 3]]
+            for i in range(3):
+                new[start + i] = repr(sum(R[i][k] * v[k] for k in range(3)))
+        turned.append(new + [repr(c) for c in q])
+    return "\n".join(",".join(row) for row in turned) + "\n"
+
+
+def round_trip(folder):
+    whole = support.check(CLEVIS, SOURCE / "geometry/landing_gear/loaded.toml",
+                          "--part", "DCE", out=folder / "whole", exits=(0, 1))
+    table = (folder / "whole/DCE_loads.csv").read_text()
+    mesh = SOURCE / "meshes/landing_gear/link_dce.msh"
+    pins = 'pins = { D = "bore_D", C = "bore_C", E = "bore_E" }\n'
+    wanted = whole.part
+    for frame, text in (("part", table), ("world", in_world(table))):
+        found = check(folder, mesh, pins + f'frame = "{frame}"', text).part
+        for key in ("value_MPa", "instant_s"):
+            near(f"DCE, {frame}, {key}", found["peak_von_mises"][key],
+                 wanted["peak_von_mises"][key], SAME)
+        near(f"DCE, {frame}, deflection", found["deflection_mm"],
+             wanted["deflection_mm"], 1e-6)
+    slow = re.sub(r",(angular_)?(acceleration|velocity)_[xyz] \[[^]]*\]", "", table.splitlines()[0])
+    width = len(slow.split(","))
+    bare = "\n".join([slow] + [",".join(r.split(",")[:width])
+                               for r in table.splitlines()[1:]]) + "\n"
+    found = check(folder, mesh, pins, bare)
+    # What the turning itself adds (its square) is in no force.
+    near("DCE without accelerations", found.peak,
+         wanted["peak_von_mises"]["value_MPa"], 1e-3)
+    if "its file has no accelerations; those that balance its loads reach" not in found.text:
+        faults.append("no word on accelerations that balance the loads")
+
+
+def pushed_bar(folder):
+    """A free bar of 200 x 20 x 10 mm pushed at one end, in kN and ms: the
+    stress falls along it as 1 - x/L; half way it is half of F/A."""
+    support.gmsh(folder, """SetFactory("OpenCASCADE");
+Rectangle(1) = {0, 0, 0, 200, 20};
+Transfinite Curve {1, 3} = 21; Transfinite Curve {2, 4} = 5;
+Transfinite Surface {1}; Recombine Surface {1};
+out[] = Extrude {0, 0, 10} { Surface{1}; Layers{2}; Recombine; };
+Physical Volume("bar") = {1};
+near() = Surface In BoundingBox {-1, -1, -1, 1, 21, 11};
+Physical Surface("near") = {near()};
+""", name="bar")
+    table = "time [ms],push.force_x [kN]\n0,0\n1,10\n2,4\n"
+    answer = check(folder, "bar.msh", 'faces = { push = "near" }', table)
+    near("bar pushed by 10 kN: peak", answer.peak, 50.0, 0.01)
+    near("bar: when", answer.part["peak_von_mises"]["instant_s"], 1e-3, SAME)
+    loads = "time [s],push.force_x [N],acceleration_x [m/s^2]\n"
+    mass = 7850.0 * 0.2 * 0.02 * 0.01
+    a = 1e4 / mass
+    answer = check(folder, "bar.msh", 'faces = { push = "near" }',
+                   loads + f"0,10000,{a * 0.995}\n")
+    near("bar with 0.5 % missing: peak", answer.peak, 50.0, 0.01)
+    if "its loads leave at most 50 N" not in answer.text:
+        faults.append(f"the rest is not told:\n{answer.text}")
+    refused(folder, "L001", "bar.msh", 'faces = { push = "near" }',
+            loads + f"0,10000,{a * 0.9}\n")
+    gravity = ('faces = { push = "near" }\n'
+               f'gravity = ["{-a * 0.1} m/s^2", "0 m/s^2", "0 m/s^2"]')
+    check(folder, "bar.msh", gravity, loads + f"0,10000,{a * 0.9}\n")
+
+
+def refused(folder, code, mesh, history, table):
+    answer = check(folder, mesh, history, table, exits=(10, 11, 12))
+    line = answer.text.strip().splitlines()[0]
+    print(f"refused: {line}")
+    if code not in answer.codes:
+        faults.append(f"{code} expected for {table!r}: {answer.text}")
+
+
+def refusals(folder):
+    faces = 'faces = { push = "near" }'
+    for code, history, table in (
+            ("S003", faces, "push.force_x [N]\n1\n"),
+            ("S002", faces, "time [s],push.force_x [N],t2 [s]\n0,1,0\n"),
+            ("S004", faces, "time [s],push.force_x\n0,1\n"),
+            ("S004", faces, "time [s],push.force_x [mm]\n0,1\n"),
+            ("S005", faces, 'time [s],push.force_x [N]\n0,"1,5"\n'),
+            ("S005", faces, "time [s],push.force_x [N]\n0,nan\n"),
+            ("S006", faces, "time [s],push.force_x [N]\n1,1\n0,1\n"),
+            ("S012", faces, "time [s],push.force_x [N]\n0\n"),
+            ("S012", faces, "time [s],time [s],push.force_x [N]\n0,0,1\n"),
+            ("S012", faces, ""),
+            ("S003", "", "time [s]\n0\n"),
+            ("S007", 'faces = { pull = "near" }', "time [s],push.force_x [N]\n0,1\n"),
+            ("M003", "", "time [s],push.force_x [N]\n0,1\n"),
+            ("L002", 'pins = { push = "near" }', "time [s],push.force_x [N]\n0,1\n"),
+            ("S003", faces + '\nframe = "world"', "time [s],push.force_x [N]\n0,1\n"),
+            ("S010", faces + '\nlargest_imbalance = "5 %"',
+             "time [s],push.force_x [N]\n0,1\n"),
+            ("S006", faces + '\nframe = "world"',
+             "time [s],push.force_x [N],orientation_w,orientation_x,"
+             "orientation_y,orientation_z\n0,1,1,1,0,0\n")):
+        refused(folder, code, "bar.msh", history, table)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        round_trip(folder)
+        pushed_bar(folder)
+        refusals(folder)
+    for fault in faults:
+        print("FAULT", fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
