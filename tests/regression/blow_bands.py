@@ -77,7 +77,7 @@ def bent_bands(clevis):
     rest = next(row["stress_MPa"] for row in blow["models"]
                 if row["model"].startswith("static"))
     return ([value / rest for value in blow["band_MPa"]],
-            blow["refinement"]["stress_settles"])
+            blow["refinement"]["stress_converges"])
 
 
 def stiffness(contact):
@@ -113,7 +113,7 @@ def row(blow, ratio, contact):
     low, high = blow["band_MPa"]
     told = blow["refinement"]
     return {"exact": exact, "stress": blow["stress_MPa"], "low": low,
-            "high": high, "settles": not told or told["stress_settles"]}
+            "high": high, "settles": not told or told["stress_converges"]}
 
 
 def main():

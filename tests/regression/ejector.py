@@ -28,7 +28,7 @@ def main():
         sys.exit(f"exit {run.returncode}, 1 expected\n{run.stderr}")
     result = json.loads(run.stdout)
     part = result["parts"][0]
-    held = part["held_section"]
+    held = part["support_section"]
     blow = part["impacts"][0]
     published, corrected, moving, _, direct, modal = blow["models"][:6]
     judged = blow["models"][-1]

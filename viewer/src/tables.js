@@ -137,7 +137,7 @@ export function partSection(part) {
     beam(part), zones(part), blows(part),
     part.result.vibration &&
       records("Vibration under the loads of the motion", [part.result.vibration]),
-    records("Impacts of the mechanism, as they load it", part.result.load_paces),
+    records("Impacts of the mechanism, as they load it", part.result.impact_durations),
     records("Probes", part.result.probes),
     records("Pins that hold it", part.result.pin_reactions));
 }

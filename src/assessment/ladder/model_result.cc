@@ -82,10 +82,10 @@ void fill_zones(const PartJob& job, const DegreeLadder<dim>& ladder,
   const ZoneTracker<dim>& zones = ladder.zones;
   result.singular_zones = zones.results();
   for (ZoneResult& zone : result.singular_zones) {
-    zone.has_section =
-        std::ranges::any_of(level.held_sections, [&](const std::string& group) {
-          return zone.edge_of == group;
-        });
+    zone.has_section = std::ranges::any_of(level.support_sections,
+                                           [&](const std::string& group) {
+                                             return zone.edge_of == group;
+                                           });
   }
   if (!zones.is_singular()) return;
   result.peak.verdict = PeakVerdict::kSingular;

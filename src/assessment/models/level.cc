@@ -64,8 +64,8 @@ void note_held(const PartJob& job, const LoadSet& set,
   std::optional<SupportStress>& held = level.held;
   for (const auto& face : stress::support_faces<dim>(
            basis, job.part.material, set.fixed, set.history, job.part.name)) {
-    level.held_sections.insert(level.held_sections.end(), face.groups.begin(),
-                               face.groups.end());
+    level.support_sections.insert(level.support_sections.end(),
+                                  face.groups.begin(), face.groups.end());
     Eigen::Index at = 0;
     const double value = face.nominal.maxCoeff(&at);
     if (value <= (held ? held->value : 0.0)) continue;

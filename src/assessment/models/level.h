@@ -24,8 +24,8 @@ struct Level {
   std::size_t set{};                             ///< the governing one
   SequenceMember member;
   std::optional<SupportStress> held;  ///< without band; absent: no plane face
-  std::vector<std::string> held_sections;  ///< groups with plane faces
-  std::vector<stress::PointValue> probes;  ///< case after case
+  std::vector<std::string> support_sections;  ///< groups with plane faces
+  std::vector<stress::PointValue> probes;     ///< case after case
 
   const stress::StressHistory& history() const { return histories[set]; }
 };

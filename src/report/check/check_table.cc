@@ -78,7 +78,7 @@ void add_zones(TextTable& table, const PartResult& part) {
     line += fmt::format(", radius {:#.3g} mm", millimetres(zone.radius));
     table.add_note(zone.governs ? line : line + ", does not govern");
   }
-  if (part.held) table.add_note(held_section_text(*part.held));
+  if (part.held) table.add_note(support_section_text(*part.held));
   if (!part.peak_outside) return;
   const assessment::PeakStress& outside = *part.peak_outside;
   table.add_note(fmt::format(

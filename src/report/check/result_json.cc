@@ -133,7 +133,7 @@ ordered_json part_json(const CheckReport& report, const PartResult& part) {
   json["singular_zones"] = zones_json(part.singular_zones);
   json["limits"] = limits_json(report, part.name);
   json["impacts"] = part_impacts_json(part);
-  json["load_paces"] = duration_ratios_json(part);
+  json["impact_durations"] = duration_ratios_json(part);
   json["vibration"] = vibration_json(part);
   json["probes"] = probes_json(part.probes);
   if (!part.pin_reactions.empty()) {

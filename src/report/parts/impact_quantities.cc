@@ -95,21 +95,22 @@ Quantities<ImpactResult> judged_rows() {
 Quantities<ImpactResult> later_rows() {
   using S = ImpactResult;
   return {
-      quantity<S>({"looked_for", "/looked_for_s", "s"}, &S::looked_for),
+      quantity<S>({"looked_for", "/searched_s", "s"}, &S::looked_for),
       quantity<S>({"later_stress", "/later_stress_ratio", "1", "", kLaterRule,
                    Since::kLater},
                   &S::later_stress),
       quantity<S>({"later_section", "/later_section_ratio", "1"},
                   &S::later_root),
-      quantity<S>({"course_spread", "/course_spread_percent", "%"}, &S::spread),
+      quantity<S>({"response_scatter", "/response_scatter_percent", "%"},
+                  &S::spread),
       quantity<S>({"later_deflection", "/later_deflection_ratio", "1", "",
                    kLikeLaterRule, Since::kLater},
                   &S::later_deflection),
-      quantity<S>({"free_swing_stress", "/free_swing_stress_ratio", "1", "",
-                   kLikeLaterRule},
-                  &S::free_vibration_stress),
-      quantity<S>({"free_swing_deflection", "/free_swing_deflection_ratio", "1",
+      quantity<S>({"free_vibration_stress", "/free_vibration_stress_ratio", "1",
                    "", kLikeLaterRule},
+                  &S::free_vibration_stress),
+      quantity<S>({"free_vibration_deflection",
+                   "/free_vibration_deflection_ratio", "1", "", kLikeLaterRule},
                   &S::free_vibration_deflection),
       quantity<S>({"reason", "/reason"}, &S::reason),
   };
@@ -119,7 +120,7 @@ Quantities<WaveFrontRefinement> refinement_rows() {
   using S = WaveFrontRefinement;
   return {
       quantity<S>({"refinement_degree", "/degree"}, &S::degree),
-      quantity<S>({"settles", "/stress_settles", "", "", kVerdictRule},
+      quantity<S>({"settles", "/stress_converges", "", "", kVerdictRule},
                   &S::settles),
       quantity<S>({"left_above", "/left_above_percent", "%"}, &S::above),
       quantity<S>({"left_below", "/left_below_percent", "%"}, &S::below),
@@ -133,7 +134,7 @@ Quantities<ImpactResult> blow_rows() {
   append(judged_rows(), rows);
   const auto first_of_section = rows.size();
   add_rows_of(
-      section_quantities(), "/held_section", true,
+      section_quantities(), "/support_section", true,
       [](const S& blow) {
         return blow.root ? &*blow.root : nullptr;
       },

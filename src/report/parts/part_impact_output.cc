@@ -143,7 +143,7 @@ std::string table_of(const ImpactResult& impact, Colour colour) {
       "stress {:#.4g} [{:#.4g}, {:#.4g}] MPa, safety {:#.4g}; in time: {}",
       megapascals(impact.stress), megapascals(impact.band_low),
       megapascals(impact.band_high), impact.safety_factor, impact.reason));
-  if (impact.root) table.add_note(held_section_text(*impact.root));
+  if (impact.root) table.add_note(support_section_text(*impact.root));
   if (impact.spread > 0.0) {
     table.add_note(
         fmt::format("the striker bounces, and its response is chaotic: 2 % of "
@@ -201,7 +201,7 @@ std::string vibration_text(const PartResult& part) {
 ordered_json refinement_steps(const assessment::WaveFrontRefinement& tried) {
   ordered_json steps = ordered_json::array();
   for (std::size_t i = 0; i < tried.stress.size(); ++i) {
-    steps.push_back({{"front_s", tried.fronts[i]},
+    steps.push_back({{"wave_front_s", tried.fronts[i]},
                      {"stress_MPa", megapascals(tried.stress[i])},
                      {"deflection_mm", millimetres(tried.deflection[i])}});
   }
@@ -256,7 +256,7 @@ ordered_json vibration_json(const PartResult& part) {
   return quantities_json(*vibration, vibration_quantities());
 }
 
-std::string held_section_text(const assessment::SupportStress& held) {
+std::string support_section_text(const assessment::SupportStress& held) {
   return fmt::format(
       "section {}, by its support's force and moment: {:#.5g} [{:#.5g}, "
       "{:#.5g}] MPa at {:.4g} ms",

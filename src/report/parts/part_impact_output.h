@@ -21,7 +21,7 @@ nlohmann::ordered_json duration_ratios_json(const assessment::PartResult& part);
 nlohmann::ordered_json vibration_json(const assessment::PartResult& part);
 
 /// Nominal stress of the section at which the part is held.
-std::string held_section_text(const assessment::SupportStress& held);
+std::string support_section_text(const assessment::SupportStress& held);
 
 /// Stress by the corrected beam-theory impact model, the largest of the blows
 /// [Pa], and its factor over the static stress; absent: it says nothing.

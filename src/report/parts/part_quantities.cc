@@ -212,7 +212,7 @@ Quantities<PartResult> part_rows() {
   add_member_rows(peak_quantities(), "/peak_von_mises", &S::peak, rows);
   add_outside_peak(rows);
   add_rows_of(
-      section_quantities(), "/held_section", true,
+      section_quantities(), "/support_section", true,
       [](const S& part) {
         return part.held ? &*part.held : nullptr;
       },

@@ -94,7 +94,7 @@ TEST_F(CompareCommand, OtherSchemaOrSceneReturnsTwo) {
   EXPECT_EQ(run(), ExitCode::kUsage);
   EXPECT_EQ(output_.substr(0, 4), "R002");
   edit_baseline([](nlohmann::json& json) {
-    json["schema"] = 2;
+    json["schema"] = 99;
   });
   EXPECT_EQ(run(), ExitCode::kUsage);
   EXPECT_EQ(output_.substr(0, 4), "R002");

@@ -165,7 +165,7 @@ TEST(ResultJson, WhatIsNotKnownIsNull) {
   const json& part = result["parts"][0];
   EXPECT_TRUE(part["beam"]["peak_stress_MPa"].is_null());
   EXPECT_TRUE(part["beam"]["ratio_fe_to_beam"].is_null());
-  EXPECT_TRUE(part["held_section"].is_null());
+  EXPECT_TRUE(part["support_section"].is_null());
   EXPECT_TRUE(part["vibration"].is_null());
   EXPECT_TRUE(part["strain_energy_error_percent"].is_null());
   EXPECT_TRUE(part["peak_von_mises"]["degree_nearby"].is_null());

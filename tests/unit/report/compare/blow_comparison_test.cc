@@ -120,11 +120,11 @@ TEST(Comparison, EveryNumberOfABlowIsHeld) {
   EXPECT_EQ(after([](Part& part) {
               part.impacts[0].free_vibration_stress.reset();
             }),
-            of + "free_swing_stress");
+            of + "free_vibration_stress");
   EXPECT_EQ(after([](Part& part) {
               *part.impacts[0].free_vibration_deflection *= 1.02;
             }),
-            of + "free_swing_deflection");
+            of + "free_vibration_deflection");
   const std::string model = "impact DCE/blow, model 2 ";
   using Row = assessment::ImpactRow;
   EXPECT_EQ(after([](Part& part) {
