@@ -117,20 +117,20 @@ struct BeddedPart {
   BeddedPart(const ElasticProblem<dim>& problem, const Folding<dim>& folding,
              const Discretization<dim>& whole)
       : material(problem.material),
-        part(folding.part),
+        folded(folding.part),
         bed(whole, problem.foundations, problem.name) {
     bed.renumber(folding.node);
   }
 
   /// By strains [N]. @param u  displacements, dofs × columns [m].
   MatrixXd forces(const MatrixXd& u) const {
-    MatrixXd sum = forces_by_strain(part, material, u);
+    MatrixXd sum = forces_by_strain(folded, material, u);
     bed.add_forces(u, sum);
     return sum;
   }
 
   const part::Material& material;
-  const Discretization<dim>& part;
+  const Discretization<dim>& folded;
   FoundationStiffness<dim> bed;
 };
 
