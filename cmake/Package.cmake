@@ -6,8 +6,11 @@ install(FILES README.md CHANGELOG.md LICENSE.md TYPE DOC)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
         FILES_MATCHING PATTERN "*.md" PATTERN "*.json" PATTERN "*.svg"
         PATTERN "*.txt")
-install(FILES docs/scene.schema.json docs/result.schema.json
-        docs/transmission.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/clevis)
+foreach(name compare error impact modes plan result scene simulate study
+        transmission view_motion view_part)
+  install(FILES docs/${name}.schema.json
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/clevis)
+endforeach()
 install(DIRECTORY geometry DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
         FILES_MATCHING PATTERN "*.toml" PATTERN "*.geo" PATTERN "*.msh"
         PATTERN "*.csv")

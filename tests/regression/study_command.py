@@ -16,6 +16,8 @@ import tempfile
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+from schemas import errors
+
 MATERIAL = """
 schema = 1
 name = "{name}"
@@ -108,6 +110,9 @@ def contract(clevis, root, checks):
         run = call(clevis, "study", file, "--json", "--out", str(out), path="")
         checks.expect(run.returncode == 0, "study", run)
         document = json.loads(run.stdout)
+        schema = json.loads((root / "docs/study.schema.json").read_text())
+        broken = list(errors(document, schema, schema))
+        checks.expect(not broken, "it holds to study.schema.json", broken[:5])
         part = document["parts"][0]
         checks.expect("left out" in document["calculix"],
                       "a missing ccx is told", document["calculix"])

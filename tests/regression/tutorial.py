@@ -2,7 +2,7 @@
 
     tutorial.py CLEVIS SOURCE_DIR DOCUMENT [--update]
 
-DOCUMENT is docs/tutorial.md, README.md or one of docs/scene. It runs in an empty folder with
+DOCUMENT is README.md or one of docs and docs/scene. It runs in an empty folder with
 `geometry` and `meshes` of the sources.
 
 Blocks of the document: "```toml scene.toml" (or any language and file) writes a
