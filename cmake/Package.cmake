@@ -8,7 +8,7 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
 install(FILES docs/scene.schema.json docs/result.schema.json
         docs/transmission.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/clevis)
 install(DIRECTORY geometry DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
-        FILES_MATCHING PATTERN "*.toml" PATTERN "*.geo" PATTERN "*.msh"
+        FILES_MATCHING PATTERN "*.toml" PATTERN "*.geo" PATTERN "*.msh" PATTERN "*.step"
         PATTERN "*.csv")
 install(DIRECTORY meshes DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
         FILES_MATCHING PATTERN "*.msh")

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "app/commands/explain_command.h"
+#include "app/commands/faces_command.h"
 #include "app/commands/impact_command.h"
 #include "app/commands/mesh_command.h"
 #include "app/commands/plugin_commands.h"
@@ -60,6 +61,7 @@ struct Parsed {
   std::filesystem::path variants;  ///< folder that `collect` reads
   std::vector<std::string> settings;
   ReportOptions report;
+  FacesOptions faces;
   std::string tolerance;
   std::string code;
   std::function<ExitCode()> run;
@@ -219,6 +221,13 @@ void add_check(CLI::App& app, Parsed& parsed) {
   add_model(*command, parsed.options.model);
   command->add_flag("--mesh", parsed.options.mesh,
                     "first mesh the parts whose mesh is missing or outdated");
+  constexpr int kMostRounds = 5;
+  command
+      ->add_option("--mesh-rounds", parsed.options.mesh_rounds,
+                   "finer meshes at most of a STEP part whose band stays open "
+                   "[2]")
+      ->type_name("N")
+      ->check(CLI::Range(0, kMostRounds));
   command->add_flag("--resume", parsed.options.resume,
                     "keep the result in --out if it is whole and of the same "
                     "inputs");
@@ -332,13 +341,36 @@ void add_mesh(CLI::App& app, Parsed& parsed) {
       app.add_subcommand("mesh", "(re)build the meshes from geometry/");
   command->footer(
       "Runs gmsh on the .geo files that the scene names. A .geo can run shell\n"
-      "commands: mesh only scenes that you trust. No other command runs gmsh,\n"
-      "but `check` with --mesh; they read the .msh.");
+      "commands: mesh only scenes that you trust. No other command runs them,\n"
+      "but `check` with --mesh; they read the .msh. STEP, IGES and BREP files\n"
+      "run nothing: every command that needs their meshes makes them.");
   add_scene(*command, parsed);
   add_parts(*command, parsed.options.parts);
   command->callback([&parsed] {
     parsed.run = [&parsed] {
       return mesh_command(parsed.options);
+    };
+  });
+}
+
+void add_faces(CLI::App& app, Parsed& parsed) {
+  CLI::App* command =
+      app.add_subcommand("faces", "the faces of a STEP, IGES or BREP solid");
+  command->footer(
+      "Number, type, diameter, place, axis or normal, area and neighbours of "
+      "every\nface; of a scene's parts also the groups that joints and "
+      "selectors find.");
+  command
+      ->add_option("FILE", parsed.faces.file,
+                   "a .step, .stp, .iges, .igs or .brep file, or a scene")
+      ->required();
+  command->add_option("PART", parsed.faces.part,
+                      "of the scene; default: all parts that are solids");
+  command->add_flag("--json", parsed.faces.json,
+                    "print one JSON document instead of tables");
+  command->callback([&parsed] {
+    parsed.run = [&parsed] {
+      return faces_command(parsed.faces);
     };
   });
 }
@@ -529,6 +561,7 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   add_transmission(app, parsed);
   add_impact(app, parsed);
   add_mesh(app, parsed);
+  add_faces(app, parsed);
   add_study(app, parsed);
   add_modes(app, parsed);
   add_export(app, parsed);

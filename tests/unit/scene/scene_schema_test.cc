@@ -59,6 +59,7 @@ void collect(const toml::table& table, const std::string& path, Keys& used) {
     if (!known.contains(below)) continue;
     const bool by_name = below == "material" || below == "part.pins" ||
                          below == "part.drives" || below == "part.forces" ||
+                         below == "part.faces" ||
                          below == "part.case.foundation";
     if (const auto* array = node.as_array()) {
       for (const auto& element : *array) {
