@@ -12,7 +12,7 @@ foreach(name compare error impact modes plan result scene simulate study
           DESTINATION ${CMAKE_INSTALL_DATADIR}/clevis)
 endforeach()
 install(DIRECTORY geometry DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
-        FILES_MATCHING PATTERN "*.toml" PATTERN "*.geo" PATTERN "*.msh"
+        FILES_MATCHING PATTERN "*.toml" PATTERN "*.geo" PATTERN "*.msh" PATTERN "*.step"
         PATTERN "*.csv")
 install(DIRECTORY meshes DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
         FILES_MATCHING PATTERN "*.msh")

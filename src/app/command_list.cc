@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/commands/explain_command.h"
+#include "app/commands/faces_command.h"
 #include "app/commands/impact_command.h"
 #include "app/commands/mesh_command.h"
 #include "app/commands/simulate_command.h"
@@ -35,6 +36,8 @@ std::span<const Command> commands() {
               "ejectors by beam theory: blow on the workpiece, limits",
               declare_impact},
       Command{"mesh", "(re)build the meshes from geometry/", declare_mesh},
+      Command{"faces", "the faces of a STEP, IGES or BREP solid",
+              declare_faces},
       Command{"study",
               "speed against error: every model and degree, and CalculiX",
               declare_study},

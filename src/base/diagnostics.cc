@@ -207,7 +207,9 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "definition, but the nodes of the group do not lie on one. Name the "
      "group differently if it is not round."},
     {"M010", kMeshInvalid, "mesher failed",
-     "gmsh could not mesh the geometry; its message is given."},
+     "gmsh or OpenCASCADE could not read or mesh the geometry, or took too "
+     "much "
+     "time or memory; the message says which."},
     {"M011", kMeshInvalid, "mesh is out of date",
      "The mesh was made from another version of the geometry, or with other "
      "parameters. Run `clevis mesh SCENE`, with the same --set, or `clevis "
@@ -224,6 +226,18 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "Two elements have the same nodes, in one physical group or in another "
      "order: the part would be twice as stiff and heavy there. The same "
      "element in several groups is one. Mesh every volume once."},
+    {"M015", kMeshInvalid, "no CAD file",
+     "A part's `geometry` that ends in .step, .stp, .iges, .igs or .brep must "
+     "begin as such a file does; a script under such a name is not run, and "
+     "nothing above 256 MiB is read. Export it again, or name it .geo."},
+    {"M016", kMeshInvalid, "not one sound solid",
+     "A part is one solid whose closed surface does not cut itself: no "
+     "assembly, no open shell, no loose surface. The message says what is "
+     "found where, in millimetres of the file's frame."},
+    {"M017", kMeshInvalid, "faces not found, or several that might be meant",
+     "No face of the solid, or faces of more than one cylinder or plane, fit "
+     "what a joint or a selector asks for. `clevis faces FILE` lists all "
+     "faces. Give a diameter, a point nearby (`near`) or another selector."},
     {"R001", kRegression, "regression against the baseline",
      "At least one quantity moved by more than its tolerance."},
     {"R002", kUsage, "result and baseline do not match",

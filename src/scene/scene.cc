@@ -93,9 +93,10 @@ void read_parts(std::vector<StrictTable>& tables, const Names& names,
   for (StrictTable& table : tables) {
     PartOfGeometry read = read_part(table, names, materials, scene.file);
     parts.push_back(std::move(read.part));
-    scene.parameters.push_back(std::move(read.parameters));
+    scene.inputs.push_back(std::move(read.input));
     add_impacts(impacts, static_cast<int>(parts.size()) - 1, parts.back());
-    read_seats(table, scene.mechanism, names, parts.back());
+    read_seats(table, scene.mechanism, names, parts.back(),
+               scene.inputs.back().solid);
   }
   require_own_files(tables, scene.mechanism, parts);
 }

@@ -9,7 +9,7 @@
 #include "machine/devices/ejector.h"
 #include "machine/transmissions/transmission.h"
 #include "mechanism/definition/definition.h"
-#include "part/geometry_parameter.h"
+#include "part/geometry_input.h"
 #include "part/part_definition.h"
 #include "scene/variants/setting.h"
 #include "scene/variants/vary_table.h"
@@ -36,8 +36,8 @@ struct Scene {
   std::vector<machine::TransmissionDefinition> transmissions;
   std::vector<machine::EjectorDefinition> ejectors;
   std::vector<part::PartDefinition> parts;
-  /// Numbers that each part gives to its .geo; like `parts`.
-  std::vector<std::vector<part::GeometryParameter>> parameters;
+  /// What each part gives to its geometry; like `parts`.
+  std::vector<part::GeometryInput> inputs;
   double peak_stress_tolerance = 0.01;  ///< [1], relative
   std::optional<SlideLeverClosedForm> slide_lever;
   std::optional<VaryTable> vary;  ///< for `clevis plan`

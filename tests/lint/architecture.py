@@ -5,6 +5,8 @@ LAYERS = {  # module: (modules it may include, outside libraries it may include)
     "base": ("", "Eigen fmt udunits2"),
     "numerics": ("base", "Eigen"),
     "part": ("base", "Eigen fmt"),
+    "cad": ("base part", "Eigen fmt nlohmann"),
+    "mesher": ("base part cad", "Eigen fmt gmsh"),
     "mechanism": ("base numerics part", "Eigen fmt"),
     "machine": ("base part mechanism", "Eigen fmt"),
     "scene": ("base numerics part mechanism machine", "Eigen fmt toml"),
@@ -19,7 +21,7 @@ LAYERS = {  # module: (modules it may include, outside libraries it may include)
     "report": ("base part mechanism machine beam assessment", "Eigen fmt nlohmann"),
     "study": ("base part mesh loads elasticity stress assessment report",
               "Eigen fmt nlohmann"),
-    "app": ("base part mechanism machine scene mesh loads dynamics beam elasticity calculix"
+    "app": ("base part cad mechanism machine scene mesh loads dynamics beam elasticity calculix"
             " stress assessment study report", "Eigen fmt nlohmann CLI"),
 }
 
@@ -70,6 +72,7 @@ ROOMS = {
         "machine": "bearings, transmissions, ejectors",
         "csv": "RFC 4180 tables: fields with places, columns with units",
         "cases": "what loads and holds a part: load cases, histories in files",
+        "solids": "parts that are CAD solids: selectors, and what joints ask of them",
         "parts": "parts, materials, seats, impacts",
         "variants": "values in place of the scene's, and which variants are wanted",
     },
@@ -151,6 +154,7 @@ ROOMS = {
     "app": {
         "request": "what the command line asks for, and where results go",
         "processes": "other programs, workers, temporary folders, errors across processes",
+        "solids": "meshes of CAD solids, by clevis-mesher",
         "scenes": "a scene with its meshes; gmsh, and which mesh a geometry belongs to",
         "parts": "from a scene's motion to the jobs of its parts",
         "variants": "many variants: plan, collect, and which results are finished",

@@ -18,8 +18,9 @@ ExitCode mesh_command(const Options& options) {
 Run declare_mesh(CLI::App& command) {
   command.footer(
       "Runs gmsh on the .geo files that the scene names. A .geo can run shell\n"
-      "commands: mesh only scenes that you trust. No other command runs gmsh,\n"
-      "but `check` with --mesh; they read the .msh.");
+      "commands: mesh only scenes that you trust. No other command runs them,\n"
+      "but `check` with --mesh; they read the .msh. STEP, IGES and BREP files\n"
+      "run nothing: every command that needs their meshes makes them.");
   const auto request = std::make_shared<SceneRequest>();
   add_scene(command, *request);
   add_parts(command, request->options.parts);

@@ -11,6 +11,7 @@
 #include "app/processes/folder_lock.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
+#include "app/scenes/mesh_parts.h"
 #include "app/scenes/view_inputs.h"
 #include "base/errors.h"
 #include "machine/bearings/bearing_life.h"
@@ -46,6 +47,7 @@ void write_files(const scene::Scene& scene, const report::MotionReport& motion,
 }  // namespace
 
 ExitCode simulate_command(const Options& options) {
+  mesh_outdated_solids(options, std::cerr);
   scene::Scene scene = load_moving_scene(options.scene, options.settings);
   if (!scene.has_mechanism) {
     throw Error("S003", options.scene.string() + ":1:1",

@@ -63,6 +63,13 @@ Run declare_check(CLI::App& command) {
   add_model(command, options.model);
   command.add_flag("--mesh", options.mesh,
                    "first mesh the parts whose mesh is missing or outdated");
+  constexpr int kMostRounds = 5;
+  command
+      .add_option("--mesh-rounds", options.mesh_rounds,
+                  "finer meshes at most of a STEP part whose band stays open "
+                  "[2]")
+      ->type_name("N")
+      ->check(CLI::Range(0, kMostRounds));
   command.add_flag("--resume", options.resume,
                    "keep the result in --out if it is whole and of the same "
                    "inputs");

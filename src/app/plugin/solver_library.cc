@@ -3,26 +3,20 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <iostream>
 
 #include <dlfcn.h>
 
 #include "app/request/options.h"
+#include "app/scenes/mesh_parts.h"
 #include "app/solving/plugin_entries.h"
+#include "base/companion.h"
 #include "base/errors.h"
 
 namespace clevis::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Beside the executable in the build tree, in lib/clevis when installed.
-fs::path plugin_path() {
-  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
-  const fs::path beside = folder / kCheckPlugin;
-  return fs::exists(beside)
-             ? beside
-             : folder.parent_path() / "lib/clevis" / kCheckPlugin;
-}
 
 /// Takes effect when the library loads.
 void set_up_blas() {
@@ -60,7 +54,7 @@ void* plugin_handle(const fs::path& path) {
 
 /// Loads the library and finds a function of it.
 void* plugin_entry(const char* entry_name) {
-  const fs::path path = plugin_path();
+  const fs::path path = companion(kCheckPlugin);
   void* entry = dlsym(plugin_handle(path), entry_name);
   if (entry == nullptr) {
     throw Error("X001", path.string(), dlerror(),
@@ -72,12 +66,13 @@ void* plugin_entry(const char* entry_name) {
 }  // namespace
 
 fs::path load_plugin() {
-  const fs::path path = plugin_path();
+  const fs::path path = companion(kCheckPlugin);
   plugin_handle(path);
   return path;
 }
 
 ExitCode run_in_plugin(const char* entry_name, const Options& options) {
+  mesh_outdated_solids(options, std::cerr);
   return reinterpret_cast<PluginEntry*>(plugin_entry(entry_name))(options);
 }
 

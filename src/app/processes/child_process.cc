@@ -31,15 +31,21 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
 
 /// Replaces the child process by the program; its output goes to `log`.
 [[noreturn]] void become(char* const* arguments, char* const* environment,
-                         const char* folder, const char* log, pid_t parent) {
+                         const Child& child, pid_t parent) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // Ctrl-C on clevis ends the child too
   const rlimit size{kLargestFile, kLargestFile};
   setrlimit(RLIMIT_FSIZE, &size);
+  if (child.memory) {
+    const rlimit space{*child.memory, *child.memory}, none{0, 0};
+    setrlimit(RLIMIT_AS, &space);
+    setrlimit(RLIMIT_CORE, &none);
+  }
   const int in = open("/dev/null", O_RDONLY | O_CLOEXEC);
-  const int out = open(log, O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  const int out = open(child.log.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
   if (getppid() == parent && in >= 0 && out >= 0 && dup2(in, 0) == 0 &&
-      dup2(out, 1) == 1 && dup2(out, 2) == 2 && chdir(folder) == 0) {
+      dup2(out, 1) == 1 && dup2(out, 2) == 2 &&
+      chdir(child.folder.c_str()) == 0) {
     execvpe(arguments[0], arguments, environment);
   }
   _exit(kNotStarted);
@@ -101,8 +107,7 @@ ChildOutcome run_child(const Child& child, std::chrono::milliseconds timeout) {
         "Close other programs and try again.");
   }
   if (process == 0) {
-    become(argument_list.data(), environment_list.data(), child.folder.c_str(),
-           child.log.c_str(), parent);
+    become(argument_list.data(), environment_list.data(), child, parent);
   }
   setpgid(process, process);  // whoever comes first; the other does nothing
   ChildOutcome outcome = wait_for(process, timeout);

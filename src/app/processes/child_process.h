@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@ struct Child {
   std::filesystem::path folder;        ///< its working folder, HOME and TMPDIR
   std::filesystem::path log;           ///< takes its stdout and stderr
   std::vector<std::string> environment = {};  ///< more "NAME=VALUE"
+  std::optional<std::size_t> memory = {};     ///< most address space [byte]
 };
 
 /// How it ended and what it used.

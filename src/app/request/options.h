@@ -22,6 +22,7 @@ struct Options {
   std::string model = "auto";            ///< or a word of assessment::kModels
   std::string engine = "auto";      ///< or a word of elasticity::kEngineWords
   bool mesh = false;                ///< make outdated meshes first
+  int mesh_rounds = 2;              ///< finer meshes of a solid at most
   bool resume = false;              ///< keep a finished result of these inputs
   int jobs = 0;                     ///< parts in parallel; 0: one per core
   std::string elements = "C3D20R";  ///< CalculiX's hexahedra
@@ -42,6 +43,13 @@ struct PlanOptions {
   std::optional<double> tolerance;  ///< the same, relative [1]
   std::string model = "auto";
   int jobs = 1;
+};
+
+/// Options of `clevis faces`.
+struct FacesOptions {
+  std::filesystem::path file;  ///< of a solid, or a scene
+  std::string part;            ///< of the scene; empty: all that are solids
+  bool json = false;
 };
 
 /// Options of `clevis report`.

@@ -8,6 +8,7 @@
 #include "app/scenes/geometry_files.h"
 #include "base/errors.h"
 #include "base/fingerprint.h"
+#include "cad/source_text.h"
 
 namespace clevis::app {
 namespace {
@@ -17,19 +18,21 @@ constexpr std::string_view kLabel = "clevis geometry fnv1a ";
 
 }  // namespace
 
-std::string geometry_stamp(
-    const part::PartDefinition& part,
-    const std::vector<part::GeometryParameter>& parameters) {
+std::string geometry_stamp(const part::PartDefinition& part,
+                           const part::GeometryInput& input) {
   std::string content = geometry_content(part.geometry);
-  if (!parameters.empty()) {
-    content += '\0' + part::text_of(parameters);
+  if (!input.parameters.empty()) {
+    content += '\0' + part::text_of(input.parameters);
+  }
+  if (part::is_solid_file(part.geometry)) {
+    content += '\0' + cad::text_of(input.solid);
   }
   return fingerprint(content);
 }
 
 bool has_current_mesh(const part::PartDefinition& part,
-                      const std::vector<part::GeometryParameter>& parameters) {
-  return stamp_of(part.mesh) == geometry_stamp(part, parameters);
+                      const part::GeometryInput& input) {
+  return stamp_of(part.mesh) == geometry_stamp(part, input);
 }
 
 std::string stamped(std::string mesh, std::string_view stamp) {
@@ -52,15 +55,14 @@ std::optional<std::string> stamp_of(const std::filesystem::path& mesh) {
   return head.substr(start, head.find('\n', start) - start);
 }
 
-void require_current_mesh(
-    const part::PartDefinition& part,
-    const std::vector<part::GeometryParameter>& parameters) {
+void require_current_mesh(const part::PartDefinition& part,
+                          const part::GeometryInput& input) {
   std::error_code failure;
   const auto is_file = [&failure](const std::filesystem::path& file) {
     return std::filesystem::is_regular_file(file, failure);
   };
   if (!is_file(part.geometry)) return;
-  if (!parameters.empty() && !is_file(part.mesh)) {
+  if (!input.parameters.empty() && !is_file(part.mesh)) {
     throw Error("M011", part.mesh.string(),
                 fmt::format("part {}: {} has not been meshed with these "
                             "parameters",
@@ -69,7 +71,7 @@ void require_current_mesh(
                 "--mesh.");
   }
   const std::optional<std::string> stamp = stamp_of(part.mesh);
-  if (!stamp || *stamp == geometry_stamp(part, parameters)) return;
+  if (!stamp || *stamp == geometry_stamp(part, input)) return;
   throw Error("M011", part.mesh.string(),
               fmt::format("part {}: the mesh was made from another version of "
                           "{}, or of a file that it reads",

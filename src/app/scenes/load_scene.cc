@@ -32,9 +32,11 @@ std::vector<loads::GroupGeometry> group_geometry(
   return groups;
 }
 
+}  // namespace
+
 LoadedPart load_part(const part::PartDefinition& definition,
-                     const std::vector<part::GeometryParameter>& parameters) {
-  require_current_mesh(definition, parameters);
+                     const part::GeometryInput& input) {
+  require_current_mesh(definition, input);
   LoadedPart part;
   part.definition = definition;
   auto read = mesh::read_mesh_with_notes(
@@ -45,8 +47,6 @@ LoadedPart load_part(const part::PartDefinition& definition,
   part.groups = group_geometry(part.mesh);
   return part;
 }
-
-}  // namespace
 
 mechanism::BodyIndex LoadedScene::body_of(const std::string& part) const {
   const auto& bodies = scene.mechanism.bodies;
@@ -69,7 +69,7 @@ LoadedScene load_scene(const std::filesystem::path& file,
   }
   for (std::size_t p = 0; p < loaded.scene.parts.size(); ++p) {
     loaded.parts.push_back(
-        load_part(loaded.scene.parts[p], loaded.scene.parameters[p]));
+        load_part(loaded.scene.parts[p], loaded.scene.inputs[p]));
   }
   for (auto& body : loaded.scene.mechanism.bodies) {
     const auto part =
@@ -88,7 +88,7 @@ scene::Scene load_moving_scene(const std::filesystem::path& file,
   scene::Scene scene = scene::read_scene(file, settings);
   std::vector<std::future<part::MassProperties>> masses;
   for (std::size_t p = 0; p < scene.parts.size(); ++p) {
-    require_current_mesh(scene.parts[p], scene.parameters[p]);
+    require_current_mesh(scene.parts[p], scene.inputs[p]);
   }
   for (const auto& part : scene.parts) {
     masses.push_back(std::async(std::launch::async, [&part] {

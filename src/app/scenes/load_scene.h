@@ -29,6 +29,11 @@ struct LoadedScene {
   mechanism::BodyIndex body_of(const std::string& part) const;
 };
 
+/// A part with its mesh as the file holds it.
+/// @throws Error M…, I001.
+LoadedPart load_part(const part::PartDefinition& definition,
+                     const part::GeometryInput& input);
+
 /// Reads a scene and the meshes of its parts.
 /// @throws Error S…, M…, I001.
 LoadedScene load_scene(const std::filesystem::path& file,

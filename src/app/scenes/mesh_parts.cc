@@ -1,19 +1,19 @@
 #include "app/scenes/mesh_parts.h"
 
 #include <chrono>
-#include <fstream>
 #include <ostream>
 #include <set>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "app/processes/temporary_folder.h"
 #include "app/scenes/geometry_constants.h"
 #include "app/scenes/geometry_stamp.h"
 #include "app/scenes/gmsh_runner.h"
+#include "app/solids/gated_mesh.h"
+#include "app/solids/solid_mesh.h"
 #include "base/errors.h"
-#include "mesh/reading/mesh_reader.h"
+#include "base/mpi_run.h"
 #include "report/text/atomic_file.h"
 #include "scene/scene.h"
 #include "scene/text/name_index.h"
@@ -26,11 +26,11 @@ using part::PartDefinition;
 
 struct GeometryPart {
   PartDefinition part;
-  std::vector<part::GeometryParameter> parameters;
+  part::GeometryInput input;
 };
 
-/// The parts that have a .geo, or those of them that the user named.
-/// @throws Error S007 if a named part does not exist, S003 if it has no .geo.
+/// The parts that have a geometry, or those of them that the user named.
+/// @throws Error S007 if a named part does not exist, S003 if it has none.
 std::vector<GeometryPart> parts_to_mesh(const scene::Scene& scene,
                                         const std::vector<std::string>& names) {
   std::set<std::string_view> wanted(names.begin(), names.end());
@@ -43,10 +43,11 @@ std::vector<GeometryPart> parts_to_mesh(const scene::Scene& scene,
     if (named && part.geometry.empty()) {
       throw Error("S003", part.place,
                   fmt::format("part {} has no `geometry` to mesh", part.name),
-                  "Give the part a .geo, or make its mesh yourself.");
+                  "Give the part a .geo or a STEP file, or make its mesh "
+                  "yourself.");
     }
     if (!part.geometry.empty() && (named || names.empty())) {
-      result.push_back({part, scene.parameters[p]});
+      result.push_back({part, scene.inputs[p]});
     }
   }
   if (!wanted.empty()) {
@@ -58,23 +59,36 @@ std::vector<GeometryPart> parts_to_mesh(const scene::Scene& scene,
   return result;
 }
 
-/// The mesh that the text of a .msh holds, through the same validation as in
-/// `check`: what does not pass is not kept.
-mesh::PartMesh<3> gated(const std::string& text, const PartDefinition& part) {
-  const TemporaryFolder folder;
-  const std::filesystem::path file = folder.path() / part.mesh.filename();
-  std::ofstream(file, std::ios::binary) << text;
-  return mesh::read_part_mesh(file, part.length_unit, part.thickness);
+/// A mesh that has passed the gate.
+struct MadeMesh {
+  std::string text;  ///< .msh with its stamp
+  mesh::PartMesh<3> mesh;
+};
+
+MadeMesh mesh_of_script(const GeometryPart& source, const std::string& stamp) {
+  const auto& [part, input] = source;
+  require_constants(part.geometry, input.parameters);
+  std::string text = stamped(run_gmsh(part.geometry, input.parameters), stamp);
+  return {text, gated_mesh(text, part).mesh};
+}
+
+MadeMesh mesh_of_solid(const GeometryPart& source, const std::string& stamp,
+                       std::ostream& log) {
+  const auto& [part, input] = source;
+  SolidMesh made = mesh_solid_part(part, input.solid);
+  for (const std::string& line : made.told)
+    log << part.name << ": " << line << '\n';
+  return {stamped(std::move(made.text), stamp), std::move(made.mesh)};
 }
 
 void mesh_part(const GeometryPart& source, std::ostream& log) {
-  const auto& [part, parameters] = source;
-  require_constants(part.geometry, parameters);
+  const auto& [part, input] = source;
   const auto start = std::chrono::steady_clock::now();
   // Hashed before gmsh reads it: an edit in between leaves the mesh stale.
-  const std::string stamp = geometry_stamp(part, parameters);
-  const std::string text = stamped(run_gmsh(part.geometry, parameters), stamp);
-  const mesh::PartMesh<3> mesh = gated(text, part);
+  const std::string stamp = geometry_stamp(part, input);
+  const auto [text, mesh] = part::is_solid_file(part.geometry)
+                                ? mesh_of_solid(source, stamp, log)
+                                : mesh_of_script(source, stamp);
   report::write_file(part.mesh, text);
   const std::chrono::duration<double> elapsed =
       std::chrono::steady_clock::now() - start;
@@ -88,12 +102,13 @@ void mesh_part(const GeometryPart& source, std::ostream& log) {
   }
 }
 
-/// A mesh without a stamp is the user's own, one without its .geo all there is.
+/// A mesh without a stamp is the user's own, one without its geometry all there
+/// is.
 bool is_current(const GeometryPart& source) {
-  const auto& [part, parameters] = source;
+  const auto& [part, input] = source;
   std::error_code failure;
   return std::filesystem::is_regular_file(part.mesh, failure) &&
-         (has_current_mesh(part, parameters) || !stamp_of(part.mesh) ||
+         (has_current_mesh(part, input) || !stamp_of(part.mesh) ||
           !std::filesystem::is_regular_file(part.geometry, failure));
 }
 
@@ -103,16 +118,25 @@ std::size_t mesh_parts(const Options& options, MeshWhich which,
                        std::ostream& log) {
   const scene::Scene scene = scene::read_scene(options.scene, options.settings);
   // A check of one part needs the masses of all.
-  const bool all_parts = which == MeshWhich::kOutdated;
+  const bool all_parts = which != MeshWhich::kAll;
   const auto sources = parts_to_mesh(
       scene, all_parts ? std::vector<std::string>() : options.parts);
   std::set<std::filesystem::path> done;
   for (const GeometryPart& source : sources) {
     if (!done.insert(source.part.mesh).second) continue;
-    if (which == MeshWhich::kOutdated && is_current(source)) continue;
+    if (which == MeshWhich::kOutdatedSolids &&
+        !part::is_solid_file(source.part.geometry)) {
+      continue;
+    }
+    if (all_parts && is_current(source)) continue;
     mesh_part(source, log);
   }
   return sources.size();
+}
+
+void mesh_outdated_solids(const Options& options, std::ostream& log) {
+  if (mpi_ranks() > 1) return;  // they would write one file together
+  mesh_parts(options, MeshWhich::kOutdatedSolids, log);
 }
 
 }  // namespace clevis::app

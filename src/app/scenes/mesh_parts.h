@@ -9,14 +9,21 @@ namespace clevis::app {
 
 /// kAll: the parts that --part names, or all. kOutdated: of all parts those
 /// whose mesh is missing or of another version of its geometry.
-enum class MeshWhich { kAll, kOutdated };
+/// kOutdatedSolids: those of them that are solids of a CAD system.
+enum class MeshWhich { kAll, kOutdated, kOutdatedSolids };
 
-/// Makes the meshes of the scene's parts that have a .geo, with the parameters
-/// of --set; a line on `log` for each. Two parts of one mesh make it once.
-/// @return how many of the parts in question have a .geo.
+/// Makes the meshes of the scene's parts that have a geometry, with the values
+/// of --set; a line on `log` for each, and of solids what was found. Two parts
+/// of one mesh make it once.
+/// @return how many of the parts in question have a geometry.
 /// @throws Error M…, S007 if a named part does not exist or the .geo does not
-///   take a parameter, S003 if a named part has no .geo.
+///   take a parameter, S003 if a named part has no geometry.
 std::size_t mesh_parts(const Options& options, MeshWhich which,
                        std::ostream& log);
+
+/// Makes missing and outdated meshes of solids, for commands that read them:
+/// unlike a .geo a CAD file runs nothing. The first of several ranks alone.
+/// @throws as mesh_parts().
+void mesh_outdated_solids(const Options& options, std::ostream& log);
 
 }  // namespace clevis::app

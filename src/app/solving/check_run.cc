@@ -1,6 +1,7 @@
 #include "app/solving/check_run.h"
 
 #include <algorithm>
+#include <functional>
 #include <iostream>
 #include <numeric>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "app/parts/finer_part.h"
 #include "app/parts/link_compliance.h"
 #include "app/parts/part_jobs.h"
 #include "app/parts/solver_jobs.h"
@@ -24,7 +26,6 @@
 #include "app/solving/part_loads.h"
 #include "app/solving/surface_view.h"
 #include "app/variants/check_inputs.h"
-#include "assessment/part_check.h"
 #include "base/mpi_run.h"
 #include "base/stopwatch.h"
 #include "loads/parts/part_loads.h"
@@ -55,11 +56,12 @@ constexpr char kRefusal = 'E';
 /// Runs in a worker process or a rank: checks the part and writes its fields;
 /// of a part that all ranks check, the first one's.
 std::string check_one(const PartJob& job,
+                      const std::function<CheckedPart()>& checked_part,
                       const std::optional<MovingPart>& moving,
                       const elasticity::RankTeam* team, const std::string& body,
                       const fs::path& folder) {
   try {
-    assessment::PartAssessment assessment = assessment::check_part(job);
+    auto [last_job, assessment] = checked_part();
     Stopwatch watch;
     if (!job.is_shared || mpi_rank() == 0) {
       write_part_files(assessment, moving, job.part.material.yield_strength,
@@ -68,7 +70,7 @@ std::string check_one(const PartJob& job,
         report::write_file(folder / (job.part.name + "_loads.csv"),
                            loads_csv(job.load_sets.front().history));
       }
-      report::write_part_view(surface_view(job, assessment, moving, body),
+      report::write_part_view(surface_view(last_job, assessment, moving, body),
                               folder);
     }
     assessment.result.seconds.write = watch.lap();
@@ -151,14 +153,19 @@ void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
   for (const auto& job : jobs) order.push_back(job.part.name);
   longest_first(jobs);
   const auto check = [&](std::size_t index) {
+    const auto checked_part = [&] {
+      return check_on_finer_meshes(loaded, motion, jobs[index],
+                                   options.mesh_rounds);
+    };
     const auto body = loaded.body_of(jobs[index].part.name);
     if (body == mechanism::kGround) {
-      return check_one(jobs[index], std::nullopt, team, "", folder);
+      return check_one(jobs[index], checked_part, std::nullopt, team, "",
+                       folder);
     }
     const auto& carrier =
         loaded.scene.mechanism.bodies[static_cast<std::size_t>(body)];
-    return check_one(jobs[index], MovingPart{&motion, body}, team, carrier.name,
-                     folder);
+    return check_one(jobs[index], checked_part, MovingPart{&motion, body}, team,
+                     carrier.name, folder);
   };
   if (team != nullptr) choose_shared(jobs);
   const auto outcomes = team != nullptr

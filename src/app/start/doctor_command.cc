@@ -13,6 +13,8 @@
 #include "app/plugin/solver_library.h"
 #include "app/processes/child_process.h"
 #include "app/processes/temporary_folder.h"
+#include "app/solids/solid_mesher.h"
+#include "base/companion.h"
 
 namespace clevis::app {
 namespace {
@@ -73,6 +75,9 @@ ExitCode doctor_command() {
     print("solver", error.problem(), "check, study, modes, export");
     code = error.exit_code();
   }
+  const fs::path mesher = companion(kMesher);
+  print(kMesher, fs::exists(mesher) ? mesher.string() : "not found",
+        "STEP, IGES and BREP parts");
   for (const Tool& tool : kTools) {
     print(tool.name, version(tool), tool.needed_for);
   }

@@ -36,7 +36,7 @@ void require_readable(const PlanOptions& options,
                       const scene::Variant& variant) {
   const scene::Scene scene = scene::read_scene(options.scene, variant.settings);
   for (std::size_t p = 0; p < scene.parts.size(); ++p) {
-    require_constants(scene.parts[p].geometry, scene.parameters[p]);
+    require_constants(scene.parts[p].geometry, scene.inputs[p].parameters);
   }
 }
 

@@ -156,14 +156,18 @@ SurfaceLoads seat_loads(const Discretization<dim>& discretization,
   const auto n = trace.quadrature.weights.size();
   TractionHistory<dim> history_here(n, history.instants.size());
   std::optional<loads::WallPoints> wall;
+  loads::WallMoments moments;
   if (seat.kind == loads::SeatKind::kBearing) {
     wall.emplace(*cylinder, trace.quadrature.points, trace.outward);
+    moments = loads::wall_of(*cylinder, trace.quadrature.points,
+                             trace.quadrature.weights);
   }
   const loads::DiscreteBalance balance(trace.quadrature, seat.p_LS);
   for (std::size_t i = 0; i < history.instants.size(); ++i) {
     const loads::Wrench& wrench = history.instants[i].wrenches[seat_index];
     Matrix3Xd tractions =
-        wall ? loads::BearingTraction(*cylinder, wrench).tractions(*wall)
+        wall ? loads::BearingTraction(*cylinder, wrench, moments)
+                   .tractions(*wall)
              : Matrix3Xd(Matrix3Xd::Zero(3, n));
     balance.correct(wrench, tractions);
     history_here.set(i, tractions);

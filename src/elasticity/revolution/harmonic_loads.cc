@@ -123,13 +123,16 @@ class Assembly {
       return;
     }
     const RingTrace trace(solid_, group_trace(meridian_, group, tables_));
+    loads::WallMoments wall;
+    if (bears)
+      wall = loads::wall_of(*cylinder, trace.ring.points, trace.ring.weights);
     for (Index i = 0; i < instants_; ++i) {
       const loads::Wrench& wrench =
           history_.instants[static_cast<std::size_t>(i)].wrenches[index];
       Matrix3Xd tractions = Matrix3Xd::Zero(3, trace.ring.weights.size());
       if (bears) {
-        add_bearing(loads::BearingTraction(*cylinder, wrench), cylinder->radius,
-                    trace, i, tractions);
+        add_bearing({*cylinder, wrench, wall}, cylinder->radius, trace, i,
+                    tractions);
       }
       add_tractions(trace, wrench, seat.p_LS, tractions, i);
     }

@@ -48,6 +48,16 @@ LoadScale load_scale(const InstantLoad& instant,
   return scale;
 }
 
+/// Of whole rings normals across the axis are alike in all directions.
+bool are_rings(const GroupGeometry& group) {
+  const Vector3d& axis = group.cylinder.axis_L;
+  const Eigen::Matrix3d even =
+      0.5 * (Eigen::Matrix3d::Identity() - axis * axis.transpose());
+  const double tolerance = kFullCylinderTolerance * group.area;
+  return (group.normal_square - group.area * even).norm() <= tolerance &&
+         group.area_vector.norm() <= tolerance;
+}
+
 double wall_area(const part::Bore& c) {
   return 2.0 * std::numbers::pi * c.radius * c.length;
 }
@@ -108,7 +118,8 @@ Wrench about(const Vector3d& force, const Vector3d& moment,
 bool is_full_cylinder(const GroupGeometry& group) {
   if (!group.is_cylinder) return false;
   const double full = wall_area(group.cylinder);
-  return std::abs(group.area - full) <= kFullCylinderTolerance * full;
+  return std::abs(group.area - full) <= kFullCylinderTolerance * full ||
+         (group.area < full && are_rings(group));
 }
 
 void require_full_cylinder(const GroupGeometry& group,

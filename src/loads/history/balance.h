@@ -26,7 +26,7 @@ const GroupGeometry& find_group(const std::vector<GroupGeometry>& groups,
                                 const std::string& place);
 
 /// A group that a pin presses on.
-/// @throws Error L002 if it is not a full circular cylinder.
+/// @throws Error L002 if it is not a circular cylinder, whole all round.
 void require_full_cylinder(const GroupGeometry& group,
                            const std::string& place);
 
@@ -39,7 +39,8 @@ std::string vector_text(const Eigen::Vector3d& v, double scale);
 Wrench about(const Eigen::Vector3d& force, const Eigen::Vector3d& moment,
              const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
-/// Whether a group is a circular cylinder, whole all round.
+/// Whether a group is a circular cylinder, whole all round: without gaps, or in
+/// rings on one axis, as the ears of a fork.
 bool is_full_cylinder(const GroupGeometry& group);
 
 /// Residual force [N] and moment about Lo [N m] of an instant: seats, surface

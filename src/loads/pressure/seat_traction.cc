@@ -32,20 +32,42 @@ WallPoints::WallPoints(const part::Bore& bore, const Matrix3Xd& points,
   }
 }
 
-BearingTraction::BearingTraction(const part::Bore& bore, const Wrench& wrench)
-    : bore_(bore) {
-  assert(bore.radius > 0.0 && bore.length > 0.0);
-  const Vector3d& axis = bore.axis_L;
+WallMoments full_wall(const part::Bore& bore) {
   const double l = bore.length;
+  return {.length = l, .first = 0.0, .second = l * l * l / 12.0};
+}
+
+WallMoments wall_of(const part::Bore& bore, const Matrix3Xd& points,
+                    const Eigen::VectorXd& weights) {
+  constexpr double kFull = 0.02;  // as balance.cc has it
+  const Eigen::RowVectorXd height =
+      bore.axis_L.transpose() * (points.colwise() - bore.p_LC);
+  const Eigen::VectorXd share =
+      weights / (2.0 * std::numbers::pi * bore.radius);
+  const WallMoments found{.length = share.sum(),
+                          .first = height.dot(share),
+                          .second = height.cwiseAbs2().dot(share)};
+  return std::abs(found.length - bore.length) <= kFull * bore.length
+             ? full_wall(bore)
+             : found;
+}
+
+BearingTraction::BearingTraction(const part::Bore& bore, const Wrench& wrench,
+                                 const WallMoments& wall)
+    : bore_(bore) {
+  assert(bore.radius > 0.0 && wall.length > 0.0);
+  const Vector3d& axis = bore.axis_L;
   const double axial_force = wrench.force.dot(axis);
-  const double axial_moment = wrench.moment.dot(axis);
-  line_load_ = (wrench.force - axial_force * axis) / l;
-  // ∫ s axis × (slope s) ds = axis × slope l³/12 is the moment normal to the
-  // axis.
-  line_load_slope_ = 12.0 / (l * l * l) * wrench.moment.cross(axis);
-  const double wall = 2.0 * std::numbers::pi * bore.radius * l;
-  axial_shear_ = axial_force / wall;
-  torsional_shear_ = axial_moment / (wall * bore.radius);
+  const Vector3d across = wrench.force - axial_force * axis;
+  // ∫ s axis × w(s) ds is the moment normal to the axis:
+  // length w_0 + first w_1 = F, first w_0 + second w_1 = M × axis.
+  const double lever = wall.first / wall.length;
+  line_load_slope_ = (wrench.moment.cross(axis) - lever * across) /
+                     (wall.second - lever * wall.first);
+  line_load_ = (across - wall.first * line_load_slope_) / wall.length;
+  const double area = 2.0 * std::numbers::pi * bore.radius * wall.length;
+  axial_shear_ = axial_force / area;
+  torsional_shear_ = wrench.moment.dot(axis) / (area * bore.radius);
 }
 
 Vector3d BearingTraction::traction(const Vector3d& p_LQ,

@@ -20,6 +20,23 @@ struct WallPoints {
   Eigen::RowVectorXd height;        ///< along the axis from the middle [m]
 };
 
+/// What there is of a cylinder's wall along its axis: both ears of a fork are
+/// one cylinder with a gap. Integrals over the height s from the middle.
+struct WallMoments {
+  double length{};  ///< ∫ ds [m]
+  double first{};   ///< ∫ s ds [m²]
+  double second{};  ///< ∫ s² ds [m³]
+};
+
+/// Of a wall without gaps.
+WallMoments full_wall(const part::Bore& bore);
+
+/// Of the wall that points stand for: where their area is the cylinder's, to
+/// 2 %, that of the cylinder without gaps.
+/// @param points   p_LQ [m], one a column. @param weights  [m²].
+WallMoments wall_of(const part::Bore& bore, const Eigen::Matrix3Xd& points,
+                    const Eigen::VectorXd& weights);
+
 /// Traction by which a pin (or a guide) presses on a cylindrical seat.
 ///
 /// The pin carries a line load w(s) = w_0 + w_1 s along the axis (s from the
@@ -31,7 +48,11 @@ struct WallPoints {
 class BearingTraction {
  public:
   /// @param wrench  on the part, about bore.p_LC, in L.
-  BearingTraction(const part::Bore& bore, const Wrench& wrench);
+  BearingTraction(const part::Bore& bore, const Wrench& wrench)
+      : BearingTraction(bore, wrench, full_wall(bore)) {}
+  /// @param wall  that there is of the cylinder.
+  BearingTraction(const part::Bore& bore, const Wrench& wrench,
+                  const WallMoments& wall);
 
   /// Tractions on the part [Pa] at points of the wall. The pin pushes in the
   /// direction of the force: where it fills a bore, it presses on the wall on

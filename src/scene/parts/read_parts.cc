@@ -6,17 +6,19 @@
 #include "scene/cases/read_cases.h"
 #include "scene/cases/read_histories.h"
 #include "scene/parts/read_parameters.h"
+#include "scene/solids/read_faces.h"
 #include "scene/text/names.h"
 
 namespace clevis::scene {
 namespace {
 
 /// meshes/NAME/part.msh for a scene in geometry/NAME, else beside the
-/// geometry. Each set of parameters has a mesh of its own, part-HASH.msh.
+/// geometry. Each set of parameters has a mesh of its own, part-HASH.msh, and
+/// each part of a solid, whose groups are its own, FILE-PART.msh.
 std::filesystem::path mesh_of_geometry(
     const std::filesystem::path& geometry,
     const std::vector<part::GeometryParameter>& parameters,
-    const std::filesystem::path& file) {
+    const std::string& part_name, const std::filesystem::path& file) {
   auto folder = std::filesystem::absolute(file).lexically_normal();
   folder = folder.parent_path();
   if (geometry.is_relative() && folder.parent_path().filename() == "geometry") {
@@ -25,6 +27,9 @@ std::filesystem::path mesh_of_geometry(
   auto name = geometry.stem();
   if (!parameters.empty()) {
     name += fmt::format("-{}", fingerprint(part::text_of(parameters)));
+  }
+  if (part::is_solid_file(geometry) && geometry.stem() != part_name) {
+    name += "-" + part_name;
   }
   name += ".msh";
   return (folder / geometry)
@@ -42,6 +47,39 @@ double read_length_unit(const Value& value) {
         "S004", fmt::format("= \"{:.60}\" is no unit of length", value.text()),
         "Give the unit of the mesh's coordinates alone, e.g. "
         "\"mm\".");
+  }
+}
+
+/// STEP and IGES files have units of their own, a BREP has none.
+void read_length_unit_of(StrictTable& table, part::GeometryFormat format,
+                         part::PartDefinition& part, part::SolidSource& solid) {
+  using enum part::GeometryFormat;
+  if (format == kScript) {
+    part.length_unit = read_length_unit(table["length_unit"]);
+    return;
+  }
+  part.length_unit = part::kSolidMeshUnit;
+  if (format == kBrep) {
+    solid.length_unit = read_length_unit(table["length_unit"]);
+  } else if (const auto unit = table.find("length_unit")) {
+    throw unit->refusal("S010", "stands beside a file that has its own unit",
+                        "Leave it out: `clevis faces` prints the file's unit.");
+  }
+}
+
+/// What only a solid of a CAD system takes. @throws Error S010.
+void read_solid(StrictTable& table, bool is_solid, part::SolidSource& solid) {
+  for (const std::string_view key : {"faces", "mesh_size"}) {
+    if (is_solid || !table.has(key)) continue;
+    throw table[key].refusal(
+        "S010", "is for a solid, but `geometry` is no STEP, IGES or BREP file",
+        "Name groups and sizes in the .geo or the mesh.");
+  }
+  if (const auto faces = table.find("faces")) {
+    solid.faces = read_faces(*faces);
+  }
+  if (const auto size = table.find("mesh_size")) {
+    solid.mesh_size = size->positive(Dimension::kLength);
   }
 }
 
@@ -85,23 +123,29 @@ PartOfGeometry read_part(StrictTable& table, const Names& names,
   const auto mesh = table.find("mesh");
   if (!geometry && !mesh) {
     throw table.refusal("S003", "lacks the key \"mesh\" or \"geometry\"",
-                        "Give a .msh file, or the .geo that it is made of.");
+                        "Give a .msh file, or the .geo or STEP file that it is "
+                        "made of.");
   }
   if (geometry) part.geometry = file.parent_path() / geometry->text();
-  part.length_unit = read_length_unit(table["length_unit"]);
+  const auto format = part::geometry_format(part.geometry);
+  const bool is_solid = format != part::GeometryFormat::kScript;
+  read_length_unit_of(table, format, part, result.input.solid);
+  read_solid(table, is_solid, result.input.solid);
   if (const auto parameters = table.find("parameters")) {
-    if (!geometry || mesh) {
+    if (!geometry || mesh || is_solid) {
       throw parameters->refusal(
           "S010",
-          geometry ? "stands beside `mesh`, which is one mesh for all of them"
-                   : "are those of a .geo, but the part has no `geometry`",
-          "Give `geometry` alone: each set of parameters has its own mesh.");
+          geometry && mesh
+              ? "stands beside `mesh`, which is one mesh for all of them"
+              : "are those of a .geo, but the part has no such `geometry`",
+          "Give a .geo as `geometry` alone: each set of parameters has its own "
+          "mesh.");
     }
-    result.parameters = read_parameters(*parameters, part.length_unit);
+    result.input.parameters = read_parameters(*parameters, part.length_unit);
   }
-  part.mesh = mesh
-                  ? file.parent_path() / mesh->text()
-                  : mesh_of_geometry(geometry->text(), result.parameters, file);
+  part.mesh = mesh ? file.parent_path() / mesh->text()
+                   : mesh_of_geometry(geometry->text(), result.input.parameters,
+                                      part.name, file);
   if (const auto thickness = table.find("thickness")) {
     part.thickness = thickness->positive(Dimension::kLength);
   }

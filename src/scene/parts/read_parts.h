@@ -3,17 +3,17 @@
 #include <filesystem>
 #include <vector>
 
-#include "part/geometry_parameter.h"
+#include "part/geometry_input.h"
 #include "part/part_definition.h"
 #include "scene/text/names.h"
 #include "scene/text/strict_table.h"
 
 namespace clevis::scene {
 
-/// A part, and what it gives to its .geo.
+/// A part, and what it gives to its geometry.
 struct PartOfGeometry {
   part::PartDefinition part;
-  std::vector<part::GeometryParameter> parameters;
+  part::GeometryInput input;
 };
 
 /// A part without its seats, which need the mechanism.

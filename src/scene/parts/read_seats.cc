@@ -6,6 +6,7 @@
 
 #include "mechanism/joints/joint_types.h"
 #include "scene/parts/read_force_seats.h"
+#include "scene/solids/joint_faces.h"
 #include "scene/text/names.h"
 
 namespace clevis::scene {
@@ -67,13 +68,26 @@ part::SlideContact read_slide_contact(StrictTable& pin) {
   return contact;
 }
 
+/// Groups that pins name, or that joints of a solid find.
+struct PinGroups {
+  BodyIndex body;
+  part::SolidSource* solid;  ///< none: a mesh has its groups
+
+  std::string read(const mechanism::JointDefinition& joint,
+                   const Value& value) const {
+    const std::string text = value.text();
+    if (solid == nullptr || text != kAutoFaces) return text;
+    return find_by_joint(joint, body, value.place(), *solid);
+  }
+};
+
 /// A group, or a table with it and what a slide touches of it.
-part::Seat read_pin(const mechanism::JointDefinition& joint,
-                    const Value& value) {
-  if (!value.is_table()) return {joint.name, value.text()};
+part::Seat read_pin(const mechanism::JointDefinition& joint, const Value& value,
+                    const PinGroups& groups_of) {
+  if (!value.is_table()) return {joint.name, groups_of.read(joint, value)};
   StrictTable pin(value, "part.pins");
   if (!mechanism::traits(joint.type).slides()) {
-    const part::Seat seat{joint.name, pin["group"].text()};
+    const part::Seat seat{joint.name, groups_of.read(joint, pin["group"])};
     pin.finish(
         fmt::format("on joint \"{}\", which does not slide", joint.name));
     return seat;
@@ -84,7 +98,7 @@ part::Seat read_pin(const mechanism::JointDefinition& joint,
     throw pin["groups"].refusal("S006", "is no pair of walls",
                                 "Give one group, or two that face each other.");
   }
-  part::Seat seat{joint.name, groups.front().text()};
+  part::Seat seat{joint.name, groups_of.read(joint, groups.front())};
   seat.slide = read_slide_contact(pin);
   if (groups.size() == 2) seat.slide.opposite = groups.back().text();
   return seat;
@@ -92,12 +106,22 @@ part::Seat read_pin(const mechanism::JointDefinition& joint,
 
 void read_pins(StrictTable& table, BodyIndex body,
                const MechanismDefinition& mechanism, const Names& names,
-               PartDefinition& part) {
+               PartDefinition& part, part::SolidSource& solid) {
+  const bool is_solid = part::is_solid_file(part.geometry);
+  if (is_solid && !table.has("pins")) {
+    for (const auto& joint : mechanism.joints) {
+      if (!touches(joint, body)) continue;
+      part.seats.push_back(
+          {joint.name, find_by_joint(joint, body, table.place(), solid)});
+    }
+    return;
+  }
   const Value pins = table["pins"];
+  const PinGroups groups{body, is_solid ? &solid : nullptr};
   for (const auto& [name, value] : pins.entries()) {
     const int joint = find_joint(name, value, body, mechanism, names.joints);
-    part.seats.push_back(
-        read_pin(mechanism.joints[static_cast<std::size_t>(joint)], value));
+    part.seats.push_back(read_pin(
+        mechanism.joints[static_cast<std::size_t>(joint)], value, groups));
   }
   for (const auto& joint : mechanism.joints) {
     const auto is_seat = [&](const part::Seat& seat) {
@@ -149,10 +173,11 @@ void read_drive_seats(StrictTable& table, BodyIndex body,
 }  // namespace
 
 void read_seats(StrictTable& table, const MechanismDefinition& mechanism,
-                const Names& names, PartDefinition& part) {
+                const Names& names, PartDefinition& part,
+                part::SolidSource& solid) {
   const BodyIndex body = body_of(part, mechanism);
   if (body != mechanism::kGround) {
-    read_pins(table, body, mechanism, names, part);
+    read_pins(table, body, mechanism, names, part, solid);
     read_drive_seats(table, body, mechanism, names, part);
     read_force_seats(table, body, mechanism, names, part);
   } else if (part.cases.empty() && part.series.empty() &&

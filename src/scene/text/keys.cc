@@ -193,7 +193,10 @@ constexpr Key kSimulation[] = {"duration", "instants",   "tolerance",
 constexpr Key kPart[] = {"name",        "geometry",  "parameters", "mesh",
                          "length_unit", "thickness", "material",   "pins",
                          "drives",      "forces",    "limits",     "damping",
-                         "case",        "history"};
+                         "case",        "history",   "faces",      "mesh_size"};
+constexpr Key kPartFaces[] = {"cylinder", "plane", "nearest", "all_of"};
+constexpr Key kCylinder[] = {"diameter", "near", "axis"};
+constexpr Key kPlane[] = {"normal", "through"};
 constexpr Key kPartPins[] = {"group", "groups", "length", "width", "offset"};
 constexpr Key kPartDrives[] = {"face", "pressurized"};
 constexpr Key kPartForces[] = {"face", "pressurized", "chamber"};
@@ -255,6 +258,9 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"simulation", kSimulation},
     {"part", kPart},
     {"part.pins", kPartPins},
+    {"part.faces", kPartFaces},
+    {"part.faces.cylinder", kCylinder},
+    {"part.faces.plane", kPlane},
     {"part.drives", kPartDrives},
     {"part.forces", kPartForces},
     {"part.limits", kLimits},

@@ -60,7 +60,7 @@ void collect(const toml::table& table, const std::string& path, Keys& used) {
     const bool by_name = below == "material" || below == "part.pins" ||
                          below == "part.drives" || below == "part.forces" ||
                          below == "part.case.foundation" ||
-                         below == "part.history.pins";
+                         below == "part.faces" || below == "part.history.pins";
     if (const auto* array = node.as_array()) {
       for (const auto& element : *array) {
         collect(*element.as_table(), below, used);

@@ -75,6 +75,58 @@ TEST(BearingTraction, PureMomentsHaveNoForce) {
                 5e-3);
 }
 
+// Ears of 4 mm and 6 mm with 10 mm between them carry the wrench together.
+TEST(BearingTraction, ResultantOnUnequalEarsIsTheWrench) {
+  const part::Bore bore{.p_LC = {0.1, 0.0, 0.0},
+                        .axis_L = Vector3d::UnitZ(),
+                        .radius = 5e-3,
+                        .length = 20e-3};
+  constexpr int kAround = 720, kAlong = 400;
+  struct {
+    Eigen::Matrix3Xd points;
+    Eigen::VectorXd weights;
+  } ears;
+  std::vector<Vector3d> points;
+  for (int i = 0; i < kAlong; ++i) {
+    const double s = bore.length * ((i + 0.5) / kAlong - 0.5);
+    if (-6e-3 < s && s < 4e-3) continue;
+    for (int j = 0; j < kAround; ++j) {
+      const double theta = 2.0 * std::numbers::pi * j / kAround;
+      points.push_back(bore.p_LC + Vector3d(bore.radius * std::cos(theta),
+                                            bore.radius * std::sin(theta), s));
+    }
+  }
+  ears.points.resize(3, static_cast<Eigen::Index>(points.size()));
+  Eigen::Matrix3Xd inwards = ears.points;
+  for (std::size_t q = 0; q < points.size(); ++q) {
+    ears.points.col(static_cast<Eigen::Index>(q)) = points[q];
+    inwards.col(static_cast<Eigen::Index>(q)) =
+        -((points[q] - bore.p_LC).array() * Eigen::Array3d(1, 1, 0))
+             .matrix()
+             .normalized();
+  }
+  ears.weights = Eigen::VectorXd::Constant(
+      ears.points.cols(),
+      2.0 * std::numbers::pi * bore.radius * bore.length / (kAround * kAlong));
+  const Wrench wanted{.force = {900.0, -300.0, 50.0},
+                      .moment = {1.5, 2.0, 0.3}};
+  const WallMoments wall = wall_of(bore, ears.points, ears.weights);
+  EXPECT_NEAR(wall.length, 10e-3, 1e-15);
+  const Eigen::Matrix3Xd tractions =
+      BearingTraction(bore, wanted, wall)
+          .tractions(WallPoints(bore, ears.points, inwards));
+  Wrench got;
+  for (Eigen::Index q = 0; q < tractions.cols(); ++q) {
+    const Vector3d force = ears.weights[q] * tractions.col(q);
+    got.force += force;
+    got.moment += (ears.points.col(q) - bore.p_LC).cross(force);
+  }
+  // The half cosine's kink lies between the points: an error of their
+  // distance squared, (2 pi / 720)^2.
+  EXPECT_LT((got.force - wanted.force).norm(), 1e-4 * wanted.force.norm());
+  EXPECT_LT((got.moment - wanted.moment).norm(), 1e-4 * wanted.moment.norm());
+}
+
 TEST(BearingTraction, PeakPressureMatchesHandCalculation) {
   const part::Bore bore{.p_LC = {0.1, 0.0, 0.0},
                         .axis_L = Vector3d::UnitZ(),

@@ -1,0 +1,68 @@
+#include "app/solids/solid_mesh.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/solids/gated_mesh.h"
+#include "app/solids/solid_mesher.h"
+#include "base/errors.h"
+#include "cad/face_groups.h"
+#include "cad/select_faces.h"
+
+namespace clevis::app {
+namespace {
+
+/// A mesh that passes the gate; curved cells that fold there (M005) do not in a
+/// finer mesh.
+SolidMesh unfolded_mesh(const part::PartDefinition& part,
+                        cad::Request request) {
+  constexpr double kFiner = 1.4;
+  constexpr int kMostTimes = 3;
+  for (int time = 1;; ++time) {
+    SolidMesh made;
+    made.text = run_mesher(request).mesh;
+    try {
+      made.mesh = gated_mesh(made.text, part).mesh;
+      return made;
+    } catch (const Error& error) {
+      if (error.code() != "M005" || time == kMostTimes) throw;
+    }
+    request.finer.everywhere *= kFiner;
+  }
+}
+
+}  // namespace
+
+std::string about(const cad::Solid& solid) {
+  const Eigen::Vector3d size = 1e3 * (solid.high - solid.low);
+  return fmt::format(
+      "unit {}, {:.4g} x {:.4g} x {:.4g} mm, {:.6g} cm^3, {} "
+      "faces",
+      solid.unit.empty() ? "not given" : solid.unit, size.x(), size.y(),
+      size.z(), 1e6 * solid.volume, solid.faces.size());
+}
+
+SolidMesh mesh_solid_part(const part::PartDefinition& part,
+                          const part::SolidSource& source,
+                          const cad::Refinement& finer) {
+  cad::Request request;
+  request.file = part.geometry;
+  request.length_unit = source.length_unit;
+  request.points = cad::points_of(source);
+  const cad::Solid solid = run_mesher(request).solid;
+  cad::FaceGroups groups = cad::face_groups(solid, request.points, source);
+  cad::add_rounds(solid, groups);
+  request.groups = groups.faces;
+  request.mesh_size = source.mesh_size;
+  request.finer = finer;
+  request.mesh = part.mesh;
+  SolidMesh result = unfolded_mesh(part, request);
+  result.told = std::move(groups.told);
+  result.told.insert(
+      result.told.begin(),
+      fmt::format("{}: {}", part.geometry.filename().string(), about(solid)));
+  return result;
+}
+
+}  // namespace clevis::app

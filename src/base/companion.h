@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace clevis {
+
+/// A file that belongs to clevis: beside the executable in the build tree, in
+/// lib/clevis when installed.
+std::filesystem::path companion(const std::string& name);
+
+}  // namespace clevis

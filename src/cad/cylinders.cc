@@ -1,0 +1,110 @@
+#include "cad/cylinders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace clevis::cad {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSame = 1e-3;  // of the radius: lengths that are meant equal
+constexpr double kSameDirection = 1e-3;  // [rad]
+
+Cylinder cylinder_of(const Face& face) {
+  const double middle = (face.low + face.high) / 2;
+  return {.faces = {face.number},
+          .point = face.axis_point + middle * face.axis,
+          .axis = face.axis,
+          .radius = face.radius,
+          .length = face.high - face.low,
+          .angle = face.angle,
+          .hollow = face.hollow};
+}
+
+/// Place of a point along a cylinder's axis, from its middle [m].
+double along(const Cylinder& cylinder, const Vector3d& point) {
+  return cylinder.axis.dot(point - cylinder.point);
+}
+
+bool continues(const Cylinder& a, const Cylinder& b) {
+  const double gap = std::abs(along(a, b.point)) - (a.length + b.length) / 2;
+  return a.hollow == b.hollow &&
+         std::abs(a.radius - b.radius) <= kSame * a.radius &&
+         are_coaxial(a, b.point, b.axis) && gap <= kSame * a.radius;
+}
+
+/// Both as one; faces at the same place along the axis add their angles.
+void merge(Cylinder& cylinder, const Cylinder& other) {
+  const double at = along(cylinder, other.point);
+  const double low = std::min(-cylinder.length / 2, at - other.length / 2);
+  const double high = std::max(cylinder.length / 2, at + other.length / 2);
+  // Areas over 2 r: what both cover, whether side by side or end to end.
+  const double covered =
+      cylinder.angle * cylinder.length + other.angle * other.length;
+  cylinder.point += (low + high) / 2 * cylinder.axis;
+  cylinder.length = high - low;
+  cylinder.angle = covered / cylinder.length;
+  cylinder.faces.insert(cylinder.faces.end(), other.faces.begin(),
+                        other.faces.end());
+  std::ranges::sort(cylinder.faces);
+}
+
+}  // namespace
+
+bool Cylinder::is_round() const {
+  constexpr double kNearly = 0.9;  // cross bores and keyways take their share
+  return angle > kNearly * 2 * std::numbers::pi;
+}
+
+std::vector<Cylinder> cylinders_of(const Solid& solid) {
+  std::vector<Cylinder> found;
+  for (const Face& face : solid.faces) {
+    if (face.kind != SurfaceKind::kCylinder) continue;
+    Cylinder cylinder = cylinder_of(face);
+    // One face may join two that had a gap between them.
+    for (auto other = found.begin(); other != found.end();) {
+      if (continues(cylinder, *other)) {
+        merge(cylinder, *other);
+        found.erase(other);
+        other = found.begin();
+      } else {
+        ++other;
+      }
+    }
+    found.push_back(std::move(cylinder));
+  }
+  std::ranges::sort(found, {}, [](const Cylinder& c) {
+    return c.faces.front();
+  });
+  return found;
+}
+
+bool are_coaxial(const Cylinder& cylinder, const Vector3d& point,
+                 const Vector3d& axis) {
+  const Vector3d from_axis = (point - cylinder.point).cross(cylinder.axis);
+  return cylinder.axis.cross(axis).norm() <= kSameDirection &&
+         from_axis.norm() <= 2.0 * kSame * cylinder.radius;
+}
+
+std::string text_of(const Cylinder& cylinder) {
+  const Vector3d p = 1e3 * cylinder.point;
+  // Adding zero turns -0 into 0.
+  const auto number = [](double value) {
+    return fmt::format("{:.6g}", std::round(1e6 * value) / 1e6 + 0.0);
+  };
+  return fmt::format(
+      "{} of diameter {} mm, {} mm long, middle ({}, {}, {}) mm, face{} {}",
+      cylinder.hollow ? (cylinder.is_round() ? "bore" : "hollow arc")
+                      : (cylinder.is_round() ? "shaft" : "outer arc"),
+      number(2e3 * cylinder.radius), number(1e3 * cylinder.length),
+      number(p.x()), number(p.y()), number(p.z()),
+      cylinder.faces.size() > 1 ? "s" : "", fmt::join(cylinder.faces, ", "));
+}
+
+}  // namespace clevis::cad

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cad/face.h"
+
+namespace clevis::cad {
+
+/// Faces of a solid that lie on one circular cylinder and follow one another
+/// without a gap along its axis: the two halves of a bore are one.
+struct Cylinder {
+  std::vector<int> faces;  ///< numbers
+  Eigen::Vector3d point;   ///< half-way along the axis [m]
+  Eigen::Vector3d axis;    ///< unit vector
+  double radius{};         ///< [m]
+  double length{};         ///< along the axis [m]
+  double angle{};          ///< that its faces turn about the axis [rad]
+  bool hollow{};           ///< a bore rather than a shaft
+
+  bool is_round() const;  ///< all the way about the axis, or nearly so
+};
+
+/// All cylinders of a solid.
+std::vector<Cylinder> cylinders_of(const Solid& solid);
+
+/// Whether both have one axis, to a thousandth of the radius over the length.
+bool are_coaxial(const Cylinder& cylinder, const Eigen::Vector3d& point,
+                 const Eigen::Vector3d& axis);
+
+/// "bore, diameter 16 mm, 9 mm long, middle (40, 0, -13.5) mm, face 16".
+std::string text_of(const Cylinder& cylinder);
+
+}  // namespace clevis::cad

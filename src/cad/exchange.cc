@@ -1,0 +1,150 @@
+#include "cad/exchange.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+
+namespace clevis::cad {
+namespace {
+
+using Eigen::Vector3d;
+using nlohmann::json;
+
+json vector_json(const Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+Vector3d vector_of(const json& v) {
+  return {v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()};
+}
+
+json list_json(const std::vector<Vector3d>& points) {
+  json list = json::array();
+  for (const Vector3d& point : points) list.push_back(vector_json(point));
+  return list;
+}
+
+std::vector<Vector3d> list_of(const json& list) {
+  std::vector<Vector3d> points;
+  for (const json& point : list) points.push_back(vector_of(point));
+  return points;
+}
+
+json face_json(const Face& face) {
+  const auto name =
+      std::ranges::find(kSurfaceNames, face.kind,
+                        &std::pair<std::string_view, SurfaceKind>::second);
+  return {{"number", face.number},
+          {"kind", name->first},
+          {"centre", vector_json(face.centre)},
+          {"area", face.area},
+          {"normal", vector_json(face.normal)},
+          {"axis_point", vector_json(face.axis_point)},
+          {"axis", vector_json(face.axis)},
+          {"radius", face.radius},
+          {"hollow", face.hollow},
+          {"angle", face.angle},
+          {"low", face.low},
+          {"high", face.high},
+          {"neighbours", face.neighbours}};
+}
+
+Face face_of(const json& text) {
+  const auto word = text.at("kind").get<std::string>();
+  const auto name = std::ranges::find(
+      kSurfaceNames, word, &std::pair<std::string_view, SurfaceKind>::first);
+  if (name == kSurfaceNames.end()) throw std::runtime_error("kind of a face");
+  Face face;
+  face.number = text.at("number");
+  face.kind = name->second;
+  face.centre = vector_of(text.at("centre"));
+  face.area = text.at("area");
+  face.normal = vector_of(text.at("normal"));
+  face.axis_point = vector_of(text.at("axis_point"));
+  face.axis = vector_of(text.at("axis"));
+  face.radius = text.at("radius");
+  face.hollow = text.at("hollow");
+  face.angle = text.at("angle");
+  face.low = text.at("low");
+  face.high = text.at("high");
+  face.neighbours = text.at("neighbours").get<std::vector<int>>();
+  return face;
+}
+
+}  // namespace
+
+std::string text_of(const Request& request) {
+  json text = {{"file", request.file.string()},
+               {"format", int(request.format)},
+               {"length_unit", request.length_unit},
+               {"points", list_json(request.points)},
+               {"mesh", request.mesh.string()},
+               {"groups", request.groups},
+               {"finer", request.finer.everywhere},
+               {"finer_at", list_json(request.finer.at)}};
+  if (request.mesh_size) text["mesh_size"] = *request.mesh_size;
+  return text.dump();
+}
+
+Request read_request(const std::string& text) {
+  const json found = json::parse(text);
+  Request request;
+  request.file = found.at("file").get<std::string>();
+  request.format = part::GeometryFormat(found.at("format").get<int>());
+  request.length_unit = found.at("length_unit");
+  request.points = list_of(found.at("points"));
+  request.mesh = found.at("mesh").get<std::string>();
+  request.groups =
+      found.at("groups").get<std::map<std::string, std::vector<int>>>();
+  request.finer.everywhere = found.at("finer");
+  request.finer.at = list_of(found.at("finer_at"));
+  if (found.contains("mesh_size")) request.mesh_size = found["mesh_size"];
+  return request;
+}
+
+std::string answer(const Solid& solid) {
+  json faces = json::array();
+  for (const Face& face : solid.faces) faces.push_back(face_json(face));
+  return json{{"unit", solid.unit},
+              {"volume", solid.volume},
+              {"low", vector_json(solid.low)},
+              {"high", vector_json(solid.high)},
+              {"faces", faces},
+              {"distances", solid.distances}}
+      .dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::string refusal(const std::string& code, const std::string& place,
+                    const std::string& problem, const std::string& remedy) {
+  return json{{"error",
+               {{"code", code},
+                {"place", place},
+                {"problem", problem},
+                {"remedy", remedy}}}}
+      .dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+Solid read_answer(const std::string& text) {
+  const json found = json::parse(text);
+  if (found.contains("error")) {
+    const json& error = found["error"];
+    throw Error(error.at("code").get<std::string>(), error.at("place"),
+                error.at("problem"), error.at("remedy"));
+  }
+  Solid solid;
+  solid.unit = found.at("unit");
+  solid.volume = found.at("volume");
+  solid.low = vector_of(found.at("low"));
+  solid.high = vector_of(found.at("high"));
+  for (const json& face : found.at("faces")) {
+    solid.faces.push_back(face_of(face));
+  }
+  solid.distances =
+      found.at("distances").get<std::vector<std::vector<double>>>();
+  return solid;
+}
+
+}  // namespace clevis::cad

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cad/face.h"
+#include "part/solid_source.h"
+
+namespace clevis::cad {
+
+/// How much finer a mesh is to be than the mesher makes it by itself.
+struct Refinement {
+  double everywhere = 1.0;  ///< times smaller cells
+  /// Where they are three times smaller still, growing away from it [m].
+  std::vector<Eigen::Vector3d> at;
+};
+
+/// What clevis asks its mesher: to describe a solid, or to mesh it.
+struct Request {
+  std::filesystem::path file;  ///< absolute
+  part::GeometryFormat format = part::GeometryFormat::kStep;
+  double length_unit{};  ///< of a file without units [m]
+  /// Whose distances from the faces are wanted [m].
+  std::vector<Eigen::Vector3d> points;
+  std::filesystem::path mesh;  ///< .msh to write; empty: none
+  std::map<std::string, std::vector<int>> groups;  ///< numbers of faces
+  std::optional<double> mesh_size;                 ///< in the bulk [m]
+  Refinement finer;
+};
+
+/// As JSON in one line.
+std::string text_of(const Request& request);
+Request read_request(const std::string& text);
+
+/// What the mesher found, or the refusal that it met.
+std::string answer(const Solid& solid);
+std::string refusal(const std::string& code, const std::string& place,
+                    const std::string& problem, const std::string& remedy);
+
+/// @throws Error as the mesher refused; std::exception if the text is no
+///   answer.
+Solid read_answer(const std::string& text);
+
+}  // namespace clevis::cad

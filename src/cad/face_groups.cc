@@ -1,0 +1,67 @@
+#include "cad/face_groups.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "cad/cylinders.h"
+#include "cad/joint_cylinder.h"
+#include "cad/select_faces.h"
+
+namespace clevis::cad {
+namespace {
+
+/// @throws Error M012.
+void add(const std::string& group, const std::vector<int>& faces,
+         const std::string& place, FaceGroups& groups) {
+  for (const auto& [other, taken] : groups.faces) {
+    for (const int face : faces) {
+      if (std::ranges::find(taken, face) == taken.end()) continue;
+      throw Error("M012", place,
+                  fmt::format("face {} would be in the groups {} and {}", face,
+                              other, group),
+                  "Let every face belong to one group at most.");
+    }
+  }
+  groups.faces[group] = faces;
+}
+
+}  // namespace
+
+FaceGroups face_groups(const Solid& solid,
+                       const std::vector<Eigen::Vector3d>& points,
+                       const part::SolidSource& source) {
+  FaceGroups groups;
+  for (const part::JointFaces& joint : source.joints) {
+    std::vector<int> faces;
+    for (const Cylinder& cylinder : joint_cylinders(solid, joint)) {
+      faces.insert(faces.end(), cylinder.faces.begin(), cylinder.faces.end());
+      groups.told.push_back(
+          fmt::format("joint {}: {}", joint.joint, text_of(cylinder)));
+    }
+    add(joint.group, faces, joint.place, groups);
+  }
+  for (const part::NamedFaces& named : source.faces) {
+    add(named.group, select_faces(solid, points, named.selector),
+        named.selector.place, groups);
+  }
+  return groups;
+}
+
+void add_rounds(const Solid& solid, FaceGroups& groups) {
+  constexpr double kLeastTurn = 0.2;  // [rad]: less hardly tells its axis
+  for (const Cylinder& cylinder : cylinders_of(solid)) {
+    const bool is_free = std::ranges::none_of(groups.faces, [&](const auto& g) {
+      return std::ranges::any_of(cylinder.faces, [&](int face) {
+        return std::ranges::find(g.second, face) != g.second.end();
+      });
+    });
+    const std::string name = fmt::format("round_{}", cylinder.faces.front());
+    if (is_free && cylinder.angle >= kLeastTurn) {
+      groups.faces.try_emplace(name, cylinder.faces);
+    }
+  }
+}
+
+}  // namespace clevis::cad

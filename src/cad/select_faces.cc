@@ -1,0 +1,210 @@
+#include "cad/select_faces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/errors.h"
+#include "cad/cylinders.h"
+
+namespace clevis::cad {
+namespace {
+
+using Eigen::Vector3d;
+using part::FaceSelector;
+
+constexpr double kSame = 1e-3;           // of lengths, relative
+constexpr double kSameDirection = 1e-3;  // [rad]
+
+/// Calls that collect the points of a selector.
+struct PointsOf {
+  std::vector<Vector3d>& points;
+
+  void add(const Vector3d& point) const {
+    if (std::ranges::find(points, point) == points.end()) {
+      points.push_back(point);
+    }
+  }
+  void operator()(const part::CylinderSelector& cylinder) const {
+    if (cylinder.near) add(*cylinder.near);
+  }
+  void operator()(const part::PlaneSelector&) const {}
+  void operator()(const part::NearestSelector& nearest) const {
+    add(nearest.point);
+  }
+  void operator()(const std::vector<FaceSelector>& all) const {
+    for (const FaceSelector& one : all) std::visit(*this, one.what);
+  }
+};
+
+/// Calls that find the faces of a selector.
+struct FacesOf {
+  const Solid& solid;
+  const std::vector<Vector3d>& points;
+  const std::string& place;
+
+  [[noreturn]] void refuse(const std::string& problem) const {
+    throw Error("M017", place, problem,
+                "`clevis faces FILE` lists all faces; say more of the one that "
+                "is meant.");
+  }
+
+  double distance(const Vector3d& point, int face) const {
+    const auto at = std::ranges::find(points, point) - points.begin();
+    return solid.distances.at(std::size_t(at)).at(std::size_t(face) - 1);
+  }
+
+  double distance(const Vector3d& point, const Cylinder& cylinder) const {
+    double nearest = distance(point, cylinder.faces.front());
+    for (const int face : cylinder.faces) {
+      nearest = std::min(nearest, distance(point, face));
+    }
+    return nearest;
+  }
+
+  std::vector<int> operator()(const part::CylinderSelector& wanted) const;
+  std::vector<int> operator()(const part::PlaneSelector& wanted) const;
+  std::vector<int> operator()(const part::NearestSelector& wanted) const;
+  std::vector<int> operator()(const std::vector<FaceSelector>& all) const;
+};
+
+/// Pieces of one cylinder together, whatever lies between them.
+std::vector<std::vector<Cylinder>> by_axis(
+    const std::vector<Cylinder>& cylinders) {
+  std::vector<std::vector<Cylinder>> found;
+  for (const Cylinder& cylinder : cylinders) {
+    const auto same = std::ranges::find_if(found, [&](const auto& pieces) {
+      const Cylinder& first = pieces.front();
+      return first.hollow == cylinder.hollow &&
+             std::abs(first.radius - cylinder.radius) <= kSame * first.radius &&
+             are_coaxial(first, cylinder.point, cylinder.axis);
+    });
+    if (same == found.end()) {
+      found.push_back({cylinder});
+    } else {
+      same->push_back(cylinder);
+    }
+  }
+  return found;
+}
+
+std::vector<int> FacesOf::operator()(
+    const part::CylinderSelector& wanted) const {
+  std::vector<Cylinder> found;
+  for (const Cylinder& cylinder : cylinders_of(solid)) {
+    if (wanted.diameter && std::abs(2 * cylinder.radius - *wanted.diameter) >
+                               kSame * *wanted.diameter) {
+      continue;
+    }
+    if (wanted.axis &&
+        cylinder.axis.cross(*wanted.axis).norm() > kSameDirection) {
+      continue;
+    }
+    found.push_back(cylinder);
+  }
+  if (found.empty()) refuse("no cylinder of the part fits");
+  if (wanted.near && found.size() > 1) {
+    const auto away = [&](const Cylinder& c) {
+      return distance(*wanted.near, c);
+    };
+    std::ranges::sort(found, {}, away);
+    const double size = (solid.high - solid.low).norm();
+    if (away(found[1]) > away(found[0]) + kSame * size) found.resize(1);
+  }
+  if (by_axis(found).size() == 1) {
+    std::vector<int> faces;
+    for (const Cylinder& piece : found) {
+      faces.insert(faces.end(), piece.faces.begin(), piece.faces.end());
+    }
+    return faces;
+  }
+  constexpr std::size_t kMost = 12;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(kMost, found.size()); ++i) {
+    list += "\n    " + text_of(found[i]);
+  }
+  refuse(fmt::format("{} cylinders of the part fit{}", found.size(), list));
+}
+
+std::vector<int> FacesOf::operator()(const part::PlaneSelector& wanted) const {
+  const double size = (solid.high - solid.low).norm();
+  std::vector<const Face*> found;
+  for (const Face& face : solid.faces) {
+    if (face.kind != SurfaceKind::kPlane ||
+        face.normal.dot(wanted.normal) < 1.0 - kSameDirection) {
+      continue;
+    }
+    if (wanted.through && std::abs(face.normal.dot(
+                              *wanted.through - face.centre)) > kSame * size) {
+      continue;
+    }
+    found.push_back(&face);
+  }
+  if (found.empty()) refuse("no plane face of the part fits");
+  std::vector<int> faces;
+  for (const Face* face : found) {
+    faces.push_back(face->number);
+    const double offset =
+        std::abs(face->normal.dot(face->centre - found.front()->centre));
+    if (offset <= kSame * size) continue;
+    const Vector3d a = 1e3 * found.front()->centre, b = 1e3 * face->centre;
+    refuse(
+        fmt::format("faces {} and {} look that way from different planes, "
+                    "through ({:.4g}, {:.4g}, {:.4g}) mm and ({:.4g}, "
+                    "{:.4g}, {:.4g}) mm",
+                    found.front()->number, face->number, a.x(), a.y(), a.z(),
+                    b.x(), b.y(), b.z()));
+  }
+  return faces;
+}
+
+std::vector<int> FacesOf::operator()(
+    const part::NearestSelector& wanted) const {
+  std::vector<int> order;
+  for (const Face& face : solid.faces) order.push_back(face.number);
+  const auto away = [&](int face) {
+    return distance(wanted.point, face);
+  };
+  std::ranges::stable_sort(order, {}, away);
+  const double size = (solid.high - solid.low).norm();
+  if (order.size() > 1 && away(order[1]) <= away(order[0]) + 1e-6 * size) {
+    refuse(fmt::format("faces {} and {} are equally near, {:.4g} mm", order[0],
+                       order[1], 1e3 * away(order[0])));
+  }
+  return {order.front()};
+}
+
+std::vector<int> FacesOf::operator()(
+    const std::vector<FaceSelector>& all) const {
+  std::vector<int> faces;
+  for (const FaceSelector& one : all) {
+    const auto more = select_faces(solid, points, one);
+    faces.insert(faces.end(), more.begin(), more.end());
+  }
+  std::ranges::sort(faces);
+  const auto twice = std::ranges::unique(faces);
+  faces.erase(twice.begin(), twice.end());
+  if (faces.empty()) refuse("the list of selectors is empty");
+  return faces;
+}
+
+}  // namespace
+
+std::vector<Vector3d> points_of(const part::SolidSource& source) {
+  std::vector<Vector3d> points;
+  for (const part::NamedFaces& named : source.faces) {
+    std::visit(PointsOf{points}, named.selector.what);
+  }
+  return points;
+}
+
+std::vector<int> select_faces(const Solid& solid,
+                              const std::vector<Vector3d>& points,
+                              const FaceSelector& selector) {
+  return std::visit(FacesOf{solid, points, selector.place}, selector.what);
+}
+
+}  // namespace clevis::cad

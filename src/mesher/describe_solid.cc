@@ -1,0 +1,206 @@
+#include "mesher/describe_solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
+#include <BRepGProp.hxx>
+#include <BRepTools.hxx>
+#include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <fmt/format.h>
+#include <gp_Cone.hxx>
+#include <gp_Cylinder.hxx>
+#include <gp_Sphere.hxx>
+#include <gp_Torus.hxx>
+
+#include "base/errors.h"
+
+namespace clevis::mesher {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kMillimetre = 1e-3;  // [m]
+
+Vector3d metres(const gp_Pnt& p) {
+  return kMillimetre * Vector3d(p.X(), p.Y(), p.Z());
+}
+
+Vector3d unit(const gp_Dir& d) {
+  return {d.X(), d.Y(), d.Z()};
+}
+
+/// Bounds of a face's parameters.
+struct Patch {
+  double u0{}, u1{}, v0{}, v1{};
+};
+
+void set_axis(const gp_Ax1& axis, cad::Face& face) {
+  face.axis_point = metres(axis.Location());
+  face.axis = unit(axis.Direction());
+}
+
+/// Kind, axis, radius, turn and extent of the surface under a face.
+void set_surface(const BRepAdaptor_Surface& surface, const Patch& patch,
+                 cad::Face& face) {
+  using enum cad::SurfaceKind;
+  const double turn = patch.u1 - patch.u0;
+  const double middle = (patch.v0 + patch.v1) / 2;
+  const auto along = [&face](double from, double to) {
+    face.low = kMillimetre * std::min(from, to);
+    face.high = kMillimetre * std::max(from, to);
+  };
+  switch (surface.GetType()) {
+    case GeomAbs_Plane:
+      face.kind = kPlane;
+      break;
+    case GeomAbs_Cylinder:
+      face.kind = kCylinder;
+      set_axis(surface.Cylinder().Axis(), face);
+      face.radius = kMillimetre * surface.Cylinder().Radius();
+      face.angle = turn;
+      along(patch.v0, patch.v1);
+      break;
+    case GeomAbs_Cone: {
+      const gp_Cone cone = surface.Cone();
+      const double slope = cone.SemiAngle();
+      face.kind = kCone;
+      set_axis(cone.Axis(), face);
+      face.radius =
+          kMillimetre * std::abs(cone.RefRadius() + middle * std::sin(slope));
+      face.angle = turn;
+      along(patch.v0 * std::cos(slope), patch.v1 * std::cos(slope));
+      break;
+    }
+    case GeomAbs_Sphere:
+      face.kind = kSphere;
+      face.axis_point = metres(surface.Sphere().Location());
+      face.radius = kMillimetre * surface.Sphere().Radius();
+      break;
+    case GeomAbs_Torus:
+      face.kind = kTorus;
+      set_axis(surface.Torus().Axis(), face);
+      face.radius = kMillimetre * surface.Torus().MinorRadius();
+      face.angle = turn;
+      break;
+    default:
+      break;
+  }
+}
+
+/// Normal out of the part half-way along both parameters, and on which side of
+/// a round surface the part lies.
+void set_side(const BRepAdaptor_Surface& surface, const Patch& patch,
+              bool reversed, cad::Face& face) {
+  gp_Pnt p;
+  gp_Vec du, dv;
+  surface.D1((patch.u0 + patch.u1) / 2, (patch.v0 + patch.v1) / 2, p, du, dv);
+  const gp_Vec normal = du.Crossed(dv);
+  if (normal.Magnitude() <= 0.0) return;
+  face.normal = (reversed ? -1.0 : 1.0) * unit(gp_Dir(normal));
+  Vector3d from_axis = metres(p) - face.axis_point;
+  if (face.kind == cad::SurfaceKind::kTorus) {
+    const gp_Torus torus = surface.Torus();
+    from_axis -= face.axis.dot(from_axis) * face.axis;
+    from_axis =
+        metres(p) - (face.axis_point + kMillimetre * torus.MajorRadius() *
+                                           from_axis.normalized());
+  } else if (face.kind != cad::SurfaceKind::kSphere) {
+    from_axis -= face.axis.dot(from_axis) * face.axis;
+  }
+  face.hollow = face.radius > 0.0 && from_axis.dot(face.normal) < 0.0;
+}
+
+cad::Face described(const TopoDS_Face& shape, int number) {
+  cad::Face face;
+  face.number = number;
+  GProp_GProps area;
+  BRepGProp::SurfaceProperties(shape, area);
+  face.area = kMillimetre * kMillimetre * area.Mass();
+  face.centre = metres(area.CentreOfMass());
+  const BRepAdaptor_Surface surface(shape);
+  Patch patch;
+  BRepTools::UVBounds(shape, patch.u0, patch.u1, patch.v0, patch.v1);
+  set_surface(surface, patch, face);
+  set_side(surface, patch, shape.Orientation() == TopAbs_REVERSED, face);
+  return face;
+}
+
+void add_neighbours(const TopoDS_Solid& solid,
+                    const TopTools_IndexedMapOfShape& shapes,
+                    std::vector<cad::Face>& faces) {
+  TopTools_IndexedDataMapOfShapeListOfShape faces_of;
+  TopExp::MapShapesAndAncestors(solid, TopAbs_EDGE, TopAbs_FACE, faces_of);
+  std::vector<std::set<int>> beside(faces.size());
+  for (int i = 1; i <= faces_of.Extent(); ++i) {
+    const int a = shapes.FindIndex(faces_of(i).First());
+    const int b = shapes.FindIndex(faces_of(i).Last());
+    if (a == b) continue;
+    beside[std::size_t(a) - 1].insert(b);
+    beside[std::size_t(b) - 1].insert(a);
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    faces[f].neighbours.assign(beside[f].begin(), beside[f].end());
+  }
+}
+
+std::vector<double> distances(const Vector3d& point,
+                              const TopTools_IndexedMapOfShape& faces) {
+  const Vector3d p = point / kMillimetre;
+  const TopoDS_Vertex vertex =
+      BRepBuilderAPI_MakeVertex(gp_Pnt(p.x(), p.y(), p.z()));
+  std::vector<double> found;
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    found.push_back(kMillimetre *
+                    BRepExtrema_DistShapeShape(vertex, faces(i)).Value());
+  }
+  return found;
+}
+
+void set_box(const TopoDS_Solid& solid, const std::string& file,
+             cad::Solid& described) {
+  constexpr double kLeast = 1e-5, kMost = 100.0;  // [m]
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(solid, box, false, false);
+  described.low = metres(box.CornerMin());
+  described.high = metres(box.CornerMax());
+  const double size = (described.high - described.low).maxCoeff();
+  if (kLeast <= size && size <= kMost) return;
+  throw Error("M007", file,
+              fmt::format("the solid is {:.4g} mm large", size / kMillimetre),
+              "Check the unit of lengths in the file.");
+}
+
+}  // namespace
+
+cad::Solid describe(const TopoDS_Solid& solid,
+                    const std::vector<Vector3d>& points,
+                    const std::string& file) {
+  cad::Solid result;
+  set_box(solid, file, result);
+  GProp_GProps volume;
+  BRepGProp::VolumeProperties(solid, volume);
+  result.volume = std::pow(kMillimetre, 3) * volume.Mass();
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    result.faces.push_back(described(TopoDS::Face(faces(i)), i));
+  }
+  add_neighbours(solid, faces, result.faces);
+  for (const Vector3d& point : points) {
+    result.distances.push_back(distances(point, faces));
+  }
+  return result;
+}
+
+}  // namespace clevis::mesher

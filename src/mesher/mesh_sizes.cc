@@ -1,0 +1,129 @@
+#include "mesher/mesh_sizes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepLProp_SLProps.hxx>
+#include <BRepTools.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <Bnd_Box.hxx>
+#include <IntCurvesFace_ShapeIntersector.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <gp_Lin.hxx>
+
+namespace clevis::mesher {
+namespace {
+
+constexpr double kMillimetre = 1e-3;            // [m]
+constexpr double kTurn = std::numbers::pi / 5;  // of a cell on a curve
+constexpr double kGrowth = 0.5;                 // per distance
+constexpr double kPerSize = 6.0;                // cells along the part
+constexpr double kThinnest = 1.0 / 200.0;       // of the part's size
+constexpr int kSamples = 7;                     // per parameter
+constexpr double kFar = 1e100;
+
+double diagonal(const TopoDS_Solid& solid) {
+  Bnd_Box box;
+  BRepBndLib::Add(solid, box);
+  return std::sqrt(box.SquareExtent());
+}
+
+/// Size that a cell may have where the surface bends as it does there [mm].
+double curved_size(BRepLProp_SLProps& surface) {
+  if (!surface.IsCurvatureDefined()) return kFar;
+  const double bend = std::max(std::abs(surface.MaxCurvature()),
+                               std::abs(surface.MinCurvature()));
+  return bend > 1e-9 ? kTurn / bend : kFar;
+}
+
+/// Depth of the material under a point of the surface [mm].
+double wall(IntCurvesFace_ShapeIntersector& solid, const gp_Pnt& from,
+            const gp_Dir& inwards, double reach) {
+  const double start = 1e-5 * reach;
+  solid.PerformNearest(gp_Lin(from, inwards), start, reach);
+  return solid.IsDone() && solid.NbPnt() > 0 ? solid.WParameter(1) : kFar;
+}
+
+}  // namespace
+
+MeshSizes::MeshSizes(const TopoDS_Solid& solid, const cad::Request& request) {
+  largest_ = request.mesh_size ? *request.mesh_size / kMillimetre
+                               : diagonal(solid) / kPerSize;
+  largest_ /= request.finer.everywhere;
+  add_faces(solid, request.finer.everywhere);
+  thin_out();
+  refine(request.finer.at);
+}
+
+void MeshSizes::add_faces(const TopoDS_Solid& solid, double fineness) {
+  const double reach = diagonal(solid);
+  IntCurvesFace_ShapeIntersector intersector;
+  intersector.Load(solid, 1e-7 * reach);
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  for (int f = 1; f <= faces.Extent(); ++f) {
+    const TopoDS_Face& face = TopoDS::Face(faces(f));
+    const BRepAdaptor_Surface surface(face);
+    BRepTopAdaptor_FClass2d outline(face, 1e-7);
+    double u0{}, u1{}, v0{}, v1{}, finest = largest_;
+    BRepTools::UVBounds(face, u0, u1, v0, v1);
+    for (int i = 0; i < kSamples * kSamples; ++i) {
+      const double u = u0 + (u1 - u0) * (i % kSamples) / (kSamples - 1);
+      const double v = v0 + (v1 - v0) * (i / kSamples) / (kSamples - 1);
+      if (outline.Perform(gp_Pnt2d(u, v)) == TopAbs_OUT) continue;
+      BRepLProp_SLProps here(surface, u, v, 2, 1e-9);
+      if (!here.IsNormalDefined()) continue;
+      const gp_Dir normal = face.Orientation() == TopAbs_REVERSED
+                                ? here.Normal()
+                                : here.Normal().Reversed();
+      const double curved = curved_size(here) / fineness;
+      const double thick =
+          std::max(wall(intersector, here.Value(), normal, reach),
+                   kThinnest * reach) /
+          fineness;
+      finest = std::min(finest, curved);
+      if (std::min(curved, thick) < largest_) {
+        sources_.push_back({here.Value(), std::min(curved, thick)});
+      }
+    }
+    on_face_.push_back(finest);
+  }
+}
+
+/// Keeps what says more than its neighbours do.
+void MeshSizes::thin_out() {
+  constexpr double kSame = 1.1;
+  std::ranges::sort(sources_, {}, &SizeSource::size);
+  std::vector<SizeSource> all;
+  all.swap(sources_);
+  for (const SizeSource& source : all) {
+    if (at(source.at) > kSame * source.size) sources_.push_back(source);
+  }
+}
+
+/// A place that is named twice is refined twice.
+void MeshSizes::refine(const std::vector<Eigen::Vector3d>& places) {
+  constexpr double kFiner = 3.0;
+  for (const Eigen::Vector3d& place : places) {
+    const Eigen::Vector3d p = place / kMillimetre;
+    const gp_Pnt point(p.x(), p.y(), p.z());
+    sources_.push_back({point, at(point) / kFiner});
+    std::ranges::sort(sources_, {}, &SizeSource::size);
+  }
+}
+
+double MeshSizes::at(const gp_Pnt& point) const {
+  double size = largest_;
+  for (const SizeSource& source : sources_) {
+    if (source.size >= size) break;  // they rise
+    size = std::min(size, source.size + kGrowth * point.Distance(source.at));
+  }
+  return size;
+}
+
+}  // namespace clevis::mesher

@@ -1,0 +1,161 @@
+#include "mesher/mesh_solid.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmsh.h>
+
+#include "base/errors.h"
+#include "mesher/mesh_sizes.h"
+
+namespace clevis::mesher {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kMillimetre = 1e-3;  // [m]
+
+[[noreturn]] void refuse(const cad::Request& request,
+                         const std::string& problem) {
+  throw Error("M010", request.file.string(), problem,
+              "Give the part a smaller mesh_size, or repair the faces there.");
+}
+
+/// gmsh for as long as it lives, without anybody's options.
+class Gmsh {
+ public:
+  Gmsh() {
+    gmsh::initialize(0, nullptr, false);
+    for (const auto& [name, value] :
+         std::initializer_list<std::pair<const char*, double>>{
+             {"General.Terminal", 1},
+             {"General.NumThreads", 1},
+             {"Geometry.OCCAutoFix", 0},
+             {"Mesh.MeshSizeFromCurvature", 0},
+             {"Mesh.MeshSizeFromPoints", 0},
+             {"Mesh.MeshSizeExtendFromBoundary", 0},
+             {"Mesh.ElementOrder", 2},
+             {"Mesh.HighOrderOptimize", 1},
+             {"Mesh.MshFileVersion", 4.1},
+             {"Mesh.Binary", 0}}) {
+      gmsh::option::setNumber(name, value);
+    }
+  }
+  ~Gmsh() { gmsh::finalize(); }
+  Gmsh(const Gmsh&) = delete;
+  Gmsh& operator=(const Gmsh&) = delete;
+};
+
+/// gmsh's tag of each face; they are told by area and centre.
+std::vector<int> surface_tags(const cad::Solid& solid,
+                              const cad::Request& request) {
+  gmsh::vectorpair surfaces;
+  gmsh::model::getEntities(surfaces, 2);
+  const double size = (solid.high - solid.low).norm();
+  std::vector<int> tags(solid.faces.size(), 0);
+  for (const auto& [dim, tag] : surfaces) {
+    Vector3d centre;
+    double area{};
+    gmsh::model::occ::getCenterOfMass(dim, tag, centre.x(), centre.y(),
+                                      centre.z());
+    gmsh::model::occ::getMass(dim, tag, area);
+    for (std::size_t f = 0; f < tags.size(); ++f) {
+      const cad::Face& face = solid.faces[f];
+      const bool same =
+          (kMillimetre * centre - face.centre).norm() < 1e-7 * size &&
+          std::abs(1e-6 * area - face.area) <
+              1e-7 * face.area + 1e-14 * size * size;
+      if (same && tags[f] == 0) {
+        tags[f] = tag;
+        break;
+      }
+    }
+  }
+  if (std::ranges::count(tags, 0) > 0) {
+    refuse(request, "gmsh has other faces than OpenCASCADE");
+  }
+  return tags;
+}
+
+void add_groups(const cad::Request& request, const std::vector<int>& tags) {
+  for (const auto& [name, faces] : request.groups) {
+    std::vector<int> entities;
+    for (const int face : faces) {
+      entities.push_back(tags[static_cast<std::size_t>(face) - 1]);
+    }
+    const int group = gmsh::model::addPhysicalGroup(2, entities);
+    gmsh::model::setPhysicalName(2, group, name);
+  }
+  gmsh::vectorpair volumes;
+  gmsh::model::getEntities(volumes, 3);
+  const int body = gmsh::model::addPhysicalGroup(3, {volumes.at(0).second});
+  gmsh::model::setPhysicalName(3, body, "body");
+}
+
+/// Largest size on each curve: the smaller one of its two faces'.
+std::vector<double> sizes_on_curves(const std::vector<int>& tags,
+                                    const MeshSizes& sizes) {
+  std::vector<double> result;
+  for (std::size_t f = 0; f < tags.size(); ++f) {
+    gmsh::vectorpair curves;
+    gmsh::model::getBoundary({{2, tags[f]}}, curves, false, false);
+    for (const auto& [dim, tag] : curves) {
+      const auto at = static_cast<std::size_t>(tag);
+      if (result.size() <= at) result.resize(at + 1, sizes.largest());
+      result[at] = std::min(result[at], sizes.on_face(static_cast<int>(f) + 1));
+    }
+  }
+  return result;
+}
+
+void set_sizes(const std::vector<int>& tags, const MeshSizes& sizes) {
+  std::vector<double> on_surface;
+  for (std::size_t f = 0; f < tags.size(); ++f) {
+    const auto at = static_cast<std::size_t>(tags[f]);
+    if (on_surface.size() <= at) on_surface.resize(at + 1, sizes.largest());
+    on_surface[at] = sizes.on_face(static_cast<int>(f) + 1);
+  }
+  gmsh::model::mesh::setSizeCallback(
+      [&sizes, on_surface, on_curve = sizes_on_curves(tags, sizes)](
+          int dim, int tag, double x, double y, double z) {
+        const double here = sizes.at(gp_Pnt(x, y, z));
+        const auto at = static_cast<std::size_t>(tag);
+        if (dim == 1 && at < on_curve.size()) {
+          return std::min(here, on_curve[at]);
+        }
+        if (dim == 2 && at < on_surface.size()) {
+          return std::min(here, on_surface[at]);
+        }
+        return here;
+      });
+}
+
+}  // namespace
+
+void mesh_solid(const TopoDS_Solid& solid, const cad::Solid& described,
+                const cad::Request& request) {
+  const Gmsh gmsh;
+  const MeshSizes sizes(solid, request);
+  try {
+    gmsh::model::add("part");
+    gmsh::vectorpair imported;
+    gmsh::model::occ::importShapesNativePointer(&solid, imported, true);
+    gmsh::model::occ::synchronize();
+    const std::vector<int> tags = surface_tags(described, request);
+    add_groups(request, tags);
+    set_sizes(tags, sizes);
+    gmsh::model::mesh::generate(3);
+    gmsh::model::mesh::removeSizeCallback();
+    gmsh::write(request.mesh.string());
+  } catch (const Error&) {
+    throw;
+  } catch (...) {  // gmsh throws numbers and texts
+    std::string said;
+    gmsh::logger::getLastError(said);
+    refuse(request, "gmsh says: " + said);
+  }
+}
+
+}  // namespace clevis::mesher

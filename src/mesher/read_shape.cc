@@ -1,0 +1,98 @@
+#include "mesher/read_shape.h"
+
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <IGESControl_Reader.hxx>
+#include <IGESData_GlobalSection.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Reader.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include "base/errors.h"
+
+namespace clevis::mesher {
+namespace {
+
+constexpr double kMillimetre = 1e-3;  // [m]
+
+[[noreturn]] void refuse(const cad::Request& request, const char* problem) {
+  throw Error("M010", request.file.string(), problem,
+              "Export it again as one solid, and look at it in a CAD system.");
+}
+
+void take_millimetres() {
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+}
+
+ReadShape read_step(const cad::Request& request) {
+  STEPControl_Reader reader;
+  take_millimetres();
+  if (reader.ReadFile(request.file.c_str()) != IFSelect_RetDone) {
+    refuse(request, "OpenCASCADE cannot read the STEP file: it is damaged");
+  }
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.FileUnits(lengths, angles, solid_angles);
+  reader.TransferRoots();
+  ReadShape read{reader.OneShape(), {}};
+  if (!lengths.IsEmpty()) read.unit = lengths.First().ToCString();
+  return read;
+}
+
+TopoDS_Shape sewn(const TopoDS_Shape& surfaces) {
+  constexpr double kGap = 1e-3;  // [mm]
+  BRepBuilderAPI_Sewing sewing(kGap);
+  sewing.Add(surfaces);
+  sewing.Perform();
+  TopExp_Explorer shell(sewing.SewedShape(), TopAbs_SHELL);
+  if (!shell.More() || !shell.Current().Closed()) return surfaces;
+  return BRepBuilderAPI_MakeSolid(TopoDS::Shell(shell.Current())).Solid();
+}
+
+ReadShape read_iges(const cad::Request& request) {
+  IGESControl_Reader reader;
+  take_millimetres();
+  if (reader.ReadFile(request.file.c_str()) != IFSelect_RetDone) {
+    refuse(request, "OpenCASCADE cannot read the IGES file: it is damaged");
+  }
+  reader.TransferRoots();
+  ReadShape read{reader.OneShape(), {}};
+  const auto unit = reader.IGESModel()->GlobalSection().UnitName();
+  if (!unit.IsNull()) read.unit = unit->ToCString();
+  if (!read.shape.IsNull() &&
+      !TopExp_Explorer(read.shape, TopAbs_SOLID).More()) {
+    read.shape = sewn(read.shape);
+  }
+  return read;
+}
+
+ReadShape read_brep(const cad::Request& request) {
+  TopoDS_Shape shape;
+  if (!BRepTools::Read(shape, request.file.c_str(), BRep_Builder())) {
+    refuse(request, "OpenCASCADE cannot read the BREP file: it is damaged");
+  }
+  gp_Trsf scale;
+  scale.SetScaleFactor(request.length_unit / kMillimetre);
+  return {BRepBuilderAPI_Transform(shape, scale, true).Shape(), {}};
+}
+
+}  // namespace
+
+ReadShape read_shape(const cad::Request& request) {
+  ReadShape read;
+  if (request.format == part::GeometryFormat::kStep) read = read_step(request);
+  if (request.format == part::GeometryFormat::kIges) read = read_iges(request);
+  if (request.format == part::GeometryFormat::kBrep) read = read_brep(request);
+  if (read.shape.IsNull()) {
+    refuse(request, "the file holds no shape that OpenCASCADE understands");
+  }
+  return read;
+}
+
+}  // namespace clevis::mesher

@@ -1,0 +1,226 @@
+"""A STEP file to a verdict: the faces that `clevis faces` lists, joints that find
+their bores, meshes that follow the file, units, and limits of the mesher.
+
+    step_parts.py CLEVIS SOURCE_DIR
+"""
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+CLEVIS, SOURCE = (Path(argument).resolve() for argument in sys.argv[1:3])
+STEP = SOURCE / "geometry/step"
+
+STEEL = """[material.steel]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+density = "7850 kg/m^3"
+yield_strength = "355 MPa"
+"""
+
+# A bar of 60 x 10 x 10 mm with a bore: its stress under tension is known.
+BAR = """SetFactory("OpenCASCADE");
+Box(1) = {0, -5, -5, 60, 10, 10};
+"""
+
+LINK = """SetFactory("OpenCASCADE");
+Box(1) = {0, -12, 0, 80, 24, 8};
+Cylinder(2) = {0, 0, 0, 0, 0, 8, 12}; Cylinder(3) = {80, 0, 0, 0, 0, 8, 12};
+BooleanUnion(4) = { Volume{1}; Delete; }{ Volume{2, 3}; Delete; };
+Cylinder(5) = {0, 0, -1, 0, 0, 10, 6}; Cylinder(6) = {80, 0, -1, 0, 0, 10, 6};
+BooleanDifference(7) = { Volume{4}; Delete; }{ Volume{5, 6}; Delete; };
+"""
+
+BAR_SCENE = f"""schema = 1
+name = "bar"
+{STEEL}
+[[part]]
+name = "bar"
+geometry = "bar.step"
+material = "steel"
+
+[part.faces]
+root = {{ plane = {{ normal = [-1, 0, 0] }} }}
+tip = {{ plane = {{ normal = [1, 0, 0] }} }}
+side = {{ nearest = ["30 mm", "0 mm", "9 mm"] }}
+
+[[part.case]]
+name = "pull"
+traction = {{ tip = ["20 MPa", "0 MPa", "0 MPa"] }}
+fixed = {{ root = ["x"], side = ["z"] }}
+acceleration = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
+"""
+
+SWING = f"""schema = 1
+name = "swing"
+{STEEL}
+[world]
+gravity = ["0 m/s^2", "-9.81 m/s^2", "0 m/s^2"]
+
+[simulation]
+duration = "0.1 s"
+instants = 3
+
+[[body]]
+name = "link"
+part = "link"
+
+[[body]]
+name = "weight"
+mass = "20 kg"
+center_of_mass = ["0 mm", "-50 mm", "0 mm"]
+inertia = ["0.02 kg m^2", "0.02 kg m^2", "0.02 kg m^2"]
+placement = {{ origin = ["80 mm", "0 mm", "4 mm"] }}
+
+[[joint]]
+name = "A"
+type = "revolute"
+between = ["ground", "link"]
+point = ["0 mm", "0 mm", "4 mm"]
+axis = [0, 0, 1]
+
+[[joint]]
+name = "B"
+type = "revolute"
+between = ["link", "weight"]
+point = ["80 mm", "0 mm", "4 mm"]
+axis = [0, 0, 1]
+
+[[drive]]
+joint = "A"
+law = "constant"
+from = "0 deg"
+
+[[drive]]
+joint = "B"
+law = "constant"
+from = "0 deg"
+
+[[part]]
+name = "link"
+geometry = "link.step"
+material = "steel"
+drives = {{ A = {{ face = "top" }}, B = {{ face = "bottom" }} }}
+
+[part.faces]
+top = {{ plane = {{ normal = [0, 0, 1] }} }}
+bottom = {{ plane = {{ normal = [0, 0, -1] }} }}
+"""
+
+
+class StepParts(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = Path(self.temporary.name)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def step(self, name, script):
+        (self.folder / "shape.geo").write_text(script)
+        subprocess.run(["gmsh", "-0", "-format", "step", "-o", name,
+                        "shape.geo"], cwd=self.folder, check=True, timeout=60,
+                       stdout=subprocess.DEVNULL)
+        return self.folder / name
+
+    def run_clevis(self, *arguments, code=0):
+        done = subprocess.run([CLEVIS, *map(str, arguments)], cwd=self.folder,
+                              capture_output=True, text=True, timeout=250)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done
+
+    def faces(self, file, *arguments):
+        done = self.run_clevis("faces", file, *arguments, "--json")
+        return json.loads(done.stdout)["solids"][0]
+
+    def test_lists_the_faces_of_a_fork(self):
+        solid = self.faces(STEP / "fork.step")
+        bores = [f for f in solid["faces"] if f["type"] == "hollow cylinder"
+                 and abs(f["diameter_m"] - 16e-3) < 1e-9]
+        self.assertEqual(len(bores), 2)
+        for bore, z in zip(sorted(bores, key=lambda f: f["centre_m"][2]),
+                           (-13.5e-3, 13.5e-3)):
+            self.assertAlmostEqual(bore["length_m"], 9e-3, 9)
+            self.assertAlmostEqual(bore["centre_m"][2], z, 9)
+            self.assertAlmostEqual(abs(bore["axis"][2]), 1.0, 12)
+            # 2 pi r l
+            self.assertAlmostEqual(bore["area_m2"], 452.389e-6, 9)
+            self.assertEqual(len(bore["neighbours"]), 2)
+        table = self.run_clevis("faces", STEP / "fork.step").stdout
+        self.assertIn("unit millimetre", table)
+        self.assertEqual(len(re.findall(r"^ +\d+  ", table, re.M)),
+                         len(solid["faces"]))
+
+    def test_takes_the_unit_of_the_file(self):
+        text = (STEP / "fork.step").read_text()
+        metre = "SI_UNIT(.MILLI.,.METRE.)"
+        self.assertIn(metre, text)
+        (self.folder / "cm.step").write_text(
+            text.replace(metre, "SI_UNIT(.CENTI.,.METRE.)"))
+        here, there = (self.faces(f) for f in (STEP / "fork.step", "cm.step"))
+        self.assertEqual(there["unit"], "centimetre")
+        self.assertAlmostEqual(there["volume_m3"] / here["volume_m3"], 1000.0, 6)
+
+    def test_bar_under_tension(self):
+        self.step("bar.step", BAR)
+        (self.folder / "bar.toml").write_text(BAR_SCENE)
+        done = self.run_clevis("check", "bar.toml", "--json", "--out", "out")
+        part = json.loads(done.stdout)["parts"][0]
+        # Free of stress concentration: 20 MPa everywhere.
+        self.assertAlmostEqual(part["peak_von_mises"] / 20e6, 1.0, 3)
+        self.assertIn("bar.step: unit millimetre, 60 x 10 x 10 mm, 6 cm^3",
+                      done.stderr)
+
+    def test_meshes_again_when_file_or_selector_changes(self):
+        self.step("bar.step", BAR)
+        scene = self.folder / "bar.toml"
+        scene.write_text(BAR_SCENE)
+        mesh = self.folder / "bar.msh"
+        self.run_clevis("mesh", scene)
+        first = mesh.read_bytes()
+        self.run_clevis("mesh", scene)
+        self.assertEqual(mesh.read_bytes(), first)  # the same bits
+        stamp = re.compile(rb"fnv1a (\w+)")
+        stamps = {stamp.search(first)[1]}
+        scene.write_text(BAR_SCENE.replace('"9 mm"]', '"-9 mm"]'))
+        self.run_clevis("modes", scene, "--modes", "7", "--out", "out")
+        stamps.add(stamp.search(mesh.read_bytes())[1])
+        self.step("bar.step", BAR.replace("60, 10", "61, 10"))
+        self.run_clevis("modes", scene, "--modes", "7", "--out", "out")
+        stamps.add(stamp.search(mesh.read_bytes())[1])
+        self.assertEqual(len(stamps), 3)
+
+    def test_joints_find_their_bores(self):
+        self.step("link.step", LINK)
+        scene = self.folder / "swing.toml"
+        scene.write_text(SWING)
+        groups = {f["group"]: f for f in self.faces(scene)["faces"]
+                  if "group" in f}
+        self.assertEqual(set(groups), {"bore_A", "bore_B", "top", "bottom"})
+        self.assertAlmostEqual(groups["bore_B"]["centre_m"][0], 80e-3, 9)
+        self.run_clevis("mesh", scene)
+        self.assertIn('"bore_B"', (self.folder / "link.msh").read_text())
+        # 2 mm beside the bore: all candidates are listed, nothing is meshed.
+        scene.write_text(SWING.replace('"80 mm", "0 mm", "4 mm"]',
+                                       '"78 mm", "0 mm", "4 mm"]'))
+        done = self.run_clevis("mesh", scene, code=11)
+        self.assertIn("M017", done.stderr)
+        self.assertIn("bore of diameter 12 mm, 8 mm long, middle (80, 0, 4) mm",
+                      done.stderr)
+
+    def test_runs_no_script_and_no_options_of_the_user(self):
+        shutil.copy(STEP / "fork.step", self.folder)
+        (self.folder / ".gmshrc").write_text('SystemCall "touch ran";\n')
+        subprocess.run([CLEVIS, "faces", "fork.step"], cwd=self.folder,
+                       check=True, capture_output=True, timeout=60,
+                       env={"HOME": str(self.folder), "PATH": "/usr/bin:/bin"})
+        self.assertFalse((self.folder / "ran").exists())
+
+
+if __name__ == "__main__":
+    sys.argv = sys.argv[:1]
+    unittest.main(verbosity=2)

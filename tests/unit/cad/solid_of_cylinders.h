@@ -1,0 +1,48 @@
+#pragma once
+
+#include <numbers>
+#include <vector>
+
+#include "cad/face.h"
+
+namespace clevis::cad {
+
+/// A cylindrical face about z.
+inline Face cylinder_face(int number, double x, double low, double high,
+                          double diameter, bool hollow,
+                          double angle = 2 * std::numbers::pi) {
+  Face face;
+  face.number = number;
+  face.kind = SurfaceKind::kCylinder;
+  face.axis_point = {x, 0.0, 0.0};
+  face.axis = {0.0, 0.0, 1.0};
+  face.low = low;
+  face.high = high;
+  face.radius = diameter / 2;
+  face.hollow = hollow;
+  face.angle = angle;
+  face.centre = {x, 0.0, (low + high) / 2};
+  return face;
+}
+
+/// A plane face.
+inline Face plane_face(int number, const Eigen::Vector3d& centre,
+                       const Eigen::Vector3d& normal) {
+  Face face;
+  face.number = number;
+  face.kind = SurfaceKind::kPlane;
+  face.centre = centre;
+  face.normal = normal;
+  return face;
+}
+
+/// A solid of these faces in a box of 100 mm.
+inline Solid solid_of(std::vector<Face> faces) {
+  Solid solid;
+  solid.low = {0.0, -0.05, -0.05};
+  solid.high = {0.1, 0.05, 0.05};
+  solid.faces = std::move(faces);
+  return solid;
+}
+
+}  // namespace clevis::cad
