@@ -30,14 +30,13 @@ double weighted_norm(const VectorXd& error, const VectorXd& weights) {
   return std::sqrt(error.cwiseProduct(weights).squaredNorm() / n);
 }
 
-Collocation::Collocation(OdeSystem& system) : system_(system) {
+Collocation::Collocation(OdeSystem& system)
+    : system_(system), jacobian_(system.size()) {
   const Index n = system.size();
-  T_.setZero(n, n);
-  B_.setZero(n, n);
   for (Stages* stages : {&z_, &w_, &f_}) {
     for (VectorXd& v : *stages) v.setZero(n);
   }
-  for (VectorXd* v : {&point_, &scratch_, &direction_}) v->setZero(n);
+  point_.setZero(n);
   const Index efforts = system.efforts();
   for (Stages* stages : {&phi_, &kept_, &rho_}) {
     for (VectorXd& v : *stages) v.setZero(efforts);
@@ -46,11 +45,10 @@ Collocation::Collocation(OdeSystem& system) : system_(system) {
   phi_beyond_.setZero(efforts);
   G_.setZero(n, efforts);
   L_.setZero(efforts, n);
-  complex_scratch_.setZero(n);
 }
 
 void Collocation::use(const RadauMethod& method) {
-  if (method_ != &method) h_ = 0.0;
+  if (method_ != &method) jacobian_.drop_factors();
   method_ = &method;
 }
 
@@ -69,9 +67,9 @@ void Collocation::slope_beyond(double t, const VectorXd& y, const VectorXd& v,
                                VectorXd& slope) {
   point_ = v;
   to_axes(y, point_);
-  along_.noalias() = to_tangents_ * point_;
+  jacobian_.along_tangents(point_, along_);
   phi_beyond_ = phi_now_;
-  phi_beyond_.noalias() += L_.leftCols(tangents_) * along_;
+  phi_beyond_.noalias() += L_.leftCols(along_.size()) * along_;
   point_ = y + v;
   system_.hold_efforts(&phi_beyond_);
   system_.rate(t, point_, slope);
@@ -82,36 +80,33 @@ void Collocation::linearise(double t, const VectorXd& y, const VectorXd& slope,
                             Axes axes) {
   axes_ = axes;
   const double root = std::sqrt(std::numeric_limits<double>::epsilon());
-  tangents_ = system_.tangents(t, y, T_);
+  Eigen::MatrixXd& T = jacobian_.tangents();
+  Eigen::MatrixXd& B = jacobian_.images();
+  const Index tangents = system_.tangents(t, y, T);
   system_.hold_tangents(t, y);
-  const auto T = T_.leftCols(tangents_);
   system_.efforts_by_law(phi_beyond_);
   // what efforts do is added exactly: differences by them would drown the rest
   system_.hold_efforts(&phi_now_);
-  for (Index j = 0; j < tangents_; ++j) {
-    point_ = y + root * T_.col(j);
+  for (Index j = 0; j < tangents; ++j) {
+    point_ = y + root * T.col(j);
     system_.rate(t, point_, f_[0]);
-    B_.col(j) = (f_[0] - slope) / root;
+    B.col(j) = (f_[0] - slope) / root;
     system_.efforts_by_law(rho_[0]);
     L_.col(j) = (rho_[0] - phi_beyond_) / root;
   }
-  evaluations_ += tangents_;
+  evaluations_ += tangents;
   for (Index k = 0; k < G_.cols(); ++k) {
     system_.effort_response(k, G_.col(k));
   }
-  B_.leftCols(tangents_).noalias() += G_ * L_.leftCols(tangents_);
+  B.leftCols(tangents).noalias() += G_ * L_.leftCols(tangents);
   system_.hold_efforts(nullptr);
   system_.release_tangents();
   for (Index k = 0; k < G_.cols(); ++k) to_axes(y, G_.col(k));
-  for (Index j = 0; j < tangents_; ++j) {
-    to_axes(y, T_.col(j));
-    to_axes(y, B_.col(j));
+  for (Index j = 0; j < tangents; ++j) {
+    to_axes(y, T.col(j));
+    to_axes(y, B.col(j));
   }
-  gram_.noalias() = T.transpose() * T;
-  gram_factor_.compute(gram_);
-  to_tangents_ = gram_factor_.solve(T.transpose());
-  reduced_.noalias() = to_tangents_ * B_.leftCols(tangents_);
-  h_ = 0.0;
+  jacobian_.take(tangents);
 }
 
 void Collocation::to_axes(const VectorXd& y, Eigen::Ref<VectorXd> v) const {
@@ -120,35 +115,6 @@ void Collocation::to_axes(const VectorXd& y, Eigen::Ref<VectorXd> v) const {
 
 void Collocation::from_axes(const VectorXd& y, Eigen::Ref<VectorXd> v) const {
   if (axes_ == Axes::kMoving) system_.from_axes(y, v);
-}
-
-bool Collocation::factor(double h) {
-  if (!reduced_.allFinite() || !(h > 0.0)) return false;
-  matrix_ = -reduced_;
-  matrix_.diagonal().array() += method_->real / h;
-  real_.compute(matrix_);
-  for (std::size_t k = 0; k < pairs(); ++k) {
-    complex_matrix_ = -reduced_;
-    complex_matrix_.diagonal().array() += method_->pairs[k] / h;
-    complex_[k].compute(complex_matrix_);
-  }
-  ++factorisations_;
-  h_ = h;
-  return true;
-}
-
-/// Of w_, those of the pair.
-void Collocation::filter_pair(std::size_t pair, double h) {
-  VectorXd& u = w_[1 + 2 * pair];
-  VectorXd& v = w_[2 + 2 * pair];
-  complex_scratch_.real() = u;
-  complex_scratch_.imag() = v;
-  complex_along_.noalias() = to_tangents_ * complex_scratch_;
-  complex_along_ = complex_[pair].solve(complex_along_);
-  complex_scratch_.noalias() += B_.leftCols(tangents_) * complex_along_;
-  complex_scratch_ *= h / method_->pairs[pair];
-  u = complex_scratch_.real();
-  v = complex_scratch_.imag();
 }
 
 /// Takes the rates in f_, leaves the changes there.
@@ -162,13 +128,15 @@ void Collocation::newton_step(const VectorXd& y, double h) {
     f_[i].noalias() += G_ * rho_[i];
   }
   transform(method_->T_inverse, count(), f_, w_);
-  filter_in_axes(w_[0]);
-  for (std::size_t k = 0; k < pairs(); ++k) filter_pair(k, h);
+  jacobian_.filter(w_[0]);
+  for (std::size_t k = 0; 2 * k + 2 < count(); ++k) {
+    jacobian_.filter_pair(k, w_[1 + 2 * k], w_[2 + 2 * k]);
+  }
   transform(method_->T, count(), w_, f_);
   for (std::size_t i = 0; i < count(); ++i) {
-    along_.noalias() = to_tangents_ * f_[i];
+    jacobian_.along_tangents(f_[i], along_);
     phi_[i] += rho_[i];
-    phi_[i].noalias() += L_.leftCols(tangents_) * along_;
+    phi_[i].noalias() += L_.leftCols(along_.size()) * along_;
     point_ = y + z_[i];
     from_axes(point_, f_[i]);
     z_[i] += f_[i];
@@ -235,15 +203,8 @@ bool Collocation::solve(double t, const VectorXd& y, double h,
 
 void Collocation::filter(const VectorXd& y, VectorXd& v) {
   to_axes(y, v);
-  filter_in_axes(v);
+  jacobian_.filter(v);
   from_axes(y, v);
-}
-
-void Collocation::filter_in_axes(VectorXd& v) {
-  along_.noalias() = to_tangents_ * v;
-  along_ = real_.solve(along_);
-  v.noalias() += B_.leftCols(tangents_) * along_;
-  v *= h_ / method_->real;
 }
 
 void Collocation::embedded(double h, VectorXd& sum) const {
@@ -251,41 +212,6 @@ void Collocation::embedded(double h, VectorXd& sum) const {
   for (std::size_t i = 1; i < count(); ++i) {
     sum += (method_->error[i] / h) * z_[i];
   }
-}
-
-void Collocation::apply_jacobian(const VectorXd& v, VectorXd& result) {
-  along_.noalias() = to_tangents_ * v;
-  result.noalias() = B_.leftCols(tangents_) * along_;
-}
-
-double Collocation::largest_eigenvalue() {
-  // the mean growth over some powers: a pair of eigenvalues turns the vector
-  constexpr int kBefore = 6, kPowers = 8;
-  direction_.setOnes();
-  double growth = 0.0;
-  for (int i = 0; i < kBefore + kPowers; ++i) {
-    direction_ /= direction_.norm();
-    apply_jacobian(direction_, scratch_);
-    const double size = scratch_.norm();
-    if (!(size > 0.0)) return 0.0;
-    if (i >= kBefore) growth += std::log(size);
-    direction_ = scratch_;
-  }
-  return std::exp(growth / kPowers);
-}
-
-double Collocation::stiffness() {
-  constexpr int kPowers = 6;
-  if (direction_.squaredNorm() == 0.0) direction_.setOnes();
-  double growth = 0.0;
-  for (int i = 0; i < kPowers; ++i) {
-    direction_ /= direction_.norm();
-    apply_jacobian(direction_, scratch_);
-    growth = scratch_.norm();
-    if (!(growth > 0.0)) return 0.0;
-    direction_ = scratch_;
-  }
-  return growth;
 }
 
 }  // namespace clevis::numerics

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <array>
-#include <complex>
 #include <cstdint>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/LU>
 
+#include "numerics/integrators/low_rank_jacobian.h"
 #include "numerics/integrators/ode_system.h"
 #include "numerics/integrators/radau_method.h"
 
@@ -43,8 +41,10 @@ class Collocation {
   void linearise(double t, const Eigen::VectorXd& y,
                  const Eigen::VectorXd& slope, Axes axes);
   /// Decomposes for a step h. @return false if that fails.
-  bool factor(double h);
-  bool is_factored_for(double h) const { return h == h_; }
+  bool factor(double h) { return jacobian_.factor(*method_, h); }
+  /// Derivative of the rate at the last linearise(), and its factors.
+  LowRankJacobian& jacobian() { return jacobian_; }
+  const LowRankJacobian& jacobian() const { return jacobian_; }
 
   /// Solves for the stages from the guess in stages().
   /// @param weights  of OdeSystem::error_weights().
@@ -66,49 +66,32 @@ class Collocation {
   void filter(const Eigen::VectorXd& y, Eigen::VectorXd& v);
   /// Stages' part of the embedded error, over h.
   void embedded(double h, Eigen::VectorXd& sum) const;
-  /// Largest growth of a vector by J in a few power iterations [1/s].
-  double stiffness();
-  /// About the size of its largest eigenvalue [1/s].
-  double largest_eigenvalue();
 
   long evaluations() const { return evaluations_; }
-  long factorisations() const { return factorisations_; }
 
   int most_iterations() const { return 2 + 2 * method_->stages; }
 
  private:
   std::size_t count() const { return method_->count(); }
-  std::size_t pairs() const { return count() / 2; }
   void newton_step(const Eigen::VectorXd& y, double h);
-  void filter_pair(std::size_t pair, double h);
-  void filter_in_axes(Eigen::VectorXd& v);
   void to_axes(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> v) const;
   void from_axes(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> v) const;
-  void apply_jacobian(const Eigen::VectorXd& v, Eigen::VectorXd& result);
 
   OdeSystem& system_;
   const RadauMethod* method_ = &radau_method(3);
   const RadauMethod* kept_method_ = method_;  ///< of kept_
   Axes axes_ = Axes::kFixed;
-  double h_ = 0.0;  ///< of the factors
   int iterations_{};
   double contraction_{};
-  long evaluations_{}, factorisations_{};
-  // J ≈ B T⁺, T the tangents: (γ − J)⁻¹ = (1 + B (γ − T⁺ B)⁻¹ T⁺) / γ
-  Eigen::Index tangents_{};  ///< columns of T and B that count
-  Eigen::MatrixXd T_, B_, gram_, to_tangents_, reduced_, matrix_;
-  Eigen::MatrixXcd complex_matrix_;
-  Eigen::LDLT<Eigen::MatrixXd> gram_factor_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> real_;
-  std::array<Eigen::PartialPivLU<Eigen::MatrixXcd>, 3> complex_;
+  long evaluations_{};
+  LowRankJacobian jacobian_;
   Stages z_, w_, f_;
   // Efforts are unknowns beside z, so that Newton does not multiply what it
   // misjudges of a direction by the stiffness of what acts along it
   Stages phi_, kept_, rho_;  ///< by stage; what their laws say less phi
   Eigen::VectorXd phi_now_, phi_beyond_;
   Eigen::MatrixXd G_, L_;  ///< rates by efforts; efforts by tangents
-  Eigen::VectorXd point_, scratch_, direction_, along_;
-  Eigen::VectorXcd complex_scratch_, complex_along_;
+  Eigen::VectorXd point_, along_;
 };
 
 /// Root mean square of error times weights.

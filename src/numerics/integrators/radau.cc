@@ -47,7 +47,7 @@ Collocation::Axes Radau::AxesChoice::choose() {
 
 void Radau::count() {
   counts_.evaluations = collocation_.evaluations();
-  counts_.factorisations = collocation_.factorisations();
+  counts_.factorisations = collocation_.jacobian().factorisations();
 }
 
 void Radau::restart(double t, const VectorXd& y, double step) {
@@ -127,7 +127,7 @@ double Radau::attempt(double h, bool careful) {
     refresh_ = false;
     fresh_jacobian_ = true;
   }
-  if (!collocation_.is_factored_for(h) && !collocation_.factor(h)) {
+  if (!collocation_.jacobian().is_factored_for(h) && !collocation_.factor(h)) {
     return kFailed;
   }
   guess_stages(h);
@@ -139,7 +139,7 @@ double Radau::attempt(double h, bool careful) {
 }
 
 void Radau::judge_stiffness(double h) {
-  const bool easy = h * collocation_.stiffness() < kEasy;
+  const bool easy = h * collocation_.jacobian().stiffness() < kEasy;
   easy_steps_ = easy ? easy_steps_ + 1 : 0;
 }
 
@@ -252,7 +252,7 @@ double Radau::largest_eigenvalue(double t, const VectorXd& y) {
   collocation_.linearise(t, y, trial_slope_, Collocation::Axes::kFixed);
   refresh_ = true;
   count();
-  return collocation_.largest_eigenvalue();
+  return collocation_.jacobian().largest_eigenvalue();
 }
 
 void Radau::correct(const VectorXd& y) {
