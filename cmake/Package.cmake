@@ -6,7 +6,7 @@ install(FILES README.md CHANGELOG.md LICENSE.md TYPE DOC)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
         FILES_MATCHING PATTERN "*.md" PATTERN "*.json" PATTERN "*.svg"
         PATTERN "*.txt")
-foreach(name compare error impact modes plan result scene simulate study
+foreach(name compare error faces impact modes plan result scene simulate study
         transmission view_motion view_part)
   install(FILES docs/${name}.schema.json
           DESTINATION ${CMAKE_INSTALL_DATADIR}/clevis)

@@ -166,6 +166,8 @@ def main():
         d.files(folder / "ejector", ("impact", "impact.json"))
         d.holds_to("error", d.run("simulate", "nothing.toml", "--json", codes=(22,)), "error")
 
+        d.holds_to("faces", d.run("faces", "geometry/step/fork.toml", "--json"), "faces")
+
         d.run("init", "link", "--template", "part", cwd=folder)
         (folder / "link/grid.toml").write_text(LINK)
         d.run("plan", "link/grid.toml", "--out", "plan", cwd=folder)
