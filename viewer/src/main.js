@@ -140,7 +140,7 @@ function run(data, stage, { canvas, overlay, side, below, chartGrid }) {
   timeline.start();
   addPrinting(stage, parts, timeline);
   // For scripts and tests: where points are seen, and what they carry.
-  globalThis.clevisReport = { data, stage, timeline, pickPart };
+  globalThis.clevisReport = { data, stage, timeline, pickPart, plots };
   return pickPart;
 }
 

@@ -9,6 +9,14 @@ function column(times, array, step, count, item, value) {
   return Array.from(times, (_, i) => value(array, (i * count + item) * step));
 }
 
+/** The band of a part's peak over all times, if its curve shows that peak: not
+ * where a singular zone is left out. */
+function bandOf(part, series) {
+  const { peak } = part;
+  if (peak !== part.result.peak_von_mises) return [];
+  return [{ series, low: peak.band_MPa[0], high: peak.band_MPa[1] }];
+}
+
 /** Peak stress of the parts, each at its own times, on one axis of times. */
 function peaks(parts, onTime) {
   const moving = parts.filter((part) => part.is_motion && part.times.length > 1);
@@ -20,7 +28,9 @@ function peaks(parts, onTime) {
       [t, part.frames.peak_von_mises_MPa[i]]));
     return { label: part.name, values: times.map((t) => at.get(t)) };
   });
-  return [new Chart("Peak von Mises stress", "MPa", times, series, { onTime })];
+  const bands = moving.flatMap((part, k) => bandOf(part, k));
+  return [new Chart(`Peak von Mises stress${bands.length > 0 ? ", bands shaded" : ""}`,
+                    "MPa", times, series, { onTime, bands })];
 }
 
 export function charts({ motion, parts }, onTime) {
@@ -29,7 +39,8 @@ export function charts({ motion, parts }, onTime) {
   for (const part of parts.filter((p) => p.isBlow)) {
     list.push(new Chart(`Peak von Mises stress of ${part.name} in the blow`,
       "MPa", part.times, [{ label: part.name,
-                            values: part.frames.peak_von_mises_MPa }]));
+                            values: part.frames.peak_von_mises_MPa }],
+      { bands: bandOf(part, 0) }));
   }
   if (times.length < 2) return list;
   const add = (title, unit, series) => {

@@ -107,6 +107,36 @@ if (moves) {
   });
 }
 
+await check("bands of peaks are shaded strips in the chart over time", async () => {
+  const seen = await page.evaluate(() => {
+    const { data, plots } = globalThis.clevisReport;
+    const chart = plots.find((plot) => plot.bands.length > 0);
+    const wanted = data.parts.some((part) => part.is_motion && part.times.length > 1 &&
+      !part.result.peak_outside_singular_zones);
+    if (!chart) return { wanted, strips: null };
+    chart.element.scrollIntoView();
+    const { plot, bands } = chart;
+    const at = (value) => plot.valToPos(value, "y", true);
+    const { canvas } = plot.ctx;
+    const copy = Object.assign(document.createElement("canvas"),
+      { width: canvas.width, height: canvas.height })
+      .getContext("2d", { willReadFrequently: true });
+    copy.drawImage(canvas, 0, 0);
+    // a curve alone tints a column of pixels or two, a strip all of them
+    const tinted = (y) => [0.02, 0.2, 0.4, 0.6, 0.8, 0.98].filter((part) => {
+      const x = Math.round(plot.bbox.left + part * plot.bbox.width);
+      const [r, g, b, a] = copy.getImageData(x, Math.round(y), 1, 1).data;
+      return a > 0 && Math.max(r, g, b) - Math.min(r, g, b) > 20;
+    }).length >= 5;
+    return { wanted, strips: bands.map(({ low, high }) => ({
+      inside: tinted(Math.max(at(high), (at(low) + at(high)) / 2 - 1)),
+      isOnScale: at(high) >= plot.bbox.top })) };
+  });
+  if (!seen.wanted) return;
+  assert.ok(seen.strips, "no chart has bands");
+  for (const strip of seen.strips) assert.ok(strip.inside && strip.isOnScale, JSON.stringify(strip));
+});
+
 /** The colour that the screen shows, as three bytes. */
 async function screenColour({ x, y }) {
   const box = await (await page.$(".stage")).boundingBox();
