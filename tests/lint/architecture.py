@@ -140,7 +140,7 @@ ROOMS = {
         "text": "files, tables, JSON and terminals",
         "quantities": "the table of a result's scalars, in JSON, CSV and with tolerances",
         "machine": "bearings, transmissions, ejectors",
-        "summary": "what is said of a motion: extremes, jumps, impacts, notes",
+        "summary": "what is said of a motion: extremes, jumps, impacts, notes, and which instants show it",
         "forces": "force elements and couplings over a motion",
         "motion": "the motion as JSON, CSV and table",
         "parts": "a part's result",
@@ -212,7 +212,8 @@ PUBLIC = {
               " machine/transmission_output motion/motion_csv motion/motion_files"
               " motion/motion_json motion/motion_table page/glb_scene"
               " page/report_page parts/part_result_json"
-              " summary/motion_report text/atomic_file text/csv_field"
+              " summary/line_refinement summary/motion_report text/atomic_file"
+              " text/csv_field"
               " text/json_text text/progress text/terminal text/text_table"
               " variants/collection_csv variants/collection_figure"
               " variants/collection_table variants/plan_file variants/variant_reader"

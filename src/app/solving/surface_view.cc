@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 
+#include "report/summary/line_refinement.h"
 #include "stress/field/surface_mesh.h"
 
 namespace clevis::app {
@@ -44,25 +46,43 @@ std::size_t governing_rows(const PartFields& fields) {
   return 0;
 }
 
-/// Uniform ones of the first `count` instants up to `most`, and those among
-/// them at which the part is worst.
+/// Between the frames, those at which the peak leaves the straight line by more
+/// than 1 % of its largest: blows, which uniform frames miss.
+void refine_blows(const PartFields& fields, std::size_t count, std::size_t most,
+                  std::set<std::size_t>& frames) {
+  constexpr double kTolerance = 0.01;
+  const auto row = static_cast<std::ptrdiff_t>(governing_rows(fields));
+  std::vector<double> peaks(count);
+  std::transform(
+      fields.history.begin() + row,
+      fields.history.begin() + row + static_cast<std::ptrdiff_t>(count),
+      peaks.begin(), [](const auto& instant) {
+        return instant.peak;
+      });
+  report::refine_lines(frames, std::span(fields.times).first(count), peaks,
+                       kTolerance * std::ranges::max(peaks), most);
+}
+
+/// Uniform ones of the first `count` instants up to `most`, those among them at
+/// which the part is worst, and half as many more where blows ask for them.
 std::vector<int> frames_of(const PartFields& fields,
                            const assessment::PartResult& result,
                            std::size_t count, std::size_t most) {
-  std::set<int> frames{fields.peak_instant};
+  std::set<std::size_t> frames{static_cast<std::size_t>(fields.peak_instant)};
   const std::size_t last = count - 1;
   const std::size_t steps = std::min(last, most - 1);
   for (std::size_t k = 0; k <= steps; ++k) {
-    frames.insert(static_cast<int>(steps == 0 ? 0 : last * k / steps));
+    frames.insert(steps == 0 ? 0 : last * k / steps);
   }
   for (const double t :
        {result.deflection_instant, result.strain_energy_instant,
         judged_peak(result).instant, result.buckling.instant}) {
     const auto at = std::ranges::find(fields.times, t) - fields.times.begin();
     if (at < static_cast<std::ptrdiff_t>(count)) {
-      frames.insert(static_cast<int>(at));
+      frames.insert(static_cast<std::size_t>(at));
     }
   }
+  refine_blows(fields, count, frames.size() + most / 2, frames);
   return {frames.begin(), frames.end()};
 }
 

@@ -7,8 +7,8 @@
 namespace clevis::app {
 
 /// The surface of a part with its fields over the instants of its governing
-/// loads; all of up to 240, else as many uniform ones and the worst. Fewer of
-/// parts with many cells.
+/// loads; all of up to 240, else as many uniform ones and the worst, and half
+/// as many more that follow blows. Fewer of parts with many cells.
 /// @param moving  the motion of its body, if one carries it.
 report::PartView surface_view(const assessment::PartJob& job,
                               const assessment::PartAssessment& assessment,

@@ -11,6 +11,7 @@
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/force_elements/force_element.h"
 #include "mechanism/joints/joint_types.h"
+#include "report/summary/line_refinement.h"
 #include "report/text/json_text.h"
 #include "report/text/units.h"
 #include "report/view/input_file.h"
@@ -210,6 +211,31 @@ void keep_largest(const std::vector<Instant>& instants, Number number,
   kept.insert(at);
 }
 
+/// Between the kept instants, those at which a joint's force or an element's
+/// effort leaves the straight line by more than 1 % of its largest.
+void refine_blows(const MotionView& view, std::size_t most,
+                  std::set<std::size_t>& kept) {
+  constexpr double kTolerance = 0.01;
+  const auto& instants = view.motion.instants;
+  std::vector<double> times(instants.size()), values(instants.size());
+  std::ranges::transform(instants, times.begin(), &Instant::t);
+  const auto refine = [&](const auto& number) {
+    std::ranges::transform(instants, values.begin(), number);
+    const auto [low, high] = std::ranges::minmax(values);
+    refine_lines(kept, times, values, kTolerance * std::max(-low, high), most);
+  };
+  for (std::size_t e = 0; e < view.definition.elements.size(); ++e) {
+    refine([e](const Instant& i) {
+      return i.elements[e].effort;
+    });
+  }
+  for (std::size_t j = 0; j < view.definition.joints.size(); ++j) {
+    refine([j](const Instant& i) {
+      return i.joints[j].f_W.norm();
+    });
+  }
+}
+
 std::size_t nearest(const std::vector<Instant>& instants, double t) {
   std::size_t at = 0;
   for (std::size_t i = 1; i < instants.size(); ++i) {
@@ -261,6 +287,7 @@ std::vector<std::size_t> kept_instants(const MotionView& view,
         kept);
   }
   for (const double t : view.worst_times) kept.insert(nearest(instants, t));
+  refine_blows(view, kept.size() + most / 2, kept);
   return {kept.begin(), kept.end()};
 }
 

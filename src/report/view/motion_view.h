@@ -29,7 +29,8 @@ struct MotionView {
 
 /// Positions in the motion of the instants that are told: all up to `most`,
 /// else as many uniform ones, and in either case those with the largest
-/// reaction of each joint, effort of each drive and force, and the worst times.
+/// reaction of each joint, effort of each drive and force, and the worst times;
+/// and up to half of `most` where blows leave the straight lines between these.
 std::vector<std::size_t> kept_instants(const MotionView& view,
                                        std::size_t most);
 

@@ -32,8 +32,33 @@ TEST(KeptInstants, HoldEndsPeaksAndWorstTimesOfMany) {
   MotionView view = peaked(1000, 7);
   view.worst_times = {501.2};
   const auto kept = kept_instants(view, 11);
-  EXPECT_LE(kept.size(), 14U);
-  for (const std::size_t wanted : {0U, 7U, 501U, 999U}) {
+  EXPECT_LE(kept.size(), 16U);
+  for (const std::size_t wanted : {0U, 6U, 7U, 8U, 501U, 999U}) {
+    EXPECT_TRUE(std::ranges::binary_search(kept, wanted)) << wanted;
+  }
+}
+
+/// A force that rises slowly and has a blow of 5 instants.
+MotionView struck(std::size_t instants, std::size_t at) {
+  MotionView view;
+  view.definition.joints.resize(1);
+  for (std::size_t i = 0; i < instants; ++i) {
+    mechanism::Instant instant;
+    instant.t = static_cast<double>(i);
+    instant.joints.resize(1);
+    const double away =
+        std::abs(static_cast<double>(i) - static_cast<double>(at));
+    instant.joints[0].f_W.x() =
+        1e-3 * instant.t + std::max(0.0, 10.0 * (1.0 - away / 5.0));
+    view.motion.instants.push_back(instant);
+  }
+  return view;
+}
+
+TEST(KeptInstants, HoldTheFootAndTopOfABlow) {
+  const auto kept = kept_instants(struck(1000, 333), 11);
+  EXPECT_LE(kept.size(), 17U);
+  for (const std::size_t wanted : {328U, 333U, 338U}) {
     EXPECT_TRUE(std::ranges::binary_search(kept, wanted)) << wanted;
   }
 }
