@@ -107,4 +107,17 @@ std::string text_of(const Cylinder& cylinder) {
       cylinder.faces.size() > 1 ? "s" : "", fmt::join(cylinder.faces, ", "));
 }
 
+std::string list_of(const std::vector<Cylinder>& cylinders) {
+  constexpr std::size_t kMost = 12;
+  if (cylinders.empty()) return "none";
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMost, cylinders.size()); ++i) {
+    text += (i == 0 ? "" : "; ") + text_of(cylinders[i]);
+  }
+  if (cylinders.size() > kMost) {
+    text += fmt::format("; and {} more", cylinders.size() - kMost);
+  }
+  return text;
+}
+
 }  // namespace clevis::cad

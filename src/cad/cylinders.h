@@ -33,4 +33,7 @@ bool are_coaxial(const Cylinder& cylinder, const Eigen::Vector3d& point,
 /// "bore, diameter 16 mm, 9 mm long, middle (40, 0, -13.5) mm, face 16".
 std::string text_of(const Cylinder& cylinder);
 
+/// The first dozen of some for messages, "; " between; "none" of none.
+std::string list_of(const std::vector<Cylinder>& cylinders);
+
 }  // namespace clevis::cad

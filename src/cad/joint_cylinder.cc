@@ -77,28 +77,17 @@ std::vector<std::vector<Cylinder>> candidates(const std::vector<Cylinder>& all,
   return found;
 }
 
-std::string list(const std::vector<Cylinder>& cylinders) {
-  constexpr std::size_t kMost = 12;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(kMost, cylinders.size()); ++i) {
-    text += "\n    " + text_of(cylinders[i]);
-  }
-  if (cylinders.size() > kMost) {
-    text += fmt::format("\n    and {} more", cylinders.size() - kMost);
-  }
-  return text;
-}
-
 [[noreturn]] void refuse(const part::JointFaces& joint,
                          const std::string& problem,
                          const std::vector<Cylinder>& listed) {
-  throw Error("M017", joint.place,
-              fmt::format("joint {}: {}{}", joint.joint, problem, list(listed)),
-              fmt::format("Name the faces: pins = {{ {} = \"bore_x\" }}, "
-                          "faces.bore_x = {{ cylinder = {{ diameter = \"...\", "
-                          "near = [...] }} }}; or correct the joint's place on "
-                          "the body.",
-                          joint.joint));
+  throw Error(
+      "M017", joint.place,
+      fmt::format("joint {}: {}: {}", joint.joint, problem, list_of(listed)),
+      fmt::format("Name the faces: pins = {{ {} = \"bore_x\" }}, "
+                  "faces.bore_x = {{ cylinder = {{ diameter = \"...\", "
+                  "near = [...] }} }}; or correct the joint's place on "
+                  "the body.",
+                  joint.joint));
 }
 
 }  // namespace

@@ -121,12 +121,8 @@ std::vector<int> FacesOf::operator()(
     }
     return faces;
   }
-  constexpr std::size_t kMost = 12;
-  std::string list;
-  for (std::size_t i = 0; i < std::min(kMost, found.size()); ++i) {
-    list += "\n    " + text_of(found[i]);
-  }
-  refuse(fmt::format("{} cylinders of the part fit{}", found.size(), list));
+  refuse(fmt::format("{} cylinders of the part fit: {}", found.size(),
+                     list_of(found)));
 }
 
 std::vector<int> FacesOf::operator()(const part::PlaneSelector& wanted) const {
