@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "report/text/json_text.h"
+
 namespace clevis::study {
 namespace {
 
@@ -122,12 +124,10 @@ std::string study_csv(const PartStudy& part) {
 }
 
 ordered_json study_json(const Study& study) {
-  ordered_json json{{"schema", 1},
-                    {"version", study.version},
-                    {"scene", study.scene},
-                    {"complete", study.complete},
-                    {"calculix", study.calculix},
-                    {"parts", ordered_json::array()}};
+  ordered_json json{
+      {"schema", report::kSchema},  {"version", study.version},
+      {"scene", study.scene},       {"complete", study.complete},
+      {"calculix", study.calculix}, {"parts", ordered_json::array()}};
   for (const PartStudy& part : study.parts) {
     ordered_json entry{{"name", part.name},
                        {"load", part.load},

@@ -196,7 +196,8 @@ ExitCode faces_command(const FacesOptions& options) {
     if (refused != all.end()) throw Error(*refused->refused);
     ordered_json solids = ordered_json::array();
     for (const Found& found : all) solids.push_back(json_of(found));
-    std::cout << report::json_text({{"schema", 1}, {"solids", solids}});
+    std::cout << report::json_text(
+        {{"schema", report::kSchema}, {"solids", solids}});
     return ExitCode::kPass;
   }
   for (const Found& found : all) {

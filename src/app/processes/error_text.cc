@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report/text/json_text.h"
+
 namespace clevis::app {
 
 std::string encode_error(const Error& error) {
@@ -22,7 +24,7 @@ Error decode_error(std::string_view text) {
 
 std::string error_document(const Error& error) {
   const nlohmann::ordered_json document = {
-      {"schema", 1},
+      {"schema", report::kSchema},
       {"error",
        {{"code", error.code()},
         {"place", error.place()},

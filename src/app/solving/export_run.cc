@@ -109,8 +109,9 @@ ExitCode run_export(const Options& options) {
     }
   }
   if (options.json) {
-    std::cout << report::json_text(
-        {{"schema", 1}, {"complete", is_complete}, {"decks", decks}});
+    std::cout << report::json_text({{"schema", report::kSchema},
+                                    {"complete", is_complete},
+                                    {"decks", decks}});
   } else {
     std::cout << table_of(decks);
   }

@@ -143,7 +143,7 @@ ExitCode run_modes(const Options& options) {
     }
   }
   const std::string document =
-      report::json_text({{"schema", 1},
+      report::json_text({{"schema", report::kSchema},
                          {"version", CLEVIS_VERSION},
                          {"scene", loaded.scene.name},
                          {"complete", outcome != kInterruptedExit},

@@ -382,7 +382,7 @@ void compare_rows(double stiffness, ImpactResult& impact) {
       });
   const auto stress = by_section ? &ImpactRow::nominal : &ImpactRow::stress;
   for (ImpactRow& row : impact.rows) {
-    row.ratio = (row.*stress).value_or(0.0) / (judged.*stress).value();
+    if (row.*stress) row.ratio = *(row.*stress) / (judged.*stress).value();
     row.remark = remark_on(row, impact, judged.face, stiffness);
   }
   impact.rows.back().remark = "judged";

@@ -80,7 +80,8 @@ ImpactRow struck_row(const StruckRun<dim>& run, int degree, double error) {
 std::string remark_on(const ImpactRow& row, const ImpactResult& impact,
                       double face, double part_stiffness) {
   constexpr double kEqual = 0.02, kClose = 0.10;
-  const double off = row.ratio - 1.0;
+  if (!row.ratio) return "knows a section's stress alone: none is held";
+  const double off = *row.ratio - 1.0;
   std::string text = std::abs(off) < kEqual ? "agrees"
                      : off < 0.0            ? "unsafe by " + percent(off)
                                             : "safe by " + percent(off);

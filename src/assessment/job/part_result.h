@@ -164,7 +164,8 @@ struct ImpactRow {
   std::optional<double> deflection{};  ///< largest of the part [m]
   std::optional<double> error{};       ///< estimated, of the stress [1]
   double seconds{};
-  double ratio{};        ///< nominal stress over that of the dynamic FE [1]
+  /// Nominal stress over that of the dynamic FE [1].
+  std::optional<double> ratio{};
   std::string remark{};  ///< "unsafe by 12 %: …"
 };
 

@@ -165,7 +165,7 @@ std::string result_json(const CheckReport& report) {
   for (const PartFailure& failure : report.failures) {
     failures.push_back(failure_json(failure));
   }
-  ordered_json document = {{"schema", kResultSchema}};
+  ordered_json document = {{"schema", kSchema}};
   document.update(quantities_json(report, check_quantities()));
   document["inputs"] = inputs_json(report.inputs);
   document["seconds"] = seconds;

@@ -142,7 +142,7 @@ std::string comparison_json(const Comparison& comparison) {
                      {"regression", is_regression(row)}});
   }
   return json_text(
-      {{"schema", kResultSchema},
+      {{"schema", kSchema},
        {"scene", comparison.scene},
        {"verdict", is_regression(comparison) ? "regression" : "same"},
        {"quantities", comparison.rows.size()},

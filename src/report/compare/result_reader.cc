@@ -97,10 +97,10 @@ void refuse_duplicates(const StoredResult& result) {
 
 void check_schema(const Node& document, const std::string& file) {
   const double schema = document.at("schema").number();
-  if (schema != kResultSchema) {
+  if (schema != kSchema) {
     throw Error("R002", file,
                 fmt::format("schema {} is not {}, which this clevis writes",
-                            schema, kResultSchema),
+                            schema, kSchema),
                 "Make result and baseline with the same clevis.");
   }
 }

@@ -149,7 +149,7 @@ std::string ejector_json(const EjectorReport& report) {
   for (const EjectorResult& result : report.ejectors) {
     list.push_back(one_json(result));
   }
-  const ordered_json json = {{"schema", 1},
+  const ordered_json json = {{"schema", kSchema},
                              {"version", report.version},
                              {"scene", report.scene},
                              {"ejectors", list}};

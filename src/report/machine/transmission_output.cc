@@ -211,7 +211,7 @@ std::string transmission_json(const TransmissionReport& report) {
   for (const TransmissionResult& result : report.transmissions) {
     list.push_back(one_json(result));
   }
-  const ordered_json json = {{"schema", 1},
+  const ordered_json json = {{"schema", kSchema},
                              {"version", report.version},
                              {"scene", report.scene},
                              {"transmissions", list}};

@@ -201,7 +201,7 @@ std::string motion_json(const MotionReport& report) {
     }
   }
   ordered_json json = {
-      {"schema", 1},
+      {"schema", kSchema},
       {"version", report.version},
       {"scene", report.scene},
       {"structure", structure_json(report.structure)},

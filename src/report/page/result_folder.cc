@@ -35,7 +35,7 @@ StoredFile read_stored(const fs::path& file, const char* kind) {
   StoredFile stored{file_text(file), read_json(file)};
   const auto& json = stored.json;
   if (!json.is_object() || !json.contains("schema") ||
-      json["schema"] != kResultSchema) {
+      json["schema"] != kSchema) {
     refuse(file, "it is none of clevis, or of another version");
   }
   return stored;

@@ -132,7 +132,7 @@ std::string table_of(const ImpactResult& impact, Colour colour) {
     table.add_row({{model_name(row)},
                    {or_dash(row.stress, kMegapascal, "{:.1f}")},
                    {or_dash(row.nominal, kMegapascal, "{:.1f}")},
-                   {fmt::format("{:.3f}", row.ratio)},
+                   {or_dash(row.ratio, 1.0, "{:.3f}")},
                    {fmt::format("{:.4f}", millimetres(row.face))},
                    {or_dash(row.deflection, kMillimetre, "{:.4f}")},
                    {or_dash(row.error, 1.0 / kPercent, "{:.2g}")},

@@ -98,6 +98,7 @@ std::string rounded(double value) {
 void add_assembly(const MechanismDefinition& definition, const Motion& motion,
                   std::vector<std::string>& notes) {
   constexpr double kFarTurn = 30.0 * kDegree, kFarWay = 0.3;
+  constexpr double kRoundOff = 1e-9;  // [m]
   constexpr std::size_t kShown = 3;
   if (motion.instants.empty()) return;
   const double length = extent(definition);
@@ -108,7 +109,10 @@ void add_assembly(const MechanismDefinition& definition, const Motion& motion,
     const Vector3d way = pose.p_WL - body.placement.p_WL;
     const double turn =
         Eigen::AngleAxisd(pose.R_WL * body.placement.R_WL.transpose()).angle();
-    if (turn <= kFarTurn && way.norm() <= kFarWay * length) continue;
+    if (turn <= kFarTurn &&
+        way.norm() <= std::max(kRoundOff, kFarWay * length)) {
+      continue;
+    }
     const Vector3d mm = millimetres(pose.p_WL);
     moved.push_back(fmt::format(
         "{} to ({}, {}, {}) mm, turned by {:.3g} deg{}", body.name,

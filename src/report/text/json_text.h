@@ -7,6 +7,10 @@
 
 namespace clevis::report {
 
+/// Version of the JSON documents that clevis writes, `schema` in each: grows
+/// when a key goes away or changes its meaning.
+inline constexpr int kSchema = 2;
+
 /// Refuses numbers that JSON cannot hold, before they would become `null`.
 /// @throws Error F003 that names the first NaN or Inf, at `place`.
 void refuse_non_finite(const nlohmann::ordered_json& document,

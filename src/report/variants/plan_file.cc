@@ -13,8 +13,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kSchema = 1;
-
 CheckInputs inputs_of(const JsonNode& node, const ordered_json& set) {
   CheckInputs inputs;
   for (const auto& [path, value] : set.items()) {

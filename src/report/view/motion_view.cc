@@ -294,7 +294,7 @@ std::vector<std::size_t> kept_instants(const MotionView& view,
 std::string motion_view_json(const MotionView& view) {
   const Histories histories = histories_of(view);
   const ordered_json json = {
-      {"schema", 1},
+      {"schema", kSchema},
       {"version", view.version},
       {"scene", view.scene},
       {"inputs", inputs_json(view)},

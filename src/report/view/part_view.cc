@@ -136,7 +136,7 @@ ordered_json definition_json(const part::PartDefinition& part) {
 std::string part_view_json(const PartView& view) {
   const Index points = view.positions.rows();
   ordered_json json = {
-      {"schema", 1},
+      {"schema", kSchema},
       {"part", view.definition.name},
       {"body", view.body},
       {"definition", definition_json(view.definition)},

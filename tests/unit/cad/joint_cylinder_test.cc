@@ -1,5 +1,6 @@
 #include "cad/joint_cylinder.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -16,12 +17,13 @@ part::JointFaces joint_at(double x, double z) {
   return {"A", "bore_A", {x, 0.0, z}, {0.0, 0.0, -1.0}, "scene.toml:7:1"};
 }
 
-/// Numbers of the faces that a joint finds.
+/// Numbers of the faces that a joint finds, ascending.
 std::vector<int> found(const Solid& solid, const part::JointFaces& joint) {
   std::vector<int> numbers;
   for (const Cylinder& cylinder : joint_cylinders(solid, joint)) {
     numbers.insert(numbers.end(), cylinder.faces.begin(), cylinder.faces.end());
   }
+  std::ranges::sort(numbers);
   return numbers;
 }
 

@@ -303,7 +303,7 @@ TEST(SceneReader, SurvivesKeysOfManyLevels) {
 }
 
 TEST(SceneReader, BomBeforeAValidSceneIsIgnored) {
-  std::ifstream file(kScenes / "part_alone.toml");
+  std::ifstream file(kScenes / "impacts.toml");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   EXPECT_EQ(refusal_of_text("\xEF\xBB\xBF" + text), "accepted");
 }

@@ -111,7 +111,7 @@ TEST(BearingTraction, ResultantOnUnequalEarsIsTheWrench) {
   const Wrench wanted{.force = {900.0, -300.0, 50.0},
                       .moment = {1.5, 2.0, 0.3}};
   const WallMoments wall = wall_of(bore, ears.points, ears.weights);
-  EXPECT_NEAR(wall.length, 10e-3, 1e-15);
+  EXPECT_NEAR(wall.length, 10e-3, 1e-14);
   const Eigen::Matrix3Xd tractions =
       BearingTraction(bore, wanted, wall)
           .tractions(WallPoints(bore, ears.points, inwards));
