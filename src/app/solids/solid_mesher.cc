@@ -1,5 +1,6 @@
 #include "app/solids/solid_mesher.h"
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <iterator>
@@ -23,6 +24,9 @@ std::string read_file(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
+
+/// A damaged number can keep OpenCASCADE for ever.
+constexpr std::chrono::milliseconds kMostToRead{30'000};
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& problem,
                          const char* remedy) {
@@ -65,6 +69,7 @@ MesherAnswer run_mesher(cad::Request request, std::chrono::milliseconds timeout,
   const fs::path question = folder.path() / "request.json";
   const fs::path answer = folder.path() / "answer.json";
   const bool has_mesh = !request.mesh.empty();
+  if (!has_mesh) timeout = std::min(timeout, kMostToRead);
   if (has_mesh) request.mesh = folder.path() / "part.msh";
   const fs::path file = std::exchange(request.file, fs::absolute(request.file));
   request.format = part::geometry_format(file);
