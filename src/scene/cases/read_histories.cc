@@ -100,7 +100,8 @@ std::vector<part::SeriesInstant> instants_of(
         frame == Frame::kWorld
             ? Eigen::Matrix3d(loads.orientation(row).conjugate())
             : Eigen::Matrix3d::Identity();
-    part::SeriesInstant instant{.time = loads.time(row)};
+    part::SeriesInstant instant;
+    instant.time = loads.time(row);
     for (const LoadColumns* column : columns) {
       instant.forces.emplace_back(R_LF * loads.vector(row, column->force));
       instant.moments.emplace_back(R_LF * loads.vector(row, column->moment));

@@ -94,7 +94,7 @@ TEST(ResultJson, SchemaCatchesMissingUndeclaredAndWrongKeys) {
 // What docs/results.md promises, key by key, with the units of the names.
 TEST(ResultJson, KeysOfTheContractHoldTheirUnits) {
   const json result = written(sample_report());
-  EXPECT_EQ(result["schema"], 1);
+  EXPECT_EQ(result["schema"], 2);
   EXPECT_EQ(result["version"], "0.1.0");
   EXPECT_EQ(result["scene"], "landing gear");
   EXPECT_EQ(result["verdict"], "pass");
