@@ -77,7 +77,7 @@ TEST(StudyOutput, JsonHoldsReferenceAndRuns) {
   const Study study{"0.1", "scene", {with_probe()}, "CalculiX 2.20", true};
   const auto json = study_json(study);
   const auto& part = json.at("parts").at(0);
-  EXPECT_EQ(json.at("schema"), 1);
+  EXPECT_EQ(json.at("schema"), 2);
   EXPECT_EQ(part.at("reference").at("peak").at("value_MPa"), 100.0);
   EXPECT_EQ(part.at("reference").at("probes").at(0).at("value_mm"), 2.0);
   EXPECT_EQ(part.at("runs").size(), 8U);
