@@ -50,7 +50,7 @@ export class Chart {
     ctx.save();
     ctx.globalAlpha = 0.25;
     for (const { series, low, high } of this.bands) {
-      const top = plot.valToPos(high, "y", true);
+      const top = Math.floor(plot.valToPos(high, "y", true));
       const tall = Math.max(least, plot.valToPos(low, "y", true) - top);
       ctx.fillStyle = SERIES[series % SERIES.length];
       ctx.fillRect(bbox.left, top, bbox.width, tall);
