@@ -14,7 +14,8 @@ namespace clevis::app {
 std::filesystem::path load_plugin();
 
 /// Loads the library and runs one of its commands. Interrupts that come while
-/// it loads wait for the command's InterruptGuard.
+/// it loads wait for the command's InterruptGuard. Makes outdated
+/// meshes of CAD solids first.
 /// @throws Error I001 if the library is missing, X001 if it is another
 ///   version's.
 ExitCode run_in_plugin(const char* entry_name, const Options& options);

@@ -10,8 +10,8 @@
 #include "app/scenes/geometry_constants.h"
 #include "app/scenes/geometry_stamp.h"
 #include "app/scenes/gmsh_runner.h"
-#include "app/solids/gated_mesh.h"
 #include "app/solids/solid_mesh.h"
+#include "app/solids/validated_mesh.h"
 #include "base/errors.h"
 #include "base/mpi_run.h"
 #include "report/text/atomic_file.h"
@@ -59,7 +59,7 @@ std::vector<GeometryPart> parts_to_mesh(const scene::Scene& scene,
   return result;
 }
 
-/// A mesh that has passed the gate.
+/// A mesh that `check` would take.
 struct MadeMesh {
   std::string text;  ///< .msh with its stamp
   mesh::PartMesh<3> mesh;
@@ -69,7 +69,7 @@ MadeMesh mesh_of_script(const GeometryPart& source, const std::string& stamp) {
   const auto& [part, input] = source;
   require_constants(part.geometry, input.parameters);
   std::string text = stamped(run_gmsh(part.geometry, input.parameters), stamp);
-  return {text, gated_mesh(text, part).mesh};
+  return {text, validated_mesh(text, part).mesh};
 }
 
 MadeMesh mesh_of_solid(const GeometryPart& source, const std::string& stamp,

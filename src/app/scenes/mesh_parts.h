@@ -22,7 +22,7 @@ std::size_t mesh_parts(const Options& options, MeshWhich which,
                        std::ostream& log);
 
 /// Makes missing and outdated meshes of solids, for commands that read them:
-/// unlike a .geo a CAD file runs nothing. The first of several ranks alone.
+/// unlike a .geo a CAD file runs nothing. Of several ranks none does.
 /// @throws as mesh_parts().
 void mesh_outdated_solids(const Options& options, std::ostream& log);
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "app/solids/gated_mesh.h"
 #include "app/solids/solid_mesher.h"
+#include "app/solids/validated_mesh.h"
 #include "base/errors.h"
 #include "cad/face_groups.h"
 #include "cad/select_faces.h"
@@ -13,7 +13,7 @@
 namespace clevis::app {
 namespace {
 
-/// A mesh that passes the gate; curved cells that fold there (M005) do not in a
+/// A mesh that is valid; curved cells that fold there (M005) do not in a
 /// finer mesh.
 SolidMesh unfolded_mesh(const part::PartDefinition& part,
                         cad::Request request) {
@@ -23,7 +23,7 @@ SolidMesh unfolded_mesh(const part::PartDefinition& part,
     SolidMesh made;
     made.text = run_mesher(request).mesh;
     try {
-      made.mesh = gated_mesh(made.text, part).mesh;
+      made.mesh = validated_mesh(made.text, part).mesh;
       return made;
     } catch (const Error& error) {
       if (error.code() != "M005" || time == kMostTimes) throw;

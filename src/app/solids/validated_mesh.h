@@ -10,7 +10,7 @@ namespace clevis::app {
 /// The mesh that the text of a .msh holds, through the same validation as in
 /// `check`: what does not pass is not kept.
 /// @throws Error M….
-mesh::ReadMesh gated_mesh(const std::string& text,
-                          const part::PartDefinition& part);
+mesh::ReadMesh validated_mesh(const std::string& text,
+                              const part::PartDefinition& part);
 
 }  // namespace clevis::app

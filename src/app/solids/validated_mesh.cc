@@ -1,4 +1,4 @@
-#include "app/solids/gated_mesh.h"
+#include "app/solids/validated_mesh.h"
 
 #include <filesystem>
 #include <fstream>
@@ -7,8 +7,8 @@
 
 namespace clevis::app {
 
-mesh::ReadMesh gated_mesh(const std::string& text,
-                          const part::PartDefinition& part) {
+mesh::ReadMesh validated_mesh(const std::string& text,
+                              const part::PartDefinition& part) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / part.mesh.filename();
   std::ofstream(file, std::ios::binary) << text;
