@@ -14,6 +14,7 @@
 #include "app/plugin/modes_command.h"
 #include "app/plugin/study_command.h"
 #include "app/results/compare_command.h"
+#include "app/results/picture_command.h"
 #include "app/results/report_command.h"
 #include "app/start/completion.h"
 #include "app/start/doctor_command.h"
@@ -52,6 +53,8 @@ std::span<const Command> commands() {
               declare_collect},
       Command{"report", "a result as one HTML file to look at and pass on",
               declare_report},
+      Command{"picture", "a result as a picture: the mechanism, or a part",
+              declare_picture},
       Command{"compare", "regression check against a baseline",
               declare_compare},
       Command{"explain", "what a diagnostic means and what to do",

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <span>
@@ -9,8 +10,10 @@
 
 #include "app/command_line.h"
 #include "app/command_list.h"
-#include "app/error_output.h"
+#include "app/request/error_output.h"
+#include "base/interrupts.h"
 #include "base/mpi_run.h"
+#include "base/system_failure.h"
 
 namespace {
 
@@ -53,6 +56,8 @@ int fail(const Error& error, std::span<const char* const> arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  clevis::end_on_interrupts();
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit fails instead
   std::ios::sync_with_stdio(false);
   const std::span<const char* const> arguments(argv,
                                                static_cast<std::size_t>(argc));
@@ -62,8 +67,6 @@ int main(int argc, char** argv) {
   } catch (const Error& error) {
     return fail(error, arguments);
   } catch (const std::exception& failure) {
-    return fail(Error("X001", "clevis", failure.what(),
-                      "Please report this with the scene and the command."),
-                arguments);
+    return fail(clevis::system_failure(failure, "clevis"), arguments);
   }
 }

@@ -127,8 +127,7 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"K008", kSolverFailed, "motion cannot be integrated",
      "No step of the integration is short enough for the tolerance: a force "
      "grows without bound or jumps in every step. Look for stiffnesses, "
-     "masses or lengths of a wrong order of size. Or so many are needed that "
-     "the motion would take hours."},
+     "masses or lengths of a wrong order of size."},
     {"K009", kModelInvalid, "gas chamber without volume",
      "At the start of the motion the piston stands where the chamber's volume "
      "is zero or less: dead_volume at the coordinate origin, area times travel "
@@ -149,6 +148,13 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "by more than a hundredth of the largest of them (or 100 times the "
      "tolerance). Its positions are wrong. Ask for a stricter tolerance, or "
      "correct lengths, masses and forces of a wrong order of size."},
+    {"K013", kResourceLimit, "motion takes too long",
+     "Its integration has used more processor time than --max-time allows (60 "
+     "s "
+     "by default), or would by a hundred times. The message names the body and "
+     "the force whose motion is fastest: a stiffness, mass or length of a "
+     "wrong "
+     "order of size there makes every step short."},
     {"L001", kModelInvalid, "unbalanced load on a free part",
      "Forces, moments and inertia of a part that nothing holds do not cancel. "
      "A linear static solve would hide the residual in arbitrary supports. "
@@ -289,6 +295,11 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "The catalogue has no such code; `clevis explain` lists all."},
     {"X001", kInternal, "internal error",
      "clevis itself is at fault. Please report it with the scene."},
+    {"X002", kResourceLimit, "the system's memory or processes ran out",
+     "The system, a container or a limit of the shell (ulimit) gave no more "
+     "memory, processes or processor time, or it ended a process for them. "
+     "Free "
+     "some, raise the limit, or solve fewer parts at once (--jobs 1)."},
 });
 
 }  // namespace
@@ -299,7 +310,7 @@ std::span<const Diagnostic> diagnostics() {
 
 const Diagnostic& find_diagnostic(std::string_view code) {
   const auto found = std::ranges::find(kCatalogue, code, &Diagnostic::code);
-  return found != kCatalogue.end() ? *found : kCatalogue.back();
+  return found != kCatalogue.end() ? *found : find_diagnostic("X001");
 }
 
 }  // namespace clevis

@@ -18,4 +18,7 @@ enum class ExitCode {
   kInternal = 70,
 };
 
+/// Interrupted: 128 + SIGINT, as shells expect it.
+inline constexpr auto kInterruptedExit = static_cast<ExitCode>(130);
+
 }  // namespace clevis

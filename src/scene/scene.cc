@@ -151,23 +151,31 @@ Document document_with(const std::filesystem::path& file,
   return document;
 }
 
-/// Files that the load histories of a scene name, where those are texts.
-std::vector<std::string> history_files(const toml::table& root) {
-  std::vector<std::string> files;
-  const auto tables = [](const toml::table& table, std::string_view key) {
-    std::vector<const toml::table*> found;
-    const toml::array* array = table[key].as_array();
-    if (array == nullptr) return found;
-    for (const toml::node& node : *array) {
-      if (node.is_table()) found.push_back(node.as_table());
+std::vector<const toml::table*> tables_of(const toml::table& table,
+                                          std::string_view key) {
+  std::vector<const toml::table*> found;
+  const toml::array* array = table[key].as_array();
+  if (array == nullptr) return found;
+  for (const toml::node& node : *array) {
+    if (node.is_table()) found.push_back(node.as_table());
+  }
+  return found;
+}
+
+/// As the scene writes them.
+NamedFiles files_named_by(const toml::table& root) {
+  NamedFiles files;
+  const auto add = [](const toml::table& table, std::string_view key,
+                      std::vector<std::filesystem::path>& names) {
+    if (const auto name = table[key].value<std::string>()) {
+      names.emplace_back(*name);
     }
-    return found;
   };
-  for (const toml::table* part : tables(root, "part")) {
-    for (const toml::table* history : tables(*part, "history")) {
-      if (const auto file = (*history)["file"].value<std::string>()) {
-        files.push_back(*file);
-      }
+  for (const toml::table* part : tables_of(root, "part")) {
+    add(*part, "geometry", files.geometries);
+    add(*part, "mesh", files.meshes);
+    for (const toml::table* history : tables_of(*part, "history")) {
+      add(*history, "file", files.histories);
     }
   }
   return files;
@@ -175,13 +183,22 @@ std::vector<std::string> history_files(const toml::table& root) {
 
 }  // namespace
 
+NamedFiles named_files(const std::filesystem::path& file,
+                       const std::vector<Setting>& settings) {
+  NamedFiles files = files_named_by(document_with(file, settings).root);
+  for (auto* names : {&files.histories, &files.geometries, &files.meshes}) {
+    for (std::filesystem::path& name : *names) name = file.parent_path() / name;
+  }
+  return files;
+}
+
 std::string scene_content(const std::filesystem::path& file,
                           const std::vector<Setting>& settings) {
   Document document = document_with(file, settings);
   document.root.erase("vary");
   std::ostringstream text;
   text << toml::toml_formatter(document.root);
-  for (const std::string& history : history_files(document.root)) {
+  for (const auto& history : files_named_by(document.root).histories) {
     text << '\n' << read_text(file.parent_path() / history);
   }
   return text.str();

@@ -56,4 +56,16 @@ Scene read_scene(const std::filesystem::path& file,
 std::string scene_content(const std::filesystem::path& file,
                           const std::vector<Setting>& settings);
 
+/// Files that a scene names.
+struct NamedFiles {
+  std::vector<std::filesystem::path> histories, geometries, meshes;
+};
+
+/// The files that the keys of a scene name, as far as they are texts, though
+/// the scene be wrong otherwise or they be missing. Meshes that a part names
+/// by its geometry alone are not among them.
+/// @throws Error S001, I001 and those of apply_settings().
+NamedFiles named_files(const std::filesystem::path& file,
+                       const std::vector<Setting>& settings);
+
 }  // namespace clevis::scene

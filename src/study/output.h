@@ -20,7 +20,7 @@ struct Study {
 /// One line per run, a column per figure, units in the names.
 std::string study_csv(const PartStudy& part);
 
-/// Schema 1, docs/results.md.
+/// docs/study.schema.json.
 nlohmann::ordered_json study_json(const Study& study);
 
 /// A run as a worker process hands it over, and back.

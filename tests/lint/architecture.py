@@ -16,7 +16,7 @@ LAYERS = {  # module: (modules it may include, outside libraries it may include)
     "beam": ("base part machine mesh loads", "Eigen fmt"),
     "elasticity": ("base part mesh loads dynamics", "deal.II petsc Eigen fmt"),
     "calculix": ("base part mesh loads elasticity", "Eigen fmt"),
-    "stress": ("base part mesh loads dynamics elasticity", "deal.II Eigen fmt"),
+    "stress": ("base part mesh loads dynamics elasticity", "zlib Eigen fmt"),
     "assessment": ("base part mesh loads dynamics beam elasticity stress", "Eigen fmt"),
     "report": ("base part mechanism machine beam assessment", "Eigen fmt nlohmann"),
     "study": ("base part mesh loads elasticity stress assessment report",
@@ -103,6 +103,7 @@ ROOMS = {
         "estimates": "stress, deflection and blow of a part or an ejector by these",
     },
     "elasticity": {
+        "engine_library": "the library of deal.II, PETSc and MPI, loaded when one of them is asked for",
         "algebra": "dense and sparse matrices",
         "fe_space": "shape functions, numbering, discretisation, traces on groups",
         "assembly": "stiffness, mass, beds, supports, equations",
@@ -120,10 +121,11 @@ ROOMS = {
         "buckling": "lowest buckling factor",
     },
     "stress": {
-        "field": "stress and displacement in cells, over time, at probes, on surfaces, as VTU",
+        "field": "stress and displacement in cells, over time, at probes, on surfaces",
         "sections": "mean stress in plane sections, and of what a held face carries",
         "zones": "places where linear elasticity has no finite stress, and how far they reach",
         "peaks": "the largest stress, its band, and what shows that cells are too coarse",
+        "output": "fields as files for ParaView",
     },
     "assessment": {
         "job": "what the check of a part needs, and what it gives",
@@ -150,16 +152,18 @@ ROOMS = {
         "variants": "many variants of a scene: plan, results, table, plot",
         "view": "what pictures need of a result: surfaces, fields, the motion",
         "page": "a result as one HTML page, or as glTF",
+        "picture": "parts and mechanisms as pictures, without a browser",
     },
     "app": {
-        "request": "what the command line asks for, and where results go",
         "processes": "other programs, workers, temporary folders, errors across processes",
+        "request": "what the command line asks for, where results go, how refusals are told",
         "solids": "meshes of CAD solids, by clevis-mesher",
         "scenes": "a scene with its meshes; gmsh, and which mesh a geometry belongs to",
         "parts": "from a scene's motion to the jobs of its parts",
         "variants": "many variants: plan, collect, and which results are finished",
         "solving": "the commands that solve, as the library that is loaded on demand",
         "results": "commands that read results: compare, report, glTF",
+        "watch": "a check that runs again when its files change",
         "plugin": "the door to that library, and the commands that ask it",
         "commands": "the other commands",
         "start": "a way in: scenes to start from, what is installed, completion in shells",
@@ -180,7 +184,7 @@ PUBLIC = {
                " transmissions/transmission",
     "scene": "scene text/name_index text/suggestion variants/design"
              " variants/setting variants/variant_list",
-    "mesh": "basis/simplex_basis basis/simplex_quadrature basis/tensor_basis cells/part_mesh cells/section"
+    "mesh": "basis/cell_parts basis/simplex_basis basis/simplex_quadrature basis/tensor_basis cells/cell_orientation cells/part_mesh cells/section"
             " cells/topology derived/graded_mesh derived/plate derived/quadrangles"
             " derived/revolution derived/split_cells derived/sub_mesh"
             " gmsh/gmsh_element quality/mass_properties reading/mesh_reader",
@@ -193,17 +197,17 @@ PUBLIC = {
                 " systems/block_krylov systems/eigenmodes systems/linear_system",
     "beam": "estimates/beam_estimate estimates/ejector estimates/struck_part",
     "elasticity": "algebra/dense_product algebra/rank_team assembly/stiffness assembly/supports"
-                  " buckling/buckling fe_space/discretization fe_space/group_trace"
+                  " buckling/buckling direct/dissection fe_space/discretization fe_space/group_trace"
                   " fe_space/tabulation nodal_loads/load_vectors plate/layered_solve"
                   " plate/plate_layer problem/displacement_basis"
                   " problem/elastic_problem problem/engine revolution/revolution_solve"
                   " solid/neighbourhood solid/open_reactions solid/plane_loads"
                   " solid/seat_compliance solid/solid_solve vibration/eigenmodes"
                   " vibration/load_vibration vibration/strike_response",
-    "stress": "field/deflection field/field_output field/finite_motion"
+    "stress": "field/deflection field/finite_motion"
               " field/point_history field/probe field/stress_history field/surface_mesh peaks/energy_error peaks/local_peak peaks/meeting_points"
               " peaks/peak_band peaks/peak_zoom peaks/slow_sequence peaks/surface_kink"
-              " sections/support_face zones/singular_zone zones/zone_mask zones/zone_strength",
+              " sections/support_face zones/singular_zone zones/zone_mask zones/zone_strength output/field_output",
     "assessment": "impact/impact_check job/model_traits job/part_job"
                   " job/part_result models/level models/model_list part_check",
     "report": "check/check_inputs check/check_table check/result_files check/result_json"
@@ -211,7 +215,8 @@ PUBLIC = {
               " compare/result_reader figures/svg machine/ejector_output"
               " machine/transmission_output motion/motion_csv motion/motion_files"
               " motion/motion_json motion/motion_table page/glb_scene"
-              " page/report_page parts/part_result_json"
+              " page/report_page page/result_folder page/watch_mark parts/part_result_json"
+              " picture/mechanism_picture picture/part_picture"
               " summary/line_refinement summary/motion_report text/atomic_file"
               " text/csv_field"
               " text/json_text text/progress text/terminal text/text_table"

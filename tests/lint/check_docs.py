@@ -6,8 +6,8 @@
 Every relative link of a *.md leads to a file (and heading), every `./...`
 command exists, every `clevis COMMAND --option` is one that `clevis --help`
 knows, the exit codes in README.md are those of base/exit_code.h, the pages of the scene
-file name every key of its schema and have a test each, and no tracked text
-names a folder of one developer's machine or leaves work open.
+file name every key of its schema, have an example of every type of force and a test each, and no tracked
+text names a folder of one developer's machine or leaves work open.
 """
 import json
 import re
@@ -105,6 +105,11 @@ def scene_faults():
     for table, key in schema_keys(schema):
         if key not in words:
             yield f"docs/scene: no page names the key {key} of {table}"
+    forces = (ROOT / "docs/scene/forces.md").read_text()
+    examples = "".join(re.findall(r"^```toml \S+\n(.*?)^```", forces, re.M | re.S))
+    for name in schema["$defs"]["force"]["properties"]["type"]["enum"]:
+        if f'type = "{name}"' not in examples:
+            yield f"docs/scene/forces.md: no example of the type {name}"
     tests = (ROOT / "tests/regression/CMakeLists.txt").read_text()
     tested = re.search(r"foreach\(page (.*?)\)", tests, re.S)[1].split()
     for name in sorted({page.stem for page in pages} ^ set(tested)):

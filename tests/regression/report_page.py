@@ -4,6 +4,7 @@
     report_page.py CLEVIS SOURCE bundle          viewer/dist is what viewer/src makes
     report_page.py CLEVIS SOURCE page FOLDER     the report and glTF of a check
     report_page.py CLEVIS SOURCE simulate        mechanisms without a mesh
+    report_page.py CLEVIS SOURCE blow            a part under a blow
     report_page.py CLEVIS SOURCE hostile         texts of a scene that would be code
 
 Returns 77 (skipped) without Node.js, the packages of viewer/package-lock.json
@@ -23,9 +24,8 @@ SIMULATED = ["two_window_four_bar/scene", "wheel/drop", "bennett/scene",
              "gas_cylinder/scene"]
 
 
-def node(source, script, *arguments):
-    """What a script of viewer/ says; ends this one where it cannot run."""
-    viewer = Path(source) / "viewer"
+def node_is_there(viewer):
+    """Ends this script where those of viewer/ cannot run."""
     if not shutil.which("node"):
         print("skipped: no node; Debian's package nodejs brings it")
         sys.exit(SKIPPED)
@@ -33,6 +33,12 @@ def node(source, script, *arguments):
         print("skipped: npm ci --ignore-scripts in viewer/ installs what is "
               "missing")
         sys.exit(SKIPPED)
+
+
+def node(source, script, *arguments):
+    """What a script of viewer/ says."""
+    viewer = Path(source) / "viewer"
+    node_is_there(viewer)
     run = subprocess.run(["node", viewer / script, *arguments],
                          capture_output=True, text=True)
     print(run.stdout + run.stderr, end="")
@@ -75,6 +81,15 @@ def simulate(clevis, source):
     return code
 
 
+def blow(clevis, source):
+    with tempfile.TemporaryDirectory() as name:
+        # the workpiece fails by it
+        subprocess.run([clevis, "check", "--report", "--tolerance", "10%", "--out",
+                        name, f"{source}/geometry/ejector/scene.toml"],
+                       capture_output=True)
+        return node(source, "test/report.mjs", Path(name) / "report.html", name)
+
+
 def hostile(clevis, source):
     code = ("</script><script>document.title='owned'</script>"
             "<img src=x onerror=alert(1)>")
@@ -97,7 +112,8 @@ def main():
     clevis, source, what, *rest = sys.argv[1:]
     if what == "bundle":
         return node(source, "build.mjs", "--check")
-    return {"page": page, "simulate": simulate, "hostile": hostile}[what](
+    return {"page": page, "simulate": simulate, "blow": blow,
+            "hostile": hostile}[what](
         clevis, source, *rest)
 
 

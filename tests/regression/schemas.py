@@ -4,7 +4,7 @@
 
 Scenes of tests/data and geometry are simulated, a link is checked, its modes found,
 variants planned and results compared; RESULT_DIR are folders of checks made before. A document with a key
-too many or too few must be seen.
+too many or too few must be seen. Every key has a description.
 """
 import copy
 import json
@@ -111,6 +111,22 @@ def errors(value, schema, root, at="$"):
                 yield from errors(item, more, root, f"{at}.{key}")
 
 
+def undescribed(schema, root, at="$"):
+    """Keys without a description of their own or of the definition that they refer to."""
+    for word in ("properties", "$defs"):
+        for key, child in schema.get(word, {}).items():
+            target = root["$defs"][child["$ref"].split("/")[-1]] if "$ref" in child else {}
+            if word == "properties" and not (child.get("description")
+                                             or target.get("description")):
+                yield f"{at}.{key}"
+            yield from undescribed(child, root, f"{at}.{key}")
+    for word in ("items", "additionalProperties", "anyOf", "oneOf"):
+        below = schema.get(word)
+        for child in below if isinstance(below, list) else [below]:
+            if isinstance(child, dict):
+                yield from undescribed(child, root, at)
+
+
 class Documents(Checks):
     def __init__(self, clevis, root, folder):
         super().__init__()
@@ -119,6 +135,17 @@ class Documents(Checks):
                         for p in (root / "docs").glob("*.schema.json")}
         # scene: an input, a unit test holds it to the reader; study: regression.study.contract
         self.seen = {"scene", "study"}
+
+    def keys_are_described(self):
+        for name, schema in self.schemas.items():
+            found = list(undescribed(schema, schema))
+            self.expect(not found, f"{name}.schema.json describes every key {found[:5]}")
+
+    def silence_is_seen(self, name, definition, key):
+        schema = copy.deepcopy(self.schemas[name])
+        del schema["$defs"][definition]["properties"][key]["description"]
+        self.expect(list(undescribed(schema, schema)) == [f"$.{definition}.{key}"],
+                    f"{name}: {key} without a description is seen")
 
     def run(self, *arguments, codes=(0,), cwd=None):
         done = subprocess.run([self.clevis, *map(str, arguments)], cwd=cwd or self.root,
@@ -156,6 +183,8 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         d = Documents(clevis, root, folder)
+        d.keys_are_described()
+        d.silence_is_seen("simulate", "bearing", "static_load_N")
         for scene in SIMULATED:
             out = folder / scene.replace("/", "_")
             d.run("simulate", f"{scene}.toml", "--report", "--out", out)

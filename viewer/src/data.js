@@ -123,5 +123,6 @@ export function load() {
     if (!json) break;
     parts.push(new Part(json, result.parts[p]));
   }
-  return { result, motion, parts, isCheck: "verdict" in result };
+  return { result, motion, parts, isCheck: "verdict" in result,
+           watch: stored("watch") };
 }

@@ -4,6 +4,7 @@ import "./style.css";
 import { Timeline, viewControls } from "./controls.js";
 import { load } from "./data.js";
 import { h } from "./dom.js";
+import { follow } from "./follow.js";
 import { JointNames, Legend, Markers } from "./overlay.js";
 import { Picked } from "./picked.js";
 import { charts } from "./plots.js";
@@ -77,6 +78,7 @@ function build(data) {
       chartGrid.append(chart.element);
       chart.resize();
     }
+    follow(data.watch, null);
     return;
   }
   pickPart = run(data, stage, { canvas, overlay, side, below, chartGrid });
@@ -141,6 +143,10 @@ function run(data, stage, { canvas, overlay, side, below, chartGrid }) {
   addPrinting(stage, parts, timeline);
   // For scripts and tests: where points are seen, and what they carry.
   globalThis.clevisReport = { data, stage, timeline, pickPart, plots };
+  follow(data.watch, { data, stage, timeline, choosePart: (index) => {
+    show.part.value = index;
+    show.part.dispatchEvent(new Event("change"));
+  } });
   return pickPart;
 }
 

@@ -122,7 +122,7 @@ function blows(part) {
     `Blow ${blow.name} on ${part.name}`,
     ["Model", "Stress [MPa]", "Deflection [mm]", "Over the judged", "Remark"],
     (blow.models ?? []).map((row) => [row.model,
-      number(row.peak_von_mises_MPa ?? row.root_stress_MPa),
+      number(row.stress_MPa ?? row.root_stress_MPa),
       number(row.deflection_mm), number(row.ratio), row.remark ?? ""])));
 }
 

@@ -137,6 +137,26 @@ await check("bands of peaks are shaded strips in the chart over time", async () 
   for (const strip of seen.strips) assert.ok(strip.inside && strip.isOnScale, JSON.stringify(strip));
 });
 
+await check("blows are told with their stress", async () => {
+  const shown = await page.evaluate(() =>
+    [...document.querySelectorAll("table")].map((table) => ({
+      caption: table.caption?.textContent ?? "",
+      rows: [...table.tBodies[0].rows].map((row) => row.cells[1]?.textContent) })));
+  const number = (text) => Number(text.replaceAll(".", "").replace(",", "."));
+  for (const part of isCheck?.parts ?? []) {
+    for (const blow of part.impacts ?? []) {
+      const table = shown.find(({ caption }) =>
+        caption === `Blow ${blow.name} on ${part.name}`);
+      assert.ok(table, `no table of blow ${blow.name}`);
+      for (const [k, { stress_MPa: stress }] of blow.models.entries()) {
+        if (stress == null) continue;
+        assert.ok(Math.abs(number(table.rows[k]) / stress - 1) < 1e-3,
+          `${table.rows[k]} is shown for ${stress} MPa`);
+      }
+    }
+  }
+});
+
 /** The colour that the screen shows, as three bytes. */
 async function screenColour({ x, y }) {
   const box = await (await page.$(".stage")).boundingBox();

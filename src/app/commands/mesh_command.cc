@@ -19,8 +19,9 @@ Run declare_mesh(CLI::App& command) {
   command.footer(
       "Runs gmsh on the .geo files that the scene names. A .geo can run shell\n"
       "commands: mesh only scenes that you trust. No other command runs them,\n"
-      "but `check` with --mesh; they read the .msh. STEP, IGES and BREP files\n"
-      "run nothing: every command that needs their meshes makes them.");
+      "but `check` with --mesh or --watch; they read the .msh. STEP, IGES and\n"
+      "BREP files run nothing: every command that needs their meshes makes "
+      "them.");
   const auto request = std::make_shared<SceneRequest>();
   add_scene(command, *request);
   add_parts(command, request->options.parts);

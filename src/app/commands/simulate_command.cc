@@ -47,15 +47,15 @@ void write_files(const scene::Scene& scene, const report::MotionReport& motion,
 }  // namespace
 
 ExitCode simulate_command(const Options& options) {
-  mesh_outdated_solids(options, std::cerr);
-  scene::Scene scene = load_moving_scene(options.scene, options.settings);
+  scene::Scene scene = scene_to_solve(options, std::cerr);
+  load_masses(scene);
   if (!scene.has_mechanism) {
     throw Error("S003", options.scene.string() + ":1:1",
                 "the scene has no [[body]], so there is nothing to move",
                 "Add a mechanism, or run clevis check.");
   }
   if (scene.simulation.links == mechanism::LinkStiffness::kElastic) {
-    add_link_compliances_by_plugin(scene, options);
+    add_link_compliances_by_plugin(scene);
   }
   std::optional<FolderLock> lock;
   if (!options.out.empty() || options.report) {
@@ -68,6 +68,7 @@ ExitCode simulate_command(const Options& options) {
   report.structure = mechanism::analyse_structure(scene.mechanism);
   mechanism::SimulationSettings settings = scene.simulation;
   settings.at_peaks = true;
+  settings.max_time = options.max_time.value_or(settings.max_time);
   report.motion = mechanism::simulate(scene.mechanism, settings);
   if (scene.slide_lever) {
     report.slide_lever = compare_slide_lever(scene, report.motion);
@@ -87,6 +88,7 @@ Run declare_simulate(CLI::App& command) {
   add_scene(command, *request);
   add_output(command, request->options);
   add_report_flag(command, request->options);
+  add_max_time(command, *request);
   return run_request(request, simulate_command);
 }
 

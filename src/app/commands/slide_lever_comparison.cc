@@ -83,11 +83,12 @@ double speed_ratio(const scene::Scene& scene, const Instant& instant,
   auto& cylinder =
       definition.drives[static_cast<std::size_t>(scene.slide_lever->drive)];
   cylinder.law = mechanism::DriveLaw::kRamp;
-  cylinder.to = cylinder.from + 1.0;
+  constexpr double kMoment = 1e-6;  // [s]
+  cylinder.to = cylinder.from + kMoment;
   cylinder.start = 0.0;
-  cylinder.duration = 1.0;
+  cylinder.duration = kMoment;
   const mechanism::Motion start =
-      mechanism::simulate(definition, {.duration = 1.0, .instants = 1});
+      mechanism::simulate(definition, {.duration = kMoment, .instants = 1});
   const auto& body =
       start.instants[0].bodies[static_cast<std::size_t>(marker.body)];
   return (body.v_WLo + body.w_WL.cross(body.pose.R_WL * marker.p_LP)).norm();

@@ -59,8 +59,8 @@ PartJob job_anew(const LoadedScene& loaded, std::size_t index,
 CheckedPart check_on_finer_meshes(const LoadedScene& loaded,
                                   const mechanism::Motion& motion,
                                   const PartJob& job, int rounds) {
-  constexpr double kFiner = 1.25;  // everywhere, in each round
-  constexpr int kMostCells = 60000;
+  constexpr double kFiner = 1.25;    // everywhere, in each round
+  constexpr int kMostCells = 20000;  // the next mesh would take minutes
   CheckedPart checked{job, assessment::check_part(job)};
   if (!part::is_solid_file(job.part.geometry) || job.is_shared) return checked;
   const auto index = static_cast<std::size_t>(
@@ -72,7 +72,14 @@ CheckedPart check_on_finer_meshes(const LoadedScene& loaded,
   for (int round = 1; round <= rounds; ++round) {
     const PartResult& result = checked.assessment.result;
     const auto open = open_by(result, job.tolerance);
-    if (!open || result.cells > kMostCells) break;
+    if (!open) break;
+    if (result.cells > kMostCells) {
+      told.push_back(
+          fmt::format("{} cells leave {:.3g} % open; a finer mesh would take "
+                      "minutes: give the part a mesh_size if it may",
+                      result.cells, 100.0 * *open));
+      break;
+    }
     finer.everywhere = std::pow(kFiner, round);
     finer.at.push_back(judged_peak(result).at);
     write_finer_mesh(job.part, loaded.scene.inputs[index], finer);

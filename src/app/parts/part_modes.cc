@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string_view>
 #include <variant>
 
@@ -14,8 +13,8 @@
 #include "elasticity/problem/elastic_problem.h"
 #include "elasticity/vibration/eigenmodes.h"
 #include "report/text/atomic_file.h"
-#include "stress/field/field_output.h"
 #include "stress/field/stress_history.h"
+#include "stress/output/field_output.h"
 
 namespace clevis::app {
 namespace {
@@ -86,14 +85,12 @@ std::string write_shape(const part::PartDefinition& part,
   basis.coefficients = Eigen::MatrixXd::Constant(1, 1, kAmplitude / largest);
   const auto field =
       stress::instant_field<dim>(basis, part.material, kSubdivisions, 0);
-  std::ostringstream text;
-  stress::write_vtu<dim>(text, modes.discretization.shape, field, {},
-                         stress::CellOrder::kLagrange);
+  const stress::FieldOutput output(dim, modes.discretization.shape, field, {});
   const std::string set =
       request.number > 1 ? fmt::format("_{}", request.number) : "";
   const std::string name =
       fmt::format("{}{}_mode_{}.vtu", part.name, set, mode + 1);
-  report::write_file(folder / name, text.view());
+  report::write_file(folder / name, output.vtu(stress::CellOrder::kLagrange));
   return name;
 }
 

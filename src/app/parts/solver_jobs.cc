@@ -1,6 +1,7 @@
 #include "app/parts/solver_jobs.h"
 
 #include <iostream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include "app/parts/part_jobs.h"
 #include "app/processes/error_text.h"
 #include "assessment/impact/impact_check.h"
+#include "base/system_failure.h"
 #include "loads/parts/part_loads.h"
 #include "mechanism/simulate.h"
 #include "report/text/progress.h"
@@ -24,13 +26,8 @@ std::string answer_of(const SolverTask& task) {
     return kText + task.run();
   } catch (const Error& error) {
     return kRefusal + encode_error(error);
-  } catch (const std::bad_alloc&) {
-    return kRefusal +
-           encode_error(Error("F004", task.what, "the memory ran out",
-                              "Mesh the part coarser."));
   } catch (const std::exception& failure) {
-    return kRefusal + encode_error(Error("X001", task.what, failure.what(),
-                                         "Please report this scene."));
+    return kRefusal + encode_error(system_failure(failure, task.what));
   }
 }
 
@@ -38,8 +35,7 @@ SolverAnswer decode(const WorkerOutcome& outcome, const SolverTask& task) {
   using enum WorkerOutcome::Kind;
   if (outcome.kind == kInterrupted) return {};
   if (outcome.kind == kDied || outcome.text.empty()) {
-    return {std::nullopt, Error("X001", task.what, "crashed: " + outcome.text,
-                                "Please report this scene.")};
+    return {std::nullopt, error_of(outcome, task.what)};
   }
   const std::string content = outcome.text.substr(1);
   if (outcome.text.front() == kText) return {content, std::nullopt};
@@ -48,15 +44,17 @@ SolverAnswer decode(const WorkerOutcome& outcome, const SolverTask& task) {
 
 }  // namespace
 
-SolverJobs load_solver_jobs(const Options& options) {
+SolverJobs load_solver_jobs(const Options& options, scene::Scene read) {
   SolverJobs result;
-  result.loaded = load_scene(options.scene, options.settings);
+  result.loaded = load_scene(std::move(read));
   add_link_compliances(result.loaded);
   const scene::Scene& scene = result.loaded.scene;
   mechanism::Motion motion;
   if (scene.has_mechanism) {
-    motion = loads::loading_motion(
-        mechanism::simulate(scene.mechanism, scene.simulation));
+    mechanism::SimulationSettings settings = scene.simulation;
+    settings.max_time = options.max_time.value_or(settings.max_time);
+    motion =
+        loads::loading_motion(mechanism::simulate(scene.mechanism, settings));
   }
   result.jobs = part_jobs(result.loaded, motion, options.parts,
                           scene.peak_stress_tolerance);

@@ -14,19 +14,16 @@
 
 namespace clevis::app {
 
-inline constexpr auto kInterruptedExit =
-    static_cast<ExitCode>(130);  // 128 + SIGINT, as shells expect
-
 /// A scene with what must be solved for the parts that are asked for.
 struct SolverJobs {
   LoadedScene loaded;
   std::vector<assessment::PartJob> jobs;
 };
 
-/// Reads the scene, moves its mechanism and loads its parts; a blow is computed
-/// in time and becomes the static load that stresses the part as much.
+/// Moves the scene's mechanism and loads its parts; a blow is computed in time
+/// and becomes the static load that stresses the part as much.
 /// @throws Error as load_scene, simulate and part_jobs.
-SolverJobs load_solver_jobs(const Options& options);
+SolverJobs load_solver_jobs(const Options& options, scene::Scene read);
 
 /// Something that runs in a process of its own and answers with a text.
 struct SolverTask {

@@ -11,6 +11,7 @@
 #include "app/scenes/mesh_parts.h"
 #include "app/solving/plugin_entries.h"
 #include "app/variants/finished_check.h"
+#include "app/watch/watched_check.h"
 #include "assessment/job/model_traits.h"
 #include "base/errors.h"
 #include "base/mpi_run.h"
@@ -48,6 +49,16 @@ ExitCode check_command(const Options& options) {
   }
 }
 
+ExitCode check_or_watch(const Options& options) {
+  if (!options.watch) return check_command(options);
+  if (mpi_ranks() > 1) {
+    throw Error("U001", "--watch", "several ranks cannot watch",
+                "Run clevis check --watch without mpirun.");
+  }
+  load_plugin();  // once for all runs
+  return watched_check(options, check_command);
+}
+
 Run declare_check(CLI::App& command) {
   const auto request = std::make_shared<SceneRequest>();
   Options& options = request->options;
@@ -59,6 +70,7 @@ Run declare_check(CLI::App& command) {
       ->type_name("RATIO");
   add_output(command, options);
   add_report_flag(command, options);
+  add_max_time(command, *request);
   add_jobs(command, options.jobs, "parts in parallel [one per core]");
   add_model(command, options.model);
   command.add_flag("--mesh", options.mesh,
@@ -74,8 +86,15 @@ Run declare_check(CLI::App& command) {
                    "keep the result in --out if it is whole and of the same "
                    "inputs");
   add_engine(command, options);
+  command
+      .add_flag("--watch", options.watch,
+                "check again, --mesh included, whenever the scene or a file "
+                "that it reads changes; an open report.html follows. Ctrl-C "
+                "ends it")
+      ->excludes("--json")
+      ->excludes("--resume");
   command.footer(about_models());
-  return run_request(request, check_command);
+  return run_request(request, check_or_watch);
 }
 
 }  // namespace clevis::app

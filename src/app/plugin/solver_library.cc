@@ -1,9 +1,9 @@
 #include "app/plugin/solver_library.h"
 
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <utility>
 
 #include <dlfcn.h>
 
@@ -12,6 +12,7 @@
 #include "app/solving/plugin_entries.h"
 #include "base/companion.h"
 #include "base/errors.h"
+#include "base/system_failure.h"
 
 namespace clevis::app {
 namespace {
@@ -24,6 +25,7 @@ void set_up_blas() {
   // in their way and change the order of sums.
   setenv("OPENBLAS_NUM_THREADS", "1", 1);
   setenv("OMP_NUM_THREADS", "1", 1);
+  setenv("DEAL_II_NUM_THREADS", "1", 1);  // it aborts at what is no number
 #if defined(__x86_64__)
   // OpenBLAS 0.3.21 takes processors younger than itself for Haswell, which
   // halves the speed of those with AVX-512.
@@ -38,17 +40,8 @@ void set_up_blas() {
 
 void* plugin_handle(const fs::path& path) {
   set_up_blas();
-  // An interrupt while the library loads waits for its InterruptGuard.
-  sigset_t interrupts;
-  sigemptyset(&interrupts);
-  sigaddset(&interrupts, SIGINT);
-  sigaddset(&interrupts, SIGTERM);
-  sigprocmask(SIG_BLOCK, &interrupts, nullptr);
   void* plugin = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (plugin == nullptr) {
-    throw Error("I001", path.string(), dlerror(),
-                "Reinstall clevis: this library belongs to it.");
-  }
+  if (plugin == nullptr) throw load_failure(path.string(), dlerror());
   return plugin;
 }
 
@@ -72,13 +65,13 @@ fs::path load_plugin() {
 }
 
 ExitCode run_in_plugin(const char* entry_name, const Options& options) {
-  mesh_outdated_solids(options, std::cerr);
-  return reinterpret_cast<PluginEntry*>(plugin_entry(entry_name))(options);
+  scene::Scene scene = scene_to_solve(options, std::cerr);
+  return reinterpret_cast<PluginEntry*>(plugin_entry(entry_name))(
+      options, std::move(scene));
 }
 
-void add_link_compliances_by_plugin(scene::Scene& scene,
-                                    const Options& options) {
-  reinterpret_cast<LinkEntry*>(plugin_entry(kLinkEntryName))(scene, options);
+void add_link_compliances_by_plugin(scene::Scene& scene) {
+  reinterpret_cast<LinkEntry*>(plugin_entry(kLinkEntryName))(scene);
 }
 
 }  // namespace clevis::app

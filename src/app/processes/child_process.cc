@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "base/interrupts.h"
 #include "base/stopwatch.h"
 
 namespace clevis::app {
@@ -33,6 +34,7 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
 [[noreturn]] void become(char* const* arguments, char* const* environment,
                          const Child& child, pid_t parent) {
   setpgid(0, 0);
+  std::signal(SIGXFSZ, SIG_DFL);
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // Ctrl-C on clevis ends the child too
   const rlimit size{kLargestFile, kLargestFile};
   setrlimit(RLIMIT_FSIZE, &size);
@@ -51,7 +53,8 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
   _exit(kNotStarted);
 }
 
-/// Waits for the child, killed if it takes too long; what it used.
+/// Waits for the child, killed if it takes too long or an interrupt came; what
+/// it used.
 ChildOutcome wait_for(pid_t child, std::chrono::milliseconds timeout) {
   constexpr std::chrono::milliseconds kPause(5);
   const auto deadline = std::chrono::steady_clock::now() + timeout;
@@ -59,7 +62,7 @@ ChildOutcome wait_for(pid_t child, std::chrono::milliseconds timeout) {
   rusage usage{};
   int status = 0;
   while (wait4(child, &status, WNOHANG, &usage) == 0) {
-    if (std::chrono::steady_clock::now() > deadline) {
+    if (std::chrono::steady_clock::now() > deadline || is_interrupted()) {
       kill(-child, SIGKILL);
       wait4(child, &status, 0, &usage);
       return outcome;

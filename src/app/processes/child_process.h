@@ -20,7 +20,7 @@ struct Child {
 
 /// How it ended and what it used.
 struct ChildOutcome {
-  std::optional<int> status;  ///< as waitpid() has it; none: took too long
+  std::optional<int> status;  ///< as waitpid() has it; none: was killed
   double seconds{};           ///< wall clock, start and end included
   double cpu_seconds{};       ///< user and system
   double peak_memory{};       ///< largest resident set [byte]
@@ -31,7 +31,8 @@ struct ChildOutcome {
 
 /// Runs a program to its end with an environment of PATH, HOME, TMPDIR,
 /// LC_ALL=C and what is given, in a process group of its own; it dies with
-/// clevis, is killed after `timeout` and may write files up to 1 GiB.
+/// clevis, is killed after `timeout` or at an interrupt that is deferred, and
+/// may write files up to 1 GiB.
 /// @throws Error I002 if no process can be started.
 ChildOutcome run_child(const Child& child, std::chrono::milliseconds timeout);
 

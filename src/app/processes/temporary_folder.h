@@ -2,9 +2,12 @@
 
 #include <filesystem>
 
+#include "base/interrupts.h"
+
 namespace clevis::app {
 
-/// A new private folder that is removed with all its content.
+/// A new private folder that is removed with all its content, also at an
+/// interrupt.
 class TemporaryFolder {
  public:
   /// @throws Error I002 if the system's folder for temporary files is not
@@ -17,6 +20,7 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  DeferredInterrupt deferred_;
   std::filesystem::path path_;
 };
 

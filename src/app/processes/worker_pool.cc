@@ -1,10 +1,13 @@
 #include "app/processes/worker_pool.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <thread>
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -13,15 +16,11 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "base/interrupts.h"
+#include "base/system_failure.h"
 
 namespace clevis::app {
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
-
-void note_interrupt(int) {
-  interrupted = 1;
-}
 
 struct Worker {
   std::size_t task{};
@@ -56,9 +55,7 @@ Worker start(std::size_t index,
     // An orphan would go on writing into a folder that others may use by then.
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);
-    // The parent decides about the terminal's Ctrl-C.
-    std::signal(SIGINT, SIG_IGN);
-    std::signal(SIGTERM, SIG_DFL);
+    end_on_parents_signal();
     close(ends[0]);
     write_all(ends[1], task(index));
     close(ends[1]);
@@ -87,13 +84,27 @@ WorkerOutcome finish(Worker& worker) {
   if (WIFSIGNALED(status)) {
     return {WorkerOutcome::Kind::kDied,
             fmt::format("its process was ended by signal {} ({})",
-                        WTERMSIG(status), strsignal(WTERMSIG(status)))};
+                        WTERMSIG(status), strsignal(WTERMSIG(status))),
+            WTERMSIG(status)};
   }
   return {WorkerOutcome::Kind::kDied,
           fmt::format("its process ended with code {}", WEXITSTATUS(status))};
 }
 
+/// Lets the workers end in order, not for long.
 void stop(std::vector<Worker>& workers) {
+  constexpr int kTries = 100;
+  constexpr std::chrono::milliseconds kPause(5);
+  for (const Worker& worker : workers) kill(worker.process, SIGTERM);
+  const auto has_ended = [](const Worker& worker) {
+    siginfo_t state{};
+    return waitid(P_PID, static_cast<id_t>(worker.process), &state,
+                  WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           state.si_pid != 0;
+  };
+  for (int i = 0; i < kTries && !std::ranges::all_of(workers, has_ended); ++i) {
+    std::this_thread::sleep_for(kPause);
+  }
   for (Worker& worker : workers) {
     kill(worker.process, SIGKILL);
     finish(worker);
@@ -103,21 +114,12 @@ void stop(std::vector<Worker>& workers) {
 
 }  // namespace
 
-InterruptGuard::InterruptGuard() {
-  struct sigaction action {};
-  action.sa_handler = note_interrupt;
-  sigaction(SIGINT, &action, &old_interrupt_);
-  sigaction(SIGTERM, &action, &old_terminate_);
-  sigset_t interrupts;
-  sigemptyset(&interrupts);
-  sigaddset(&interrupts, SIGINT);
-  sigaddset(&interrupts, SIGTERM);
-  sigprocmask(SIG_UNBLOCK, &interrupts, nullptr);
-}
-
-InterruptGuard::~InterruptGuard() {
-  sigaction(SIGINT, &old_interrupt_, nullptr);
-  sigaction(SIGTERM, &old_terminate_, nullptr);
+Error error_of(const WorkerOutcome& outcome, const std::string& place) {
+  if (outcome.signal == SIGKILL || outcome.signal == SIGXCPU) {
+    return out_of_resources(place, outcome.text);
+  }
+  return {"X001", place, "it crashed: " + outcome.text,
+          "Please report this with the scene and its mesh."};
 }
 
 std::vector<WorkerOutcome> run_workers(
@@ -130,7 +132,7 @@ std::vector<WorkerOutcome> run_workers(
   std::vector<Worker> workers;
   std::size_t next = 0;
   std::size_t done = 0;
-  while (interrupted == 0 && (next < tasks || !workers.empty())) {
+  while (!is_interrupted() && (next < tasks || !workers.empty())) {
     while (next < tasks && workers.size() < static_cast<std::size_t>(jobs)) {
       workers.push_back(start(next++, task));
     }

@@ -54,6 +54,14 @@ void add_report_flag(CLI::App& command, Options& options) {
                    "write report.html, the result to look at in a browser");
 }
 
+void add_max_time(CLI::App& command, SceneRequest& request) {
+  command
+      .add_option("--max-time", request.max_time,
+                  "processor time that a motion by forces may take, e.g. \"10 "
+                  "min\" [60 s]")
+      ->type_name("TIME");
+}
+
 void add_engine(CLI::App& command, Options& options) {
   const std::vector<std::string> words(elasticity::kEngineWords.begin(),
                                        elasticity::kEngineWords.end());
@@ -107,6 +115,25 @@ double peak_tolerance(const std::string& text) {
   return value;
 }
 
+namespace {
+
+double max_time(const std::string& text) {
+  constexpr double kLeast = 0.1, kMost = 1e7;
+  double value{};
+  try {
+    value = parse_quantity(text, Dimension::kTime, "--max-time");
+  } catch (const Error& refused) {
+    throw Error("U001", refused.place(), refused.problem(), refused.remedy());
+  }
+  if (!(kLeast <= value && value <= kMost)) {
+    throw Error("U001", "--max-time", "\"" + text + "\" is out of range",
+                "Give 0.1 s to 1e7 s.");
+  }
+  return value;
+}
+
+}  // namespace
+
 Run run_request(std::shared_ptr<SceneRequest> request,
                 ExitCode (*command)(const Options&)) {
   return [request = std::move(request), command] {
@@ -118,6 +145,7 @@ Run run_request(std::shared_ptr<SceneRequest> request,
     if (request->tolerance) {
       options.tolerance = peak_tolerance(*request->tolerance);
     }
+    if (request->max_time) options.max_time = max_time(*request->max_time);
     return command(options);
   };
 }

@@ -24,6 +24,7 @@ struct SceneRequest {
   Options options;
   std::vector<std::string> settings;     ///< PATH=VALUE
   std::optional<std::string> tolerance;  ///< e.g. "1%"
+  std::optional<std::string> max_time;   ///< e.g. "10 min"
 };
 
 // Options that several commands share. What they fill in must live as long as
@@ -36,6 +37,7 @@ void add_jobs(CLI::App& command, int& jobs, const char* help);
 /// --out and --json.
 void add_output(CLI::App& command, Options& options);
 void add_report_flag(CLI::App& command, Options& options);
+void add_max_time(CLI::App& command, SceneRequest& request);
 void add_engine(CLI::App& command, Options& options);
 void add_model(CLI::App& command, std::string& model);
 /// CalculiX's kind of cells.

@@ -20,10 +20,14 @@ struct Options {
   bool report = false;                   ///< writes report.html too
   bool glb = false;                      ///< a glTF of a result, no decks
   std::string model = "auto";            ///< or a word of assessment::kModels
-  std::string engine = "auto";      ///< or a word of elasticity::kEngineWords
-  bool mesh = false;                ///< make outdated meshes first
-  int mesh_rounds = 2;              ///< finer meshes of a solid at most
+  std::string engine = "auto";  ///< or a word of elasticity::kEngineWords
+  bool mesh = false;            ///< make outdated meshes first
+  int mesh_rounds = 2;          ///< finer meshes of a solid at most
+  bool watch = false;           ///< check again when files change
+  /// Of a watched check: the number of this run, which its report bears.
+  std::optional<int> watch_run = {};
   bool resume = false;              ///< keep a finished result of these inputs
+  std::optional<double> max_time;   ///< of the processor, for a motion [s]
   int jobs = 0;                     ///< parts in parallel; 0: one per core
   std::string elements = "C3D20R";  ///< CalculiX's hexahedra
   int split = 0;                    ///< pieces of each hexahedron's edges; 0:

@@ -42,7 +42,7 @@ fs::path results_folder(const fs::path& scene_file) {
          (scene == "scene" ? folder : folder + "_" + scene);
 }
 
-void remove_previous_run(const fs::path& folder) {
+void remove_previous_run(const fs::path& folder, OldReport report) {
   std::error_code ignored;
   fs::remove(folder / "error.json", ignored);
   if (!fs::is_regular_file(folder / "result.json", ignored)) return;
@@ -59,9 +59,10 @@ void remove_previous_run(const fs::path& folder) {
   }
   for (const char* name :
        {"mechanism.pvd", "reactions.csv", "parts.csv", "junit.xml",
-        "bearings.csv", "report.html", "result.json"}) {
+        "bearings.csv", "mechanism.svg", "result.json"}) {
     fs::remove(folder / name, ignored);
   }
+  if (report == OldReport::kRemove) fs::remove(folder / "report.html", ignored);
   fs::remove(report::motion_view_file(folder, report::ResultKind::kCheck),
              ignored);
 }

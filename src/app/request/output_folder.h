@@ -13,9 +13,12 @@ std::filesystem::path output_folder(const Options& options);
 /// for any other scene.
 std::filesystem::path results_folder(const std::filesystem::path& scene_file);
 
+/// What becomes of a report.html while the next check runs.
+enum class OldReport { kRemove, kKeep };
+
 /// Removes what an earlier check left in its output folder, as its result.json
 /// tells: so that the files there are always of one run. In a folder without a
 /// result.json, at most an error.json.
-void remove_previous_run(const std::filesystem::path& folder);
+void remove_previous_run(const std::filesystem::path& folder, OldReport report);
 
 }  // namespace clevis::app

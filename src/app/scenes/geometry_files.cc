@@ -58,23 +58,31 @@ std::vector<std::string> names_in(std::string_view text) {
   return names;
 }
 
-void add(const fs::path& file, std::set<fs::path>& seen, std::string& all) {
+void add(const fs::path& file, std::set<fs::path>& seen,
+         std::vector<fs::path>& all) {
   if (!seen.insert(fs::absolute(file).lexically_normal()).second) return;
-  const std::string text = read_file(file);
-  if (seen.size() > 1) all += '\0';
-  all += text;
+  all.push_back(file);
   if (file.extension() != ".geo") return;
-  for (const std::string& name : names_in(text)) {
+  for (const std::string& name : names_in(read_file(file))) {
     add(file.parent_path() / name, seen, all);
   }
 }
 
 }  // namespace
 
-std::string geometry_content(const fs::path& geometry) {
+std::vector<fs::path> geometry_files(const fs::path& geometry) {
   std::set<fs::path> seen;
-  std::string all;
+  std::vector<fs::path> all;
   add(geometry, seen, all);
+  return all;
+}
+
+std::string geometry_content(const fs::path& geometry) {
+  std::string all;
+  for (const fs::path& file : geometry_files(geometry)) {
+    if (file != geometry) all += '\0';
+    all += read_file(file);
+  }
   return all;
 }
 

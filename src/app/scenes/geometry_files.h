@@ -2,14 +2,19 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace clevis::app {
 
-/// The bytes of a .geo and, behind them, of all files that it reads: those of
-/// Merge, Include and ShapeFromFile with a name in quotes, of included .geo
-/// files likewise; names are relative to the file that has them. Files that
-/// are not there add nothing; names that gmsh would have to compute are not
-/// followed.
+/// A .geo and all files that it reads: those of Merge, Include and
+/// ShapeFromFile with a name in quotes, of included .geo files likewise, each
+/// once, whether they are there or not; names are relative to the file that
+/// has them. Names that gmsh would have to compute are not followed.
+std::vector<std::filesystem::path> geometry_files(
+    const std::filesystem::path& geometry);
+
+/// The bytes of geometry_files(), one after another. Files that are not there
+/// add nothing.
 std::string geometry_content(const std::filesystem::path& geometry);
 
 }  // namespace clevis::app

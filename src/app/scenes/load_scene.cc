@@ -57,12 +57,11 @@ mechanism::BodyIndex LoadedScene::body_of(const std::string& part) const {
              : static_cast<mechanism::BodyIndex>(found - bodies.begin());
 }
 
-LoadedScene load_scene(const std::filesystem::path& file,
-                       const std::vector<scene::Setting>& settings) {
+LoadedScene load_scene(scene::Scene scene) {
   LoadedScene loaded;
-  loaded.scene = scene::read_scene(file, settings);
+  loaded.scene = std::move(scene);
   if (!loaded.scene.has_mechanism && loaded.scene.parts.empty()) {
-    throw Error("S003", file.string() + ":1:1",
+    throw Error("S003", loaded.scene.file.string() + ":1:1",
                 "the scene has neither [[body]] nor [[part]], so there is "
                 "nothing to check",
                 "Add one, or run clevis transmission.");
@@ -83,9 +82,7 @@ LoadedScene load_scene(const std::filesystem::path& file,
   return loaded;
 }
 
-scene::Scene load_moving_scene(const std::filesystem::path& file,
-                               const std::vector<scene::Setting>& settings) {
-  scene::Scene scene = scene::read_scene(file, settings);
+void load_masses(scene::Scene& scene) {
   std::vector<std::future<part::MassProperties>> masses;
   for (std::size_t p = 0; p < scene.parts.size(); ++p) {
     require_current_mesh(scene.parts[p], scene.inputs[p]);
@@ -103,7 +100,6 @@ scene::Scene load_moving_scene(const std::filesystem::path& file,
       if (body.part == scene.parts[p].name) body.mass_properties = mass;
     }
   }
-  return scene;
 }
 
 }  // namespace clevis::app

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -34,15 +33,13 @@ struct LoadedScene {
 LoadedPart load_part(const part::PartDefinition& definition,
                      const part::GeometryInput& input);
 
-/// Reads a scene and the meshes of its parts.
-/// @throws Error S…, M…, I001.
-LoadedScene load_scene(const std::filesystem::path& file,
-                       const std::vector<scene::Setting>& settings);
+/// A scene with the meshes of its parts.
+/// @throws Error S003, M…, I001.
+LoadedScene load_scene(scene::Scene scene);
 
-/// Reads a scene; bodies with a part have the mass of its mesh. Without the
-/// rest of what load_scene() tells, in a fraction of its time.
-/// @throws Error S…, M…, I001.
-scene::Scene load_moving_scene(const std::filesystem::path& file,
-                               const std::vector<scene::Setting>& settings);
+/// Gives bodies with a part the mass of its mesh. Without the rest of what
+/// load_scene() tells, in a fraction of its time.
+/// @throws Error M…, I001.
+void load_masses(scene::Scene& scene);
 
 }  // namespace clevis::app

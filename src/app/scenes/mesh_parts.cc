@@ -124,19 +124,22 @@ std::size_t mesh_parts(const Options& options, MeshWhich which,
   std::set<std::filesystem::path> done;
   for (const GeometryPart& source : sources) {
     if (!done.insert(source.part.mesh).second) continue;
-    if (which == MeshWhich::kOutdatedSolids &&
-        !part::is_solid_file(source.part.geometry)) {
-      continue;
-    }
     if (all_parts && is_current(source)) continue;
     mesh_part(source, log);
   }
   return sources.size();
 }
 
-void mesh_outdated_solids(const Options& options, std::ostream& log) {
-  if (mpi_ranks() > 1) return;  // they would write one file together
-  mesh_parts(options, MeshWhich::kOutdatedSolids, log);
+scene::Scene scene_to_solve(const Options& options, std::ostream& log) {
+  scene::Scene scene = scene::read_scene(options.scene, options.settings);
+  if (mpi_ranks() > 1) return scene;  // they would write one file together
+  std::set<std::filesystem::path> done;
+  for (const GeometryPart& source : parts_to_mesh(scene, {})) {
+    if (!part::is_solid_file(source.part.geometry)) continue;
+    if (!done.insert(source.part.mesh).second || is_current(source)) continue;
+    mesh_part(source, log);
+  }
+  return scene;
 }
 
 }  // namespace clevis::app

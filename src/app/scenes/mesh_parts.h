@@ -4,13 +4,13 @@
 #include <iosfwd>
 
 #include "app/request/options.h"
+#include "scene/scene.h"
 
 namespace clevis::app {
 
 /// kAll: the parts that --part names, or all. kOutdated: of all parts those
 /// whose mesh is missing or of another version of its geometry.
-/// kOutdatedSolids: those of them that are solids of a CAD system.
-enum class MeshWhich { kAll, kOutdated, kOutdatedSolids };
+enum class MeshWhich { kAll, kOutdated };
 
 /// Makes the meshes of the scene's parts that have a geometry, with the values
 /// of --set; a line on `log` for each, and of solids what was found. Two parts
@@ -21,9 +21,10 @@ enum class MeshWhich { kAll, kOutdated, kOutdatedSolids };
 std::size_t mesh_parts(const Options& options, MeshWhich which,
                        std::ostream& log);
 
-/// Makes missing and outdated meshes of solids, for commands that read them:
-/// unlike a .geo a CAD file runs nothing. Of several ranks none does.
-/// @throws as mesh_parts().
-void mesh_outdated_solids(const Options& options, std::ostream& log);
+/// The scene that a command solves, read once for all that it does. Missing
+/// and outdated meshes of solids are made, which the command reads: unlike a
+/// .geo a CAD file runs nothing. Of several ranks none does.
+/// @throws Error S…, I001 as read_scene(); as mesh_parts().
+scene::Scene scene_to_solve(const Options& options, std::ostream& log);
 
 }  // namespace clevis::app

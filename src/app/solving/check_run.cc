@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -26,8 +27,10 @@
 #include "app/solving/part_loads.h"
 #include "app/solving/surface_view.h"
 #include "app/variants/check_inputs.h"
+#include "base/interrupts.h"
 #include "base/mpi_run.h"
 #include "base/stopwatch.h"
+#include "base/system_failure.h"
 #include "loads/parts/part_loads.h"
 #include "machine/bearings/bearing_life.h"
 #include "mechanism/simulate.h"
@@ -38,6 +41,7 @@
 #include "report/motion/motion_csv.h"
 #include "report/page/report_page.h"
 #include "report/parts/part_result_json.h"
+#include "report/picture/part_picture.h"
 #include "report/summary/motion_report.h"
 #include "report/text/atomic_file.h"
 #include "report/text/progress.h"
@@ -70,25 +74,22 @@ std::string check_one(const PartJob& job,
         report::write_file(folder / (job.part.name + "_loads.csv"),
                            loads_csv(job.load_sets.front().history));
       }
-      report::write_part_view(surface_view(last_job, assessment, moving, body),
-                              folder);
+      const auto view = surface_view(last_job, assessment, moving, body);
+      report::write_part_view(view, folder);
+      report::write_part_picture(view, assessment.result, folder);
     }
     assessment.result.seconds.write = watch.lap();
     assessment.result.seconds.total += assessment.result.seconds.write;
     return kResult + report::encode(assessment.result);
   } catch (const Error& error) {
     return kRefusal + encode_error(error);
-  } catch (const std::bad_alloc&) {
-    // The other ranks wait for this one in a sum, not for its text.
-    if (job.is_shared) team->abort(static_cast<int>(ExitCode::kResourceLimit));
-    return kRefusal +
-           encode_error(Error(
-               "F004", "part " + job.part.name, "the memory ran out",
-               "Mesh the part coarser, or check fewer at once (--jobs 1)."));
   } catch (const std::exception& failure) {
-    return kRefusal +
-           encode_error(Error("X001", "part " + job.part.name, failure.what(),
-                              "Please report this scene."));
+    const Error error = system_failure(failure, "part " + job.part.name);
+    // The other ranks wait for this one in a sum, not for its text.
+    if (job.is_shared && error.exit_code() == ExitCode::kResourceLimit) {
+      team->abort(static_cast<int>(ExitCode::kResourceLimit));
+    }
+    return kRefusal + encode_error(error);
   }
 }
 
@@ -106,10 +107,7 @@ void take_outcome(const WorkerOutcome& outcome, const std::string& part,
   if (outcome.kind == kInterrupted) {
     report.complete = false;
   } else if (outcome.kind == kDied || outcome.text.empty()) {
-    report.failures.push_back(
-        {part,
-         Error("X001", "part " + part, "the check crashed: " + outcome.text,
-               "Please report this with the scene and its mesh.")});
+    report.failures.push_back({part, error_of(outcome, "part " + part)});
   } else if (outcome.text.front() == kResult) {
     report.parts.push_back(
         report::decode_part_result(std::string_view(outcome.text).substr(1)));
@@ -215,19 +213,21 @@ std::vector<double> worst_times(const report::CheckReport& report) {
 
 }  // namespace
 
-ExitCode run_check(const Options& options) {
+ExitCode run_check(const Options& options, scene::Scene scene) {
   Stopwatch total;
   Stopwatch watch;
-  const InterruptGuard guard;
   report::CheckReport report;
   report.version = CLEVIS_VERSION;
-  report.inputs = check_inputs(options);
-  LoadedScene loaded = load_scene(options.scene, options.settings);
+  report.inputs = check_inputs(options, scene);
+  LoadedScene loaded = load_scene(std::move(scene));
   const fs::path folder = output_folder(options);
   std::optional<FolderLock> lock;
   if (mpi_rank() == 0) {
     lock.emplace(folder);
-    remove_previous_run(folder);
+    // A browser that shows the report of a watched check would lose it.
+    remove_previous_run(folder, options.watch_run && options.report
+                                    ? OldReport::kKeep
+                                    : OldReport::kRemove);
   }
   report.scene = loaded.scene.name;
   report.file = options.scene;
@@ -238,6 +238,7 @@ ExitCode run_check(const Options& options) {
   if (loaded.scene.has_mechanism) {
     mechanism::SimulationSettings settings = loaded.scene.simulation;
     settings.at_peaks = true;
+    settings.max_time = options.max_time.value_or(settings.max_time);
     motion = mechanism::simulate(loaded.scene.mechanism, settings);
     report.mechanism = report::summarise(
         loaded.scene.mechanism,
@@ -262,6 +263,8 @@ ExitCode run_check(const Options& options) {
 
   std::optional<elasticity::RankTeam> team;
   if (mpi_ranks() > 1) team.emplace();
+  std::optional<InterruptGuard> guard;  // ranks are mpirun's to end
+  if (!team) guard.emplace();
   check_parts(loaded, loading, std::move(jobs), options,
               team ? &*team : nullptr, folder, report);
   if (mpi_rank() > 0) return ExitCode::kPass;  // the first one tells
@@ -281,8 +284,9 @@ ExitCode run_check(const Options& options) {
                             folder, report::ResultKind::kCheck);
   report.seconds.emplace_back("total", total.lap());
   report::write_result_files(report, folder);
+  if (!report.complete && options.watch_run) return kInterruptedExit;
   if (options.report) {
-    report::write_report(folder, report::ResultKind::kCheck);
+    report::write_report(folder, report::ResultKind::kCheck, options.watch_run);
   }
   if (options.json) {
     std::cout << report::result_json(report);

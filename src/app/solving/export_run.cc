@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "app/processes/folder_lock.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
+#include "base/interrupts.h"
 #include "calculix/deck.h"
 #include "mesh/derived/split_cells.h"
 #include "report/text/atomic_file.h"
@@ -83,11 +85,11 @@ std::string table_of(const ordered_json& decks) {
 
 }  // namespace
 
-ExitCode run_export(const Options& options) {
-  const InterruptGuard guard;
+ExitCode run_export(const Options& options, scene::Scene scene) {
   const fs::path folder = output_folder(options);
-  const auto loaded = load_solver_jobs(options);
+  const auto loaded = load_solver_jobs(options, std::move(scene));
   const FolderLock lock(folder);
+  const InterruptGuard guard;
   std::vector<SolverTask> tasks;
   for (const auto& job : loaded.jobs) {
     tasks.push_back({"exporting " + job.part.name, [&job, &options, &folder] {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,6 +14,7 @@
 #include "app/processes/folder_lock.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
+#include "base/interrupts.h"
 #include "report/text/atomic_file.h"
 #include "report/text/json_text.h"
 #include "report/text/text_table.h"
@@ -119,14 +121,14 @@ ordered_json failure_of(const SolverTask& task, const Error& error) {
 
 }  // namespace
 
-ExitCode run_modes(const Options& options) {
-  const InterruptGuard guard;
-  const LoadedScene loaded = load_scene(options.scene, options.settings);
+ExitCode run_modes(const Options& options, scene::Scene scene) {
+  const LoadedScene loaded = load_scene(std::move(scene));
   require_known(loaded, options);
   const fs::path folder =
       options.out.empty() ? output_folder(options) / "modes" : options.out;
   const FolderLock lock(folder);
   const auto tasks = tasks_of(loaded, options, folder);
+  const InterruptGuard guard;
   const auto answers = run_solver_tasks(tasks);
   report::remove_unfinished(folder);
   ordered_json parts = ordered_json::array();

@@ -1,13 +1,12 @@
 #include "app/solving/part_files.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #include "report/text/atomic_file.h"
 #include "report/text/csv_field.h"
-#include "stress/field/field_output.h"
+#include "stress/output/field_output.h"
 
 namespace clevis::app {
 namespace {
@@ -27,19 +26,6 @@ std::vector<int> frame_instants(std::size_t instants) {
 
 std::string frame_name(const std::string& part, std::size_t frame) {
   return fmt::format("frames/{}_{:04}.vtu", part, frame);
-}
-
-std::string vtu(const assessment::PartFields& fields,
-                const stress::InstantField& field,
-                const std::vector<stress::ScalarField>& scalars,
-                stress::CellOrder order, const part::Pose& pose) {
-  std::ostringstream out;
-  if (fields.dim == 2) {
-    stress::write_vtu<2>(out, fields.shape, field, scalars, order, pose);
-  } else {
-    stress::write_vtu<3>(out, fields.shape, field, scalars, order, pose);
-  }
-  return out.str();
 }
 
 /// Values over the whole motion that go with the worst instant's field.
@@ -114,10 +100,11 @@ void write_frames(const assessment::PartAssessment& assessment,
     const auto& pose = instants[static_cast<std::size_t>(frames[f])]
                            .bodies[static_cast<std::size_t>(moving.body)]
                            .pose;
-    report::write_file(
-        folder / frame_name(assessment.result.name, f),
-        vtu(assessment.fields, assessment.fields.at(frames[f], subdivisions),
-            {}, stress::CellOrder::kLinear, pose));
+    const stress::FieldOutput output(
+        assessment.fields.dim, assessment.fields.shape,
+        assessment.fields.at(frames[f], subdivisions), {}, pose);
+    report::write_file(folder / frame_name(assessment.result.name, f),
+                       output.vtu(stress::CellOrder::kLinear));
   }
   report::write_file(folder / (assessment.result.name + ".pvd"),
                      pvd(series_of({assessment.result.name}, *moving.motion)));
@@ -137,23 +124,23 @@ void write_part_files(const assessment::PartAssessment& assessment,
                       double yield_strength,
                       const std::filesystem::path& folder) {
   const assessment::PartFields& fields = assessment.fields;
-  const auto scalars = worst_scalars(fields, yield_strength);
-  const auto field = fields.at(fields.peak_instant, fields.worst.subdivisions);
+  const stress::FieldOutput output(
+      fields.dim, fields.shape,
+      fields.at(fields.peak_instant, fields.worst.subdivisions),
+      worst_scalars(fields, yield_strength));
   const std::string& name = assessment.result.name;
-  report::write_file(
-      folder / (name + ".vtu"),
-      vtu(fields, field, scalars, stress::CellOrder::kLagrange, {}));
+  report::write_file(folder / (name + ".vtu"),
+                     output.vtu(stress::CellOrder::kLagrange));
   // Simplices have linear cells in either.
   if (fields.shape == mesh::CellShape::kTensor) {
-    report::write_file(
-        folder / (name + "_linear.vtu"),
-        vtu(fields, field, scalars, stress::CellOrder::kLinear, {}));
+    report::write_file(folder / (name + "_linear.vtu"),
+                       output.vtu(stress::CellOrder::kLinear));
   }
   if (fields.buckling) {
-    std::ostringstream out;
-    stress::write_vtu<3>(out, fields.buckling->shape, fields.buckling->field,
-                         {}, stress::CellOrder::kLagrange, {});
-    report::write_file(folder / (name + "_buckling.vtu"), out.str());
+    const stress::FieldOutput shape(3, fields.buckling->shape,
+                                    fields.buckling->field, {});
+    report::write_file(folder / (name + "_buckling.vtu"),
+                       shape.vtu(stress::CellOrder::kLagrange));
   }
   report::write_file(folder / (name + "_history.csv"),
                      history_csv(fields.history));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include "app/processes/calculix_run.h"
 #include "app/processes/folder_lock.h"
 #include "app/request/output_folder.h"
+#include "base/interrupts.h"
 #include "report/text/atomic_file.h"
 #include "report/text/json_text.h"
 #include "report/text/terminal.h"
@@ -169,11 +171,11 @@ void write_part(const PartStudy& part, const fs::path& folder) {
 
 }  // namespace
 
-ExitCode run_study(const Options& options) {
-  const InterruptGuard guard;
+ExitCode run_study(const Options& options, scene::Scene scene) {
   const fs::path folder =
       options.out.empty() ? output_folder(options) / "study" : options.out;
-  const SolverJobs solver = load_solver_jobs(options);
+  const SolverJobs solver = load_solver_jobs(options, std::move(scene));
+  const InterruptGuard guard;
   const FolderLock lock(folder);
   study::Study result;
   result.version = CLEVIS_VERSION;

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <string>
 #include <thread>
+#include <tuple>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -75,9 +76,12 @@ ExitCode doctor_command() {
     print("solver", error.problem(), "check, study, modes, export");
     code = error.exit_code();
   }
-  const fs::path mesher = companion(kMesher);
-  print(kMesher, fs::exists(mesher) ? mesher.string() : "not found",
-        "STEP, IGES and BREP parts");
+  for (const auto& [name, file, needed_for] :
+       {std::tuple("engine", kEngineLibrary, "--engine dealii, mpirun"),
+        std::tuple(kMesher, kMesher, "STEP, IGES and BREP parts")}) {
+    const fs::path path = companion(file);
+    print(name, fs::exists(path) ? path.string() : "not found", needed_for);
+  }
   for (const Tool& tool : kTools) {
     print(tool.name, version(tool), tool.needed_for);
   }

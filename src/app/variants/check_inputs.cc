@@ -4,7 +4,6 @@
 #include <iterator>
 
 #include "base/fingerprint.h"
-#include "scene/scene.h"
 
 namespace clevis::app {
 namespace {
@@ -19,7 +18,8 @@ std::string file_fingerprint(const std::filesystem::path& file) {
 
 }  // namespace
 
-report::CheckInputs check_inputs(const Options& options) {
+report::CheckInputs check_inputs(const Options& options,
+                                 const scene::Scene& scene) {
   report::CheckInputs inputs;
   inputs.version = CLEVIS_VERSION;
   for (const scene::Setting& setting : options.settings) {
@@ -31,8 +31,7 @@ report::CheckInputs check_inputs(const Options& options) {
   inputs.model = options.model;
   inputs.engine = options.engine;
   inputs.parts = options.parts;
-  for (const part::PartDefinition& part :
-       scene::read_scene(options.scene, options.settings).parts) {
+  for (const part::PartDefinition& part : scene.parts) {
     inputs.meshes.emplace_back(part.name, file_fingerprint(part.mesh));
   }
   return inputs;

@@ -44,7 +44,8 @@ std::optional<ExitCode> finished_check(const Options& options) {
   std::ifstream stream(file, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(stream), {});
   const auto result = ordered_json::parse(text, nullptr, false);
-  const report::CheckInputs inputs = check_inputs(options);
+  const report::CheckInputs inputs =
+      check_inputs(options, scene::read_scene(options.scene, options.settings));
   std::string verdict;
   try {
     if (!is_finished(result, inputs)) return std::nullopt;

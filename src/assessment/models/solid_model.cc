@@ -1,8 +1,42 @@
 #include "assessment/models/solid_model.h"
 
+#include <fmt/format.h>
+
+#include "elasticity/direct/dissection.h"
 #include "elasticity/solid/solid_solve.h"
 
 namespace clevis::assessment {
+namespace {
+
+/// Leaves out the highest degree of tetrahedra where its factorisation alone
+/// would take more than about a minute, and says so where it is missed.
+void leave_out_what_takes_minutes(FeModel<3>& model) {
+  constexpr std::size_t kFewCells = 10000;  // of them no degree takes so long
+  constexpr double kFlopsPerSecond = 3e10;  // one core of 2020
+  constexpr double kMostSeconds = 60.0;
+  constexpr double kUnknowns = 27.0;  // of a node, cubed
+  constexpr int kDegreesOfABand = 3;
+  const mesh::PartMesh<3>& mesh = *model.mesh;
+  if (mesh.shape != mesh::CellShape::kSimplex ||
+      mesh.cells.size() < kFewCells ||
+      model.highest_degree - model.first_degree < kDegreesOfABand) {
+    return;
+  }
+  const auto part = elasticity::discretize<3>(mesh, model.highest_degree);
+  const double seconds =
+      kUnknowns * elasticity::dissect(part).flops / kFlopsPerSecond;
+  if (seconds < kMostSeconds) return;
+  model.remark = [degree = model.highest_degree, seconds](PartResult& result) {
+    if (judged_peak(result).verdict == PeakVerdict::kConverged) return;
+    result.stopped_because += fmt::format(
+        "; degree {} is left out, its factorisation would take about {:.0f} s: "
+        "give a larger mesh_size or tolerance",
+        degree, seconds);
+  };
+  --model.highest_degree;
+}
+
+}  // namespace
 
 std::optional<std::string> why_not_solid(const PartShape& shape) {
   if (shape.job().model != ModelKind::kSolid &&
@@ -30,6 +64,7 @@ FeModel<3> solid_model(const mesh::PartMesh<3>& mesh) {
 AnyFeModel solid_model(const PartShape& shape, const ModelSettings&) {
   const PartJob& job = shape.job();
   FeModel<3> model = solid_model(job.mesh);
+  leave_out_what_takes_minutes(model);
   model.zones = [&job](const LoadSet& set) {
     return stress::singular_zones<3>(job.mesh, job.part.material, set.fixed);
   };

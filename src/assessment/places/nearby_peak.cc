@@ -7,6 +7,7 @@
 
 #include "assessment/places/local_solve.h"
 #include "assessment/places/meeting_places.h"
+#include "assessment/places/place_band.h"
 #include "base/errors.h"
 #include "elasticity/fe_space/tabulation.h"
 #include "mesh/derived/sub_mesh.h"
@@ -27,7 +28,7 @@ constexpr double kNothing = -std::numeric_limits<double>::infinity();
 /// Stress of finer solutions near a place: its largest stress, that less the
 /// error there, and the largest of stress and error over all its cells.
 struct Closer {
-  double value = kNothing, low = kNothing, high = kNothing;
+  PlaceEstimate stress{kNothing, kNothing, kNothing};
   FieldPoint at;  ///< of the value: cell of the centre, point of kFineLattice
 };
 
@@ -68,10 +69,10 @@ Closer judge(const FinerFields& fields, const Eigen::VectorXd& rise,
         (kDegree * largest(fields.high.mean.col(c) - fields.low.mean.col(c)) +
          kLayer * largest(fields.wide.mean.col(c) - fields.low.mean.col(c)) +
          kJump * largest(fields.high.jump.col(c)));
-    closer.high = std::max(closer.high, peak + error);
-    if (peak <= closer.value) continue;
-    closer.value = peak;
-    closer.low = peak - error;
+    closer.stress.high = std::max(closer.stress.high, peak + error);
+    if (peak <= closer.stress.value) continue;
+    closer.stress.value = peak;
+    closer.stress.low = peak - error;
     closer.at = {static_cast<int>(c), static_cast<int>(point)};
   }
   return closer;
@@ -330,53 +331,39 @@ class PeakSearch {
                           rises, counting(seed, centre));
     closer.at = on_lattice(closer.at, histories_[seed.set].subdivisions);
     closer.at.cell = centre[static_cast<std::size_t>(closer.at.cell)];
-    const double off = pollution_ * closer.value +
+    const double off = pollution_ * closer.stress.value +
                        rises.maxCoeff() * shape_error(centre, field);
-    closer.low -= off;
-    closer.high += off;
+    closer.stress.low -= off;
+    closer.stress.high += off;
     if (seen_.empty()) best_ = 0.0;
     seen_.push_back({seed.set, place(seed), centre, closer});
-    best_ = std::max(best_, closer.value);
+    best_ = std::max(best_, closer.stress.value);
     open_[seed.set][seed.place] = false;
     close(seed.set, centre);
     // One bad cell may stand so high that all others were below the share.
     if (kShare * best_ < least_) find_places_above(kShare * best_);
   }
 
-  /// By how much the largest of several places that may be equal is too large,
-  /// for it was chosen by its error, too: its distance to their mean [Pa].
-  double excess_by_choice(double largest) const {
-    double sum = 0.0;
-    int equals = 0;
-    for (const Seen& seen : seen_) {
-      if (seen.closer.high < largest) continue;
-      sum += seen.closer.value;
-      ++equals;
-    }
-    return equals == 0 ? 0.0 : largest - sum / equals;
-  }
-
   NearbyPeak join(double tolerance) const {
+    std::vector<PlaceEstimate> estimates;
+    for (const Seen& seen : seen_) estimates.push_back(seen.closer.stress);
+    const LargestPlace largest = largest_place(estimates);
+    const Seen& highest = seen_[largest.place];
     NearbyPeak peak;
     stress::Band& band = peak.band;
-    band = {0.0, kNothing, kNothing, stress::Convergence::kConverged};
-    for (const Seen& seen : seen_) {
-      band.high = std::max(band.high, seen.closer.high);
-      if (seen.closer.value <= band.value) continue;
-      band.value = seen.closer.value;
-      band.low = seen.closer.low;
-      peak.set = seen.set;
-      peak.at = seen.closer.at;
-      peak.instant = seen.place.instant;
-      peak.jump = seen.place.high - seen.place.low;
-    }
-    band.low -= excess_by_choice(band.value);
+    band = {highest.closer.stress.value, largest.low, largest.high,
+            stress::Convergence::kConverged};
+    peak.set = highest.set;
+    peak.at = highest.closer.at;
+    peak.instant = highest.place.instant;
+    peak.jump = highest.place.high - highest.place.low;
     // Places that are left may be as far off as the others were.
     const auto rest = highest_open();
     if (rest && place(*rest).high >= kReach * best_) {
       double farthest = 1.0;
       for (const Seen& seen : seen_) {
-        farthest = std::max(farthest, seen.closer.high / seen.place.high);
+        farthest =
+            std::max(farthest, seen.closer.stress.high / seen.place.high);
       }
       band.high = std::max(band.high, farthest * place(*rest).high);
     }

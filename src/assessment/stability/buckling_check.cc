@@ -65,15 +65,16 @@ std::vector<std::vector<std::string>> holds_of(const LoadSet& set) {
   return pairs;
 }
 
-/// Results of one degree.
+/// Loads that may buckle the part.
 struct Candidate {
   std::size_t set{};
   loads::LoadHistory history;
   std::vector<std::vector<std::string>> holds;
+  std::optional<elasticity::KnownShape> known = {};  ///< by the last degree
 };
 
-/// The lowest factor of candidates, which are left with the instant and the
-/// hold that govern each.
+/// The lowest factor of candidates, which are left with the instant, the hold
+/// and the shape that govern each.
 struct Found {
   BucklingMode mode;
   std::string label;
@@ -86,11 +87,13 @@ Found lowest(const PartJob& job, const Discretization<3>& discretization,
     auto mode = elasticity::lowest_buckling(
         {discretization, job.part.material, candidate.history,
          job.load_sets[candidate.set].fixed, candidate.holds, job.part.name,
-         job.load_sets[candidate.set].foundations});
+         job.load_sets[candidate.set].foundations,
+         candidate.known ? &*candidate.known : nullptr});
     const auto instant =
         candidate.history.instants[static_cast<std::size_t>(mode.instant)];
     candidate.history.instants = {instant};
     candidate.holds = {candidate.holds[mode.hold]};
+    if (mode.shape.size() > 0) candidate.known = {discretization, mode.shape};
     if (best && best->mode.factor <= mode.factor) continue;
     best = {std::move(mode), instant.label, instant.time};
   }
@@ -164,8 +167,41 @@ bool is_bearable(const Error& error) {
          error.code() == "F004" || error.code() == "M005";
 }
 
+/// Longest edge over smallest height of a tetrahedron [1]; regular: 1.22.
+double slenderness(const mesh::PartMesh<3>& mesh,
+                   const std::vector<unsigned>& cell) {
+  const auto at = [&](std::size_t v) -> const Eigen::Vector3d& {
+    return mesh.vertices[cell[v]];
+  };
+  double longest = 0.0, largest = 0.0;
+  for (std::size_t a = 0; a < 4; ++a) {
+    for (std::size_t b = a + 1; b < 4; ++b) {
+      longest = std::max(longest, (at(b) - at(a)).norm());
+    }
+    const Eigen::Vector3d first = at((a + 2) % 4) - at((a + 1) % 4);
+    const Eigen::Vector3d second = at((a + 3) % 4) - at((a + 1) % 4);
+    largest = std::max(largest, first.cross(second).norm());
+  }
+  const double volume = std::abs(
+      (at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0)));  // six times
+  return volume > 0.0 ? longest * largest / volume : HUGE_VAL;
+}
+
+/// Whether 95 % of the cells are tetrahedra that are not long: of them degree 2
+/// has bending and twisting, and what kFirst says holds.
+bool has_compact_tetrahedra(const mesh::PartMesh<3>& mesh) {
+  constexpr double kLong = 5.0;
+  if (mesh.shape != mesh::CellShape::kSimplex) return false;
+  const auto compact = std::ranges::count_if(mesh.cells, [&](const auto& cell) {
+    return slenderness(mesh, cell) < kLong;
+  });
+  return static_cast<double>(compact) >=
+         0.95 * static_cast<double>(mesh.cells.size());
+}
+
 /// Climbs the degrees until the limit is decided, by two at least: of the first
-/// thin cells may lock by any factor.
+/// thin cells may lock by any factor. Compact tetrahedra do not; where no
+/// factor is found with them that is enough.
 BucklingCheck climb(const PartJob& job, const BucklingModel& model,
                     std::vector<Candidate> candidates) {
   const double wanted = part::wanted_buckling_factor(job.part.limits);
@@ -182,7 +218,9 @@ BucklingCheck climb(const PartJob& job, const BucklingModel& model,
       continue;
     }
     check.result.remark.clear();
-    if (before && is_decided(check.result, wanted)) return check;
+    const bool is_enough =
+        before || (!check.shape && has_compact_tetrahedra(job.mesh));
+    if (is_enough && is_decided(check.result, wanted)) return check;
     before = check.result.factor;
   }
   return check;

@@ -96,6 +96,12 @@ class StressedPart {
     return holds_.empty() ? u : holds_[hold].project(u);
   }
 
+  /// Y of a displacement, whatever rigid motion is in it: Fᵀ φ = F⁻¹ K φ.
+  MatrixXd unknowns(const MatrixXd& u) const {
+    return factor_->solve_lower(
+        restrict_rows(stiffness_.multiply(u), numbers_));
+  }
+
   /// F⁻¹ (sign · S) F⁻ᵀ: K⁻¹ S as it acts on Y, without a product with K.
   /// @param matrix  S, of nodes; outlives the operator.
   dynamics::SelfAdjoint answer_to(const MassMatrix& matrix, double sign,
@@ -207,11 +213,11 @@ struct Yield {
   MatrixXd shapes;    ///< unknowns of the largest few, the largest first
 };
 
+/// @param fewest  times that the stresses are applied to the start.
 Yield largest_yield(const StressedPart& part, std::size_t hold, Index instant,
-                    const MatrixXd& start) {
+                    const MatrixXd& start, int fewest) {
   constexpr double kTolerance = 3e-4;  // λ has its square as error
   constexpr int kMostSteps = 40;
-  constexpr int kFewest = 2;
   const MassMatrix geometric = part.stress().stiffness(
       part.stiffness(), part.coefficients().col(instant));
   dynamics::BlockKrylov space(part.answer_to(geometric, -1.0, hold), start, {});
@@ -223,7 +229,7 @@ Yield largest_yield(const StressedPart& part, std::size_t hold, Index instant,
     const bool is_low = theta + rest < 1.0 / kHighestFactor;
     const bool settled = rest < kTolerance * theta;
     const bool is_last = space.is_closed() || step == kMostSteps;
-    if (!is_last && (step < kFewest || !(settled || is_low))) continue;
+    if (!is_last && (step < fewest || !(settled || is_low))) continue;
     const Index n = std::min<Index>(2, space.size());
     return {theta, rest / std::abs(theta),
             space.basis() * ritz.vectors.leftCols(n)};
@@ -238,6 +244,63 @@ VectorXd to_unit(VectorXd shape) {
   return largest > 0.0 ? VectorXd(shape / largest) : shape;
 }
 
+/// A shape at the nodes of another degree on the same cells.
+VectorXd carried_over(const KnownShape& known, const Discretization<3>& to) {
+  const Discretization<3>& from = known.discretization;
+  const auto table = tabulate_displacement<3>(
+      to.shape, from.displacement_degree(),
+      displacement_support_points<3>(to.shape, to.displacement_degree()));
+  VectorXd result(to.dofs());
+  for (std::size_t c = 0; c < to.cell_nodes.size(); ++c) {
+    Eigen::Matrix3Xd values(3, table.values.cols());
+    for (Index i = 0; i < values.cols(); ++i) {
+      values.col(i) = known.shape.segment<3>(
+          3 * from.cell_nodes[c][static_cast<std::size_t>(i)]);
+    }
+    const Eigen::Matrix3Xd here = values * table.values.transpose();
+    for (Index i = 0; i < here.cols(); ++i) {
+      result.segment<3>(3 * to.cell_nodes[c][static_cast<std::size_t>(i)]) =
+          here.col(i);
+    }
+  }
+  return result;
+}
+
+/// A shape that is known, and others at random beside it.
+MatrixXd start_near(const StressedPart& part, const VectorXd& shape) {
+  MatrixXd start =
+      start_block(part.equations(), std::min(kBlock, part.equations()));
+  start.col(0) = part.unknowns(shape);
+  return start.colwise().normalized();
+}
+
+/// Puts an instant's shape in the place of what was the best.
+void take(const StressedPart& part, const Yield& yield, Index instant,
+          BucklingMode& best) {
+  best.instant = instant;
+  best.residual = yield.residual;
+  best.shape = to_unit(part.shapes(yield.shapes.leftCols(1), best.hold));
+  best.is_above = !(yield.value > 1.0 / kHighestFactor);
+  best.factor = best.is_above ? kHighestFactor : 1.0 / yield.value;
+}
+
+BucklingMode none_below() {
+  BucklingMode none;
+  none.is_above = true;
+  none.factor = kHighestFactor;
+  return none;
+}
+
+/// The largest 1/λ of one instant with one hold, from a shape that is near.
+BucklingMode lowest_near(const StressedPart& part, const VectorXd& shape) {
+  constexpr int kFewest = 4;  // for the random ones to come near
+  BucklingMode best = none_below();
+  const Yield yield =
+      largest_yield(part, 0, 0, start_near(part, shape), kFewest);
+  if (yield.value > 0.0) take(part, yield, 0, best);
+  return best;
+}
+
 /// The largest 1/λ of all instants with one hold.
 /// @param yielding  shapes that are tried at first; serve all holds.
 BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
@@ -245,10 +308,9 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
   constexpr double kGain = 1.0 + 1e-3;
   // By trial factors are too high, of shapes near the right ones little.
   constexpr double kFarAbove = 0.1 / kHighestFactor;
-  BucklingMode best;
+  constexpr int kFewest = 2;
+  BucklingMode best = none_below();
   best.hold = hold;
-  best.is_above = true;
-  best.factor = kHighestFactor;
   TrialSpace space(part, hold, yielding);
   std::set<Index> solved;
   double largest = 0.0;
@@ -271,18 +333,14 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
       break;
     }
     const Yield yield =
-        largest_yield(part, hold, next, space.best(next, kBlock));
+        largest_yield(part, hold, next, space.best(next, kBlock), kFewest);
     solved.insert(next);
     space.add(yield.shapes);
     if (yield.value > largest) {
       largest = yield.value;
-      best.instant = next;
-      best.residual = yield.residual;
-      best.shape = to_unit(part.shapes(yield.shapes.leftCols(1), hold));
+      take(part, yield, next, best);
     }
   }
-  best.is_above = !(largest > 1.0 / kHighestFactor);
-  best.factor = best.is_above ? kHighestFactor : 1.0 / largest;
   return best;
 }
 
@@ -290,11 +348,10 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
 
 BucklingMode lowest_buckling(const BucklingProblem& problem) {
   const StressedPart part(problem);
-  if (part.coefficients().rows() == 0) {  // nothing stresses it
-    BucklingMode none;
-    none.is_above = true;
-    none.factor = kHighestFactor;
-    return none;
+  if (part.coefficients().rows() == 0) return none_below();  // not stressed
+  if (problem.known != nullptr && part.instants() == 1 && part.holds() == 1) {
+    return lowest_near(part,
+                       carried_over(*problem.known, problem.discretization));
   }
   const MatrixXd yielding = yielding_shapes(part, 0);
   BucklingMode lowest = lowest_with(part, 0, yielding);

@@ -15,6 +15,12 @@
 
 namespace clevis::elasticity {
 
+/// A shape that buckles the part, by another degree on the same cells.
+struct KnownShape {
+  Discretization<3> discretization;
+  Eigen::VectorXd shape;  ///< its dofs
+};
+
 /// A part and the loads that may buckle it.
 struct BucklingProblem {
   Discretization<3> discretization;
@@ -27,6 +33,8 @@ struct BucklingProblem {
   std::vector<std::vector<std::string>> holds;
   std::string name;               ///< of the part, for messages
   part::Foundations foundations;  ///< elastic beds under faces
+  /// Of one instant with one hold: near to what is sought. Null: none is known.
+  const KnownShape* known = nullptr;
 };
 
 /// The lowest positive λ of K φ = −λ K_G φ over all instants and holds.
@@ -46,7 +54,8 @@ inline constexpr double kHighestFactor = 100.0;
 /// direction while the part moves. One factorisation. The instant that governs
 /// is sought in the space of the shapes that yield most to any stress and of
 /// those found so far, then solved for; until no other instant has a lower
-/// factor in that space.
+/// factor in that space. From a known shape, and others at random should its
+/// degree have missed one, nothing else is tried.
 ///
 /// @throws Error F001, F002, F004, L002, M003, M005.
 BucklingMode lowest_buckling(const BucklingProblem& problem);

@@ -9,7 +9,7 @@
 #include <petscksp.h>
 
 #include "base/errors.h"
-#include "elasticity/algebra/petsc_session.h"
+#include "elasticity/engine_library/petsc_session.h"
 
 namespace clevis::elasticity {
 

@@ -1,23 +1,8 @@
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
-#include <Eigen/Core>
-
-#include "elasticity/assembly/foundation.h"
-#include "elasticity/fe_space/discretization.h"
-#include "part/material.h"
+#include "elasticity/dealii/dealii_engine.h"
 
 namespace clevis::elasticity {
-
-/// Effort of a solve, largest over the columns.
-struct DealiiReport {
-  int iterations{};     ///< conjugate gradients, all sweeps
-  double correction{};  ///< of the last sweep over the solution [1]
-  int levels{};         ///< degrees of the multigrid
-};
 
 /// Whether the deal.II engine can take a part: tensor cells of one degree in
 /// all directions.

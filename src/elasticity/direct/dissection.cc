@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "elasticity/direct/front_merging.h"
+#include "elasticity/direct/node_groups.h"
 #include "elasticity/direct/separator.h"
 
 namespace clevis::elasticity {
@@ -137,6 +139,12 @@ class Dissector {
 
 template <int dim>
 Dissection dissect(const Discretization<dim>& discretization) {
+  if (discretization.shape == mesh::CellShape::kSimplex) {
+    const auto groups =
+        grouped_nodes(discretization.cell_nodes, discretization.nodes);
+    const auto adjacent = neighbours(groups);
+    return fronts_of(groups, adjacent, metis_order(groups, adjacent));
+  }
   return Dissector<dim>(discretization).run();
 }
 

@@ -4,16 +4,15 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/LU>
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/tria.h>
 
 #include "base/errors.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/fe_space/simplex_numbering.h"
+#include "elasticity/fe_space/tensor_numbering.h"
+#include "mesh/cells/cell_orientation.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -21,27 +20,8 @@ namespace {
 using mesh::CellShape;
 using mesh::PartMesh;
 
-template <int dim>
-void build_triangulation(const PartMesh<dim>& mesh,
-                         dealii::Triangulation<dim>& triangulation) {
-  std::vector<dealii::Point<dim>> vertices;
-  for (const auto& vertex : mesh.vertices) {
-    dealii::Point<dim> point;
-    for (int d = 0; d < dim; ++d) point[static_cast<unsigned>(d)] = vertex[d];
-    vertices.push_back(point);
-  }
-  std::vector<dealii::CellData<dim>> cells;
-  for (const auto& ids : mesh.cells) {
-    dealii::CellData<dim> cell(static_cast<unsigned>(ids.size()));
-    cell.vertices = ids;
-    cells.push_back(cell);
-  }
-  dealii::GridTools::consistently_order_cells(cells);
-  triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
-}
-
-/// How deal.II's orientation of a cell lies in the mesh's: its direction d is
-/// the mesh's direction axis[d], reversed if flip[d].
+/// How a cell that was turned lies in the mesh's: its direction d is the mesh's
+/// direction axis[d], reversed if flip[d].
 template <int dim>
 struct Orientation {
   std::array<int, dim> axis{};
@@ -50,7 +30,7 @@ struct Orientation {
 
 template <int dim>
 Orientation<dim> orientation(const std::vector<unsigned>& mesh_vertices,
-                             const std::array<unsigned, 1U << dim>& vertices) {
+                             const std::vector<unsigned>& vertices) {
   const auto corner = [&](unsigned vertex) {
     return static_cast<unsigned>(std::ranges::find(mesh_vertices, vertex) -
                                  mesh_vertices.begin());
@@ -99,47 +79,24 @@ int permute_face(int mesh_face, const Orientation<dim>& to_mesh) {
   return -1;
 }
 
-template <int dim>
-void take_cell(const typename dealii::DoFHandler<dim>::active_cell_iterator& at,
-               const PartMesh<dim>& mesh, const Eigen::MatrixXd& to_degree,
-               std::vector<Orientation<dim>>& orientations,
-               Discretization<dim>& result) {
-  const unsigned c = at->active_cell_index();
-  std::vector<dealii::types::global_dof_index> indices(
-      at->get_fe().n_dofs_per_cell());
-  at->get_dof_indices(indices);
-  result.cell_nodes[c].assign(indices.begin(), indices.end());
-  std::array<unsigned, 1U << dim> vertices{};
-  for (unsigned v = 0; v < vertices.size(); ++v) {
-    vertices[v] = at->vertex_index(v);
-  }
-  orientations[c] = orientation<dim>(mesh.cells[c], vertices);
-  result.cell_points[c] =
-      permute_points<dim>(mesh.cell_points[c], mesh.degree, orientations[c]) *
-      to_degree;
-  for (unsigned v = 0; v < at->n_vertices(); ++v) {
-    result.vertex_nodes[at->vertex_index(v)] =
-        static_cast<int>(at->vertex_dof_index(v, 0));
-  }
-}
-
-/// Numbers the nodes by deal.II and takes its orientation of the cells.
+/// Numbers the nodes and turns the cells.
 template <int dim>
 void add_tensor_cells(const PartMesh<dim>& mesh,
                       const Eigen::MatrixXd& to_degree,
                       Discretization<dim>& result) {
-  dealii::Triangulation<dim> triangulation;
-  build_triangulation(mesh, triangulation);
-  dealii::DoFHandler<dim> handler(triangulation);
-  handler.distribute_dofs(
-      dealii::FE_Q<dim>(static_cast<unsigned>(result.degree)));
-  result.nodes = static_cast<int>(handler.n_dofs());
-  result.cell_nodes.resize(mesh.cells.size());
-  result.cell_points.resize(mesh.cells.size());
-  result.vertex_nodes.assign(mesh.vertices.size(), -1);
-  std::vector<Orientation<dim>> orientations(mesh.cells.size());
-  for (const auto& cell : handler.active_cell_iterators()) {
-    take_cell<dim>(cell, mesh, to_degree, orientations, result);
+  auto cells = mesh.cells;
+  mesh::orient_cells<dim>(cells);
+  TensorNumbering numbering =
+      number_tensor_cells<dim>(cells, mesh.vertices.size(), result.degree);
+  result.nodes = numbering.nodes;
+  result.cell_nodes = std::move(numbering.cell_nodes);
+  result.vertex_nodes = std::move(numbering.vertex_nodes);
+  std::vector<Orientation<dim>> orientations;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    orientations.push_back(orientation<dim>(mesh.cells[c], cells[c]));
+    result.cell_points.emplace_back(
+        permute_points<dim>(mesh.cell_points[c], mesh.degree, orientations[c]) *
+        to_degree);
   }
   for (const auto& face : mesh.boundary) {
     if (face.group < 0) continue;

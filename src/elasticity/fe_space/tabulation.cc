@@ -2,9 +2,8 @@
 
 #include <array>
 
-#include <deal.II/fe/fe_tools.h>
-
 #include "elasticity/fe_space/simplex_tabulation.h"
+#include "mesh/basis/cell_parts.h"
 #include "mesh/basis/simplex_basis.h"
 #include "mesh/basis/tensor_basis.h"
 
@@ -40,8 +39,7 @@ std::vector<unsigned> displacement_order(Degree degree) {
   if (dim == 3 && degree.plane != degree.thickness) {
     return identity(size(degrees<dim>(degree)));
   }
-  return dealii::FETools::hierarchic_to_lexicographic_numbering<dim>(
-      static_cast<unsigned>(degree.plane));
+  return mesh::lexicographic_numbers<dim>(degree.plane);
 }
 
 /// Calls f(index, digits) with the digits of every lexicographic index.

@@ -19,9 +19,6 @@ namespace {
 
 constexpr double kBalanceTolerance = 1e-9;
 constexpr double kSmallestLoadRatio = 1e-3;
-// A mesh with exact geometry has the area of the cylinder to 1e-6; a bore
-// that is open on one side misses far more.
-constexpr double kFullCylinderTolerance = 0.02;
 
 struct LoadScale {
   double force{};   // [N]

@@ -8,6 +8,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "loads/history/balance.h"
+
 namespace clevis::loads {
 
 using Eigen::Index;
@@ -39,7 +41,6 @@ WallMoments full_wall(const part::Bore& bore) {
 
 WallMoments wall_of(const part::Bore& bore, const Matrix3Xd& points,
                     const Eigen::VectorXd& weights) {
-  constexpr double kFull = 0.02;  // as balance.cc has it
   const Eigen::RowVectorXd height =
       bore.axis_L.transpose() * (points.colwise() - bore.p_LC);
   const Eigen::VectorXd share =
@@ -47,7 +48,8 @@ WallMoments wall_of(const part::Bore& bore, const Matrix3Xd& points,
   const WallMoments found{.length = share.sum(),
                           .first = height.dot(share),
                           .second = height.cwiseAbs2().dot(share)};
-  return std::abs(found.length - bore.length) <= kFull * bore.length
+  return std::abs(found.length - bore.length) <=
+                 kFullCylinderTolerance * bore.length
              ? full_wall(bore)
              : found;
 }

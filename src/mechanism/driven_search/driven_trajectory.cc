@@ -26,8 +26,7 @@ double fastest(const Instant& instant) {
 DrivenTrajectory::DrivenTrajectory(const MechanismDefinition& definition,
                                    const SimulationSettings& settings,
                                    DrivenMotion& motion)
-    : definition_(definition),
-      settings_(settings),
+    : settings_(settings),
       motion_(motion),
       loads_(definition, motion.model().frame.length),
       guards_(motion.instants().forces()) {}

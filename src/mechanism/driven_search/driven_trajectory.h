@@ -68,7 +68,6 @@ class DrivenTrajectory {
   ForceState forces_between(At left, double t);
   void turn_often(At left, std::size_t most);
 
-  const MechanismDefinition& definition_;
   const SimulationSettings& settings_;
   DrivenMotion& motion_;
   BodyLoads loads_;

@@ -38,11 +38,14 @@ void refuse_massless(const MechanismDefinition& definition) {
 Motion integrate_motion(const MechanismDefinition& definition,
                         const SimulationSettings& settings) {
   refuse_massless(definition);
-  if (!settings.at_peaks) return DynamicRun(definition, settings).run();
+  TimeLimit limit(settings.max_time, settings.duration,
+                  settings.at_peaks ? 2 : 1);
+  if (!settings.at_peaks) return DynamicRun(definition, settings, limit).run();
   // the same run twice: the first tells when loads are largest
-  DynamicRun first(definition, settings);
+  DynamicRun first(definition, settings, limit);
   first.watch();
   const Motion found = first.run();
+  limit.end_pass();
   std::vector<double> others = first.peaks().times();
   BesideChangePoints beside{{}, settings.duration / (settings.instants - 1)};
   for (const ChangePoint& point : found.change_points) {
@@ -54,7 +57,7 @@ Motion integrate_motion(const MechanismDefinition& definition,
   const std::vector<double> bends = instants_of_laws(
       law_times(definition, settings.duration, 0.0), settings.duration);
   others.insert(others.end(), bends.begin(), bends.end());
-  DynamicRun second(definition, settings, others);
+  DynamicRun second(definition, settings, limit, others);
   second.refine(first.peaks().largest(), beside);
   return second.run();
 }

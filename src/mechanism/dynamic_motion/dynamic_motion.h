@@ -9,7 +9,8 @@ namespace clevis::mechanism {
 /// or the initial velocities, by integration in time.
 ///
 /// @throws Error K001 (does not assemble), K003 (drives contradict), K007
-///   (initial velocities contradict), K008 (no step short enough).
+///   (initial velocities contradict), K008 (no step short enough), K013 (takes
+///   too long).
 Motion integrate_motion(const MechanismDefinition& definition,
                         const SimulationSettings& settings);
 

@@ -11,7 +11,7 @@
 namespace clevis::mechanism {
 
 DynamicRun::DynamicRun(const MechanismDefinition& definition,
-                       const SimulationSettings& settings,
+                       const SimulationSettings& settings, TimeLimit& limit,
                        const std::vector<double>& others)
     : model_(definition, settings),
       equations_(model_.equations),
@@ -22,7 +22,7 @@ DynamicRun::DynamicRun(const MechanismDefinition& definition,
       integrator_(definition, model_.frame, model_.dynamics,
                   settings.integrator),
       energy_(model_),
-      guards_(model_, change_points_, integrator_),
+      guards_(model_, change_points_, integrator_, limit),
       instants_(model_, change_points_, integrator_, energy_, guards_, others),
       events_(equations_, definition),
       impacts_(equations_) {}
@@ -75,7 +75,7 @@ Motion DynamicRun::run() {
 /// One step, or its part up to the first event.
 void DynamicRun::go_on(double limit) {
   if (!integrator_.step(limit)) guards_.refuse_stuck();
-  guards_.require_few_evaluations();
+  guards_.require_in_time();
   const EventFinder::Event event = events_.find(integrator_);
   const double until = event.index < 0 ? integrator_.t() : event.t;
   if (peaks_) peaks_->look(integrator_, until);

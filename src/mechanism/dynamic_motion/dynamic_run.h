@@ -9,6 +9,7 @@
 #include "mechanism/dynamic_motion/dynamic_change_points.h"
 #include "mechanism/dynamic_motion/dynamic_instants.h"
 #include "mechanism/dynamic_motion/motion_guards.h"
+#include "mechanism/dynamic_motion/time_limit.h"
 #include "mechanism/events/event_finder.h"
 #include "mechanism/events/impact_recorder.h"
 #include "mechanism/events/reaction_peaks.h"
@@ -24,9 +25,10 @@ namespace clevis::mechanism {
 /// [s].
 class DynamicRun {
  public:
-  /// @param others  instants besides the uniform ones.
+  /// @param limit  outlives this. @param others  instants besides the uniform
+  ///   ones.
   DynamicRun(const MechanismDefinition& definition,
-             const SimulationSettings& settings,
+             const SimulationSettings& settings, TimeLimit& limit,
              const std::vector<double>& others = {});
 
   Motion run();

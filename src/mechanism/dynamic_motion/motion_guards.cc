@@ -10,6 +10,7 @@
 #include "base/index.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/drives/drive_law.h"
+#include "mechanism/dynamic_motion/fastest_rate.h"
 #include "mechanism/forces/element_modes.h"
 #include "mechanism/reactions/reaction_friction.h"
 
@@ -119,18 +120,23 @@ void MotionGuards::refuse_stuck() {
              : "Look for forces or lengths of a wrong order of size.");
 }
 
-void MotionGuards::require_few_evaluations() const {
-  constexpr long kMost = 20'000'000;
+void MotionGuards::require_in_time() {
+  constexpr long kLook = 16;  // steps: the clock is a system call
+  if (++steps_ % kLook != 0 || !limit_.is_over(integrator_.t())) return;
   const numerics::StepCounts& counts = integrator_.counts();
-  if (counts.evaluations < kMost) return;
+  const FastestRate fastest =
+      fastest_rate(model_, integrator_.t(), integrator_.y());
   throw Error(
-      "K008", "mechanism",
-      fmt::format("{} evaluations in {} steps by {} have only reached "
-                  "t = {:.9g} s of {:.9g} s",
-                  counts.evaluations, counts.steps, integrator_.method(),
-                  integrator_.t(), model_.settings.duration),
-      "Ask for a shorter motion or a looser tolerance, soften what is "
-      "stiff, or try another `integrator`.");
+      "K013", "mechanism",
+      fmt::format(
+          "{:.2g} s of processor time and {} steps by {} have reached t = "
+          "{:.6g} s of {:.6g} s, forecast {:.2g} s in all, {:.4g} s are "
+          "allowed; fastest is {} ({:.2g} 1/s)",
+          limit_.used(), counts.steps, integrator_.method(), integrator_.t(),
+          model_.settings.duration, limit_.forecast(), limit_.limit(),
+          fastest.what, fastest.rate),
+      "Look there for a value of a wrong order of size. If it is meant: a "
+      "shorter motion, a looser tolerance, or more --max-time.");
 }
 
 }  // namespace clevis::mechanism

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "mechanism/dynamic_motion/dynamic_change_points.h"
+#include "mechanism/dynamic_motion/time_limit.h"
 #include "mechanism/integration/dynamic_model.h"
 #include "mechanism/integration/motion_integrator.h"
 
@@ -11,10 +12,14 @@ namespace clevis::mechanism {
 /// Guards that end an integrated motion early. Times [s].
 class MotionGuards {
  public:
-  /// @param model, change_points, integrator  of the run; outlive this.
+  /// @param model, change_points, integrator  of the run; outlive this, as does
+  ///   limit.
   MotionGuards(DynamicModel& model, const DynamicChangePoints& change_points,
-               const MotionIntegrator& integrator)
-      : model_(model), change_points_(change_points), integrator_(integrator) {}
+               const MotionIntegrator& integrator, TimeLimit& limit)
+      : model_(model),
+        change_points_(change_points),
+        integrator_(integrator),
+        limit_(limit) {}
 
   /// Notes an event. @return whether too many follow one another too closely.
   bool are_events_crowded(double t);
@@ -32,9 +37,9 @@ class MotionGuards {
   /// Friction at rest holds, friction that slips resists.
   /// @param y  at the end of the integrator's step. @throws Error K012.
   void require_resisting_friction(const Eigen::VectorXd& y);
-  /// A motion that would take hours is refused with what it is stuck at.
-  /// @throws Error K008.
-  void require_few_evaluations() const;
+  /// A motion that takes too long, or would, is refused with what keeps its
+  /// steps short. @throws Error K013.
+  void require_in_time();
 
  private:
   struct WeakestRows {
@@ -46,6 +51,8 @@ class MotionGuards {
   DynamicModel& model_;
   const DynamicChangePoints& change_points_;
   const MotionIntegrator& integrator_;
+  TimeLimit& limit_;
+  long steps_ = 0;
   int crowded_events_ = 0;
   double last_event_ = -1.0;
 };

@@ -119,9 +119,18 @@ void add_deflection(TextTable& table, const PartResult& part) {
       millimetres(part.deflection_low), millimetres(part.deflection_high)));
 }
 
-void add_reasons(TextTable& table, const PartResult& part) {
+/// Whether the engine is worth a line: it was asked for, or it may well have
+/// been the other.
+bool tells_engine(const PartResult& part, const std::string& asked) {
+  constexpr int kManyUnknowns = 100000;
+  return !part.engine_why.empty() && (asked != "auto" || part.engine != "own" ||
+                                      part.dofs >= kManyUnknowns);
+}
+
+void add_reasons(TextTable& table, const PartResult& part,
+                 const std::string& engine_asked) {
   if (!part.stopped_because.empty()) table.add_note(part.stopped_because);
-  if (!part.engine_why.empty()) {
+  if (tells_engine(part, engine_asked)) {
     table.add_note(fmt::format("engine {}: {}", part.engine, part.engine_why));
   }
   if (part.peak.verdict != PeakVerdict::kConverged) {
@@ -218,7 +227,7 @@ std::string check_table(const CheckReport& report, Colour colour) {
     add_deflection(table, part);
     add_zones(table, part);
     add_pin_reactions(table, part);
-    add_reasons(table, part);
+    add_reasons(table, part, report.inputs.engine);
   }
   for (const PartFailure& failure : report.failures) {
     table.add_note(fmt::format("{}: not computed: {} {}", failure.name,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "report/page/page_assets.h"
+#include "report/page/watch_mark.h"
 #include "report/text/atomic_file.h"
 #include "report/text/markup.h"
 
@@ -15,16 +16,16 @@ std::string data_element(std::string_view id, std::string_view json) {
       escape_json_for_html(json));
 }
 
-std::string head(const std::string& title) {
+std::string head(const std::string& title, const char* pictures) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src "
-      "'none'; {}; img-src data:; base-uri 'none'; form-action 'none'\">\n"
+      "'none'; {}; img-src {}; base-uri 'none'; form-action 'none'\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, "
       "initial-scale=1\">\n"
       "<title>{}</title>\n<link rel=\"icon\" href=\"data:,\">\n"
       "<style>{}</style>\n</head>\n",
-      viewer_policy(), escape_markup(title), viewer_style());
+      viewer_policy(), pictures, escape_markup(title), viewer_style());
 }
 
 }  // namespace
@@ -42,8 +43,8 @@ std::string escape_json_for_html(std::string_view json) {
   return escaped;
 }
 
-std::string report_page(const StoredPage& page) {
-  std::string html = head(page.title);
+std::string report_page(const StoredPage& page, std::optional<int> watch_run) {
+  std::string html = head(page.title, watch_run ? "data: file:" : "data:");
   html +=
       "<body>\n<div id=\"report\"><noscript>This report needs JavaScript; it "
       "loads nothing from elsewhere. Its numbers also stand in result.json."
@@ -53,15 +54,20 @@ std::string report_page(const StoredPage& page) {
   for (std::size_t p = 0; p < page.parts.size(); ++p) {
     html += data_element(fmt::format("part-{}", p), page.parts[p]);
   }
+  if (watch_run) {
+    html += data_element("watch", fmt::format(R"({{"run":{},"mark":"{}"}})",
+                                              *watch_run, kWatchMark));
+  }
   html +=
       fmt::format("<script>{}</script>\n</body>\n</html>\n", viewer_script());
   return html;
 }
 
 std::filesystem::path write_report(const std::filesystem::path& folder,
-                                   ResultKind kind) {
+                                   ResultKind kind,
+                                   std::optional<int> watch_run) {
   const std::filesystem::path file = folder / "report.html";
-  write_file(file, report_page(read_result_folder(folder, kind)));
+  write_file(file, report_page(read_result_folder(folder, kind), watch_run));
   return file;
 }
 

@@ -74,6 +74,24 @@ void add_freedom(const MechanismDefinition& definition, const Motion& motion,
           : "If a drive was forgotten, add it; else say motion = \"dynamic\""));
 }
 
+/// Bodies that no joint holds, where others are held.
+void add_unjoined(const MechanismDefinition& definition,
+                  std::vector<std::string>& notes) {
+  if (definition.joints.empty()) return;
+  for (std::size_t b = 0; b < definition.bodies.size(); ++b) {
+    const bool is_joined =
+        std::ranges::any_of(definition.joints, [&](const auto& joint) {
+          return joint.body_a == static_cast<int>(b) ||
+                 joint.body_b == static_cast<int>(b);
+        });
+    if (is_joined) continue;
+    notes.push_back(
+        fmt::format("body {} has no joint, forces alone move it: join it, or "
+                    "leave it out if that is not meant",
+                    definition.bodies[b].name));
+  }
+}
+
 /// Lengths of the mechanism's order, by its joints [m].
 double extent(const MechanismDefinition& definition) {
   double length = 0.0;
@@ -145,6 +163,7 @@ std::vector<std::string> motion_notes(const MechanismDefinition& definition,
                                       const Motion& motion) {
   std::vector<std::string> notes;
   add_freedom(definition, motion, notes);
+  add_unjoined(definition, notes);
   add_assembly(definition, motion, notes);
   add_search(motion, notes);
   return notes;

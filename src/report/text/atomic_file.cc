@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 #include <random>
 #include <regex>
 #include <string>
@@ -14,6 +15,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "base/interrupts.h"
 
 namespace clevis::report {
 namespace {
@@ -73,10 +75,21 @@ class TemporaryFile {
   }
 
  private:
+  DeferredInterrupt deferred_;
   std::filesystem::path target_, path_;
   int descriptor_ = -1;
   bool published_ = false;
 };
+
+/// Whether a process has ended, also if nobody has asked how (a zombie).
+bool is_gone(int process) {
+  if (::kill(process, 0) != 0) return errno == ESRCH;
+  std::ifstream stat(fmt::format("/proc/{}/stat", process));
+  std::string line;
+  std::getline(stat, line);
+  const std::size_t name_end = line.rfind(')');
+  return name_end != line.npos && line.substr(name_end).starts_with(") Z");
+}
 
 /// Whether the file is the temporary one of a process that is gone.
 bool is_left_over(const std::string& name) {
@@ -84,7 +97,7 @@ bool is_left_over(const std::string& name) {
       R"(\.([A-Za-z0-9._-]{1,64})\.(\d{1,9})-[0-9a-f]{8}\.tmp)");
   std::smatch match;
   if (!std::regex_match(name, match, kPattern)) return false;
-  return ::kill(std::stoi(match[2]), 0) != 0 && errno == ESRCH;
+  return is_gone(std::stoi(match[2]));
 }
 
 /// Makes the rename itself survive a power cut. Not every file system allows
@@ -116,6 +129,13 @@ void write_file(const std::filesystem::path& file, std::string_view content) {
   }
   const std::filesystem::path target = std::filesystem::absolute(file);
   std::error_code failure;
+  const auto before = std::filesystem::status(target, failure);
+  if (std::filesystem::exists(before) &&
+      !std::filesystem::is_regular_file(before)) {
+    refuse(target, "write file",
+           std::filesystem::is_directory(before) ? std::strerror(EISDIR)
+                                                 : "it is a device or pipe");
+  }
   std::filesystem::create_directories(target.parent_path(), failure);
   if (failure) refuse(target.parent_path(), "create folder", failure.message());
   TemporaryFile temporary(target);

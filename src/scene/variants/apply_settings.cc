@@ -39,7 +39,13 @@ toml::table value_table(const Setting& setting) {
     if (table.size() == 1) return table;
   } catch (const toml::parse_error&) {
   }
-  return parsed(quoted(setting.value), setting.place);
+  try {
+    return parsed(quoted(setting.value), setting.place);
+  } catch (const toml::parse_error& failure) {
+    throw Error("S001", setting.place,
+                fmt::format("the value is no text: {}", failure.description()),
+                "Write it in UTF-8, without line breaks.");
+  }
 }
 
 /// The name by which the scene knows an entry of a list.

@@ -93,6 +93,36 @@ TEST(Buckling, ColumnFixedAndFree) {
   EXPECT_NEAR(mode.factor / euler_factor(kSteel, 2.0), 1.0, kTolerance);
 }
 
+// From the shape of a lower degree, and from one that buckles nothing: the
+// other shapes of the start must find the way.
+TEST(Buckling, AKnownShapeLeadsToTheSameFactor) {
+  const auto mesh = box({10, 1, 1}, kColumn);
+  const auto history = pressed_column();
+  const part::Supports fixed = {{"x0", kAll}};
+  const auto low = buckling(mesh, 2, kSteel, history, fixed);
+  const auto direct = buckling(mesh, 3, kSteel, history, fixed);
+  const auto coarse = discretize<3>(mesh, 2);
+  Eigen::VectorXd along = Eigen::VectorXd::Zero(coarse.dofs());
+  for (Eigen::Index row = 0; row < along.size(); row += 3) {
+    along[row] = std::abs(low.shape[row + 2]);
+  }
+  for (const Eigen::VectorXd& shape : {low.shape, along}) {
+    const KnownShape known{coarse, shape};
+    const auto mode = lowest_buckling({discretize<3>(mesh, 3),
+                                       kSteel,
+                                       history,
+                                       fixed,
+                                       {{}},
+                                       "box",
+                                       {},
+                                       &known});
+    EXPECT_NEAR(mode.factor / direct.factor, 1.0, 1e-6);
+    EXPECT_NEAR(std::abs(mode.shape.dot(direct.shape)) /
+                    (mode.shape.norm() * direct.shape.norm()),
+                1.0, 1e-4);
+  }
+}
+
 TEST(Buckling, ColumnFixedAndPinned) {
   constexpr double kRoot = 4.493409457909064;  // tan x = x
   const auto mode =

@@ -11,8 +11,10 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "assessment/models/solid_model.h"
 #include "base/errors.h"
 #include "support/annulus_mesh.h"
+#include "support/simplex_mesh.h"
 #include "support/source_dir.h"
 
 namespace clevis::assessment {
@@ -152,6 +154,35 @@ TEST(ModelList, ImpactsVibrationAndModesTakeModelsThatAnswerInTime) {
   set.history = {};  // modes have no loads
   set.fixed["x1"] = {true, true, false};
   EXPECT_EQ(finest(), "plane-stress");
+}
+
+// Nested dissection of a cube of n³ nodes takes some 10 n⁶ products of blocks
+// of 3 x 3: 2e12 of 13³ · 6 tetrahedra of degree 4, 7e9 of 4³ · 6.
+TEST(SolidModel, LeavesOutADegreeOfManyTetrahedraThatWouldTakeMinutes) {
+  const auto cube = [](int n) {
+    PartJob job;
+    job.mesh = support::simplex_mesh<3>({n, n, n}, 1, [](const Vector3d& x) {
+      return x;
+    });
+    return job;
+  };
+  const auto model_of = [](const PartJob& job) {
+    return std::get<FeModel<3>>(solid_model(PartShape(job), {}));
+  };
+  const PartJob small = cube(4), large = cube(13);
+  EXPECT_EQ(model_of(small).highest_degree, 4);
+  EXPECT_FALSE(model_of(small).remark);
+  const auto model = model_of(large);
+  EXPECT_EQ(model.highest_degree, 3);
+  PartResult result;
+  result.peak.verdict = PeakVerdict::kNotConverged;
+  model.remark(result);
+  EXPECT_NE(result.stopped_because.find("degree 4 is left out"),
+            std::string::npos);
+  result = {};
+  result.peak.verdict = PeakVerdict::kConverged;
+  model.remark(result);
+  EXPECT_EQ(result.stopped_because, "");
 }
 
 }  // namespace

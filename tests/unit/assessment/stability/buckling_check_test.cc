@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/quality/mass_properties.h"
+#include "support/simplex_mesh.h"
 #include "support/structured_mesh.h"
 
 namespace clevis::assessment {
@@ -69,6 +70,38 @@ TEST(BucklingCheck, OtherSharingsLowerTheBand) {
   const auto result = check_buckling(job).result;
   EXPECT_NEAR(result.factor.value(), euler(100e6), 0.01 * euler(100e6));
   EXPECT_NEAR(result.band_low, euler(200e6), 0.02 * euler(200e6));
+}
+
+PartJob column_of_tetrahedra(std::array<int, 3> cells, double pressure) {
+  PartJob job = column(pressure);
+  job.mesh =
+      support::simplex_mesh<3>(cells, 1, [](const Vector3d& x) -> Vector3d {
+        return x.cwiseProduct(Vector3d(kLength, kWidth, kWidth));
+      });
+  return job;
+}
+
+// Far from buckling, degree 2 on cells as long as wide tells enough, on cells
+// eight times as long it does not.
+TEST(BucklingCheck, CompactTetrahedraNeedOneDegreeWhereNothingBuckles) {
+  constexpr double kPressure = 0.5e6;
+  ASSERT_GT(euler(kPressure), 200.0);
+  const auto compact =
+      check_buckling(column_of_tetrahedra({20, 1, 1}, kPressure)).result;
+  EXPECT_EQ(compact.model, "3-D, p = 2");
+  EXPECT_LT(compact.band_low, 100.0 / 2.9);
+  EXPECT_GT(compact.band_low, 30.0);
+  const auto slender =
+      check_buckling(column_of_tetrahedra({3, 1, 1}, kPressure)).result;
+  EXPECT_EQ(slender.model, "3-D, p = 3");
+}
+
+// What is found is still told by two degrees.
+TEST(BucklingCheck, TetrahedraHaveEulersLoadInTheirBand) {
+  const auto result =
+      check_buckling(column_of_tetrahedra({20, 1, 1}, 20e6)).result;
+  EXPECT_NE(result.model, "3-D, p = 2");
+  EXPECT_NEAR(result.factor.value(), euler(20e6), 0.02 * euler(20e6));
 }
 
 }  // namespace

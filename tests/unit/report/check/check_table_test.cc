@@ -90,6 +90,29 @@ TEST(CheckTable, ReasonsStandBelowTheirPart) {
   EXPECT_EQ(lines[11].substr(0, 2), "BC");
 }
 
+TEST(CheckTable, EngineIsToldWhereItWasAskedForOrMayBeTheOther) {
+  CheckReport report = sample_report();
+  report.parts.resize(1);
+  report.inputs.engine = "auto";
+  auto& part = report.parts[0];
+  part.engine = "own";
+  part.engine_why = "cheaper";
+  part.dofs = 99999;
+  const auto told = [&] {
+    return holds(check_table(report, Colour::kNone),
+                 "engine " + part.engine + ": cheaper");
+  };
+  EXPECT_FALSE(told());
+  part.dofs = 100000;
+  EXPECT_TRUE(told());
+  part.dofs = 10;
+  part.engine = "dealii";
+  EXPECT_TRUE(told());
+  part.engine = "own";
+  report.inputs.engine = "own";
+  EXPECT_TRUE(told());
+}
+
 TEST(CheckTable, FailuresAndInterruptionAreTold) {
   CheckReport report = sample_report();
   report.failures.push_back(

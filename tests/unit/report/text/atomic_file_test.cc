@@ -4,6 +4,8 @@
 #include <iterator>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/errors.h"
@@ -74,6 +76,20 @@ TEST(AtomicFile, FailureNamesTheReasonAndLeavesNothing) {
   EXPECT_EQ(entries(folder.path()), 2) << "temporary file left behind";
 }
 
+// As the superuser a rename would replace a device such as /dev/null.
+TEST(AtomicFile, WhatIsNoFileStays) {
+  const TestFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  fs::create_symlink("pipe", folder / "link");
+  for (const char* name : {"pipe", "link"}) {
+    EXPECT_EQ(refusal(folder / name),
+              "I002 cannot write file: it is a device or pipe");
+  }
+  EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(entries(folder.path()), 2);
+}
+
 TEST(AtomicFile, LinkIsReplacedNotFollowed) {
   const TestFolder folder;
   write_file(folder / "other", "untouched");
@@ -106,6 +122,19 @@ TEST(AtomicFile, RemainsOfKilledProcessesAreRemovedAndNothingElse) {
   EXPECT_EQ(entries(folder / "frames"), 1);
   EXPECT_EQ(entries(folder / "sub"), 1);
   EXPECT_NO_THROW(remove_unfinished(folder / "not there"));
+}
+
+TEST(AtomicFile, RemainsOfAProcessThatNobodyAwaitedAreRemoved) {
+  const TestFolder folder;
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  siginfo_t ended{};
+  waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT);
+  std::ofstream(folder / (".AB.vtu." + std::to_string(child) + "-0123abcd.tmp"))
+      << "half";
+  remove_unfinished(folder.path());
+  EXPECT_EQ(entries(folder.path()), 0);
+  waitpid(child, nullptr, 0);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "app/error_output.h"
+#include "app/request/error_output.h"
 
 #include <iostream>
 #include <string>

@@ -1,4 +1,4 @@
-#include "elasticity/algebra/petsc_session.h"
+#include "elasticity/engine_library/petsc_session.h"
 
 #include <cstdlib>
 

@@ -1,7 +1,6 @@
-#include "stress/field/field_output.h"
+#include "stress/output/field_output.h"
 
 #include <regex>
-#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -33,9 +32,7 @@ std::string vtu(const InstantField& field, CellOrder order,
   ScalarField worst{"worst_von_mises", "Pa", {}};
   worst.values = Eigen::MatrixXd::Ones(
       field.points[0].rows(), static_cast<Eigen::Index>(field.points.size()));
-  std::ostringstream out;
-  write_vtu<3>(out, shape, field, {worst}, order, pose);
-  return out.str();
+  return FieldOutput(3, shape, field, {worst}, pose).vtu(order);
 }
 
 int number(const std::string& text, const std::string& attribute) {

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+
+namespace clevis::mechanism {
+
+/// Processor time that an integration may take, and what it is forecast to.
+/// Times in seconds of the processor, but t in seconds of the motion.
+class TimeLimit {
+ public:
+  /// Of this thread [s].
+  static double processor_time();
+
+  /// Starts now. @param limit  [s]. @param passes  over the motion, all alike.
+  TimeLimit(double limit, double duration, int passes,
+            double (*clock)() = processor_time);
+
+  /// The pass at hand has ended.
+  void end_pass();
+  /// Whether the integration is to stop at t: what it has used is above the
+  /// limit, or its forecast is, so far that no error of the forecast matters.
+  bool is_over(double t);
+  double used() const { return clock_() - start_; }  ///< [s]
+  /// Of the whole, as of the last is_over() [s].
+  double forecast() const { return forecast_; }
+  double limit() const { return limit_; }  ///< [s]
+
+ private:
+  double (*clock_)();
+  double limit_, duration_, start_, pass_start_;
+  int passes_left_;
+  /// A time and where the motion stood then: the forecast goes by the progress
+  /// since, for a start may be slow.
+  struct Mark {
+    double used{}, t{};
+  };
+  Mark earlier_, later_;
+  double forecast_{};
+};
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,39 @@
+#include "report/picture/stored_surface.h"
+
+#include "base/errors.h"
+#include "report/page/stored_numbers.h"
+
+namespace clevis::report {
+
+Surface stored_surface(const JsonNode& view, std::size_t frame) {
+  Surface surface;
+  const auto places = stored_numbers(view.at("positions_mm"));
+  const auto corners = stored_numbers(view.at("triangles"));
+  const auto stress = stored_field(view.at("von_mises_MPa"));
+  const auto points = static_cast<Eigen::Index>(places.size() / 3);
+  surface.points =
+      Eigen::Map<const Eigen::Matrix3Xd>(places.data(), 3, points).transpose();
+  const auto column = static_cast<Eigen::Index>(frame);
+  if (stress.size() == 0) {
+    surface.stress.setZero(points);
+  } else if (stress.rows() == points && column < stress.cols()) {
+    surface.stress = stress.col(column);
+  } else {
+    throw Error("I003", "view of a part", "its stress does not fit its points",
+                "Run `clevis check` again.");
+  }
+  for (std::size_t c = 0; c + 2 < corners.size(); c += 3) {
+    std::array<int, 3> triangle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!(corners[c + k] < static_cast<double>(points))) {
+        throw Error("I003", "view of a part", "a triangle has no such point",
+                    "Run `clevis check` again.");
+      }
+      triangle[k] = static_cast<int>(corners[c + k]);
+    }
+    surface.triangles.push_back(triangle);
+  }
+  return surface;
+}
+
+}  // namespace clevis::report

@@ -1,0 +1,59 @@
+#include "mechanism/dynamic_motion/time_limit.h"
+
+#include <gtest/gtest.h>
+
+namespace clevis::mechanism {
+namespace {
+
+double now = 0.0;  // [s]
+
+double test_clock() {
+  return now;
+}
+
+TEST(TimeLimit, ForecastsBothPassesByTheProgressOfTheFirst) {
+  now = 100.0;
+  TimeLimit limit(1e9, 10.0, 2, test_clock);
+  for (double t = 0.1; t < 5.0; t += 0.1) {
+    now = 100.0 + 3.0 * t;  // 3 s of the processor for each of the motion
+    EXPECT_FALSE(limit.is_over(t));
+  }
+  EXPECT_NEAR(limit.forecast(), 60.0, 1e-6);
+  now = 130.0;
+  limit.end_pass();
+  now = 133.0;
+  EXPECT_FALSE(limit.is_over(1.0));
+  EXPECT_NEAR(limit.forecast(), 60.0, 1e-6);
+}
+
+TEST(TimeLimit, IsOverWhenUsedUp) {
+  now = 0.0;
+  TimeLimit limit(60.0, 10.0, 1, test_clock);
+  now = 59.9;
+  EXPECT_FALSE(limit.is_over(9.0));
+  now = 60.1;
+  EXPECT_TRUE(limit.is_over(9.0));
+}
+
+TEST(TimeLimit, IsOverAtOnceWhereNoComputerWouldFinish) {
+  now = 0.0;
+  TimeLimit limit(60.0, 10.0, 1, test_clock);
+  now = 3.9;
+  EXPECT_FALSE(limit.is_over(1e-6)) << "too early to tell";
+  now = 4.1;
+  EXPECT_TRUE(limit.is_over(1e-6));
+}
+
+TEST(TimeLimit, ForgivesASlowStart) {
+  now = 0.0;
+  TimeLimit limit(60.0, 10.0, 1, test_clock);
+  now = 3.0;
+  EXPECT_FALSE(limit.is_over(1e-9));
+  // 2 s of the motion in each 1 s from now on
+  for (now = 3.05; now < 7.0; now += 0.05) {
+    EXPECT_FALSE(limit.is_over(2.0 * (now - 3.0))) << now;
+  }
+}
+
+}  // namespace
+}  // namespace clevis::mechanism
