@@ -157,6 +157,11 @@ def commands(checks, clevis, folder, name):
         done = run(*arguments)
         checks.expect(done.returncode in (10, 22) and code in done.stderr,
                       f"{code}: {done.stderr.strip()[:90]}")
+    for file in ("x.png", "x", "x.SVG"):
+        done = run(folder, "--out", Path(name) / file)
+        checks.expect(done.returncode == 2 and "U001" in done.stderr and file in done.stderr
+                      and "x.svg" in done.stderr and not (Path(name) / file).exists(),
+                      f"--out {file} is refused: {done.stderr.strip()[:120]}")
     old = Path(name) / "old"
     shutil.copytree(folder, old)
     view = old / "view/part_DCE.json"
@@ -166,6 +171,49 @@ def commands(checks, clevis, folder, name):
     done = run(old)
     checks.expect(done.returncode == 22 and "I003" in done.stderr,
                   f"a damaged view is refused: {done.stderr.strip()[:90]}")
+
+
+def without_mechanism(checks, clevis, name):
+    """What has no moving parts, or no parts at all, says what can be drawn."""
+    home = Path(name)
+    for template in ("part", "four-bar"):
+        subprocess.run([clevis, "init", template, "--template", template], cwd=name, check=True,
+                       capture_output=True)
+    part, motion = home / "part_out", home / "motion_out"
+    check = [clevis, "check", "--mesh", home / "part/scene.toml", "--out", part,
+             "--tolerance", "10%"]
+    subprocess.run(check, capture_output=True)
+    for command in (["mesh"], ["simulate", "--out", motion]):
+        subprocess.run([clevis, *command, home / "four-bar/scene.toml"], check=True,
+                       capture_output=True)
+    link = json.loads((part / "result.json").read_text())["parts"][0]["name"]
+    for arguments, remedy in (((part,), f"--part {link}"), ((motion,), "clevis report"),
+                              ((motion, "--part", link), "clevis report")):
+        done = subprocess.run([clevis, "picture", *arguments], text=True, capture_output=True)
+        checks.expect(done.returncode == 22 and "I008" in done.stderr and remedy in done.stderr,
+                      f"refused with what to do: {done.stderr.strip()[:200]}")
+    done = subprocess.run([clevis, "picture", part, "--part", link], capture_output=True)
+    checks.expect(done.returncode == 0, "one part alone is drawn")
+    scene = home / "part/scene.toml"
+    scene.write_text(scene.read_text().replace(f'name = "{link}"', 'name = "other"'))
+    subprocess.run(check, capture_output=True)
+    checks.expect((part / "other.svg").exists() and not (part / f"{link}.svg").exists(),
+                  "the picture of a part that is gone goes with its files")
+
+
+def failing_report(checks, clevis, name):
+    """A report that cannot be written does not swallow the verdict."""
+    out = Path(name) / "part_out"
+    (out / "report.html").mkdir()
+    (out / "report.html/kept").touch()
+    check = [clevis, "check", "--report", Path(name) / "part/scene.toml", "--out", out,
+             "--tolerance", "10%"]
+    done = subprocess.run(check, capture_output=True, text=True)
+    checks.expect(done.returncode == 22 and "I002" in done.stderr and "verdict: " in done.stdout,
+                  f"the table stands: {done.stdout[-200:]}{done.stderr[:200]}")
+    done = subprocess.run([*check, "--json"], capture_output=True, text=True)
+    checks.expect(done.returncode == 22 and json.loads(done.stdout)["error"]["code"] == "I002",
+                  f"and --json is one document: {done.stdout[:100]}")
 
 
 def hostile(checks, clevis, name):
@@ -192,6 +240,8 @@ def main():
     plates(checks, folder)
     with tempfile.TemporaryDirectory() as name:
         commands(checks, clevis, folder, name)
+        without_mechanism(checks, clevis, name)
+        failing_report(checks, clevis, name)
         hostile(checks, clevis, name)
     return checks.exit_code()
 

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 void remove_part(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
   for (const char* ending : {".vtu", "_linear.vtu", "_history.csv",
-                             "_loads.csv", ".pvd", "_buckling.vtu"}) {
+                             "_loads.csv", ".pvd", "_buckling.vtu", ".svg"}) {
     fs::remove(folder / (name + ending), ignored);
   }
   fs::remove(report::part_view_file(folder, name), ignored);

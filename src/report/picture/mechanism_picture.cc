@@ -37,13 +37,14 @@ class Poses {
     for (const JsonNode& body : motion.at("bodies").elements()) {
       bodies_.push_back(body.at("name").text());
     }
-    if (times_.empty() || poses_.size() != 7 * times_.size() * bodies_.size()) {
+    if (poses_.size() != 7 * times_.size() * bodies_.size()) {
       throw Error("I003", "view of the mechanism",
                   "its poses do not fit its instants",
                   "Run `clevis check` again.");
     }
   }
 
+  bool empty() const { return times_.empty() || bodies_.empty(); }
   std::size_t count() const { return times_.size(); }
   double time(std::size_t instant) const { return times_[instant]; }
 
@@ -129,10 +130,11 @@ std::size_t frame_at(const JsonNode& part, double time) {
 
 }  // namespace
 
-std::string mechanism_picture(const StoredPage& page) {
+std::optional<std::string> mechanism_picture(const StoredPage& page) {
   const auto motion_json = ordered_json::parse(page.motion);
   const JsonNode motion(motion_json, "view of the mechanism:");
   const Poses poses(motion);
+  if (poses.empty()) return std::nullopt;
   std::vector<ordered_json> parts;
   for (const std::string& text : page.parts) {
     parts.push_back(ordered_json::parse(text));
@@ -154,10 +156,7 @@ std::string mechanism_picture(const StoredPage& page) {
       layer.push_back(std::move(surface));
     }
   }
-  if (picture.layers.front().empty()) {
-    throw Error("I008", "result", "no part of it moves",
-                "Name a part with --part.");
-  }
+  if (picture.layers.front().empty()) return std::nullopt;
   picture.title = motion.at("scene").text();
   picture.detail =
       fmt::format("at t = {}, the last in front", fmt::join(times, ", "));
