@@ -137,7 +137,7 @@ def plates(checks, folder):
                       f"{part['name']}: at the peak the colour of {share:.2f} of the largest stress")
 
 
-def commands(checks, clevis, folder, name):
+def commands(checks, clevis, source, folder, name):
     def run(*arguments):
         return subprocess.run([clevis, "picture", *map(str, arguments)], text=True,
                               capture_output=True)
@@ -148,6 +148,9 @@ def commands(checks, clevis, folder, name):
     checks.expect("0 s, 1 s, 2 s" in " ".join(drawing.texts), "at three instants")
     checks.expect(len(drawing.root.findall(f"{SVG}circle")) == 0
                   and drawing.box[1] > 400, "as large as the picture")
+    committed = Drawing(source / "results/studies/landing_gear_loaded.svg")
+    checks.expect(committed.texts == drawing.texts and committed.box == drawing.box,
+                  "README's picture is what the command draws")
     again = Path(name) / "again.svg"
     run(folder, "--part", "DCE", "--out", again)
     checks.expect(Drawing(again).texts == Drawing(folder / "DCE.svg").texts,
@@ -235,11 +238,11 @@ def hostile(checks, clevis, name):
 
 
 def main():
-    clevis, folder = Path(sys.argv[1]).resolve(), Path(sys.argv[3])
+    clevis, source, folder = Path(sys.argv[1]).resolve(), *map(Path, sys.argv[2:4])
     checks = Checks()
     plates(checks, folder)
     with tempfile.TemporaryDirectory() as name:
-        commands(checks, clevis, folder, name)
+        commands(checks, clevis, source, folder, name)
         without_mechanism(checks, clevis, name)
         failing_report(checks, clevis, name)
         hostile(checks, clevis, name)

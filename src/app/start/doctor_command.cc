@@ -30,7 +30,7 @@ struct Tool {
 };
 
 constexpr Tool kTools[] = {
-    {"gmsh", "--version", "clevis mesh"},
+    {"gmsh", "--version", "clevis mesh, check --mesh"},
     {"ccx", "-v", "clevis study: CalculiX beside clevis"},
     {"gnuplot", "--version", "clevis study, collect: plots"},
     {"mpirun", "--version", "mpirun clevis check: large parts"}};
