@@ -217,6 +217,10 @@ def failing_report(checks, clevis, name):
     done = subprocess.run([*check, "--json"], capture_output=True, text=True)
     checks.expect(done.returncode == 22 and json.loads(done.stdout)["error"]["code"] == "I002",
                   f"and --json is one document: {done.stdout[:100]}")
+    shutil.rmtree(out / "report.html")
+    done = subprocess.run(check, capture_output=True, text=True)
+    checks.expect(done.returncode == 0 and f"report: {out}/report.html\n" in done.stderr,
+                  f"one that is written is told: {done.stderr}")
 
 
 def hostile(checks, clevis, name):

@@ -1,11 +1,13 @@
 #include "app/request/output_folder.h"
 
 #include <fstream>
+#include <iostream>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
 #include "report/text/atomic_file.h"
+#include "report/text/terminal.h"
 #include "report/view/view_files.h"
 
 namespace clevis::app {
@@ -65,6 +67,10 @@ void remove_previous_run(const fs::path& folder, OldReport report) {
   if (report == OldReport::kRemove) fs::remove(folder / "report.html", ignored);
   fs::remove(report::motion_view_file(folder, report::ResultKind::kCheck),
              ignored);
+}
+
+void tell_report(const fs::path& file) {
+  std::cerr << "report: " << report::printable(file.string()) << std::endl;
 }
 
 }  // namespace clevis::app

@@ -292,7 +292,8 @@ ExitCode run_check(const Options& options, scene::Scene scene) {
               << std::flush;
   }
   if (options.report) {
-    report::write_report(folder, report::ResultKind::kCheck, options.watch_run);
+    tell_report(report::write_report(folder, report::ResultKind::kCheck,
+                                     options.watch_run));
   }
   if (options.json) std::cout << report::result_json(report);
   if (!report.complete) return kInterruptedExit;

@@ -101,7 +101,8 @@ Sight sight_of(const JsonNode& motion) {
       });
   Vector3d up = -vector_of(motion.at("gravity_m_per_s2"));
   up = up.norm() > 0.0 ? up.normalized() : Vector3d::UnitY();
-  for (const Vector3d& other : {Vector3d::UnitY(), Vector3d::UnitX()}) {
+  for (const Vector3d& other :
+       std::array<Vector3d, 2>{Vector3d::UnitY(), Vector3d::UnitX()}) {
     if (std::abs(up.dot(normal)) > kAlong) up = other;
   }
   const Vector3d side = up.cross(normal);
