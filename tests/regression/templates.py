@@ -26,6 +26,9 @@ with tempfile.TemporaryDirectory() as name:
         first = (folder / word / "scene.toml").read_text().splitlines()[0]
         assert first == "#:schema ./scene.schema.json", first
         json.loads((folder / word / "scene.schema.json").read_text())
+        if word == "slider-crank":  # the mechanism before any mesh
+            told = run("simulate", "--mesh", "--report", f"{word}/scene.toml", cwd=folder)
+            assert "report: results/slider-crank/report.html" in told, told
         run("mesh", f"{word}/scene.toml", cwd=folder)
         result = json.loads(run("check", "--json", "--tolerance", "5%",
                                 f"{word}/scene.toml", cwd=folder).partition("\n}\n")[0]

@@ -48,6 +48,7 @@ void write_files(const scene::Scene& scene, const report::MotionReport& motion,
 }  // namespace
 
 ExitCode simulate_command(const Options& options) {
+  if (options.mesh) mesh_parts(options, MeshWhich::kOutdated, std::cerr);
   scene::Scene scene = scene_to_solve(options, std::cerr);
   load_masses(scene);
   if (!scene.has_mechanism) {
@@ -90,6 +91,7 @@ Run declare_simulate(CLI::App& command) {
   add_output(command, request->options);
   add_report_flag(command, request->options);
   add_max_time(command, *request);
+  add_mesh_flag(command, request->options);
   return run_request(request, simulate_command);
 }
 

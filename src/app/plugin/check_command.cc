@@ -73,8 +73,7 @@ Run declare_check(CLI::App& command) {
   add_max_time(command, *request);
   add_jobs(command, options.jobs, "parts in parallel [one per core]");
   add_model(command, options.model);
-  command.add_flag("--mesh", options.mesh,
-                   "first mesh the parts whose mesh is missing or outdated");
+  add_mesh_flag(command, options);
   constexpr int kMostRounds = 5;
   command
       .add_option("--mesh-rounds", options.mesh_rounds,

@@ -54,6 +54,11 @@ void add_report_flag(CLI::App& command, Options& options) {
                    "write report.html, the result to look at in a browser");
 }
 
+void add_mesh_flag(CLI::App& command, Options& options) {
+  command.add_flag("--mesh", options.mesh,
+                   "first mesh the parts whose mesh is missing or outdated");
+}
+
 void add_max_time(CLI::App& command, SceneRequest& request) {
   command
       .add_option("--max-time", request.max_time,

@@ -37,6 +37,7 @@ void add_jobs(CLI::App& command, int& jobs, const char* help);
 /// --out and --json.
 void add_output(CLI::App& command, Options& options);
 void add_report_flag(CLI::App& command, Options& options);
+void add_mesh_flag(CLI::App& command, Options& options);
 void add_max_time(CLI::App& command, SceneRequest& request);
 void add_engine(CLI::App& command, Options& options);
 void add_model(CLI::App& command, std::string& model);
