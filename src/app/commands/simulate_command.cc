@@ -40,8 +40,9 @@ void write_files(const scene::Scene& scene, const report::MotionReport& motion,
                              .worst_times = {}},
                             folder, report::ResultKind::kSimulation);
   report::write_motion_files(motion, folder);
-  if (options.report)
-    report::write_report(folder, report::ResultKind::kSimulation);
+  if (options.report) {
+    tell_report(report::write_report(folder, report::ResultKind::kSimulation));
+  }
 }
 
 }  // namespace

@@ -285,14 +285,17 @@ ExitCode run_check(const Options& options, scene::Scene scene) {
   report.seconds.emplace_back("total", total.lap());
   report::write_result_files(report, folder);
   if (!report.complete && options.watch_run) return kInterruptedExit;
+  // A report that fails does not swallow the verdict; JSON is one document,
+  // that of the failure.
+  if (!options.json) {
+    std::cout << report::check_table(report, report::colour_of(STDOUT_FILENO))
+              << std::flush;
+  }
   if (options.report) {
-    report::write_report(folder, report::ResultKind::kCheck, options.watch_run);
+    tell_report(report::write_report(folder, report::ResultKind::kCheck,
+                                     options.watch_run));
   }
-  if (options.json) {
-    std::cout << report::result_json(report);
-  } else {
-    std::cout << report::check_table(report, report::colour_of(STDOUT_FILENO));
-  }
+  if (options.json) std::cout << report::result_json(report);
   if (!report.complete) return kInterruptedExit;
   return report::exit_code(report);
 }
