@@ -18,7 +18,7 @@ import unittest
 from pathlib import Path
 
 SECONDS = 120
-PROGRAMS = {"clevis", "clevis-mesher", "gmsh", "ccx", "gnuplot"}
+PROGRAMS = {"clevis", "clevis-importer", "clevis-mesher", "gmsh", "ccx", "gnuplot"}
 STARTED = re.compile(r'execve(?:at)?\((?:AT_FDCWD, )?"((?:[^"\\]|\\.)*)".*\) = 0$')
 # A shell would run each; none holds a slash, each may be a file's name.
 NAMES = ("$(touch ran)", "`touch ran`", "; touch ran", "|touch ran", "'\"; touch ran #")
@@ -89,6 +89,32 @@ class Programs(unittest.TestCase):
                     scene = self.written("part/cad.toml", scene)
                     done, _ = self.started("check", scene, "--out", "out")
                     self.assertEqual(done.returncode, 11, done.stderr)
+
+    def test_models(self):
+        model = (SOURCE / "tests/data/models/double_pendulum.sdf").read_text()
+        include = "<include><uri>{}</uri></include><gravity>"
+        hostile = [model.replace("<gravity>", include.format(uri)) for uri in (
+            "https://fuel.ignitionrobotics.org/1.0/a/models/b", "model://$(touch ran)")]
+        hostile += [model.replace('"elbow"', f'"{name.replace(chr(34), "&quot;")}"')
+                    for name in NAMES]
+        hostile += ["#!/bin/sh\ntouch ran\n", model.replace("libdriver.so", "/bin/sh")]
+        for number, text in enumerate(hostile):
+            with self.subTest(number=number):
+                self.written("model.sdf", text)
+                done, programs = self.started("import", "model.sdf", "--out", f"scene_{number}")
+                self.assertIn(done.returncode, (0, 10), done.stderr)
+                self.assertEqual("clevis-importer" in programs, text[0] == "<")
+
+    def test_a_model_opens_no_connection(self):
+        model = (SOURCE / "tests/data/models/double_pendulum.sdf").read_text()
+        self.written("model.sdf", model.replace(
+            "<gravity>", "<include><uri>https://fuel.ignitionrobotics.org/1.0/a/models/b</uri>"
+            "</include><gravity>"))
+        log = self.folder / "calls.log"
+        subprocess.run(["strace", "-f", "-qq", "-e", "trace=%network", "-e", "signal=none", "-o",
+                        log, CLEVIS, "import", "model.sdf", "--out", "scene"],
+                       capture_output=True, timeout=SECONDS, cwd=self.folder, check=True)
+        self.assertNotIn("AF_INET", log.read_text(errors="replace"))
 
     def test_names_of_files(self):
         for name in NAMES:
