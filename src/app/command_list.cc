@@ -18,6 +18,7 @@
 #include "app/results/report_command.h"
 #include "app/start/completion.h"
 #include "app/start/doctor_command.h"
+#include "app/start/import_command.h"
 #include "app/start/init_command.h"
 #include "app/variants/collect_command.h"
 #include "app/variants/plan_command.h"
@@ -60,6 +61,8 @@ std::span<const Command> commands() {
       Command{"explain", "what a diagnostic means and what to do",
               declare_explain},
       Command{"init", "write a commented scene that runs", declare_init},
+      Command{"import", "a scene of an SDF or URDF model, and what was lost",
+              declare_import},
       Command{"doctor", "what is installed, and what it is needed for",
               declare_doctor},
       Command{"completion", "completion of commands in a shell",

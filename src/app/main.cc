@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <memory>
+#include <new>
 #include <span>
 #include <string_view>
 
@@ -43,6 +46,17 @@ bool stands_aside(std::span<const char* const> arguments) {
   return command == nullptr || command->ranks != clevis::app::Ranks::kAll;
 }
 
+/// What no memory is left to say otherwise.
+int fail_without_memory() {
+  constexpr std::string_view kWords =
+      "error[X002]: clevis: the memory ran out\n"
+      "  help: Free memory, or raise the limits of this shell (ulimit -a) or "
+      "container.\n";
+  const auto written = write(STDERR_FILENO, kWords.data(), kWords.size());
+  static_cast<void>(written);
+  return static_cast<int>(clevis::ExitCode::kResourceLimit);
+}
+
 int fail(const Error& error, std::span<const char* const> arguments) {
   const bool wants_json =
       std::ranges::any_of(arguments, [](std::string_view text) {
@@ -56,6 +70,8 @@ int fail(const Error& error, std::span<const char* const> arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Given back for the words that say that the memory ran out.
+  auto reserve = std::make_unique<std::array<char, 1U << 16U>>();
   clevis::end_on_interrupts();
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit fails instead
   std::ios::sync_with_stdio(false);
@@ -63,10 +79,15 @@ int main(int argc, char** argv) {
                                                static_cast<std::size_t>(argc));
   if (stands_aside(arguments)) return 0;
   try {
-    return static_cast<int>(run(argc, argv));
-  } catch (const Error& error) {
-    return fail(error, arguments);
-  } catch (const std::exception& failure) {
-    return fail(clevis::system_failure(failure, "clevis"), arguments);
+    try {
+      return static_cast<int>(run(argc, argv));
+    } catch (const Error& error) {
+      return fail(error, arguments);
+    } catch (const std::exception& failure) {
+      reserve.reset();
+      return fail(clevis::system_failure(failure, "clevis"), arguments);
+    }
+  } catch (const std::bad_alloc&) {
+    return fail_without_memory();
   }
 }

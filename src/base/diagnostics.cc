@@ -293,6 +293,17 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "file "
      "of a [[part.history]] likewise: a header of titles with units, and a row "
      "for each time."},
+    {"S013", kSceneInvalid, "no SDF or URDF file",
+     "`clevis import` reads XML whose root is <sdf> or <robot>, up to 16 MiB. "
+     "A script under such a name is not run; a xacro file must be expanded "
+     "first."},
+    {"S014", kSceneInvalid, "model refused by its reader",
+     "The XML is damaged, or libsdformat or liburdfdom refuses what it says, "
+     "or reading took too much time or memory; the message says which. What "
+     "<include> names is never opened: write it into the file."},
+    {"S015", kSceneInvalid, "model that no scene can hold",
+     "A link that moves by itself has no mass or no possible inertia, a number "
+     "is not finite, or nothing in the model moves."},
     {"U001", kUsage, "wrong command line", "See clevis --help."},
     {"U002", kUsage, "unknown diagnostic code",
      "The catalogue has no such code; `clevis explain` lists all."},

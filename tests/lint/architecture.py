@@ -7,6 +7,8 @@ LAYERS = {  # module: (modules it may include, outside libraries it may include)
     "part": ("base", "Eigen fmt"),
     "cad": ("base part", "Eigen fmt nlohmann"),
     "mesher": ("base part cad", "Eigen fmt gmsh"),
+    "multibody": ("base", "Eigen fmt nlohmann"),
+    "importer": ("base multibody", "Eigen fmt"),
     "mechanism": ("base numerics part", "Eigen fmt"),
     "machine": ("base part mechanism", "Eigen fmt"),
     "scene": ("base numerics part mechanism machine", "Eigen fmt toml"),
@@ -21,7 +23,7 @@ LAYERS = {  # module: (modules it may include, outside libraries it may include)
     "report": ("base part mechanism machine beam assessment", "Eigen fmt nlohmann"),
     "study": ("base part mesh loads elasticity stress assessment report",
               "Eigen fmt nlohmann"),
-    "app": ("base part cad mechanism machine scene mesh loads dynamics beam elasticity calculix"
+    "app": ("base part cad multibody mechanism machine scene mesh loads dynamics beam elasticity calculix"
             " stress assessment study report", "Eigen fmt nlohmann CLI"),
 }
 
@@ -158,6 +160,7 @@ ROOMS = {
         "processes": "other programs, workers, temporary folders, errors across processes",
         "figures": "plots drawn by gnuplot",
         "request": "what the command line asks for, where results go, how refusals are told",
+        "companions": "clevis' own programs that read files of others: question, answer, limits",
         "solids": "meshes of CAD solids, by clevis-mesher",
         "scenes": "a scene with its meshes; gmsh, and which mesh a geometry belongs to",
         "parts": "from a scene's motion to the jobs of its parts",

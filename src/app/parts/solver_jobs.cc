@@ -8,7 +8,7 @@
 
 #include "app/parts/link_compliance.h"
 #include "app/parts/part_jobs.h"
-#include "app/processes/error_text.h"
+#include "app/request/error_text.h"
 #include "assessment/impact/impact_check.h"
 #include "base/system_failure.h"
 #include "loads/parts/part_loads.h"

@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "app/processes/lone_program.h"
 #include "base/errors.h"
 #include "base/interrupts.h"
 #include "base/stopwatch.h"
@@ -22,7 +23,7 @@ namespace {
 constexpr int kNotStarted = 127;                  // as a shell says it
 constexpr rlim_t kLargestFile = rlim_t{1} << 30;  // [bytes]
 
-/// "VALUE\0"-terminated strings as execvpe wants them.
+/// "VALUE\0"-terminated strings as execve wants them.
 std::vector<char*> pointers(std::vector<std::string>& strings) {
   std::vector<char*> result;
   for (std::string& text : strings) result.push_back(text.data());
@@ -31,7 +32,9 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
 }
 
 /// Replaces the child process by the program; its output goes to `log`.
-[[noreturn]] void become(char* const* arguments, char* const* environment,
+/// @param is_alone  it may start no other.
+[[noreturn]] void become(const std::string& program, bool is_alone,
+                         char* const* arguments, char* const* environment,
                          const Child& child, pid_t parent) {
   setpgid(0, 0);
   std::signal(SIGXFSZ, SIG_DFL);
@@ -48,7 +51,8 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
   if (getppid() == parent && in >= 0 && out >= 0 && dup2(in, 0) == 0 &&
       dup2(out, 1) == 1 && dup2(out, 2) == 2 &&
       chdir(child.folder.c_str()) == 0) {
-    execvpe(arguments[0], arguments, environment);
+    if (is_alone) allow_only(program.c_str());
+    execve(program.c_str(), arguments, environment);
   }
   _exit(kNotStarted);
 }
@@ -98,6 +102,9 @@ ChildOutcome run_child(const Child& child, std::chrono::milliseconds timeout) {
       "LC_ALL=C"};
   environment.insert(environment.end(), child.environment.begin(),
                      child.environment.end());
+  // A script may need others.
+  const std::string program = find_program(arguments[0]).string();
+  const bool is_alone = is_binary(program);
   const std::vector<char*> argument_list = pointers(arguments);
   const std::vector<char*> environment_list = pointers(environment);
   Stopwatch watch;
@@ -110,7 +117,8 @@ ChildOutcome run_child(const Child& child, std::chrono::milliseconds timeout) {
         "Close other programs and try again.");
   }
   if (process == 0) {
-    become(argument_list.data(), environment_list.data(), child, parent);
+    become(program, is_alone, argument_list.data(), environment_list.data(),
+           child, parent);
   }
   setpgid(process, process);  // whoever comes first; the other does nothing
   ChildOutcome outcome = wait_for(process, timeout);

@@ -31,8 +31,9 @@ struct ChildOutcome {
 
 /// Runs a program to its end with an environment of PATH, HOME, TMPDIR,
 /// LC_ALL=C and what is given, in a process group of its own; it dies with
-/// clevis, is killed after `timeout` or at an interrupt that is deferred, and
-/// may write files up to 1 GiB.
+/// clevis, is killed after `timeout` or at an interrupt that is deferred, may
+/// write files up to 1 GiB, and, unless it is a script, starts no other
+/// program.
 /// @throws Error I002 if no process can be started.
 ChildOutcome run_child(const Child& child, std::chrono::milliseconds timeout);
 

@@ -5,7 +5,7 @@
 
 #include <unistd.h>
 
-#include "app/processes/error_text.h"
+#include "app/request/error_text.h"
 #include "report/text/terminal.h"
 
 namespace clevis::app {

@@ -16,10 +16,10 @@
 #include "app/parts/link_compliance.h"
 #include "app/parts/part_jobs.h"
 #include "app/parts/solver_jobs.h"
-#include "app/processes/error_text.h"
 #include "app/processes/folder_lock.h"
 #include "app/processes/rank_jobs.h"
 #include "app/processes/worker_pool.h"
+#include "app/request/error_text.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
 #include "app/scenes/view_inputs.h"
@@ -61,20 +61,19 @@ constexpr char kRefusal = 'E';
 /// of a part that all ranks check, the first one's.
 std::string check_one(const PartJob& job,
                       const std::function<CheckedPart()>& checked_part,
-                      const std::optional<MovingPart>& moving,
-                      const elasticity::RankTeam* team, const std::string& body,
-                      const fs::path& folder) {
+                      const FieldFiles& files, const elasticity::RankTeam* team,
+                      const std::string& body, const fs::path& folder) {
   try {
     auto [last_job, assessment] = checked_part();
     Stopwatch watch;
     if (!job.is_shared || mpi_rank() == 0) {
-      write_part_files(assessment, moving, job.part.material.yield_strength,
+      write_part_files(assessment, files, job.part.material.yield_strength,
                        folder);
-      if (moving) {
+      if (files.moving) {
         report::write_file(folder / (job.part.name + "_loads.csv"),
                            loads_csv(job.load_sets.front().history));
       }
-      const auto view = surface_view(last_job, assessment, moving, body);
+      const auto view = surface_view(last_job, assessment, files.moving, body);
       report::write_part_view(view, folder);
       report::write_part_picture(view, assessment.result, folder);
     }
@@ -157,12 +156,13 @@ void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
     };
     const auto body = loaded.body_of(jobs[index].part.name);
     if (body == mechanism::kGround) {
-      return check_one(jobs[index], checked_part, std::nullopt, team, "",
-                       folder);
+      return check_one(jobs[index], checked_part,
+                       {std::nullopt, options.linear_vtu}, team, "", folder);
     }
     const auto& carrier =
         loaded.scene.mechanism.bodies[static_cast<std::size_t>(body)];
-    return check_one(jobs[index], checked_part, MovingPart{&motion, body}, team,
+    return check_one(jobs[index], checked_part,
+                     {MovingPart{&motion, body}, options.linear_vtu}, team,
                      carrier.name, folder);
   };
   if (team != nullptr) choose_shared(jobs);

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "app/companions/model_importer.h"
 #include "app/plugin/solver_library.h"
 #include "app/processes/child_process.h"
 #include "app/processes/temporary_folder.h"
@@ -56,7 +57,7 @@ std::string version(const Tool& tool) {
 }
 
 void print(const char* name, const std::string& found, const char* needed_for) {
-  std::cout << fmt::format("{:<12} {:<44} {}\n", name, found, needed_for);
+  std::cout << fmt::format("{:<15} {:<44} {}\n", name, found, needed_for);
 }
 
 double memory_GiB() {
@@ -78,7 +79,8 @@ ExitCode doctor_command() {
   }
   for (const auto& [name, file, needed_for] :
        {std::tuple("engine", kEngineLibrary, "--engine dealii, mpirun"),
-        std::tuple(kMesher, kMesher, "STEP, IGES and BREP parts")}) {
+        std::tuple(kMesher, kMesher, "STEP, IGES and BREP parts"),
+        std::tuple(kImporter, kImporter, "SDF and URDF models")}) {
     const fs::path path = companion(file);
     print(name, fs::exists(path) ? path.string() : "not found", needed_for);
   }

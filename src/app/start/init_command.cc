@@ -4,29 +4,18 @@
 #include <iostream>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/start/new_folder.h"
 #include "app/start/templates.h"
-#include "base/errors.h"
 #include "report/text/atomic_file.h"
 
 namespace clevis::app {
 namespace {
-
-namespace fs = std::filesystem;
-
-void require_room(const fs::path& folder) {
-  std::error_code error;
-  if (!fs::exists(fs::symlink_status(folder, error))) return;
-  if (fs::is_directory(folder, error) && fs::is_empty(folder, error)) return;
-  throw Error("I005", folder.string(), "is there and not an empty folder",
-              "Give the name of a new folder; nothing is overwritten.");
-}
 
 /// The scene of a template names the schema beside it.
 std::string with_schema(std::string_view text) {
@@ -38,7 +27,7 @@ std::string with_schema(std::string_view text) {
 }  // namespace
 
 ExitCode init_command(const InitOptions& options) {
-  require_room(options.folder);
+  require_new_folder(options.folder);
   const auto chosen =
       std::ranges::find(templates(), options.template_word, &Template::word);
   for (const TemplateFile& file : chosen->files) {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/processes/error_text.h"
+#include "app/request/error_text.h"
 #include "app/request/output_folder.h"
 #include "app/variants/check_inputs.h"
 #include "base/mpi_run.h"

@@ -24,17 +24,23 @@ using elasticity::Discretization;
 constexpr int kFirstDegree = 2;
 constexpr int kHighestDegree = 4;
 
+/// A part of one degree.
+struct PartSpace {
+  Discretization<3> whole;
+  std::optional<Discretization<2>> plane = {};  ///< that it is a layer over
+};
+
 /// The part's discretisation for bending and twisting: of plates one layer.
 class BucklingModel {
  public:
   explicit BucklingModel(const PartJob& job) : job_(job), shape_(job) {}
 
-  Discretization<3> discretize(int degree) const {
-    constexpr int kHighestThroughThickness = 3;  // warps as shear wants
-    if (!shape_.plate()) return elasticity::discretize<3>(job_.mesh, degree);
-    return elasticity::layer_over(
-        elasticity::discretize<2>(shape_.plate()->quadrangles, degree),
-        std::min(degree, kHighestThroughThickness));
+  PartSpace discretize(int degree) const {
+    constexpr int kThroughThickness = 3;  // warps as shear wants
+    if (!shape_.plate()) return {elasticity::discretize<3>(job_.mesh, degree)};
+    auto plane = elasticity::discretize<2>(shape_.plate()->quadrangles, degree);
+    auto layer = elasticity::layer_over(plane, kThroughThickness);
+    return {std::move(layer), std::move(plane)};
   }
   std::string name(int degree) const {
     const auto kind = shape_.plate() ? ModelKind::kLayered : ModelKind::kSolid;
@@ -80,20 +86,21 @@ struct Found {
   std::string label;
   double instant{};
 };
-Found lowest(const PartJob& job, const Discretization<3>& discretization,
+Found lowest(const PartJob& job, const PartSpace& space,
              std::vector<Candidate>& candidates) {
   std::optional<Found> best;
   for (Candidate& candidate : candidates) {
     auto mode = elasticity::lowest_buckling(
-        {discretization, job.part.material, candidate.history,
+        {space.whole, job.part.material, candidate.history,
          job.load_sets[candidate.set].fixed, candidate.holds, job.part.name,
          job.load_sets[candidate.set].foundations,
+         space.plane ? &*space.plane : nullptr,
          candidate.known ? &*candidate.known : nullptr});
     const auto instant =
         candidate.history.instants[static_cast<std::size_t>(mode.instant)];
     candidate.history.instants = {instant};
     candidate.holds = {candidate.holds[mode.hold]};
-    if (mode.shape.size() > 0) candidate.known = {discretization, mode.shape};
+    if (mode.shape.size() > 0) candidate.known = {space.whole, mode.shape};
     if (best && best->mode.factor <= mode.factor) continue;
     best = {std::move(mode), instant.label, instant.time};
   }
@@ -144,8 +151,8 @@ bool is_decided(const BucklingResult& result, double wanted) {
 void take(const PartJob& job, const BucklingModel& model, int degree,
           std::optional<double> before, std::vector<Candidate>& candidates,
           BucklingCheck& check) {
-  const auto discretization = model.discretize(degree);
-  const Found found = lowest(job, discretization, candidates);
+  const PartSpace space = model.discretize(degree);
+  const Found found = lowest(job, space, candidates);
   check.result.label = found.label;
   check.result.instant = found.instant;
   check.result.model = model.name(degree);
@@ -156,7 +163,7 @@ void take(const PartJob& job, const BucklingModel& model, int degree,
     check.result.band_low = check.result.band_high = bound;
     return;
   }
-  check.shape = shape_of(job, discretization, found.mode);
+  check.shape = shape_of(job, space.whole, found.mode);
   set_band(before, found.mode.factor, check.result);
 }
 

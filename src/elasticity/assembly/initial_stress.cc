@@ -84,7 +84,7 @@ MatrixXd InitialStress::stress(const Cell& cell, std::size_t c,
   return result;
 }
 
-MassMatrix InitialStress::stiffness(const StiffnessMatrix<3>& pattern,
+MassMatrix InitialStress::stiffness(const NodePairs& pattern,
                                     const VectorXd& coefficients) const {
   MassMatrix matrix{pattern.row_start, pattern.column,
                     std::vector<double>(pattern.column.size(), 0.0)};
@@ -115,8 +115,7 @@ MassMatrix InitialStress::stiffness(const StiffnessMatrix<3>& pattern,
   return matrix;
 }
 
-MassMatrix InitialStress::unit_stiffness(
-    const StiffnessMatrix<3>& pattern) const {
+MassMatrix InitialStress::unit_stiffness(const NodePairs& pattern) const {
   MassMatrix matrix{pattern.row_start, pattern.column,
                     std::vector<double>(pattern.column.size(), 0.0)};
   for (std::size_t c = 0; c < discretization_.cell_nodes.size(); ++c) {

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/assembly/mass_matrix.h"
+#include "elasticity/assembly/node_pairs.h"
 #include "elasticity/assembly/stiffness.h"
 #include "elasticity/fe_space/discretization.h"
 #include "part/material.h"
@@ -23,10 +24,10 @@ class InitialStress {
                 const part::Material& material, Eigen::MatrixXd columns);
 
   /// Of Σ c_k σ_k [N/m].
-  MassMatrix stiffness(const StiffnessMatrix<3>& pattern,
+  MassMatrix stiffness(const NodePairs& pattern,
                        const Eigen::VectorXd& coefficients) const;
   /// Of 1 Pa in all directions: ∫ ∇N_i·∇N_j dV [m].
-  MassMatrix unit_stiffness(const StiffnessMatrix<3>& pattern) const;
+  MassMatrix unit_stiffness(const NodePairs& pattern) const;
 
   /// v_aᵀ K_G(σ_k) v_b: a row for each pair a <= b (0 0, 0 1, 1 1, 0 2, …), a
   /// column for each k [N m].

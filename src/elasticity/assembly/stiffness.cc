@@ -4,44 +4,16 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/errors.h"
 #include "elasticity/algebra/dense_product.h"
+#include "elasticity/assembly/node_pairs.h"
 
 namespace clevis::elasticity {
 namespace {
-
-template <int dim>
-void build_pattern(const Discretization<dim>& discretization,
-                   StiffnessMatrix<dim>& matrix) {
-  const auto nodes = static_cast<std::size_t>(discretization.nodes);
-  std::vector<std::vector<int>> cells_of(nodes);
-  for (int c = 0; c < discretization.cells(); ++c) {
-    for (int i : discretization.cell_nodes[static_cast<std::size_t>(c)]) {
-      cells_of[static_cast<std::size_t>(i)].push_back(c);
-    }
-  }
-  std::vector<int> last_row(nodes, -1);
-  matrix.row_start.assign(1, 0);
-  for (std::size_t row = 0; row < nodes; ++row) {
-    const auto begin = static_cast<std::ptrdiff_t>(matrix.column.size());
-    for (int c : cells_of[row]) {
-      for (int j : discretization.cell_nodes[static_cast<std::size_t>(c)]) {
-        auto& seen = last_row[static_cast<std::size_t>(j)];
-        if (j < static_cast<int>(row) || seen == static_cast<int>(row))
-          continue;
-        seen = static_cast<int>(row);
-        matrix.column.push_back(j);
-      }
-    }
-    std::sort(matrix.column.begin() + begin, matrix.column.end());
-    matrix.row_start.push_back(static_cast<int>(matrix.column.size()));
-  }
-  matrix.block.assign(matrix.column.size(),
-                      StiffnessMatrix<dim>::Block::Zero());
-}
 
 /// Products of gradients ∫ ∂_a N_i ∂_b N_j dV for a <= b, each functions ×
 /// functions: all that an isotropic element matrix is made of.
@@ -184,7 +156,11 @@ StiffnessMatrix<dim> assemble_stiffness(
     const Discretization<dim>& discretization, const part::Material& material,
     const std::string& place) {
   StiffnessMatrix<dim> matrix;
-  build_pattern(discretization, matrix);
+  NodePairs pairs = node_pairs(discretization.cell_nodes, discretization.nodes);
+  matrix.row_start = std::move(pairs.row_start);
+  matrix.column = std::move(pairs.column);
+  matrix.block.assign(matrix.column.size(),
+                      StiffnessMatrix<dim>::Block::Zero());
   const auto lame = lame_constants<dim>(material);
   const auto rule = stiffness_quadrature(discretization);
   const auto displacement = tabulate_displacement<dim>(

@@ -11,16 +11,13 @@
 
 #include "dynamics/systems/block_krylov.h"
 #include "elasticity/algebra/dense_product.h"
-#include "elasticity/assembly/equations.h"
-#include "elasticity/assembly/foundation.h"
 #include "elasticity/assembly/initial_stress.h"
-#include "elasticity/assembly/stiffness.h"
+#include "elasticity/assembly/node_pairs.h"
 #include "elasticity/assembly/supports.h"
+#include "elasticity/buckling/energy_coordinates.h"
 #include "elasticity/buckling/pin_hold.h"
-#include "elasticity/direct/dissection.h"
-#include "elasticity/direct/frontal_cholesky.h"
-#include "elasticity/direct/memory_forecast.h"
 #include "elasticity/nodal_loads/load_vectors.h"
+#include "elasticity/problem/refinement.h"
 #include "elasticity/problem/self_checks.h"
 
 namespace clevis::elasticity {
@@ -45,84 +42,81 @@ MatrixXd start_block(Index rows, Index columns) {
   return block;
 }
 
-/// The part with its stiffness factored, K = F Fᵀ, and the displacements of its
-/// loads. Unknowns are Y = Fᵀ X: the energy of X in K is the square of Y.
+std::unique_ptr<EnergyCoordinates> coordinates_of(
+    const BucklingProblem& problem) {
+  if (problem.plane != nullptr && problem.foundations.empty()) {
+    return plate_coordinates(*problem.plane, problem.discretization,
+                             problem.material, problem.fixed, problem.name);
+  }
+  return solid_coordinates(problem.discretization, problem.material,
+                           {problem.fixed, problem.foundations}, problem.name);
+}
+
+/// The part with its stiffness factored and the displacements of its loads.
+/// Unknowns are energy coordinates.
 class StressedPart {
  public:
   explicit StressedPart(const BucklingProblem& problem)
-      : part_(problem.discretization), place_("part " + problem.name) {
-    const auto positions = node_positions(part_);
-    const FoundationStiffness<3> bed(part_, problem.foundations, problem.name);
-    const bool is_free = problem.fixed.empty() && bed.empty();
-    const std::vector<int> held =
-        is_free ? determinate_supports<3>(part_, positions)
-                : fixed_supports(part_, positions, problem.fixed, place_, &bed);
-    numbers_ = number_equations(part_.dofs(), held);
-    const auto dissection = dissect(part_);
-    require_memory(9.0 * 8.0 * dissection.entries, part_.dofs(),
-                   usable_memory(), place_);
-    stiffness_ = assemble_stiffness(part_, problem.material, place_);
-    bed.add_to(stiffness_);
-    factor_ = std::make_unique<FrontalCholesky>(
-        free_equations(stiffness_, numbers_),
-        front_tree(dissection, 3, numbers_.equation), place_);
+      : part_(problem.discretization),
+        material_(problem.material),
+        coordinates_(coordinates_of(problem)),
+        pairs_(node_pairs(part_.cell_nodes, part_.nodes)) {
+    const bool is_free = problem.fixed.empty() && problem.foundations.empty();
     const double density = problem.material.density;
     LoadBasis loads =
         load_columns(part_, problem.history, density, problem.name);
     if (is_free) {
       SolveChecks checks;
-      balance_free_part<3>(part_, positions, density, loads, checks);
+      balance_free_part<3>(part_, node_positions(part_), density, loads,
+                           checks);
     }
     loads = compress(loads, kCompressionTolerance);
     coefficients_ = loads.coefficients;
     stress_ = std::make_unique<InitialStress>(
         part_, problem.material,
-        extend_rows(factor_->solve(restrict_rows(loads.columns, numbers_)),
-                    numbers_));
+        coordinates_->displacements(coordinates_->of_loads(loads.columns)));
     if (!is_free) return;
     for (const auto& groups : problem.holds) holds_.emplace_back(part_, groups);
   }
 
   Index instants() const { return coefficients_.cols(); }
-  Index equations() const { return numbers_.count; }
+  Index equations() const { return coordinates_->size(); }
   std::size_t holds() const { return std::max<std::size_t>(1, holds_.size()); }
   const MatrixXd& coefficients() const { return coefficients_; }
   const InitialStress& stress() const { return *stress_; }
-  const StiffnessMatrix<3>& stiffness() const { return stiffness_; }
+  const NodePairs& pairs() const { return pairs_; }
 
-  /// Displacements F⁻ᵀ Y as the hold has them.
+  /// Displacements as the hold has them.
   MatrixXd shapes(const MatrixXd& unknowns, std::size_t hold) const {
-    MatrixXd u = extend_rows(factor_->solve_upper(unknowns), numbers_);
+    MatrixXd u = coordinates_->displacements(unknowns);
     return holds_.empty() ? u : holds_[hold].project(u);
   }
 
   /// Y of a displacement, whatever rigid motion is in it: Fᵀ φ = F⁻¹ K φ.
   MatrixXd unknowns(const MatrixXd& u) const {
-    return factor_->solve_lower(
-        restrict_rows(stiffness_.multiply(u), numbers_));
+    return coordinates_->of_loads(forces_by_strain(part_, material_, u));
   }
 
   /// F⁻¹ (sign · S) F⁻ᵀ: K⁻¹ S as it acts on Y, without a product with K.
   /// @param matrix  S, of nodes; outlives the operator.
   dynamics::SelfAdjoint answer_to(const MassMatrix& matrix, double sign,
                                   std::size_t hold) const {
-    return {numbers_.count,
+    return {equations(),
             [](const MatrixXd& y) {
               return y;
             },
             [this, &matrix, sign, hold](const MatrixXd& y, const MatrixXd&) {
               MatrixXd f = sign * multiply(matrix, shapes(y, hold));
               if (!holds_.empty()) f = holds_[hold].balance(f);
-              return factor_->solve_lower(restrict_rows(f, numbers_));
+              return coordinates_->of_loads(f);
             }};
   }
 
  private:
   const Discretization<3>& part_;
-  std::string place_;
-  EquationNumbers numbers_;
-  StiffnessMatrix<3> stiffness_;
-  std::unique_ptr<FrontalCholesky> factor_;
+  const part::Material& material_;
+  std::unique_ptr<EnergyCoordinates> coordinates_;
+  NodePairs pairs_;
   MatrixXd coefficients_;
   std::unique_ptr<InitialStress> stress_;
   std::vector<PinHold> holds_;
@@ -133,7 +127,7 @@ class StressedPart {
 MatrixXd yielding_shapes(const StressedPart& part, std::size_t hold) {
   constexpr int kSteps = 3;
   constexpr Index kShapes = 8;
-  const MassMatrix unit = part.stress().unit_stiffness(part.stiffness());
+  const MassMatrix unit = part.stress().unit_stiffness(part.pairs());
   dynamics::BlockKrylov space(
       part.answer_to(unit, 1.0, hold),
       start_block(part.equations(), std::min(kBlock, part.equations())), {});
@@ -218,8 +212,8 @@ Yield largest_yield(const StressedPart& part, std::size_t hold, Index instant,
                     const MatrixXd& start, int fewest) {
   constexpr double kTolerance = 3e-4;  // λ has its square as error
   constexpr int kMostSteps = 40;
-  const MassMatrix geometric = part.stress().stiffness(
-      part.stiffness(), part.coefficients().col(instant));
+  const MassMatrix geometric =
+      part.stress().stiffness(part.pairs(), part.coefficients().col(instant));
   dynamics::BlockKrylov space(part.answer_to(geometric, -1.0, hold), start, {});
   for (int step = 1;; ++step) {
     space.extend();
@@ -335,7 +329,7 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
     const Yield yield =
         largest_yield(part, hold, next, space.best(next, kBlock), kFewest);
     solved.insert(next);
-    space.add(yield.shapes);
+    if (std::ssize(solved) < part.instants()) space.add(yield.shapes);
     if (yield.value > largest) {
       largest = yield.value;
       take(part, yield, next, best);

@@ -33,6 +33,9 @@ struct BucklingProblem {
   std::vector<std::vector<std::string>> holds;
   std::string name;               ///< of the part, for messages
   part::Foundations foundations;  ///< elastic beds under faces
+  /// Of a plate: what the discretisation is a layer over, of degree 3 through
+  /// the thickness. Null: a solid.
+  const Discretization<2>* plane = nullptr;
   /// Of one instant with one hold: near to what is sought. Null: none is known.
   const KnownShape* known = nullptr;
 };
@@ -51,7 +54,8 @@ struct BucklingMode {
 inline constexpr double kHighestFactor = 100.0;
 
 /// Linear buckling: K_G from the stresses of each instant; loads keep size and
-/// direction while the part moves. One factorisation. The instant that governs
+/// direction while the part moves. One factorisation, of each parity class of
+/// the part (EnergyCoordinates). The instant that governs
 /// is sought in the space of the shapes that yield most to any stress and of
 /// those found so far, then solved for; until no other instant has a lower
 /// factor in that space. From a known shape, and others at random should its

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "elasticity/algebra/dense_product.h"
+#include "elasticity/assembly/node_pairs.h"
 #include "elasticity/assembly/stiffness.h"
 
 namespace clevis::elasticity {
@@ -11,32 +13,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-
-void build_pattern(const Discretization<2>& plane, PlaneIntegrals& result) {
-  const auto nodes = static_cast<std::size_t>(plane.nodes);
-  std::vector<std::vector<std::size_t>> cells_of(nodes);
-  for (std::size_t c = 0; c < plane.cell_nodes.size(); ++c) {
-    for (int i : plane.cell_nodes[c]) {
-      cells_of[static_cast<std::size_t>(i)].push_back(c);
-    }
-  }
-  std::vector<int> last_row(nodes, -1);
-  result.row_start.assign(1, 0);
-  for (int row = 0; row < plane.nodes; ++row) {
-    const auto begin = static_cast<std::ptrdiff_t>(result.column.size());
-    for (const std::size_t c : cells_of[static_cast<std::size_t>(row)]) {
-      for (int j : plane.cell_nodes[c]) {
-        auto& seen = last_row[static_cast<std::size_t>(j)];
-        if (j < row || seen == row) continue;
-        seen = row;
-        result.column.push_back(j);
-      }
-    }
-    std::sort(result.column.begin() + begin, result.column.end());
-    result.row_start.push_back(static_cast<int>(result.column.size()));
-  }
-  result.value.resize(result.column.size());
-}
 
 void scatter(const std::vector<int>& ids,
              const std::array<MatrixXd, PlaneIntegrals::kKinds>& cell,
@@ -113,7 +89,10 @@ BlockRecipe block_recipe(const part::Material& material, Parity parity,
 PlaneIntegrals plane_integrals(const Discretization<2>& plane,
                                const std::string& place) {
   PlaneIntegrals result;
-  build_pattern(plane, result);
+  NodePairs pairs = node_pairs(plane.cell_nodes, plane.nodes);
+  result.row_start = std::move(pairs.row_start);
+  result.column = std::move(pairs.column);
+  result.value.resize(result.column.size());
   const auto rule = stiffness_quadrature(plane);
   const auto displacement = tabulate_displacement<2>(
       plane.shape, plane.displacement_degree(), rule.points);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/errors.h"
 #include "elasticity/algebra/dense_product.h"
+#include "elasticity/assembly/node_pairs.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/fe_space/tabulation.h"
 #include "elasticity/revolution/harmonic.h"
@@ -17,26 +19,6 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
-
-void build_pattern(const Discretization<2>& meridian,
-                   StiffnessMatrix<3>& matrix) {
-  std::vector<std::vector<int>> row(static_cast<std::size_t>(meridian.nodes));
-  for (const auto& ids : meridian.cell_nodes) {
-    for (int i : ids) {
-      for (int j : ids) {
-        if (j >= i) row[static_cast<std::size_t>(i)].push_back(j);
-      }
-    }
-  }
-  matrix.row_start.push_back(0);
-  for (auto& columns : row) {
-    std::ranges::sort(columns);
-    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-    matrix.column.insert(matrix.column.end(), columns.begin(), columns.end());
-    matrix.row_start.push_back(static_cast<int>(matrix.column.size()));
-  }
-  matrix.block.assign(matrix.column.size(), Matrix3d::Zero());
-}
 
 /// Integrals over a cell of the meridian, functions × functions, that an
 /// element matrix of any order is made of.
@@ -104,7 +86,10 @@ Blocks element_blocks(const CellIntegrals& c, const LameConstants<3>& lame,
 MeridianStiffness::MeridianStiffness(const Discretization<2>& meridian,
                                      const part::Material& material,
                                      const std::string& place) {
-  build_pattern(meridian, constant_);
+  NodePairs pairs = node_pairs(meridian.cell_nodes, meridian.nodes);
+  constant_.row_start = std::move(pairs.row_start);
+  constant_.column = std::move(pairs.column);
+  constant_.block.assign(constant_.column.size(), Matrix3d::Zero());
   linear_.assign(constant_.block.size(), Matrix3d::Zero());
   quadratic_ = linear_;
   const auto lame = lame_constants<3>(material);

@@ -110,9 +110,9 @@ class Edges {
     const auto first = std::ranges::find_if(local_, [&](const LocalEdge& edge) {
       return edge.corner == 0 && edge.direction == direction;
     });
-    const auto e = static_cast<int>(first - local_.begin());
-    const auto [from, to] = ends(cells_[c], e);
-    const int start = edges_[c][at(e)];
+    const auto local = static_cast<int>(first - local_.begin());
+    const auto [from, to] = ends(cells_[c], local);
+    const int start = edges_[c][at(local)];
     if (tail_[at(start)]) return true;
     tail_[at(start)] = dim == 2 ? to : from;
     std::vector<int> open{start};

@@ -74,12 +74,22 @@ TEST_F(GmshRunner, RefusesAGeometryThatWritesNoMesh) {
   EXPECT_EQ(error.code(), "M010") << error.problem();
 }
 
-// The process that the .geo starts holds on for a minute; the whole group is
-// ended.
+TEST_F(GmshRunner, StartsNoProgramOfAGeometry) {
+  const path ran = folder_.path() / "ran";
+  for (const std::string call : {"SystemCall", "NonBlockingSystemCall"}) {
+    const Error error = refusal(
+        geometry(call + " \"touch " + ran.string() + "\";\n" + kCube), kLong);
+    EXPECT_EQ(error.code(), "M010");
+    EXPECT_NE(error.problem().find("SystemCall"), std::string::npos)
+        << error.problem();
+    EXPECT_FALSE(std::filesystem::exists(ran)) << call;
+  }
+}
+
 TEST_F(GmshRunner, EndsWhatTakesTooLong) {
   const auto start = std::chrono::steady_clock::now();
-  const Error error = refusal(geometry("SystemCall \"sleep 60\";\n"),
-                              std::chrono::milliseconds(500));
+  const Error error =
+      refusal(geometry("Sleep 60;\n"), std::chrono::milliseconds(500));
   EXPECT_EQ(error.code(), "M010");
   EXPECT_NE(error.problem().find("0.5 s"), std::string::npos)
       << error.problem();
@@ -90,6 +100,22 @@ TEST_F(GmshRunner, SaysThatGmshIsNotInstalled) {
   const Error error = refusal(geometry(kCube), kLong, "no-such-mesher");
   EXPECT_EQ(error.code(), "M010");
   EXPECT_NE(error.remedy().find("Install"), std::string::npos);
+}
+
+// Whose shell may start what it wants, and is ended with it.
+TEST_F(GmshRunner, RunsAScriptThatStandsForGmsh) {
+  const path script = folder_.path() / "my-gmsh";
+  std::ofstream(script) << "#!/bin/sh\ngmsh \"$@\"\n";
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  EXPECT_TRUE(run_gmsh(geometry(kCube), {}, kLong, script.string())
+                  .starts_with("$MeshFormat"));
+  std::ofstream(script) << "#!/bin/sh\nsleep 60\n";
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(
+      refusal(geometry(kCube), std::chrono::milliseconds(300), script.string())
+          .code(),
+      "M010");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
 TEST_F(GmshRunner, RefusesAMissingFile) {

@@ -115,6 +115,7 @@ TEST(Buckling, AKnownShapeLeadsToTheSameFactor) {
                                        {{}},
                                        "box",
                                        {},
+                                       nullptr,
                                        &known});
     EXPECT_NEAR(mode.factor / direct.factor, 1.0, 1e-6);
     EXPECT_NEAR(std::abs(mode.shape.dot(direct.shape)) /

@@ -1,4 +1,4 @@
-#include "app/processes/error_text.h"
+#include "app/request/error_text.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "multibody/model.h"
+
+namespace clevis::importer {
+
+/// The model that SDF describes, all of it in the world's frame [SI].
+/// @param file  for messages.
+/// @throws Error S014 as libsdformat refuses it.
+multibody::Model read_sdf(const std::string& xml, const std::string& file);
+
+}  // namespace clevis::importer
