@@ -14,7 +14,7 @@ multibody::Model run_importer(const std::filesystem::path& file,
   const Companion importer{.name = kImporter,
                            .role = "importer",
                            .code = "S014",
-                           .remedy = "Leave out what is no link and no joint.",
+                           .remedy = "Import one mechanism alone, with fewer links.",
                            .program = program,
                            .timeout = std::chrono::seconds(8),
                            .memory = std::size_t{2} << 30};
