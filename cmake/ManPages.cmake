@@ -11,6 +11,7 @@ if(CLEVIS_HELP2MAN AND CLEVIS_PYTHON)
     DEPENDS clevis ${PROJECT_SOURCE_DIR}/cmake/make_man_pages.py
     COMMENT "Manual pages")
   add_custom_target(man_pages ALL DEPENDS ${folder}/clevis.1)
+  add_dependencies(deb man_pages)
   install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
           FILES_MATCHING PATTERN "*.1")
 endif()

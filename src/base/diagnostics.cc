@@ -87,17 +87,19 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "of yours is overwritten."},
     {"I006", kIo, "folder in use",
      "Another clevis is writing its results into the same folder: their files "
-     "would mix. Wait until it has ended, or give another --out. The lock goes "
-     "with its process, however that ends; the empty file .lock may stay."},
+     "would mix. Wait until it has ended, or give another --out; `check "
+     "--watch` waits by itself, up to 10 minutes. The lock goes with its "
+     "process, however that ends; the empty file .lock may stay."},
     {"I007", kIo, "no plan",
      "`clevis collect` reads the variants that are expected from plan.json, "
      "which `clevis plan` writes into the folder. Give that folder, or plan "
      "again."},
-    {"I008", kIo, "folder is no result that a report can show",
+    {"I008", kIo, "folder is no result that can be shown",
      "The folder holds neither the result.json of a check nor the "
      "simulate.json of a simulation, or those of another version of clevis, "
      "or lacks files of its folder `view` that belong to them. Run the command "
-     "again and report its folder as it stands."},
+     "again and report its folder as it stands. `clevis picture` draws checks: "
+     "of a mechanism whose parts move, or with --part one part."},
     {"K001", kModelInvalid, "mechanism does not assemble",
      "No position of the bodies satisfies all joints and drives at the start: "
      "lengths break a loop, or the approximate placement is too far off. The "
@@ -154,7 +156,8 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "by default), or would by a hundred times. The message names the body and "
      "the force whose motion is fastest: a stiffness, mass or length of a "
      "wrong "
-     "order of size there makes every step short."},
+     "order of size there makes every step short. Where the forecast is below "
+     "20 times the limit it names a --max-time that should do."},
     {"L001", kModelInvalid, "unbalanced load on a free part",
      "Forces, moments and inertia of a part that nothing holds do not cancel. "
      "A linear static solve would hide the residual in arbitrary supports. "

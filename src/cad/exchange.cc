@@ -33,6 +33,14 @@ std::vector<Vector3d> list_of(const json& list) {
   return points;
 }
 
+json places_json(const std::vector<Refinement::Place>& places) {
+  json list = json::array();
+  for (const auto& [at, times] : places) {
+    list.push_back({{"at", vector_json(at)}, {"times", times}});
+  }
+  return list;
+}
+
 json face_json(const Face& face) {
   const auto name =
       std::ranges::find(kSurfaceNames, face.kind,
@@ -84,7 +92,7 @@ std::string text_of(const Request& request) {
                {"mesh", request.mesh.string()},
                {"groups", request.groups},
                {"finer", request.finer.everywhere},
-               {"finer_at", list_json(request.finer.at)}};
+               {"finer_at", places_json(request.finer.at)}};
   if (request.mesh_size) text["mesh_size"] = *request.mesh_size;
   return text.dump();
 }
@@ -100,7 +108,9 @@ Request read_request(const std::string& text) {
   request.groups =
       found.at("groups").get<std::map<std::string, std::vector<int>>>();
   request.finer.everywhere = found.at("finer");
-  request.finer.at = list_of(found.at("finer_at"));
+  for (const json& place : found.at("finer_at")) {
+    request.finer.at.push_back({vector_of(place.at("at")), place.at("times")});
+  }
   if (found.contains("mesh_size")) request.mesh_size = found["mesh_size"];
   return request;
 }

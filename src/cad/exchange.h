@@ -15,9 +15,14 @@ namespace clevis::cad {
 
 /// How much finer a mesh is to be than the mesher makes it by itself.
 struct Refinement {
+  /// Cells within half a cell of a place are smaller still, growing away from
+  /// it.
+  struct Place {
+    Eigen::Vector3d at;  ///< [m]
+    double times{};      ///< smaller
+  };
   double everywhere = 1.0;  ///< times smaller cells
-  /// Where they are three times smaller still, growing away from it [m].
-  std::vector<Eigen::Vector3d> at;
+  std::vector<Place> at;    ///< one that is named twice is refined twice
 };
 
 /// What clevis asks its mesher: to describe a solid, or to mesh it.

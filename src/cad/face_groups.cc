@@ -57,7 +57,8 @@ void add_rounds(const Solid& solid, FaceGroups& groups) {
         return std::ranges::find(g.second, face) != g.second.end();
       });
     });
-    const std::string name = fmt::format("round_{}", cylinder.faces.front());
+    const std::string name =
+        fmt::format("{}{}", kRound, cylinder.faces.front());
     if (is_free && cylinder.angle >= kLeastTurn) {
       groups.faces.try_emplace(name, cylinder.faces);
     }

@@ -24,6 +24,9 @@ FaceGroups face_groups(const Solid& solid,
                        const std::vector<Eigen::Vector3d>& points,
                        const part::SolidSource& source);
 
+/// Name of a cylinder that no joint and no selector names, before its number.
+inline constexpr const char* kRound = "round_";
+
 /// Adds each cylinder that is in no group as round_N, N its first face, so that
 /// the finite elements follow it exactly.
 void add_rounds(const Solid& solid, FaceGroups& groups);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
@@ -16,15 +17,18 @@
 #include <TopoDS.hxx>
 #include <gp_Lin.hxx>
 
+#include "cad/face_groups.h"
+
 namespace clevis::mesher {
 namespace {
 
-constexpr double kMillimetre = 1e-3;            // [m]
-constexpr double kTurn = std::numbers::pi / 5;  // of a cell on a curve
-constexpr double kGrowth = 0.5;                 // per distance
-constexpr double kPerSize = 6.0;                // cells along the part
-constexpr double kThinnest = 1.0 / 200.0;       // of the part's size
-constexpr int kSamples = 7;                     // per parameter
+constexpr double kMillimetre = 1e-3;                  // [m]
+constexpr double kTurn = std::numbers::pi / 5;        // of a cell on a curve
+constexpr double kTurnOfSeat = std::numbers::pi / 8;  // which loads press on
+constexpr double kGrowth = 0.5;                       // per distance
+constexpr double kPerSize = 6.0;                      // cells along the part
+constexpr double kThinnest = 1.0 / 200.0;             // of the part's size
+constexpr int kSamples = 7;                           // per parameter
 constexpr double kFar = 1e100;
 
 double diagonal(const TopoDS_Solid& solid) {
@@ -34,11 +38,11 @@ double diagonal(const TopoDS_Solid& solid) {
 }
 
 /// Size that a cell may have where the surface bends as it does there [mm].
-double curved_size(BRepLProp_SLProps& surface) {
+double curved_size(BRepLProp_SLProps& surface, double turn) {
   if (!surface.IsCurvatureDefined()) return kFar;
   const double bend = std::max(std::abs(surface.MaxCurvature()),
                                std::abs(surface.MinCurvature()));
-  return bend > 1e-9 ? kTurn / bend : kFar;
+  return bend > 1e-9 ? turn / bend : kFar;
 }
 
 /// Depth of the material under a point of the surface [mm].
@@ -49,18 +53,31 @@ double wall(IntCurvesFace_ShapeIntersector& solid, const gp_Pnt& from,
   return solid.IsDone() && solid.NbPnt() > 0 ? solid.WParameter(1) : kFar;
 }
 
+/// Numbers of the faces that joints and selectors name: loads press on them,
+/// and the peak most often stands there.
+std::set<int> seats(const cad::Request& request) {
+  std::set<int> faces;
+  for (const auto& [name, of_group] : request.groups) {
+    if (!name.starts_with(cad::kRound)) {
+      faces.insert(of_group.begin(), of_group.end());
+    }
+  }
+  return faces;
+}
+
 }  // namespace
 
 MeshSizes::MeshSizes(const TopoDS_Solid& solid, const cad::Request& request) {
   largest_ = request.mesh_size ? *request.mesh_size / kMillimetre
                                : diagonal(solid) / kPerSize;
   largest_ /= request.finer.everywhere;
-  add_faces(solid, request.finer.everywhere);
+  add_faces(solid, request.finer.everywhere, seats(request));
   thin_out();
   refine(request.finer.at);
 }
 
-void MeshSizes::add_faces(const TopoDS_Solid& solid, double fineness) {
+void MeshSizes::add_faces(const TopoDS_Solid& solid, double fineness,
+                          const std::set<int>& seats) {
   const double reach = diagonal(solid);
   IntCurvesFace_ShapeIntersector intersector;
   intersector.Load(solid, 1e-7 * reach);
@@ -70,6 +87,7 @@ void MeshSizes::add_faces(const TopoDS_Solid& solid, double fineness) {
     const TopoDS_Face& face = TopoDS::Face(faces(f));
     const BRepAdaptor_Surface surface(face);
     BRepTopAdaptor_FClass2d outline(face, 1e-7);
+    const double turn = seats.contains(f) ? kTurnOfSeat : kTurn;
     double u0{}, u1{}, v0{}, v1{}, finest = largest_;
     BRepTools::UVBounds(face, u0, u1, v0, v1);
     for (int i = 0; i < kSamples * kSamples; ++i) {
@@ -81,14 +99,14 @@ void MeshSizes::add_faces(const TopoDS_Solid& solid, double fineness) {
       const gp_Dir normal = face.Orientation() == TopAbs_REVERSED
                                 ? here.Normal()
                                 : here.Normal().Reversed();
-      const double curved = curved_size(here) / fineness;
+      const double curved = curved_size(here, turn) / fineness;
       const double thick =
           std::max(wall(intersector, here.Value(), normal, reach),
                    kThinnest * reach) /
           fineness;
       finest = std::min(finest, curved);
       if (std::min(curved, thick) < largest_) {
-        sources_.push_back({here.Value(), std::min(curved, thick)});
+        sources_.push_back({here.Value(), std::min(curved, thick), 0.0});
       }
     }
     on_face_.push_back(finest);
@@ -106,13 +124,12 @@ void MeshSizes::thin_out() {
   }
 }
 
-/// A place that is named twice is refined twice.
-void MeshSizes::refine(const std::vector<Eigen::Vector3d>& places) {
-  constexpr double kFiner = 3.0;
-  for (const Eigen::Vector3d& place : places) {
+void MeshSizes::refine(const std::vector<cad::Refinement::Place>& places) {
+  for (const auto& [place, times] : places) {
     const Eigen::Vector3d p = place / kMillimetre;
     const gp_Pnt point(p.x(), p.y(), p.z());
-    sources_.push_back({point, at(point) / kFiner});
+    const double size = at(point);
+    sources_.push_back({point, size / times, 0.5 * size});
     std::ranges::sort(sources_, {}, &SizeSource::size);
   }
 }
@@ -121,7 +138,8 @@ double MeshSizes::at(const gp_Pnt& point) const {
   double size = largest_;
   for (const SizeSource& source : sources_) {
     if (source.size >= size) break;  // they rise
-    size = std::min(size, source.size + kGrowth * point.Distance(source.at));
+    const double beyond = point.Distance(source.at) - source.reach;
+    size = std::min(size, source.size + kGrowth * std::max(0.0, beyond));
   }
   return size;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include <TopoDS_Solid.hxx>
@@ -11,8 +12,9 @@ namespace clevis::mesher {
 
 /// Size of cells where it is known; it grows with the distance.
 struct SizeSource {
-  gp_Pnt at;      ///< [mm]
-  double size{};  ///< [mm]
+  gp_Pnt at;       ///< [mm]
+  double size{};   ///< [mm]
+  double reach{};  ///< from where on it grows [mm]
 };
 
 /// How large cells are to be over a solid: as the walls are thick and the
@@ -31,9 +33,10 @@ class MeshSizes {
   double largest() const { return largest_; }
 
  private:
-  void add_faces(const TopoDS_Solid& solid, double fineness);
+  void add_faces(const TopoDS_Solid& solid, double fineness,
+                 const std::set<int>& seats);
   void thin_out();
-  void refine(const std::vector<Eigen::Vector3d>& places);
+  void refine(const std::vector<cad::Refinement::Place>& places);
 
   double largest_{};  ///< [mm]
   std::vector<double> on_face_;

@@ -132,6 +132,19 @@ void set_sizes(const std::vector<int>& tags, const MeshSizes& sizes) {
       });
 }
 
+/// Curved cells that gmsh cannot better are no reason to stop: those that fold
+/// are found when the mesh is read.
+void generate() {
+  try {
+    gmsh::model::mesh::generate(3);
+  } catch (...) {
+    std::string said;
+    gmsh::logger::getLastError(said);
+    constexpr const char* kNotBettered = "Failed to reach critical value";
+    if (said.find(kNotBettered) == std::string::npos) throw;
+  }
+}
+
 }  // namespace
 
 void mesh_solid(const TopoDS_Solid& solid, const cad::Solid& described,
@@ -146,7 +159,7 @@ void mesh_solid(const TopoDS_Solid& solid, const cad::Solid& described,
     const std::vector<int> tags = surface_tags(described, request);
     add_groups(request, tags);
     set_sizes(tags, sizes);
-    gmsh::model::mesh::generate(3);
+    generate();
     gmsh::model::mesh::removeSizeCallback();
     gmsh::write(request.mesh.string());
   } catch (const Error&) {

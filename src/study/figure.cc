@@ -1,14 +1,20 @@
 #include "study/figure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "study/svg_plot.h"
-
 namespace clevis::study {
 namespace {
+
+using report::PlotFigure;
+using report::PlotPanel;
+using report::PlotSeries;
 
 constexpr double kPercent = 100.0;
 
@@ -31,7 +37,9 @@ std::vector<PlotSeries> series_of(const PartStudy& part, const Value& x,
       all.push_back({run.series, {}});
       series = all.end() - 1;
     }
-    series->points.push_back({x(run), y(run), short_label(run.setting)});
+    const double error = y(run);
+    series->points.push_back(
+        {x(run), error, error, error, short_label(run.setting)});
   }
   return all;
 }
@@ -62,7 +70,7 @@ std::vector<Cost> costs() {
            }}};
 }
 
-Panel peak_panel(const PartStudy& part, const Cost& cost) {
+PlotPanel peak_panel(const PartStudy& part, const Cost& cost) {
   return {"peak von Mises stress", cost.label, "error, %",
           series_of(part, cost.of,
                     [&part](const Run& r) {
@@ -71,7 +79,7 @@ Panel peak_panel(const PartStudy& part, const Cost& cost) {
           percent_of(part.peak)};
 }
 
-Panel energy_panel(const PartStudy& part, const Cost& cost) {
+PlotPanel energy_panel(const PartStudy& part, const Cost& cost) {
   return {"strain energy", cost.label, "error, %",
           series_of(part, cost.of,
                     [&part](const Run& r) {
@@ -80,7 +88,8 @@ Panel energy_panel(const PartStudy& part, const Cost& cost) {
           percent_of(part.energy)};
 }
 
-Panel probe_panel(const PartStudy& part, std::size_t probe, const Cost& cost) {
+PlotPanel probe_panel(const PartStudy& part, std::size_t probe,
+                      const Cost& cost) {
   return {"probe " + part.probe_names[probe], cost.label, "error, %",
           series_of(part, cost.of,
                     [&part, probe](const Run& r) {
@@ -92,28 +101,36 @@ Panel probe_panel(const PartStudy& part, std::size_t probe, const Cost& cost) {
           percent_of(part.probes[probe])};
 }
 
+PlotFigure figure_of(const PartStudy& part, std::vector<PlotPanel> panels,
+                     int columns) {
+  return {fmt::format("{}, {}", part.name, part.load),
+          {},
+          report::PlotAxes::kLogarithmic,
+          columns,
+          std::move(panels)};
+}
+
 }  // namespace
 
-std::string study_figure(const PartStudy& part) {
-  std::vector<Panel> panels;
+PlotFigure study_figure(const PartStudy& part) {
+  std::vector<PlotPanel> panels;
   const auto all = costs();
   for (const auto& cost : all) panels.push_back(peak_panel(part, cost));
   for (const auto& cost : all) panels.push_back(energy_panel(part, cost));
   for (std::size_t p = 0; p < part.probes.size(); ++p) {
     for (const auto& cost : all) panels.push_back(probe_panel(part, p, cost));
   }
-  return svg_figure(part.name + ", " + part.load, panels,
-                    static_cast<int>(all.size()));
+  return figure_of(part, std::move(panels), static_cast<int>(all.size()));
 }
 
-std::string peak_against_seconds(const PartStudy& part) {
-  Panel panel = peak_panel(part, costs().front());
+PlotFigure peak_against_seconds(const PartStudy& part) {
+  PlotPanel panel = peak_panel(part, costs().front());
   // One of the series with Legendre terms is enough to look at.
   std::erase_if(panel.series, [](const PlotSeries& series) {
     return series.name.ends_with("2+2 terms") ||
            series.name.ends_with("4+4 terms");
   });
-  return svg_figure(fmt::format("{}, {}", part.name, part.load), {panel}, 1);
+  return figure_of(part, {std::move(panel)}, 1);
 }
 
 }  // namespace clevis::study

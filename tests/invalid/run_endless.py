@@ -4,6 +4,7 @@ fastest.
 
     run_endless.py CLEVIS SOURCE_DIR
 """
+import re
 import subprocess
 import sys
 import tempfile
@@ -31,6 +32,15 @@ class Endless(unittest.TestCase):
                 SOURCE / f"geometry/tribometer/{scene}.toml", "--set",
                 "force.springs.stiffness=1e12 N/m", "--max-time", "2 s")
             self.refused_in_time(done, "springs", "body upper")
+
+    def test_limit_that_is_enough_is_named(self):
+        scene = SOURCE / "geometry/tribometer/crank.toml"
+        stiff = ("--set", "force.springs.stiffness=1e7 N/m", "--max-time")
+        done = self.simulate(scene, *stiff, "0.3 s")
+        self.refused_in_time(done, "forecast")
+        enough = re.search(r'Give --max-time "([^"]+)"', done.stderr)
+        self.assertIsNotNone(enough, done.stderr)
+        self.assertEqual(self.simulate(scene, *stiff, enough[1]).returncode, 0)
 
     def test_small_inductance(self):
         text = (SOURCE / "tests/data/scenes/motors.toml").read_text()

@@ -150,7 +150,7 @@ ROOMS = {
         "parts": "a part's result",
         "check": "a check's result: table, JSON, CSV, JUnit",
         "compare": "a result against a baseline",
-        "figures": "figures in SVG",
+        "figures": "plots as scripts of gnuplot",
         "variants": "many variants of a scene: plan, results, table, plot",
         "view": "what pictures need of a result: surfaces, fields, the motion",
         "page": "a result as one HTML page, or as glTF",
@@ -158,6 +158,7 @@ ROOMS = {
     },
     "app": {
         "processes": "other programs, workers, temporary folders, errors across processes",
+        "figures": "plots drawn by gnuplot",
         "request": "what the command line asks for, where results go, how refusals are told",
         "companions": "clevis' own programs that read files of others: question, answer, limits",
         "solids": "meshes of CAD solids, by clevis-mesher",
@@ -215,7 +216,7 @@ PUBLIC = {
                   " job/part_result models/level models/model_list part_check",
     "report": "check/check_inputs check/check_table check/result_files check/result_json"
               " compare/comparison compare/comparison_output"
-              " compare/result_reader figures/svg machine/ejector_output"
+              " compare/result_reader figures/plot machine/ejector_output"
               " machine/transmission_output motion/motion_csv motion/motion_files"
               " motion/motion_json motion/motion_table page/glb_scene"
               " page/report_page page/result_folder page/watch_mark parts/part_result_json"

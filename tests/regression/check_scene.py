@@ -15,7 +15,8 @@ EXIT_OF_VERDICT = {"pass": 0, "fail": 1, "not judged": 4}
 def main():
     clevis, scene, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3])
     shutil.rmtree(folder, ignore_errors=True)
-    run = subprocess.run([clevis, "check", scene, "--out", folder, "--json"],
+    run = subprocess.run([clevis, "check", scene, "--out", folder, "--json",
+                          "--linear-vtu"],
                          stdout=subprocess.PIPE, text=True)
     document = json.loads(run.stdout)
     if "error" in document:

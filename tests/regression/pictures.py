@@ -137,7 +137,7 @@ def plates(checks, folder):
                       f"{part['name']}: at the peak the colour of {share:.2f} of the largest stress")
 
 
-def commands(checks, clevis, folder, name):
+def commands(checks, clevis, source, folder, name):
     def run(*arguments):
         return subprocess.run([clevis, "picture", *map(str, arguments)], text=True,
                               capture_output=True)
@@ -148,6 +148,9 @@ def commands(checks, clevis, folder, name):
     checks.expect("0 s, 1 s, 2 s" in " ".join(drawing.texts), "at three instants")
     checks.expect(len(drawing.root.findall(f"{SVG}circle")) == 0
                   and drawing.box[1] > 400, "as large as the picture")
+    committed = Drawing(source / "results/studies/landing_gear_loaded.svg")
+    checks.expect(committed.texts == drawing.texts and committed.box == drawing.box,
+                  "README's picture is what the command draws")
     again = Path(name) / "again.svg"
     run(folder, "--part", "DCE", "--out", again)
     checks.expect(Drawing(again).texts == Drawing(folder / "DCE.svg").texts,
@@ -157,6 +160,11 @@ def commands(checks, clevis, folder, name):
         done = run(*arguments)
         checks.expect(done.returncode in (10, 22) and code in done.stderr,
                       f"{code}: {done.stderr.strip()[:90]}")
+    for file in ("x.png", "x", "x.SVG"):
+        done = run(folder, "--out", Path(name) / file)
+        checks.expect(done.returncode == 2 and "U001" in done.stderr and file in done.stderr
+                      and "x.svg" in done.stderr and not (Path(name) / file).exists(),
+                      f"--out {file} is refused: {done.stderr.strip()[:120]}")
     old = Path(name) / "old"
     shutil.copytree(folder, old)
     view = old / "view/part_DCE.json"
@@ -166,6 +174,53 @@ def commands(checks, clevis, folder, name):
     done = run(old)
     checks.expect(done.returncode == 22 and "I003" in done.stderr,
                   f"a damaged view is refused: {done.stderr.strip()[:90]}")
+
+
+def without_mechanism(checks, clevis, name):
+    """What has no moving parts, or no parts at all, says what can be drawn."""
+    home = Path(name)
+    for template in ("part", "four-bar"):
+        subprocess.run([clevis, "init", template, "--template", template], cwd=name, check=True,
+                       capture_output=True)
+    part, motion = home / "part_out", home / "motion_out"
+    check = [clevis, "check", "--mesh", home / "part/scene.toml", "--out", part,
+             "--tolerance", "10%"]
+    subprocess.run(check, capture_output=True)
+    for command in (["mesh"], ["simulate", "--out", motion]):
+        subprocess.run([clevis, *command, home / "four-bar/scene.toml"], check=True,
+                       capture_output=True)
+    link = json.loads((part / "result.json").read_text())["parts"][0]["name"]
+    for arguments, remedy in (((part,), f"--part {link}"), ((motion,), "clevis report"),
+                              ((motion, "--part", link), "clevis report")):
+        done = subprocess.run([clevis, "picture", *arguments], text=True, capture_output=True)
+        checks.expect(done.returncode == 22 and "I008" in done.stderr and remedy in done.stderr,
+                      f"refused with what to do: {done.stderr.strip()[:200]}")
+    done = subprocess.run([clevis, "picture", part, "--part", link], capture_output=True)
+    checks.expect(done.returncode == 0, "one part alone is drawn")
+    scene = home / "part/scene.toml"
+    scene.write_text(scene.read_text().replace(f'name = "{link}"', 'name = "other"'))
+    subprocess.run(check, capture_output=True)
+    checks.expect((part / "other.svg").exists() and not (part / f"{link}.svg").exists(),
+                  "the picture of a part that is gone goes with its files")
+
+
+def failing_report(checks, clevis, name):
+    """A report that cannot be written does not swallow the verdict."""
+    out = Path(name) / "part_out"
+    (out / "report.html").mkdir()
+    (out / "report.html/kept").touch()
+    check = [clevis, "check", "--report", Path(name) / "part/scene.toml", "--out", out,
+             "--tolerance", "10%"]
+    done = subprocess.run(check, capture_output=True, text=True)
+    checks.expect(done.returncode == 22 and "I002" in done.stderr and "verdict: " in done.stdout,
+                  f"the table stands: {done.stdout[-200:]}{done.stderr[:200]}")
+    done = subprocess.run([*check, "--json"], capture_output=True, text=True)
+    checks.expect(done.returncode == 22 and json.loads(done.stdout)["error"]["code"] == "I002",
+                  f"and --json is one document: {done.stdout[:100]}")
+    shutil.rmtree(out / "report.html")
+    done = subprocess.run(check, capture_output=True, text=True)
+    checks.expect(done.returncode == 0 and f"report: {out}/report.html\n" in done.stderr,
+                  f"one that is written is told: {done.stderr}")
 
 
 def hostile(checks, clevis, name):
@@ -187,11 +242,13 @@ def hostile(checks, clevis, name):
 
 
 def main():
-    clevis, folder = Path(sys.argv[1]).resolve(), Path(sys.argv[3])
+    clevis, source, folder = Path(sys.argv[1]).resolve(), *map(Path, sys.argv[2:4])
     checks = Checks()
     plates(checks, folder)
     with tempfile.TemporaryDirectory() as name:
-        commands(checks, clevis, folder, name)
+        commands(checks, clevis, source, folder, name)
+        without_mechanism(checks, clevis, name)
+        failing_report(checks, clevis, name)
         hostile(checks, clevis, name)
     return checks.exit_code()
 

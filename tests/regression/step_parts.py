@@ -176,6 +176,58 @@ class StepParts(unittest.TestCase):
         self.assertIn("bar.step: unit millimetre, 60 x 10 x 10 mm, 6 cm^3",
                       done.stderr)
 
+    def test_bar_on_an_elastic_bed(self):
+        """A bed that hardly holds sideways leaves the tension even, at its face
+        too, where finer solutions have to know it."""
+        self.step("bar.step", BAR)
+        scene = BAR_SCENE[:BAR_SCENE.index("fixed")] + (
+            'foundation = { root = { normal = "500 N/mm^3", '
+            'tangential = "0.5 N/mm^3" } }\n')
+        (self.folder / "bar.toml").write_text(
+            scene.replace('side = { nearest = ["30 mm", "0 mm", "9 mm"] }\n', "")
+            .replace('flank = { nearest = ["30 mm", "9 mm", "0 mm"] }\n', ""))
+        done = self.run_clevis("check", "bar.toml", "--json", "--out", "out")
+        part = json.loads(done.stdout)["parts"][0]
+        peak = part["peak_von_mises"]
+        self.assertEqual(peak["verdict"], "converged")
+        low, high = peak["band_MPa"]
+        self.assertLessEqual(low, 20.0 * (1 + 1e-4))
+        self.assertGreaterEqual(high, 20.0 * (1 - 1e-4))
+        self.assertLess(high - low, 0.02 * 20.0)
+        # 20 MPa / (500 N/mm^3) + 20 MPa 60 mm / E
+        self.assertAlmostEqual(part["deflection_mm"], 0.04 + 0.005714, 4)
+
+    def test_without_bodies_nothing_is_meshed_to_move(self):
+        self.step("bar.step", BAR)
+        (self.folder / "bar.toml").write_text(BAR_SCENE)
+        done = self.run_clevis("simulate", "bar.toml", code=10)
+        self.assertIn("S003", done.stderr)
+        self.assertFalse((self.folder / "bar.msh").exists())
+
+    def test_finer_where_the_error_stands(self):
+        """A bar with a small bore that nothing but its curvature shows: the first
+        mesh leaves its peak open, the next does not, and both bands meet."""
+        self.step("bar.step", BAR + (
+            "Cylinder(2) = {20, 0, -6, 0, 0, 12, 2};\n"
+            "BooleanDifference(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };\n"))
+        (self.folder / "bar.toml").write_text(BAR_SCENE)
+        bands, cells, notes = [], [], []
+        for rounds in (0, 2):
+            done = self.run_clevis("check", "bar.toml", "--json", "--out", "out",
+                                   "--tolerance", "0.5%", "--mesh-rounds", rounds)
+            part = json.loads(done.stdout)["parts"][0]
+            bands.append(part["peak_von_mises"]["band_MPa"])
+            cells.append(part["cells"])
+            notes.append(" ".join(part["notes"]))
+            (self.folder / "bar.msh").unlink()
+        self.assertNotIn("meshed finer", notes[0])
+        self.assertIn(f"meshed finer where its error stands: {cells[0]} cells left",
+                      notes[1])
+        self.assertGreater(cells[1], cells[0])
+        self.assertLess(bands[1][1] - bands[1][0], 2 * 0.005 * bands[1][1])
+        self.assertLessEqual(max(bands[0][0], bands[1][0]),
+                             min(bands[0][1], bands[1][1]))
+
     def test_meshes_again_when_file_or_selector_changes(self):
         self.step("bar.step", BAR)
         scene = self.folder / "bar.toml"

@@ -4,9 +4,11 @@
     watch.py CLEVIS SOURCE_DIR run      saves, faults, meshes, an end by Ctrl-C
     watch.py CLEVIS SOURCE_DIR report   an open report follows, in Chromium
     watch.py CLEVIS SOURCE_DIR hostile  files that vanish, folders in their place
+    watch.py CLEVIS SOURCE_DIR shared   two watches on one folder of results
 
 `report` returns 77 (skipped) without Node.js, the packages of viewer or Chromium.
 """
+import fcntl
 import json
 import os
 import shutil
@@ -237,6 +239,48 @@ def hostile(clevis, _):
     return checks.exit_code()
 
 
+def shared(clevis, _):
+    """The folder is held by another clevis: the change is not lost."""
+    checks = Checks()
+    with tempfile.TemporaryDirectory() as folder:
+        watch = Watch(clevis, folder)
+        watch.wait(1)
+        peak = watch.result()["parts"][0]["peak_von_mises"]["value_MPa"]
+        with (watch.out / ".lock").open() as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            watch.save('thickness = "10 mm"', 'thickness = "5 mm"')
+            end = time.monotonic() + PATIENCE
+            while "it is waited for" not in watch.text() and time.monotonic() < end:
+                time.sleep(0.05)
+            time.sleep(SETTLED)
+            checks.expect(watch.text().count("it is waited for") == 1 and watch.runs() == 1,
+                          "a held folder is told once, and waited for")
+            watch.save('thickness = "5 mm"', 'thickness = "4 mm"')
+            while watch.text().count("it is waited for") < 2 and time.monotonic() < end:
+                time.sleep(0.05)
+            checks.expect("given up" in watch.text(), "a change meanwhile begins anew")
+        watch.wait(2)
+        now = watch.result()["parts"][0]["peak_von_mises"]["value_MPa"]
+        checks.expect(abs(now - 2.5 * peak) < 0.2 * peak and "I006" not in watch.text(),
+                      f"checked when the folder is free: {peak} {now}")
+        checks.expect(watch.interrupt() == 130 and not watch.lives(), "Ctrl-C ends it with 130")
+    with tempfile.TemporaryDirectory() as folder:
+        watch = Watch(clevis, folder)
+        watch.wait(1)
+        other = subprocess.Popen(
+            [clevis, "check", "--watch", watch.scene, "--out", watch.out, "--tolerance", "10%"],
+            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True)
+        watch.save('thickness = "10 mm"', 'thickness = "5 mm"')
+        watch.wait(2)
+        time.sleep(SETTLED)
+        os.killpg(other.pid, signal.SIGINT)
+        told = other.communicate(timeout=PATIENCE)[1]
+        checks.expect("I006" not in told + watch.text() and told.count(ENDED) >= 1,
+                      f"two watches: neither is refused: {told}")
+        watch.interrupt()
+    return checks.exit_code()
+
+
 if __name__ == "__main__":
     clevis, source, what = Path(sys.argv[1]).resolve(), *sys.argv[2:4]
-    sys.exit({"run": run, "report": report, "hostile": hostile}[what](clevis, source))
+    sys.exit({"run": run, "report": report, "hostile": hostile, "shared": shared}[what](clevis, source))

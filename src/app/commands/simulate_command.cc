@@ -40,20 +40,22 @@ void write_files(const scene::Scene& scene, const report::MotionReport& motion,
                              .worst_times = {}},
                             folder, report::ResultKind::kSimulation);
   report::write_motion_files(motion, folder);
-  if (options.report)
-    report::write_report(folder, report::ResultKind::kSimulation);
+  if (options.report) {
+    tell_report(report::write_report(folder, report::ResultKind::kSimulation));
+  }
 }
 
 }  // namespace
 
 ExitCode simulate_command(const Options& options) {
-  scene::Scene scene = scene_to_solve(options, std::cerr);
-  load_masses(scene);
+  scene::Scene scene = scene::read_scene(options.scene, options.settings);
   if (!scene.has_mechanism) {
     throw Error("S003", options.scene.string() + ":1:1",
                 "the scene has no [[body]], so there is nothing to move",
                 "Add a mechanism, or run clevis check.");
   }
+  mesh_solids(scene, std::cerr);
+  load_masses(scene);
   if (scene.simulation.links == mechanism::LinkStiffness::kElastic) {
     add_link_compliances_by_plugin(scene);
   }

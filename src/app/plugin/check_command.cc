@@ -70,6 +70,9 @@ Run declare_check(CLI::App& command) {
       ->type_name("RATIO");
   add_output(command, options);
   add_report_flag(command, options);
+  command.add_flag("--linear-vtu", options.linear_vtu,
+                   "write NAME_linear.vtu too, for readers without "
+                   "higher-order cells");
   add_max_time(command, *request);
   add_jobs(command, options.jobs, "parts in parallel [one per core]");
   add_model(command, options.model);

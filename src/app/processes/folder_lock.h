@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 
 namespace clevis::app {
@@ -20,5 +21,10 @@ class FolderLock {
  private:
   int descriptor_ = -1;
 };
+
+/// Waits until no process holds the folder. @return whether that came within
+/// the time. @throws Error I002 if its lock cannot be read.
+bool is_freed_within(const std::filesystem::path& folder,
+                     std::chrono::milliseconds time);
 
 }  // namespace clevis::app

@@ -19,7 +19,8 @@ struct Options {
   bool json = false;                     ///< stdout is one JSON document
   bool report = false;                   ///< writes report.html too
   bool glb = false;                      ///< a glTF of a result, no decks
-  std::string model = "auto";            ///< or a word of assessment::kModels
+  bool linear_vtu = false;  ///< fields in linear cells beside those of degree p
+  std::string model = "auto";   ///< or a word of assessment::kModels
   std::string engine = "auto";  ///< or a word of elasticity::kEngineWords
   bool mesh = false;            ///< make outdated meshes first
   int mesh_rounds = 2;          ///< finer meshes of a solid at most

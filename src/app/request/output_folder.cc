@@ -1,11 +1,13 @@
 #include "app/request/output_folder.h"
 
 #include <fstream>
+#include <iostream>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
 #include "report/text/atomic_file.h"
+#include "report/text/terminal.h"
 #include "report/view/view_files.h"
 
 namespace clevis::app {
@@ -16,7 +18,7 @@ namespace fs = std::filesystem;
 void remove_part(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
   for (const char* ending : {".vtu", "_linear.vtu", "_history.csv",
-                             "_loads.csv", ".pvd", "_buckling.vtu"}) {
+                             "_loads.csv", ".pvd", "_buckling.vtu", ".svg"}) {
     fs::remove(folder / (name + ending), ignored);
   }
   fs::remove(report::part_view_file(folder, name), ignored);
@@ -65,6 +67,10 @@ void remove_previous_run(const fs::path& folder, OldReport report) {
   if (report == OldReport::kRemove) fs::remove(folder / "report.html", ignored);
   fs::remove(report::motion_view_file(folder, report::ResultKind::kCheck),
              ignored);
+}
+
+void tell_report(const fs::path& file) {
+  std::cerr << "report: " << report::printable(file.string()) << std::endl;
 }
 
 }  // namespace clevis::app

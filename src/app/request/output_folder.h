@@ -21,4 +21,7 @@ enum class OldReport { kRemove, kKeep };
 /// result.json, at most an error.json.
 void remove_previous_run(const std::filesystem::path& folder, OldReport report);
 
+/// Says on stderr where a report was written.
+void tell_report(const std::filesystem::path& file);
+
 }  // namespace clevis::app

@@ -15,8 +15,9 @@ struct PictureOptions {
   std::filesystem::path file;    ///< empty: in the folder
 };
 
-/// Draws a result: its mechanism, or parts of it, as SVG.
-/// @throws Error as read_result_folder(), S007, I002.
+/// Draws a result: its mechanism, or a part of it, as SVG.
+/// @throws Error as read_result_folder(), I008 if it is no check or nothing
+///   moves and no part is named, U001 for a file of another ending, S007, I002.
 ExitCode picture_command(const PictureOptions& options);
 
 /// Declares the options of `clevis picture`. @return what runs it.

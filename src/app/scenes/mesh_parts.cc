@@ -130,15 +130,19 @@ std::size_t mesh_parts(const Options& options, MeshWhich which,
   return sources.size();
 }
 
-scene::Scene scene_to_solve(const Options& options, std::ostream& log) {
-  scene::Scene scene = scene::read_scene(options.scene, options.settings);
-  if (mpi_ranks() > 1) return scene;  // they would write one file together
+void mesh_solids(const scene::Scene& scene, std::ostream& log) {
+  if (mpi_ranks() > 1) return;  // they would write one file together
   std::set<std::filesystem::path> done;
   for (const GeometryPart& source : parts_to_mesh(scene, {})) {
     if (!part::is_solid_file(source.part.geometry)) continue;
     if (!done.insert(source.part.mesh).second || is_current(source)) continue;
     mesh_part(source, log);
   }
+}
+
+scene::Scene scene_to_solve(const Options& options, std::ostream& log) {
+  scene::Scene scene = scene::read_scene(options.scene, options.settings);
+  mesh_solids(scene, log);
   return scene;
 }
 

@@ -21,9 +21,13 @@ enum class MeshWhich { kAll, kOutdated };
 std::size_t mesh_parts(const Options& options, MeshWhich which,
                        std::ostream& log);
 
-/// The scene that a command solves, read once for all that it does. Missing
-/// and outdated meshes of solids are made, which the command reads: unlike a
-/// .geo a CAD file runs nothing. Of several ranks none does.
+/// Makes the missing and outdated meshes of the scene's solids: unlike a .geo a
+/// CAD file runs nothing. Of several ranks none does.
+/// @throws Error M….
+void mesh_solids(const scene::Scene& scene, std::ostream& log);
+
+/// The scene that a command solves, read once for all that it does, with the
+/// meshes of its solids.
 /// @throws Error S…, I001 as read_scene(); as mesh_parts().
 scene::Scene scene_to_solve(const Options& options, std::ostream& log);
 

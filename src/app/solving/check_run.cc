@@ -61,20 +61,19 @@ constexpr char kRefusal = 'E';
 /// of a part that all ranks check, the first one's.
 std::string check_one(const PartJob& job,
                       const std::function<CheckedPart()>& checked_part,
-                      const std::optional<MovingPart>& moving,
-                      const elasticity::RankTeam* team, const std::string& body,
-                      const fs::path& folder) {
+                      const FieldFiles& files, const elasticity::RankTeam* team,
+                      const std::string& body, const fs::path& folder) {
   try {
     auto [last_job, assessment] = checked_part();
     Stopwatch watch;
     if (!job.is_shared || mpi_rank() == 0) {
-      write_part_files(assessment, moving, job.part.material.yield_strength,
+      write_part_files(assessment, files, job.part.material.yield_strength,
                        folder);
-      if (moving) {
+      if (files.moving) {
         report::write_file(folder / (job.part.name + "_loads.csv"),
                            loads_csv(job.load_sets.front().history));
       }
-      const auto view = surface_view(last_job, assessment, moving, body);
+      const auto view = surface_view(last_job, assessment, files.moving, body);
       report::write_part_view(view, folder);
       report::write_part_picture(view, assessment.result, folder);
     }
@@ -157,12 +156,13 @@ void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
     };
     const auto body = loaded.body_of(jobs[index].part.name);
     if (body == mechanism::kGround) {
-      return check_one(jobs[index], checked_part, std::nullopt, team, "",
-                       folder);
+      return check_one(jobs[index], checked_part,
+                       {std::nullopt, options.linear_vtu}, team, "", folder);
     }
     const auto& carrier =
         loaded.scene.mechanism.bodies[static_cast<std::size_t>(body)];
-    return check_one(jobs[index], checked_part, MovingPart{&motion, body}, team,
+    return check_one(jobs[index], checked_part,
+                     {MovingPart{&motion, body}, options.linear_vtu}, team,
                      carrier.name, folder);
   };
   if (team != nullptr) choose_shared(jobs);
@@ -285,14 +285,17 @@ ExitCode run_check(const Options& options, scene::Scene scene) {
   report.seconds.emplace_back("total", total.lap());
   report::write_result_files(report, folder);
   if (!report.complete && options.watch_run) return kInterruptedExit;
+  // A report that fails does not swallow the verdict; JSON is one document,
+  // that of the failure.
+  if (!options.json) {
+    std::cout << report::check_table(report, report::colour_of(STDOUT_FILENO))
+              << std::flush;
+  }
   if (options.report) {
-    report::write_report(folder, report::ResultKind::kCheck, options.watch_run);
+    tell_report(report::write_report(folder, report::ResultKind::kCheck,
+                                     options.watch_run));
   }
-  if (options.json) {
-    std::cout << report::result_json(report);
-  } else {
-    std::cout << report::check_table(report, report::colour_of(STDOUT_FILENO));
-  }
+  if (options.json) std::cout << report::result_json(report);
   if (!report.complete) return kInterruptedExit;
   return report::exit_code(report);
 }

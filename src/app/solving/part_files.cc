@@ -120,8 +120,7 @@ bool begins_with_motion(const assessment::PartFields& fields,
 }
 
 void write_part_files(const assessment::PartAssessment& assessment,
-                      const std::optional<MovingPart>& moving,
-                      double yield_strength,
+                      const FieldFiles& files, double yield_strength,
                       const std::filesystem::path& folder) {
   const assessment::PartFields& fields = assessment.fields;
   const stress::FieldOutput output(
@@ -132,7 +131,7 @@ void write_part_files(const assessment::PartAssessment& assessment,
   report::write_file(folder / (name + ".vtu"),
                      output.vtu(stress::CellOrder::kLagrange));
   // Simplices have linear cells in either.
-  if (fields.shape == mesh::CellShape::kTensor) {
+  if (files.linear_cells && fields.shape == mesh::CellShape::kTensor) {
     report::write_file(folder / (name + "_linear.vtu"),
                        output.vtu(stress::CellOrder::kLinear));
   }
@@ -144,8 +143,8 @@ void write_part_files(const assessment::PartAssessment& assessment,
   }
   report::write_file(folder / (name + "_history.csv"),
                      history_csv(fields.history));
-  if (moving && begins_with_motion(fields, *moving->motion)) {
-    write_frames(assessment, *moving, folder);
+  if (files.moving && begins_with_motion(fields, *files.moving->motion)) {
+    write_frames(assessment, *files.moving, folder);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "app/figures/gnuplot_run.h"
 #include "app/parts/solver_jobs.h"
 #include "app/processes/calculix_run.h"
 #include "app/processes/folder_lock.h"
@@ -160,15 +161,6 @@ void find_references(const PartJob& job, PartStudy& study) {
   study::set_references(study::exact_series(job), published, study);
 }
 
-void write_part(const PartStudy& part, const fs::path& folder) {
-  report::write_file(folder / (part.name + "_study.csv"),
-                     study::study_csv(part));
-  report::write_file(folder / (part.name + "_study.svg"),
-                     study::study_figure(part));
-  report::write_file(folder / (part.name + "_peak.svg"),
-                     study::peak_against_seconds(part));
-}
-
 }  // namespace
 
 ExitCode run_study(const Options& options, scene::Scene scene) {
@@ -203,10 +195,16 @@ ExitCode run_study(const Options& options, scene::Scene scene) {
     }
   }
   result.complete = carry_out(plan, result.parts) && result.complete;
+  std::vector<NamedFigure> figures;
   for (std::size_t p = 0; p < jobs.size(); ++p) {
-    find_references(jobs[p], result.parts[p]);
-    write_part(result.parts[p], folder);
+    PartStudy& part = result.parts[p];
+    find_references(jobs[p], part);
+    report::write_file(folder / (part.name + "_study.csv"),
+                       study::study_csv(part));
+    figures.push_back({part.name + "_study", study::study_figure(part)});
+    figures.push_back({part.name + "_peak", study::peak_against_seconds(part)});
   }
+  draw_figures(figures, folder);
   const std::string document = report::json_text(study::study_json(result));
   report::write_file(folder / "study.json", document);
   if (options.json) {

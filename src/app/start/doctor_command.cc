@@ -31,9 +31,9 @@ struct Tool {
 };
 
 constexpr Tool kTools[] = {
-    {"gmsh", "--version", "clevis mesh"},
+    {"gmsh", "--version", "clevis mesh, check --mesh"},
     {"ccx", "-v", "clevis study: CalculiX beside clevis"},
-    {"gnuplot", "--version", "results/studies: plots"},
+    {"gnuplot", "--version", "clevis study, collect: plots"},
     {"mpirun", "--version", "mpirun clevis check: large parts"}};
 
 /// The first line with a digit of what a program says of its version.

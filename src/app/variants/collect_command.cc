@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <unistd.h>
 
+#include "app/figures/gnuplot_run.h"
 #include "report/text/atomic_file.h"
 #include "report/variants/collection_csv.h"
 #include "report/variants/collection_figure.h"
@@ -18,12 +19,16 @@ ExitCode collect_command(const std::filesystem::path& folder) {
   const report::Collection collection = report::read_collection(folder);
   report::write_file(folder / "variants.csv",
                      report::collection_csv(collection));
-  report::write_file(folder / "variants.svg",
-                     report::collection_figure(collection));
+  draw_figures({{"variants", report::collection_figure(collection)}}, folder);
   std::cout << report::collection_table(collection,
                                         report::colour_of(STDOUT_FILENO))
-            << "\nfiles: " << (folder / "variants.csv").string() << ", "
-            << (folder / "variants.svg").string() << "\n";
+            << "\nfiles: " << (folder / "variants.csv").string();
+  for (const char* name : {"variants.gp", "variants.svg"}) {
+    if (std::filesystem::exists(folder / name)) {
+      std::cout << ", " << (folder / name).string();
+    }
+  }
+  std::cout << "\n";
   return report::exit_code(collection);
 }
 

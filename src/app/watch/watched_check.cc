@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "app/processes/folder_lock.h"
 #include "app/processes/temporary_folder.h"
 #include "app/request/error_output.h"
 #include "app/request/output_folder.h"
@@ -86,17 +87,35 @@ Outcome wait_for_end(WatchProcess& run, const WatchedFiles& files,
   return Outcome::kDone;
 }
 
+ExitCode told(const Error& error) {
+  print_error(error, ErrorFormat::kText);
+  return error.exit_code();
+}
+
+/// Checks; while another clevis writes into the folder, waits for its end.
 ExitCode run_once(const Options& options,
                   const std::function<ExitCode(const Options&)>& check) {
+  constexpr std::chrono::minutes kPatience(10);
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
   try {
-    return check(options);
+    for (bool has_told = false;; has_told = true) {
+      try {
+        return check(options);
+      } catch (const Error& error) {
+        if (error.code() != "I006") throw;
+        if (!has_told) {
+          tell(fmt::format("{}: {}: it is waited for, {} min at most",
+                           error.place(), error.problem(), kPatience.count()));
+        }
+        const auto rest = std::chrono::duration_cast<milliseconds>(
+            deadline - std::chrono::steady_clock::now());
+        if (!is_freed_within(output_folder(options), rest)) throw;
+      }
+    }
   } catch (const Error& error) {
-    print_error(error, ErrorFormat::kText);
-    return error.exit_code();
+    return told(error);
   } catch (const std::exception& failure) {
-    const Error error = system_failure(failure, "clevis");
-    print_error(error, ErrorFormat::kText);
-    return error.exit_code();
+    return told(system_failure(failure, "clevis"));
   }
 }
 

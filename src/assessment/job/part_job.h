@@ -76,6 +76,9 @@ struct PartJob {
   std::optional<ModelKind> model = std::nullopt;
   elasticity::Engine engine = elasticity::Engine::kAuto;  ///< asked for
   bool is_shared = false;  ///< all ranks of this MPI run check it together
+  /// Its mesh can be made finer where its peak stays open: that comes before
+  /// degree 4 of tetrahedra, and before what is not about the peak.
+  bool may_be_meshed_finer = false;
   std::vector<std::string> notes;  ///< of the mesh, for the result
 };
 
@@ -93,6 +96,12 @@ struct InstantRow {
 struct BucklingShape {
   mesh::CellShape shape{};
   stress::InstantField field;  ///< the largest displacement 1 mm
+};
+
+/// A place where finer cells would narrow the band of the peak.
+struct OpenPlace {
+  Eigen::Vector3d at;  ///< in L [m]
+  double excess{};     ///< its error over what the tolerance admits [1]
 };
 
 /// Fields of the highest degree, for output.
@@ -120,6 +129,7 @@ struct PartFields {
 struct PartAssessment {
   PartResult result;
   PartFields fields;
+  std::vector<OpenPlace> open_places = {};  ///< of the judged peak
 };
 
 }  // namespace clevis::assessment

@@ -180,17 +180,10 @@ class Climb {
   void look_at_places(const std::vector<LoadSet>& sets, double tolerance) {
     Stopwatch watch;
     const bool is_outer = ladder_.zones.is_singular();
-    ladder_.nearby.reset();
-    // Elastic beds are not in the equations of the places.
-    if (std::ranges::all_of(sets, [](const LoadSet& set) {
-          return set.foundations.empty();
-        })) {
-      ladder_.nearby =
-          nearby_peak<dim>(job_, sets, ladder_.zones.mesh(), ladder_.level,
-                           is_outer ? ladder_.zones.outside_histories()
-                                    : ladder_.level.histories,
-                           pollution(), tolerance);
-    }
+    ladder_.nearby = nearby_peak<dim>(
+        job_, sets, ladder_.zones.mesh(), ladder_.level,
+        is_outer ? ladder_.zones.outside_histories() : ladder_.level.histories,
+        pollution(), tolerance);
     seconds_.recover += watch.lap();
     stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;
     if (!ladder_.nearby) {

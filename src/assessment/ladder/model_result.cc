@@ -327,6 +327,12 @@ PartAssessment assess(const PartJob& job, const FeModel<dim>& model,
   result.strain_energy_error = energy_error(ladder.sequence);
   assessment.fields = make_fields<dim>(job, level);
   assessment.fields.zones = ladder.zones.marks(level.set);
+  if (ladder.nearby) assessment.open_places = ladder.nearby->open;
+  if (judged_peak(result).verdict == PeakVerdict::kNotConverged) {
+    const auto coarse = ladder.zones.coarse_places();
+    assessment.open_places.insert(assessment.open_places.end(), coarse.begin(),
+                                  coarse.end());
+  }
   return assessment;
 }
 

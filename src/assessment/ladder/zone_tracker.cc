@@ -153,17 +153,39 @@ bool ZoneTracker<dim>::is_singular() const {
 }
 
 template <int dim>
+double ZoneTracker<dim>::growth(const Zone& zone) {
+  if (!zone.governs || !zone.rings.empty()) return 1.0;
+  const double cells = zone.zone.reach / (kResolved * zone.zone.radius);
+  return cells > 1.0 ? std::pow(cells, 1.0 - zone.zone.exponent) : 1.0;
+}
+
+template <int dim>
 double ZoneTracker<dim>::unresolved_growth() const {
-  double growth = 1.0;
+  double largest = 1.0;
   for (const Set& set : sets_) {
     for (const Zone& zone : set.zones) {
-      if (!zone.governs || !zone.rings.empty()) continue;
-      const double cells = zone.zone.reach / (kResolved * zone.zone.radius);
-      if (cells <= 1.0) continue;
-      growth = std::max(growth, std::pow(cells, 1.0 - zone.zone.exponent));
+      largest = std::max(largest, growth(zone));
     }
   }
-  return growth;
+  return largest;
+}
+
+template <int dim>
+std::vector<OpenPlace> ZoneTracker<dim>::coarse_places() const {
+  constexpr double kSmall = 0.3;
+  std::vector<OpenPlace> places;
+  for (const Set& set : sets_) {
+    for (const Zone& zone : set.zones) {
+      const double excess = (growth(zone) - 1.0) / job_.tolerance;
+      if (excess < kSmall) continue;
+      for (const unsigned v : zone.zone.vertices) {
+        Eigen::Vector3d at = Eigen::Vector3d::Zero();
+        at.head<dim>() = mesh_.vertices[v];
+        places.push_back({at, excess});
+      }
+    }
+  }
+  return places;
 }
 
 template <int dim>

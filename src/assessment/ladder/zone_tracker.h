@@ -48,6 +48,9 @@ class ZoneTracker {
   /// show, where they are many times as large as the zone: as distance^(λ − 1)
   /// from kResolved radii to their size [1]; 1: they resolve it.
   double unresolved_growth() const;
+  /// Along the zones whose cells say so: where smaller ones would change that.
+  /// Nothing where that growth is a small part of the tolerance.
+  std::vector<OpenPlace> coarse_places() const;
   /// The peaks outside of the zones that govern, per degree.
   const std::vector<OutsidePeak>& outside() const { return outside_; }
   /// Of the last degree's sets, with −1 in the zones that govern.
@@ -78,6 +81,8 @@ class ZoneTracker {
   void measure(const Level<dim>& level, double outside_peak);
   OutsidePeak peak_of(const Taken& taken, bool without_all) const;
   double time_error(const Level<dim>& level, const OutsidePeak& peak) const;
+  /// By which the stress beside a zone may grow when cells resolve it [1].
+  static double growth(const Zone& zone);
 
   const PartJob& job_;
   mesh::PartMesh<dim> mesh_;

@@ -77,7 +77,7 @@ elasticity::Enriched<dim> solve_nearby(
   return elasticity::enrich<dim>(
       {basis.discretization, u, fine, load,
        elasticity::held_on_groups<dim>(fine, set.fixed), job.part.material,
-       sub.cells},
+       sub.cells, set.foundations},
       centre, place.layers);
 }
 

@@ -359,8 +359,8 @@ class PeakSearch {
     peak.jump = highest.place.high - highest.place.low;
     // Places that are left may be as far off as the others were.
     const auto rest = highest_open();
+    double farthest = 1.0;
     if (rest && place(*rest).high >= kReach * best_) {
-      double farthest = 1.0;
       for (const Seen& seen : seen_) {
         farthest =
             std::max(farthest, seen.closer.stress.high / seen.place.high);
@@ -372,8 +372,50 @@ class PeakSearch {
         std::max(band.high - band.value, band.value - band.low);
     if (!(reach <= tolerance * band.value)) {
       band.verdict = stress::Convergence::kNotConverged;
+      peak.open = open_places(band, tolerance * band.value, farthest);
     }
     return peak;
+  }
+
+  /// Where the band comes from: the places that were looked at and those that
+  /// are left.
+  /// @param admitted  error [Pa].
+  /// @param farthest  of a place that is left: its stress over the one solved.
+  std::vector<OpenPlace> open_places(const stress::Band& band, double admitted,
+                                     double farthest) const {
+    constexpr double kNearly = 0.5;
+    constexpr std::size_t kMost = 40;
+    std::vector<OpenPlace> open;
+    const auto add = [&](std::size_t set, const FieldPoint& at, double error) {
+      if (!(error > kNearly * admitted) || open.size() >= kMost) return;
+      const auto& discretization = level_.bases[set]->discretization;
+      const Eigen::Vector3d here = stress::position<dim>(
+          discretization, at, histories_[set].subdivisions);
+      const auto& corners =
+          discretization.cell_points[static_cast<std::size_t>(at.cell)];
+      const double cell =
+          (corners.rowwise().maxCoeff() - corners.rowwise().minCoeff()).norm();
+      if (std::ranges::any_of(open, [&](const OpenPlace& other) {
+            return (other.at - here).norm() < 0.5 * cell;
+          })) {
+        return;
+      }
+      open.push_back({here, error / admitted});
+    };
+    for (const Seen& seen : seen_) {
+      const PlaceEstimate& stress = seen.closer.stress;
+      const bool may_be_peak = stress.high >= band.value;
+      const double below = may_be_peak ? stress.value - stress.low : 0.0;
+      add(seen.set, seen.closer.at, std::max(stress.high - band.value, below));
+    }
+    for (std::size_t s = 0; s < found_.size(); ++s) {
+      for (std::size_t i = 0; i < found_[s].places.size(); ++i) {
+        const Place& left = found_[s].places[i];
+        if (left.high < kReach * best_) break;  // highest first
+        if (open_[s][i]) add(s, left.at, farthest * left.high - band.value);
+      }
+    }
+    return open;
   }
 
   const PartJob& job_;

@@ -17,6 +17,9 @@ struct NearbyPeak {
   std::size_t set{};
   stress::FieldPoint at;
   int instant{};
+  /// Places whose error keeps the band from being within the tolerance, or
+  /// nearly does.
+  std::vector<OpenPlace> open;
 };
 
 /// Looks at the places whose stress by any of the cells that meet there reaches

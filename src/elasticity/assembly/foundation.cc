@@ -72,6 +72,13 @@ FoundationStiffness<dim>::FoundationStiffness(
 }
 
 template <int dim>
+void FoundationStiffness<dim>::keep(const std::vector<int>& cells) {
+  std::erase_if(faces_, [&](const Face& face) {
+    return !std::ranges::binary_search(cells, face.cell);
+  });
+}
+
+template <int dim>
 void FoundationStiffness<dim>::renumber(const std::vector<int>& node) {
   for (Face& face : faces_) {
     for (int& n : face.nodes) n = node[static_cast<std::size_t>(n)];

@@ -27,6 +27,10 @@ class FoundationStiffness {
                       const part::Foundations& foundations,
                       const std::string& part_name);
 
+  /// Leaves out the faces of all but these cells.
+  /// @param cells  ascending.
+  void keep(const std::vector<int>& cells);
+
   /// @param node  the number that each node has instead.
   void renumber(const std::vector<int>& node);
 

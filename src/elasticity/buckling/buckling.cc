@@ -329,7 +329,7 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
     const Yield yield =
         largest_yield(part, hold, next, space.best(next, kBlock), kFewest);
     solved.insert(next);
-    space.add(yield.shapes);
+    if (std::ssize(solved) < part.instants()) space.add(yield.shapes);
     if (yield.value > largest) {
       largest = yield.value;
       take(part, yield, next, best);

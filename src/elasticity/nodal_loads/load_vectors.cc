@@ -123,8 +123,9 @@ void append_surface(const SurfaceLoads& surface, Index dofs, Columns& columns) {
 /// −ρ (a + α×p + ω×(ω×p)) is linear in p: a column per power of p and
 /// component that occurs.
 template <int dim>
-void append_body(const loads::LoadHistory& history, double density,
-                 const MatrixXd& moments, Columns& columns) {
+void append_body(const Discretization<dim>& discretization,
+                 const loads::LoadHistory& history, double density,
+                 Columns& columns) {
   const auto instants = static_cast<Index>(history.instants.size());
   MatrixXd field(4 * dim, instants);  // acceleration = Σ_j field(j, a) p_j
   for (Index i = 0; i < instants; ++i) {
@@ -137,6 +138,8 @@ void append_body(const loads::LoadHistory& history, double density,
       field.col(i).segment<dim>(dim * (1 + k)) = slope.head<dim>();
     }
   }
+  if (field.isZero(0.0)) return;
+  const MatrixXd moments = node_moments(discretization);
   for (Index row = 0; row < field.rows(); ++row) {
     if (field.row(row).isZero(0.0)) continue;
     MatrixXd column = MatrixXd::Zero(dim * moments.rows(), 1);
@@ -208,7 +211,7 @@ LoadBasis load_columns(const Discretization<dim>& discretization,
        surface_loads(discretization, history, part_name)) {
     append_surface<dim>(surface, dofs, columns);
   }
-  append_body<dim>(history, density, node_moments(discretization), columns);
+  append_body<dim>(discretization, history, density, columns);
   return columns.join();
 }
 
@@ -218,7 +221,7 @@ MatrixXd assemble_loads(const Discretization<dim>& discretization,
                         const std::string& part_name) {
   const auto instants = static_cast<Index>(history.instants.size());
   Columns columns(discretization.dofs(), instants);
-  append_body<dim>(history, density, node_moments(discretization), columns);
+  append_body<dim>(discretization, history, density, columns);
   const LoadBasis body = columns.join();
   MatrixXd result = product(body.columns, body.coefficients);
   for (const SurfaceLoads& surface :

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "elasticity/assembly/equations.h"
+#include "elasticity/assembly/foundation.h"
 #include "elasticity/assembly/stiffness.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/direct/frontal_cholesky.h"
@@ -102,7 +103,7 @@ std::vector<int> held_components(const EnrichmentProblem<dim>& problem,
     }
   }
   std::vector<int> supports = problem.held;
-  if (held.empty() && supports.empty()) {
+  if (held.empty() && supports.empty() && problem.foundations.empty()) {
     supports = determinate_supports<dim>(fine, node_positions<dim>(fine));
   }
   for (const int dof : supports) {
@@ -162,8 +163,13 @@ Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
     }
   }
   MatrixXd u = carried_over<dim>(problem, result.cells, part);
-  const auto stiffness =
+  auto stiffness =
       assemble_stiffness<dim>(part, problem.material, "neighbourhood");
+  FoundationStiffness<dim> bed(problem.fine, problem.foundations,
+                               "neighbourhood");
+  bed.keep(cells);
+  bed.renumber(number);
+  bed.add_to(stiffness);
   const auto numbers = number_equations(
       part.dofs(), held_components<dim>(problem, cells, number));
   const FrontalCholesky factor(free_equations(stiffness, numbers),

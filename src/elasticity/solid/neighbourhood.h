@@ -7,6 +7,7 @@
 #include "elasticity/fe_space/discretization.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "part/material.h"
+#include "part/part_definition.h"
 
 namespace clevis::elasticity {
 
@@ -28,6 +29,7 @@ struct EnrichmentProblem {
   const part::Material& material;
   /// Cell of `coarse` per cell of `fine`, oriented alike; empty: the same.
   std::vector<int> coarse_cells = {};
+  part::Foundations foundations = {};  ///< under faces of `fine`
 };
 
 /// The field of higher degree on some cells.

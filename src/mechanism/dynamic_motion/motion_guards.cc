@@ -18,6 +18,27 @@ namespace clevis::mechanism {
 
 using Eigen::VectorXd;
 
+namespace {
+
+/// What to do first: wait, if that is all; else look at what is fastest.
+std::string time_remedy(const TimeLimit& limit, const std::string& fastest) {
+  const std::string look =
+      fastest.empty() ? "the scene" : fmt::format("the values of {},", fastest);
+  if (const auto enough = limit.enough()) {
+    return fmt::format(
+        "Give --max-time \"{:g} s\", by the forecast enough; or a shorter "
+        "motion, a looser tolerance. If that is too long, look at {} for a "
+        "wrong order of size.",
+        *enough, look);
+  }
+  return fmt::format(
+      "Look at {} for a wrong order of size. If it is meant: a shorter motion, "
+      "a looser tolerance, or more --max-time.",
+      look);
+}
+
+}  // namespace
+
 bool MotionGuards::are_events_crowded(double t) {
   constexpr int kMost = 200;
   const double crowd = 1e-9 * model_.settings.duration;
@@ -135,8 +156,7 @@ void MotionGuards::require_in_time() {
           limit_.used(), counts.steps, integrator_.method(), integrator_.t(),
           model_.settings.duration, limit_.forecast(), limit_.limit(),
           fastest.what, fastest.rate),
-      "Look there for a value of a wrong order of size. If it is meant: a "
-      "shorter motion, a looser tolerance, or more --max-time.");
+      time_remedy(limit_, fastest.what));
 }
 
 }  // namespace clevis::mechanism

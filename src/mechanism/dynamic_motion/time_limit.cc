@@ -1,6 +1,7 @@
 #include "mechanism/dynamic_motion/time_limit.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <time.h>
 
@@ -43,6 +44,15 @@ bool TimeLimit::is_over(double t) {
   const double rest = (duration_ - t) / progress * (in_pass - earlier_.used);
   forecast_ = used + rest + (passes_left_ - 1) * (in_pass + rest);
   return used > limit_ || (in_pass > kLeast && forecast_ > kFar * limit_);
+}
+
+std::optional<double> TimeLimit::enough() const {
+  constexpr double kPatience = 20.0;  // times the limit
+  constexpr double kMargin = 1.5;
+  if (!(forecast_ < kPatience * limit_)) return std::nullopt;
+  const double wanted = kMargin * std::max(forecast_, used());
+  const double digit = std::pow(10.0, std::floor(std::log10(wanted)) - 1.0);
+  return digit * std::ceil(wanted / digit);
 }
 
 }  // namespace clevis::mechanism

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 namespace clevis::mechanism {
@@ -24,6 +25,10 @@ class TimeLimit {
   /// Of the whole, as of the last is_over() [s].
   double forecast() const { return forecast_; }
   double limit() const { return limit_; }  ///< [s]
+  /// A limit that the whole should keep, in round figures: half as much again
+  /// as the forecast. None if that is so far above the limit that no one means
+  /// it [s].
+  std::optional<double> enough() const;
 
  private:
   double (*clock_)();
@@ -35,7 +40,7 @@ class TimeLimit {
     double used{}, t{};
   };
   Mark earlier_, later_;
-  double forecast_{};
+  double forecast_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace clevis::mechanism

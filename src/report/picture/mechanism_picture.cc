@@ -37,13 +37,14 @@ class Poses {
     for (const JsonNode& body : motion.at("bodies").elements()) {
       bodies_.push_back(body.at("name").text());
     }
-    if (times_.empty() || poses_.size() != 7 * times_.size() * bodies_.size()) {
+    if (poses_.size() != 7 * times_.size() * bodies_.size()) {
       throw Error("I003", "view of the mechanism",
                   "its poses do not fit its instants",
                   "Run `clevis check` again.");
     }
   }
 
+  bool empty() const { return times_.empty() || bodies_.empty(); }
   std::size_t count() const { return times_.size(); }
   double time(std::size_t instant) const { return times_[instant]; }
 
@@ -100,7 +101,8 @@ Sight sight_of(const JsonNode& motion) {
       });
   Vector3d up = -vector_of(motion.at("gravity_m_per_s2"));
   up = up.norm() > 0.0 ? up.normalized() : Vector3d::UnitY();
-  for (const Vector3d& other : {Vector3d::UnitY(), Vector3d::UnitX()}) {
+  for (const Vector3d& other :
+       std::array<Vector3d, 2>{Vector3d::UnitY(), Vector3d::UnitX()}) {
     if (std::abs(up.dot(normal)) > kAlong) up = other;
   }
   const Vector3d side = up.cross(normal);
@@ -129,10 +131,11 @@ std::size_t frame_at(const JsonNode& part, double time) {
 
 }  // namespace
 
-std::string mechanism_picture(const StoredPage& page) {
+std::optional<std::string> mechanism_picture(const StoredPage& page) {
   const auto motion_json = ordered_json::parse(page.motion);
   const JsonNode motion(motion_json, "view of the mechanism:");
   const Poses poses(motion);
+  if (poses.empty()) return std::nullopt;
   std::vector<ordered_json> parts;
   for (const std::string& text : page.parts) {
     parts.push_back(ordered_json::parse(text));
@@ -154,10 +157,7 @@ std::string mechanism_picture(const StoredPage& page) {
       layer.push_back(std::move(surface));
     }
   }
-  if (picture.layers.front().empty()) {
-    throw Error("I008", "result", "no part of it moves",
-                "Name a part with --part.");
-  }
+  if (picture.layers.front().empty()) return std::nullopt;
   picture.title = motion.at("scene").text();
   picture.detail =
       fmt::format("at t = {}, the last in front", fmt::join(times, ", "));

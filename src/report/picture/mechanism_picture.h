@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "report/page/result_folder.h"
@@ -10,7 +11,8 @@ namespace clevis::report {
 /// instant over each other, the last in front, coloured by stress, as SVG. A
 /// plane mechanism is seen along its axes, others askew; up is against gravity,
 /// else +y.
-/// @throws Error I003, I008 if no part moves.
-std::string mechanism_picture(const StoredPage& page);
+/// @return nothing if no part moves.
+/// @throws Error I003.
+std::optional<std::string> mechanism_picture(const StoredPage& page);
 
 }  // namespace clevis::report

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
@@ -79,6 +80,16 @@ void write_part_picture(const PartView& view,
                  std::move(surface)));
 }
 
+std::vector<std::string> part_names(const StoredPage& page) {
+  const auto json = ordered_json::parse(page.result);
+  std::vector<std::string> names;
+  for (const JsonNode& part :
+       JsonNode(json, "result:").at("parts").elements()) {
+    names.push_back(part.at("name").text());
+  }
+  return names;
+}
+
 std::string stored_part_picture(const StoredPage& page,
                                 const std::string& part) {
   const auto result_json = ordered_json::parse(page.result);
@@ -111,13 +122,11 @@ std::string stored_part_picture(const StoredPage& page,
          peak.at("group").text(), peak.at("case").text(), mark},
         stored_surface(view, frame));
   }
-  std::string names;
-  for (const JsonNode& result : results) {
-    names += (names.empty() ? "" : ", ") + result.at("name").text();
-  }
-  throw Error("S007", "--part",
-              fmt::format("the result has no part \"{}\"", part),
-              fmt::format("It has {}.", names.empty() ? "none" : names));
+  const auto names = part_names(page);
+  throw Error(
+      "S007", "--part", fmt::format("the result has no part \"{}\"", part),
+      names.empty() ? "It has none."
+                    : fmt::format("It has {}.", fmt::join(names, ", ")));
 }
 
 }  // namespace clevis::report

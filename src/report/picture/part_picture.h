@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "assessment/job/part_result.h"
 #include "report/page/result_folder.h"
@@ -16,6 +17,10 @@ namespace clevis::report {
 void write_part_picture(const PartView& view,
                         const assessment::PartResult& result,
                         const std::filesystem::path& folder);
+
+/// Parts of a stored result.
+/// @throws Error I003.
+std::vector<std::string> part_names(const StoredPage& page);
 
 /// The same of a part of a stored result, as SVG.
 /// @throws Error I003, S007 if there is no such part.

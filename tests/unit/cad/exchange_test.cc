@@ -17,7 +17,7 @@ TEST(Exchange, BringsARequestAcross) {
   request.mesh = "/tmp/part.msh";
   request.groups = {{"bore_A", {3, 4}}, {"foot", {1}}};
   request.mesh_size = 0.004;
-  request.finer = {1.5, {{0.1, 0.2, 0.3}}};
+  request.finer = {1.5, {{{0.1, 0.2, 0.3}, 2.5}}};
   const Request read = read_request(text_of(request));
   EXPECT_EQ(read.file, request.file);
   EXPECT_EQ(read.format, request.format);
@@ -27,7 +27,9 @@ TEST(Exchange, BringsARequestAcross) {
   EXPECT_EQ(read.groups, request.groups);
   EXPECT_EQ(read.mesh_size, request.mesh_size);
   EXPECT_EQ(read.finer.everywhere, request.finer.everywhere);
-  EXPECT_EQ(read.finer.at, request.finer.at);
+  ASSERT_EQ(read.finer.at.size(), 1U);
+  EXPECT_EQ(read.finer.at[0].at, request.finer.at[0].at);
+  EXPECT_EQ(read.finer.at[0].times, request.finer.at[0].times);
   request.mesh_size.reset();
   EXPECT_FALSE(read_request(text_of(request)).mesh_size);
 }

@@ -55,5 +55,30 @@ TEST(TimeLimit, ForgivesASlowStart) {
   }
 }
 
+TEST(TimeLimit, NamesALimitThatIsEnoughUnlessItIsFarOff) {
+  for (const double duration : {20.0, 300.0, 390.0}) {
+    now = 0.0;
+    TimeLimit limit(60.0, duration, 1, test_clock);
+    bool is_over = false;
+    for (double t = 0.1; t < duration && !is_over; t += 0.1) {
+      now = 3.01 * t;
+      is_over = limit.is_over(t);
+    }
+    ASSERT_EQ(is_over, duration > 20.0);
+    if (duration == 300.0) {  // 903 s, half as much again, rounded up
+      EXPECT_NEAR(limit.enough().value_or(0.0), 1400.0, 1e-9);
+    } else if (duration == 390.0) {
+      EXPECT_NEAR(limit.enough().value_or(0.0), 1800.0, 1e-9);
+    }
+  }
+  now = 0.0;
+  TimeLimit limit(60.0, 401.0, 1, test_clock);
+  for (double t = 0.1; t < 21.0; t += 0.1) {
+    now = 3.01 * t;
+    limit.is_over(t);
+  }
+  EXPECT_FALSE(limit.enough().has_value()) << limit.forecast();
+}
+
 }  // namespace
 }  // namespace clevis::mechanism

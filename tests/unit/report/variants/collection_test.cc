@@ -119,16 +119,21 @@ TEST(Collection, CsvHasTheSameFieldsInEveryRow) {
 TEST(Collection, FigureHasADotAndABandPerResult) {
   Collection collection = sample();
   collection.variants.push_back(missing("gone", {}));
-  const std::string figure = collection_figure(collection);
+  const PlotFigure figure = collection_figure(collection);
+  ASSERT_EQ(figure.panels.size(), 1u);
+  const PlotPanel& panel = figure.panels[0];
+  EXPECT_EQ(panel.x_label, "part.AB.thickness, mm");
   std::size_t dots = 0;
-  for (std::size_t at = figure.find("r=\"2.5\""); at != figure.npos;
-       at = figure.find("r=\"2.5\"", at + 1)) {
-    ++dots;
+  for (const PlotSeries& series : panel.series) {
+    dots += series.points.size();
+    for (const PlotPoint& point : series.points) {
+      EXPECT_NEAR(point.low, 0.98 * point.y, 1e-9);
+      EXPECT_NEAR(point.high, 1.02 * point.y, 1e-9);
+    }
   }
   EXPECT_EQ(dots, 4u);
-  EXPECT_NE(figure.find("part.AB.thickness, mm"), std::string::npos);
-  EXPECT_NE(figure.find("stroke-dasharray"), std::string::npos);
-  EXPECT_EQ(figure.find("nan"), std::string::npos);
+  ASSERT_TRUE(panel.limit.has_value());
+  EXPECT_NEAR(*panel.limit, 355.0 / 1.5, 1e-9);
 }
 
 class CollectionFolder : public ::testing::Test {

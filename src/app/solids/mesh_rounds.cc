@@ -1,0 +1,122 @@
+#include "app/solids/mesh_rounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "base/stopwatch.h"
+
+namespace clevis::app {
+namespace {
+
+using assessment::PartJob;
+using assessment::PartResult;
+using assessment::PartSeconds;
+using assessment::PeakStress;
+using assessment::PeakVerdict;
+
+constexpr std::size_t kMostCells = 20000;
+
+bool is_open(const PartResult& result) {
+  return judged_peak(result).verdict == PeakVerdict::kNotConverged;
+}
+
+/// How far the mesh leaves the judged peak open, if that is above the tolerance
+/// [1].
+std::optional<double> open_by_mesh(const PartResult& result, double tolerance) {
+  const PeakStress& peak = judged_peak(result);
+  const double open = peak.shares.mesh / peak.value;
+  if (!is_open(result) || !(open > tolerance)) return std::nullopt;
+  return open;
+}
+
+bool is_of_mesh(const Error& error) {
+  return error.code().starts_with('M');
+}
+
+void add(const PartSeconds& before, PartSeconds& seconds) {
+  seconds.mesh += before.mesh;
+  seconds.assemble += before.assemble;
+  seconds.factor += before.factor;
+  seconds.solve += before.solve;
+  seconds.recover += before.recover;
+  seconds.total += before.total;
+}
+
+}  // namespace
+
+cad::Refinement finer_mesh(cad::Refinement last,
+                           const std::vector<assessment::OpenPlace>& places,
+                           const Eigen::Vector3d& peak) {
+  constexpr double kEverywhere = 1.25, kAtPeak = 3.0;
+  constexpr double kLeast = 2.5, kMost = 3.5;
+  if (places.empty()) {
+    last.everywhere *= kEverywhere;
+    last.at.push_back({peak, kAtPeak});
+  }
+  for (const auto& [at, excess] : places) {
+    // Errors fall with the square of the cells' size at least, and a few small
+    // cells are cheaper than another round.
+    last.at.push_back({at, std::clamp(2.5 * std::sqrt(excess), kLeast, kMost)});
+  }
+  return last;
+}
+
+CheckedPart check_in_rounds(
+    PartJob job, int rounds,
+    const std::function<assessment::PartAssessment(const PartJob&)>& check,
+    const std::function<PartJob(const cad::Refinement&)>& mesh_again) {
+  cad::Refinement finer;
+  PartSeconds before;
+  std::vector<std::string> told;
+  for (int made = 0;; ++made) {
+    const std::size_t cells = job.mesh.cells.size();
+    job.may_be_meshed_finer = made < rounds && cells <= kMostCells;
+    auto assessment = check(job);
+    add(before, assessment.result.seconds);
+    const auto open = open_by_mesh(assessment.result, job.tolerance);
+    if (open && job.may_be_meshed_finer) {
+      Stopwatch watch;
+      before = assessment.result.seconds;
+      finer = finer_mesh(std::move(finer), assessment.open_places,
+                         judged_peak(assessment.result).at);
+      try {
+        job = mesh_again(finer);
+        told.push_back(fmt::format(
+            "meshed finer where its error stands: {} cells left {:.3g} % open, "
+            "now {}",
+            cells, 100.0 * *open, job.mesh.cells.size()));
+      } catch (const Error& error) {
+        if (!is_of_mesh(error)) throw;
+        rounds = made;  // what there is will do
+        told.push_back("not meshed finer: " + error.problem());
+      }
+      const double meshing = watch.lap();
+      before.mesh += meshing;
+      before.total += meshing;
+      continue;
+    }
+    if (is_open(assessment.result) && job.may_be_meshed_finer) {
+      job.may_be_meshed_finer = false;  // another mesh would not close it
+      before = assessment.result.seconds;
+      assessment = check(job);
+      add(before, assessment.result.seconds);
+    }
+    if (open && made < rounds) {
+      told.push_back(fmt::format(
+          "{} cells leave {:.3g} % open; a finer mesh would take minutes: give "
+          "the part a mesh_size if it may",
+          cells, 100.0 * *open));
+    }
+    auto& notes = assessment.result.notes;
+    notes.insert(notes.end(), told.begin(), told.end());
+    return {std::move(job), std::move(assessment)};
+  }
+}
+
+}  // namespace clevis::app

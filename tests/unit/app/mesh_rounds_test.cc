@@ -1,0 +1,159 @@
+#include "app/solids/mesh_rounds.h"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "base/errors.h"
+
+namespace clevis::app {
+namespace {
+
+using assessment::PartAssessment;
+using assessment::PartJob;
+using assessment::PeakVerdict;
+using Eigen::Vector3d;
+
+constexpr double kTolerance = 0.01;
+
+PartJob part_of(std::size_t cells) {
+  PartJob job;
+  job.tolerance = kTolerance;
+  job.mesh.cells.resize(cells);
+  return job;
+}
+
+/// The answer of a check whose peak is open by so much [1].
+PartAssessment open_by(double mesh, PeakVerdict verdict) {
+  PartAssessment assessment;
+  assessment.result.peak.value = 100e6;
+  assessment.result.peak.verdict = verdict;
+  assessment.result.peak.shares.mesh = mesh * 100e6;
+  assessment.result.seconds.factor = 2.0;
+  assessment.result.seconds.total = 3.0;
+  return assessment;
+}
+
+/// A part that is checked, open by `opens` one after the other, and what was
+/// asked for meanwhile.
+struct Rounds {
+  std::vector<double> opens;
+  std::size_t more = 100;  ///< cells per round
+  std::vector<bool> may_be_finer = {};
+  std::vector<cad::Refinement> finer = {};
+
+  CheckedPart start(std::size_t cells, int rounds) {
+    return check_in_rounds(
+        part_of(cells), rounds,
+        [this](const PartJob& job) {
+          const double open = opens.at(may_be_finer.size());
+          may_be_finer.push_back(job.may_be_meshed_finer);
+          return open_by(open, open > kTolerance ? PeakVerdict::kNotConverged
+                                                 : PeakVerdict::kConverged);
+        },
+        [this, cells](const cad::Refinement& refinement) {
+          finer.push_back(refinement);
+          return part_of(cells + finer.size() * more);
+        });
+  }
+};
+
+TEST(MeshRounds, EndWhereTheMeshLeavesNoMoreThanTheTolerance) {
+  Rounds run{{0.05, 0.004}};
+  const CheckedPart checked = run.start(1000, 5);
+  EXPECT_EQ(run.may_be_finer, (std::vector{true, true}));
+  EXPECT_EQ(checked.job.mesh.cells.size(), 1100U);
+  ASSERT_EQ(checked.assessment.result.notes.size(), 1U);
+  EXPECT_NE(checked.assessment.result.notes[0].find(
+                "1000 cells left 5 % open, now 1100"),
+            std::string::npos);
+}
+
+TEST(MeshRounds, CheckTheLastMeshWithAllDegrees) {
+  Rounds run{{0.05, 0.03, 0.02}};
+  const CheckedPart checked = run.start(1000, 2);
+  EXPECT_EQ(run.may_be_finer, (std::vector{true, true, false}));
+  EXPECT_EQ(checked.assessment.result.notes.size(), 2U);
+}
+
+TEST(MeshRounds, CountTheSecondsOfAll) {
+  Rounds run{{0.05, 0.004}};
+  const auto& seconds = run.start(1000, 2).assessment.result.seconds;
+  EXPECT_DOUBLE_EQ(seconds.factor, 4.0);
+  EXPECT_GE(seconds.total, 6.0);
+}
+
+TEST(MeshRounds, StopAt20000Cells) {
+  Rounds run{{0.05}};
+  const CheckedPart checked = run.start(20001, 2);
+  EXPECT_EQ(run.may_be_finer, (std::vector{false}));
+  EXPECT_TRUE(run.finer.empty());
+  ASSERT_EQ(checked.assessment.result.notes.size(), 1U);
+  EXPECT_NE(checked.assessment.result.notes[0].find(
+                "20001 cells leave 5 % open; a finer mesh would take minutes"),
+            std::string::npos);
+  Rounds below{{0.05, 0.03}, 1};
+  EXPECT_EQ(below.start(20000, 2).job.mesh.cells.size(), 20001U);
+  EXPECT_EQ(below.may_be_finer, (std::vector{true, false}));
+}
+
+TEST(MeshRounds, NoneWhereNoneIsWanted) {
+  Rounds run{{0.05}};
+  EXPECT_TRUE(run.start(1000, 0).assessment.result.notes.empty());
+  EXPECT_EQ(run.may_be_finer, (std::vector{false}));
+}
+
+TEST(MeshRounds, WhatNoMeshClosesTakesAllDegrees) {
+  std::vector<bool> may_be_finer;
+  check_in_rounds(
+      part_of(1000), 2,
+      [&](const PartJob& job) {
+        may_be_finer.push_back(job.may_be_meshed_finer);
+        return open_by(0.004, PeakVerdict::kNotConverged);
+      },
+      [](const cad::Refinement&) -> PartJob {
+        throw std::logic_error("meshed again");
+      });
+  EXPECT_EQ(may_be_finer, (std::vector{true, false}));
+}
+
+TEST(MeshRounds, KeepTheMeshWhereNoFinerOneCanBeMade) {
+  std::vector<bool> may_be_finer;
+  const CheckedPart checked = check_in_rounds(
+      part_of(1000), 2,
+      [&](const PartJob& job) {
+        may_be_finer.push_back(job.may_be_meshed_finer);
+        return open_by(0.05, PeakVerdict::kNotConverged);
+      },
+      [](const cad::Refinement&) -> PartJob {
+        throw Error("M010", "part.step", "gmsh says no", "Repair it.");
+      });
+  EXPECT_EQ(may_be_finer, (std::vector{true, false}));
+  EXPECT_EQ(checked.job.mesh.cells.size(), 1000U);
+  EXPECT_EQ(checked.assessment.result.notes,
+            std::vector<std::string>{"not meshed finer: gmsh says no"});
+}
+
+TEST(FinerMesh, IsFinerWhereTheErrorIsLarger) {
+  const Vector3d small(1.0, 0.0, 0.0), large(0.0, 2.0, 0.0);
+  const auto finer =
+      finer_mesh({}, {{small, 1.5}, {large, 3.0}, {large, 50.0}}, {});
+  EXPECT_EQ(finer.everywhere, 1.0);
+  ASSERT_EQ(finer.at.size(), 3U);
+  EXPECT_EQ(finer.at[0].at, small);
+  EXPECT_LT(finer.at[0].times, finer.at[1].times);
+  EXPECT_DOUBLE_EQ(finer.at[2].times, 3.5);
+}
+
+TEST(FinerMesh, WithoutPlacesIsFinerEverywhere) {
+  const Vector3d peak(1.0, 2.0, 3.0);
+  const auto finer = finer_mesh(finer_mesh({}, {}, peak), {}, peak);
+  EXPECT_DOUBLE_EQ(finer.everywhere, 1.25 * 1.25);
+  ASSERT_EQ(finer.at.size(), 2U);
+  EXPECT_EQ(finer.at[1].at, peak);
+}
+
+}  // namespace
+}  // namespace clevis::app
