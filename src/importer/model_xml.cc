@@ -18,6 +18,8 @@ using std::string_view;
 using tinyxml2::XMLElement;
 
 constexpr std::size_t kMostLines = 2000;
+// Far more than a motion can be found of; the libraries recurse over links.
+constexpr std::size_t kMostElements = 4000;
 
 /// Elements that are read, by the element around them.
 using Known = std::map<string_view, std::set<string_view>>;
@@ -110,6 +112,8 @@ bool is_default(const XMLElement& element) {
   return found != defaults.end() && found->second.contains(text);
 }
 
+const std::set<string_view> kCounted{"link", "joint", "frame", "model"};
+
 class Stripper {
  public:
   Stripper(const Known& known, ModelXml& result)
@@ -128,6 +132,7 @@ class Stripper {
       const bool is_read =
           known != known_.end() && known->second.contains(name);
       if (is_read && !is_further(element, name)) {
+        count_ += kCounted.contains(name) ? 1 : 0;
         tell_urdf_bounds(child, here);
         strip(child, here);
         continue;
@@ -136,6 +141,9 @@ class Stripper {
       element.DeleteChild(&child);
     }
   }
+
+  /// Links, joints, frames and models that are read.
+  std::size_t count() const { return count_; }
 
  private:
   static std::string title(const XMLElement& element) {
@@ -172,6 +180,7 @@ class Stripper {
   ModelXml& result_;
   std::string first_;
   int roots_ = 0;
+  std::size_t count_ = 0;
 };
 
 [[noreturn]] void refuse_root(const std::string& file, string_view root) {
@@ -215,8 +224,15 @@ ModelXml model_xml(const std::string& text, const std::string& file) {
     throw Error("S013", file, "the file is a xacro file, not yet a URDF",
                 "Expand it with `xacro` and import what that writes.");
   }
-  Stripper(result.is_urdf ? known_of_urdf() : known_of_sdf(), result)
-      .strip(*root, printable(root->Name()));
+  Stripper stripper(result.is_urdf ? known_of_urdf() : known_of_sdf(), result);
+  stripper.strip(*root, printable(root->Name()));
+  if (stripper.count() > kMostElements) {
+    throw Error("S015", file,
+                fmt::format("it has {} links, joints, frames and models, {} "
+                            "are the most",
+                            stripper.count(), kMostElements),
+                "Import one mechanism alone.");
+  }
   tinyxml2::XMLPrinter printer;
   document.Print(&printer);
   result.text = printer.CStr();

@@ -132,10 +132,23 @@ class Reader {
          .p_LCm = vector_of(inertial.Pose().Pos()),
          .inertia_LCm = matrix_of(inertial.Moi()),  // in the link's axes
          .is_fixed = is_fixed});
-    if (!is_fixed && !link.Element()->HasElement("inertial")) {
-      result_.told.push_back(fmt::format(
-          "link {}: no <inertial>; 1 kg and 1 kg m^2 assumed, as SDF does",
-          scope + link.Name()));
+    if (!is_fixed) tell_assumed(link, scope);
+  }
+
+  /// SDF has its defaults for what a link does not say.
+  void tell_assumed(const sdf::Link& link, const std::string& scope) {
+    const sdf::ElementPtr element = link.Element();
+    const bool has_inertial = element->HasElement("inertial");
+    const auto lacks = [&](const char* name) {
+      return !has_inertial ||
+             !element->GetElement("inertial")->HasElement(name);
+    };
+    for (const auto& [name, value] :
+         {std::pair("mass", "1 kg"), std::pair("inertia", "1 kg m^2")}) {
+      if (!lacks(name)) continue;
+      result_.told.push_back(
+          fmt::format("link {}: no <{}>; {} assumed, as SDF does",
+                      scope + link.Name(), name, value));
     }
   }
 

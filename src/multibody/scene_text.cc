@@ -79,7 +79,6 @@ class Writer {
       : model_(model), file_(file) {}
 
   SceneText write() {
-    require_size();
     hosts_ = body_hosts(model_, file_, told_);
     for (std::size_t i = 0; i < model_.links.size(); ++i) add_body(i);
     if (result_.bodies == 0) {
@@ -121,16 +120,6 @@ class Writer {
                         toml_text(one_line(model_.name, kLongestTitle)),
                         quantities(gravity, "m/s^2"));
     return text;
-  }
-
-  /// Far more than a motion can be found of.
-  void require_size() const {
-    constexpr std::size_t kMost = 2000;
-    if (model_.links.size() <= kMost && model_.joints.size() <= kMost) return;
-    throw Error("S015", file_,
-                fmt::format("it has {} links and {} joints, {} are the most",
-                            model_.links.size(), model_.joints.size(), kMost),
-                "Import one mechanism alone.");
   }
 
   /// Bodies that no joints lead to from the ground fall.

@@ -74,6 +74,16 @@ def cases():
     yield "no_axis.urdf", URDF.replace('xyz="0 1 0"', 'xyz="0 0 0"'), {"S014", "S006"}
     yield "fixed.sdf", "<sdf version='1.9'><model name='a'><static>1</static>" \
                        "<link name='b'/></model></sdf>", {"S015"}
+    yield "links.sdf", "<sdf version='1.9'><model name='a'>" + "".join(
+        f"<link name='{i}'/>" for i in range(100000)) + "</model></sdf>", {"S015"}
+    yield "frames_in_a_row.sdf", (
+        "<sdf version='1.9'><model name='a'><link name='b'/><frame name='0'/>" + "".join(
+            f"<frame name='{i}' attached_to='{i - 1}'><pose>1e-9 0 0 0 0 0</pose></frame>"
+            for i in range(1, 3990)) + "</model></sdf>"), FINE | REFUSED
+    yield "chain.urdf", "<robot name='a'><link name='0'/>" + "".join(
+        f"<link name='{i}'/><joint name='{i}' type='fixed'><parent link='{i - 1}'/>"
+        f"<child link='{i}'/></joint>" for i in range(1, 60000)) + "</robot>", {"S015"}
+    yield "shapes.sdf", SDF.replace("<sensor", "<visual name='a'/>" * 100000 + "<sensor"), FINE
     yield "nothing.sdf", "<sdf version='1.9'/>", {"S014", "S015"}
     include = "<include><uri>{}</uri></include>"
     for number, uri in enumerate(("model://sun", "https://fuel.ignitionrobotics.org/1.0/a/b",

@@ -14,6 +14,7 @@ import math
 import subprocess
 import sys
 import tempfile
+import tomllib
 from pathlib import Path
 
 from support import Checks
@@ -299,6 +300,72 @@ def lost(checks, folder):
         checks.expect(told.count(line) == 1, f"told once: {line}")
 
 
+NESTED = """<sdf version="1.9"><world name="w">
+<model name="base"><static>true</static><link name="plate"/></model>
+<model name="machine">
+  <pose>1 0 0 0 0 1.5707963267948966</pose>
+  <link name="arm">{inertial}</link>
+  <model name="sub">
+    <pose>0 0.5 0 0 0 0</pose>
+    <link name="arm"><pose>0 0 0.2 0 0 0</pose>{inertial}</link>
+  </model>
+  <joint name="knee" type="revolute"><parent>arm</parent><child>sub::arm</child>
+    <axis><xyz expressed_in="__model__">1 0 0</xyz><dynamics><friction>0.01</friction></dynamics>
+      <limit><lower>-1</lower><upper>2</upper><stiffness>300</stiffness></limit></axis></joint>
+  <joint name="cross" type="universal"><parent>world</parent><child>arm</child>
+    <axis><xyz>1 0 0</xyz></axis><axis2><xyz>0 1 0</xyz></axis2></joint>
+</model></world></sdf>
+"""
+INERTIAL = ("<inertial><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz>"
+            "</inertia></inertial>")
+# Before SDF 1.7 an axis may be in the model's frame. Gazebo's screws take rad/m.
+SCREW = """<sdf version="1.4"><model name="old"><link name="nut">
+<pose>0 0 1 0 0 1.5707963267948966</pose>{inertial}</link>
+<joint name="thread" type="screw"><parent>world</parent><child>nut</child>
+<thread_pitch>-100</thread_pitch><axis><xyz>1 0 0</xyz></axis></joint></model></sdf>
+"""
+
+
+def near(value, wanted):
+    """Lists of numbers or of quantities, in SI units."""
+    return all(abs(float(str(a).split()[0]) - b) < 1e-12
+               for a, b in zip(value, wanted, strict=True))
+
+
+def described(text, folder, name):
+    """A model in this file's own text, as a scene's tables by name."""
+    file = folder / f"{name}.sdf"
+    file.write_text(text.format(inertial=INERTIAL))
+    scene = tomllib.loads(imported(file, folder / name)[0])
+    return {entry["name"]: entry for kind in ("body", "joint", "force")
+            for entry in scene.get(kind, ())}
+
+
+def scenes(checks, folder):
+    """What the motions above do not have: nested models, a static one, joints of
+    other types, forces."""
+    found = described(NESTED, folder, "nested")
+    checks.expect(set(found) == {
+        "machine__arm", "machine__sub__arm", "machine__knee", "machine__cross",
+        "machine__knee_friction", "machine__knee_stop"}, "nested: bodies, joints, forces")
+    inner, knee, cross = (found[f"machine__{name}"] for name in ("sub__arm", "knee", "cross"))
+    checks.expect(near(inner["placement"]["origin"], (0.5, 0, 0.2))
+                  and near(inner["placement"]["x_axis"], (0, 1, 0)), "nested: placement")
+    checks.expect(near(knee["point"], (0.5, 0, 0.2)) and near(knee["axis"], (0, 1, 0))
+                  and knee["between"] == ["machine__arm", "machine__sub__arm"],
+                  "nested: joint of the outer model")
+    checks.expect(near(cross["axis"], (0, 1, 0)) and near(cross["normal"], (-1, 0, 0))
+                  and cross["between"] == ["ground", "machine__arm"], "universal joint's axes")
+    stop, friction = found["machine__knee_stop"], found["machine__knee_friction"]
+    checks.expect((stop["lower"], stop["upper"], stop["stiffness"], stop["damping"])
+                  == ("-1 rad", "2 rad", "300 N m/rad", "1 N m s/rad"), "limits are a stop")
+    checks.expect(friction["breakaway"] == friction["kinetic"] == "0.01 N m", "friction")
+    thread = described(SCREW, folder, "screw")["thread"]
+    checks.expect(near(thread["axis"], (1, 0, 0)), "SDF 1.4: axis in the model's frame")
+    lead = float(thread["lead"].split()[0])
+    checks.expect(abs(lead - 2 * math.pi / 100) < 1e-12, "screw: right-handed lead")
+
+
 def main():
     checks = Checks()
     with tempfile.TemporaryDirectory() as name:
@@ -312,6 +379,7 @@ def main():
         four_bar(checks, folder)
         slider(checks, folder)
         lost(checks, folder)
+        scenes(checks, folder)
     return checks.exit_code()
 
 

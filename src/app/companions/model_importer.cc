@@ -11,13 +11,14 @@ namespace clevis::app {
 multibody::Model run_importer(const std::filesystem::path& file,
                               const std::filesystem::path& program) {
   multibody::require_model_file(file);
-  const Companion importer{.name = kImporter,
-                           .role = "importer",
-                           .code = "S014",
-                           .remedy = "Leave out what is no link and no joint.",
-                           .program = program,
-                           .timeout = std::chrono::seconds(8),
-                           .memory = std::size_t{2} << 30};
+  const Companion importer{
+      .name = kImporter,
+      .role = "importer",
+      .code = "S014",
+      .remedy = "Import one mechanism alone, with fewer links.",
+      .program = program,
+      .timeout = std::chrono::seconds(8),
+      .memory = std::size_t{2} << 30};
   const TemporaryFolder folder;
   const std::string answer = companion_answer(
       importer, file, std::filesystem::absolute(file), folder.path());
