@@ -16,7 +16,7 @@ const built = await esbuild.build({
   minify: true,
   charset: "ascii",
   format: "iife",
-  target: ["chrome100", "firefox100", "safari15.4"],
+  target: ["chrome100", "firefox113", "safari16.4"],
   legalComments: "eof",
   outdir: "dist",
   write: false,

@@ -3,16 +3,29 @@
 const ARRAYS = { f32: Float32Array, i8: Int8Array, i16: Int16Array,
                  u16: Uint16Array, u32: Uint32Array };
 
-function numbers({ type, base64 }) {
+function bytesOf(base64) {
   const text = atob(base64);
   const bytes = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-  return new ARRAYS[type](bytes.buffer);
+  return bytes;
+}
+
+function numbers({ type, base64 }) {
+  return new ARRAYS[type](bytesOf(base64).buffer);
 }
 
 function stored(id) {
   const element = document.getElementById(id);
   return element ? JSON.parse(element.textContent) : null;
+}
+
+/** What is stored compressed (zlib, as base 64). */
+async function unpacked(id) {
+  const element = document.getElementById(id);
+  if (!element) return null;
+  const stream = new Blob([bytesOf(element.textContent)]).stream()
+    .pipeThrough(new DecompressionStream("deflate"));
+  return JSON.parse(await new Response(stream).text());
 }
 
 /** A field of points over instants: Σ scale · column · coefficient. */
@@ -110,7 +123,7 @@ export class Part {
 }
 
 /** Everything of the page. */
-export function load() {
+export async function load() {
   const result = stored("result");
   const motion = stored("motion");
   for (const key of ["t_s", "poses", "joint_states", "drive_states",
@@ -119,7 +132,7 @@ export function load() {
   }
   const parts = [];
   for (let p = 0; ; ++p) {
-    const json = stored(`part-${p}`);
+    const json = await unpacked(`part-${p}`);
     if (!json) break;
     parts.push(new Part(json, result.parts[p]));
   }

@@ -183,4 +183,7 @@ function addKeys(timeline) {
   });
 }
 
-build(load());
+load().then((data) => {
+  build(data);
+  document.documentElement.dataset.built = "";  // for scripts and tests
+});

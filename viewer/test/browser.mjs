@@ -30,5 +30,6 @@ export async function open(chromium, url) {
   });
   await page.setViewport({ width: 1280, height: 900 });
   await page.goto(url, { waitUntil: "load" });
+  await page.waitForSelector("html[data-built]");
   return { page, session, said, requests };
 }

@@ -84,9 +84,11 @@ Run declare_check(CLI::App& command) {
                   "[2]")
       ->type_name("N")
       ->check(CLI::Range(0, kMostRounds));
-  command.add_flag("--resume", options.resume,
-                   "keep the result in --out if it is whole and of the same "
-                   "inputs");
+  command
+      .add_flag("--resume", options.resume,
+                "keep the result in --out if it is whole and of the same "
+                "inputs")
+      ->excludes("--linear-vtu");
   add_engine(command, options);
   command
       .add_flag("--watch", options.watch,

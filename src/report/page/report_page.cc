@@ -1,7 +1,11 @@
 #include "report/page/report_page.h"
 
+#include <span>
+
 #include <fmt/format.h>
 
+#include "report/encoding/base64.h"
+#include "report/encoding/compression.h"
 #include "report/page/page_assets.h"
 #include "report/page/watch_mark.h"
 #include "report/text/atomic_file.h"
@@ -14,6 +18,12 @@ std::string data_element(std::string_view id, std::string_view json) {
   return fmt::format(
       "<script type=\"application/json\" id=\"{}\">{}</script>\n", id,
       escape_json_for_html(json));
+}
+
+/// The fields of a part: most of a page, and half of it when compressed.
+std::string packed_element(std::string_view id, std::string_view json) {
+  return fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", id,
+                     base64(compressed(std::as_bytes(std::span(json)))));
 }
 
 std::string head(const std::string& title, const char* pictures) {
@@ -52,7 +62,7 @@ std::string report_page(const StoredPage& page, std::optional<int> watch_run) {
   html += data_element("result", page.result);
   html += data_element("motion", page.motion);
   for (std::size_t p = 0; p < page.parts.size(); ++p) {
-    html += data_element(fmt::format("part-{}", p), page.parts[p]);
+    html += packed_element(fmt::format("part-{}", p), page.parts[p]);
   }
   if (watch_run) {
     html += data_element("watch", fmt::format(R"({{"run":{},"mark":"{}"}})",

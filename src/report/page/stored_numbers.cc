@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "base/errors.h"
-#include "report/view/base64.h"
+#include "report/encoding/base64.h"
 
 namespace clevis::report {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "report/encoding/base64.h"
 #include "report/picture/raster.h"
 #include "report/text/markup.h"
-#include "report/view/base64.h"
 
 namespace clevis::report {
 namespace {

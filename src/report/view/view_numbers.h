@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/view/base64.h"
+#include "report/encoding/base64.h"
 
 namespace clevis::report {
 

@@ -1,4 +1,4 @@
-#include "report/view/base64.h"
+#include "report/encoding/base64.h"
 
 #include <gtest/gtest.h>
 
