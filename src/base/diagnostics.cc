@@ -303,7 +303,8 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "<include> names is never opened: write it into the file."},
     {"S015", kSceneInvalid, "model that no scene can hold",
      "A link that moves by itself has no mass or no possible inertia, a number "
-     "is not finite, or nothing in the model moves."},
+     "is not finite, nothing in the model moves, or it has more than 4000 "
+     "links, joints, frames and models."},
     {"U001", kUsage, "wrong command line", "See clevis --help."},
     {"U002", kUsage, "unknown diagnostic code",
      "The catalogue has no such code; `clevis explain` lists all."},
