@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <tinyxml2.h>
@@ -189,6 +191,23 @@ class Stripper {
               "Give an SDF file (<sdf>) or a URDF file (<robot>).");
 }
 
+/// What later versions renamed or made anew would be lost or taken for
+/// something else.
+void require_known_version(const XMLElement& root, const std::string& file) {
+  constexpr int kMajor = 1, kMinor = 9;  // of libsdformat12
+  const char* version = root.Attribute("version");
+  int major = 0, minor = 0;
+  if (version == nullptr ||
+      std::sscanf(version, "%d.%d", &major, &minor) < 1 ||  // NOLINT
+      std::pair(major, minor) <= std::pair(kMajor, kMinor)) {
+    return;
+  }
+  throw Error("S014", file,
+              fmt::format("it is SDF {}, up to {}.{} is read",
+                          printable(version), kMajor, kMinor),
+              "Export the model as an older version.");
+}
+
 bool is_xacro(const XMLElement& element) {
   if (string_view(element.Name()).starts_with("xacro:")) return true;
   for (const XMLElement* child = element.FirstChildElement(); child != nullptr;
@@ -220,6 +239,7 @@ ModelXml model_xml(const std::string& text, const std::string& file) {
   if (!result.is_urdf && string_view(root->Name()) != "sdf") {
     refuse_root(file, root->Name());
   }
+  if (!result.is_urdf) require_known_version(*root, file);
   if (is_xacro(*root)) {
     throw Error("S013", file, "the file is a xacro file, not yet a URDF",
                 "Expand it with `xacro` and import what that writes.");

@@ -190,8 +190,8 @@ class Reader {
     require(axis.ResolveXyz(direction, kModelFrame));
     multibody::Axis found;
     found.direction = vector_of(X_WM.Rot().RotateVector(direction));
-    if (axis.Lower() > -kNoLimit) found.lower = axis.Lower();
-    if (axis.Upper() < kNoLimit) found.upper = axis.Upper();
+    if (!(axis.Lower() <= -kNoLimit)) found.lower = axis.Lower();
+    if (!(axis.Upper() >= kNoLimit)) found.upper = axis.Upper();
     found.stop_stiffness = axis.Stiffness();
     found.stop_damping = axis.Dissipation();
     found.damping = axis.Damping();

@@ -1,5 +1,8 @@
 #include "multibody/exchange.h"
 
+#include <cmath>
+#include <limits>
+
 #include <nlohmann/json.hpp>
 
 namespace clevis::multibody {
@@ -14,12 +17,22 @@ std::string text_of(const json& document) {
   return document.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
+/// JSON has no other numbers than finite ones; who asks names those (S015).
+json number_json(double value) {
+  return std::isfinite(value) ? json(value) : json("not finite");
+}
+
+double number_of(const json& value) {
+  return value.is_string() ? std::numeric_limits<double>::quiet_NaN()
+                           : value.get<double>();
+}
+
 json vector_json(const Vector3d& v) {
-  return {v.x(), v.y(), v.z()};
+  return {number_json(v.x()), number_json(v.y()), number_json(v.z())};
 }
 
 Vector3d vector_of(const json& v) {
-  return {v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()};
+  return {number_of(v.at(0)), number_of(v.at(1)), number_of(v.at(2))};
 }
 
 json matrix_json(const Matrix3d& m) {
@@ -35,43 +48,43 @@ Matrix3d matrix_of(const json& rows) {
 }
 
 json optional_json(const std::optional<double>& value) {
-  return value ? json(*value) : json();
+  return value ? number_json(*value) : json();
 }
 
 std::optional<double> optional_of(const json& value) {
   if (value.is_null()) return {};
-  return value.get<double>();
+  return number_of(value);
 }
 
 json axis_json(const Axis& axis) {
   return {{"direction", vector_json(axis.direction)},
           {"lower", optional_json(axis.lower)},
           {"upper", optional_json(axis.upper)},
-          {"stop_stiffness", axis.stop_stiffness},
-          {"stop_damping", axis.stop_damping},
-          {"damping", axis.damping},
-          {"friction", axis.friction},
-          {"spring_stiffness", axis.spring_stiffness},
-          {"spring_reference", axis.spring_reference}};
+          {"stop_stiffness", number_json(axis.stop_stiffness)},
+          {"stop_damping", number_json(axis.stop_damping)},
+          {"damping", number_json(axis.damping)},
+          {"friction", number_json(axis.friction)},
+          {"spring_stiffness", number_json(axis.spring_stiffness)},
+          {"spring_reference", number_json(axis.spring_reference)}};
 }
 
 Axis axis_of(const json& text) {
   return {.direction = vector_of(text.at("direction")),
           .lower = optional_of(text.at("lower")),
           .upper = optional_of(text.at("upper")),
-          .stop_stiffness = text.at("stop_stiffness"),
-          .stop_damping = text.at("stop_damping"),
-          .damping = text.at("damping"),
-          .friction = text.at("friction"),
-          .spring_stiffness = text.at("spring_stiffness"),
-          .spring_reference = text.at("spring_reference")};
+          .stop_stiffness = number_of(text.at("stop_stiffness")),
+          .stop_damping = number_of(text.at("stop_damping")),
+          .damping = number_of(text.at("damping")),
+          .friction = number_of(text.at("friction")),
+          .spring_stiffness = number_of(text.at("spring_stiffness")),
+          .spring_reference = number_of(text.at("spring_reference"))};
 }
 
 json link_json(const Link& link) {
   return {{"name", link.name},
           {"origin", vector_json(link.p_WL)},
           {"rotation", matrix_json(link.R_WL)},
-          {"mass", link.mass},
+          {"mass", number_json(link.mass)},
           {"center_of_mass", vector_json(link.p_LCm)},
           {"inertia", matrix_json(link.inertia_LCm)},
           {"is_fixed", link.is_fixed}};
@@ -81,7 +94,7 @@ Link link_of(const json& text) {
   return {.name = text.at("name"),
           .p_WL = vector_of(text.at("origin")),
           .R_WL = matrix_of(text.at("rotation")),
-          .mass = text.at("mass"),
+          .mass = number_of(text.at("mass")),
           .p_LCm = vector_of(text.at("center_of_mass")),
           .inertia_LCm = matrix_of(text.at("inertia")),
           .is_fixed = text.at("is_fixed")};
@@ -90,10 +103,13 @@ Link link_of(const json& text) {
 json joint_json(const Joint& joint) {
   json axes = json::array();
   for (const Axis& axis : joint.axes) axes.push_back(axis_json(axis));
-  return {{"name", joint.name},     {"type", joint.type},
-          {"parent", joint.parent}, {"child", joint.child},
-          {"axes", axes},           {"point", vector_json(joint.point)},
-          {"lead", joint.lead}};
+  return {{"name", joint.name},
+          {"type", joint.type},
+          {"parent", joint.parent},
+          {"child", joint.child},
+          {"axes", axes},
+          {"point", vector_json(joint.point)},
+          {"lead", number_json(joint.lead)}};
 }
 
 Joint joint_of(const json& text) {
@@ -103,7 +119,7 @@ Joint joint_of(const json& text) {
               .child = text.at("child"),
               .point = vector_of(text.at("point")),
               .axes = {},
-              .lead = text.at("lead")};
+              .lead = number_of(text.at("lead"))};
   for (const json& axis : text.at("axes")) joint.axes.push_back(axis_of(axis));
   return joint;
 }

@@ -218,6 +218,12 @@ class Writer {
                       " joint; left out, its links move freely");
       return;
     }
+    if (!is_finite(joint)) {
+      throw Error("S015", fmt::format("{}, joint {}", file_, joint.name),
+                  "a number of its place, axis, limits, dynamics or thread is "
+                  "not finite",
+                  "Correct it; a screw needs a thread_pitch that is not 0.");
+    }
     if (is_locked(joint)) {
       tell(joint, "both limits are one; a weld");
       type = &kWeld;
@@ -252,6 +258,19 @@ class Writer {
         add_forces(joint, name, joint.axes[k], type->coordinates[k]);
       }
     }
+  }
+
+  static bool is_finite(const Joint& joint) {
+    return joint.point.allFinite() && std::isfinite(joint.lead) &&
+           std::ranges::all_of(joint.axes, [](const Axis& axis) {
+             return axis.direction.allFinite() &&
+                    std::isfinite(axis.lower.value_or(0.0)) &&
+                    std::isfinite(axis.upper.value_or(0.0)) &&
+                    std::isfinite(axis.stop_stiffness + axis.stop_damping +
+                                  axis.damping + axis.friction +
+                                  axis.spring_stiffness +
+                                  axis.spring_reference);
+           });
   }
 
   static bool is_locked(const Joint& joint) {

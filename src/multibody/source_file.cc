@@ -17,8 +17,11 @@ constexpr std::uintmax_t kLargest = std::uintmax_t{16} << 20;
 
 void require_model_file(const std::filesystem::path& file) {
   std::error_code failure;
-  std::ifstream stream(file, std::ios::binary);
-  if (!std::filesystem::is_regular_file(file, failure) || !stream) {
+  // A pipe that nobody writes would be waited for when opened.
+  const bool is_file = std::filesystem::is_regular_file(file, failure);
+  std::ifstream stream;
+  if (is_file) stream.open(file, std::ios::binary);
+  if (!is_file || !stream) {
     throw Error("I001", file.string(), "the model cannot be read",
                 "Give the path of an .sdf or .urdf file.");
   }

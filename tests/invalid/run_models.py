@@ -68,6 +68,19 @@ def cases():
         yield f"pose_{number}.sdf", SDF.replace("0.1 -0.2 1.5 0 0 0.3",
                                                 f"{number} 0 0 0 0 0"), REFUSED | FINE
         yield f"pose_{number}.urdf", URDF.replace("0.4 0 0", f"{number} 0 0"), REFUSED
+    for number in ("nan", "inf", "0x"):
+        for key in ("damping", "friction", "spring_stiffness", "spring_reference"):
+            yield f"{key}_{number}.sdf", SDF.replace(
+                "</xyz>", f"</xyz><dynamics><{key}>{number}</{key}></dynamics>", 1), REFUSED | FINE
+        yield f"stop_{number}.sdf", SDF.replace(
+            "</xyz>", f"</xyz><limit><stiffness>{number}</stiffness></limit>", 1), REFUSED | FINE
+    yield "limit_nan.sdf", SDF.replace(
+        "</xyz>", "</xyz><limit><lower>-1</lower><upper>nan</upper></limit>", 1), {"S015"}
+    yield "damping.sdf", SDF.replace(
+        "</xyz>", "</xyz><dynamics><damping>nan</damping></dynamics>", 1), {"S015"}
+    for version in ("1.10", "2.0", "99"):
+        yield f"version_{version}.sdf", SDF.replace(
+            'version="1.9"', f'version="{version}"'), {"S014"}
     yield "far.sdf", SDF.replace("0.4 0 0 0 -0.5 0", "1e9 1e9 1e9 0 -0.5 0"), {"S011"}
     yield "heavy.sdf", SDF.replace("<mass>2</mass>", "<mass>1e300</mass>"), {"S006", "S011"}
     yield "no_axis.sdf", SDF.replace("<xyz>0 1 0</xyz>", "<xyz>0 0 0</xyz>"), {"S014"}

@@ -71,7 +71,7 @@ std::string run_gmsh(const path& geometry,
   const std::string error = first_error(read_file(log));
   // What gmsh says of a shell that it may not start (run_child()).
   if (error.find("aborting system call") != std::string::npos) {
-    refuse(geometry, "it starts another program by SystemCall",
+    refuse(geometry, "it starts another program (SystemCall, OnelabRun)",
            "Take the call out: a geometry starts no program in clevis.");
   }
   if (!outcome.succeeded() || !error.empty()) {
