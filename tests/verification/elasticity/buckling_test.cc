@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "elasticity/plate/plate_layer.h"
 #include "part/supports.h"
 #include "support/annulus_mesh.h"
 #include "support/structured_mesh.h"
@@ -122,6 +123,69 @@ TEST(Buckling, AKnownShapeLeadsToTheSameFactor) {
                     (mode.shape.norm() * direct.shape.norm()),
                 1.0, 1e-4);
   }
+}
+
+/// Round-off of the layer's one factor: 6e-6 of this slender column, below 1e-6
+/// where it is 20 mm thick.
+constexpr double kLayerRoundOff = 2e-5;
+
+/// The column as a plate: the lowest mode by the plate's parity classes, and by
+/// one factor of the same layer.
+struct PlateModes {
+  BucklingMode by_classes, by_layer;
+};
+PlateModes plate_buckling(const loads::LoadHistory& history,
+                          const part::Supports& fixed,
+                          const std::vector<std::vector<std::string>>& holds = {
+                              {}}) {
+  auto plane =
+      discretize<2>(support::structured_mesh<2>(
+                        {10, 1}, 1,
+                        [](const Eigen::Vector2d& x) -> Eigen::Vector2d {
+                          return kColumn.head<2>().cwiseProduct(x);
+                        }),
+                    3);
+  plane.thickness = kColumn.z();
+  plane.mid_plane_z = 0.5 * kColumn.z();
+  BucklingProblem problem{layer_over(plane, 3),
+                          kSteel,
+                          history,
+                          fixed,
+                          holds,
+                          "strip",
+                          {},
+                          &plane,
+                          nullptr};
+  PlateModes modes;
+  modes.by_classes = lowest_buckling(problem);
+  problem.plane = nullptr;
+  modes.by_layer = lowest_buckling(problem);
+  return modes;
+}
+
+// Stretched by its load, it buckles by bending: both classes have their part.
+TEST(Buckling, PlateByItsParityClasses) {
+  const auto held = plate_buckling(pressed_column(), {{"x0", kAll}});
+  EXPECT_NEAR(held.by_classes.factor / euler_factor(kSteel, 2.0), 1.0,
+              kTolerance);
+  EXPECT_NEAR(held.by_classes.factor / held.by_layer.factor, 1.0,
+              kLayerRoundOff);
+  const auto free = plate_buckling(pressed_column(), {}, {{"x0", "x1"}});
+  EXPECT_NEAR(free.by_classes.factor / euler_factor(kSteel, 1.0), 1.0,
+              kTolerance);
+  EXPECT_NEAR(free.by_classes.factor / free.by_layer.factor, 1.0,
+              kLayerRoundOff);
+}
+
+// Its stresses couple the classes, which the stiffness does not.
+TEST(Buckling, PlateThatItsLoadBendsToo) {
+  const double area = kColumn.y() * kColumn.z();
+  const auto history = one_instant({traction_on(
+      "x1", kColumn, Vector3d(-0.1 * kForce, 0.0, 3.0 * kForce) / area)});
+  const auto modes = plate_buckling(history, {{"x0", kAll}});
+  EXPECT_FALSE(modes.by_layer.is_above);
+  EXPECT_NEAR(modes.by_classes.factor / modes.by_layer.factor, 1.0,
+              kLayerRoundOff);
 }
 
 TEST(Buckling, ColumnFixedAndPinned) {
