@@ -152,7 +152,6 @@ ROOMS = {
         "compare": "a result against a baseline",
         "figures": "plots as scripts of gnuplot",
         "variants": "many variants of a scene: plan, results, table, plot",
-        "encoding": "bytes as text, and compressed",
         "view": "what pictures need of a result: surfaces, fields, the motion",
         "page": "a result as one HTML page, or as glTF",
         "picture": "parts and mechanisms as pictures, without a browser",

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "report/encoding/base64.h"
-#include "report/encoding/compression.h"
+#include "base/base64.h"
+#include "base/compression.h"
 #include "report/page/page_assets.h"
 #include "report/page/watch_mark.h"
 #include "report/text/atomic_file.h"

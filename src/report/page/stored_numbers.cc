@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/base64.h"
 #include "base/errors.h"
-#include "report/encoding/base64.h"
 
 namespace clevis::report {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "report/encoding/base64.h"
+#include "base/base64.h"
 #include "report/picture/raster.h"
 #include "report/text/markup.h"
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/encoding/base64.h"
+#include "base/base64.h"
 
 namespace clevis::report {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace clevis::report {
+namespace clevis {
 
 /// Base 64 of RFC 4648 with padding.
 std::string base64(std::span<const std::byte> bytes);
@@ -21,4 +21,4 @@ std::string base64_of(const std::vector<Number>& numbers) {
 std::vector<std::byte> bytes_of_base64(std::string_view text,
                                        const std::string& place);
 
-}  // namespace clevis::report
+}  // namespace clevis

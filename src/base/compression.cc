@@ -1,22 +1,24 @@
-#include "report/encoding/compression.h"
+#include "base/compression.h"
 
 #include <new>
 
 #include <zlib.h>
 
-namespace clevis::report {
+namespace clevis {
 
-std::vector<std::byte> compressed(std::span<const std::byte> bytes) {
+std::vector<std::byte> compressed(std::span<const std::byte> bytes,
+                                  Effort effort) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::vector<std::byte> packed(size);
   if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
                 reinterpret_cast<const Bytef*>(bytes.data()),
                 static_cast<uLong>(bytes.size()),
-                Z_DEFAULT_COMPRESSION) != Z_OK) {
+                effort == Effort::kFast ? Z_BEST_SPEED
+                                        : Z_DEFAULT_COMPRESSION) != Z_OK) {
     throw std::bad_alloc();  // the only way in which it fails
   }
   packed.resize(size);
   return packed;
 }
 
-}  // namespace clevis::report
+}  // namespace clevis

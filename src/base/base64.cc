@@ -1,4 +1,4 @@
-#include "report/encoding/base64.h"
+#include "base/base64.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "base/errors.h"
 
-namespace clevis::report {
+namespace clevis {
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
@@ -67,4 +67,4 @@ std::vector<std::byte> bytes_of_base64(std::string_view text,
   return bytes;
 }
 
-}  // namespace clevis::report
+}  // namespace clevis
