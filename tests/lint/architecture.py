@@ -127,6 +127,7 @@ ROOMS = {
         "sections": "mean stress in plane sections, and of what a held face carries",
         "zones": "places where linear elasticity has no finite stress, and how far they reach",
         "peaks": "the largest stress, its band, and what shows that cells are too coarse",
+        "surface": "what faces of cells make of curved surfaces",
         "output": "fields as files for ParaView",
     },
     "assessment": {
@@ -210,7 +211,7 @@ PUBLIC = {
                   " vibration/load_vibration vibration/strike_response",
     "stress": "field/deflection field/finite_motion"
               " field/point_history field/probe field/stress_history field/surface_mesh peaks/energy_error peaks/local_peak peaks/meeting_points"
-              " peaks/peak_band peaks/peak_zoom peaks/slow_sequence peaks/surface_kink"
+              " peaks/peak_band peaks/peak_zoom peaks/slow_sequence surface/surface_deviation surface/surface_kink"
               " sections/support_face zones/singular_zone zones/zone_mask zones/zone_strength output/field_output",
     "assessment": "impact/impact_check job/model_traits job/part_job"
                   " job/part_result models/level models/model_list part_check",

@@ -90,26 +90,6 @@ report::ViewInstant view_instant(const assessment::InstantRow& row) {
   return {row.label, row.time, row.peak, row.strain_energy};
 }
 
-void fill_surface(const assessment::PartJob& job, const PartFields& fields,
-                  const stress::SurfaceMesh& surface,
-                  const stress::InstantField& field, report::PartView& view) {
-  view.positions.resize(static_cast<Index>(surface.points.size()), 3);
-  for (std::size_t p = 0; p < surface.points.size(); ++p) {
-    const auto& at = surface.points[p];
-    view.positions.row(static_cast<Index>(p)) =
-        field.points[static_cast<std::size_t>(at.cell)].row(at.point);
-  }
-  view.triangles = surface.triangles;
-  view.outline = surface.outline;
-  if (fields.dim == 3) return;
-  double low = job.mesh.vertices.front().z(), high = low;
-  for (const auto& vertex : job.mesh.vertices) {
-    low = std::min(low, vertex.z());
-    high = std::max(high, vertex.z());
-  }
-  view.faces_z = {low, high};
-}
-
 report::PackedField packed(Eigen::MatrixXd values, Index first) {
   const double largest = values.lpNorm<Eigen::Infinity>();
   return report::pack(std::move(values), first,
@@ -122,6 +102,9 @@ struct Skin {
   stress::InstantField field;  ///< at the worst instant
   stress::SurfaceMesh surface;
   stress::PointHistory values;
+  std::vector<int> cell_triangles;  ///< how many of each cell
+  /// Point that stands in for the peak; absent: the peak is inside.
+  std::optional<Index> peak;
 };
 
 /// The surface's point of the cell of the peak that may stand in for it, if the
@@ -159,6 +142,64 @@ void show_peak(const PartFields& fields, const std::vector<int>& frames,
   }
 }
 
+/// How many triangles of each cell there are.
+std::vector<int> cell_triangles(const stress::SurfaceMesh& surface) {
+  std::vector<int> counts;
+  int last = -1;
+  for (const auto& triangle : surface.triangles) {
+    const int cell = surface.points[static_cast<std::size_t>(triangle[0])].cell;
+    if (cell != last) counts.push_back(0);
+    ++counts.back();
+    last = cell;
+  }
+  return counts;
+}
+
+/// Positions of a surface's points [m], points × 3.
+Eigen::MatrixX3d positions_of(const Skin& skin) {
+  const auto& points = skin.surface.points;
+  Eigen::MatrixX3d positions(static_cast<Index>(points.size()), 3);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    positions.row(static_cast<Index>(p)) =
+        skin.field.points[static_cast<std::size_t>(points[p].cell)].row(
+            points[p].point);
+  }
+  return positions;
+}
+
+/// Makes points of cells one where the stress does not jump by more than it is
+/// told to.
+void share(int dim, Skin& skin) {
+  auto& [von_mises, displacement] = skin.values;
+  const Index points = von_mises.rows();
+  const auto shared = stress::share_points(
+      positions_of(skin), von_mises,
+      report::kViewTolerance * von_mises.lpNorm<Eigen::Infinity>());
+  std::vector<stress::FieldPoint> kept;
+  std::vector<Index> rows;
+  for (const int point : shared.kept) {
+    kept.push_back(skin.surface.points[static_cast<std::size_t>(point)]);
+  }
+  for (int d = 0; d < dim; ++d) {
+    for (const int point : shared.kept) rows.push_back(point + d * points);
+  }
+  von_mises = von_mises(shared.kept, Eigen::all).eval();
+  displacement = displacement(rows, Eigen::all).eval();
+  skin.surface.points = std::move(kept);
+  const auto renumber = [&](auto& pieces) {
+    for (auto& piece : pieces) {
+      for (int& point : piece) {
+        point = shared.number[static_cast<std::size_t>(point)];
+      }
+    }
+  };
+  renumber(skin.surface.triangles);
+  renumber(skin.surface.outline);
+  if (skin.peak) {
+    skin.peak = shared.number[static_cast<std::size_t>(*skin.peak)];
+  }
+}
+
 Skin skin_of(const PartFields& fields, const std::vector<int>& frames,
              int subdivisions) {
   Skin skin{subdivisions, fields.at(fields.peak_instant, subdivisions), {}, {}};
@@ -166,7 +207,25 @@ Skin skin_of(const PartFields& fields, const std::vector<int>& frames,
                      ? stress::surface_mesh<2>(fields.shape, skin.field)
                      : stress::surface_mesh<3>(fields.shape, skin.field);
   skin.values = fields.over(skin.surface.points, subdivisions, frames);
+  skin.cell_triangles = cell_triangles(skin.surface);
+  skin.peak = point_of_peak(fields, skin);
+  share(fields.dim, skin);
   return skin;
+}
+
+void fill_surface(const assessment::PartJob& job, const PartFields& fields,
+                  const Skin& skin, report::PartView& view) {
+  view.positions = positions_of(skin);
+  view.triangles = skin.surface.triangles;
+  view.cell_triangles = skin.cell_triangles;
+  view.outline = skin.surface.outline;
+  if (fields.dim == 3) return;
+  double low = job.mesh.vertices.front().z(), high = low;
+  for (const auto& vertex : job.mesh.vertices) {
+    low = std::min(low, vertex.z());
+    high = std::max(high, vertex.z());
+  }
+  view.faces_z = {low, high};
 }
 
 /// Stress, displacement, and where and when the largest stress stands.
@@ -176,8 +235,8 @@ void fill_fields(const PartFields& fields, const std::vector<int>& frames,
   view.peak_frame = static_cast<int>(worst - frames.begin());
   Index at = 0;
   skin.values.von_mises.col(view.peak_frame).maxCoeff(&at);
-  if (const auto point = point_of_peak(fields, skin)) {
-    at = *point;
+  if (skin.peak) {
+    at = *skin.peak;
     show_peak(fields, frames, at, skin, view);
   }
   view.peak_point = static_cast<int>(at);
@@ -207,7 +266,7 @@ report::PartView surface_view(const assessment::PartJob& job,
   view.definition = job.part;
   view.body = body;
   view.is_motion = is_motion;
-  fill_surface(job, fields, skin.surface, skin.field, view);
+  fill_surface(job, fields, skin, view);
   fill_fields(fields, frames, skin, view);
   const std::size_t row = governing_rows(fields);
   for (const int frame : frames) {

@@ -13,6 +13,7 @@
 #include "base/errors.h"
 #include "base/stopwatch.h"
 #include "stress/peaks/peak_zoom.h"
+#include "stress/surface/surface_deviation.h"
 
 namespace clevis::assessment {
 namespace {
@@ -163,8 +164,11 @@ class Climb {
 
   /// Share of a peak that may come from outside of its neighbourhood [1]: a
   /// share of what the strain energy of the same instant, or else the peak,
-  /// still changes by.
-  double pollution() const {
+  /// still changes by, and the energy between faces and curved surfaces.
+  double pollution() { return change_of_degree() + beside_surfaces(); }
+
+  /// Share of a peak that the last degree's change elsewhere may bring [1].
+  double change_of_degree() const {
     constexpr double kShareOfEnergy = 0.1;
     constexpr double kShareOfPeak = 0.01;
     const SequenceMember& last = ladder_.sequence.back();
@@ -173,6 +177,20 @@ class Climb {
                ? kShareOfEnergy *
                      std::abs(1.0 - before.strain_energy / last.strain_energy)
                : kShareOfPeak * std::abs(1.0 - before.peak / last.peak);
+  }
+
+  /// Share of a peak that faces beside curved surfaces may bring [1]: a disc's
+  /// hub changed by three times the energy's share when its fillet's faces, one
+  /// wall away, moved onto their surface.
+  double beside_surfaces() {
+    constexpr double kOfEnergy = 3.0;
+    if constexpr (dim == 3) {
+      const auto& mesh = ladder_.zones.mesh();
+      if (deviation_.empty()) deviation_ = stress::surface_deviation(mesh);
+      return kOfEnergy * stress::energy_between(mesh, deviation_,
+                                                ladder_.level.history().worst);
+    }
+    return 0.0;
   }
 
   /// Puts the band of all places that the peak may stand at in the place of the
@@ -203,6 +221,7 @@ class Climb {
   const FeModel<dim>& model_;
   PartSeconds& seconds_;
   DegreeLadder<dim> ladder_;
+  std::vector<double> deviation_;  ///< of faces from curved surfaces [m]
 };
 
 template <int dim>

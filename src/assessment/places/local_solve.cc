@@ -38,7 +38,7 @@ std::vector<int> loaded_cells(const mesh::PartMesh<dim>& mesh,
 template <int dim>
 std::vector<int> needed_cells(const mesh::PartMesh<dim>& mesh,
                               const loads::LoadHistory& history,
-                              const LocalPlace& place) {
+                              const std::vector<int>& near) {
   std::vector<int> cells;
   if (mesh.shape == mesh::CellShape::kTensor) {
     cells.resize(mesh.cells.size());
@@ -47,7 +47,7 @@ std::vector<int> needed_cells(const mesh::PartMesh<dim>& mesh,
     }
     return cells;
   }
-  cells = mesh::with_neighbours(mesh, place.centre, place.layers + 1);
+  cells = mesh::with_neighbours(mesh, near);
   const auto loaded = loaded_cells(mesh, history);
   cells.insert(cells.end(), loaded.begin(), loaded.end());
   std::ranges::sort(cells);
@@ -64,21 +64,21 @@ elasticity::Enriched<dim> solve_nearby(
   const loads::LoadHistory one{
       set.history.seats,
       {set.history.instants[static_cast<std::size_t>(place.instant)]}};
-  const auto sub = mesh::sub_mesh(mesh, needed_cells(mesh, one, place));
+  auto near = mesh::surroundings(mesh, place.centre, place.layers);
+  const auto sub = mesh::sub_mesh(mesh, needed_cells(mesh, one, near));
   const auto fine = elasticity::discretize<dim>(sub.mesh, place.degree);
   const MatrixXd load = elasticity::assemble_loads<dim>(
       fine, one, job.part.material.density, job.part.name);
   const MatrixXd u = basis.columns * basis.coefficients.col(place.instant);
-  std::vector<int> centre;
-  for (const int cell : place.centre) {
-    centre.push_back(static_cast<int>(
-        std::ranges::lower_bound(sub.cells, cell) - sub.cells.begin()));
+  for (int& cell : near) {
+    cell = static_cast<int>(std::ranges::lower_bound(sub.cells, cell) -
+                            sub.cells.begin());
   }
   return elasticity::enrich<dim>(
       {basis.discretization, u, fine, load,
        elasticity::held_on_groups<dim>(fine, set.fixed), job.part.material,
        sub.cells, set.foundations},
-      centre, place.layers);
+      near, 0);
 }
 
 template elasticity::Enriched<2> solve_nearby<2>(

@@ -11,7 +11,7 @@ namespace clevis::assessment {
 /// Where a field is solved for again.
 struct LocalPlace {
   std::vector<int> centre;  ///< cells, ascending
-  int layers = 1;           ///< of cells around them
+  int layers = 1;           ///< of cells around them, see mesh::surroundings
   int instant{};            ///< of the set
   int degree{};
 };

@@ -12,7 +12,7 @@
 #include "elasticity/fe_space/tabulation.h"
 #include "mesh/derived/sub_mesh.h"
 #include "stress/peaks/meeting_points.h"
-#include "stress/peaks/surface_kink.h"
+#include "stress/surface/surface_kink.h"
 
 namespace clevis::assessment {
 namespace {

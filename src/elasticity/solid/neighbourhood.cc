@@ -142,8 +142,8 @@ template <int dim>
 Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
                      const std::vector<int>& centre, int layers) {
   Enriched<dim> result;
-  auto cells = with_neighbours<dim>(problem.fine, centre);
-  for (int layer = 1; layer < layers; ++layer) {
+  std::vector<int> cells = centre;
+  for (int layer = 0; layer < layers; ++layer) {
     cells = with_neighbours<dim>(problem.fine, cells);
   }
   int nodes = 0;

@@ -46,7 +46,7 @@ struct Enriched {
 /// Its change at the centre is an estimate of the error there: it holds
 /// what the cells nearby do not resolve, not what comes from far away; of that
 /// more layers tell.
-/// @param centre  cells of `fine`.
+/// @param centre  cells of `fine`, ascending; without layers the neighbourhood.
 /// @throws Error F002 if the neighbourhood is loose, M005.
 template <int dim>
 Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,

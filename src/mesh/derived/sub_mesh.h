@@ -23,4 +23,13 @@ template <int dim>
 std::vector<int> with_neighbours(const PartMesh<dim>& mesh,
                                  std::vector<int> cells, int layers = 1);
 
+/// Those neighbours, and where cells are slender as many more as come as close
+/// to the centre as half its longest edge per layer: what cells do not resolve
+/// along their length decays as slowly to their sides.
+/// @param centre  cells, ascending.
+/// @return ascending; cells that are close do not make more than 200 of them.
+template <int dim>
+std::vector<int> surroundings(const PartMesh<dim>& mesh,
+                              const std::vector<int>& centre, int layers);
+
 }  // namespace clevis::mesh

@@ -63,6 +63,7 @@ void write_part_picture(const PartView& view,
       frame_of(labels, peak.label, static_cast<std::size_t>(view.peak_frame)));
   const PackedField& field = view.stress;
   Surface surface{millimetres(view.positions), view.triangles,
+                  view.cell_triangles,
                   field.integers.cast<double>() *
                       field.scale.cwiseProduct(
                           field.coefficients.col(frame).cast<double>()) /

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -52,23 +53,39 @@ const Colour& shade(double share) {
   return kAll[static_cast<std::size_t>(std::lround(at))];
 }
 
-/// Edges of the mesh: those of one triangle alone.
-std::vector<std::pair<int, int>> mesh_edges(const Surface& surface) {
-  std::vector<std::pair<int, int>> all;
-  all.reserve(3 * surface.triangles.size());
-  for (const auto& corners : surface.triangles) {
+using Edge = std::pair<int, int>;
+
+/// Edges of one triangle alone.
+std::vector<Edge> single_edges(std::span<const std::array<int, 3>> triangles) {
+  std::vector<Edge> all;
+  for (const auto& corners : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       all.push_back(std::minmax({corners[k], corners[(k + 1) % 3]}));
     }
   }
   std::ranges::sort(all);
-  std::vector<std::pair<int, int>> single;
+  std::vector<Edge> single;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const bool has_twin = (k > 0 && all[k - 1] == all[k]) ||
                           (k + 1 < all.size() && all[k + 1] == all[k]);
     if (!has_twin) single.push_back(all[k]);
   }
   return single;
+}
+
+/// Edges of the mesh: those of one triangle of a cell alone.
+std::vector<Edge> mesh_edges(const Surface& surface) {
+  std::vector<Edge> edges;
+  std::span<const std::array<int, 3>> rest(surface.triangles);
+  for (const int count : surface.cell_triangles) {
+    const auto of_cell =
+        single_edges(rest.first(static_cast<std::size_t>(count)));
+    edges.insert(edges.end(), of_cell.begin(), of_cell.end());
+    rest = rest.subspan(static_cast<std::size_t>(count));
+  }
+  std::ranges::sort(edges);
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
 }
 
 }  // namespace

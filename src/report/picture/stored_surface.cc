@@ -33,6 +33,19 @@ Surface stored_surface(const JsonNode& view, std::size_t frame) {
     }
     surface.triangles.push_back(triangle);
   }
+  double counted = 0.0;
+  bool is_count = true;
+  for (const double count : stored_numbers(view.at("cell_triangles"))) {
+    is_count = is_count && count >= 0.0 && count < 1e6;
+    if (!is_count) break;
+    surface.cell_triangles.push_back(static_cast<int>(count));
+    counted += count;
+  }
+  if (!is_count || counted != static_cast<double>(surface.triangles.size())) {
+    throw Error("I003", "view of a part",
+                "its cells have other triangles than the part",
+                "Run `clevis check` again.");
+  }
   return surface;
 }
 

@@ -7,11 +7,13 @@
 
 namespace clevis::report {
 
-/// A surface as pictures draw it. Its cells share no points, so that an edge of
-/// one triangle alone is one of the mesh.
+/// A surface as pictures draw it. An edge of one triangle of a cell alone is
+/// one of the mesh.
 struct Surface {
   Eigen::MatrixX3d points;  ///< [mm]
   std::vector<std::array<int, 3>> triangles;
+  std::vector<int>
+      cell_triangles;      ///< how many of each cell, one after another
   Eigen::VectorXd stress;  ///< von Mises, at the points [MPa]
 };
 

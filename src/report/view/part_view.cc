@@ -23,6 +23,10 @@ ordered_json corners(const std::vector<std::array<int, n>>& pieces) {
   return packed(numbers);
 }
 
+ordered_json counts(const std::vector<int>& counted) {
+  return packed(std::vector<std::uint32_t>(counted.begin(), counted.end()));
+}
+
 ordered_json positions_json(const Eigen::MatrixX3d& positions) {
   std::vector<float> numbers;
   for (Index p = 0; p < positions.rows(); ++p) {
@@ -143,6 +147,7 @@ std::string part_view_json(const PartView& view) {
       {"points", points},
       {"positions_mm", positions_json(view.positions)},
       {"triangles", corners(view.triangles)},
+      {"cell_triangles", counts(view.cell_triangles)},
       {"outline", corners(view.outline)},
       {"faces_z_mm", nullptr},
       {"frames", instants_json(view.frames)},

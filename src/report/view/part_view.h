@@ -21,12 +21,14 @@ struct ViewInstant {
 };
 
 /// A part as pictures show it: its surface with stress and displacement over
-/// its instants. Cells share no points: stresses jump between them.
+/// its instants. Where the stress jumps between cells they share no points.
 struct PartView {
   part::PartDefinition definition;
   std::string body;                           ///< that carries it; empty: none
   Eigen::MatrixX3d positions;                 ///< in L [m]
   std::vector<std::array<int, 3>> triangles;  ///< outward
+  std::vector<int>
+      cell_triangles;  ///< how many of each cell, one after another
   /// Of a plate told by its mid-plane: edges of the outline,
   /// counterclockwise, and its two faces' z [m].
   std::vector<std::array<int, 2>> outline;

@@ -102,12 +102,8 @@ CellPattern simplex_pattern(int n) {
 /// Numbers of positions: the same for points that coincide.
 class PointNumbers {
  public:
-  explicit PointNumbers(const InstantField& field) {
-    Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300), high = -low;
-    for (const auto& cell : field.points) {
-      low = low.cwiseMin(cell.colwise().minCoeff().transpose());
-      high = high.cwiseMax(cell.colwise().maxCoeff().transpose());
-    }
+  /// @param low, high  ends of what holds all points [m].
+  PointNumbers(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
     constexpr double kSame = 1e-7;
     step_ = kSame * (high - low).maxCoeff();
     // Round numbers of millimetres must not stand where rounding turns.
@@ -129,6 +125,15 @@ class PointNumbers {
   std::map<std::array<std::int64_t, 3>, int> numbers_;
 };
 
+PointNumbers numbers_of(const InstantField& field) {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300), high = -low;
+  for (const auto& cell : field.points) {
+    low = low.cwiseMin(cell.colwise().minCoeff().transpose());
+    high = high.cwiseMax(cell.colwise().maxCoeff().transpose());
+  }
+  return {low, high};
+}
+
 /// A facet of a cell, and how many cells have it.
 struct SharedFacet {
   int cell{};
@@ -138,7 +143,7 @@ struct SharedFacet {
 
 std::vector<SharedFacet> outer_facets(const CellPattern& pattern,
                                       const InstantField& field) {
-  PointNumbers number_of(field);
+  PointNumbers number_of = numbers_of(field);
   std::map<std::vector<int>, std::size_t> known;
   std::vector<SharedFacet> facets;
   for (std::size_t c = 0; c < field.points.size(); ++c) {
@@ -223,6 +228,34 @@ SurfaceMesh surface_mesh(mesh::CellShape shape, const InstantField& field) {
     }
   }
   return surface;
+}
+
+SharedPoints share_points(const Eigen::MatrixX3d& positions,
+                          const Eigen::MatrixXd& values, double tolerance) {
+  SharedPoints shared;
+  if (positions.rows() == 0) return shared;
+  PointNumbers place_of(positions.colwise().minCoeff().transpose(),
+                        positions.colwise().maxCoeff().transpose());
+  const Eigen::MatrixXd columns = values.transpose();  // of a point together
+  std::vector<std::vector<int>> kept_at;               // per place
+  for (Index p = 0; p < positions.rows(); ++p) {
+    const auto place =
+        static_cast<std::size_t>(place_of(positions.row(p).transpose()));
+    if (place == kept_at.size()) kept_at.emplace_back();
+    const auto same = std::ranges::find_if(kept_at[place], [&](int number) {
+      const Index other = shared.kept[static_cast<std::size_t>(number)];
+      return (columns.col(p) - columns.col(other)).lpNorm<Eigen::Infinity>() <=
+             tolerance;
+    });
+    if (same == kept_at[place].end()) {
+      kept_at[place].push_back(static_cast<int>(shared.kept.size()));
+      shared.number.push_back(kept_at[place].back());
+      shared.kept.push_back(static_cast<int>(p));
+    } else {
+      shared.number.push_back(*same);
+    }
+  }
+  return shared;
 }
 
 template <int dim>

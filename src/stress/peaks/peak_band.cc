@@ -35,7 +35,7 @@ Band peak_band(std::span<const SequenceValue> sequence, double tolerance) {
 }
 
 Band local_band(const LocalValues& values, double tolerance) {
-  constexpr double kSafety = 0.5;
+  constexpr double kSafety = 0.65;
   constexpr double kPollution = 0.01;
   constexpr double kLeast = 0.01;
   const double half_width =

@@ -42,8 +42,8 @@ struct LocalValues {
   double elsewhere = 0.0;
 };
 
-/// Band of such a quantity: about the finest value, a quarter of its
-/// difference to the solved one wide to either side; at least what the last
+/// Band of such a quantity: about the finest value, to either side 0.65 of its
+/// difference to the solved one; at least what the last
 /// degree nearby has changed, and for what comes from far away a hundredth of
 /// what the last degree everywhere has and of what other places are off; never
 /// less than a hundredth of the tolerance. It holds the solved value.

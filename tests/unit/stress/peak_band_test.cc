@@ -91,7 +91,7 @@ TEST(LocalBand, HoldsWhatHigherDegreesNearbySayAndTheSolvedValue) {
   const Band band = local_band({95.0, 99.0, 100.1, 100.2}, 0.1);
   EXPECT_EQ(band.value, 99.0);
   EXPECT_EQ(band.low, 99.0);
-  EXPECT_NEAR(band.high, 100.2 + 0.5 * 1.2, 1e-12);
+  EXPECT_NEAR(band.high, 100.2 + 0.65 * 1.2, 1e-12);
   EXPECT_EQ(band.verdict, Convergence::kConverged);
 }
 

@@ -1,4 +1,4 @@
-#include "stress/peaks/surface_kink.h"
+#include "stress/surface/surface_kink.h"
 
 #include <cmath>
 #include <numbers>

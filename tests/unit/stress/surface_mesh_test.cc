@@ -103,6 +103,39 @@ TEST_P(SurfaceOf, ARectangleHasItsAreaAndItsOutline) {
   EXPECT_NEAR(length, 10.0, 1e-12);
 }
 
+// Two points at one place with values that differ by 2 or 0.1, and one beside.
+TEST(SharePoints, ThatStandAtOnePlaceIfTheirValuesAgree) {
+  Eigen::MatrixX3d positions(4, 3);
+  positions << 0, 0, 0, 1, 0, 0, 1, 1e-12, 0, 1, 0, 0;
+  Eigen::MatrixXd values(4, 2);
+  values << 5, 5, 3, 4, 5, 4, 3.1, 4;
+  const auto shared = share_points(positions, values, 0.11);
+  EXPECT_EQ(shared.number, (std::vector<int>{0, 1, 2, 1}));
+  EXPECT_EQ(shared.kept, (std::vector<int>{0, 1, 2}));
+  const auto close = share_points(positions, values, 0.09);
+  EXPECT_EQ(close.number, (std::vector<int>{0, 1, 2, 3}));
+  // Agreement at one instant is not enough.
+  values(3, 1) = 9;
+  EXPECT_EQ(share_points(positions, values, 0.11).kept.size(), 4U);
+}
+
+// A box of cells without jumps: its lattice's own points on the surface.
+TEST_P(SurfaceOf, ASmoothFieldSharesAllPoints) {
+  const auto basis = box<3>(GetParam());
+  const auto field = instant_field<3>(basis, kSteel, 2, 0);
+  const auto surface = surface_mesh<3>(GetParam(), field);
+  Eigen::MatrixX3d positions(static_cast<Eigen::Index>(surface.points.size()),
+                             3);
+  for (std::size_t p = 0; p < surface.points.size(); ++p) {
+    positions.row(static_cast<Eigen::Index>(p)) =
+        place(field, surface.points[p]).transpose();
+  }
+  const auto shared =
+      share_points(positions, Eigen::MatrixXd::Zero(positions.rows(), 1), 0.0);
+  // Euler: of a closed surface two more points than half its triangles.
+  EXPECT_EQ(shared.kept.size(), surface.triangles.size() / 2 + 2);
+}
+
 template <int dim>
 void expect_fields_of_instants(mesh::CellShape shape) {
   const auto basis = box<dim>(shape);

@@ -62,5 +62,28 @@ TEST(SubMesh, NeighboursAreThoseThatShareAVertexLayerByLayer) {
   EXPECT_EQ(with_neighbours(whole, cubes(1, 1), 0), cubes(1, 1));
 }
 
+/// A block of n × n × 1 hexahedra, each 1 × 1 × `length`.
+PartMesh<3> columns(int n, double length) {
+  return support::structured_mesh<3>(
+      {n, n, 1}, 1, [&](const Eigen::Vector3d& x) -> Eigen::Vector3d {
+        return {n * x[0], n * x[1], length * x[2]};
+      });
+}
+
+// From the corner cell of 9 × 9; a second layer reaches twice as far.
+TEST(SubMesh, SurroundingsOfSlenderCellsReachHalfTheirLength) {
+  EXPECT_EQ(surroundings(columns(9, 1.0), {0}, 1).size(), 4U);
+  EXPECT_EQ(surroundings(columns(9, 1.0), {0}, 2).size(), 9U);
+  // Vertices closer than 2.45 to the cell: at 1 + 2 in a row, not 1 + 2 aslant.
+  const auto mesh = columns(9, 4.9);
+  const auto near = surroundings(mesh, {0}, 1);
+  EXPECT_TRUE(std::ranges::binary_search(near, 3));   // x from 3: 2 from 1
+  EXPECT_FALSE(std::ranges::binary_search(near, 4));  // 3 away
+  const auto wide = surroundings(mesh, {0}, 2);
+  EXPECT_TRUE(std::ranges::includes(wide, near));
+  EXPECT_TRUE(std::ranges::binary_search(wide, 5));
+  EXPECT_FALSE(std::ranges::binary_search(wide, 6));
+}
+
 }  // namespace
 }  // namespace clevis::mesh
