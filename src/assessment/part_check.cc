@@ -22,6 +22,7 @@
 #include "assessment/stability/sharing_check.h"
 #include "assessment/vibration/duration_ratio.h"
 #include "assessment/vibration/vibration_check.h"
+#include "base/errors.h"
 #include "base/stopwatch.h"
 #include "part/verdict.h"
 
@@ -75,7 +76,15 @@ PartAssessment solve_models(const PartJob& job) {
   PartSeconds seconds;
   std::optional<PartAssessment> found;
   for (const Model* model : models) {
-    auto assessment = solve_model(*model, shape);
+    std::optional<PartAssessment> assessment;
+    try {
+      assessment = solve_model(*model, shape);
+    } catch (const Error& error) {
+      if (!found || error.code() != "F007") throw;
+      found->result.stopped_because +=
+          fmt::format("; {} left out, {}", model->traits.name, error.problem());
+      break;
+    }
     if (!assessment) continue;
     found = std::move(assessment);
     PartResult& result = found->result;

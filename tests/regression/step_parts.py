@@ -277,3 +277,41 @@ class StepParts(unittest.TestCase):
 if __name__ == "__main__":
     sys.argv = sys.argv[:1]
     unittest.main(verbosity=2)
+    def test_max_dofs_ends_degrees_and_finer_meshes(self):
+        self.step("bar.step", BAR + (
+            "Cylinder(2) = {20, 0, -6, 0, 0, 12, 2};\n"
+            "BooleanDifference(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };\n"))
+        (self.folder / "bar.toml").write_text(BAR_SCENE)
+        most = 20000
+
+        def check(*more, code):
+            done = self.run_clevis("check", "bar.toml", "--out", "out",
+                                   "--tolerance", "0.2%", *more, code=code)
+            return json.loads((self.folder / "out/result.json").read_text()), done
+
+        result, done = check("--max-dofs", most, code=0)
+        part = result["parts"][0]
+        mesh = (self.folder / "bar.msh").read_bytes()
+        self.assertEqual(result["inputs"]["max_dofs"], most)
+        self.assertLessEqual(part["dofs"], most)
+        self.assertLessEqual(max(m["dofs"] for m in
+                                 part["peak_von_mises"]["sequence"]), most)
+        told = " ".join([part["stopped_because"], *part["notes"]])
+        self.assertRegex(part["stopped_because"], "degree [34] left out, [0-9]+ "
+                         f"degrees of freedom, --max-dofs allows {most}")
+        self.assertRegex(told, "not meshed finer: [0-9]+ degrees of freedom, "
+                         f"--max-dofs allows {most}")
+        self.assertIn(f"--max-dofs allows {most}", done.stdout)
+        again, _ = check("--max-dofs", most, "--resume", code=0)
+        self.assertEqual((self.folder / "bar.msh").read_bytes(), mesh)
+        self.assertEqual(again["parts"][0]["seconds"], part["seconds"])
+        other, _ = check("--max-dofs", 2 * most, "--resume", "--mesh-rounds", 0,
+                         code=0)
+        self.assertEqual(other["inputs"]["max_dofs"], 2 * most)
+        done = self.run_clevis("check", "bar.toml", "--out", "out", "--max-dofs",
+                               "100", code=21)
+        self.assertIn("F007", done.stdout + done.stderr)
+        for wrong in ("0", "-5", "many", "1e99"):
+            done = self.run_clevis("check", "bar.toml", "--max-dofs", wrong, code=2)
+            self.assertIn("--max-dofs", done.stderr)
+
