@@ -84,6 +84,25 @@ Face face_of(const json& text) {
 
 }  // namespace
 
+json facets_json(const Facets& facets) {
+  return {{"points", list_json(facets.points)},
+          {"triangles", facets.triangles}};
+}
+
+/// @throws std::exception if a corner is no point.
+Facets facets_of(const json& text) {
+  Facets facets{list_of(text.at("points")),
+                text.at("triangles").get<std::vector<std::array<int, 3>>>()};
+  for (const auto& corners : facets.triangles) {
+    for (const int corner : corners) {
+      if (corner < 0 || std::size_t(corner) >= facets.points.size()) {
+        throw std::runtime_error("corner of a triangle");
+      }
+    }
+  }
+  return facets;
+}
+
 std::string text_of(const Request& request) {
   json text = {{"file", request.file.string()},
                {"format", int(request.format)},
@@ -91,6 +110,7 @@ std::string text_of(const Request& request) {
                {"points", list_json(request.points)},
                {"mesh", request.mesh.string()},
                {"groups", request.groups},
+               {"facets", request.facets},
                {"finer", request.finer.everywhere},
                {"finer_at", places_json(request.finer.at)}};
   if (request.mesh_size) text["mesh_size"] = *request.mesh_size;
@@ -111,6 +131,7 @@ Request read_request(const std::string& text) {
   for (const json& place : found.at("finer_at")) {
     request.finer.at.push_back({vector_of(place.at("at")), place.at("times")});
   }
+  request.facets = found.at("facets");
   if (found.contains("mesh_size")) request.mesh_size = found["mesh_size"];
   return request;
 }
@@ -123,13 +144,16 @@ std::string answer(const Solid& solid) {
               {"low", vector_json(solid.low)},
               {"high", vector_json(solid.high)},
               {"faces", faces},
-              {"distances", solid.distances}}
+              {"distances", solid.distances},
+              {"facets", facets}}
       .dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 std::string refusal(const std::string& code, const std::string& place,
                     const std::string& problem, const std::string& remedy) {
   return json{{"error",
+  json facets = json::array();
+  for (const Facets& one : solid.facets) facets.push_back(facets_json(one));
                {{"code", code},
                 {"place", place},
                 {"problem", problem},
@@ -158,3 +182,6 @@ Solid read_answer(const std::string& text) {
 }
 
 }  // namespace clevis::cad
+  for (const json& one : found.at("facets")) {
+    solid.facets.push_back(facets_of(one));
+  }

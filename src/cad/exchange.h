@@ -33,6 +33,7 @@ struct Request {
   /// Whose distances from the faces are wanted [m].
   std::vector<Eigen::Vector3d> points;
   std::filesystem::path mesh;  ///< .msh to write; empty: none
+  bool facets = false;         ///< wanted, of all faces
   std::map<std::string, std::vector<int>> groups;  ///< numbers of faces
   std::optional<double> mesh_size;                 ///< in the bulk [m]
   Refinement finer;

@@ -40,6 +40,13 @@ struct Face {
 };
 
 /// What a CAD file holds, once it is known to be one sound solid.
+/// Triangles near a face, for pictures; their corners turn left about the
+/// outward normal.
+struct Facets {
+  std::vector<Eigen::Vector3d> points;  ///< [m]
+  std::vector<std::array<int, 3>> triangles;
+};
+
 struct Solid {
   std::string unit;  ///< that the file gives, e.g. "INCH"; empty: none
   double volume{};   ///< [m³]
@@ -49,5 +56,6 @@ struct Solid {
   /// Of each point that was asked about, its distance from each face [m].
   std::vector<std::vector<double>> distances;
 };
+  std::vector<Facets> facets;  ///< of each face; empty: not asked for
 
 }  // namespace clevis::cad

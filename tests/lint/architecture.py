@@ -155,6 +155,7 @@ ROOMS = {
         "view": "what pictures need of a result: surfaces, fields, the motion",
         "page": "a result as one HTML page, or as glTF",
         "picture": "parts and mechanisms as pictures, without a browser",
+        "solid_picture": "a solid with its faces' numbers, from all sides",
     },
     "app": {
         "processes": "other programs, workers, temporary folders, errors across processes",
@@ -221,6 +222,7 @@ PUBLIC = {
               " motion/motion_json motion/motion_table page/glb_scene"
               " page/report_page page/result_folder page/watch_mark parts/part_result_json"
               " picture/mechanism_picture picture/part_picture"
+              " solid_picture/face_picture"
               " summary/line_refinement summary/motion_report text/atomic_file"
               " text/csv_field"
               " text/json_text text/progress text/terminal text/text_table"

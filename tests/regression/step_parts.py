@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 CLEVIS, SOURCE = (Path(argument).resolve() for argument in sys.argv[1:3])
@@ -155,6 +156,68 @@ class StepParts(unittest.TestCase):
         self.assertIn("unit millimetre", table)
         self.assertEqual(len(re.findall(r"^ +\d+  ", table, re.M)),
                          len(solid["faces"]))
+
+    def test_draws_the_faces_with_their_numbers(self):
+        shutil.copy(STEP / "fork.step", self.folder)
+        count = len(self.faces("fork.step")["faces"])
+        done = self.run_clevis("faces", "fork.step", "--picture", "fork.svg",
+                               "--json")
+        self.assertEqual(len(json.loads(done.stdout)["solids"][0]["faces"]), count)
+        self.assertNotIn("no view shows", done.stderr)
+        root = ElementTree.parse(self.folder / "fork.svg").getroot()
+        numbers = {int(text.text) for text in root.iter(
+            "{http://www.w3.org/2000/svg}text") if text.get("class") == "face"}
+        self.assertEqual(numbers, set(range(1, count + 1)))
+        self.run_clevis("faces", "fork.step", "--picture", "fork.png")
+        self.assertEqual((self.folder / "fork.png").read_bytes()[:8],
+                         b"\x89PNG\r\n\x1a\n")
+        done = self.run_clevis("faces", "fork.step", "--picture", "fork.jpg", code=2)
+        self.assertIn("U001", done.stderr)
+        done = self.run_clevis("faces", STEP / "four_bar.toml", "--picture", "a.svg",
+                               code=2)
+        self.assertIn("Name the part", done.stderr)
+
+    def test_finds_a_face_by_its_label(self):
+        file = self.step("link.step", LINK)
+        text = file.read_text()
+        faces = re.findall(r"ADVANCED_FACE\(''", text)
+        self.assertEqual(len(faces), 8)
+        for label in ("NONE", "PIN \\X\\E4", "TWICE", "TWICE"):
+            text = text.replace("ADVANCED_FACE(''", f"ADVANCED_FACE('{label}'", 1)
+        file.write_text(text)
+        labels = [f.get("label") for f in self.faces(file)["faces"]]
+        self.assertEqual(sorted(filter(None, labels)), sorted(
+            ["TWICE", "TWICE", next(l for l in labels if l and "PIN" in l)]))
+        named = labels.index(next(l for l in labels if l and "PIN" in l)) + 1
+        scene = self.folder / "labels.toml"
+
+        def check(label, code):
+            scene.write_text(f"""schema = 1
+name = "labels"
+{STEEL}
+[[part]]
+name = "link"
+geometry = "link.step"
+material = "steel"
+
+[part.faces]
+found = {{ label = '{label}' }}
+
+[[part.case]]
+name = "press"
+pressure = {{ found = "1 MPa" }}
+""")
+            return self.run_clevis("faces", scene, "--json", code=code)
+
+        done = check(labels[named - 1], 0)
+        groups = {f["number"]: f.get("group")
+                  for f in json.loads(done.stdout)["solids"][0]["faces"]}
+        self.assertEqual(groups[named], "found")
+        self.assertIn("bear the label", check("TWICE", 11).stdout)
+        refused = check("pin", 11).stdout
+        self.assertIn("M017", refused)
+        self.assertIn("no face bears the label", refused)
+        self.assertIn("TWICE", refused)
 
     def test_takes_the_unit_of_the_file(self):
         text = (STEP / "fork.step").read_text()

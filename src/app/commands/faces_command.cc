@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "app/solids/face_picture.h"
 #include "app/solids/solid_mesh.h"
 #include "app/solids/solid_mesher.h"
 #include "base/errors.h"
@@ -77,8 +78,10 @@ std::vector<Asked> parts_of_scene(const FacesOptions& options) {
       scene::suggestion(options.part, solids));
 }
 
-Found find(const Asked& asked) {
+/// @param facets  whether triangles of the faces are wanted.
+Found find(const Asked& asked, bool facets) {
   cad::Request request;
+  request.facets = facets;
   request.file = asked.file;
   request.length_unit = asked.source.length_unit;
   request.points = cad::points_of(asked.source);
@@ -178,9 +181,38 @@ ordered_json json_of(const Found& found) {
 }  // namespace
 
 ExitCode faces_command(const FacesOptions& options) {
+/// @throws Error U001 if a picture is asked for of several parts.
+void require_one(const std::vector<Asked>& asked, const FacesOptions& options) {
+  if (options.picture.empty() || asked.size() == 1) return;
+  std::vector<std::string> names;
+  for (const Asked& one : asked) names.push_back(one.name);
+  throw Error(
+      "U001", "--picture",
+      fmt::format("the scene has {} solids, a picture shows one", asked.size()),
+      fmt::format("Name the part behind the scene: {}.",
+                  fmt::join(names, " or ")));
+}
+
+/// Tells where the picture lies, and what it does not show, on stderr: stdout
+/// may be JSON.
+void draw(const Found& found, const std::filesystem::path& file) {
+  const auto hidden = write_face_picture(
+      found.solid,
+      [&found](int face) {
+        return found.group_of(face);
+      },
+      fmt::format("{}: {} faces", found.name, found.solid.faces.size()), file);
+  std::cerr << "picture: " << file.string() << "\n";
+  if (!hidden.empty()) {
+    std::cerr << fmt::format("no view shows the faces {}\n",
+                             fmt::join(hidden, " "));
+  }
+}
+
   std::vector<Asked> asked;
   if (part::is_solid_file(options.file)) {
     // A BREP has no unit; OpenCASCADE's own is the millimetre.
+  if (!options.picture.empty()) require_picture_name(options.picture);
     part::SolidSource source;
     source.length_unit = part::kSolidMeshUnit;
     asked = {{options.file.filename().string(), options.file, source}};
@@ -188,7 +220,10 @@ ExitCode faces_command(const FacesOptions& options) {
     asked = parts_of_scene(options);
   }
   std::vector<Found> all;
-  for (const Asked& one : asked) all.push_back(find(one));
+  for (const Asked& one : asked) {
+    all.push_back(find(one, !options.picture.empty()));
+  }
+  if (!options.picture.empty()) draw(all.front(), options.picture);
   const auto refused = std::ranges::find_if(all, [](const Found& found) {
     return found.refused.has_value();
   });
@@ -225,6 +260,11 @@ Run declare_faces(CLI::App& command) {
                    "print one JSON document instead of tables");
   return [options] {
     return faces_command(*options);
+  command
+      .add_option("--picture", options->picture,
+                  "draw the solid from several sides with its faces' numbers: "
+                  "*.svg or *.png")
+      ->type_name("FILE");
   };
 }
 

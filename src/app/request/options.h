@@ -53,8 +53,9 @@ struct PlanOptions {
 
 /// Options of `clevis faces`.
 struct FacesOptions {
-  std::filesystem::path file;  ///< of a solid, or a scene
-  std::string part;            ///< of the scene; empty: all that are solids
+  std::filesystem::path file;     ///< of a solid, or a scene
+  std::string part;               ///< of the scene; empty: all that are solids
+  std::filesystem::path picture;  ///< .svg or .png to write; empty: none
   bool json = false;
 };
 
