@@ -57,6 +57,7 @@ json face_json(const Face& face) {
           {"angle", face.angle},
           {"low", face.low},
           {"high", face.high},
+          {"label", face.label},
           {"neighbours", face.neighbours}};
 }
 
@@ -78,6 +79,7 @@ Face face_of(const json& text) {
   face.angle = text.at("angle");
   face.low = text.at("low");
   face.high = text.at("high");
+  face.label = text.at("label");
   face.neighbours = text.at("neighbours").get<std::vector<int>>();
   return face;
 }

@@ -27,6 +27,9 @@ struct TextOf {
   std::string operator()(const part::NearestSelector& nearest) const {
     return "nearest " + text_of(nearest.point);
   }
+  std::string operator()(const part::LabelSelector& wanted) const {
+    return fmt::format("label {} {}", wanted.label.size(), wanted.label);
+  }
   std::string operator()(const std::vector<part::FaceSelector>& all) const {
     std::string text = "[";
     for (const auto& one : all) text += std::visit(*this, one.what) + ";";

@@ -64,9 +64,14 @@ struct NearestSelector {
   Eigen::Vector3d point;  ///< [m]
 };
 
+/// The one face of this name in a STEP file.
+struct LabelSelector {
+  std::string label;
+};
+
 /// Which faces of a solid are meant, in the part's frame.
 struct FaceSelector {
-  std::variant<CylinderSelector, PlaneSelector, NearestSelector,
+  std::variant<CylinderSelector, PlaneSelector, NearestSelector, LabelSelector,
                std::vector<FaceSelector>>
       what;           ///< a list stands for all of them together
   std::string place;  ///< file:line:column

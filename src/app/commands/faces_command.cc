@@ -123,6 +123,7 @@ report::TextTable table_of(const Found& found) {
                            {"axis or normal"},
                            {"area mm2", kRight},
                            {"neighbours"},
+                           {"label"},
                            {"group"}});
   for (const cad::Face& face : found.solid.faces) {
     const bool is_round = face.radius > 0.0;
@@ -136,6 +137,7 @@ report::TextTable table_of(const Found& found) {
                    {vector(has_axis ? face.axis : face.normal)},
                    {number(1e6 * face.area)},
                    {fmt::format("{}", fmt::join(face.neighbours, " "))},
+                   {face.label},
                    {found.group_of(face.number)}});
   }
   for (const std::string& line : found.groups.told) table.add_note(line);
@@ -159,6 +161,7 @@ ordered_json face_json(const Found& found, const cad::Face& face) {
     json["axis_point_m"] = vector_json(face.axis_point);
   }
   json["normal"] = vector_json(face.normal);
+  if (!face.label.empty()) json["label"] = face.label;
   const std::string group = found.group_of(face.number);
   if (!group.empty()) json["group"] = group;
   return json;
@@ -178,9 +181,6 @@ ordered_json json_of(const Found& found) {
           {"faces", faces}};
 }
 
-}  // namespace
-
-ExitCode faces_command(const FacesOptions& options) {
 /// @throws Error U001 if a picture is asked for of several parts.
 void require_one(const std::vector<Asked>& asked, const FacesOptions& options) {
   if (options.picture.empty() || asked.size() == 1) return;
@@ -209,16 +209,20 @@ void draw(const Found& found, const std::filesystem::path& file) {
   }
 }
 
+}  // namespace
+
+ExitCode faces_command(const FacesOptions& options) {
+  if (!options.picture.empty()) require_picture_name(options.picture);
   std::vector<Asked> asked;
   if (part::is_solid_file(options.file)) {
     // A BREP has no unit; OpenCASCADE's own is the millimetre.
-  if (!options.picture.empty()) require_picture_name(options.picture);
     part::SolidSource source;
     source.length_unit = part::kSolidMeshUnit;
     asked = {{options.file.filename().string(), options.file, source}};
   } else {
     asked = parts_of_scene(options);
   }
+  require_one(asked, options);
   std::vector<Found> all;
   for (const Asked& one : asked) {
     all.push_back(find(one, !options.picture.empty()));
@@ -256,15 +260,15 @@ Run declare_faces(CLI::App& command) {
       ->required();
   command.add_option("PART", options->part,
                      "of the scene; default: all parts that are solids");
-  command.add_flag("--json", options->json,
-                   "print one JSON document instead of tables");
-  return [options] {
-    return faces_command(*options);
   command
       .add_option("--picture", options->picture,
                   "draw the solid from several sides with its faces' numbers: "
                   "*.svg or *.png")
       ->type_name("FILE");
+  command.add_flag("--json", options->json,
+                   "print one JSON document instead of tables");
+  return [options] {
+    return faces_command(*options);
   };
 }
 

@@ -35,6 +35,8 @@ TEST(SourceText, TellsWhatMakesAnotherMesh) {
   other.faces[0].selector.what = std::vector{source.faces[0].selector};
   add(other);
 }
+  other.faces[0].selector.what = part::LabelSelector{"PIN"};
+  add(other);
 
 TEST(SourceText, PlacesInTheSceneMakeNoOtherMesh) {
   part::SolidSource source;
