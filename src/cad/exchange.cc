@@ -84,8 +84,6 @@ Face face_of(const json& text) {
   return face;
 }
 
-}  // namespace
-
 json facets_json(const Facets& facets) {
   return {{"points", list_json(facets.points)},
           {"triangles", facets.triangles}};
@@ -105,17 +103,24 @@ Facets facets_of(const json& text) {
   return facets;
 }
 
+}  // namespace
+
 std::string text_of(const Request& request) {
   json text = {{"file", request.file.string()},
                {"format", int(request.format)},
                {"length_unit", request.length_unit},
                {"points", list_json(request.points)},
+               {"facets", request.facets},
                {"mesh", request.mesh.string()},
                {"groups", request.groups},
-               {"facets", request.facets},
                {"finer", request.finer.everywhere},
                {"finer_at", places_json(request.finer.at)}};
   if (request.mesh_size) text["mesh_size"] = *request.mesh_size;
+  if (request.plate) {
+    text["plate"] = {{"bottom", request.plate->bottom},
+                     {"top", request.plate->top},
+                     {"thickness", request.plate->thickness}};
+  }
   return text.dump();
 }
 
@@ -126,6 +131,7 @@ Request read_request(const std::string& text) {
   request.format = part::GeometryFormat(found.at("format").get<int>());
   request.length_unit = found.at("length_unit");
   request.points = list_of(found.at("points"));
+  request.facets = found.at("facets");
   request.mesh = found.at("mesh").get<std::string>();
   request.groups =
       found.at("groups").get<std::map<std::string, std::vector<int>>>();
@@ -133,14 +139,20 @@ Request read_request(const std::string& text) {
   for (const json& place : found.at("finer_at")) {
     request.finer.at.push_back({vector_of(place.at("at")), place.at("times")});
   }
-  request.facets = found.at("facets");
   if (found.contains("mesh_size")) request.mesh_size = found["mesh_size"];
+  if (found.contains("plate")) {
+    const json& plate = found["plate"];
+    request.plate = {plate.at("bottom"), plate.at("top"),
+                     plate.at("thickness")};
+  }
   return request;
 }
 
 std::string answer(const Solid& solid) {
   json faces = json::array();
   for (const Face& face : solid.faces) faces.push_back(face_json(face));
+  json facets = json::array();
+  for (const Facets& one : solid.facets) facets.push_back(facets_json(one));
   return json{{"unit", solid.unit},
               {"volume", solid.volume},
               {"low", vector_json(solid.low)},
@@ -154,8 +166,6 @@ std::string answer(const Solid& solid) {
 std::string refusal(const std::string& code, const std::string& place,
                     const std::string& problem, const std::string& remedy) {
   return json{{"error",
-  json facets = json::array();
-  for (const Facets& one : solid.facets) facets.push_back(facets_json(one));
                {{"code", code},
                 {"place", place},
                 {"problem", problem},
@@ -180,10 +190,10 @@ Solid read_answer(const std::string& text) {
   }
   solid.distances =
       found.at("distances").get<std::vector<std::vector<double>>>();
+  for (const json& one : found.at("facets")) {
+    solid.facets.push_back(facets_of(one));
+  }
   return solid;
 }
 
 }  // namespace clevis::cad
-  for (const json& one : found.at("facets")) {
-    solid.facets.push_back(facets_of(one));
-  }

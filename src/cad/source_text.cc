@@ -42,6 +42,7 @@ struct TextOf {
 std::string text_of(const part::SolidSource& source) {
   std::string text = fmt::format("unit {}\n", source.length_unit);
   if (source.mesh_size) text += fmt::format("size {}\n", *source.mesh_size);
+  if (!source.sweep) text += "in space\n";
   for (const auto& named : source.faces) {
     text += fmt::format("{} {}\n", named.group,
                         std::visit(TextOf(), named.selector.what));
