@@ -44,6 +44,13 @@ void require_end(const ChildOutcome& outcome, const Companion& companion,
          companion.remedy);
 }
 
+  if (WIFEXITED(*outcome.status) &&
+      WEXITSTATUS(*outcome.status) == int(ExitCode::kResourceLimit)) {
+    refuse(fmt::format("the {} needs more memory for this file than its limit "
+                       "of {} MiB",
+                       companion.role, companion.memory >> 20),
+           companion.remedy);
+  }
 }  // namespace
 
 std::string companion_answer(const Companion& companion, const fs::path& file,
