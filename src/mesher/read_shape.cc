@@ -1,5 +1,7 @@
 #include "mesher/read_shape.h"
 
+#include <algorithm>
+
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
@@ -36,10 +38,17 @@ void take_millimetres() {
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
 }
 
-/// Names that a face's entity bears; what writers give for want of one is none.
+/// Name that a face's entity bears, as one line that a terminal can take; what
+/// writers give for want of one is none.
 std::string label_of(const StepShape_Face& face) {
   if (face.Name().IsNull()) return {};
-  const std::string name = face.Name()->ToCString();
+  std::string name = face.Name()->ToCString();
+  std::ranges::replace_if(
+      name,
+      [](unsigned char c) {
+        return c < ' ' || c == 0x7F;
+      },
+      '?');
   return name == "NONE" ? std::string() : name;
 }
 

@@ -216,6 +216,8 @@ class StepParts(unittest.TestCase):
         self.assertEqual(sorted(filter(None, labels)), sorted(
             ["TWICE", "TWICE", next(l for l in labels if l and "PIN" in l)]))
         named = labels.index(next(l for l in labels if l and "PIN" in l)) + 1
+        self.assertRegex(self.run_clevis("faces", file).stdout, r"group +label\n")
+        self.assertNotIn("label", self.run_clevis("faces", STEP / "fork.step").stdout)
         scene = self.folder / "labels.toml"
 
         def check(label, code):

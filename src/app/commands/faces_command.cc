@@ -115,30 +115,32 @@ std::string type_of(const cad::Face& face) {
 
 report::TextTable table_of(const Found& found) {
   using enum report::Align;
-  report::TextTable table({{"face", kRight},
-                           {"type"},
-                           {"diameter mm", kRight},
-                           {"length mm", kRight},
-                           {"centre mm"},
-                           {"axis or normal"},
-                           {"area mm2", kRight},
-                           {"neighbours"},
-                           {"label"},
-                           {"group"}});
+  const bool has_labels =
+      std::ranges::any_of(found.solid.faces, [](const cad::Face& face) {
+        return !face.label.empty();
+      });
+  std::vector<report::TextTable::Column> columns{
+      {"face", kRight},      {"type"},       {"diameter mm", kRight},
+      {"length mm", kRight}, {"centre mm"},  {"axis or normal"},
+      {"area mm2", kRight},  {"neighbours"}, {"group"}};
+  if (has_labels) columns.push_back({"label"});
+  report::TextTable table(columns);
   for (const cad::Face& face : found.solid.faces) {
     const bool is_round = face.radius > 0.0;
     const double length = 1e3 * (face.high - face.low);
     const bool has_axis = face.axis.norm() > 0.0;
-    table.add_row({{std::to_string(face.number)},
-                   {type_of(face)},
-                   {is_round ? number(2e3 * face.radius) : ""},
-                   {length > 0.0 ? number(length) : ""},
-                   {vector(1e3 * face.centre)},
-                   {vector(has_axis ? face.axis : face.normal)},
-                   {number(1e6 * face.area)},
-                   {fmt::format("{}", fmt::join(face.neighbours, " "))},
-                   {face.label},
-                   {found.group_of(face.number)}});
+    std::vector<report::TextTable::Cell> cells{
+        {std::to_string(face.number)},
+        {type_of(face)},
+        {is_round ? number(2e3 * face.radius) : ""},
+        {length > 0.0 ? number(length) : ""},
+        {vector(1e3 * face.centre)},
+        {vector(has_axis ? face.axis : face.normal)},
+        {number(1e6 * face.area)},
+        {fmt::format("{}", fmt::join(face.neighbours, " "))},
+        {found.group_of(face.number)}};
+    if (has_labels) cells.push_back({face.label});
+    table.add_row(cells);
   }
   for (const std::string& line : found.groups.told) table.add_note(line);
   return table;
