@@ -177,6 +177,19 @@ TEST(PartCheck, MaxDofsEndAPlatesDegreesWithAllInstants) {
   EXPECT_EQ(found.result.peak.label, "t = 2.000000 s");
 }
 
+// What tells the error of plane stress has more unknowns than 3-D of degree 2.
+TEST(PartCheck, ModelsBeyondMaxDofsAreLeftOutAndTold) {
+  PartJob job = bent_bar(ModelKind::kSolid, 13 * 5 * 3 * 3);
+  job.load_sets[0].fixed.clear();
+  job.load_sets[0].history = pulled_bar().load_sets[0].history;
+  job.model.reset();
+  const PartResult result = check_part(job).result;
+  EXPECT_EQ(result.model, "3-D, p = 2");
+  EXPECT_NE(result.stopped_because.find("; plane stress left out, "),
+            std::string::npos)
+      << result.stopped_because;
+}
+
 TEST(PartCheck, NoDegreeWithinMaxDofsIsRefused) {
   try {
     check_part(bent_bar(ModelKind::kSolid, 125));  // degree 1: 7 × 3 × 2 nodes
