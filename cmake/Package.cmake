@@ -51,9 +51,10 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_CONFLICTS clevis)
-# `check` meshes .geo files by gmsh; ccx and gnuplot are of `study` and `collect`.
+# `check` meshes .geo files by gmsh; ccx and gnuplot are of `study` and `collect`,
+# bubblewrap is round the programs that read files of others.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS gmsh)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "calculix-ccx, gnuplot-nox")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "bubblewrap, calculix-ccx, gnuplot-nox")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "openmpi-bin, paraview")
 include(CPack)
 

@@ -1,6 +1,7 @@
 #include "assessment/part_check.h"
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "assessment/stability/sharing_check.h"
 #include "assessment/vibration/duration_ratio.h"
 #include "assessment/vibration/vibration_check.h"
+#include "base/errors.h"
 #include "base/stopwatch.h"
 #include "part/verdict.h"
 
@@ -69,13 +71,26 @@ std::optional<PartAssessment> solve_model(const Model& entry,
 
 /// By the cheapest model that meets the tolerance, or the best that the part
 /// and the job admit.
+/// @throws Error F007 if not even one model has few enough unknowns.
 PartAssessment solve_models(const PartJob& job) {
   const PartShape shape(job);
   const auto models = models_for(shape);
   PartSeconds seconds;
   std::optional<PartAssessment> found;
+  std::optional<Error> refused;
+  std::string left_out;
   for (const Model* model : models) {
-    auto assessment = solve_model(*model, shape);
+    std::optional<PartAssessment> assessment;
+    try {
+      assessment = solve_model(*model, shape);
+    } catch (const Error& error) {
+      if (error.code() != "F007") throw;
+      left_out +=
+          fmt::format("; {} left out, {}", model->traits.name, error.problem());
+      if (!refused) refused = error;
+      if (found) break;
+      continue;  // a model that is solved as it is may have fewer unknowns
+    }
     if (!assessment) continue;
     found = std::move(assessment);
     PartResult& result = found->result;
@@ -83,6 +98,8 @@ PartAssessment solve_models(const PartJob& job) {
     if (is_settled(job, result) || !model->next_may_help(shape, result)) break;
     seconds = result.seconds;
   }
+  if (!found) throw Error(*refused);
+  found->result.stopped_because += left_out;
   return std::move(*found);
 }
 

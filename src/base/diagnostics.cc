@@ -66,6 +66,11 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "A striker needs a mass, a speed or a force towards the part, and a "
      "contact spring with a stiffness above zero. A Hertz contact (exponent "
      "1.5) cannot be bilateral."},
+    {"F007", kResourceLimit, "more degrees of freedom than --max-dofs",
+     "The first solution that the part needs has more degrees of freedom than "
+     "--max-dofs allows. Higher degrees and finer meshes than it allows are "
+     "left out and the result says so; without the first there is none. Give "
+     "a larger number, leave the option out, or mesh the part coarser."},
     {"I001", kIo, "cannot read file",
      "The file does not exist, is a folder or device, or may not be read. "
      "Paths in a scene are "

@@ -57,6 +57,7 @@ json face_json(const Face& face) {
           {"angle", face.angle},
           {"low", face.low},
           {"high", face.high},
+          {"label", face.label},
           {"neighbours", face.neighbours}};
 }
 
@@ -78,8 +79,28 @@ Face face_of(const json& text) {
   face.angle = text.at("angle");
   face.low = text.at("low");
   face.high = text.at("high");
+  face.label = text.at("label");
   face.neighbours = text.at("neighbours").get<std::vector<int>>();
   return face;
+}
+
+json facets_json(const Facets& facets) {
+  return {{"points", list_json(facets.points)},
+          {"triangles", facets.triangles}};
+}
+
+/// @throws std::exception if a corner is no point.
+Facets facets_of(const json& text) {
+  Facets facets{list_of(text.at("points")),
+                text.at("triangles").get<std::vector<std::array<int, 3>>>()};
+  for (const auto& corners : facets.triangles) {
+    for (const int corner : corners) {
+      if (corner < 0 || std::size_t(corner) >= facets.points.size()) {
+        throw std::runtime_error("corner of a triangle");
+      }
+    }
+  }
+  return facets;
 }
 
 }  // namespace
@@ -89,11 +110,17 @@ std::string text_of(const Request& request) {
                {"format", int(request.format)},
                {"length_unit", request.length_unit},
                {"points", list_json(request.points)},
+               {"facets", request.facets},
                {"mesh", request.mesh.string()},
                {"groups", request.groups},
                {"finer", request.finer.everywhere},
                {"finer_at", places_json(request.finer.at)}};
   if (request.mesh_size) text["mesh_size"] = *request.mesh_size;
+  if (request.plate) {
+    text["plate"] = {{"bottom", request.plate->bottom},
+                     {"top", request.plate->top},
+                     {"thickness", request.plate->thickness}};
+  }
   return text.dump();
 }
 
@@ -104,6 +131,7 @@ Request read_request(const std::string& text) {
   request.format = part::GeometryFormat(found.at("format").get<int>());
   request.length_unit = found.at("length_unit");
   request.points = list_of(found.at("points"));
+  request.facets = found.at("facets");
   request.mesh = found.at("mesh").get<std::string>();
   request.groups =
       found.at("groups").get<std::map<std::string, std::vector<int>>>();
@@ -112,18 +140,26 @@ Request read_request(const std::string& text) {
     request.finer.at.push_back({vector_of(place.at("at")), place.at("times")});
   }
   if (found.contains("mesh_size")) request.mesh_size = found["mesh_size"];
+  if (found.contains("plate")) {
+    const json& plate = found["plate"];
+    request.plate = {plate.at("bottom"), plate.at("top"),
+                     plate.at("thickness")};
+  }
   return request;
 }
 
 std::string answer(const Solid& solid) {
   json faces = json::array();
   for (const Face& face : solid.faces) faces.push_back(face_json(face));
+  json facets = json::array();
+  for (const Facets& one : solid.facets) facets.push_back(facets_json(one));
   return json{{"unit", solid.unit},
               {"volume", solid.volume},
               {"low", vector_json(solid.low)},
               {"high", vector_json(solid.high)},
               {"faces", faces},
-              {"distances", solid.distances}}
+              {"distances", solid.distances},
+              {"facets", facets}}
       .dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -154,6 +190,9 @@ Solid read_answer(const std::string& text) {
   }
   solid.distances =
       found.at("distances").get<std::vector<std::vector<double>>>();
+  for (const json& one : found.at("facets")) {
+    solid.facets.push_back(facets_of(one));
+  }
   return solid;
 }
 

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "cad/face.h"
+#include "cad/plate.h"
 #include "part/solid_source.h"
 
 namespace clevis::cad {
@@ -32,9 +33,13 @@ struct Request {
   double length_unit{};  ///< of a file without units [m]
   /// Whose distances from the faces are wanted [m].
   std::vector<Eigen::Vector3d> points;
+  bool facets = false;         ///< wanted, of all faces
   std::filesystem::path mesh;  ///< .msh to write; empty: none
   std::map<std::string, std::vector<int>> groups;  ///< numbers of faces
   std::optional<double> mesh_size;                 ///< in the bulk [m]
+  /// To be meshed in its plane, one layer of hexahedra above it; absent: in
+  /// space.
+  std::optional<Plate> plate;
   Refinement finer;
 };
 

@@ -35,8 +35,16 @@ struct Face {
   double radius{};  ///< of cylinder, sphere, the torus' pipe; cone: middle [m]
   bool hollow{};    ///< the part lies outside: a bore, a concave fillet
   double angle{};   ///< about the axis [rad], a full turn: 2π
-  double low{}, high{};         ///< along the axis from its point [m]
+  double low{}, high{};  ///< along the axis from its point [m]
+  std::string label;     ///< of a STEP file's entity; empty: none, or "NONE"
   std::vector<int> neighbours;  ///< numbers of the faces behind its edges
+};
+
+/// Triangles near a face, for pictures; their corners turn left about the
+/// outward normal.
+struct Facets {
+  std::vector<Eigen::Vector3d> points;  ///< [m]
+  std::vector<std::array<int, 3>> triangles;
 };
 
 /// What a CAD file holds, once it is known to be one sound solid.
@@ -48,6 +56,7 @@ struct Solid {
   std::vector<Face> faces;
   /// Of each point that was asked about, its distance from each face [m].
   std::vector<std::vector<double>> distances;
+  std::vector<Facets> facets;  ///< of each face; empty: not asked for
 };
 
 }  // namespace clevis::cad

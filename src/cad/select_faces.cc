@@ -35,6 +35,7 @@ struct PointsOf {
   void operator()(const part::NearestSelector& nearest) const {
     add(nearest.point);
   }
+  void operator()(const part::LabelSelector&) const {}
   void operator()(const std::vector<FaceSelector>& all) const {
     for (const FaceSelector& one : all) std::visit(*this, one.what);
   }
@@ -68,6 +69,7 @@ struct FacesOf {
   std::vector<int> operator()(const part::CylinderSelector& wanted) const;
   std::vector<int> operator()(const part::PlaneSelector& wanted) const;
   std::vector<int> operator()(const part::NearestSelector& wanted) const;
+  std::vector<int> operator()(const part::LabelSelector& wanted) const;
   std::vector<int> operator()(const std::vector<FaceSelector>& all) const;
 };
 
@@ -171,6 +173,26 @@ std::vector<int> FacesOf::operator()(
                        order[1], 1e3 * away(order[0])));
   }
   return {order.front()};
+}
+
+std::vector<int> FacesOf::operator()(const part::LabelSelector& wanted) const {
+  std::vector<int> found;
+  std::string labels;
+  for (const Face& face : solid.faces) {
+    if (face.label.empty()) continue;
+    if (face.label == wanted.label) found.push_back(face.number);
+    labels += fmt::format("{}\"{}\" of face {}", labels.empty() ? "" : ", ",
+                          face.label, face.number);
+  }
+  if (found.size() == 1) return found;
+  if (found.size() > 1) {
+    refuse(fmt::format("the faces {} bear the label \"{}\"",
+                       fmt::join(found, " "), wanted.label));
+  }
+  refuse(labels.empty()
+             ? "no face of the part bears a label; those of STEP files may"
+             : fmt::format("no face bears the label \"{}\"; there are {}",
+                           wanted.label, labels));
 }
 
 std::vector<int> FacesOf::operator()(

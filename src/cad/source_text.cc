@@ -27,6 +27,9 @@ struct TextOf {
   std::string operator()(const part::NearestSelector& nearest) const {
     return "nearest " + text_of(nearest.point);
   }
+  std::string operator()(const part::LabelSelector& wanted) const {
+    return fmt::format("label {} {}", wanted.label.size(), wanted.label);
+  }
   std::string operator()(const std::vector<part::FaceSelector>& all) const {
     std::string text = "[";
     for (const auto& one : all) text += std::visit(*this, one.what) + ";";
@@ -39,6 +42,7 @@ struct TextOf {
 std::string text_of(const part::SolidSource& source) {
   std::string text = fmt::format("unit {}\n", source.length_unit);
   if (source.mesh_size) text += fmt::format("size {}\n", *source.mesh_size);
+  if (!source.sweep) text += "in space\n";
   for (const auto& named : source.faces) {
     text += fmt::format("{} {}\n", named.group,
                         std::visit(TextOf(), named.selector.what));

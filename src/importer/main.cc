@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <new>
 #include <string>
 
 #include <fmt/format.h>
@@ -39,6 +40,8 @@ std::string answer(const std::string& file) {
     return multibody::refusal(Error(
         "S014", file,
         fmt::format("libsdformat says: {}", failure.GetErrorStr()), kRemedy));
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& failure) {
     return multibody::refusal(Error(
         "S014", file, fmt::format("not read: {}", failure.what()), kRemedy));
@@ -52,6 +55,10 @@ int main(int argc, char** argv) {
     std::cerr << "clevis-importer MODEL ANSWER: run by clevis\n";
     return 2;
   }
-  std::ofstream(argv[2], std::ios::binary) << answer(argv[1]);
+  try {
+    std::ofstream(argv[2], std::ios::binary) << answer(argv[1]);
+  } catch (const std::bad_alloc&) {  // clevis knows the limit that it set
+    return int(ExitCode::kResourceLimit);
+  }
   return 0;
 }

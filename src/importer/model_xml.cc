@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <locale>
 #include <map>
+#include <optional>
 #include <set>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -53,6 +56,16 @@ const Known& known_of_urdf() {
   return known;
 }
 
+/// Attributes of URDF elements that are one number.
+const Known& numbers_of_urdf() {
+  static const Known numbers{
+      {"mass", {"value"}},
+      {"inertia", {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}},
+      {"limit", {"lower", "upper", "effort", "velocity"}},
+      {"dynamics", {"damping", "friction"}}};
+  return numbers;
+}
+
 /// What an element is that clevis leaves out.
 string_view meaning(string_view element) {
   static const std::map<string_view, string_view> meanings{
@@ -76,9 +89,20 @@ string_view meaning(string_view element) {
       {"gravity", "a link without gravity; it has its weight"},
       {"world", "a further world"},
       {"model", "a further model"},
+      {"use_parent_model_frame",
+       "of SDF up to 1.6; the axis stands in the joint's frame"},
       {"initial_position", "a position at the start; it starts at zero"}};
   const auto found = meanings.find(element);
   return found == meanings.end() ? "not known to clevis" : found->second;
+}
+
+/// As liburdfdom takes it.
+bool is_number(const char* text) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double value = 0.0;
+  stream >> value;
+  return !stream.fail() && stream.eof();
 }
 
 /// One line that a terminal and a comment can take, whatever the file holds.
@@ -97,6 +121,7 @@ std::string printable(string_view text) {
 bool is_default(const XMLElement& element) {
   static const std::map<string_view, std::set<string_view>> defaults{
       {"gravity", {"1", "true"}},
+      {"use_parent_model_frame", {"0", "false"}},
       {"self_collide", {"0", "false"}},
       {"kinematic", {"0", "false"}},
       {"enable_wind", {"0", "false"}},
@@ -118,8 +143,8 @@ const std::set<string_view> kCounted{"link", "joint", "frame", "model"};
 
 class Stripper {
  public:
-  Stripper(const Known& known, ModelXml& result)
-      : known_(known), result_(result) {}
+  Stripper(const Known& known, const std::string& file, ModelXml& result)
+      : known_(known), file_(file), result_(result) {}
 
   /// tinyxml2 refuses more than 500 elements in one another.
   void strip(XMLElement& element, const std::string& path) {
@@ -135,6 +160,7 @@ class Stripper {
           known != known_.end() && known->second.contains(name);
       if (is_read && !is_further(element, name)) {
         count_ += kCounted.contains(name) ? 1 : 0;
+        if (result_.is_urdf) require_numbers(child, here);
         tell_urdf_bounds(child, here);
         strip(child, here);
         continue;
@@ -161,6 +187,22 @@ class Stripper {
     return name != first_ || roots_++ > 0;
   }
 
+  /// liburdfdom would take a link whose mass is no number for one without.
+  /// @throws Error S014.
+  void require_numbers(const XMLElement& element,
+                       const std::string& path) const {
+    const auto numbers = numbers_of_urdf().find(element.Name());
+    if (numbers == numbers_of_urdf().end()) return;
+    for (const string_view name : numbers->second) {
+      const char* text = element.Attribute(std::string(name).c_str());
+      if (text == nullptr || is_number(text)) continue;
+      throw Error("S014", fmt::format("{}:{}:1", file_, element.GetLineNum()),
+                  fmt::format("{}: {} = \"{}\" is no number", path, name,
+                              printable(text)),
+                  "Write one number, without a unit.");
+    }
+  }
+
   void tell_urdf_bounds(const XMLElement& child, const std::string& path) {
     if (!result_.is_urdf || string_view(child.Name()) != "limit") return;
     for (const char* bound : {"effort", "velocity"}) {
@@ -179,6 +221,7 @@ class Stripper {
   }
 
   const Known& known_;
+  const std::string& file_;
   ModelXml& result_;
   std::string first_;
   int roots_ = 0;
@@ -191,21 +234,43 @@ class Stripper {
               "Give an SDF file (<sdf>) or a URDF file (<robot>).");
 }
 
+using Version = std::pair<int, int>;
+
+/// Nothing if the file gives none.
+std::optional<Version> version_of(const XMLElement& root) {
+  const char* version = root.Attribute("version");
+  Version found{0, 0};
+  if (version == nullptr || std::sscanf(version, "%d.%d",  // NOLINT
+                                        &found.first, &found.second) < 1) {
+    return std::nullopt;
+  }
+  return found;
+}
+
 /// What later versions renamed or made anew would be lost or taken for
 /// something else.
 void require_known_version(const XMLElement& root, const std::string& file) {
-  constexpr int kMajor = 1, kMinor = 9;  // of libsdformat12
-  const char* version = root.Attribute("version");
-  int major = 0, minor = 0;
-  if (version == nullptr ||
-      std::sscanf(version, "%d.%d", &major, &minor) < 1 ||  // NOLINT
-      std::pair(major, minor) <= std::pair(kMajor, kMinor)) {
-    return;
-  }
+  constexpr Version kLast{1, 9};  // of libsdformat12
+  const auto version = version_of(root);
+  if (!version || *version <= kLast) return;
   throw Error("S014", file,
               fmt::format("it is SDF {}, up to {}.{} is read",
-                          printable(version), kMajor, kMinor),
+                          printable(root.Attribute("version")), kLast.first,
+                          kLast.second),
               "Export the model as an older version.");
+}
+
+/// libsdformat turns use_parent_model_frame into a frame up to 1.6 and passes
+/// over it from then on.
+Known known_of_sdf(const XMLElement& root) {
+  constexpr Version kFrameOfAxes{1, 7};
+  Known known = known_of_sdf();
+  const auto version = version_of(root);
+  if (version && *version < kFrameOfAxes) return known;
+  for (const char* axis : {"axis", "axis2"}) {
+    known.at(axis).erase("use_parent_model_frame");
+  }
+  return known;
 }
 
 bool is_xacro(const XMLElement& element) {
@@ -244,7 +309,8 @@ ModelXml model_xml(const std::string& text, const std::string& file) {
     throw Error("S013", file, "the file is a xacro file, not yet a URDF",
                 "Expand it with `xacro` and import what that writes.");
   }
-  Stripper stripper(result.is_urdf ? known_of_urdf() : known_of_sdf(), result);
+  const Known known = result.is_urdf ? known_of_urdf() : known_of_sdf(*root);
+  Stripper stripper(known, file, result);
   stripper.strip(*root, printable(root->Name()));
   if (stripper.count() > kMostElements) {
     throw Error("S015", file,

@@ -137,6 +137,12 @@ class Reader {
     axis.direction = X_WJ.linear() * vector_of(joint.axis).normalized();
     const bool is_bounded = joint.type == urdf::Joint::REVOLUTE ||
                             joint.type == urdf::Joint::PRISMATIC;
+    if (joint.limits && !is_bounded &&
+        (joint.limits->lower != 0.0 || joint.limits->upper != 0.0)) {
+      result_.told.push_back(fmt::format(
+          "joint {}: {}, its limits {:g} and {:g} are left out", joint.name,
+          word_of(joint.type), joint.limits->lower, joint.limits->upper));
+    }
     if (joint.limits && is_bounded) {
       axis.lower = joint.limits->lower;
       axis.upper = joint.limits->upper;

@@ -203,4 +203,22 @@ cad::Solid describe(const TopoDS_Solid& solid,
   return result;
 }
 
+void add_labels(const TopoDS_Solid& solid,
+                const std::vector<std::pair<TopoDS_Shape, std::string>>& labels,
+                cad::Solid& described) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  for (const auto& [shape, label] : labels) {
+    TopTools_IndexedMapOfShape named;
+    TopExp::MapShapes(shape, TopAbs_FACE, named);
+    for (int n = 1; n <= named.Extent(); ++n) {
+      for (int f = 1; f <= faces.Extent(); ++f) {
+        // The part may stand elsewhere in its file than its faces do.
+        if (!faces(f).IsPartner(named(n))) continue;
+        described.faces[std::size_t(f) - 1].label = label;
+      }
+    }
+  }
+}
+
 }  // namespace clevis::mesher

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -16,5 +18,11 @@ namespace clevis::mesher {
 cad::Solid describe(const TopoDS_Solid& solid,
                     const std::vector<Eigen::Vector3d>& points,
                     const std::string& file);
+
+/// Gives faces the names that their file has for them.
+/// @param described  of this solid.
+void add_labels(const TopoDS_Solid& solid,
+                const std::vector<std::pair<TopoDS_Shape, std::string>>& labels,
+                cad::Solid& described);
 
 }  // namespace clevis::mesher

@@ -13,6 +13,7 @@
 #include "cad/exchange.h"
 #include "mesher/check_shape.h"
 #include "mesher/describe_solid.h"
+#include "mesher/facet_faces.h"
 #include "mesher/mesh_solid.h"
 #include "mesher/read_shape.h"
 
@@ -27,6 +28,8 @@ std::string answer(const cad::Request& request) {
     const TopoDS_Solid solid = mesher::one_sound_solid(read.shape, file);
     cad::Solid described = mesher::describe(solid, request.points, file);
     described.unit = read.unit;
+    mesher::add_labels(solid, read.labels, described);
+    if (request.facets) described.facets = mesher::facets_of(solid);
     if (!request.mesh.empty()) mesher::mesh_solid(solid, described, request);
     return cad::answer(described);
   } catch (const Error& error) {

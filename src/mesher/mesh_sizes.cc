@@ -71,19 +71,26 @@ MeshSizes::MeshSizes(const TopoDS_Solid& solid, const cad::Request& request) {
   largest_ = request.mesh_size ? *request.mesh_size / kMillimetre
                                : diagonal(solid) / kPerSize;
   largest_ /= request.finer.everywhere;
-  add_faces(solid, request.finer.everywhere, seats(request));
+  add_faces(solid, request.finer.everywhere, request);
   thin_out();
   refine(request.finer.at);
 }
 
 void MeshSizes::add_faces(const TopoDS_Solid& solid, double fineness,
-                          const std::set<int>& seats) {
+                          const cad::Request& request) {
+  const std::set<int> seats = clevis::mesher::seats(request);
   const double reach = diagonal(solid);
   IntCurvesFace_ShapeIntersector intersector;
   intersector.Load(solid, 1e-7 * reach);
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(solid, TopAbs_FACE, faces);
   for (int f = 1; f <= faces.Extent(); ++f) {
+    // A plate's cells are as high as it is thick, whatever their size.
+    if (request.plate &&
+        (f == request.plate->bottom || f == request.plate->top)) {
+      on_face_.push_back(largest_);
+      continue;
+    }
     const TopoDS_Face& face = TopoDS::Face(faces(f));
     const BRepAdaptor_Surface surface(face);
     BRepTopAdaptor_FClass2d outline(face, 1e-7);

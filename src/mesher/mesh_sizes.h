@@ -1,6 +1,5 @@
 #pragma once
 
-#include <set>
 #include <vector>
 
 #include <TopoDS_Solid.hxx>
@@ -34,7 +33,7 @@ class MeshSizes {
 
  private:
   void add_faces(const TopoDS_Solid& solid, double fineness,
-                 const std::set<int>& seats);
+                 const cad::Request& request);
   void thin_out();
   void refine(const std::vector<cad::Refinement::Place>& places);
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <fmt/format.h>
 #include <gmsh.h>
 
@@ -77,6 +79,32 @@ std::vector<int> surface_tags(const cad::Solid& solid,
     refuse(request, "gmsh has other faces than OpenCASCADE");
   }
   return tags;
+}
+
+/// The bottom of a plate, pulled up to its top in one layer of cells.
+void import_plate(const TopoDS_Solid& solid, const cad::Plate& plate) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  const TopoDS_Shape bottom = faces(plate.bottom);
+  gmsh::vectorpair imported, pulled;
+  gmsh::model::occ::importShapesNativePointer(&bottom, imported, true);
+  gmsh::model::occ::extrude(imported, 0, 0, plate.thickness / kMillimetre,
+                            pulled, {1}, {}, true);
+  constexpr double kSubdivided = 2.0;  // all triangles, to quadrangles
+  // It would move nodes of the middle away from those below and above them.
+  gmsh::option::setNumber("Mesh.HighOrderOptimize", 0);
+  gmsh::option::setNumber("Mesh.RecombineAll", 1);
+  gmsh::option::setNumber("Mesh.RecombinationAlgorithm", kSubdivided);
+}
+
+/// @throws Error M010 if there are others than hexahedra.
+void require_hexahedra(const cad::Request& request) {
+  constexpr int kHexahedra27 = 12;  // gmsh's number of the type
+  std::vector<int> types;
+  gmsh::model::mesh::getElementTypes(types, 3);
+  if (types != std::vector{kHexahedra27}) {
+    refuse(request, "its plane is not all quadrangles");
+  }
 }
 
 void add_groups(const cad::Request& request, const std::vector<int>& tags) {
@@ -153,13 +181,18 @@ void mesh_solid(const TopoDS_Solid& solid, const cad::Solid& described,
   const MeshSizes sizes(solid, request);
   try {
     gmsh::model::add("part");
-    gmsh::vectorpair imported;
-    gmsh::model::occ::importShapesNativePointer(&solid, imported, true);
+    if (request.plate) {
+      import_plate(solid, *request.plate);
+    } else {
+      gmsh::vectorpair imported;
+      gmsh::model::occ::importShapesNativePointer(&solid, imported, true);
+    }
     gmsh::model::occ::synchronize();
     const std::vector<int> tags = surface_tags(described, request);
     add_groups(request, tags);
     set_sizes(tags, sizes);
     generate();
+    if (request.plate) require_hexahedra(request);
     gmsh::model::mesh::removeSizeCallback();
     gmsh::write(request.mesh.string());
   } catch (const Error&) {

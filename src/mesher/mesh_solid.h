@@ -7,7 +7,8 @@
 
 namespace clevis::mesher {
 
-/// Meshes a solid with curved tetrahedra of order 2 by gmsh and writes a .msh
+/// Meshes a solid with curved tetrahedra of order 2 by gmsh, or a plate with
+/// one layer of hexahedra of order 2 over quadrangles, and writes a .msh
 /// (4.1) in millimetres, whose physical groups are those asked for and the
 /// volume.
 /// @throws Error M010 with what gmsh says.

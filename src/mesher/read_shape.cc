@@ -1,5 +1,7 @@
 #include "mesher/read_shape.h"
 
+#include <algorithm>
+
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
@@ -10,10 +12,15 @@
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Reader.hxx>
+#include <StepShape_Face.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
 
 #include "base/errors.h"
 
@@ -31,6 +38,36 @@ void take_millimetres() {
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
 }
 
+/// Name that a face's entity bears, as one line that a terminal can take; what
+/// writers give for want of one is none.
+std::string label_of(const StepShape_Face& face) {
+  if (face.Name().IsNull()) return {};
+  std::string name = face.Name()->ToCString();
+  std::ranges::replace_if(
+      name,
+      [](unsigned char c) {
+        return c < ' ' || c == 0x7F;
+      },
+      '?');
+  return name == "NONE" ? std::string() : name;
+}
+
+std::vector<std::pair<TopoDS_Shape, std::string>> labels_of(
+    const STEPControl_Reader& reader) {
+  std::vector<std::pair<TopoDS_Shape, std::string>> labels;
+  const auto model = reader.WS()->Model();
+  const auto transferred = reader.WS()->TransferReader()->TransientProcess();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto face = Handle(StepShape_Face)::DownCast(model->Value(i));
+    if (face.IsNull()) continue;
+    const std::string label = label_of(*face);
+    if (label.empty()) continue;
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(transferred, face);
+    if (!shape.IsNull()) labels.emplace_back(shape, label);
+  }
+  return labels;
+}
+
 ReadShape read_step(const cad::Request& request) {
   STEPControl_Reader reader;
   take_millimetres();
@@ -40,7 +77,7 @@ ReadShape read_step(const cad::Request& request) {
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.FileUnits(lengths, angles, solid_angles);
   reader.TransferRoots();
-  ReadShape read{reader.OneShape(), {}};
+  ReadShape read{reader.OneShape(), {}, labels_of(reader)};
   if (!lengths.IsEmpty()) read.unit = lengths.First().ToCString();
   return read;
 }

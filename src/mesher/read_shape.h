@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <TopoDS_Shape.hxx>
 
@@ -12,6 +14,8 @@ namespace clevis::mesher {
 struct ReadShape {
   TopoDS_Shape shape;
   std::string unit;  ///< of lengths in the file; empty: it gives none
+  /// Faces, or shapes of faces, that a STEP file names.
+  std::vector<std::pair<TopoDS_Shape, std::string>> labels = {};
 };
 
 /// Reads STEP, IGES or BREP by OpenCASCADE, by the format that is asked for,

@@ -317,6 +317,12 @@ class Writer {
   void add_stop(const Joint& joint, const std::string& name, const Axis& axis,
                 std::string_view coordinate, const Units& units) {
     if (!axis.lower && !axis.upper) return;
+    if (axis.lower && axis.upper && *axis.lower > *axis.upper) {
+      tell(joint, fmt::format("its limits are reversed, lower {:g} and upper "
+                              "{:g}, and left out",
+                              *axis.lower, *axis.upper));
+      return;
+    }
     if (axis.lower.value_or(0.0) > 0.0 || axis.upper.value_or(0.0) < 0.0) {
       tell(joint, "zero is beyond its limits, which are left out");
       return;

@@ -64,9 +64,14 @@ struct NearestSelector {
   Eigen::Vector3d point;  ///< [m]
 };
 
+/// The one face of this name in a STEP file.
+struct LabelSelector {
+  std::string label;
+};
+
 /// Which faces of a solid are meant, in the part's frame.
 struct FaceSelector {
-  std::variant<CylinderSelector, PlaneSelector, NearestSelector,
+  std::variant<CylinderSelector, PlaneSelector, NearestSelector, LabelSelector,
                std::vector<FaceSelector>>
       what;           ///< a list stands for all of them together
   std::string place;  ///< file:line:column
@@ -92,7 +97,9 @@ struct SolidSource {
   std::vector<NamedFaces> faces;
   std::vector<JointFaces> joints;
   std::optional<double> mesh_size;  ///< of cells in the bulk [m]
-  double length_unit{};             ///< of a file without units [m]; 0: its own
+  /// Whether a plate is meshed as one, in its plane, rather than in space.
+  bool sweep = true;
+  double length_unit{};  ///< of a file without units [m]; 0: its own
 };
 
 }  // namespace clevis::part

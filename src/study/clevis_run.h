@@ -45,7 +45,8 @@ assessment::PartJob governed_job(const assessment::PartJob& job,
 /// Solves a part with one model and degree, its mesh file read anew; repeated
 /// while that is quick, the fastest counts.
 /// @param job  of governed_job(): the first load set is solved.
-/// @throws Error of the modules below; F004 above kMostDofs.
+/// @throws Error of the modules below; F004 above kMostDofs, F007 above
+/// --max-dofs.
 Run solve_model(const assessment::PartJob& job, const Series& series,
                 int degree, int instant);
 

@@ -156,6 +156,7 @@ ROOMS = {
         "view": "what pictures need of a result: surfaces, fields, the motion",
         "page": "a result as one HTML page, or as glTF",
         "picture": "parts and mechanisms as pictures, without a browser",
+        "solid_picture": "a solid with its faces' numbers, from all sides",
     },
     "app": {
         "processes": "other programs, workers, temporary folders, errors across processes",
@@ -204,7 +205,7 @@ PUBLIC = {
     "elasticity": "algebra/dense_product algebra/rank_team assembly/stiffness assembly/supports"
                   " buckling/buckling direct/dissection fe_space/discretization fe_space/group_trace"
                   " fe_space/tabulation nodal_loads/load_vectors plate/layered_solve"
-                  " plate/plate_layer problem/displacement_basis"
+                  " plate/plate_layer problem/displacement_basis problem/dof_limit"
                   " problem/elastic_problem problem/engine revolution/revolution_solve"
                   " solid/neighbourhood solid/open_reactions solid/plane_loads"
                   " solid/seat_compliance solid/solid_solve vibration/eigenmodes"
@@ -222,6 +223,7 @@ PUBLIC = {
               " motion/motion_json motion/motion_table page/glb_scene"
               " page/report_page page/result_folder page/watch_mark parts/part_result_json"
               " picture/mechanism_picture picture/part_picture"
+              " solid_picture/face_picture"
               " summary/line_refinement summary/motion_report text/atomic_file"
               " text/csv_field"
               " text/json_text text/progress text/terminal text/text_table"

@@ -300,6 +300,34 @@ def lost(checks, folder):
         checks.expect(told.count(line) == 1, f"told once: {line}")
 
 
+    turned_axis = (MODELS / "double_pendulum.sdf").read_text().replace(
+        "</xyz>", "</xyz><use_parent_model_frame>1</use_parent_model_frame>", 1)
+    (folder / "turned.sdf").write_text(turned_axis)
+    line = "use_parent_model_frame: of SDF up to 1.6"
+    checks.expect(imported(folder / "turned.sdf", folder / "turned")[1].count(line) == 1,
+                  "SDF 1.9: use_parent_model_frame is told")
+    (folder / "old.sdf").write_text(turned_axis.replace(">1</use_p", ">0</use_p"))
+    checks.expect(line not in imported(folder / "old.sdf", folder / "old")[1],
+                  "its default is not")
+    wheel = ("<robot name='r'><link name='world'/><link name='wheel'><inertial>"
+             "<mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/>"
+             "</inertial></link><joint name='hub' type='{}'><parent link='world'/>"
+             "<child link='wheel'/><axis xyz='0 0 1'/><limit lower='{}' upper='{}' "
+             "effort='0' velocity='0'/></joint></robot>")
+    for name, values, line in (
+            ("endless", ("continuous", -1, 2),
+             "joint hub: continuous, its limits -1 and 2 are left out"),
+            ("reversed", ("revolute", 1, -1),
+             "joint hub: its limits are reversed, lower 1 and upper -1, and left out")):
+        (folder / f"{name}.urdf").write_text(wheel.format(*values))
+        text, told = imported(folder / f"{name}.urdf", folder / name)
+        checks.expect(told.count(line) == 1, f"told once: {line}")
+        checks.expect('"stop"' not in text, f"{name}: no stop")
+    (folder / "free.urdf").write_text(wheel.format("continuous", 0, 0))
+    checks.expect("left out" not in imported(folder / "free.urdf", folder / "free")[1],
+                  "no limits, nothing told")
+
+
 NESTED = """<sdf version="1.9"><world name="w">
 <model name="base"><static>true</static><link name="plate"/></model>
 <model name="machine">

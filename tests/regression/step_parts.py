@@ -4,12 +4,14 @@ their bores, meshes that follow the file, units, and limits of the mesher.
     step_parts.py CLEVIS SOURCE_DIR
 """
 import json
+import math
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 CLEVIS, SOURCE = (Path(argument).resolve() for argument in sys.argv[1:3])
@@ -34,6 +36,32 @@ BooleanUnion(4) = { Volume{1}; Delete; }{ Volume{2, 3}; Delete; };
 Cylinder(5) = {0, 0, -1, 0, 0, 10, 6}; Cylinder(6) = {80, 0, -1, 0, 0, 10, 6};
 BooleanDifference(7) = { Volume{4}; Delete; }{ Volume{5, 6}; Delete; };
 """
+
+def reference_link():
+    """The link of geometry/reference_link in OpenCASCADE's words."""
+    bore, boss, fillet, half, length = 7.5, 12.5, 10.0, 6.0, 140.0
+    x = math.sqrt((boss + fillet)**2 - (half + fillet)**2)
+    turn = math.atan2(half + fillet, x)
+    c, s = boss * math.cos(turn), boss * math.sin(turn)
+    points = [(c, s), (-boss, 0), (c, -s), (x, -half), (length - x, -half),
+              (length - c, -s), (length + boss, 0), (length - c, s),
+              (length - x, half), (x, half)]
+    centres = {0: (0, 0), 1: (0, 0), 2: (x, -half - fillet),
+               4: (length - x, -half - fillet), 5: (length, 0), 6: (length, 0),
+               7: (length - x, half + fillet), 9: (x, half + fillet)}
+    lines = ['SetFactory("OpenCASCADE");']
+    for name, (px, py) in [*enumerate(points, 1),
+                           *((100 + k, at) for k, at in centres.items())]:
+        lines.append(f"Point({name}) = {{{px:.15g}, {py:.15g}, -4}};")
+    for k in range(10):
+        first, last = k + 1, (k + 1) % 10 + 1
+        lines.append(f"Circle({k + 1}) = {{{first}, {100 + k}, {last}}};" if k in centres
+                     else f"Line({k + 1}) = {{{first}, {last}}};")
+    lines.append(f"Curve Loop(1) = {{1:10}}; Circle(21) = {{0, 0, -4, {bore}}}; "
+                 f"Circle(22) = {{{length}, 0, -4, {bore}}}; Curve Loop(2) = {{21}}; "
+                 "Curve Loop(3) = {22}; Plane Surface(1) = {1, 2, 3};")
+    return "\n".join(lines) + "\nExtrude {0, 0, 8} { Surface{1}; }\n"
+
 
 BAR_SCENE = f"""schema = 1
 name = "bar"
@@ -156,6 +184,70 @@ class StepParts(unittest.TestCase):
         self.assertEqual(len(re.findall(r"^ +\d+  ", table, re.M)),
                          len(solid["faces"]))
 
+    def test_draws_the_faces_with_their_numbers(self):
+        shutil.copy(STEP / "fork.step", self.folder)
+        count = len(self.faces("fork.step")["faces"])
+        done = self.run_clevis("faces", "fork.step", "--picture", "fork.svg",
+                               "--json")
+        self.assertEqual(len(json.loads(done.stdout)["solids"][0]["faces"]), count)
+        self.assertNotIn("no view shows", done.stderr)
+        root = ElementTree.parse(self.folder / "fork.svg").getroot()
+        numbers = {int(text.text) for text in root.iter(
+            "{http://www.w3.org/2000/svg}text") if text.get("class") == "face"}
+        self.assertEqual(numbers, set(range(1, count + 1)))
+        self.run_clevis("faces", "fork.step", "--picture", "fork.png")
+        self.assertEqual((self.folder / "fork.png").read_bytes()[:8],
+                         b"\x89PNG\r\n\x1a\n")
+        done = self.run_clevis("faces", "fork.step", "--picture", "fork.jpg", code=2)
+        self.assertIn("U001", done.stderr)
+        done = self.run_clevis("faces", STEP / "four_bar.toml", "--picture", "a.svg",
+                               code=2)
+        self.assertIn("Name the part", done.stderr)
+
+    def test_finds_a_face_by_its_label(self):
+        file = self.step("link.step", LINK)
+        text = file.read_text()
+        faces = re.findall(r"ADVANCED_FACE\(''", text)
+        self.assertEqual(len(faces), 8)
+        for label in ("NONE", "PIN \\X\\E4", "TWICE", "TWICE"):
+            text = text.replace("ADVANCED_FACE(''", f"ADVANCED_FACE('{label}'", 1)
+        file.write_text(text)
+        labels = [f.get("label") for f in self.faces(file)["faces"]]
+        self.assertEqual(sorted(filter(None, labels)), sorted(
+            ["TWICE", "TWICE", next(l for l in labels if l and "PIN" in l)]))
+        named = labels.index(next(l for l in labels if l and "PIN" in l)) + 1
+        self.assertRegex(self.run_clevis("faces", file).stdout, r"group +label\n")
+        self.assertNotIn("label", self.run_clevis("faces", STEP / "fork.step").stdout)
+        scene = self.folder / "labels.toml"
+
+        def check(label, code):
+            scene.write_text(f"""schema = 1
+name = "labels"
+{STEEL}
+[[part]]
+name = "link"
+geometry = "link.step"
+material = "steel"
+
+[part.faces]
+found = {{ label = '{label}' }}
+
+[[part.case]]
+name = "press"
+pressure = {{ found = "1 MPa" }}
+""")
+            return self.run_clevis("faces", scene, "--json", code=code)
+
+        done = check(labels[named - 1], 0)
+        groups = {f["number"]: f.get("group")
+                  for f in json.loads(done.stdout)["solids"][0]["faces"]}
+        self.assertEqual(groups[named], "found")
+        self.assertIn("bear the label", check("TWICE", 11).stdout)
+        refused = check("pin", 11).stdout
+        self.assertIn("M017", refused)
+        self.assertIn("no face bears the label", refused)
+        self.assertIn("TWICE", refused)
+
     def test_takes_the_unit_of_the_file(self):
         text = (STEP / "fork.step").read_text()
         metre = "SI_UNIT(.MILLI.,.METRE.)"
@@ -227,6 +319,80 @@ class StepParts(unittest.TestCase):
         self.assertLess(bands[1][1] - bands[1][0], 2 * 0.005 * bands[1][1])
         self.assertLessEqual(max(bands[0][0], bands[1][0]),
                              min(bands[0][1], bands[1][1]))
+
+    def test_max_dofs_ends_degrees_and_finer_meshes(self):
+        self.step("bar.step", BAR + (
+            "Cylinder(2) = {20, 0, -6, 0, 0, 12, 2};\n"
+            "BooleanDifference(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };\n"))
+        (self.folder / "bar.toml").write_text(BAR_SCENE)
+        most = 20000
+
+        def check(*more, code):
+            done = self.run_clevis("check", "bar.toml", "--out", "out",
+                                   "--tolerance", "0.2%", *more, code=code)
+            return json.loads((self.folder / "out/result.json").read_text()), done
+
+        result, done = check("--max-dofs", most, code=0)
+        part = result["parts"][0]
+        mesh = (self.folder / "bar.msh").read_bytes()
+        self.assertEqual(result["inputs"]["max_dofs"], most)
+        self.assertLessEqual(part["dofs"], most)
+        self.assertLessEqual(max(m["dofs"] for m in
+                                 part["peak_von_mises"]["sequence"]), most)
+        told = " ".join([part["stopped_because"], *part["notes"]])
+        self.assertRegex(part["stopped_because"], "degree [34] left out, [0-9]+ "
+                         f"degrees of freedom, --max-dofs allows {most}")
+        self.assertRegex(told, "not meshed finer: [0-9]+ degrees of freedom, "
+                         f"--max-dofs allows {most}")
+        self.assertIn(f"--max-dofs allows {most}", done.stdout)
+        again, _ = check("--max-dofs", most, "--resume", code=0)
+        self.assertEqual((self.folder / "bar.msh").read_bytes(), mesh)
+        self.assertEqual(again["parts"][0]["seconds"], part["seconds"])
+        other, _ = check("--max-dofs", 2 * most, "--resume", "--mesh-rounds", 0,
+                         code=0)
+        self.assertEqual(other["inputs"]["max_dofs"], 2 * most)
+        done = self.run_clevis("check", "bar.toml", "--out", "out", "--max-dofs",
+                               "100", code=21)
+        self.assertIn("F007", done.stdout + done.stderr)
+        for wrong in ("0", "-5", "many", "1e99"):
+            done = self.run_clevis("check", "bar.toml", "--max-dofs", wrong, code=2)
+            self.assertIn("--max-dofs", done.stderr)
+
+    def test_plate_goes_as_that_of_a_geo(self):
+        """The reference link from STEP, in its plane and in space, and from its
+        script: bands that meet, the same deflection, models of plates."""
+        self.step("link.step", reference_link())
+        script = SOURCE / "geometry/reference_link"
+        scene = (script / "scene.toml").read_text().replace(
+            'length_unit = "mm"\n', "").replace("link.geo", "link.step").replace(
+            "[[part.case]]", """[part.faces]
+bore_A = { cylinder = { diameter = "15 mm", near = ["0 mm", "0 mm", "0 mm"] } }
+bore_B = { cylinder = { diameter = "15 mm", near = ["140 mm", "0 mm", "0 mm"] } }
+
+[[part.case]]""")
+        never = scene.replace('material = "steel"', 'material = "steel"\nsweep = "never"')
+        self.assertNotEqual(never, scene)
+        shutil.copy(script / "link.geo", self.folder)
+        parts, told = {}, {}
+        for name, text in (("geo", (script / "scene.toml").read_text()),
+                           ("plane", scene), ("space", never)):
+            (self.folder / f"{name}.toml").write_text(text)
+            done = self.run_clevis("check", f"{name}.toml", "--mesh", "--json",
+                                   "--out", f"out_{name}")
+            parts[name] = json.loads(done.stdout)["parts"][0]
+            told[name] = done.stderr
+        line = "a plate along z, 8 mm thick: meshed in its plane"
+        self.assertIn(line, told["plane"])
+        self.assertNotIn(line, told["space"])
+        self.assertLess(parts["plane"]["cells"], parts["space"]["cells"])
+        for name, part in parts.items():
+            self.assertIn("2-D x thickness", part["model"], name)
+            low, high = part["peak_von_mises"]["band_MPa"]
+            self.assertLessEqual(low, 55.013, name)  # converged in 3-D, scene.toml
+            self.assertGreaterEqual(high, 55.013, name)
+            self.assertLess(high - low, 0.02 * 55.013, name)
+            self.assertAlmostEqual(part["deflection_mm"],
+                                   parts["geo"]["deflection_mm"], 5, name)
 
     def test_meshes_again_when_file_or_selector_changes(self):
         self.step("bar.step", BAR)

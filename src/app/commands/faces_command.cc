@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "app/solids/face_picture.h"
 #include "app/solids/solid_mesh.h"
 #include "app/solids/solid_mesher.h"
 #include "base/errors.h"
@@ -77,8 +78,10 @@ std::vector<Asked> parts_of_scene(const FacesOptions& options) {
       scene::suggestion(options.part, solids));
 }
 
-Found find(const Asked& asked) {
+/// @param facets  whether triangles of the faces are wanted.
+Found find(const Asked& asked, bool facets) {
   cad::Request request;
+  request.facets = facets;
   request.file = asked.file;
   request.length_unit = asked.source.length_unit;
   request.points = cad::points_of(asked.source);
@@ -112,28 +115,32 @@ std::string type_of(const cad::Face& face) {
 
 report::TextTable table_of(const Found& found) {
   using enum report::Align;
-  report::TextTable table({{"face", kRight},
-                           {"type"},
-                           {"diameter mm", kRight},
-                           {"length mm", kRight},
-                           {"centre mm"},
-                           {"axis or normal"},
-                           {"area mm2", kRight},
-                           {"neighbours"},
-                           {"group"}});
+  const bool has_labels =
+      std::ranges::any_of(found.solid.faces, [](const cad::Face& face) {
+        return !face.label.empty();
+      });
+  std::vector<report::TextTable::Column> columns{
+      {"face", kRight},      {"type"},       {"diameter mm", kRight},
+      {"length mm", kRight}, {"centre mm"},  {"axis or normal"},
+      {"area mm2", kRight},  {"neighbours"}, {"group"}};
+  if (has_labels) columns.push_back({"label"});
+  report::TextTable table(columns);
   for (const cad::Face& face : found.solid.faces) {
     const bool is_round = face.radius > 0.0;
     const double length = 1e3 * (face.high - face.low);
     const bool has_axis = face.axis.norm() > 0.0;
-    table.add_row({{std::to_string(face.number)},
-                   {type_of(face)},
-                   {is_round ? number(2e3 * face.radius) : ""},
-                   {length > 0.0 ? number(length) : ""},
-                   {vector(1e3 * face.centre)},
-                   {vector(has_axis ? face.axis : face.normal)},
-                   {number(1e6 * face.area)},
-                   {fmt::format("{}", fmt::join(face.neighbours, " "))},
-                   {found.group_of(face.number)}});
+    std::vector<report::TextTable::Cell> cells{
+        {std::to_string(face.number)},
+        {type_of(face)},
+        {is_round ? number(2e3 * face.radius) : ""},
+        {length > 0.0 ? number(length) : ""},
+        {vector(1e3 * face.centre)},
+        {vector(has_axis ? face.axis : face.normal)},
+        {number(1e6 * face.area)},
+        {fmt::format("{}", fmt::join(face.neighbours, " "))},
+        {found.group_of(face.number)}};
+    if (has_labels) cells.push_back({face.label});
+    table.add_row(cells);
   }
   for (const std::string& line : found.groups.told) table.add_note(line);
   return table;
@@ -156,6 +163,7 @@ ordered_json face_json(const Found& found, const cad::Face& face) {
     json["axis_point_m"] = vector_json(face.axis_point);
   }
   json["normal"] = vector_json(face.normal);
+  if (!face.label.empty()) json["label"] = face.label;
   const std::string group = found.group_of(face.number);
   if (!group.empty()) json["group"] = group;
   return json;
@@ -175,9 +183,38 @@ ordered_json json_of(const Found& found) {
           {"faces", faces}};
 }
 
+/// @throws Error U001 if a picture is asked for of several parts.
+void require_one(const std::vector<Asked>& asked, const FacesOptions& options) {
+  if (options.picture.empty() || asked.size() == 1) return;
+  std::vector<std::string> names;
+  for (const Asked& one : asked) names.push_back(one.name);
+  throw Error(
+      "U001", "--picture",
+      fmt::format("the scene has {} solids, a picture shows one", asked.size()),
+      fmt::format("Name the part behind the scene: {}.",
+                  fmt::join(names, " or ")));
+}
+
+/// Tells where the picture lies, and what it does not show, on stderr: stdout
+/// may be JSON.
+void draw(const Found& found, const std::filesystem::path& file) {
+  const auto hidden = write_face_picture(
+      found.solid,
+      [&found](int face) {
+        return found.group_of(face);
+      },
+      fmt::format("{}: {} faces", found.name, found.solid.faces.size()), file);
+  std::cerr << "picture: " << file.string() << "\n";
+  if (!hidden.empty()) {
+    std::cerr << fmt::format("no view shows the faces {}\n",
+                             fmt::join(hidden, " "));
+  }
+}
+
 }  // namespace
 
 ExitCode faces_command(const FacesOptions& options) {
+  if (!options.picture.empty()) require_picture_name(options.picture);
   std::vector<Asked> asked;
   if (part::is_solid_file(options.file)) {
     // A BREP has no unit; OpenCASCADE's own is the millimetre.
@@ -187,8 +224,12 @@ ExitCode faces_command(const FacesOptions& options) {
   } else {
     asked = parts_of_scene(options);
   }
+  require_one(asked, options);
   std::vector<Found> all;
-  for (const Asked& one : asked) all.push_back(find(one));
+  for (const Asked& one : asked) {
+    all.push_back(find(one, !options.picture.empty()));
+  }
+  if (!options.picture.empty()) draw(all.front(), options.picture);
   const auto refused = std::ranges::find_if(all, [](const Found& found) {
     return found.refused.has_value();
   });
@@ -221,6 +262,11 @@ Run declare_faces(CLI::App& command) {
       ->required();
   command.add_option("PART", options->part,
                      "of the scene; default: all parts that are solids");
+  command
+      .add_option("--picture", options->picture,
+                  "draw the solid from several sides with its faces' numbers: "
+                  "*.svg or *.png")
+      ->type_name("FILE");
   command.add_flag("--json", options->json,
                    "print one JSON document instead of tables");
   return [options] {

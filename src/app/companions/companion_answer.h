@@ -20,7 +20,8 @@ struct Companion {
 };
 
 /// Runs it as a child process: limits of time and memory, `folder` as its HOME
-/// and working folder, hardly any environment, no program of its own.
+/// and working folder, hardly any environment, no program of its own; inside of
+/// bubblewrap where that may be used (sandbox_command()).
 /// @param file  that it reads, for messages.
 /// @param question  path that it gets; it writes `folder`/answer.json.
 /// @return its answer as it wrote it.

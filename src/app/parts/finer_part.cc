@@ -11,6 +11,8 @@
 #include "app/scenes/geometry_stamp.h"
 #include "app/solids/solid_mesh.h"
 #include "assessment/part_check.h"
+#include "elasticity/fe_space/discretization.h"
+#include "elasticity/problem/dof_limit.h"
 #include "report/text/atomic_file.h"
 
 namespace clevis::app {
@@ -18,12 +20,24 @@ namespace {
 
 using assessment::PartJob;
 
+/// Three degrees have a band: a mesh on which the third is above --max-dofs is
+/// worse than the one before it.
+/// @throws Error F007.
+void require_a_band(const mesh::PartMesh<3>& mesh, const PartJob& job) {
+  constexpr int kDegreesOfABand = 3;
+  if (!job.max_dofs) return;
+  elasticity::require_dofs(
+      elasticity::discretize<3>(mesh, kDegreesOfABand).dofs(), job.max_dofs,
+      "part " + job.part.name);
+}
+
 /// Writes a finer mesh of the part in the place of its own.
-void write_finer_mesh(const part::PartDefinition& part,
-                      const part::GeometryInput& input,
+void write_finer_mesh(const PartJob& job, const part::GeometryInput& input,
                       const cad::Refinement& finer) {
+  const part::PartDefinition& part = job.part;
   const std::string stamp = geometry_stamp(part, input);
   const SolidMesh made = mesh_solid_part(part, input.solid, finer);
+  require_a_band(made.mesh, job);
   report::write_file(part.mesh, stamped(made.text, stamp));
 }
 
@@ -37,6 +51,7 @@ PartJob job_anew(const LoadedScene& loaded, std::size_t index,
       part_jobs(changed, motion, {job.part.name}, job.tolerance).front());
   again.model = job.model;
   again.engine = job.engine;
+  again.max_dofs = job.max_dofs;
   return again;
 }
 
@@ -54,7 +69,7 @@ CheckedPart check_on_finer_meshes(const LoadedScene& loaded,
       loaded.scene.parts.begin());
   return check_in_rounds(
       job, rounds, assessment::check_part, [&](const cad::Refinement& finer) {
-        write_finer_mesh(job.part, loaded.scene.inputs[index], finer);
+        write_finer_mesh(job, loaded.scene.inputs[index], finer);
         return job_anew(loaded, index, motion, job);
       });
 }

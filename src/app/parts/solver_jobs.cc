@@ -58,6 +58,7 @@ SolverJobs load_solver_jobs(const Options& options, scene::Scene read) {
   }
   result.jobs = part_jobs(result.loaded, motion, options.parts,
                           scene.peak_stress_tolerance);
+  for (auto& job : result.jobs) job.max_dofs = options.max_dofs;
   // Of a blow the static load that stresses the part as much, as a case.
   for (auto& job : result.jobs) {
     assessment::add_blows_at_rest(job);

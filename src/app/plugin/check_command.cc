@@ -74,6 +74,9 @@ Run declare_check(CLI::App& command) {
                    "write NAME_linear.vtu too, for readers without "
                    "higher-order cells");
   add_max_time(command, *request);
+  add_max_dofs(command, options,
+               "degrees of freedom that a solution of a part may have: higher "
+               "degrees and finer meshes are left out [what memory holds]");
   add_jobs(command, options.jobs, "parts in parallel [one per core]");
   add_model(command, options.model);
   add_mesh_flag(command, options);

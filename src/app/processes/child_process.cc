@@ -104,7 +104,7 @@ ChildOutcome run_child(const Child& child, std::chrono::milliseconds timeout) {
                      child.environment.end());
   // A script may need others.
   const std::string program = find_program(arguments[0]).string();
-  const bool is_alone = is_binary(program);
+  const bool is_alone = is_binary(program) && !child.starts_others;
   const std::vector<char*> argument_list = pointers(arguments);
   const std::vector<char*> environment_list = pointers(environment);
   Stopwatch watch;

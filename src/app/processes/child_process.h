@@ -16,6 +16,7 @@ struct Child {
   std::filesystem::path log;           ///< takes its stdout and stderr
   std::vector<std::string> environment = {};  ///< more "NAME=VALUE"
   std::optional<std::size_t> memory = {};     ///< most address space [byte]
+  bool starts_others = false;  ///< may start other programs, as a script may
 };
 
 /// How it ended and what it used.
@@ -32,8 +33,8 @@ struct ChildOutcome {
 /// Runs a program to its end with an environment of PATH, HOME, TMPDIR,
 /// LC_ALL=C and what is given, in a process group of its own; it dies with
 /// clevis, is killed after `timeout` or at an interrupt that is deferred, may
-/// write files up to 1 GiB, and, unless it is a script, starts no other
-/// program.
+/// write files up to 1 GiB, and, unless it is a script or `starts_others`,
+/// starts no other program.
 /// @throws Error I002 if no process can be started.
 ChildOutcome run_child(const Child& child, std::chrono::milliseconds timeout);
 

@@ -1,5 +1,6 @@
 #include "app/request/command_options.h"
 
+#include <limits>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -65,6 +66,13 @@ void add_max_time(CLI::App& command, SceneRequest& request) {
                   "processor time that a motion by forces may take, e.g. \"10 "
                   "min\" [60 s]")
       ->type_name("TIME");
+}
+
+void add_max_dofs(CLI::App& command, Options& options, const char* help) {
+  constexpr int kFewest = 100;
+  command.add_option("--max-dofs", options.max_dofs, help)
+      ->type_name("N")
+      ->check(CLI::Range(kFewest, std::numeric_limits<int>::max()));
 }
 
 void add_engine(CLI::App& command, Options& options) {

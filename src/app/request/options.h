@@ -29,6 +29,7 @@ struct Options {
   std::optional<int> watch_run = {};
   bool resume = false;              ///< keep a finished result of these inputs
   std::optional<double> max_time;   ///< of the processor, for a motion [s]
+  std::optional<int> max_dofs;      ///< of a part's solution; none: memory's
   int jobs = 0;                     ///< parts in parallel; 0: one per core
   std::string elements = "C3D20R";  ///< CalculiX's hexahedra
   int split = 0;                    ///< pieces of each hexahedron's edges; 0:
@@ -52,8 +53,9 @@ struct PlanOptions {
 
 /// Options of `clevis faces`.
 struct FacesOptions {
-  std::filesystem::path file;  ///< of a solid, or a scene
-  std::string part;            ///< of the scene; empty: all that are solids
+  std::filesystem::path file;     ///< of a solid, or a scene
+  std::string part;               ///< of the scene; empty: all that are solids
+  std::filesystem::path picture;  ///< .svg or .png to write; empty: none
   bool json = false;
 };
 

@@ -35,8 +35,10 @@ std::optional<double> open_by_mesh(const PartResult& result, double tolerance) {
   return open;
 }
 
-bool is_of_mesh(const Error& error) {
-  return error.code().starts_with('M');
+/// Whether the last mesh will do: a finer one cannot be made, or has too many
+/// unknowns for --max-dofs.
+bool keeps_the_last(const Error& error) {
+  return error.code().starts_with('M') || error.code() == "F007";
 }
 
 void add(const PartSeconds& before, PartSeconds& seconds) {
@@ -92,7 +94,7 @@ CheckedPart check_in_rounds(
             "now {}",
             cells, 100.0 * *open, job.mesh.cells.size()));
       } catch (const Error& error) {
-        if (!is_of_mesh(error)) throw;
+        if (!keeps_the_last(error)) throw;
         rounds = made;  // what there is will do
         told.push_back("not meshed finer: " + error.problem());
       }

@@ -8,6 +8,7 @@
 #include "app/solids/validated_mesh.h"
 #include "base/errors.h"
 #include "cad/face_groups.h"
+#include "cad/plate.h"
 #include "cad/select_faces.h"
 
 namespace clevis::app {
@@ -30,6 +31,30 @@ SolidMesh unfolded_mesh(const part::PartDefinition& part,
     }
     request.finer.everywhere *= kFiner;
   }
+}
+
+/// A plate in its plane, if it is one and that can be; else in space.
+/// @param told  says which, of a plate.
+SolidMesh swept_mesh(const part::PartDefinition& part,
+                     const part::SolidSource& source, const cad::Solid& solid,
+                     cad::Request request, std::vector<std::string>& told) {
+  request.plate = cad::plate_of(solid);
+  if (!request.plate) return unfolded_mesh(part, request);
+  const std::string what = fmt::format("a plate along z, {:.6g} mm thick",
+                                       1e3 * request.plate->thickness);
+  if (source.sweep) {
+    try {
+      SolidMesh made = unfolded_mesh(part, request);
+      told.push_back(what + ": meshed in its plane");
+      return made;
+    } catch (const Error& error) {
+      if (!error.code().starts_with('M')) throw;
+      told.push_back(fmt::format("{}, meshed in space all the same: {}", what,
+                                 error.problem()));
+    }
+  }
+  request.plate.reset();
+  return unfolded_mesh(part, request);
 }
 
 }  // namespace
@@ -57,7 +82,7 @@ SolidMesh mesh_solid_part(const part::PartDefinition& part,
   request.mesh_size = source.mesh_size;
   request.finer = finer;
   request.mesh = part.mesh;
-  SolidMesh result = unfolded_mesh(part, request);
+  SolidMesh result = swept_mesh(part, source, solid, request, groups.told);
   result.told = std::move(groups.told);
   result.told.insert(
       result.told.begin(),

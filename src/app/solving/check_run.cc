@@ -257,6 +257,7 @@ ExitCode run_check(const Options& options, scene::Scene scene) {
   for (auto& job : jobs) {
     job.model = assessment::find_model(options.model);
     job.engine = elasticity::find_engine(options.engine).value();
+    job.max_dofs = options.max_dofs;
     report.limits.emplace(job.part.name, job.part.limits);
   }
   report.seconds.emplace_back("loads", watch.lap());

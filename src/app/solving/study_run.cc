@@ -14,6 +14,7 @@
 #include "app/processes/folder_lock.h"
 #include "app/request/output_folder.h"
 #include "base/interrupts.h"
+#include "elasticity/problem/dof_limit.h"
 #include "report/text/atomic_file.h"
 #include "report/text/json_text.h"
 #include "report/text/terminal.h"
@@ -94,12 +95,15 @@ void plan_calculix(std::size_t part, const PartJob& job, int instant,
   const bool is_tensor = job.mesh.shape == mesh::CellShape::kTensor;
   const int most = options.split > 0 ? options.split : kMostCuts;
   for (int split = 1; split <= (is_tensor ? most : 1); ++split) {
-    if (split > 1 && calculix_dofs(job.mesh, split) > kMostCalculixDofs) break;
+    const double dofs = calculix_dofs(job.mesh, split);
+    if (split > 1 && dofs > options.max_dofs.value_or(kMostCalculixDofs)) break;
     const CalculixRequest request{hexahedron_of(options), split, instant,
                                   options.every_instant};
     plan.push_back({part,
                     "CalculiX " + (is_tensor ? options.elements : "C3D10"),
-                    calculix_setting(split), [&job, request] {
+                    calculix_setting(split), [&job, request, dofs] {
+                      elasticity::require_dofs(dofs, job.max_dofs,
+                                               "part " + job.part.name);
                       return run_calculix(job, request);
                     }});
   }

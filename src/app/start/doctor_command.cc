@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "app/companions/model_importer.h"
+#include "app/companions/sandbox.h"
 #include "app/plugin/solver_library.h"
 #include "app/processes/child_process.h"
 #include "app/processes/temporary_folder.h"
@@ -87,6 +88,7 @@ ExitCode doctor_command() {
   for (const Tool& tool : kTools) {
     print(tool.name, version(tool), tool.needed_for);
   }
+  print("bwrap", about_sandbox(), "CAD files and models: their reader alone");
   print("cores", std::to_string(std::thread::hardware_concurrency()),
         "parts in parallel; all for one large part");
   print("memory", fmt::format("{:.1f} GiB", memory_GiB()), "");

@@ -30,6 +30,7 @@ report::CheckInputs check_inputs(const Options& options,
   inputs.tolerance = options.tolerance;
   inputs.model = options.model;
   inputs.engine = options.engine;
+  inputs.max_dofs = options.max_dofs;
   inputs.parts = options.parts;
   for (const part::PartDefinition& part : scene.parts) {
     inputs.meshes.emplace_back(part.name, file_fingerprint(part.mesh));

@@ -122,8 +122,12 @@ elasticity::StruckFace<dim>& StruckFaces<dim>::get(const PartJob& job,
     entry.face.reset();
     const loads::LoadHistory none;
     entry.face = std::make_unique<elasticity::StruckFace<dim>>(
-        elasticity::ElasticProblem<dim>{mesh_, job.part.material, none,
-                                        impact.fixed, job.part.name},
+        elasticity::ElasticProblem<dim>{.mesh = mesh_,
+                                        .material = job.part.material,
+                                        .history = none,
+                                        .fixed = impact.fixed,
+                                        .name = job.part.name,
+                                        .max_dofs = job.max_dofs},
         impact.strike.group, impact.strike.direction, degree);
     entry.key = key;
   }

@@ -10,6 +10,7 @@
 
 #include "assessment/job/model_traits.h"
 #include "assessment/job/part_result.h"
+#include "elasticity/problem/dof_limit.h"
 #include "elasticity/problem/engine.h"
 #include "loads/history/load_history.h"
 #include "loads/history/strike.h"
@@ -75,6 +76,8 @@ struct PartJob {
   /// Asked for; nothing: the cheapest that meets the tolerance.
   std::optional<ModelKind> model = std::nullopt;
   elasticity::Engine engine = elasticity::Engine::kAuto;  ///< asked for
+  /// Of the solutions that give stress and of buckling; asked for.
+  elasticity::DofLimit max_dofs = std::nullopt;
   bool is_shared = false;  ///< all ranks of this MPI run check it together
   /// Its mesh can be made finer where its peak stays open: that comes before
   /// degree 4 of tetrahedra, and before what is not about the peak.

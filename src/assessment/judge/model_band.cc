@@ -72,12 +72,15 @@ void add_model_error(double tolerance, double model_error, PartResult& result) {
   result.deflection_low = std::max(0.0, result.deflection_low - rest);
   result.deflection_high += rest;
   const PeakStress& peak = judged_peak(result);
-  result.stopped_because = fmt::format(
-      "{}: {}, {:.3g} % wanted",
-      peak.verdict != PeakVerdict::kConverged ? "highest degree done"
-      : is_outside ? "within tolerance away from the singular zones"
-                   : "within tolerance",
-      doubt_text(peak), 100.0 * tolerance);
+  const std::string end = result.stopped_because.empty()
+                              ? "highest degree done"
+                              : result.stopped_because;
+  result.stopped_because =
+      fmt::format("{}: {}, {:.3g} % wanted",
+                  peak.verdict != PeakVerdict::kConverged ? end
+                  : is_outside ? "within tolerance away from the singular zones"
+                               : "within tolerance",
+                  doubt_text(peak), 100.0 * tolerance);
 }
 
 void add_seconds(const PartSeconds& earlier, PartSeconds& seconds) {

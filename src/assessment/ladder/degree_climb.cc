@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "assessment/judge/time_sampling_error.h"
 #include "assessment/ladder/governing_instants.h"
 #include "assessment/ladder/probe_band.h"
@@ -87,6 +89,26 @@ class Climb {
       join_cells(tolerance);
     }
     if (ladder_.zones.is_singular()) widen_beside_zones(tolerance);
+  }
+  /// Adds a degree if memory and --max-dofs admit it, else says what did not.
+  /// @return whether they do.
+  /// @throws Error F004, F007 if there is no result without it: three degrees
+  ///   have a band; fewer are asked for by --max-dofs alone, and not judged.
+  bool may_take(const std::vector<LoadSet>& sets, int degree) {
+    constexpr std::size_t kDegreesOfABand = 3;
+    try {
+      take(sets, degree);
+    } catch (const Error& error) {
+      const std::size_t taken = ladder_.sequence.size();
+      const bool is_end =
+          (error.code() == "F004" && taken >= kDegreesOfABand) ||
+          (error.code() == "F007" && taken > 0);
+      if (!is_end) throw;
+      ladder_.ended_by =
+          fmt::format("degree {} left out, {}", degree, error.problem());
+      return false;
+    }
+    return true;
   }
   void drop() {
     ladder_.sequence.pop_back();
@@ -230,15 +252,7 @@ DegreeLadder<dim> climb_with_all(const PartJob& job, const FeModel<dim>& model,
   Climb<dim> climb(job, model, seconds);
   for (int degree = model.first_degree; degree <= model.highest_degree;
        ++degree) {
-    try {
-      climb.take(job.load_sets, degree);
-    } catch (const Error& error) {
-      // A degree that the memory does not hold ends the sequence; three have a
-      // band.
-      if (error.code() != "F004" || climb.ladder().sequence.size() < 3) throw;
-      break;
-    }
-    if (climb.is_within()) break;
+    if (!climb.may_take(job.load_sets, degree) || climb.is_within()) break;
   }
   return climb.finish();
 }
@@ -259,10 +273,13 @@ DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
   for (int degree = model.first_degree; degree <= model.highest_degree;
        ++degree) {
     bool all = degree >= model.first_degree + kFirstDegrees;
-    climb.take(all ? job.load_sets : chosen.sets(), degree);
-    if (!all && (climb.is_within() || degree == model.highest_degree)) {
+    const bool is_taken =
+        climb.may_take(all ? job.load_sets : chosen.sets(), degree);
+    if (!is_taken && all) break;
+    if (!is_taken ||
+        (!all && (climb.is_within() || degree == model.highest_degree))) {
       climb.drop();
-      climb.take(job.load_sets, degree);
+      climb.take(job.load_sets, is_taken ? degree : degree - 1);
       all = true;
     }
     if (!all) continue;
@@ -270,7 +287,7 @@ DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
     if (!chosen.contains(level.set, level.history().peak_instant)) {
       return climb_with_all(job, model, seconds);
     }
-    if (climb.is_within()) break;
+    if (!is_taken || climb.is_within()) break;
   }
   return climb.finish();
 }

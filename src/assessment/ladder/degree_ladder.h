@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "assessment/job/part_job.h"
@@ -32,6 +33,8 @@ struct DegreeLadder {
   double jump{};  ///< between cells that meet near the judged peak [Pa]
   /// Of the judged band, where finer solutions nearby gave it.
   std::optional<NearbyPeak> nearby;
+  /// The degree that memory or --max-dofs did not admit; empty: none.
+  std::string ended_by = {};
 };
 
 }  // namespace clevis::assessment

@@ -299,6 +299,7 @@ PartAssessment assess(const PartJob& job, const FeModel<dim>& model,
   result.seconds = seconds;
   result.peak.sequence = ladder.sequence;
   result.model = fmt::format("{}, p = {}", model.name, level.member.degree);
+  result.stopped_because = ladder.ended_by;
   result.engine = elasticity::word_of(level.governing->engine.engine);
   result.engine_why = level.governing->engine.why;
   result.dofs = level.member.dofs;

@@ -98,7 +98,7 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
     auto basis = std::make_shared<elasticity::DisplacementBasis<dim>>(
         model.solve({mesh, job.part.material, set.history, set.fixed,
                      job.part.name, elasticity::LinearSolver::kAuto,
-                     set.foundations, job.engine, job.is_shared},
+                     set.foundations, job.engine, job.is_shared, job.max_dofs},
                     degree));
     seconds.assemble += basis->seconds.assemble;
     seconds.factor += basis->seconds.factor;

@@ -25,7 +25,12 @@ constexpr int kPlaneSubdivisions = 8;
 elasticity::ElasticProblem<2> problem(const PartJob& job,
                                       const mesh::PartMesh<2>& plate,
                                       const LoadSet& set) {
-  return {plate, job.part.material, set.history, set.fixed, job.part.name};
+  return {.mesh = plate,
+          .material = job.part.material,
+          .history = set.history,
+          .fixed = set.fixed,
+          .name = job.part.name,
+          .max_dofs = job.max_dofs};
 }
 
 /// Peak of each instant of a set; away from singular zones, where there are

@@ -26,7 +26,8 @@ elasticity::DisplacementBasis<3> solve(
     const mesh::Revolution& solid, const elasticity::ElasticProblem<3>& problem,
     int degree, Progress& progress) {
   auto solution = elasticity::solve_revolution(
-      {solid, problem.material, problem.history, problem.fixed, problem.name},
+      {solid, problem.material, problem.history, problem.fixed, problem.name,
+       problem.max_dofs},
       degree);
   if (progress.degree != degree) progress = {degree, 0, 0.0};
   progress.harmonics = std::max(progress.harmonics, solution.terms);

@@ -152,6 +152,8 @@ void take(const PartJob& job, const BucklingModel& model, int degree,
           std::optional<double> before, std::vector<Candidate>& candidates,
           BucklingCheck& check) {
   const PartSpace space = model.discretize(degree);
+  elasticity::require_dofs(space.whole.dofs(), job.max_dofs,
+                           "part " + job.part.name);
   const Found found = lowest(job, space, candidates);
   check.result.label = found.label;
   check.result.instant = found.instant;
@@ -168,10 +170,11 @@ void take(const PartJob& job, const BucklingModel& model, int degree,
 }
 
 /// Whether a part without this can be told of all the same: its supports hold
-/// it in its plane only, its cells fold with a low degree, memory.
+/// it in its plane only, its cells fold with a low degree, memory, --max-dofs.
 bool is_bearable(const Error& error) {
   return error.code() == "F001" || error.code() == "F002" ||
-         error.code() == "F004" || error.code() == "M005";
+         error.code() == "F004" || error.code() == "F007" ||
+         error.code() == "M005";
 }
 
 /// Longest edge over smallest height of a tetrahedron [1]; regular: 1.22.

@@ -18,7 +18,8 @@ struct BucklingCheck {
 /// limit lies outside the band. Plates by terms through their thickness, else
 /// the mesh as it is. What cannot be computed (supports that hold a plate in
 /// its plane only, memory) is left out, and the remark says why.
-/// @throws Error of elasticity::lowest_buckling but F001, F002, F004, M005.
+/// @throws Error of elasticity::lowest_buckling but F001, F002, F004, F007,
+/// M005.
 BucklingCheck check_buckling(const PartJob& job);
 
 }  // namespace clevis::assessment

@@ -129,6 +129,7 @@ DisplacementBasis<3> solve_layered(const ElasticProblem<2>& problem, int degree,
   const std::string place = "part " + problem.name;
   const double density = problem.material.density;
   auto plane = discretize(problem.mesh, degree);
+  require_dofs(6.0 * terms * plane.nodes, problem.max_dofs, place);
   std::vector<int> place_of_node;
   const Dissection dissection = dissect_and_renumber(plane, place_of_node);
   DisplacementBasis<3> result;

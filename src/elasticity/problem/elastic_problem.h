@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "elasticity/problem/dof_limit.h"
 #include "elasticity/problem/engine.h"
 #include "loads/history/load_history.h"
 #include "mesh/cells/part_mesh.h"
@@ -35,6 +36,7 @@ struct ElasticProblem {
   Engine engine = Engine::kAuto;  ///< of plane stress and 3-D
   /// Every rank of this MPI run has this problem and calls solve() with it.
   bool is_shared = false;
+  DofLimit max_dofs = std::nullopt;  ///< asked for
 };
 
 }  // namespace clevis::elasticity

@@ -309,6 +309,7 @@ RevolutionSolution solve_revolution(const RevolutionProblem& problem,
     }
     return held;
   });
+  require_dofs(system.equations(), problem.max_dofs, place);
   const LoadBasis loads = system.compressed(kCompressionTolerance);
   basis.checks.compression = loads.compression_error;
   basis.coefficients = loads.coefficients;

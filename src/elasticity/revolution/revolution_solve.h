@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/problem/displacement_basis.h"
+#include "elasticity/problem/dof_limit.h"
 #include "loads/history/load_history.h"
 #include "mesh/derived/revolution.h"
 #include "part/material.h"
@@ -22,6 +23,7 @@ struct RevolutionProblem {
   /// Components of L held at zero; empty: a free part in balance.
   part::Supports fixed;
   std::string name;  ///< of the part, for messages
+  DofLimit max_dofs = std::nullopt;
 };
 
 struct RevolutionSolution {
@@ -45,7 +47,8 @@ bool supports_fit(const mesh::Revolution& solid, const part::Supports& fixed);
 /// One factorisation for each order that something loads.
 /// @param degree  of the displacement in the meridian, 1…4.
 /// @pre supports_fit.
-/// @throws Error F002, F003 if a self-check is breached, M003, M005, L002.
+/// @throws Error F002, F003 if a self-check is breached, F007, M003, M005,
+/// L002.
 RevolutionSolution solve_revolution(const RevolutionProblem& problem,
                                     int degree);
 

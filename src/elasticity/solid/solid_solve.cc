@@ -250,6 +250,7 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
   DisplacementBasis<dim> result;
   result.discretization = discretize(problem.mesh, degree);
   const auto& whole = result.discretization;
+  require_dofs(whole.dofs(), problem.max_dofs, place);
   const auto positions = node_positions(whole);
   std::vector<int> fixed;
   if (!is_free) {

@@ -62,6 +62,7 @@ VibratingPart<dim> vibrating_part(const ElasticProblem<dim>& problem,
   const std::string place = "part " + problem.name;
   VibratingPart<dim> part;
   part.discretization = discretize(problem.mesh, degree);
+  require_dofs(part.discretization.dofs(), problem.max_dofs, place);
   const auto positions = node_positions(part.discretization);
   std::vector<int> held;
   const FoundationStiffness<dim> bed(part.discretization, problem.foundations,

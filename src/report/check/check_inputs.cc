@@ -19,13 +19,15 @@ ordered_json table_json(
 ordered_json inputs_json(const CheckInputs& inputs) {
   ordered_json tolerance;  // null: the scene's
   if (inputs.tolerance) tolerance = *inputs.tolerance;
-  return {{"set", table_json(inputs.settings)},
-          {"scene", inputs.scene},
-          {"tolerance", tolerance},
-          {"model", inputs.model},
-          {"engine", inputs.engine},
-          {"parts", inputs.parts},
-          {"meshes", table_json(inputs.meshes)}};
+  ordered_json json{{"set", table_json(inputs.settings)},
+                    {"scene", inputs.scene},
+                    {"tolerance", tolerance},
+                    {"model", inputs.model},
+                    {"engine", inputs.engine},
+                    {"parts", inputs.parts},
+                    {"meshes", table_json(inputs.meshes)}};
+  if (inputs.max_dofs) json["max_dofs"] = *inputs.max_dofs;
+  return json;
 }
 
 }  // namespace clevis::report

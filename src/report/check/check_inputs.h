@@ -16,10 +16,11 @@ struct CheckInputs {
   /// Path and value of each --set, in the order given.
   std::vector<std::pair<std::string, std::string>> settings;
   std::string scene;  ///< fingerprint of what the scene says with them
-  std::optional<double> tolerance;  ///< --tolerance [1]; none: the scene's
-  std::string model;                ///< --model
-  std::string engine;               ///< --engine
-  std::vector<std::string> parts;   ///< --part; empty: all
+  std::optional<double> tolerance;   ///< --tolerance [1]; none: the scene's
+  std::string model;                 ///< --model
+  std::string engine;                ///< --engine
+  std::optional<int> max_dofs = {};  ///< --max-dofs; none: what memory holds
+  std::vector<std::string> parts;    ///< --part; empty: all
   /// Part and fingerprint of its mesh, in the order of the scene.
   std::vector<std::pair<std::string, std::string>> meshes;
 

@@ -8,7 +8,7 @@
 
 #include "base/base64.h"
 #include "report/picture/raster.h"
-#include "report/text/markup.h"
+#include "report/picture/svg_parts.h"
 
 namespace clevis::report {
 namespace {
@@ -17,36 +17,6 @@ namespace {
 constexpr double kWidth = 1000, kDrawn = 860, kTop = 62, kHighest = 620;
 constexpr double kLeast = 190;  // height that the legend needs
 constexpr double kBottom = 46, kLegendLeft = 878, kLegendWidth = 16;
-
-std::string shown_text(const std::string& text) {
-  std::string plain = text;
-  std::ranges::replace_if(
-      plain,
-      [](char c) {
-        return static_cast<unsigned char>(c) < 0x20;
-      },
-      ' ');
-  return escape_markup(plain);
-}
-
-std::string text(const Eigen::Vector2d& at, const char* attributes,
-                 const std::string& content) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", at.x(),
-                     at.y(), attributes, shown_text(content));
-}
-
-std::string line(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-  return fmt::format(
-      "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#000\"/>\n", from.x(),
-      from.y(), to.x(), to.y());
-}
-
-/// 1, 2 or 5 times a power of ten, at most `value`.
-double round_below(double value) {
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  const double share = value / decade;
-  return decade * (share >= 5.0 ? 5.0 : share >= 2.0 ? 2.0 : 1.0);
-}
 
 /// Colours from 0 to the largest stress with numbers, and the band of the peak.
 std::string legend(double largest, const std::optional<PeakMark>& mark,
@@ -74,10 +44,10 @@ std::string legend(double largest, const std::optional<PeakMark>& mark,
   if (high > 0.0) {
     const double step = round_below(high / 4.0);
     for (int k = 0; k * step <= high * (1.0 + 1e-9); ++k) {
-      out += line({kLegendLeft + kLegendWidth, y(k * step)},
-                  {kLegendLeft + kLegendWidth + 4.0, y(k * step)}) +
-             text({kLegendLeft + kLegendWidth + 24.0, y(k * step) + 4.0}, "",
-                  fmt::format("{:.6g}", k * step));
+      out += svg_line({kLegendLeft + kLegendWidth, y(k * step)},
+                      {kLegendLeft + kLegendWidth + 4.0, y(k * step)}) +
+             svg_text({kLegendLeft + kLegendWidth + 24.0, y(k * step) + 4.0},
+                      "", fmt::format("{:.6g}", k * step));
     }
   }
   if (mark && mark->has_band) {
@@ -88,8 +58,8 @@ std::string legend(double largest, const std::optional<PeakMark>& mark,
         "</rect>\n",
         kLegendLeft + kLegendWidth + 7.0, to, std::max(1.0, from - to));
   }
-  return out + text({kWidth - 8.0, kTop - 2.0}, "text-anchor=\"end\"",
-                    "von Mises, MPa");
+  return out + svg_text({kWidth - 8.0, kTop - 2.0}, "text-anchor=\"end\"",
+                        "von Mises, MPa");
 }
 
 /// Where the peak stands, and how large it is.
@@ -104,39 +74,14 @@ std::string marked(const PeakMark& mark, const Eigen::Vector2d& at,
              "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"8\" fill=\"none\" "
              "stroke=\"#000\" stroke-width=\"2\"{2}/>\n",
              at.x(), at.y(), is_seen ? "" : " stroke-dasharray=\"3 3\"") +
-         text({x, y},
-              is_left ? "font-weight=\"bold\" paint-order=\"stroke\" "
-                        "stroke=\"#fff\" stroke-width=\"4\""
-                      : "font-weight=\"bold\" paint-order=\"stroke\" "
-                        "stroke=\"#fff\" stroke-width=\"4\" "
-                        "text-anchor=\"end\"",
-              fmt::format("{:.4g} MPa{}", mark.value,
-                          is_seen ? "" : " (hidden)"));
-}
-
-/// The directions of the axes, and how long some round length is.
-std::string axes(const Placement& placement, double bottom) {
-  constexpr double kLength = 18.0, kLongest = 160.0;
-  const Eigen::Vector2d origin(34.0, bottom - 4.0);
-  std::string out;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::Vector3d seen = placement.sight.col(axis);
-    const Eigen::Vector2d arm(seen.x(), -seen.y());
-    if (arm.norm() < 0.2) continue;
-    out += line(origin, origin + kLength * arm) +
-           text(origin + (kLength + 8.0) * arm + Eigen::Vector2d(-3.0, 4.0), "",
-                std::string(1, "xyz"[axis]));
-  }
-  const double millimetres = round_below(kLongest / placement.scale);
-  const Eigen::Vector2d from(90.0, bottom + 4.0);
-  const Eigen::Vector2d to =
-      from + Eigen::Vector2d(millimetres * placement.scale, 0.0);
-  for (const auto& end : {from, to}) {
-    out += line(end - Eigen::Vector2d(0, 4), end + Eigen::Vector2d(0, 4));
-  }
-  return out + line(from, to) +
-         text(to + Eigen::Vector2d(8.0, 4.0), "",
-              fmt::format("{:g} mm", millimetres));
+         svg_text({x, y},
+                  is_left ? "font-weight=\"bold\" paint-order=\"stroke\" "
+                            "stroke=\"#fff\" stroke-width=\"4\""
+                          : "font-weight=\"bold\" paint-order=\"stroke\" "
+                            "stroke=\"#fff\" stroke-width=\"4\" "
+                            "text-anchor=\"end\"",
+                  fmt::format("{:.4g} MPa{}", mark.value,
+                              is_seen ? "" : " (hidden)"));
 }
 
 Eigen::MatrixX3d all_points(const Picture& picture) {
@@ -191,12 +136,13 @@ std::string svg_of(const Picture& picture) {
       "<rect width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"#fff\"/>\n"
       "<image x=\"0\" y=\"{3:.1f}\" width=\"{4:.0f}\" height=\"{5:.0f}\" "
       "xlink:href=\"data:image/png;base64,{6}\"/>\n",
-      kWidth, bottom + kBottom, shown_text(picture.title), top, kDrawn,
+      kWidth, bottom + kBottom, svg_content(picture.title), top, kDrawn,
       std::ceil(needed), base64(std::as_bytes(std::span(png))));
-  out +=
-      text({16, 26}, "font-size=\"18\" font-weight=\"bold\"", picture.title) +
-      text({16, 47}, "", picture.detail) +
-      legend(largest, picture.mark, height) + axes(placement, bottom + 26.0);
+  out += svg_text({16, 26}, "font-size=\"18\" font-weight=\"bold\"",
+                  picture.title) +
+         svg_text({16, 47}, "", picture.detail) +
+         legend(largest, picture.mark, height) +
+         svg_axes(placement, bottom + 26.0);
   if (picture.mark) {
     const auto& surfaces = picture.layers.back();
     const bool seen = std::ranges::all_of(surfaces, [&](const Surface& s) {

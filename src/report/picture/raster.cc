@@ -124,6 +124,7 @@ Raster::Raster(int width, int height)
       depth_(
           static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_),
           kNothing),
+      front_(depth_.size(), -1),
       pixels_(3 * depth_.size(), 255) {}
 
 void Raster::begin_layer() {
@@ -141,7 +142,8 @@ void Raster::draw(const Surface& surface, const Placement& placement,
     const Eigen::Vector2d at = kFiner * placement.at(place);
     const double z =
         kFiner * placement.scale * placement.sight.row(2).dot(place);
-    corners.push_back({at.x(), at.y(), z, surface.stress[p]});
+    corners.push_back(
+        {at.x(), at.y(), z, surface.colour ? 0.0 : surface.stress[p]});
   }
   const auto corner = [&corners](int point) -> const Corner& {
     return corners[static_cast<std::size_t>(point)];
@@ -153,19 +155,24 @@ void Raster::draw(const Surface& surface, const Placement& placement,
             .cross(Eigen::Vector3d(r.x - p.x, r.y - p.y, r.z - p.z));
     const double facing =
         normal.norm() > 0.0 ? std::abs(normal.z()) / normal.norm() : 1.0;
-    fill(p, q, r, kDarkest + (1.0 - kDarkest) * facing, largest);
+    fill(p, q, r, kDarkest + (1.0 - kDarkest) * facing, largest,
+         surface.colour ? &*surface.colour : nullptr);
   }
+  ++drawn_;
   const auto edges = mesh_edges(surface);
   double length = 0.0;
   for (const auto& [a, b] : edges) {
     length += std::hypot(corner(a).x - corner(b).x, corner(a).y - corner(b).y);
   }
-  if (length < kFiner * kCrowded * static_cast<double>(edges.size())) return;
+  if (!surface.colour &&
+      length < kFiner * kCrowded * static_cast<double>(edges.size())) {
+    return;
+  }
   for (const auto& [a, b] : edges) line(corner(a), corner(b), 2.0 * kFiner);
 }
 
 void Raster::fill(const Corner& a, const Corner& b, const Corner& c,
-                  double light, double largest) {
+                  double light, double largest, const Colour* plain) {
   const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
   if (area == 0.0) return;
   const auto first = [](double low) {
@@ -191,9 +198,12 @@ void Raster::fill(const Corner& a, const Corner& b, const Corner& c,
           static_cast<float>(a.z + q * (b.z - a.z) + r * (c.z - a.z));
       if (z <= depth_[at]) continue;
       depth_[at] = z;
+      front_[at] = drawn_;
       const double stress =
           a.stress + q * (b.stress - a.stress) + r * (c.stress - a.stress);
-      const Colour& colour = shade(largest > 0.0 ? stress / largest : 0.0);
+      const Colour& colour =
+          plain != nullptr ? *plain
+                           : shade(largest > 0.0 ? stress / largest : 0.0);
       for (std::size_t k = 0; k < 3; ++k) {
         pixels_[3 * at + k] = static_cast<std::uint8_t>(light * colour[k]);
       }
@@ -220,7 +230,13 @@ void Raster::line(const Corner& a, const Corner& b, double bias) {
   }
 }
 
-std::string Raster::png() const {
+int Raster::front(int x, int y) const {
+  return front_[static_cast<std::size_t>(kFiner * y) *
+                    static_cast<std::size_t>(width_) +
+                static_cast<std::size_t>(kFiner * x)];
+}
+
+std::vector<std::uint8_t> Raster::rgb() const {
   const int width = width_ / kFiner, height = height_ / kFiner;
   std::vector<std::uint8_t> coarse;
   coarse.reserve(pixels_.size() / (kFiner * kFiner));
@@ -236,7 +252,11 @@ std::string Raster::png() const {
       }
     }
   }
-  return png_of(coarse, width, height);
+  return coarse;
+}
+
+std::string Raster::png() const {
+  return png_of(rgb(), width_ / kFiner, height_ / kFiner);
 }
 
 }  // namespace clevis::report

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -43,6 +44,13 @@ class Raster {
   /// What is drawn from now on stands before all that was.
   void begin_layer();
 
+  /// Which of the surfaces drawn, counted from 0, is in front at a pixel; -1:
+  /// none.
+  int front(int x, int y) const;
+
+  /// Three bytes a pixel, row by row from the top.
+  std::vector<std::uint8_t> rgb() const;
+
   /// The picture as PNG.
   std::string png() const;
 
@@ -50,12 +58,15 @@ class Raster {
   struct Corner {
     double x{}, y{}, z{}, stress{};
   };
+  /// @param colour  in the place of the stress; null: none.
   void fill(const Corner& a, const Corner& b, const Corner& c, double light,
-            double largest);
+            double largest, const std::array<std::uint8_t, 3>* colour);
   void line(const Corner& a, const Corner& b, double bias);
 
   int width_, height_;  ///< of the finer grid
   std::vector<float> depth_;
+  std::vector<int> front_;            ///< surface at each pixel of it, -1: none
+  int drawn_ = 0;                     ///< surfaces
   std::vector<std::uint8_t> pixels_;  ///< RGB of the finer grid
 };
 

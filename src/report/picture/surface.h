@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,9 +14,11 @@ namespace clevis::report {
 struct Surface {
   Eigen::MatrixX3d points;  ///< [mm]
   std::vector<std::array<int, 3>> triangles;
-  std::vector<int>
-      cell_triangles;      ///< how many of each cell, one after another
+  /// How many triangles of each cell, one after another.
+  std::vector<int> cell_triangles;
   Eigen::VectorXd stress;  ///< von Mises, at the points [MPa]
+  /// Red, green, blue in the place of the stress, with every edge.
+  std::optional<std::array<std::uint8_t, 3>> colour = {};
 };
 
 /// From where something is seen, in parallel projection: rows to the right, up

@@ -69,7 +69,7 @@ void read_length_unit_of(StrictTable& table, part::GeometryFormat format,
 
 /// What only a solid of a CAD system takes. @throws Error S010.
 void read_solid(StrictTable& table, bool is_solid, part::SolidSource& solid) {
-  for (const std::string_view key : {"faces", "mesh_size"}) {
+  for (const std::string_view key : {"faces", "mesh_size", "sweep"}) {
     if (is_solid || !table.has(key)) continue;
     throw table[key].refusal(
         "S010", "is for a solid, but `geometry` is no STEP, IGES or BREP file",
@@ -80,6 +80,9 @@ void read_solid(StrictTable& table, bool is_solid, part::SolidSource& solid) {
   }
   if (const auto size = table.find("mesh_size")) {
     solid.mesh_size = size->positive(Dimension::kLength);
+  }
+  if (const auto sweep = table.find("sweep")) {
+    solid.sweep = sweep->choice<bool>({{"auto", true}, {"never", false}});
   }
 }
 

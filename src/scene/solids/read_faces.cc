@@ -33,19 +33,19 @@ part::PlaneSelector read_plane(StrictTable table) {
 
 part::FaceSelector read_selector(const Value& value) {
   constexpr std::string_view kKinds[] = {"cylinder", "plane", "nearest",
-                                         "all_of"};
+                                         "label", "all_of"};
   StrictTable table(value, "part.faces");
   std::vector<std::string_view> given;
   for (const std::string_view kind : kKinds) {
     if (table.has(kind)) given.push_back(kind);
   }
   if (given.size() != 1) {
-    throw value.refusal(
-        given.empty() ? "S003" : "S010",
-        given.empty() ? "says not which faces are meant"
-                      : "has several selectors",
-        "Give one of cylinder, plane, nearest and all_of; the last takes a "
-        "list of the others.");
+    throw value.refusal(given.empty() ? "S003" : "S010",
+                        given.empty() ? "says not which faces are meant"
+                                      : "has several selectors",
+                        "Give one of cylinder, plane, nearest, label and "
+                        "all_of; the last takes a "
+                        "list of the others.");
   }
   part::FaceSelector selector{{}, value.place()};
   if (given.front() == "cylinder") {
@@ -55,6 +55,8 @@ part::FaceSelector read_selector(const Value& value) {
   } else if (given.front() == "nearest") {
     selector.what =
         part::NearestSelector{table["nearest"].vector(Dimension::kLength)};
+  } else if (given.front() == "label") {
+    selector.what = part::LabelSelector{table["label"].text()};
   } else {
     std::vector<part::FaceSelector> all;
     for (const Value& one : table["all_of"].elements()) {

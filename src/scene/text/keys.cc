@@ -193,8 +193,10 @@ constexpr Key kSimulation[] = {"duration", "instants",   "tolerance",
 constexpr Key kPart[] = {"name",        "geometry",  "parameters", "mesh",
                          "length_unit", "thickness", "material",   "pins",
                          "drives",      "forces",    "limits",     "damping",
-                         "case",        "history",   "faces",      "mesh_size"};
-constexpr Key kPartFaces[] = {"cylinder", "plane", "nearest", "all_of"};
+                         "case",        "history",   "faces",      "mesh_size",
+                         "sweep"};
+constexpr Key kPartFaces[] = {"cylinder", "plane", "nearest", "label",
+                              "all_of"};
 constexpr Key kCylinder[] = {"diameter", "near", "axis"};
 constexpr Key kPlane[] = {"normal", "through"};
 constexpr Key kPartPins[] = {"group", "groups", "length", "width", "offset"};

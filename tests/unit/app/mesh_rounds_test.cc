@@ -136,6 +136,22 @@ TEST(MeshRounds, KeepTheMeshWhereNoFinerOneCanBeMade) {
             std::vector<std::string>{"not meshed finer: gmsh says no"});
 }
 
+TEST(MeshRounds, KeepTheMeshWhereAFinerOneHasTooManyUnknowns) {
+  std::vector<bool> may_be_finer;
+  const CheckedPart checked = check_in_rounds(
+      part_of(1000), 2,
+      [&](const PartJob& job) {
+        may_be_finer.push_back(job.may_be_meshed_finer);
+        return open_by(0.05, PeakVerdict::kNotConverged);
+      },
+      [](const cad::Refinement&) -> PartJob {
+        throw Error("F007", "part bar", "9 degrees of freedom", "Give more.");
+      });
+  EXPECT_EQ(may_be_finer, (std::vector{true, false}));
+  EXPECT_EQ(checked.assessment.result.notes,
+            std::vector<std::string>{"not meshed finer: 9 degrees of freedom"});
+}
+
 TEST(FinerMesh, IsFinerWhereTheErrorIsLarger) {
   const Vector3d small(1.0, 0.0, 0.0), large(0.0, 2.0, 0.0);
   const auto finer =

@@ -131,6 +131,75 @@ TEST(PartCheck, StrainEnergyOfACantileverIsBeamTheorys) {
               kClamp * bending);
 }
 
+/// The bar of 6 × 2 × 1 cells, clamped at x0 and bent at x1.
+PartJob bent_bar(ModelKind model, int max_dofs) {
+  PartJob job = pulled_bar();
+  job.tolerance = 1e-5;
+  job.model = model;
+  job.max_dofs = max_dofs;
+  LoadSet& set = job.load_sets[0];
+  set.fixed = {{"x0", {true, true, true}}};
+  auto& loads = set.history.instants[0].surface_loads;
+  loads.erase(loads.begin());
+  loads[0].traction = Vector3d(0.0, 5e6, 0.0);
+  loads[0].resultant.force = 0.01 * 0.004 * loads[0].traction;
+  loads[0].resultant.moment =
+      Vector3d(0.06, 0.005, 0.002).cross(loads[0].resultant.force);
+  return job;
+}
+
+TEST(PartCheck, DegreesBeyondMaxDofsAreLeftOutAndTold) {
+  // 19 × 7 × 4 nodes of degree 3.
+  const PartResult result =
+      check_part(bent_bar(ModelKind::kSolid, 1595)).result;
+  EXPECT_EQ(result.model, "3-D, p = 2");
+  EXPECT_EQ(result.dofs, 3 * 13 * 5 * 3);
+  EXPECT_EQ(result.verdict, part::Verdict::kNotJudged);
+  EXPECT_TRUE(result.stopped_because.starts_with(
+      "degree 3 left out, 1596 degrees of freedom, --max-dofs allows 1595: "))
+      << result.stopped_because;
+  EXPECT_EQ(check_part(bent_bar(ModelKind::kSolid, 1596)).result.dofs, 1596);
+}
+
+// The first degrees are solved for the governing instants only; what is told
+// is of all.
+TEST(PartCheck, MaxDofsEndAPlatesDegreesWithAllInstants) {
+  constexpr int kTerms = 2;
+  PartJob job = ramped(pulled_bar(), 20);
+  job.model = ModelKind::kLayered;
+  job.tolerance = 1e-12;  // of an even stress: below its round-off
+  job.max_dofs = 6 * kTerms * 25 * 9 - 1;
+  const PartAssessment found = check_part(job);
+  EXPECT_EQ(found.result.dofs, 6 * kTerms * 19 * 7);
+  EXPECT_TRUE(found.result.stopped_because.starts_with("degree 4 left out, "))
+      << found.result.stopped_because;
+  EXPECT_EQ(found.fields.history.size(), 21U);
+  EXPECT_EQ(found.result.peak.label, "t = 2.000000 s");
+}
+
+// What tells the error of plane stress has more unknowns than 3-D of degree 2.
+TEST(PartCheck, ModelsBeyondMaxDofsAreLeftOutAndTold) {
+  PartJob job = bent_bar(ModelKind::kSolid, 13 * 5 * 3 * 3);
+  job.load_sets[0].fixed.clear();
+  job.load_sets[0].history = pulled_bar().load_sets[0].history;
+  job.model.reset();
+  const PartResult result = check_part(job).result;
+  EXPECT_EQ(result.model, "3-D, p = 2");
+  EXPECT_NE(result.stopped_because.find("; plane stress left out, "),
+            std::string::npos)
+      << result.stopped_because;
+}
+
+TEST(PartCheck, NoDegreeWithinMaxDofsIsRefused) {
+  try {
+    check_part(bent_bar(ModelKind::kSolid, 125));  // degree 1: 7 × 3 × 2 nodes
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), "F007");
+    EXPECT_EQ(error.problem(), "126 degrees of freedom, --max-dofs allows 125");
+  }
+}
+
 // Clamped at x0 and bent at x1: beam theory's section is the held one.
 TEST(PartCheck, HeldSectionIsBeamTheorys) {
   PartJob job = pulled_bar();

@@ -1,5 +1,7 @@
 #include "cad/exchange.h"
 
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
@@ -14,15 +16,18 @@ TEST(Exchange, BringsARequestAcross) {
   request.format = part::GeometryFormat::kIges;
   request.length_unit = 0.0254;
   request.points = {{0.1, 1.0 / 3.0, -2e-9}};
+  request.facets = true;
   request.mesh = "/tmp/part.msh";
   request.groups = {{"bore_A", {3, 4}}, {"foot", {1}}};
   request.mesh_size = 0.004;
+  request.plate = {3, 7, 0.008};
   request.finer = {1.5, {{{0.1, 0.2, 0.3}, 2.5}}};
   const Request read = read_request(text_of(request));
   EXPECT_EQ(read.file, request.file);
   EXPECT_EQ(read.format, request.format);
   EXPECT_EQ(read.length_unit, request.length_unit);
   EXPECT_EQ(read.points, request.points);
+  EXPECT_TRUE(read.facets);
   EXPECT_EQ(read.mesh, request.mesh);
   EXPECT_EQ(read.groups, request.groups);
   EXPECT_EQ(read.mesh_size, request.mesh_size);
@@ -30,8 +35,14 @@ TEST(Exchange, BringsARequestAcross) {
   ASSERT_EQ(read.finer.at.size(), 1U);
   EXPECT_EQ(read.finer.at[0].at, request.finer.at[0].at);
   EXPECT_EQ(read.finer.at[0].times, request.finer.at[0].times);
+  ASSERT_TRUE(read.plate);
+  EXPECT_EQ(read.plate->bottom, 3);
+  EXPECT_EQ(read.plate->top, 7);
+  EXPECT_EQ(read.plate->thickness, 0.008);
   request.mesh_size.reset();
+  request.plate.reset();
   EXPECT_FALSE(read_request(text_of(request)).mesh_size);
+  EXPECT_FALSE(read_request(text_of(request)).plate);
 }
 
 TEST(Exchange, BringsASolidAcross) {
@@ -41,6 +52,8 @@ TEST(Exchange, BringsASolidAcross) {
   solid.volume = 7e-5;
   solid.distances = {{0.25, 0.5}};
   solid.faces[0].neighbours = {2};
+  solid.faces[1].label = "TOP \"1\"";
+  solid.facets = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}}, {{0, 1, 2}}}, {}};
   const Solid read = read_answer(answer(solid));
   EXPECT_EQ(read.unit, "INCH");
   EXPECT_EQ(read.volume, solid.volume);
@@ -53,6 +66,14 @@ TEST(Exchange, BringsASolidAcross) {
   EXPECT_EQ(read.faces[0].low, -0.01);
   EXPECT_EQ(read.faces[0].neighbours, std::vector<int>{2});
   EXPECT_EQ(read.faces[1].normal, solid.faces[1].normal);
+  EXPECT_EQ(read.faces[0].label, "");
+  EXPECT_EQ(read.faces[1].label, "TOP \"1\"");
+  ASSERT_EQ(read.facets.size(), 2U);
+  EXPECT_EQ(read.facets[0].points, solid.facets[0].points);
+  EXPECT_EQ(read.facets[0].triangles, solid.facets[0].triangles);
+  // A corner that is no point would be read beyond the points.
+  solid.facets[0].triangles = {{0, 1, 3}};
+  EXPECT_THROW(read_answer(answer(solid)), std::runtime_error);
 }
 
 TEST(Exchange, BringsARefusalAcross) {

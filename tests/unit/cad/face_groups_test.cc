@@ -103,6 +103,32 @@ TEST(FaceGroups, TakeTheNearestFaceAndAllOfSeveral) {
             (Numbers{3, 6}));
 }
 
+TEST(FaceGroups, TakeTheFaceOfALabelAndListOthers) {
+  Solid named = block();
+  named.faces[2].label = "PIN";
+  named.faces[3].label = named.faces[4].label = "TOP";
+  const auto take = [&named](const char* label) {
+    return select_faces(named, {}, {part::LabelSelector{label}, "here"});
+  };
+  const auto problem = [&take](const char* label) {
+    try {
+      take(label);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), "M017");
+      return error.problem();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(take("PIN"), Numbers{3});
+  EXPECT_EQ(problem("TOP"), "the faces 4 5 bear the label \"TOP\"");
+  EXPECT_EQ(problem("pin"),
+            "no face bears the label \"pin\"; there are \"PIN\" of face 3, "
+            "\"TOP\" of face 4, \"TOP\" of face 5");
+  named = block();
+  EXPECT_EQ(problem("PIN"),
+            "no face of the part bears a label; those of STEP files may");
+}
+
 TEST(FaceGroups, KeepAFaceToOneGroup) {
   part::SolidSource source;
   source.faces = {{"a", cylinder(0.012)}, {"b", cylinder(0.012)}};

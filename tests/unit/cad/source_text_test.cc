@@ -20,6 +20,9 @@ TEST(SourceText, TellsWhatMakesAnotherMesh) {
   other.mesh_size = 0.004;
   add(other);
   other = source;
+  other.sweep = false;
+  add(other);
+  other = source;
   other.length_unit = 0.0254;
   add(other);
   other = source;
@@ -31,6 +34,8 @@ TEST(SourceText, TellsWhatMakesAnotherMesh) {
   other.faces[0].selector.what = part::NearestSelector{{0, 0, 0}};
   add(other);
   other.faces[0].selector.what = part::PlaneSelector{{0, 0, 1}, {}};
+  add(other);
+  other.faces[0].selector.what = part::LabelSelector{"PIN"};
   add(other);
   other.faces[0].selector.what = std::vector{source.faces[0].selector};
   add(other);
