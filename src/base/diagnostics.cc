@@ -223,7 +223,8 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"M010", kMeshInvalid, "mesher failed",
      "gmsh or OpenCASCADE could not read or mesh the geometry, or took too "
      "much "
-     "time or memory; the message says which."},
+     "time (gmsh and the mesher of CAD files get 120 s by the clock) or "
+     "memory; the message says which."},
     {"M011", kMeshInvalid, "mesh is out of date",
      "The mesh was made from another version of the geometry, or with other "
      "parameters. Run `clevis mesh SCENE`, with the same --set, or `clevis "

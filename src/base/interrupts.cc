@@ -1,7 +1,6 @@
 #include "base/interrupts.h"
 
 #include <atomic>
-#include <csignal>
 
 #include <unistd.h>
 
@@ -34,10 +33,19 @@ void set_handler(int signal, void (*handler)(int)) {
 
 }  // namespace
 
+sigset_t interrupt_set() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : kInterrupts) sigaddset(&signals, signal);
+  return signals;
+}
+
 void end_on_interrupts() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    set_handler(signal, end_or_note);
-  }
+  for (const int signal : kInterrupts) set_handler(signal, end_or_note);
+}
+
+void take_interrupts_as_they_come() {
+  for (const int signal : kInterrupts) set_handler(signal, SIG_DFL);
 }
 
 void end_on_parents_signal() {

@@ -1,13 +1,26 @@
 #pragma once
 
+#include <array>
+#include <csignal>
+
 namespace clevis {
 
-/// Makes SIGINT, SIGTERM and SIGHUP end this process with exit code 130, at
+/// The signals by which a user, a terminal or a system ends a program.
+inline constexpr std::array kInterrupts = {SIGINT, SIGTERM, SIGHUP};
+
+/// The same as a set.
+sigset_t interrupt_set();
+
+/// Makes each of kInterrupts end this process with exit code 130, at
 /// once or when the last DeferredInterrupt has ended. One that the process
 /// ignores already (nohup) stays so. What is noted and deferred belongs to the
 /// executable or the library that links this: a library that was loaded calls
 /// it again.
 void end_on_interrupts();
+
+/// Undoes end_on_interrupts() in a process that was forked: they end it at
+/// once, by the signal. One that the process ignores stays so.
+void take_interrupts_as_they_come();
 
 /// For a process that was forked: forgets what its parent noted and deferred,
 /// and leaves the terminal's Ctrl-C to the parent.

@@ -82,6 +82,7 @@ class MujocoMechanism {
     mj_resetData(model_.get(), data_.get());
     std::copy(q_.begin(), q_.end(), data_->qpos);
     std::copy(u_.begin(), u_.end(), data_->qvel);
+    apply();
   }
 
   /// Every value at the present state, with reactions.
@@ -104,6 +105,8 @@ class MujocoMechanism {
 
  protected:
   virtual void look(Sample& sample) const = 0;
+  /// Loads that stay through a motion.
+  virtual void apply() const {}
 
   /// Origin and axes of a body, 1 the first.
   Eigen::Vector3d origin(int body) const {

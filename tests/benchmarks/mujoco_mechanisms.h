@@ -9,6 +9,8 @@
 
 #include "benchmarks/mujoco_mechanism.h"
 #include "benchmarks/reference_trajectories.h"
+#include "support/bricard_equations.h"
+#include "support/governor_equations.h"
 
 /// The mechanisms of work_precision.cc in MuJoCo: trees of joints, the loops
 /// closed by its `connect` constraints, which are soft.

@@ -11,9 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/mujoco_linkage.h"
 #include "benchmarks/mujoco_mechanisms.h"
 #include "benchmarks/precision_row.h"
 #include "benchmarks/reference_trajectories.h"
+#include "support/planar_linkages.h"
 
 using namespace clevis::benchmarks;
 
@@ -60,24 +62,26 @@ std::vector<Sample> run(const MujocoMechanism& mechanism, const Course& course,
   return samples;
 }
 
-void measure(const MujocoMechanism& mechanism, const Course& course,
-             const Method& method) {
+void measure(const Request& request, const MujocoMechanism& mechanism,
+             const Course& course, const Method& method) {
   const double between = course.duration / (course.instants - 1);
   // as many steps as take some seconds
   const long most = mechanism.model().neq > 0 ? 400000 : 1000000;
-  for (const double h : {1e-2, 1e-3, 1e-4, 1e-5}) {
+  for (const double h : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+    if (h > 0.1 * between) continue;
     const long steps_between = std::lround(between / h);
     PrecisionRow row;
     row.problem = course.name;
     row.method = method.name;
     row.setting = "h = " + power_of_ten(h) + " s";
+    if (!request.wants(row.method, row.setting)) continue;
     row.steps = steps_between * (course.instants - 1);
     row.implicit_steps = method.integrator == mjINT_IMPLICIT ? row.steps : 0;
     row.evaluations = row.steps * (method.integrator == mjINT_RK4 ? 4 : 1);
     if (row.evaluations > most) return;
     prepare(mechanism.model(), method, h);
     std::vector<Sample> samples;
-    row.seconds = least_seconds([&] {
+    row.seconds = request.seconds([&] {
       samples = run(mechanism, course, steps_between);
     });
     if (mechanism.data().warning[mjWARN_BADQACC].number > 0 ||
@@ -91,32 +95,31 @@ void measure(const MujocoMechanism& mechanism, const Course& course,
   }
 }
 
-void measure_all(const MujocoMechanism& mechanism, const Course& course) {
+template <class Mechanism, class... Values>
+void measure_all(const Request& request, const Course& course,
+                 const Values&... values) {
+  if (!request.wants(course.name)) return;
+  const Mechanism mechanism(values...);
   for (const Method& method : kMethods) {
     const bool loops = mechanism.model().neq > 0;
     if (!loops && !method.stiff) continue;  // nothing to soften
-    measure(mechanism, course, method);
+    measure(request, mechanism, course, method);
   }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  using namespace clevis::mechanism::testing;
+  const Request request(argc, argv);
   print_header();
   mju_user_warning = [](const char*) {};
-  if (wanted("pendulum", argc, argv)) {
-    measure_all(MujocoPendulum(), pendulum_course());
-  }
-  if (wanted("two_window_four_bar", argc, argv)) {
-    measure_all(MujocoFourBar(), four_bar_course());
-  }
-  if (wanted("spatial_slider_crank", argc, argv)) {
-    measure_all(MujocoSliderCrank(), slider_crank_course());
-  }
-  if (wanted("governor", argc, argv)) {
-    measure_all(MujocoGovernor(), governor_course());
-  }
-  if (wanted("bricard", argc, argv)) {
-    measure_all(MujocoBricard(), bricard_course());
-  }
+  measure_all<MujocoPendulum>(request, pendulum_course());
+  measure_all<MujocoFourBar>(request, four_bar_course());
+  measure_all<MujocoLinkage>(request, crank_rocker_course(), crank_rocker());
+  measure_all<MujocoSliderCrank>(request, slider_crank_course());
+  measure_all<MujocoGovernor>(request, governor_course());
+  measure_all<MujocoBricard>(request, bricard_course());
+  measure_all<MujocoLinkage>(request, andrews_course(), andrews());
+  measure_all<MujocoLinkage>(request, cart_pole_course(), light_cart_pole());
 }

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "benchmarks/reference_trajectories.h"
 
@@ -63,29 +64,46 @@ inline std::string power_of_ten(double value) {
   return text;
 }
 
-/// Least processor time of a run on this thread [s], of as many as take a
-/// quarter of a second, at most 20. (The clock of the process counts in ticks
-/// where its time is limited.)
-inline double least_seconds(const std::function<void()>& run) {
-  double least = 1e300, all = 0.0;
-  for (int i = 0; i < 20 && (i == 0 || all + least < 0.25); ++i) {
-    timespec a{}, b{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &a);
-    run();
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &b);
-    const double took = static_cast<double>(b.tv_sec - a.tv_sec) +
-                        1e-9 * static_cast<double>(b.tv_nsec - a.tv_nsec);
-    least = std::min(least, took);
-    all += took;
+/// What the command line asks for: `[PROBLEM]...`, of all methods and settings
+/// (all problems without a name), or with `--run PROBLEM METHOD SETTING` one
+/// motion of one setting.
+class Request {
+ public:
+  Request(int argc, char** argv) : words_(argv + 1, argv + argc) {
+    once_ = words_.size() == 4 && words_[0] == "--run";
   }
-  return least;
-}
 
-/// Whether the command line asks for a problem: by name, or for all.
-inline bool wanted(const std::string& name, int argc, char** argv) {
-  return argc == 1 || std::any_of(argv + 1, argv + argc, [&name](char* arg) {
-           return name == arg;
-         });
-}
+  bool wants(const std::string& problem) const {
+    if (once_) return words_[1] == problem;
+    return words_.empty() ||
+           std::find(words_.begin(), words_.end(), problem) != words_.end();
+  }
+  bool wants(const std::string& method, const std::string& setting) const {
+    return !once_ || (words_[2] == method && words_[3] == setting);
+  }
+
+  /// Least processor time of a run on this thread [s], of as many as take a
+  /// quarter of a second, at most 20, or of one. (The clock of the process
+  /// counts in ticks where its time is limited.)
+  double seconds(const std::function<void()>& run) const {
+    double least = 1e300, all = 0.0;
+    for (int i = 0; i < (once_ ? 1 : 20) && (i == 0 || all + least < 0.25);
+         ++i) {
+      timespec a{}, b{};
+      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &a);
+      run();
+      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &b);
+      const double took = static_cast<double>(b.tv_sec - a.tv_sec) +
+                          1e-9 * static_cast<double>(b.tv_nsec - a.tv_nsec);
+      least = std::min(least, took);
+      all += took;
+    }
+    return least;
+  }
+
+ private:
+  std::vector<std::string> words_;
+  bool once_{};
+};
 
 }  // namespace clevis::benchmarks

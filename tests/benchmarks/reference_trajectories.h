@@ -1,16 +1,17 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <functional>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
-
-#include "support/bricard_equations.h"
-#include "support/governor_equations.h"
 
 /// Motions known to many digits, and how far what a program makes of them is
 /// off: the same for every program.
@@ -31,11 +32,41 @@ struct Course {
   std::string name;
   double duration{};  ///< [s]
   int instants{};     ///< at equal distances, with start and end
-  /// Position of a point at some of the instants [m].
-  std::vector<std::pair<int, Eigen::Vector3d>> known;
   /// Force in the first pin for a position of the point [N]; empty: not known.
   std::function<double(const Eigen::Vector3d&)> pin;
+  /// Position of a point at some of the instants [m].
+  std::vector<std::pair<int, Eigen::Vector3d>> known = {};
+  /// Force in a joint at some of the instants [N].
+  std::vector<std::pair<int, double>> known_pin = {};
 };
+
+/// A row of reference_points.csv, from which every program takes what is known
+/// of its course.
+inline void add_point(Course& course, const std::string& row) {
+  std::stringstream cells(row);
+  std::string name, cell;
+  std::getline(cells, name, ',');
+  if (name != course.name) return;
+  std::array<double, 5> values{};  // t, x, y, z, pin
+  values[4] = NAN;
+  for (std::size_t k = 0; k < 5 && std::getline(cells, cell, ','); ++k) {
+    if (!cell.empty()) values[k] = std::stod(cell);
+  }
+  const auto i = static_cast<int>(
+      std::lround(values[0] / course.duration * (course.instants - 1)));
+  course.known.emplace_back(i,
+                            Eigen::Vector3d(values[1], values[2], values[3]));
+  if (!std::isnan(values[4])) course.known_pin.emplace_back(i, values[4]);
+}
+
+inline Course with_points(Course course) {
+  std::ifstream file(CLEVIS_REFERENCE_POINTS);
+  for (std::string row; std::getline(file, row);) add_point(course, row);
+  if (course.known.empty()) {
+    throw std::runtime_error("no reference of " + course.name);
+  }
+  return course;
+}
 
 /// Largest over the instants; < 0: not known.
 struct TrajectoryErrors {
@@ -49,6 +80,11 @@ inline TrajectoryErrors errors(const Course& course,
   for (const auto& [i, point] : course.known) {
     const Sample& sample = samples[static_cast<std::size_t>(i)];
     worst.position = std::max(worst.position, (sample.point - point).norm());
+  }
+  for (const auto& [i, pin] : course.known_pin) {
+    const Sample& sample = samples[static_cast<std::size_t>(i)];
+    if (sample.pin < 0.0) continue;
+    worst.reaction = std::max(worst.reaction, std::abs(sample.pin - pin));
   }
   for (const Sample& sample : samples) {
     const double change = std::abs(sample.energy - samples[0].energy);
@@ -65,15 +101,9 @@ inline TrajectoryErrors errors(const Course& course,
 
 /// Elliptic functions; tension 3 m g sin(angle below the horizontal).
 inline Course pendulum_course() {
-  return {"pendulum",
-          10.0,
-          11,
-          {{1, {0.986291751131875, -0.165010853125541, 0.0}},
-           {5, {-0.942305435043757, -0.334754338414001, 0.0}},
-           {10, {-0.275087462576117, -0.961419205099125, 0.0}}},
-          [](const Eigen::Vector3d& tip) {
-            return 3.0 * 9.81 * std::abs(tip.y());
-          }};
+  return with_points({"pendulum", 10.0, 11, [](const Eigen::Vector3d& tip) {
+                        return 3.0 * 9.81 * std::abs(tip.y());
+                      }});
 }
 
 /// Force on the first upright bar at the ground. All upright bars lean by θ:
@@ -92,47 +122,37 @@ inline double four_bar_pin(const Eigen::Vector3d& tip) {
 
 /// Converged; the first top corner.
 inline Course four_bar_course() {
-  return {"two_window_four_bar",
-          10.0,
-          11,
-          {{1, {-0.195020301949, -0.980799205662, 0.0}},
-           {5, {-0.811310461004, -0.584615545351, 0.0}},
-           {10, {0.328458111539, 0.944518538179, 0.0}}},
-          four_bar_pin};
+  return with_points({"two_window_four_bar", 10.0, 11, four_bar_pin});
 }
 
 /// Converged, nine digits; the slider.
 inline Course slider_crank_course() {
-  return {"spatial_slider_crank",
-          5.0,
-          51,
-          {{1, {0.226787189, 0.0, 0.0}},
-           {5, {0.184952630, 0.0, 0.0}},
-           {10, {0.211721661, 0.0, 0.0}},
-           {50, {0.240719574, 0.0, 0.0}}},
-          {}};
+  return with_points({"spatial_slider_crank", 5.0, 51, {}});
 }
 
-/// Depth of the sleeve every two seconds, by equations of its own.
+/// The sleeve every two seconds (GovernorEquations).
 inline Course governor_course() {
-  Course course{"governor", 10.0, 11, {}, {}};
-  mechanism::testing::GovernorEquations equations({});
-  for (int i = 2; i <= 10; i += 2) {
-    equations.advance(2.0, 400000);
-    course.known.emplace_back(i, Eigen::Vector3d(0.0, 0.0, -equations.depth()));
-  }
-  return course;
+  return with_points({"governor", 10.0, 11, {}});
 }
 
-/// Start of the fourth bar every second, by equations of its own.
+/// Start of the fourth bar every second (BricardEquations).
 inline Course bricard_course() {
-  Course course{"bricard", 10.0, 11, {}, {}};
-  mechanism::testing::BricardEquations equations;
-  for (int i = 1; i <= 10; ++i) {
-    equations.advance(1.0, 1000);
-    course.known.emplace_back(i, equations.corner());
-  }
-  return course;
+  return with_points({"bricard", 10.0, 11, {}});
+}
+
+/// Direction of the crank K1, and the force at E on K3.
+inline Course andrews_course() {
+  return with_points({"andrews", 0.03, 4, {}});
+}
+
+/// Direction of the pole, and the cart (z).
+inline Course cart_pole_course() {
+  return with_points({"light_cart_pole", 10.0, 11, {}});
+}
+
+/// Direction of the crank every second (CrankRockerEquations).
+inline Course crank_rocker_course() {
+  return with_points({"crank_rocker", 10.0, 11, {}});
 }
 
 }  // namespace clevis::benchmarks

@@ -7,6 +7,8 @@
 
 #include "benchmarks/reference_trajectories.h"
 #include "benchmarks/simbody_mechanism.h"
+#include "support/bricard_equations.h"
+#include "support/governor_equations.h"
 
 /// The mechanisms of work_precision.cc in Simbody: trees of joints, the loops
 /// closed by constraints.

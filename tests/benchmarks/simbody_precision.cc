@@ -5,6 +5,8 @@
 //     cmake --build --preset release --target simbody_precision
 //     OPENBLAS_NUM_THREADS=1 \
 //       build/release/tests/benchmarks/simbody_precision [NAME]... > table.csv
+//
+// precision_row.h says what else it takes.
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -12,19 +14,19 @@
 #include <vector>
 
 #include <Simbody.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
+#include "benchmarks/limited_run.h"
 #include "benchmarks/precision_row.h"
 #include "benchmarks/reference_trajectories.h"
+#include "benchmarks/simbody_linkage.h"
 #include "benchmarks/simbody_mechanisms.h"
+#include "support/planar_linkages.h"
 
 using namespace clevis::benchmarks;
 
 namespace {
 
-constexpr rlim_t kMostSeconds = 10;
+constexpr int kMostSeconds = 10;
 
 enum class Method {
   kMerson,          ///< explicit, order 4, constraints projected every step
@@ -80,15 +82,15 @@ std::vector<Sample> run(const SimbodyMechanism& mechanism, const Course& course,
 }
 
 /// Prints one row, or none where the processor time runs out.
-void measure_one(const SimbodyMechanism& mechanism, const Course& course,
-                 Method method, double accuracy) {
+void measure_one(const Request& request, const SimbodyMechanism& mechanism,
+                 const Course& course, Method method, double accuracy) {
   PrecisionRow row;
   row.problem = course.name;
   row.method = name_of(method);
   row.setting = power_of_ten(accuracy);
   try {
     std::vector<Sample> samples;
-    row.seconds = least_seconds([&] {
+    row.seconds = request.seconds([&] {
       samples = run(mechanism, course, method, accuracy, row);
     });
     row.errors = errors(course, samples);
@@ -99,21 +101,15 @@ void measure_one(const SimbodyMechanism& mechanism, const Course& course,
 }
 
 /// In a process of its own for each accuracy, as some runs do not end.
-void measure(const SimbodyMechanism& mechanism, const Course& course,
-             Method method) {
+void measure(const Request& request, const SimbodyMechanism& mechanism,
+             const Course& course, Method method) {
   for (int exponent = 3; exponent <= 10; ++exponent) {
     const double accuracy = std::pow(10.0, -exponent);
-    std::fflush(stdout);
-    const pid_t child = fork();
-    if (child == 0) {
-      const rlimit most{kMostSeconds, kMostSeconds};
-      setrlimit(RLIMIT_CPU, &most);
-      measure_one(mechanism, course, method, accuracy);
-      _exit(0);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    if (!WIFEXITED(status)) {
+    if (!request.wants(name_of(method), power_of_ten(accuracy))) continue;
+    const bool ended = finishes(kMostSeconds, [&] {
+      measure_one(request, mechanism, course, method, accuracy);
+    });
+    if (!ended) {
       print_failure(course.name, name_of(method), power_of_ten(accuracy),
                     "over " + std::to_string(kMostSeconds) + " s");
       return;
@@ -121,31 +117,30 @@ void measure(const SimbodyMechanism& mechanism, const Course& course,
   }
 }
 
-void measure_all(const SimbodyMechanism& mechanism, const Course& course) {
-  measure(mechanism, course, Method::kMerson);
+template <class Mechanism, class... Values>
+void measure_all(const Request& request, const Course& course,
+                 const Values&... values) {
+  if (!request.wants(course.name)) return;
+  const Mechanism mechanism(values...);
+  measure(request, mechanism, course, Method::kMerson);
   if (course.name == "two_window_four_bar") {
-    measure(mechanism, course, Method::kMersonDefaults);
+    measure(request, mechanism, course, Method::kMersonDefaults);
   }
-  measure(mechanism, course, Method::kBdf);
+  measure(request, mechanism, course, Method::kBdf);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  using namespace clevis::mechanism::testing;
+  const Request request(argc, argv);
   print_header();
-  if (wanted("pendulum", argc, argv)) {
-    measure_all(SimbodyPendulum(), pendulum_course());
-  }
-  if (wanted("two_window_four_bar", argc, argv)) {
-    measure_all(SimbodyFourBar(), four_bar_course());
-  }
-  if (wanted("spatial_slider_crank", argc, argv)) {
-    measure_all(SimbodySliderCrank(), slider_crank_course());
-  }
-  if (wanted("governor", argc, argv)) {
-    measure_all(SimbodyGovernor(), governor_course());
-  }
-  if (wanted("bricard", argc, argv)) {
-    measure_all(SimbodyBricard(), bricard_course());
-  }
+  measure_all<SimbodyPendulum>(request, pendulum_course());
+  measure_all<SimbodyFourBar>(request, four_bar_course());
+  measure_all<SimbodyLinkage>(request, crank_rocker_course(), crank_rocker());
+  measure_all<SimbodySliderCrank>(request, slider_crank_course());
+  measure_all<SimbodyGovernor>(request, governor_course());
+  measure_all<SimbodyBricard>(request, bricard_course());
+  measure_all<SimbodyLinkage>(request, andrews_course(), andrews());
+  measure_all<SimbodyLinkage>(request, cart_pole_course(), light_cart_pole());
 }

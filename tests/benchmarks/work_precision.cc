@@ -16,6 +16,8 @@
 #include "mechanism/simulate.h"
 #include "support/benchmark_mechanisms.h"
 #include "support/landing_gear.h"
+#include "support/planar_definition.h"
+#include "support/planar_linkages.h"
 
 using namespace clevis;
 using namespace clevis::benchmarks;
@@ -74,6 +76,23 @@ void sample_bricard(const Instant& at, Sample& sample) {
   sample.branch = std::abs(a + b + a * b);
 }
 
+/// Where `linkage` says what is compared.
+Problem planar(const Course& course, const PlanarLinkage& linkage) {
+  return followed(
+      course, definition_of(linkage),
+      [linkage](const Instant& at, Sample& sample) {
+        const auto body = [&at](int i) {
+          return at.bodies[static_cast<std::size_t>(i)].pose;
+        };
+        sample.point = body(linkage.pointer).R_WL.col(0);
+        if (linkage.slider >= 0) {
+          sample.point.z() = body(linkage.slider).p_WL.x();
+        }
+        sample.pin =
+            at.joints[static_cast<std::size_t>(linkage.watched)].f_W.norm();
+      });
+}
+
 /// A problem known by its events [s].
 Problem timed(const std::string& name, const MechanismDefinition& definition,
               double duration, int instants, const std::vector<double>& known) {
@@ -114,6 +133,9 @@ std::vector<Problem> problems() {
                      sample.point.z() = at.bodies[1].pose.p_WL.z();
                    }),
           followed(bricard_course(), bricard(), sample_bricard),
+          planar(andrews_course(), andrews()),
+          planar(cart_pole_course(), light_cart_pole()),
+          planar(crank_rocker_course(), crank_rocker()),
           timed("stick_slip", pulled({.breakaway = 1.5, .kinetic = 1.0}), 25.0,
                 251, {7.5, 7.5 + slip, 12.5 + slip}),
           {"lugre", pulled(bristles()), 25.0, 26,
@@ -127,8 +149,8 @@ std::vector<Problem> problems() {
                 wall_events())};
 }
 
-void measure(const Problem& problem, numerics::IntegratorChoice choice,
-             const char* name) {
+void measure(const Request& request, const Problem& problem,
+             numerics::IntegratorChoice choice, const char* name) {
   const int last = choice == numerics::IntegratorChoice::kAuto ? 12 : 10;
   for (int exponent = 3; exponent <= last; ++exponent) {
     SimulationSettings settings;
@@ -138,9 +160,10 @@ void measure(const Problem& problem, numerics::IntegratorChoice choice,
     settings.motion = MotionKind::kDynamic;
     settings.integrator = choice;
     const std::string setting = power_of_ten(settings.tolerance);
+    if (!request.wants(name, setting)) continue;
     try {
       Motion motion;
-      const double time = least_seconds([&] {
+      const double time = request.seconds([&] {
         motion = simulate(problem.definition, settings);
       });
       const IntegrationSummary& run = *motion.integration;
@@ -164,12 +187,12 @@ void measure(const Problem& problem, numerics::IntegratorChoice choice,
 
 /// The landing gear's stroke by kinematics and inverse dynamics: time of one
 /// of 2001 instants, with all its reactions and output.
-void measure_stroke() {
+void measure_stroke(const Request& request) {
   SimulationSettings settings;
   settings.duration = 2.0;
   settings.instants = 2001;
   Motion motion;
-  const double time = least_seconds([&] {
+  const double time = request.seconds([&] {
     motion = simulate(landing_gear(), settings);
   });
   const auto count = static_cast<double>(motion.instants.size());
@@ -191,12 +214,15 @@ void measure_stroke() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const Request request(argc, argv);
   print_header();
   for (const Problem& problem : problems()) {
-    if (!wanted(problem.name, argc, argv)) continue;
-    measure(problem, numerics::IntegratorChoice::kAuto, "clevis");
-    measure(problem, numerics::IntegratorChoice::kExplicit, "clevis DOP853");
-    measure(problem, numerics::IntegratorChoice::kImplicit, "clevis Radau IIA");
+    if (!request.wants(problem.name)) continue;
+    measure(request, problem, numerics::IntegratorChoice::kAuto, "clevis");
+    measure(request, problem, numerics::IntegratorChoice::kExplicit,
+            "clevis DOP853");
+    measure(request, problem, numerics::IntegratorChoice::kImplicit,
+            "clevis Radau IIA");
   }
-  if (wanted("landing_gear_stroke", argc, argv)) measure_stroke();
+  if (request.wants("landing_gear_stroke")) measure_stroke(request);
 }

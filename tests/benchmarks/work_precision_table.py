@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Turns the output of work_precision, simbody_precision and mujoco_precision
-into Markdown. Of rows that stand there several times the least time counts.
+"""Turns the output of work_precision, simbody_precision, mujoco_precision and
+sundials_precision into Markdown. Of rows that stand there several times the least time counts.
 
     work_precision_table.py CSV... > work_precision.md
 """
@@ -15,6 +15,10 @@ TITLES = {
     "governor": "Flyball governor (8e5 N/m, 4e4 N s/m), 10 s: equations of its own in three coordinates",
     "bricard": "Bricard's mechanism, 10 s, one redundant constraint: equations of its own on its closed form; "
                "branch: residual of the closed form [1]",
+    "andrews": "Andrews' squeezing mechanism, 0.03 s: Test Set for IVP Solvers; position: direction of the crank [rad]; "
+               "reaction: at E on K3",
+    "light_cart_pole": "Light cart-pole (1 mg under 1 kg), 10 s: converged reference; position: direction of the pole [rad] and cart [m]",
+    "crank_rocker": "Crank-rocker, 10 s: equations of its own in the crank's angle; position: direction of the crank [rad]",
     "stick_slip": "Coulomb stick-slip, 25 s: times of the first three events [s]",
     "lugre": "The same on LuGre's bristles (1e5 N/m): converged reference, nine digits",
     "wall_1e8": "Elastic wall of 1e8 N/m, 3 s: times of the first eighteen events [s]",
@@ -22,7 +26,7 @@ TITLES = {
 }
 ERRORS = {"position_or_time_error": "position m", "energy_error_J": "energy J", "gap_m": "gap m",
           "reaction_error_N": "reaction N", "branch_error": "branch"}
-PROGRAMS = ("clevis", "Simbody", "MuJoCo")
+PROGRAMS = ("clevis", "Simbody", "MuJoCo", "SUNDIALS")
 # problem, what is small enough, by which error, milliseconds
 TARGETS = (
     ("two_window_four_bar", "two-window four-bar to 1e-6 J", "energy_error_J", 1e-6, 5.0),
@@ -33,8 +37,9 @@ TARGETS = (
 INTRODUCTION = """\
 # Work against precision of integrated motions
 
-`results/studies/make work_precision` makes this anew: clevis, and beside it in the same run Simbody 3.7 and MuJoCo 2.2.2 where
-they are installed (`apt-get install libsimbody-dev libmujoco-dev`).
+`results/studies/make work_precision` makes this anew: clevis, and beside it in the same run Simbody 3.7, MuJoCo 2.2.2 and SUNDIALS 6.4 where
+they are installed (`apt-get install libsimbody-dev libmujoco-dev libsundials-dev`). SUNDIALS is given equations: of planar mechanisms in the bodies'
+coordinates, of governor and Bricard's mechanism in those of their closed forms.
 
 - `cpu` is the least processor time of several runs in three rounds on one thread, from a busy machine: 30 % more or less, short
   runs by where a process lies in memory more (MuJoCo's pendulum of 1000 steps: 1.6 or 2.6 ms). clevis: the whole `simulate()` with
@@ -86,20 +91,20 @@ def milliseconds(row):
 def time_of(row):
     if row is None:
         return "not reached"
-    method = row["method"].split(" ", 1)[-1].replace("3.7 ", "").replace("2.2.2 ", "")
+    method = row["method"].split(" ", 1)[-1].replace("3.7 ", "").replace("2.2.2 ", "").replace("6.4 ", "")
     return f"{milliseconds(row)} ({method.replace('clevis', 'auto')}, {row['setting']})"
 
 
 def print_targets(rows):
     print("## Targets\n")
-    print("| 10 s of motion | target ms | clevis ms | | Simbody ms | MuJoCo ms |")
-    print("|---|---|---|---|---|---|")
+    print("| 10 s of motion | target ms | clevis ms | | Simbody ms | MuJoCo ms | SUNDIALS ms |")
+    print("|---|---|---|---|---|---|---|")
     for problem, title, column, allowed, target in TARGETS:
         best = {p: least(rows[problem], p, column, allowed) for p in PROGRAMS}
         time = float(best["clevis"]["cpu_ms"]) if best["clevis"] else float("inf")
         verdict = "met" if time <= target else f"**missed: {time / target:.1f} times**"
-        others = ["", ""] if problem == "landing_gear_stroke" else [time_of(best[p]) for p in PROGRAMS[1:]]
-        print(f"| {title} | {target:g} | {time_of(best['clevis'])} | {verdict} | {others[0]} | {others[1]} |")
+        others = ["", "", ""] if problem == "landing_gear_stroke" else [time_of(best[p]) for p in PROGRAMS[1:]]
+        print(f"| {title} | {target:g} | {time_of(best['clevis'])} | {verdict} | {' | '.join(others)} |")
     print()
 
 
@@ -122,9 +127,10 @@ def print_growth(rows):
 def print_comparison(rows):
     print("## Least time to an error of position\n")
     print("*Not reached*: by no run of the lists below.\n")
-    print("| problem | m | clevis ms | Simbody ms | MuJoCo ms |")
-    print("|---|---|---|---|---|")
-    for problem in ("pendulum", "two_window_four_bar", "spatial_slider_crank", "governor", "bricard"):
+    print("| problem | m | clevis ms | Simbody ms | MuJoCo ms | SUNDIALS ms |")
+    print("|---|---|---|---|---|---|")
+    for problem in ("pendulum", "two_window_four_bar", "crank_rocker", "spatial_slider_crank", "governor",
+                    "bricard", "andrews", "light_cart_pole"):
         for allowed in (1e-3, 1e-6, 1e-8):
             cells = [time_of(least(rows[problem], p, "position_or_time_error", allowed)) for p in PROGRAMS]
             print(f"| {problem} | {allowed:.0e} | {' | '.join(cells)} |")

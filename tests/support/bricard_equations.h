@@ -53,16 +53,36 @@ class BricardEquations {
     }
   }
 
+  using State = Eigen::Vector3d;  ///< θ, φ, s'
+  const State& state() const { return y_; }
+
   /// Where bar 3 (from 0) begins, opposite to the ground's first corner [m].
-  Eigen::Vector3d corner() const { return chain({y_[0], y_[1]}).corner.real(); }
+  Eigen::Vector3d corner() const { return corner(y_); }
+  static Eigen::Vector3d corner(const State& y) {
+    return chain({y[0], y[1]}).corner.real();
+  }
+  /// Kinetic and potential [J].
+  static double energy(const State& y) {
+    const Chain at = chain({y[0], y[1]});
+    return 0.5 * at.mass.real() * y[2] * y[2] + at.potential.real();
+  }
 
   /// Of the chain's end from the ground's last corner [m]: 0.
   double gap() const {
     return (chain({y_[0], y_[1]}).end.real() - bricard_corners()[5]).norm();
   }
 
+  static State rate(const State& y) {
+    const std::array<Complex, 2> q{y[0], y[1]}, rates = along(q);
+    const Complex step(0.0, 1e-30);
+    const Chain at = chain({q[0] + step * rates[0], q[1] + step * rates[1]});
+    const double mass_by_s = at.mass.imag() / 1e-30;
+    const double potential_by_s = at.potential.imag() / 1e-30;
+    return {rates[0].real() * y[2], rates[1].real() * y[2],
+            -(0.5 * mass_by_s * y[2] * y[2] + potential_by_s) / at.mass.real()};
+  }
+
  private:
-  using State = Eigen::Vector3d;  // θ, φ, s'
   using Complex = std::complex<double>;
   using Vector = Eigen::Vector3cd;
 
@@ -113,16 +133,6 @@ class BricardEquations {
     }
     all.end = p;
     return all;
-  }
-
-  static State rate(const State& y) {
-    const std::array<Complex, 2> q{y[0], y[1]}, rates = along(q);
-    const Complex step(0.0, 1e-30);
-    const Chain at = chain({q[0] + step * rates[0], q[1] + step * rates[1]});
-    const double mass_by_s = at.mass.imag() / 1e-30;
-    const double potential_by_s = at.potential.imag() / 1e-30;
-    return {rates[0].real() * y[2], rates[1].real() * y[2],
-            -(0.5 * mass_by_s * y[2] * y[2] + potential_by_s) / at.mass.real()};
   }
 
   State y_{0.5 * M_PI, 0.5 * M_PI, 0.0};

@@ -41,6 +41,10 @@ class GovernorEquations {
   double angle() const { return y_[1]; }
   double spin() const { return momentum_ / spin_inertia(y_[1]); }
 
+  /// Depth, angle, their rates.
+  using State = std::array<double, 4>;
+  const State& state() const { return y_; }
+
   /// Runge–Kutta of order 4, n steps.
   void advance(double duration, long n) {
     const double h = duration / static_cast<double>(n);
@@ -51,21 +55,6 @@ class GovernorEquations {
         y_[k] += h / 6.0 * (a[k] + 2.0 * b[k] + 2.0 * c[k] + d[k]);
       }
     }
-  }
-
- private:
-  using State = std::array<double, 4>;
-
-  State along(const State& slope, double h) const {
-    State y = y_;
-    for (std::size_t k = 0; k < 4; ++k) y[k] += h * slope[k];
-    return y;
-  }
-
-  double spin_inertia(double angle) const {
-    const double s = std::sin(angle), c = std::cos(angle);
-    return v_.shaft_spin + v_.sleeve_spin +
-           2.0 * (about_hinge_ * s * s + v_.arm_axial * c * c);
   }
 
   State rate(const State& y) const {
@@ -82,6 +71,19 @@ class GovernorEquations {
             ((about_hinge_ - v_.arm_axial) * sine * cosine * w * w -
              v_.arm_mass * v_.g * v_.arm_centre * sine + force * by_angle) /
                 about_hinge_};
+  }
+
+ private:
+  State along(const State& slope, double h) const {
+    State y = y_;
+    for (std::size_t k = 0; k < 4; ++k) y[k] += h * slope[k];
+    return y;
+  }
+
+  double spin_inertia(double angle) const {
+    const double s = std::sin(angle), c = std::cos(angle);
+    return v_.shaft_spin + v_.sleeve_spin +
+           2.0 * (about_hinge_ * s * s + v_.arm_axial * c * c);
   }
 
   Governor v_;

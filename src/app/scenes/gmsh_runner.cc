@@ -1,10 +1,12 @@
 #include "app/scenes/gmsh_runner.h"
 
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 
 #include <fmt/format.h>
+#include <sys/wait.h>
 
 #include "app/processes/child_process.h"
 #include "app/processes/temporary_folder.h"
@@ -29,6 +31,37 @@ std::string first_error(const std::string& log) {
     if (start != std::string::npos) return line.substr(start);
   }
   return {};
+}
+
+/// The last line that gmsh, what it is linked to, or a script in its place
+/// wrote in words of its own.
+std::string last_words(const std::string& log) {
+  constexpr std::size_t kLongest = 300;
+  std::istringstream lines(log);
+  std::string last;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("Info") || line.starts_with("Progress")) continue;
+    if (line.find_first_not_of(" \t\r-") != std::string::npos) last = line;
+  }
+  return last.substr(0, kLongest);
+}
+
+/// How a child that failed ended.
+std::string ending(int status) {
+  if (WIFSIGNALED(status)) {
+    return fmt::format("was ended by signal {} ({})", WTERMSIG(status),
+                       strsignal(WTERMSIG(status)));
+  }
+  return fmt::format("ended with exit code {}", WEXITSTATUS(status));
+}
+
+/// Why gmsh made no mesh.
+std::string failure(const ChildOutcome& outcome, const std::string& error,
+                    const std::string& log) {
+  if (!error.empty()) return "gmsh says: " + error;
+  const std::string words = last_words(log);
+  return "gmsh " + ending(*outcome.status) +
+         (words.empty() ? " without a message" : " and says: " + words);
 }
 
 [[noreturn]] void refuse(const path& geometry, const std::string& problem,
@@ -60,24 +93,26 @@ std::string run_gmsh(const path& geometry,
       {.arguments = arguments, .folder = folder.path(), .log = log}, timeout);
   if (!outcome.status) {
     refuse(geometry,
-           fmt::format("gmsh did not finish within {:.3g} s",
+           fmt::format("gmsh did not finish within {:.3g} s by the clock, the "
+                       "most that a .geo gets",
                        std::chrono::duration<double>(timeout).count()),
-           "Coarsen the mesh, or look for an endless loop in the .geo.");
+           "Coarsen the mesh, or look for an endless loop in the .geo; "
+           "or mesh it by hand and give the part's `mesh`.");
   }
-  if (!outcome.was_found()) {
+  const std::string said = read_file(log);
+  // One whose libraries are missing ends alike, in words of the loader.
+  if (!outcome.was_found() && last_words(said).empty()) {
     refuse(geometry, fmt::format("{} could not be started", program),
            "Install gmsh (Debian: apt install gmsh).");
   }
-  const std::string error = first_error(read_file(log));
+  const std::string error = first_error(said);
   // What gmsh says of a shell that it may not start (run_child()).
   if (error.find("aborting system call") != std::string::npos) {
     refuse(geometry, "it starts another program (SystemCall, OnelabRun)",
            "Take the call out: a geometry starts no program in clevis.");
   }
   if (!outcome.succeeded() || !error.empty()) {
-    refuse(geometry,
-           error.empty() ? "gmsh crashed without a message"
-                         : "gmsh says: " + error,
+    refuse(geometry, failure(outcome, error, said),
            "Open the file in gmsh and correct it there.");
   }
   std::string text = read_file(mesh);

@@ -23,7 +23,8 @@ namespace clevis::app {
 /// @param timeout  gmsh and what it started are killed after this time.
 /// @param program  name or path of gmsh.
 /// @throws Error M010 with gmsh's first error line if gmsh is not there,
-///   fails, takes too long or writes no mesh; I001 if the .geo cannot be read.
+///   fails (else with its last line and how it ended), takes too long or writes
+///   no mesh; I001 if the .geo cannot be read.
 std::string run_gmsh(
     const std::filesystem::path& geometry,
     const std::vector<part::GeometryParameter>& parameters = {},

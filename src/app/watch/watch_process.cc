@@ -13,28 +13,20 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "base/interrupts.h"
 
 namespace clevis::app {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience(2000);
 
-sigset_t stop_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    sigaddset(&signals, signal);
-  }
-  return signals;
-}
-
 /// The child's life.
 [[noreturn]] void live(const std::function<ExitCode()>& run,
                        const std::filesystem::path& temporary, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
-  const sigset_t signals = stop_signals();
+  take_interrupts_as_they_come();
+  const sigset_t signals = interrupt_set();
   sigprocmask(SIG_UNBLOCK, &signals, nullptr);
   setenv("TMPDIR", temporary.c_str(), 1);
   const ExitCode code = run();
@@ -45,7 +37,7 @@ sigset_t stop_signals() {
 
 }  // namespace
 
-StopSignals::StopSignals() : signals_(stop_signals()) {
+StopSignals::StopSignals() : signals_(interrupt_set()) {
   sigprocmask(SIG_BLOCK, &signals_, &before_);
 }
 

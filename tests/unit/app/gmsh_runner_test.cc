@@ -118,6 +118,22 @@ TEST_F(GmshRunner, RunsAScriptThatStandsForGmsh) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
+// gmsh that cannot be loaded, or that a library ends, has no line "Error".
+TEST_F(GmshRunner, QuotesWordsThatAreNoError) {
+  const path script = folder_.path() / "my-gmsh";
+  const auto said = [&](const std::string& body) {
+    std::ofstream(script) << "#!/bin/sh\n" << body;
+    std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+    return refusal(geometry(kCube), kLong, script.string()).problem();
+  };
+  EXPECT_EQ(said("echo 'Info    : Running'\n"
+                 "echo 'libgmsh.so.4.8: no such file' >&2\nexit 127\n"),
+            "gmsh ended with exit code 127 and says: libgmsh.so.4.8: no such "
+            "file");
+  EXPECT_EQ(said("echo 'Info    : Running'\nkill -ABRT $$\n"),
+            "gmsh was ended by signal 6 (Aborted) without a message");
+}
+
 TEST_F(GmshRunner, RefusesAMissingFile) {
   EXPECT_EQ(refusal(folder_.path() / "none.geo", kLong).code(), "I001");
 }

@@ -44,6 +44,32 @@ TEST(Interrupts, LeaveWhatNohupIgnores) {
             kReachedTheEnd);
 }
 
+TEST(Interrupts, EndByTheSignalWhereTheyAreTakenAsTheyCome) {
+  constexpr int kBySignal = -1;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto run = [&] {
+      end_on_interrupts();
+      const InterruptGuard guard;  // the parent's
+      take_interrupts_as_they_come();
+      raise(signal);
+    };
+    EXPECT_EQ(exit_code_of(run), kBySignal) << signal;
+    const auto ignored = [&] {
+      std::signal(signal, SIG_IGN);
+      run();
+    };
+    EXPECT_EQ(exit_code_of(ignored), kReachedTheEnd) << signal;
+  }
+}
+
+TEST(Interrupts, AreOneSet) {
+  const sigset_t signals = interrupt_set();
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    EXPECT_EQ(sigismember(&signals, signal), 1) << signal;
+  }
+  EXPECT_EQ(sigismember(&signals, SIGUSR1), 0);
+}
+
 TEST(Interrupts, WaitForTheLastThatDefers) {
   EXPECT_EQ(exit_code_of([] {
               end_on_interrupts();

@@ -1,0 +1,31 @@
+// Eighth of a hollow sphere, free tetrahedra. Unit mm; centre in the origin.
+SetFactory("OpenCASCADE");
+a = 10;
+b = 20;
+DefineConstant[ h = 3 ];  // size of a cell at the inner wall; twice that outside
+Sphere(1) = {0, 0, 0, b, 0, Pi/2, Pi/2};
+Sphere(2) = {0, 0, 0, a, 0, Pi/2, Pi/2};
+BooleanDifference(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };
+e = 1e-3;
+inner() = Surface In BoundingBox {-e, -e, -e, a + e, a + e, a + e};
+cut_x() = Surface In BoundingBox {-e, -e, -e, e, b + e, b + e};
+cut_y() = Surface In BoundingBox {-e, -e, -e, b + e, e, b + e};
+cut_z() = Surface In BoundingBox {-e, -e, -e, b + e, b + e, e};
+all() = Surface {:};
+outer() = all();
+outer() -= inner();
+outer() -= cut_x();
+outer() -= cut_y();
+outer() -= cut_z();
+Physical Surface("inner") = {inner()};
+Physical Surface("outer") = {outer()};
+Physical Surface("cut_x") = {cut_x()};
+Physical Surface("cut_y") = {cut_y()};
+Physical Surface("cut_z") = {cut_z()};
+Physical Volume("body") = {3};
+Field[1] = MathEval;
+Field[1].F = Sprintf("%g * (1 + (Sqrt(x^2 + y^2 + z^2) - %g) / %g)", h, a, b - a);
+Background Field = 1;
+Mesh.CharacteristicLengthExtendFromBoundary = 0;
+Mesh.CharacteristicLengthFromPoints = 0;
+Mesh.ElementOrder = 2;

@@ -1,0 +1,35 @@
+// Quarter of a thick tube, free tetrahedra of order 2. Unit mm; z along the bore.
+SetFactory("OpenCASCADE");
+a = 10;
+b = 20;
+length = 15;
+DefineConstant[ h = 3 ];  // size of a cell at the bore; twice that outside
+Cylinder(1) = {0, 0, 0, 0, 0, length, b, Pi/2};
+Cylinder(2) = {0, 0, 0, 0, 0, length, a, Pi/2};
+BooleanDifference(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };
+e = 1e-3;
+bore() = Surface In BoundingBox {-e, -e, -e, a + e, a + e, length + e};
+cut_x() = Surface In BoundingBox {-e, -e, -e, e, b + e, length + e};
+cut_y() = Surface In BoundingBox {-e, -e, -e, b + e, e, length + e};
+cut_z() = Surface In BoundingBox {-e, -e, -e, b + e, b + e, e};
+end() = Surface In BoundingBox {-e, -e, length - e, b + e, b + e, length + e};
+all() = Surface {:};
+outer() = all();
+outer() -= bore();
+outer() -= cut_x();
+outer() -= cut_y();
+outer() -= cut_z();
+outer() -= end();
+Physical Surface("bore_wall") = {bore()};
+Physical Surface("round_outer") = {outer()};
+Physical Surface("cut_x") = {cut_x()};
+Physical Surface("cut_y") = {cut_y()};
+Physical Surface("cut_z") = {cut_z()};
+Physical Surface("end") = {end()};
+Physical Volume("body") = {3};
+Field[1] = MathEval;
+Field[1].F = Sprintf("%g * (1 + (Sqrt(x^2 + y^2) - %g) / %g)", h, a, b - a);
+Background Field = 1;
+Mesh.CharacteristicLengthExtendFromBoundary = 0;
+Mesh.CharacteristicLengthFromPoints = 0;
+Mesh.ElementOrder = 2;
