@@ -10,6 +10,7 @@
 
 #include "base/errors.h"
 #include "elasticity/algebra/dense_product.h"
+#include "elasticity/algebra/symmetric_product.h"
 #include "elasticity/assembly/node_pairs.h"
 
 namespace clevis::elasticity {
@@ -117,26 +118,10 @@ StiffnessMatrix<dim> StiffnessMatrix<dim>::absolute() const {
 
 template <int dim>
 Eigen::MatrixXd StiffnessMatrix<dim>::multiply(const Eigen::MatrixXd& x) const {
-  // Rows of all columns side by side: one pass through the matrix.
-  using RowMajor =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const RowMajor rows = x;
-  RowMajor y = RowMajor::Zero(x.rows(), x.cols());
-  for (int i = 0; i < nodes(); ++i) {
-    const auto n = static_cast<std::size_t>(i);
-    const auto end = static_cast<std::size_t>(row_start[n + 1]);
-    for (auto k = static_cast<std::size_t>(row_start[n]); k < end; ++k) {
-      const int j = column[k];
-      for (int a = 0; a < dim; ++a) {
-        for (int b = 0; b < dim; ++b) {
-          const double value = block[k](a, b);
-          y.row(dim * i + a) += value * rows.row(dim * j + b);
-          if (j != i) y.row(dim * j + b) += value * rows.row(dim * i + a);
-        }
-      }
-    }
-  }
-  return y;
+  static_assert(sizeof(Block) == dim * dim * sizeof(double));
+  const double* entries = block.empty() ? nullptr : block.front().data();
+  return symmetric_product(
+      {dim, nodes(), row_start.data(), column.data(), entries}, x);
 }
 
 template <int dim>
