@@ -80,11 +80,21 @@ class Climb {
     }
     if (ladder_.sequence.size() < 3 || ladder_.level.member.peak <= 0.0) return;
     if (model_.looks_at_places) {
-      look_at_places(sets, tolerance);
+      look_at_places(sets, tolerance,
+                     degree < model_.highest_degree
+                         ? PlaceSearch::kWhileItMayConverge
+                         : PlaceSearch::kAll);
     } else if (ladder_.zones.is_singular() || !model_.looks_nearby ||
                !look_nearby(sets, tolerance)) {
       join_cells(tolerance);
     }
+    if (ladder_.zones.is_singular()) widen_beside_zones(tolerance);
+  }
+  /// The degree that was taken last is the last: all its places count.
+  void end(const std::vector<LoadSet>& sets) {
+    const double tolerance = job_.tolerance - model_.model_error;
+    if (!model_.looks_at_places || is_within()) return;
+    look_at_places(sets, tolerance, PlaceSearch::kAll);
     if (ladder_.zones.is_singular()) widen_beside_zones(tolerance);
   }
   void drop() {
@@ -177,17 +187,18 @@ class Climb {
 
   /// Puts the band of all places that the peak may stand at in the place of the
   /// sequence's.
-  void look_at_places(const std::vector<LoadSet>& sets, double tolerance) {
+  void look_at_places(const std::vector<LoadSet>& sets, double tolerance,
+                      PlaceSearch which) {
     Stopwatch watch;
     const bool is_outer = ladder_.zones.is_singular();
     ladder_.nearby = nearby_peak<dim>(
         job_, sets, ladder_.zones.mesh(), ladder_.level,
         is_outer ? ladder_.zones.outside_histories() : ladder_.level.histories,
-        pollution(), tolerance);
+        pollution(), tolerance, which);
     seconds_.recover += watch.lap();
     stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;
     if (!ladder_.nearby) {
-      join_cells(tolerance);
+      if (which == PlaceSearch::kAll) join_cells(tolerance);
       judged.verdict = Convergence::kNotConverged;
       return;
     }
@@ -217,6 +228,7 @@ DegreeLadder<dim> climb_with_all(const PartJob& job, const FeModel<dim>& model,
       // A degree that the memory does not hold ends the sequence; three have a
       // band.
       if (error.code() != "F004" || climb.ladder().sequence.size() < 3) throw;
+      climb.end(job.load_sets);
       break;
     }
     if (climb.is_within()) break;

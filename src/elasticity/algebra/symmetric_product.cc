@@ -11,8 +11,8 @@ using Eigen::MatrixXd;
 
 /// Four columns of a row side by side, wherever doubles may stand; the compiler
 /// splits them where the processor has shorter registers.
-using Four =
-    double __attribute__((vector_size(32), aligned(alignof(double)), may_alias));
+using Four = double
+    __attribute__((vector_size(32), aligned(alignof(double)), may_alias));
 
 /// to += A from, each with `vectors` of `Lanes` a row. Inlined, so that each
 /// instruction set below has its own.
