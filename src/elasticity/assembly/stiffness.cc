@@ -1,7 +1,6 @@
 #include "elasticity/assembly/stiffness.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -9,31 +8,12 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "elasticity/algebra/dense_product.h"
 #include "elasticity/algebra/symmetric_product.h"
+#include "elasticity/assembly/gradient_products.h"
 #include "elasticity/assembly/node_pairs.h"
 
 namespace clevis::elasticity {
 namespace {
-
-/// Products of gradients ∫ ∂_a N_i ∂_b N_j dV for a <= b, each functions ×
-/// functions: all that an isotropic element matrix is made of.
-template <int dim>
-using GradientProducts = std::array<std::array<Eigen::MatrixXd, dim>, dim>;
-
-template <int dim>
-GradientProducts<dim> gradient_products(
-    const std::vector<Eigen::MatrixXd>& gradients,
-    const Eigen::VectorXd& weights) {
-  GradientProducts<dim> products;
-  for (std::size_t b = 0; b < dim; ++b) {
-    const Eigen::MatrixXd weighted = weights.asDiagonal() * gradients[b];
-    for (std::size_t a = 0; a <= b; ++a) {
-      products[a][b] = transposed_product(gradients[a], weighted);
-    }
-  }
-  return products;
-}
 
 /// K_ij(a, b) = λ G_ab(i,j) + μ G_ba(i,j) + δ_ab μ Σ_c G_cc(i,j), where
 /// G_ba(i,j) = G_ab(j,i).
@@ -42,7 +22,7 @@ typename StiffnessMatrix<dim>::Block element_block(
     const GradientProducts<dim>& products, const LameConstants<dim>& lame,
     Eigen::Index i, Eigen::Index j) {
   const auto product = [&](std::size_t a, std::size_t b) {
-    return a <= b ? products[a][b](i, j) : products[b][a](j, i);
+    return products(a, b, i, j);
   };
   typename StiffnessMatrix<dim>::Block block;
   double trace = 0.0;
@@ -147,21 +127,10 @@ StiffnessMatrix<dim> assemble_stiffness(
   matrix.block.assign(matrix.column.size(),
                       StiffnessMatrix<dim>::Block::Zero());
   const auto lame = lame_constants<dim>(material);
-  const auto rule = stiffness_quadrature(discretization);
-  const auto displacement = tabulate_displacement<dim>(
-      discretization.shape, discretization.displacement_degree(), rule.points);
-  const auto geometry = tabulate_geometry<dim>(
-      discretization.shape, discretization.mapping_degree(), rule.points);
+  GradientIntegrator<dim> integrator(discretization);
   for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
-    const auto cell =
-        cell_geometry<dim>(discretization.cell_points[c], geometry);
-    require_positive(cell.determinant, c, discretization.geometry_degree,
-                     place);
-    const auto gradients = physical_gradients(cell, displacement);
-    const Eigen::VectorXd weights =
-        rule.weights.cwiseProduct(cell.determinant) * discretization.thickness;
-    scatter<dim>(discretization.cell_nodes[c],
-                 gradient_products<dim>(gradients, weights), lame, matrix);
+    scatter<dim>(discretization.cell_nodes[c], integrator.integrate(c, place),
+                 lame, matrix);
   }
   return matrix;
 }
