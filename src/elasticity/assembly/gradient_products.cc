@@ -1,10 +1,8 @@
 #include "elasticity/assembly/gradient_products.h"
 
 #include <algorithm>
-#include <string>
 
 #include "elasticity/algebra/dense_product.h"
-#include "elasticity/assembly/stiffness.h"
 #include "elasticity/fe_space/tabulation.h"
 #include "mesh/basis/tensor_basis.h"
 
@@ -37,21 +35,16 @@ VectorXd points_along(const ReferencePoints<dim>& points, int direction,
 
 template <int dim>
 GradientIntegrator<dim>::GradientIntegrator(
-    const Discretization<dim>& discretization)
-    : discretization_(discretization),
-      rule_(stiffness_quadrature(discretization)),
-      displacement_(tabulate_displacement<dim>(
+    const Discretization<dim>& discretization, const Quadrature<dim>& rule)
+    : displacement_(tabulate_displacement<dim>(
           discretization.shape, discretization.displacement_degree(),
-          rule_.points)),
-      geometry_(tabulate_geometry<dim>(discretization.shape,
-                                       discretization.mapping_degree(),
-                                       rule_.points)) {
+          rule.points)) {
   const Degree degree = discretization.displacement_degree();
   is_by_directions_ =
       dim == 3 && discretization.shape == mesh::CellShape::kTensor &&
       std::min(degree.plane, degree.thickness) >= kLowestByDirections;
   if (is_by_directions_) {
-    set_up_directions();
+    set_up_directions(discretization, rule);
     return;
   }
   const Index n = displacement_.values.cols();
@@ -60,10 +53,11 @@ GradientIntegrator<dim>::GradientIntegrator(
 }
 
 template <int dim>
-void GradientIntegrator<dim>::set_up_directions() {
-  const Degree degree = discretization_.displacement_degree();
+void GradientIntegrator<dim>::set_up_directions(
+    const Discretization<dim>& discretization, const Quadrature<dim>& rule) {
+  const Degree degree = discretization.displacement_degree();
   const auto nodes =
-      displacement_support_points<dim>(discretization_.shape, degree);
+      displacement_support_points<dim>(discretization.shape, degree);
   products_.row_.setZero(nodes.cols());
   products_.column_.setZero(nodes.cols());
   Index points_before = 1, pairs_before = 1;
@@ -71,7 +65,7 @@ void GradientIntegrator<dim>::set_up_directions() {
     const VectorXd along =
         mesh::gauss_lobatto(d == dim - 1 ? degree.thickness : degree.plane);
     const auto basis =
-        mesh::lagrange(along, points_along(rule_.points, d, points_before));
+        mesh::lagrange(along, points_along(rule.points, d, points_before));
     const auto at = static_cast<std::size_t>(d);
     const Index n = along.size();
     for (Index f = 0; f < nodes.cols(); ++f) {
@@ -162,14 +156,8 @@ void GradientIntegrator<dim>::by_directions(const CellGeometry<dim>& cell,
 
 template <int dim>
 const GradientProducts<dim>& GradientIntegrator<dim>::integrate(
-    std::size_t cell, const std::string& place) {
-  const auto at =
-      cell_geometry<dim>(discretization_.cell_points[cell], geometry_);
-  require_positive(at.determinant, cell, discretization_.geometry_degree,
-                   place);
-  const VectorXd weights =
-      rule_.weights.cwiseProduct(at.determinant) * discretization_.thickness;
-  is_by_directions_ ? by_directions(at, weights) : by_points(at, weights);
+    const CellGeometry<dim>& cell, const VectorXd& weights) {
+  is_by_directions_ ? by_directions(cell, weights) : by_points(cell, weights);
   return products_;
 }
 

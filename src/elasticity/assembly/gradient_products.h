@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <string>
 
 #include <Eigen/Core>
 
@@ -31,33 +30,34 @@ class GradientProducts {
   Eigen::Matrix<Eigen::Index, Eigen::Dynamic, 1> row_, column_;
 };
 
-/// Integrates them cell after cell with the rule of the stiffness. Of hexahedra
-/// of degree 3 and more direction after direction: a tenth of the operations
-/// at degree 6.
+/// Integrates them cell after cell. Of hexahedra of degree 3 and more direction
+/// after direction: a tenth of the operations at degree 6.
 template <int dim>
 class GradientIntegrator {
  public:
-  /// @param discretization  outlives the object.
-  explicit GradientIntegrator(const Discretization<dim>& discretization);
+  /// @param rule  of tensor cells a product of rules of one direction.
+  GradientIntegrator(const Discretization<dim>& discretization,
+                     const Quadrature<dim>& rule);
 
-  /// @param place  of an error, e.g. "part DCE".
-  /// @throws Error M005 if the mapping is not positive at a point of the rule.
-  const GradientProducts<dim>& integrate(std::size_t cell,
-                                         const std::string& place);
+  /// @param cell  at the points of the rule.
+  /// @param weights  of these, with the determinant [m³], for dim = 2 with the
+  ///   thickness.
+  /// @return until the next call.
+  const GradientProducts<dim>& integrate(const CellGeometry<dim>& cell,
+                                         const Eigen::VectorXd& weights);
 
  private:
   void by_points(const CellGeometry<dim>& cell, const Eigen::VectorXd& weights);
   void by_directions(const CellGeometry<dim>& cell,
                      const Eigen::VectorXd& weights);
-  void set_up_directions();
+  void set_up_directions(const Discretization<dim>& discretization,
+                         const Quadrature<dim>& rule);
 
   /// Products of a direction's functions N_i and N_j at its points: points ×
   /// pairs, i first; by [derivative of N_i][derivative of N_j].
   using Line = std::array<std::array<Eigen::MatrixXd, 2>, 2>;
 
-  const Discretization<dim>& discretization_;
-  Quadrature<dim> rule_;
-  Tabulation displacement_, geometry_;
+  Tabulation displacement_;
   bool is_by_directions_ = false;
   std::array<Line, dim> lines_;
   /// Of the last direction one below the other, [0][0], [0][1], [1][0], [1][1].

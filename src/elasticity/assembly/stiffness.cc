@@ -127,10 +127,19 @@ StiffnessMatrix<dim> assemble_stiffness(
   matrix.block.assign(matrix.column.size(),
                       StiffnessMatrix<dim>::Block::Zero());
   const auto lame = lame_constants<dim>(material);
-  GradientIntegrator<dim> integrator(discretization);
+  const auto rule = stiffness_quadrature(discretization);
+  const auto geometry = tabulate_geometry<dim>(
+      discretization.shape, discretization.mapping_degree(), rule.points);
+  GradientIntegrator<dim> integrator(discretization, rule);
   for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
-    scatter<dim>(discretization.cell_nodes[c], integrator.integrate(c, place),
-                 lame, matrix);
+    const auto cell =
+        cell_geometry<dim>(discretization.cell_points[c], geometry);
+    require_positive(cell.determinant, c, discretization.geometry_degree,
+                     place);
+    const Eigen::VectorXd weights =
+        rule.weights.cwiseProduct(cell.determinant) * discretization.thickness;
+    scatter<dim>(discretization.cell_nodes[c],
+                 integrator.integrate(cell, weights), lame, matrix);
   }
   return matrix;
 }
