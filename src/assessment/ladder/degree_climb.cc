@@ -110,6 +110,16 @@ class Climb {
            judged.verdict == Convergence::kConverged &&
            probes_are_within(ladder_, job_, job_.tolerance);
   }
+  /// Whether the next degree may be the last: a band is a tenth of the change
+  /// before the last at least (stress::peak_band).
+  bool may_settle() const {
+    constexpr double kLeastShare = 0.1;
+    const auto& sequence = ladder_.sequence;
+    if (sequence.size() < 2) return false;
+    const double last = sequence.back().peak;
+    const double change = last - std::prev(sequence.end(), 2)->peak;
+    return kLeastShare * std::abs(change) <= job_.tolerance * last;
+  }
   const DegreeLadder<dim>& ladder() const { return ladder_; }
   DegreeLadder<dim> finish() { return std::move(ladder_); }
 
@@ -242,7 +252,8 @@ template <int dim>
 DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
                                 const std::vector<LoadSet>& governing,
                                 PartSeconds& seconds) {
-  // The fourth degree is most often the last: solved for all at once.
+  // From the third degree on any may be the last: solved for all at once, but
+  // for the third where it cannot be.
   constexpr int kFirstDegrees = 3;
   const GoverningInstants chosen(job, governing);
   Climb<dim> climb(job, model, seconds);
@@ -251,7 +262,9 @@ DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
   }
   for (int degree = model.first_degree; degree <= model.highest_degree;
        ++degree) {
-    bool all = degree >= model.first_degree + kFirstDegrees;
+    bool all = degree >= model.first_degree + kFirstDegrees ||
+               (degree == model.first_degree + kFirstDegrees - 1 &&
+                climb.may_settle());
     climb.take(all ? job.load_sets : chosen.sets(), degree);
     if (!all && (climb.is_within() || degree == model.highest_degree)) {
       climb.drop();
