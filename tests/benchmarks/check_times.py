@@ -69,6 +69,7 @@ def main():
     parser.add_argument("--scene", action="append", choices=list(SCENES))
     options = parser.parse_args()
     builds = [os.path.abspath(build) for build in (options.clevis, options.other) if build]
+    which = dict(zip(builds, ("  first", "  second") if len(builds) == 2 else ("",)))
     for name in options.scene or SCENES:
         arguments, goal = SCENES[name]
         times, results = {build: [] for build in builds}, {}
@@ -80,7 +81,7 @@ def main():
         for build in builds:
             user, system, wall = (min(column) for column in zip(*times[build]))
             print(f"{name:22} user {user:6.2f} s  system {system:5.2f} s  wall {wall:6.2f} s"
-                  f"  goal {goal:.2f} s  {build}")
+                  f"  goal {goal:.2f} s{which[build]}")
         if len(builds) == 2:
             print(f"{name:22} {difference(results[builds[0]], results[builds[1]])}")
 
