@@ -83,7 +83,10 @@ class Climb {
     }
     if (ladder_.sequence.size() < 3 || ladder_.level.member.peak <= 0.0) return;
     if (model_.looks_at_places) {
-      look_at_places(sets, tolerance);
+      look_at_places(sets, tolerance,
+                     degree < model_.highest_degree
+                         ? PlaceSearch::kWhileItMayConverge
+                         : PlaceSearch::kAll);
     } else if (ladder_.zones.is_singular() || !model_.looks_nearby ||
                !look_nearby(sets, tolerance)) {
       join_cells(tolerance);
@@ -110,6 +113,13 @@ class Climb {
     }
     return true;
   }
+  /// The degree that was taken last is the last: all its places count.
+  void end(const std::vector<LoadSet>& sets) {
+    const double tolerance = job_.tolerance - model_.model_error;
+    if (!model_.looks_at_places || is_within()) return;
+    look_at_places(sets, tolerance, PlaceSearch::kAll);
+    if (ladder_.zones.is_singular()) widen_beside_zones(tolerance);
+  }
   void drop() {
     ladder_.sequence.pop_back();
     ladder_.probes.pop_back();
@@ -122,6 +132,16 @@ class Climb {
     return ladder_.sequence.size() > 2 &&
            judged.verdict == Convergence::kConverged &&
            probes_are_within(ladder_, job_, job_.tolerance);
+  }
+  /// Whether the next degree may be the last: a band is a tenth of the change
+  /// before the last at least (stress::peak_band).
+  bool may_settle() const {
+    constexpr double kLeastShare = 0.1;
+    const auto& sequence = ladder_.sequence;
+    if (sequence.size() < 2) return false;
+    const double last = sequence.back().peak;
+    const double change = last - std::prev(sequence.end(), 2)->peak;
+    return kLeastShare * std::abs(change) <= job_.tolerance * last;
   }
   const DegreeLadder<dim>& ladder() const { return ladder_; }
   DegreeLadder<dim> finish() { return std::move(ladder_); }
@@ -217,17 +237,18 @@ class Climb {
 
   /// Puts the band of all places that the peak may stand at in the place of the
   /// sequence's.
-  void look_at_places(const std::vector<LoadSet>& sets, double tolerance) {
+  void look_at_places(const std::vector<LoadSet>& sets, double tolerance,
+                      PlaceSearch which) {
     Stopwatch watch;
     const bool is_outer = ladder_.zones.is_singular();
     ladder_.nearby = nearby_peak<dim>(
         job_, sets, ladder_.zones.mesh(), ladder_.level,
         is_outer ? ladder_.zones.outside_histories() : ladder_.level.histories,
-        pollution(), tolerance);
+        pollution(), tolerance, which);
     seconds_.recover += watch.lap();
     stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;
     if (!ladder_.nearby) {
-      join_cells(tolerance);
+      if (which == PlaceSearch::kAll) join_cells(tolerance);
       judged.verdict = Convergence::kNotConverged;
       return;
     }
@@ -252,7 +273,11 @@ DegreeLadder<dim> climb_with_all(const PartJob& job, const FeModel<dim>& model,
   Climb<dim> climb(job, model, seconds);
   for (int degree = model.first_degree; degree <= model.highest_degree;
        ++degree) {
-    if (!climb.may_take(job.load_sets, degree) || climb.is_within()) break;
+    if (!climb.may_take(job.load_sets, degree)) {
+      climb.end(job.load_sets);
+      break;
+    }
+    if (climb.is_within()) break;
   }
   return climb.finish();
 }
@@ -263,30 +288,35 @@ template <int dim>
 DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
                                 const std::vector<LoadSet>& governing,
                                 PartSeconds& seconds) {
-  // The fourth degree is most often the last: solved for all at once.
+  // From the third degree on any may be the last: solved for all at once, but
+  // for the third where it cannot be.
   constexpr int kFirstDegrees = 3;
   const GoverningInstants chosen(job, governing);
   Climb<dim> climb(job, model, seconds);
   if (chosen.sets().empty() || climb.ladder().zones.has_zones()) {
     return climb_with_all(job, model, seconds);
   }
+  bool is_of_all = false;  // the degree that was taken last
   for (int degree = model.first_degree; degree <= model.highest_degree;
        ++degree) {
-    bool all = degree >= model.first_degree + kFirstDegrees;
+    bool all = degree >= model.first_degree + kFirstDegrees ||
+               (degree == model.first_degree + kFirstDegrees - 1 &&
+                climb.may_settle());
     const bool is_taken =
         climb.may_take(all ? job.load_sets : chosen.sets(), degree);
-    if (!is_taken && all) break;
-    if (!is_taken ||
-        (!all && (climb.is_within() || degree == model.highest_degree))) {
+    if (is_taken ? !all && (climb.is_within() || degree == model.highest_degree)
+                 : !is_of_all) {
       climb.drop();
       climb.take(job.load_sets, is_taken ? degree : degree - 1);
       all = true;
     }
     if (!all) continue;
+    is_of_all = true;
     const Level<dim>& level = climb.ladder().level;
     if (!chosen.contains(level.set, level.history().peak_instant)) {
       return climb_with_all(job, model, seconds);
     }
+    if (!is_taken) climb.end(job.load_sets);
     if (!is_taken || climb.is_within()) break;
   }
   return climb.finish();

@@ -92,8 +92,8 @@ class PeakSearch {
         histories_(histories),
         pollution_(pollution) {}
 
-  /// @return nothing if no place counts.
-  std::optional<NearbyPeak> search(double tolerance) {
+  /// @return nothing if no place counts, or it was left before the first.
+  std::optional<NearbyPeak> search(double tolerance, PlaceSearch which) {
     constexpr int kMostClusters = 8;
     // Of hexahedra each is dear: enough where the band is within the tolerance.
     const int kFewest =
@@ -107,8 +107,12 @@ class PeakSearch {
           join(tolerance).band.verdict == stress::Convergence::kConverged) {
         break;
       }
-      look_closer(*next);
+      if (!look_closer(*next, tolerance, which)) return std::nullopt;
       ++clusters;
+      if (which == PlaceSearch::kWhileItMayConverge &&
+          !may_converge(tolerance)) {
+        break;
+      }
     }
     if (seen_.empty()) return std::nullopt;
     return join(tolerance);
@@ -322,17 +326,36 @@ class PeakSearch {
     return 0.0;
   }
 
-  void look_closer(const Number& seed) {
+  /// @return false where it was left: errors at the highest place that are
+  /// known
+  ///   before all is solved are beyond the tolerance already.
+  bool look_closer(const Number& seed, double tolerance, PlaceSearch which) {
+    constexpr double kSure = 1.1;  // the value is not known yet
+    const auto is_futile = [&](double error, double value) {
+      return which == PlaceSearch::kWhileItMayConverge && seen_.empty() &&
+             error > kSure * tolerance * value;
+    };
     const auto centre = centre_of(seed);
     const auto field = field_in(seed, centre);
     const Eigen::VectorXd rises = rise(seed, centre, field);
-    Closer closer = judge({solve(seed, centre, 1, 1), solve(seed, centre, 2, 1),
-                           solve(seed, centre, 1, 2)},
-                          rises, counting(seed, centre));
+    const double shape = rises.maxCoeff() * shape_error(centre, field);
+    const double solved = place(seed).high;
+    if (is_futile(pollution_ * solved + shape, solved)) return false;
+    const MatrixXd counts = counting(seed, centre);
+    FinerFields fields{
+        solve(seed, centre, 1, 1), {}, solve(seed, centre, 1, 2)};
+    fields.wide = fields.low;  // dear, and last
+    Closer closer = judge(fields, rises, counts);
+    if (is_futile(closer.stress.value - closer.stress.low +
+                      pollution_ * closer.stress.value + shape,
+                  closer.stress.value)) {
+      return false;
+    }
+    fields.wide = solve(seed, centre, 2, 1);
+    closer = judge(fields, rises, counts);
     closer.at = on_lattice(closer.at, histories_[seed.set].subdivisions);
     closer.at.cell = centre[static_cast<std::size_t>(closer.at.cell)];
-    const double off = pollution_ * closer.stress.value +
-                       rises.maxCoeff() * shape_error(centre, field);
+    const double off = pollution_ * closer.stress.value + shape;
     closer.stress.low -= off;
     closer.stress.high += off;
     if (seen_.empty()) best_ = 0.0;
@@ -342,12 +365,42 @@ class PeakSearch {
     close(seed.set, centre);
     // One bad cell may stand so high that all others were below the share.
     if (kShare * best_ < least_) find_places_above(kShare * best_);
+    return true;
+  }
+
+  std::vector<PlaceEstimate> estimates() const {
+    std::vector<PlaceEstimate> result;
+    for (const Seen& seen : seen_) result.push_back(seen.closer.stress);
+    return result;
+  }
+
+  /// By how much a place may be above what was solved there, as far off as the
+  /// others were [1].
+  double farthest() const {
+    double result = 1.0;
+    for (const Seen& seen : seen_) {
+      result = std::max(result, seen.closer.stress.high / seen.place.high);
+    }
+    return result;
+  }
+
+  /// Whether the places that are left may still bring the band within the
+  /// tolerance. Its upper end does not fall, so the value would have to rise,
+  /// and only a place above it does that; its lower end does not rise for the
+  /// same value.
+  bool may_converge(double tolerance) const {
+    const auto all = estimates();
+    const LargestPlace largest = largest_place(all);
+    const double value = all[largest.place].value;
+    const auto rest = highest_open();
+    const double most =
+        rest ? std::max(value, farthest() * place(*rest).high) : value;
+    if (largest.high - most > tolerance * most) return false;
+    return most > value || value - largest.low <= tolerance * value;
   }
 
   NearbyPeak join(double tolerance) const {
-    std::vector<PlaceEstimate> estimates;
-    for (const Seen& seen : seen_) estimates.push_back(seen.closer.stress);
-    const LargestPlace largest = largest_place(estimates);
+    const LargestPlace largest = largest_place(estimates());
     const Seen& highest = seen_[largest.place];
     NearbyPeak peak;
     stress::Band& band = peak.band;
@@ -359,20 +412,15 @@ class PeakSearch {
     peak.jump = highest.place.high - highest.place.low;
     // Places that are left may be as far off as the others were.
     const auto rest = highest_open();
-    double farthest = 1.0;
-    if (rest && place(*rest).high >= kReach * best_) {
-      for (const Seen& seen : seen_) {
-        farthest =
-            std::max(farthest, seen.closer.stress.high / seen.place.high);
-      }
-      band.high = std::max(band.high, farthest * place(*rest).high);
-    }
+    const bool is_left = rest && place(*rest).high >= kReach * best_;
+    const double rise = is_left ? farthest() : 1.0;
+    if (is_left) band.high = std::max(band.high, rise * place(*rest).high);
     peak.degree = level_.member.degree + 2;
     const double reach =
         std::max(band.high - band.value, band.value - band.low);
     if (!(reach <= tolerance * band.value)) {
       band.verdict = stress::Convergence::kNotConverged;
-      peak.open = open_places(band, tolerance * band.value, farthest);
+      peak.open = open_places(band, tolerance * band.value, rise);
     }
     return peak;
   }
@@ -438,10 +486,10 @@ std::optional<NearbyPeak> nearby_peak(
     const PartJob& job, const std::vector<LoadSet>& sets,
     const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
     const std::vector<stress::StressHistory>& histories, double pollution,
-    double tolerance) {
+    double tolerance, PlaceSearch which) {
   try {
     return PeakSearch<dim>(job, sets, mesh, level, histories, pollution)
-        .search(tolerance);
+        .search(tolerance, which);
   } catch (const Error&) {
     return std::nullopt;  // a neighbourhood that folds or is loose
   }
@@ -449,8 +497,10 @@ std::optional<NearbyPeak> nearby_peak(
 
 template std::optional<NearbyPeak> nearby_peak<2>(
     const PartJob&, const std::vector<LoadSet>&, const mesh::PartMesh<2>&,
-    const Level<2>&, const std::vector<stress::StressHistory>&, double, double);
+    const Level<2>&, const std::vector<stress::StressHistory>&, double, double,
+    PlaceSearch);
 template std::optional<NearbyPeak> nearby_peak<3>(
     const PartJob&, const std::vector<LoadSet>&, const mesh::PartMesh<3>&,
-    const Level<3>&, const std::vector<stress::StressHistory>&, double, double);
+    const Level<3>&, const std::vector<stress::StressHistory>&, double, double,
+    PlaceSearch);
 }  // namespace clevis::assessment

@@ -22,6 +22,14 @@ struct NearbyPeak {
   std::vector<OpenPlace> open;
 };
 
+/// Which places are looked at.
+enum class PlaceSearch {
+  kAll,
+  /// Until the band cannot come within the tolerance any more: where the next
+  /// degree follows then anyway.
+  kWhileItMayConverge
+};
+
 /// Looks at the places whose stress by any of the cells that meet there reaches
 /// the largest of their means, highest first. Near each the part is solved
 /// again one and two degrees higher, and one degree higher with a second layer
@@ -30,12 +38,13 @@ struct NearbyPeak {
 /// @param sets  that the level was solved for.
 /// @param pollution  what may come from outside of the neighbourhoods [1].
 /// @param histories  of its sets; points below zero do not count.
-/// @return nothing if a neighbourhood cannot be solved for.
+/// @return nothing if a neighbourhood cannot be solved for, or the search was
+///   left before the first one was.
 template <int dim>
 std::optional<NearbyPeak> nearby_peak(
     const PartJob& job, const std::vector<LoadSet>& sets,
     const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
     const std::vector<stress::StressHistory>& histories, double pollution,
-    double tolerance);
+    double tolerance, PlaceSearch which = PlaceSearch::kAll);
 
 }  // namespace clevis::assessment

@@ -21,8 +21,9 @@ UpperTriangle free_equations(const StiffnessMatrix<dim>& stiffness,
   const std::vector<int>& equation = numbers.equation;
   UpperTriangle upper;
   upper.row_start.push_back(0);
-  upper.column.reserve(stiffness.column.size() * dim * dim);
-  upper.value.reserve(stiffness.column.size() * dim * dim);
+  upper.column.resize(stiffness.column.size() * dim * dim);
+  upper.value.resize(upper.column.size());
+  std::size_t next = 0;
   for (int node = 0; node < stiffness.nodes(); ++node) {
     const auto n = static_cast<std::size_t>(node);
     for (int a = 0; a < dim; ++a) {
@@ -31,18 +32,20 @@ UpperTriangle free_equations(const StiffnessMatrix<dim>& stiffness,
       for (int k = stiffness.row_start[n]; k < stiffness.row_start[n + 1];
            ++k) {
         const auto at = static_cast<std::size_t>(k);
-        const auto other = static_cast<std::size_t>(stiffness.column[at]);
+        const int* columns =
+            &equation[dim * static_cast<std::size_t>(stiffness.column[at])];
         for (int b = 0; b < dim; ++b) {
-          const int column =
-              equation[dim * other + static_cast<std::size_t>(b)];
-          if (column < row) continue;  // held, or below the diagonal
-          upper.column.push_back(column);
-          upper.value.push_back(stiffness.block[at](a, b));
+          // Written in any case, kept unless held or below the diagonal.
+          upper.column[next] = columns[b];
+          upper.value[next] = stiffness.block[at](a, b);
+          next += columns[b] >= row ? 1 : 0;
         }
       }
-      upper.row_start.push_back(entry_number(upper.column.size()));
+      upper.row_start.push_back(entry_number(next));
     }
   }
+  upper.column.resize(next);
+  upper.value.resize(next);
   return upper;
 }
 

@@ -1,7 +1,6 @@
 #include "elasticity/assembly/stiffness.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -9,30 +8,12 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "elasticity/algebra/dense_product.h"
+#include "elasticity/algebra/symmetric_product.h"
+#include "elasticity/assembly/gradient_products.h"
 #include "elasticity/assembly/node_pairs.h"
 
 namespace clevis::elasticity {
 namespace {
-
-/// Products of gradients ∫ ∂_a N_i ∂_b N_j dV for a <= b, each functions ×
-/// functions: all that an isotropic element matrix is made of.
-template <int dim>
-using GradientProducts = std::array<std::array<Eigen::MatrixXd, dim>, dim>;
-
-template <int dim>
-GradientProducts<dim> gradient_products(
-    const std::vector<Eigen::MatrixXd>& gradients,
-    const Eigen::VectorXd& weights) {
-  GradientProducts<dim> products;
-  for (std::size_t b = 0; b < dim; ++b) {
-    const Eigen::MatrixXd weighted = weights.asDiagonal() * gradients[b];
-    for (std::size_t a = 0; a <= b; ++a) {
-      products[a][b] = transposed_product(gradients[a], weighted);
-    }
-  }
-  return products;
-}
 
 /// K_ij(a, b) = λ G_ab(i,j) + μ G_ba(i,j) + δ_ab μ Σ_c G_cc(i,j), where
 /// G_ba(i,j) = G_ab(j,i).
@@ -41,7 +22,7 @@ typename StiffnessMatrix<dim>::Block element_block(
     const GradientProducts<dim>& products, const LameConstants<dim>& lame,
     Eigen::Index i, Eigen::Index j) {
   const auto product = [&](std::size_t a, std::size_t b) {
-    return a <= b ? products[a][b](i, j) : products[b][a](j, i);
+    return products(a, b, i, j);
   };
   typename StiffnessMatrix<dim>::Block block;
   double trace = 0.0;
@@ -117,26 +98,10 @@ StiffnessMatrix<dim> StiffnessMatrix<dim>::absolute() const {
 
 template <int dim>
 Eigen::MatrixXd StiffnessMatrix<dim>::multiply(const Eigen::MatrixXd& x) const {
-  // Rows of all columns side by side: one pass through the matrix.
-  using RowMajor =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const RowMajor rows = x;
-  RowMajor y = RowMajor::Zero(x.rows(), x.cols());
-  for (int i = 0; i < nodes(); ++i) {
-    const auto n = static_cast<std::size_t>(i);
-    const auto end = static_cast<std::size_t>(row_start[n + 1]);
-    for (auto k = static_cast<std::size_t>(row_start[n]); k < end; ++k) {
-      const int j = column[k];
-      for (int a = 0; a < dim; ++a) {
-        for (int b = 0; b < dim; ++b) {
-          const double value = block[k](a, b);
-          y.row(dim * i + a) += value * rows.row(dim * j + b);
-          if (j != i) y.row(dim * j + b) += value * rows.row(dim * i + a);
-        }
-      }
-    }
-  }
-  return y;
+  static_assert(sizeof(Block) == dim * dim * sizeof(double));
+  const double* entries = block.empty() ? nullptr : block.front().data();
+  return symmetric_product(
+      {dim, nodes(), row_start.data(), column.data(), entries}, x);
 }
 
 template <int dim>
@@ -163,20 +128,18 @@ StiffnessMatrix<dim> assemble_stiffness(
                       StiffnessMatrix<dim>::Block::Zero());
   const auto lame = lame_constants<dim>(material);
   const auto rule = stiffness_quadrature(discretization);
-  const auto displacement = tabulate_displacement<dim>(
-      discretization.shape, discretization.displacement_degree(), rule.points);
   const auto geometry = tabulate_geometry<dim>(
       discretization.shape, discretization.mapping_degree(), rule.points);
+  GradientIntegrator<dim> integrator(discretization, rule);
   for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
     const auto cell =
         cell_geometry<dim>(discretization.cell_points[c], geometry);
     require_positive(cell.determinant, c, discretization.geometry_degree,
                      place);
-    const auto gradients = physical_gradients(cell, displacement);
     const Eigen::VectorXd weights =
         rule.weights.cwiseProduct(cell.determinant) * discretization.thickness;
     scatter<dim>(discretization.cell_nodes[c],
-                 gradient_products<dim>(gradients, weights), lame, matrix);
+                 integrator.integrate(cell, weights), lame, matrix);
   }
   return matrix;
 }

@@ -55,9 +55,7 @@ bool is_in_order(const std::vector<int>& place) {
 class Workspace {
  public:
   explicit Workspace(const FrontTree& tree)
-      : local_(tree.place.size()),
-        stack_(std::make_unique_for_overwrite<double[]>(tree.stack_entries())) {
-  }
+      : local_(tree.place.size()), stack_(large_buffer(tree.stack_entries())) {}
 
   /// Matrix of the border, zero at first, above its children's.
   double* open(const Front& front) {
@@ -129,7 +127,7 @@ class Workspace {
   }
 
   std::vector<int> local_, rows_;
-  std::unique_ptr<double[]> stack_;
+  LargeBuffer stack_;
   std::size_t top_ = 0;
   double* open_ = nullptr;
   std::vector<Waiting> waiting_;
@@ -152,9 +150,7 @@ void assemble(const UpperTriangle& matrix, const Front& front,
 
 FrontalCholesky::FrontalCholesky(const UpperTriangle& matrix, FrontTree tree,
                                  const std::string& name)
-    : tree_(std::move(tree)),
-      factor_(
-          std::make_unique_for_overwrite<double[]>(tree_.factor_entries())) {
+    : tree_(std::move(tree)), factor_(large_buffer(tree_.factor_entries())) {
   std::size_t next = 0;
   for (const Front& front : tree_.fronts) {
     start_.push_back(next);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,6 +7,7 @@
 
 #include "elasticity/algebra/sparse_cholesky.h"
 #include "elasticity/direct/front_tree.h"
+#include "elasticity/direct/large_buffer.h"
 
 namespace clevis::elasticity {
 
@@ -41,7 +41,7 @@ class FrontalCholesky {
   FrontTree tree_;
   std::vector<std::size_t> start_;  ///< of each front's panel in factor_
   /// Per front: own + border rows × own columns, by columns.
-  std::unique_ptr<double[]> factor_;
+  LargeBuffer factor_;
 };
 
 }  // namespace clevis::elasticity

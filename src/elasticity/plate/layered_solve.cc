@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/stopwatch.h"
+#include "elasticity/algebra/symmetric_product.h"
 #include "elasticity/assembly/equations.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/direct/dissection.h"
@@ -26,48 +27,20 @@ constexpr double kCompressionTolerance = 3e-7;
 /// Loads of a parity below this part of all are round-off of the other's.
 constexpr double kNoLoad = 1e-8;
 
-/// K or |K| times a block, from the upper triangle; a few columns at a time,
-/// which stay in the cache.
-template <class Entry>
-MatrixXd multiply(const UpperTriangle& upper, const MatrixXd& x,
-                  const Entry& entry) {
-  constexpr Index kColumns = 16;
-  using Rows = Eigen::Matrix<double, kColumns, Eigen::Dynamic>;
-  MatrixXd result(x.rows(), x.cols());
-  Rows from = Rows::Zero(kColumns, x.rows());
-  Rows to(kColumns, x.rows());
-  for (Index first = 0; first < x.cols(); first += kColumns) {
-    const Index count = std::min(kColumns, x.cols() - first);
-    from.topRows(count) = x.middleCols(first, count).transpose();
-    to.setZero();
-    for (int i = 0; i < upper.rows(); ++i) {
-      const auto begin = upper.row_start[static_cast<std::size_t>(i)];
-      const auto end = upper.row_start[static_cast<std::size_t>(i) + 1];
-      const Eigen::Matrix<double, kColumns, 1> here = from.col(i);
-      Eigen::Matrix<double, kColumns, 1> sum = to.col(i);
-      for (int k = begin; k < end; ++k) {
-        const int j = upper.column[static_cast<std::size_t>(k)];
-        const double value = entry(upper.value[static_cast<std::size_t>(k)]);
-        sum += value * from.col(j);
-        if (j != i) to.col(j) += value * here;
-      }
-      to.col(i) = sum;
-    }
-    result.middleCols(first, count) = to.topRows(count).transpose();
-  }
-  return result;
+MatrixXd multiply(const UpperTriangle& upper, const MatrixXd& x) {
+  return symmetric_product({1, upper.rows(), upper.row_start.data(),
+                            upper.column.data(), upper.value.data()},
+                           x);
 }
 
 StiffnessAction action_of(const UpperTriangle& upper) {
   return {[&upper](const MatrixXd& x) {
-            return multiply(upper, x, [](double value) {
-              return value;
-            });
+            return multiply(upper, x);
           },
           [&upper](const MatrixXd& x) {
-            return multiply(upper, x, [](double value) {
-              return std::abs(value);
-            });
+            UpperTriangle absolute = upper;
+            for (double& value : absolute.value) value = std::abs(value);
+            return multiply(absolute, x);
           }};
 }
 

@@ -18,7 +18,7 @@ using Eigen::MatrixXd;
 
 constexpr int kOutside = -1;
 
-/// Numbers of the nodes in the neighbourhood; kOutside elsewhere.
+/// Numbers of the nodes in the neighbourhood as they come; kOutside elsewhere.
 template <int dim>
 std::vector<int> number_nodes(const Discretization<dim>& fine,
                               const std::vector<int>& cells, int& nodes) {
@@ -147,9 +147,14 @@ Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
     cells = with_neighbours<dim>(problem.fine, cells);
   }
   int nodes = 0;
-  const auto number = number_nodes<dim>(problem.fine, cells, nodes);
+  auto number = number_nodes<dim>(problem.fine, cells, nodes);
   auto& part = result.basis.discretization;
   part = restricted<dim>(problem.fine, cells, number, nodes);
+  std::vector<int> place;
+  const Dissection dissection = dissect_and_renumber(part, place);
+  for (int& n : number) {
+    if (n != kOutside) n = place[static_cast<std::size_t>(n)];
+  }
   MatrixXd load(part.dofs(), 1);
   for (std::size_t node = 0; node < number.size(); ++node) {
     if (number[node] == kOutside) continue;
@@ -173,7 +178,7 @@ Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
   const auto numbers = number_equations(
       part.dofs(), held_components<dim>(problem, cells, number));
   const FrontalCholesky factor(free_equations(stiffness, numbers),
-                               front_tree(dissect(part), dim, numbers.equation),
+                               front_tree(dissection, dim, numbers.equation),
                                "neighbourhood");
   const MatrixXd residual = load - stiffness.multiply(u);
   u += extend_rows(factor.solve(restrict_rows(residual, numbers)), numbers);
