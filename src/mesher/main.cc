@@ -9,6 +9,7 @@
 #include <Standard_Failure.hxx>
 #include <fmt/format.h>
 
+#include "base/allowed_program.h"
 #include "base/errors.h"
 #include "cad/exchange.h"
 #include "mesher/check_shape.h"
@@ -46,6 +47,7 @@ std::string answer(const cad::Request& request) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  clevis::allow_only(nullptr);  // bubblewrap, which started it, could not
   if (argc != 3) {
     std::cerr << "clevis-mesher REQUEST ANSWER: run by clevis\n";
     return 2;

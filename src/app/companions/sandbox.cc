@@ -39,7 +39,7 @@ std::vector<std::string> command_of(const fs::path& bubblewrap,
 }
 
 /// Whether bubblewrap can start a program as it starts a companion here: a
-/// container or a kernel may not let it. ldconfig's linker stands for one.
+/// container or a kernel may not let it. The dynamic linker stands for one.
 bool is_permitted(const fs::path& bubblewrap) {
   constexpr std::chrono::seconds kMost(5);
   const TemporaryFolder folder;

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "app/processes/lone_program.h"
+#include "base/allowed_program.h"
 #include "base/errors.h"
 #include "base/interrupts.h"
 #include "base/stopwatch.h"
