@@ -156,13 +156,15 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "tolerance). Its positions are wrong. Ask for a stricter tolerance, or "
      "correct lengths, masses and forces of a wrong order of size."},
     {"K013", kResourceLimit, "motion takes too long",
-     "Its integration has used more processor time than --max-time allows (60 "
-     "s "
-     "by default), or would by a hundred times. The message names the body and "
-     "the force whose motion is fastest: a stiffness, mass or length of a "
-     "wrong "
-     "order of size there makes every step short. Where the forecast is below "
-     "20 times the limit it names a --max-time that should do."},
+     "It has used more processor time than --max-time allows (60 s by "
+     "default), "
+     "or its integration would by a hundred times. Of an integrated motion the "
+     "message names the body and the force that are fastest: a stiffness, mass "
+     "or length of a wrong order of size there makes every step short. Where "
+     "the forecast is below 20 times the limit it names a --max-time that "
+     "should do. One that the drives fix takes as long as it has instants, and "
+     "those that are added where loads are largest: ask for fewer, for a "
+     "shorter motion, or for more --max-time."},
     {"L001", kModelInvalid, "unbalanced load on a free part",
      "Forces, moments and inertia of a part that nothing holds do not cancel. "
      "A linear static solve would hide the residual in arbitrary supports. "

@@ -57,6 +57,12 @@ class Endless(unittest.TestCase):
             self.refused_in_time(
                 done, f"{1 if limit == '1 s' else 3} s are allowed")
 
+    def test_motion_that_drives_fix(self):
+        scene = SOURCE / "geometry/landing_gear/scene.toml"
+        many = ("--set", "simulation.instants=100000", "--max-time")
+        done = self.simulate(scene, *many, "0.1 s")
+        self.refused_in_time(done, "positions", "instants", "0.1 s are allowed")
+
     def test_times_out_of_range(self):
         scene = SOURCE / "geometry/tribometer/scene.toml"
         for text in ("0 s", "-1 s", "1e9 s", "60", "5 mm", "nan s"):

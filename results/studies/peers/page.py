@@ -58,7 +58,8 @@ def cell(rows, program, allowed, key, scale=1.0):
     row = least(rows, program, allowed, key)
     if row is None:
         return "not reached"
-    how = " ".join(word for word in (row["method"], row["setting"]) if word != "auto")
+    method = row["method"].removeprefix(row["program"]).removeprefix("clevis ").strip()
+    how = " ".join(word for word in (method, row["setting"]) if word not in ("auto", "clevis"))
     return f"{scale * float(row[key]):.3g} ({how})"
 
 
@@ -157,14 +158,15 @@ def draw(picture, rows, key, label, folder):
     curves = {}
     for row in rows:
         if row["off"] and row[key]:
-            name = " ".join(dict.fromkeys(
-                [row["program"], *([] if row["method"] == "auto" else [row["method"]])]))
-            if row["method"].startswith((row["program"], "clevis ")):
-                name = row["method"]
+            name = row["method"]
+            if not name.startswith((row["program"], "clevis")):
+                name = row["program"] + ("" if name == "auto" else f" {name}")
             curves.setdefault(name, []).append((row[key], f"{row['off']:.4g}"))
     if curves:
         plot(folder / picture, f'set logscale xy\nset format "10^{{%T}}"\n'
              f'set xlabel "processor seconds {label}"\nset ylabel "error"\n'
+             # eight colours, then the same dashed
+             "set for [k=1:8] linetype k + 8 lc k lw 2 dt 2\nset linetype cycle 16\n"
              "set key outside right", curves, "1:2")
 
 

@@ -63,7 +63,7 @@ void add_mesh_flag(CLI::App& command, Options& options) {
 void add_max_time(CLI::App& command, SceneRequest& request) {
   command
       .add_option("--max-time", request.max_time,
-                  "processor time that a motion by forces may take, e.g. \"10 "
+                  "processor time that a motion may take, e.g. \"10 "
                   "min\" [60 s]")
       ->type_name("TIME");
 }

@@ -119,7 +119,7 @@ struct SimulationSettings {
   /// Also where loads are largest or jump: their peaks are looked for between
   /// the uniform instants.
   bool at_peaks = false;
-  double max_time = 60.0;  ///< of the processor, for an integration [s]
+  double max_time = 60.0;  ///< of the processor, for a motion [s]
   AtSingularity at_singularity = AtSingularity::kReport;
   LinkStiffness links = LinkStiffness::kRigid;
 };

@@ -24,10 +24,26 @@ DrivenModel::DrivenModel(const MechanismDefinition& given,
       joints(frame, {}, system.motions(), ConstraintSystem::Drives::kNone),
       tolerance(settings.tolerance * frame.length),
       continuation(system, tolerance),
-      equilibrium(given, frame, system) {}
+      equilibrium(given, frame, system),
+      duration_(settings.duration),
+      limit_(settings.max_time, settings.duration, 1) {}
+
+void DrivenModel::require_in_time(double t) const {
+  constexpr long kLook = 16;  // positions: the clock is a system call
+  if (++asked_ % kLook != 0 || !limit_.is_used_up()) return;
+  throw Error(
+      "K013", "mechanism",
+      fmt::format("{:.2g} s of processor time and {} positions of a motion "
+                  "that the drives fix have been found, the last at t = {:.6g} "
+                  "s of {:.6g} s; {:.4g} s are allowed",
+                  limit_.used(), asked_, t, duration_, limit_.limit()),
+      "Give more --max-time, or fewer instants, a shorter motion, drives "
+      "without needless turns.");
+}
 
 ClosedConfiguration DrivenModel::follow(const DrivenMoment& from,
                                         double t) const {
+  require_in_time(t);
   Continuation::Reached reached =
       continuation.follow(from.at, drive_positions(definition, t));
   if (reached.part < 1.0) stop(from, reached, t);
@@ -35,6 +51,7 @@ ClosedConfiguration DrivenModel::follow(const DrivenMoment& from,
 }
 
 DrivenMoment DrivenModel::moment(const Configuration& x, double t) const {
+  require_in_time(t);
   return {continuation.close(x, drive_positions(definition, t)), t};
 }
 

@@ -8,6 +8,7 @@
 #include "mechanism/constraints/continuation.h"
 #include "mechanism/constraints/solving_frame.h"
 #include "mechanism/definition/definition.h"
+#include "mechanism/definition/time_limit.h"
 #include "mechanism/reactions/equilibrium.h"
 
 namespace clevis::mechanism {
@@ -28,9 +29,10 @@ struct DrivenModel {
               const SimulationSettings& settings);
 
   /// The configuration at t, on the branch of a regular moment nearby, before
-  /// or after. @throws Error K004 where no position continues the motion.
+  /// or after. @throws Error K004 where no position continues the motion, K013
+  ///   where the processor's time for it is used up.
   ClosedConfiguration follow(const DrivenMoment& from, double t) const;
-  /// A moment of a configuration that was passed before.
+  /// A moment of a configuration that was passed before. @throws Error K013.
   DrivenMoment moment(const Configuration& x, double t) const;
   /// Values by drive [m] or [rad], or their rates, scaled as the rows are.
   Eigen::VectorXd drive_rows(const Eigen::VectorXd& values) const;
@@ -47,10 +49,16 @@ struct DrivenModel {
   Equilibrium equilibrium;
 
  private:
+  /// @param t  of the position that is asked for.
+  void require_in_time(double t) const;
   [[noreturn]] void stop(const DrivenMoment& from,
                          const Continuation::Reached& reached, double t) const;
   Eigen::VectorXd dead_end(const Continuation::Reached& reached,
                            const Eigen::VectorXd& targets) const;
+
+  double duration_;         ///< [s]
+  TimeLimit limit_;         ///< from the construction on
+  mutable long asked_ = 0;  ///< positions: a count, of no effect on results
 };
 
 }  // namespace clevis::mechanism

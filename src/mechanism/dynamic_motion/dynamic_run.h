@@ -6,10 +6,10 @@
 #include <Eigen/Core>
 
 #include "mechanism/definition/motion.h"
+#include "mechanism/definition/time_limit.h"
 #include "mechanism/dynamic_motion/dynamic_change_points.h"
 #include "mechanism/dynamic_motion/dynamic_instants.h"
 #include "mechanism/dynamic_motion/motion_guards.h"
-#include "mechanism/dynamic_motion/time_limit.h"
 #include "mechanism/events/event_finder.h"
 #include "mechanism/events/impact_recorder.h"
 #include "mechanism/events/reaction_peaks.h"

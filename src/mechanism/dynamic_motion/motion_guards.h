@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "mechanism/definition/time_limit.h"
 #include "mechanism/dynamic_motion/dynamic_change_points.h"
-#include "mechanism/dynamic_motion/time_limit.h"
 #include "mechanism/integration/dynamic_model.h"
 #include "mechanism/integration/motion_integrator.h"
 

@@ -37,6 +37,24 @@ TEST(Refusal, LoopThatCannotClose) {
   EXPECT_TRUE(has(why, "Q by")) << why;
 }
 
+// A motion that drives fix has no steps to forecast, but positions to count.
+TEST(Refusal, DrivenMotionThatTakesTooLong) {
+  for (const bool at_peaks : {false, true}) {
+    SimulationSettings settings{.duration = 2.0, .instants = 2001};
+    settings.at_peaks = at_peaks;
+    settings.max_time = 1e-5;
+    try {
+      simulate(four_bar({}, 0.7), settings);
+      FAIL() << "2001 instants within 10 us";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), "K013");
+      EXPECT_TRUE(has(error.problem(), "1e-05 s are allowed"))
+          << error.problem();
+      EXPECT_TRUE(has(error.remedy(), "--max-time")) << error.remedy();
+    }
+  }
+}
+
 TEST(Refusal, DriveThatStartsOutOfReach) {
   MechanismDefinition m = landing_gear();
   m.drives[0].from = 0.300;  // beyond FD + ED = 270.24 mm

@@ -1,4 +1,4 @@
-#include "mechanism/dynamic_motion/time_limit.h"
+#include "mechanism/definition/time_limit.h"
 
 #include <gtest/gtest.h>
 

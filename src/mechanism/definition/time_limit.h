@@ -5,7 +5,8 @@
 
 namespace clevis::mechanism {
 
-/// Processor time that an integration may take, and what it is forecast to.
+/// Processor time that a motion may take, and what an integration is forecast
+/// to.
 /// Times in seconds of the processor, but t in seconds of the motion.
 class TimeLimit {
  public:
@@ -21,6 +22,9 @@ class TimeLimit {
   /// Whether the integration is to stop at t: what it has used is above the
   /// limit, or its forecast is, so far that no error of the forecast matters.
   bool is_over(double t);
+  /// Whether it is used up: without a forecast, for work that goes to and fro
+  /// in t.
+  bool is_used_up() const { return used() > limit_; }
   double used() const { return clock_() - start_; }  ///< [s]
   /// Of the whole, as of the last is_over() [s].
   double forecast() const { return forecast_; }
