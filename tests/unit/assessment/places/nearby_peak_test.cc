@@ -130,6 +130,29 @@ TEST(LocalSolve, OnSomeCellsIsThatOnAllOfThem) {
   EXPECT_GT(a.mean.maxCoeff(), 0.9 * lames_peak());
 }
 
+// Left where no band can come within the tolerance; else what is found is the
+// same.
+TEST(NearbyPeak, IsLeftOnlyWhereItCannotConverge) {
+  const PartJob job = ring(2, 2, 0.03);
+  PartSeconds seconds;
+  const auto level = solve_level<3>(job, job.load_sets, job.mesh,
+                                    solid_model(job.mesh), 2, seconds);
+  const auto look = [&](double tolerance, PlaceSearch which) {
+    return nearby_peak<3>(job, job.load_sets, job.mesh, level, level.histories,
+                          0.0, tolerance, which);
+  };
+  constexpr double kWide = 0.5, kUnmet = 1e-9;
+  const auto all = look(kWide, PlaceSearch::kAll);
+  const auto some = look(kWide, PlaceSearch::kWhileItMayConverge);
+  ASSERT_TRUE(all && some);
+  EXPECT_EQ(all->band.verdict, stress::Convergence::kConverged);
+  EXPECT_EQ(some->band.verdict, all->band.verdict);
+  EXPECT_EQ(some->band.value, all->band.value);
+  EXPECT_EQ(some->band.low, all->band.low);
+  EXPECT_EQ(some->band.high, all->band.high);
+  EXPECT_FALSE(look(kUnmet, PlaceSearch::kWhileItMayConverge));
+}
+
 // A uniform stress is in every space: nothing is in doubt.
 TEST(NearbyPeak, OfAFieldInTheSpaceHasNoError) {
   auto mesh = support::simplex_mesh<3>({3, 2, 2}, 1, [](const Vector3d& x) {
