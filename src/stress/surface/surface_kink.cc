@@ -77,7 +77,8 @@ double kinked_stress(const mesh::PartMesh<3>& mesh,
   const EdgeStress field(mesh, cells, stress);
   double largest = 0.0;
   for (const SurfaceEdge& edge : smooth_edges(mesh, is_near)) {
-    const auto across = field.across(edge.one).max(field.across(edge.other));
+    const Eigen::ArrayXd across =
+        field.across(edge.one).max(field.across(edge.other));
     largest = std::max(largest, (edge.kink * across).maxCoeff());
   }
   return largest;
