@@ -11,8 +11,7 @@
 namespace clevis::app {
 namespace {
 
-constexpr int kViewWidth = 620;       // [pixel]
-constexpr double kMillimetre = 1e-3;  // [m]
+constexpr int kViewWidth = 620;  // [pixel]
 
 std::vector<report::DrawnFace> drawn(
     const cad::Solid& solid, const std::function<std::string(int)>& group_of) {
@@ -26,7 +25,7 @@ std::vector<report::DrawnFace> drawn(
     face.points.resize(static_cast<Eigen::Index>(facets.points.size()), 3);
     for (std::size_t p = 0; p < facets.points.size(); ++p) {
       face.points.row(static_cast<Eigen::Index>(p)) =
-          facets.points[p].transpose() / kMillimetre;
+          1e3 * facets.points[p].transpose();  // [mm]
     }
     face.triangles = facets.triangles;
   }

@@ -55,10 +55,10 @@ std::optional<stress::LocalValues> local_peak(const PartJob& job,
   const auto peak_with = [&](int more) {
     const auto fine = fine_load<dim>(job, sets[level.set], history.peak_instant,
                                      mesh, level.member.degree + more);
-    const auto enriched =
-        elasticity::enrich<dim>({basis.discretization, u, fine.discretization,
-                                 fine.load, fine.held, job.part.material},
-                                cells);
+    const auto enriched = elasticity::enrich<dim>(
+        {basis.discretization, u, fine.discretization, fine.load, fine.held,
+         job.part.material},
+        elasticity::with_neighbours<dim>(fine.discretization, cells));
     return stress::enriched_peak<dim>(enriched, cells, job.part.material,
                                       history.subdivisions);
   };

@@ -78,7 +78,7 @@ elasticity::Enriched<dim> solve_nearby(
       {basis.discretization, u, fine, load,
        elasticity::held_on_groups<dim>(fine, set.fixed), job.part.material,
        sub.cells, set.foundations},
-      near, 0);
+      near);
 }
 
 template elasticity::Enriched<2> solve_nearby<2>(

@@ -1,82 +1,18 @@
 #include "assessment/places/nearby_peak.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
-#include "assessment/places/local_solve.h"
+#include "assessment/places/closer_look.h"
 #include "assessment/places/meeting_places.h"
 #include "assessment/places/place_band.h"
 #include "base/errors.h"
-#include "elasticity/fe_space/tabulation.h"
 #include "mesh/derived/sub_mesh.h"
-#include "stress/peaks/meeting_points.h"
-#include "stress/surface/surface_kink.h"
 
 namespace clevis::assessment {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
 using stress::FieldPoint;
-
-/// Finer solutions are looked at on a lattice twice as close as usual.
-constexpr int kFineLattice = 8;
-constexpr double kNothing = -std::numeric_limits<double>::infinity();
-
-/// Stress of finer solutions near a place: its largest stress, that less the
-/// error there, and the largest of stress and error over all its cells.
-struct Closer {
-  PlaceEstimate stress{kNothing, kNothing, kNothing};
-  FieldPoint at;  ///< of the value: cell of the centre, point of kFineLattice
-};
-
-/// Solutions in the cells of a centre, lattice points × cells.
-struct FinerFields {
-  stress::JoinedStress low;   ///< one degree higher
-  stress::JoinedStress wide;  ///< likewise, with a second layer around
-  stress::JoinedStress high;  ///< two degrees higher
-};
-
-/// Differences by degree, layer and cells, each by its largest in the cell
-/// where the stress is not far below its largest: what agrees at a point by
-/// chance does not hide it.
-/// @param rise  of each cell, from the instant that was solved for to its worst
-///   one.
-/// @param counting  points × cells: those that are not left out.
-Closer judge(const FinerFields& fields, const Eigen::VectorXd& rise,
-             const Eigen::MatrixXd& counting) {
-  constexpr double kNear = 0.9;
-  constexpr double kDegree = 0.6;
-  constexpr double kLayer = 0.5;
-  constexpr double kJump = 0.15;
-  const MatrixXd value = (fields.high.mean + fields.wide.mean - fields.low.mean)
-                             .cwiseProduct(counting);
-  const double least = kNear * value.maxCoeff();
-  Closer closer;
-  for (Index c = 0; c < value.cols(); ++c) {
-    const Eigen::ArrayXd counts =
-        (value.col(c).array() >= least).cast<double>() *
-        counting.col(c).array();
-    const auto largest = [&](const auto& difference) {
-      return (difference.array().abs() * counts).maxCoeff();
-    };
-    Index point = 0;
-    const double peak = rise[c] * value.col(c).maxCoeff(&point);
-    const double error =
-        rise[c] *
-        (kDegree * largest(fields.high.mean.col(c) - fields.low.mean.col(c)) +
-         kLayer * largest(fields.wide.mean.col(c) - fields.low.mean.col(c)) +
-         kJump * largest(fields.high.jump.col(c)));
-    closer.stress.high = std::max(closer.stress.high, peak + error);
-    if (peak <= closer.stress.value) continue;
-    closer.stress.value = peak;
-    closer.stress.low = peak - error;
-    closer.at = {static_cast<int>(c), static_cast<int>(point)};
-  }
-  return closer;
-}
 
 template <int dim>
 class PeakSearch {
@@ -129,7 +65,7 @@ class PeakSearch {
     std::size_t set{};
     Place place;
     std::vector<int> centre;
-    Closer closer;
+    CloserStress closer;
   };
 
   const Place& place(const Number& n) const {
@@ -213,122 +149,8 @@ class PeakSearch {
     return centre;
   }
 
-  stress::JoinedStress solve(const Number& seed, const std::vector<int>& centre,
-                             int layers, int more) const {
-    const auto enriched = solve_nearby<dim>(
-        job_, sets_[seed.set], mesh_, *level_.bases[seed.set],
-        {centre, layers, place(seed).instant, level_.member.degree + more});
-    const auto joined = stress::joined_stress<dim>(
-        enriched.basis, job_.part.material, kFineLattice);
-    stress::JoinedStress of_centre{
-        MatrixXd(joined.mean.rows(), static_cast<Index>(centre.size())),
-        MatrixXd(joined.mean.rows(), static_cast<Index>(centre.size()))};
-    for (std::size_t k = 0; k < enriched.cells.size(); ++k) {
-      const auto at = std::ranges::lower_bound(centre, enriched.cells[k]);
-      if (at == centre.end() || *at != enriched.cells[k]) continue;
-      const Index column = at - centre.begin();
-      of_centre.mean.col(column) = joined.mean.col(static_cast<Index>(k));
-      of_centre.jump.col(column) = joined.jump.col(static_cast<Index>(k));
-    }
-    return of_centre;
-  }
-
-  /// The solved field at a place's instant in some cells alone.
-  elasticity::DisplacementBasis<dim> field_in(
-      const Number& seed, const std::vector<int>& cells) const {
-    const auto& basis = *level_.bases[seed.set];
-    elasticity::DisplacementBasis<dim> part;
-    part.discretization = basis.discretization;
-    auto& d = part.discretization;
-    d.cell_nodes.clear();
-    d.cell_points.clear();
-    for (const int cell : cells) {
-      const auto c = static_cast<std::size_t>(cell);
-      d.cell_nodes.push_back(basis.discretization.cell_nodes[c]);
-      d.cell_points.push_back(basis.discretization.cell_points[c]);
-    }
-    part.columns = basis.columns * basis.coefficients.col(place(seed).instant);
-    part.coefficients = MatrixXd::Ones(1, 1);
-    return part;
-  }
-
-  /// By how much the solved stress near its largest is higher at its worst
-  /// instant than at the place's, per cell.
-  Eigen::VectorXd rise(const Number& seed, const std::vector<int>& centre,
-                       const elasticity::DisplacementBasis<dim>& field) const {
-    constexpr double kNear = 0.9;
-    Eigen::VectorXd result =
-        Eigen::VectorXd::Ones(static_cast<Index>(centre.size()));
-    if (level_.bases[seed.set]->coefficients.cols() < 2) return result;
-    const auto& history = histories_[seed.set];
-    const auto then = stress::stress_history<dim>(field, job_.part.material,
-                                                  history.subdivisions);
-    for (std::size_t k = 0; k < centre.size(); ++k) {
-      const auto at = static_cast<Index>(k);
-      const auto worst = history.worst.col(centre[k]).array();
-      const Eigen::ArrayXd counts =
-          (worst >= kNear * worst.maxCoeff()).template cast<double>();
-      const Eigen::ArrayXd least =
-          then.worst.col(at).array().max(1e-3 * worst.maxCoeff());
-      result[at] = std::max(1.0, (counts * worst / least).maxCoeff());
-    }
-    return result;
-  }
-
-  /// 1 at the points of the fine lattice that count, 0 at those beside points
-  /// of the usual one that are left out.
-  MatrixXd counting(const Number& seed, const std::vector<int>& cells) const {
-    const auto& history = histories_[seed.set];
-    const auto fine = elasticity::lattice<dim>(mesh_.shape, kFineLattice);
-    const auto usual =
-        elasticity::lattice<dim>(mesh_.shape, history.subdivisions);
-    const double beside = 1.01 * std::sqrt(double(dim)) *
-                          (1.0 / history.subdivisions - 1.0 / kFineLattice);
-    MatrixXd result =
-        MatrixXd::Ones(fine.cols(), static_cast<Index>(cells.size()));
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      for (Index q = 0; q < usual.cols(); ++q) {
-        if (history.worst(q, cells[k]) >= 0.0) continue;
-        for (Index i = 0; i < fine.cols(); ++i) {
-          if ((fine.col(i) - usual.col(q)).norm() <= beside) {
-            result(i, static_cast<Index>(k)) = 0.0;
-          }
-        }
-      }
-    }
-    return result;
-  }
-
-  /// The nearest point of another lattice.
-  FieldPoint on_lattice(const FieldPoint& fine, int subdivisions) const {
-    const Eigen::Matrix<double, dim, 1> at =
-        elasticity::lattice<dim>(mesh_.shape, kFineLattice).col(fine.point);
-    Index nearest = 0;
-    (elasticity::lattice<dim>(mesh_.shape, subdivisions).colwise() - at)
-        .colwise()
-        .squaredNorm()
-        .minCoeff(&nearest);
-    return {fine.cell, static_cast<int>(nearest)};
-  }
-
-  /// By what the mesh makes of a curved surface [Pa]: a surface whose slope is
-  /// off by δ/2 to and fro has a stress that is by about δ off where it flows
-  /// across.
-  double shape_error(const std::vector<int>& centre,
-                     const elasticity::DisplacementBasis<dim>& field) const {
-    if constexpr (dim == 3) {
-      constexpr int kIntervals = 4;
-      return stress::kinked_stress(
-          mesh_, centre,
-          stress::instant_field<dim>(field, job_.part.material, kIntervals, 0)
-              .stress);
-    }
-    return 0.0;
-  }
-
   /// @return false where it was left: errors at the highest place that are
-  /// known
-  ///   before all is solved are beyond the tolerance already.
+  ///   known before all is solved are beyond the tolerance already.
   bool look_closer(const Number& seed, double tolerance, PlaceSearch which) {
     constexpr double kSure = 1.1;  // the value is not known yet
     const auto is_futile = [&](double error, double value) {
@@ -336,31 +158,14 @@ class PeakSearch {
              error > kSure * tolerance * value;
     };
     const auto centre = centre_of(seed);
-    const auto field = field_in(seed, centre);
-    const Eigen::VectorXd rises = rise(seed, centre, field);
-    const double shape = rises.maxCoeff() * shape_error(centre, field);
-    const double solved = place(seed).high;
-    if (is_futile(pollution_ * solved + shape, solved)) return false;
-    const MatrixXd counts = counting(seed, centre);
-    FinerFields fields{
-        solve(seed, centre, 1, 1), {}, solve(seed, centre, 1, 2)};
-    fields.wide = fields.low;  // dear, and last
-    Closer closer = judge(fields, rises, counts);
-    if (is_futile(closer.stress.value - closer.stress.low +
-                      pollution_ * closer.stress.value + shape,
-                  closer.stress.value)) {
-      return false;
-    }
-    fields.wide = solve(seed, centre, 2, 1);
-    closer = judge(fields, rises, counts);
-    closer.at = on_lattice(closer.at, histories_[seed.set].subdivisions);
-    closer.at.cell = centre[static_cast<std::size_t>(closer.at.cell)];
-    const double off = pollution_ * closer.stress.value + shape;
-    closer.stress.low -= off;
-    closer.stress.high += off;
+    const auto closer = assessment::look_closer<dim>(
+        {job_, sets_[seed.set], mesh_, *level_.bases[seed.set],
+         histories_[seed.set], level_.member.degree},
+        place(seed), centre, pollution_, is_futile);
+    if (!closer) return false;
     if (seen_.empty()) best_ = 0.0;
-    seen_.push_back({seed.set, place(seed), centre, closer});
-    best_ = std::max(best_, closer.stress.value);
+    seen_.push_back({seed.set, place(seed), centre, *closer});
+    best_ = std::max(best_, closer->stress.value);
     open_[seed.set][seed.place] = false;
     close(seed.set, centre);
     // One bad cell may stand so high that all others were below the share.
@@ -413,14 +218,14 @@ class PeakSearch {
     // Places that are left may be as far off as the others were.
     const auto rest = highest_open();
     const bool is_left = rest && place(*rest).high >= kReach * best_;
-    const double rise = is_left ? farthest() : 1.0;
-    if (is_left) band.high = std::max(band.high, rise * place(*rest).high);
+    const double most = is_left ? farthest() : 1.0;
+    if (is_left) band.high = std::max(band.high, most * place(*rest).high);
     peak.degree = level_.member.degree + 2;
     const double reach =
         std::max(band.high - band.value, band.value - band.low);
     if (!(reach <= tolerance * band.value)) {
       band.verdict = stress::Convergence::kNotConverged;
-      peak.open = open_places(band, tolerance * band.value, rise);
+      peak.open = open_places(band, tolerance * band.value, most);
     }
     return peak;
   }

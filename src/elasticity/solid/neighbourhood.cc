@@ -140,12 +140,8 @@ std::vector<int> with_neighbours(const Discretization<dim>& fine,
 
 template <int dim>
 Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
-                     const std::vector<int>& centre, int layers) {
+                     const std::vector<int>& cells) {
   Enriched<dim> result;
-  std::vector<int> cells = centre;
-  for (int layer = 0; layer < layers; ++layer) {
-    cells = with_neighbours<dim>(problem.fine, cells);
-  }
   int nodes = 0;
   auto number = number_nodes<dim>(problem.fine, cells, nodes);
   auto& part = result.basis.discretization;
@@ -192,8 +188,8 @@ template std::vector<int> with_neighbours<2>(const Discretization<2>&,
 template std::vector<int> with_neighbours<3>(const Discretization<3>&,
                                              const std::vector<int>&);
 template Enriched<2> enrich<2>(const EnrichmentProblem<2>&,
-                               const std::vector<int>&, int);
+                               const std::vector<int>&);
 template Enriched<3> enrich<3>(const EnrichmentProblem<3>&,
-                               const std::vector<int>&, int);
+                               const std::vector<int>&);
 
 }  // namespace clevis::elasticity

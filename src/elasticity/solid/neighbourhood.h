@@ -39,17 +39,17 @@ struct Enriched {
   std::vector<int> cells;        ///< of `coarse`, one per cell of `basis`
 };
 
-/// Solves with the higher degree in the neighbourhood of some cells, they and
-/// those that share a vertex with them (of `layers`, these and so on), the
-/// displacement of the lower degree kept on its border to the rest of the part.
+/// Solves with the higher degree in a neighbourhood of some cells, as that of
+/// with_neighbours(), the displacement of the lower degree kept on its border
+/// to the rest of the part.
 ///
-/// Its change at the centre is an estimate of the error there: it holds
+/// Its change in these cells is an estimate of the error there: it holds
 /// what the cells nearby do not resolve, not what comes from far away; of that
-/// more layers tell.
-/// @param centre  cells of `fine`, ascending; without layers the neighbourhood.
+/// larger neighbourhoods tell.
+/// @param cells  of `fine`: the neighbourhood, ascending.
 /// @throws Error F002 if the neighbourhood is loose, M005.
 template <int dim>
 Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
-                     const std::vector<int>& centre, int layers = 1);
+                     const std::vector<int>& cells);
 
 }  // namespace clevis::elasticity

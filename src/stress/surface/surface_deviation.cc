@@ -13,20 +13,24 @@ namespace clevis::stress {
 namespace {
 
 /// Areas of the boundary's faces [m²].
-class FaceAreas {
- public:
-  explicit FaceAreas(const mesh::PartMesh<3>& mesh) : mesh_(mesh) {}
-
-  double area(const mesh::BoundaryFace& face) {
-    const auto [at, is_new] = known_.try_emplace(face.face);
+std::vector<double> face_areas(const mesh::PartMesh<3>& mesh) {
+  constexpr int kGauss = 2;
+  struct Reference {
+    elasticity::FaceQuadrature<3> gauss;
+    elasticity::Tabulation geometry;
+  };
+  std::map<int, Reference> known;  // by the face's place in its cell
+  std::vector<double> areas;
+  for (const mesh::BoundaryFace& face : mesh.boundary) {
+    const auto [at, is_new] = known.try_emplace(face.face);
     auto& [gauss, geometry] = at->second;
     if (is_new) {
-      gauss = elasticity::face_gauss<3>(mesh_.shape, face.face, kGauss);
-      geometry = elasticity::tabulate_geometry<3>(mesh_.shape, mesh_.degree,
+      gauss = elasticity::face_gauss<3>(mesh.shape, face.face, kGauss);
+      geometry = elasticity::tabulate_geometry<3>(mesh.shape, mesh.degree,
                                                   gauss.points);
     }
     const auto cell = elasticity::cell_geometry<3>(
-        mesh_.cell_points[static_cast<std::size_t>(face.cell)], geometry);
+        mesh.cell_points[static_cast<std::size_t>(face.cell)], geometry);
     double area = 0.0;
     for (Eigen::Index q = 0; q < gauss.weights.size(); ++q) {
       area += gauss.weights[q] * cell.determinant[q] *
@@ -34,18 +38,10 @@ class FaceAreas {
                gauss.outward)
                   .norm();
     }
-    return area;
+    areas.push_back(area);
   }
-
- private:
-  static constexpr int kGauss = 2;
-  struct Reference {
-    elasticity::FaceQuadrature<3> gauss;
-    elasticity::Tabulation geometry;
-  };
-  const mesh::PartMesh<3>& mesh_;
-  std::map<int, Reference> known_;
-};
+  return areas;
+}
 
 /// Mean of what stands at the smooth edges of a face: at edges of the part, as
 /// cuts of symmetry, the surface bends as at those that are opposite.
@@ -79,14 +75,13 @@ std::vector<double> surface_deviation(const mesh::PartMesh<3>& mesh) {
   const double share =
       (is_simplex ? 3.0 : 1.0) / (mesh.degree == 1 ? 12.0 : 60.0);
   const double widths = is_simplex ? 2.0 : 1.0;
-  FaceAreas areas(mesh);
+  const std::vector<double> areas = face_areas(mesh);
   std::vector<std::array<EdgeMean, 3>> of_faces(mesh.boundary.size());
   const std::vector<char> all(mesh.vertices.size(), 1);
   for (const SurfaceEdge& edge : smooth_edges(mesh, all)) {
     for (const EdgeSide* side : {&edge.one, &edge.other}) {
       const auto face = static_cast<std::size_t>(side->face);
-      const double width =
-          widths * areas.area(mesh.boundary[face]) / side->length;
+      const double width = widths * areas[face] / side->length;
       of_faces[face][is_simplex ? 0 : direction(*side)].add(edge.kink.mean() *
                                                             width);
     }
@@ -114,12 +109,10 @@ double energy_between(const mesh::PartMesh<3>& mesh,
     whole += density[static_cast<Eigen::Index>(c)] *
              gauss.weights.dot(cell.determinant);
   }
-  FaceAreas areas(mesh);
+  const std::vector<double> areas = face_areas(mesh);
   double between = 0.0;
   for (std::size_t f = 0; f < deviation.size(); ++f) {
-    if (deviation[f] == 0.0) continue;
-    between += deviation[f] * areas.area(mesh.boundary[f]) *
-               density[mesh.boundary[f].cell];
+    between += deviation[f] * areas[f] * density[mesh.boundary[f].cell];
   }
   return whole > 0.0 ? between / whole : 0.0;
 }

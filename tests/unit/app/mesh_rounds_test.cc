@@ -119,17 +119,24 @@ TEST(MeshRounds, WhatNoMeshClosesTakesAllDegrees) {
   EXPECT_EQ(may_be_finer, (std::vector{true, false}));
 }
 
-TEST(MeshRounds, KeepTheMeshWhereNoFinerOneCanBeMade) {
-  std::vector<bool> may_be_finer;
-  const CheckedPart checked = check_in_rounds(
+/// Two rounds of an open part whose finer mesh is refused.
+/// @param may_be_finer  whether its mesh could be, check by check.
+CheckedPart refused_by(const Error& error, std::vector<bool>& may_be_finer) {
+  return check_in_rounds(
       part_of(1000), 2,
       [&](const PartJob& job) {
         may_be_finer.push_back(job.may_be_meshed_finer);
         return open_by(0.05, PeakVerdict::kNotConverged);
       },
-      [](const cad::Refinement&) -> PartJob {
-        throw Error("M010", "part.step", "gmsh says no", "Repair it.");
+      [&](const cad::Refinement&) -> PartJob {
+        throw Error(error);
       });
+}
+
+TEST(MeshRounds, KeepTheMeshWhereNoFinerOneCanBeMade) {
+  std::vector<bool> may_be_finer;
+  const CheckedPart checked = refused_by(
+      Error("M010", "part.step", "gmsh says no", "Repair it."), may_be_finer);
   EXPECT_EQ(may_be_finer, (std::vector{true, false}));
   EXPECT_EQ(checked.job.mesh.cells.size(), 1000U);
   EXPECT_EQ(checked.assessment.result.notes,
@@ -138,15 +145,9 @@ TEST(MeshRounds, KeepTheMeshWhereNoFinerOneCanBeMade) {
 
 TEST(MeshRounds, KeepTheMeshWhereAFinerOneHasTooManyUnknowns) {
   std::vector<bool> may_be_finer;
-  const CheckedPart checked = check_in_rounds(
-      part_of(1000), 2,
-      [&](const PartJob& job) {
-        may_be_finer.push_back(job.may_be_meshed_finer);
-        return open_by(0.05, PeakVerdict::kNotConverged);
-      },
-      [](const cad::Refinement&) -> PartJob {
-        throw Error("F007", "part bar", "9 degrees of freedom", "Give more.");
-      });
+  const CheckedPart checked = refused_by(
+      Error("F007", "part bar", "9 degrees of freedom", "Give more."),
+      may_be_finer);
   EXPECT_EQ(may_be_finer, (std::vector{true, false}));
   EXPECT_EQ(checked.assessment.result.notes,
             std::vector<std::string>{"not meshed finer: 9 degrees of freedom"});

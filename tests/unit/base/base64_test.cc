@@ -4,7 +4,7 @@
 
 #include "base/errors.h"
 
-namespace clevis::report {
+namespace clevis {
 namespace {
 
 std::string encoded(std::string_view text) {
@@ -41,4 +41,4 @@ TEST(Base64, RefusesOtherTextAtItsPlace) {
 }
 
 }  // namespace
-}  // namespace clevis::report
+}  // namespace clevis

@@ -61,7 +61,7 @@ class Nearby {
   elasticity::Enriched<dim> at(const std::vector<int>& cells) const {
     return elasticity::enrich<dim>(
         {basis_.discretization, basis_.columns, fine_, load_, {}, material_},
-        cells);
+        elasticity::with_neighbours<dim>(fine_, cells));
   }
   double peak() const {
     const auto cells = stress::peak_cells(

@@ -17,8 +17,10 @@
 #include "assessment/places/local_solve.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/nodal_loads/load_vectors.h"
+#include "mesh/derived/sub_mesh.h"
 #include "mesh/quality/mass_properties.h"
 #include "stress/peaks/meeting_points.h"
+#include "support/annulus_mesh.h"
 #include "support/simplex_mesh.h"
 
 namespace clevis::assessment {
@@ -121,7 +123,7 @@ TEST(LocalSolve, OnSomeCellsIsThatOnAllOfThem) {
   const auto all = elasticity::enrich<3>(
       {basis.discretization, basis.columns * basis.coefficients, fine, load,
        elasticity::held_on_groups<3>(fine, set.fixed), kSteel},
-      centre);
+      elasticity::with_neighbours<3>(fine, centre));
   ASSERT_EQ(some.cells, all.cells);
   ASSERT_LT(some.cells.size(), job.mesh.cells.size() / 2);
   const auto a = stress::joined_stress<3>(some.basis, kSteel, 4);
@@ -153,22 +155,89 @@ TEST(NearbyPeak, IsLeftOnlyWhereItCannotConverge) {
   EXPECT_FALSE(look(kUnmet, PlaceSearch::kWhileItMayConverge));
 }
 
+/// A traction of 10 MPa that pulls on both ends of a prism along an axis.
+/// @param area  of an end [m²].
+/// @param low, high  centroids of the ends [m].
+std::vector<loads::SurfaceLoad> pull(char axis, double area,
+                                     const Vector3d& low,
+                                     const Vector3d& high) {
+  std::vector<loads::SurfaceLoad> loads;
+  for (const int end : {0, 1}) {
+    loads::SurfaceLoad load;
+    load.group = axis + std::to_string(end);
+    load.traction = Vector3d::Zero();
+    load.traction[axis - 'x'] = end == 0 ? -10e6 : 10e6;
+    load.resultant.force = area * load.traction;
+    load.resultant.moment = (end == 0 ? low : high).cross(load.resultant.force);
+    loads.push_back(load);
+  }
+  return loads;
+}
+
+// Nothing of a uniform pull along a tube's facets is in doubt but what stands
+// between them and the round surfaces: three times its share of the energy,
+// which is that of the volume.
+TEST(NearbyPeak, CountsTheEnergyBetweenFacetsAndTheirSurface) {
+  constexpr int kCells = 9;
+  const double angle = std::numbers::pi / 2 / kCells;
+  const double area =
+      0.5 * kCells * std::sin(angle) * (kOuter * kOuter - kInner * kInner);
+  const double segments = 0.5 * kCells * (angle - std::sin(angle)) *
+                          (kOuter * kOuter + kInner * kInner);
+  Vector3d centroid = Vector3d::Zero();
+  for (int cell = 0; cell < kCells; ++cell) {
+    const double middle = (cell + 0.5) * angle;
+    centroid += std::sin(angle) * std::cos(0.5 * angle) / 3.0 *
+                (std::pow(kOuter, 3) - std::pow(kInner, 3)) / area *
+                Vector3d(std::cos(middle), std::sin(middle), 0.0);
+  }
+  auto job = job_of(
+      support::sector_mesh<3>({.inner = kInner,
+                               .outer = kOuter,
+                               .thickness = kThickness,
+                               .radial = 2,
+                               .angular = kCells,
+                               .degree = 1}),
+      pull('z', area, centroid, centroid + kThickness * Vector3d::UnitZ()));
+  job.tolerance = 0.1;
+  const auto peak = check_part(job).result.peak;
+  const double wanted = 3.0 * segments / area * 10e6;
+  EXPECT_NEAR(peak.value, 10e6, 10.0);
+  EXPECT_NEAR(peak.band_high - peak.value, wanted, 0.03 * wanted);
+  EXPECT_NEAR(peak.value - peak.band_low, wanted, 0.03 * wanted);
+}
+
+// Of columns five times as long as wide more than one layer.
+TEST(LocalSolve, ReachesPastSlenderCells) {
+  constexpr double kSide = 9e-3, kLength = 5e-3;
+  const Vector3d middle(kSide / 2, kSide / 2, 0.0);
+  const PartJob job = job_of(
+      support::structured_mesh<3>(
+          {9, 9, 1}, 1,
+          [](const Vector3d& x) -> Vector3d {
+            return {kSide * x[0], kSide * x[1], kLength * x[2]};
+          }),
+      pull('z', kSide * kSide, middle, middle + kLength * Vector3d::UnitZ()));
+  PartSeconds seconds;
+  const auto level = solve_level<3>(job, job.load_sets, job.mesh,
+                                    solid_model(job.mesh), 1, seconds);
+  for (const int layers : {1, 2}) {
+    const auto near = solve_nearby<3>(job, job.load_sets[0], job.mesh,
+                                      *level.governing, {{0}, layers, 0, 2});
+    EXPECT_EQ(near.cells, mesh::surroundings(job.mesh, {0}, layers));
+    EXPECT_GT(near.cells.size(),
+              mesh::with_neighbours(job.mesh, {0}, layers).size());
+  }
+}
+
 // A uniform stress is in every space: nothing is in doubt.
 TEST(NearbyPeak, OfAFieldInTheSpaceHasNoError) {
   auto mesh = support::simplex_mesh<3>({3, 2, 2}, 1, [](const Vector3d& x) {
     const double bump = 0.3 * x[0] * (1.0 - x[0]) * x[1] * (1.0 - x[1]);
     return Vector3d(0.03 * (x[0] + bump), 0.01 * (x[1] - bump), 0.01 * x[2]);
   });
-  std::vector<loads::SurfaceLoad> loads;
-  for (const auto& [name, side] : {std::pair{"x0", -1.0}, {"x1", 1.0}}) {
-    loads::SurfaceLoad load;
-    load.group = name;
-    load.traction = Vector3d(side * 10e6, 0, 0);
-    load.resultant.force = 0.01 * 0.01 * load.traction;
-    load.resultant.moment = Vector3d(side < 0 ? 0.0 : 0.03, 0.005, 0.005)
-                                .cross(load.resultant.force);
-    loads.push_back(load);
-  }
+  const auto loads = pull('x', 0.01 * 0.01, Vector3d(0.0, 0.005, 0.005),
+                          Vector3d(0.03, 0.005, 0.005));
   const auto peak = check_part(job_of(std::move(mesh), loads)).result.peak;
   EXPECT_EQ(peak.verdict, PeakVerdict::kConverged);
   EXPECT_NEAR(peak.value, 10e6, 10.0);

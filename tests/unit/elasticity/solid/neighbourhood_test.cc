@@ -25,7 +25,7 @@ struct SolvedEye {
   Enriched<3> enriched(const std::vector<int>& centre) const {
     return enrich<3>(
         {coarse.discretization, displacement, fine, load, {}, eye.material},
-        centre);
+        with_neighbours<3>(fine, centre));
   }
 };
 

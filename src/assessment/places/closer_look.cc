@@ -1,0 +1,253 @@
+#include "assessment/places/closer_look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "assessment/places/local_solve.h"
+#include "elasticity/fe_space/tabulation.h"
+#include "stress/peaks/meeting_points.h"
+#include "stress/surface/surface_kink.h"
+
+namespace clevis::assessment {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using stress::FieldPoint;
+
+/// Finer solutions are looked at on a lattice twice as close as usual.
+constexpr int kFineLattice = 8;
+constexpr double kNothing = -std::numeric_limits<double>::infinity();
+
+/// Solutions in the cells of a centre, lattice points × cells.
+struct FinerFields {
+  stress::JoinedStress low;   ///< one degree higher
+  stress::JoinedStress wide;  ///< likewise, with a second layer around
+  stress::JoinedStress high;  ///< two degrees higher
+};
+
+/// Differences by degree, layer and cells, each by its largest in the cell
+/// where the stress is not far below its largest: what agrees at a point by
+/// chance does not hide it.
+/// @param rise  of each cell, from the instant that was solved for to its worst
+///   one.
+/// @param counting  points × cells: those that are not left out.
+/// @return at a cell of the centre, a point of kFineLattice.
+CloserStress judge(const FinerFields& fields, const Eigen::VectorXd& rise,
+                   const Eigen::MatrixXd& counting) {
+  constexpr double kNear = 0.9;
+  constexpr double kDegree = 0.6;
+  constexpr double kLayer = 0.5;
+  constexpr double kJump = 0.15;
+  const MatrixXd value = (fields.high.mean + fields.wide.mean - fields.low.mean)
+                             .cwiseProduct(counting);
+  const double least = kNear * value.maxCoeff();
+  CloserStress closer{{kNothing, kNothing, kNothing}, {}};
+  for (Index c = 0; c < value.cols(); ++c) {
+    const Eigen::ArrayXd counts =
+        (value.col(c).array() >= least).cast<double>() *
+        counting.col(c).array();
+    const auto largest = [&](const auto& difference) {
+      return (difference.array().abs() * counts).maxCoeff();
+    };
+    Index point = 0;
+    const double peak = rise[c] * value.col(c).maxCoeff(&point);
+    const double error =
+        rise[c] *
+        (kDegree * largest(fields.high.mean.col(c) - fields.low.mean.col(c)) +
+         kLayer * largest(fields.wide.mean.col(c) - fields.low.mean.col(c)) +
+         kJump * largest(fields.high.jump.col(c)));
+    closer.stress.high = std::max(closer.stress.high, peak + error);
+    if (peak <= closer.stress.value) continue;
+    closer.stress.value = peak;
+    closer.stress.low = peak - error;
+    closer.at = {static_cast<int>(c), static_cast<int>(point)};
+  }
+  return closer;
+}
+
+/// A look at some cells.
+template <int dim>
+class Look {
+ public:
+  Look(const SolvedSet<dim>& solved, const std::vector<int>& centre,
+       int instant)
+      : solved_(solved),
+        centre_(centre),
+        instant_(instant),
+        field_(field_in_centre()),
+        rises_(rise()) {}
+
+  /// Error of the surface's shape [Pa].
+  double shape() const { return rises_.maxCoeff() * shape_error(); }
+
+  std::optional<CloserStress> stress(double pollution, double shape,
+                                     const IsFutile& is_futile) const {
+    const MatrixXd counts = counting();
+    FinerFields fields{solve(1, 1), {}, solve(1, 2)};
+    fields.wide = fields.low;  // dear, and last
+    CloserStress closer = judge(fields, rises_, counts);
+    const auto off = [&] {
+      return pollution * closer.stress.value + shape;
+    };
+    if (is_futile(closer.stress.value - closer.stress.low + off(),
+                  closer.stress.value)) {
+      return std::nullopt;
+    }
+    fields.wide = solve(2, 1);
+    closer = judge(fields, rises_, counts);
+    closer.at = on_lattice(closer.at);
+    closer.stress.low -= off();
+    closer.stress.high += off();
+    return closer;
+  }
+
+ private:
+  stress::JoinedStress solve(int layers, int more) const {
+    const auto enriched =
+        solve_nearby<dim>(solved_.job, solved_.set, solved_.mesh, solved_.basis,
+                          {centre_, layers, instant_, solved_.degree + more});
+    const auto joined = stress::joined_stress<dim>(
+        enriched.basis, solved_.job.part.material, kFineLattice);
+    stress::JoinedStress of_centre{
+        MatrixXd(joined.mean.rows(), static_cast<Index>(centre_.size())),
+        MatrixXd(joined.mean.rows(), static_cast<Index>(centre_.size()))};
+    for (std::size_t k = 0; k < enriched.cells.size(); ++k) {
+      const auto at = std::ranges::lower_bound(centre_, enriched.cells[k]);
+      if (at == centre_.end() || *at != enriched.cells[k]) continue;
+      const Index column = at - centre_.begin();
+      of_centre.mean.col(column) = joined.mean.col(static_cast<Index>(k));
+      of_centre.jump.col(column) = joined.jump.col(static_cast<Index>(k));
+    }
+    return of_centre;
+  }
+
+  /// The solved field at the place's instant in the centre alone.
+  elasticity::DisplacementBasis<dim> field_in_centre() const {
+    const auto& basis = solved_.basis;
+    elasticity::DisplacementBasis<dim> part;
+    part.discretization = basis.discretization;
+    auto& d = part.discretization;
+    d.cell_nodes.clear();
+    d.cell_points.clear();
+    for (const int cell : centre_) {
+      const auto c = static_cast<std::size_t>(cell);
+      d.cell_nodes.push_back(basis.discretization.cell_nodes[c]);
+      d.cell_points.push_back(basis.discretization.cell_points[c]);
+    }
+    part.columns = basis.columns * basis.coefficients.col(instant_);
+    part.coefficients = MatrixXd::Ones(1, 1);
+    return part;
+  }
+
+  /// By how much the solved stress near its largest is higher at its worst
+  /// instant than at the place's, per cell.
+  Eigen::VectorXd rise() const {
+    constexpr double kNear = 0.9;
+    Eigen::VectorXd result =
+        Eigen::VectorXd::Ones(static_cast<Index>(centre_.size()));
+    if (solved_.basis.coefficients.cols() < 2) return result;
+    const auto& history = solved_.history;
+    const auto then = stress::stress_history<dim>(
+        field_, solved_.job.part.material, history.subdivisions);
+    for (std::size_t k = 0; k < centre_.size(); ++k) {
+      const auto at = static_cast<Index>(k);
+      const auto worst = history.worst.col(centre_[k]).array();
+      const Eigen::ArrayXd counts =
+          (worst >= kNear * worst.maxCoeff()).template cast<double>();
+      const Eigen::ArrayXd least =
+          then.worst.col(at).array().max(1e-3 * worst.maxCoeff());
+      result[at] = std::max(1.0, (counts * worst / least).maxCoeff());
+    }
+    return result;
+  }
+
+  /// 1 at the points of the fine lattice that count, 0 at those beside points
+  /// of the usual one that are left out.
+  MatrixXd counting() const {
+    const auto& history = solved_.history;
+    const auto shape = solved_.mesh.shape;
+    const auto fine = elasticity::lattice<dim>(shape, kFineLattice);
+    const auto usual = elasticity::lattice<dim>(shape, history.subdivisions);
+    const double beside = 1.01 * std::sqrt(double(dim)) *
+                          (1.0 / history.subdivisions - 1.0 / kFineLattice);
+    MatrixXd result =
+        MatrixXd::Ones(fine.cols(), static_cast<Index>(centre_.size()));
+    for (std::size_t k = 0; k < centre_.size(); ++k) {
+      for (Index q = 0; q < usual.cols(); ++q) {
+        if (history.worst(q, centre_[k]) >= 0.0) continue;
+        for (Index i = 0; i < fine.cols(); ++i) {
+          if ((fine.col(i) - usual.col(q)).norm() <= beside) {
+            result(i, static_cast<Index>(k)) = 0.0;
+          }
+        }
+      }
+    }
+    return result;
+  }
+
+  /// The nearest point of the history's lattice.
+  /// @param fine  cell of the centre, point of kFineLattice.
+  FieldPoint on_lattice(const FieldPoint& fine) const {
+    const auto shape = solved_.mesh.shape;
+    const Eigen::Matrix<double, dim, 1> at =
+        elasticity::lattice<dim>(shape, kFineLattice).col(fine.point);
+    Index nearest = 0;
+    (elasticity::lattice<dim>(shape, solved_.history.subdivisions).colwise() -
+     at)
+        .colwise()
+        .squaredNorm()
+        .minCoeff(&nearest);
+    return {centre_[static_cast<std::size_t>(fine.cell)],
+            static_cast<int>(nearest)};
+  }
+
+  /// By what the mesh makes of a curved surface [Pa]: a surface whose slope is
+  /// off by δ/2 to and fro has a stress that is by about δ off where it flows
+  /// across.
+  double shape_error() const {
+    if constexpr (dim == 3) {
+      constexpr int kIntervals = 4;
+      return stress::kinked_stress(
+          solved_.mesh, centre_,
+          stress::instant_field<dim>(field_, solved_.job.part.material,
+                                     kIntervals, 0)
+              .stress);
+    }
+    return 0.0;
+  }
+
+  const SolvedSet<dim>& solved_;
+  const std::vector<int>& centre_;
+  int instant_;
+  elasticity::DisplacementBasis<dim> field_;  ///< of field_in_centre()
+  Eigen::VectorXd rises_;                     ///< of rise()
+};
+
+}  // namespace
+
+template <int dim>
+std::optional<CloserStress> look_closer(const SolvedSet<dim>& solved,
+                                        const Place& place,
+                                        const std::vector<int>& centre,
+                                        double pollution,
+                                        const IsFutile& is_futile) {
+  const Look<dim> look(solved, centre, place.instant);
+  const double shape = look.shape();
+  if (is_futile(pollution * place.high + shape, place.high)) {
+    return std::nullopt;
+  }
+  return look.stress(pollution, shape, is_futile);
+}
+
+template std::optional<CloserStress> look_closer<2>(const SolvedSet<2>&,
+                                                    const Place&,
+                                                    const std::vector<int>&,
+                                                    double, const IsFutile&);
+template std::optional<CloserStress> look_closer<3>(const SolvedSet<3>&,
+                                                    const Place&,
+                                                    const std::vector<int>&,
+                                                    double, const IsFutile&);
+
+}  // namespace clevis::assessment
