@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "report/page/stored_numbers.h"
 #include "report/picture/picture.h"
 #include "report/picture/stored_surface.h"
-#include "report/stored/stored_numbers.h"
 #include "report/text/atomic_file.h"
 #include "report/text/json_node.h"
 #include "report/text/units.h"
