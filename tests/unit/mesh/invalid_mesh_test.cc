@@ -51,7 +51,8 @@ TEST(InvalidMesh, EachIsRefusedWithItsCodeWithinASecond) {
     if (entry.path().extension() != ".toml") continue;
     const Expectation expected = expectation(entry.path());
     // The mesh is fine, the scene not.
-    if (expected.code == "M003" || entry.path().stem() == "refined_tetrahedra") {
+    if (expected.code == "M003" ||
+        entry.path().stem() == "refined_tetrahedra") {
       continue;
     }
     SCOPED_TRACE(entry.path().filename().string());
