@@ -160,8 +160,12 @@ class PeakSearch {
     const double own = known.estimate ? known.estimate->value : solved;
     const double value = is_first ? own : std::max(best_, own);
     if (own + known.error - value > kSure * tolerance * value) {
-      return which == PlaceSearch::kWhileItMayConverge ? Worth::kNothing
-                                                       : Worth::kEnough;
+      if (which == PlaceSearch::kWhileItMayConverge) return Worth::kNothing;
+      // The band stays open: what narrows it is worth solving for.
+      constexpr double kMuch = 0.25;
+      const double error = known.estimate ? own - known.estimate->low : 0.0;
+      return error - known.error > kMuch * error ? Worth::kMore
+                                                 : Worth::kEnough;
     }
     if (is_first) return Worth::kMore;
     const double high = 2.0 * known.estimate->high - own;
