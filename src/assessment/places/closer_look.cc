@@ -114,7 +114,8 @@ class Look {
       return all;
     };
     const JudgedStress known = judged();
-    const Worth worth = worth_of({known.least_error, known.stress.stress});
+    const Worth worth =
+        worth_of({known.least_error, shape, known.stress.stress});
     if (worth == Worth::kNothing) return std::nullopt;
     if (worth == Worth::kEnough) return known.stress;
     fields.wide = solve(2, 1);
@@ -254,7 +255,7 @@ std::optional<CloserStress> look_closer(const SolvedSet<dim>& solved,
                                         const WorthOf& worth_of) {
   const Look<dim> look(solved, centre, place.instant);
   const double shape = look.shape();
-  const KnownOfPlace known{pollution * place.high + shape, std::nullopt};
+  const KnownOfPlace known{pollution * place.high + shape, shape, std::nullopt};
   if (worth_of(known) == Worth::kNothing) return std::nullopt;
   return look.stress(pollution, shape, worth_of);
 }

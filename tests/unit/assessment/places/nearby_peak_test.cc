@@ -57,9 +57,9 @@ constexpr double kOuter = 0.02;
 constexpr double kThickness = 0.006;
 constexpr double kPressure = 10e6;
 
-PartJob ring(int radial, int angular, double disorder) {
+PartJob ring(int radial, int angular, double disorder, int order = 4) {
   auto mesh = support::simplex_mesh<3>(
-      {radial, angular, 2}, 4, [&](const Vector3d& x) -> Vector3d {
+      {radial, angular, 2}, order, [&](const Vector3d& x) -> Vector3d {
         const double bump = disorder * std::sin(std::numbers::pi * x[0]) *
                             std::sin(std::numbers::pi * x[1]);
         const double s = x[0] + bump * std::cos(5.0 * x[1] + 7.0 * x[2]);
@@ -108,6 +108,26 @@ TEST(NearbyPeak, BandHoldsLamesStressOnIrregularTetrahedra) {
   EXPECT_GE(converged, 3);
 }
 
+// Flat faces round the bore: no degree mends that, so that the highest one is
+// left out, unless the deflection asks for it.
+TEST(NearbyPeak, DegreesEndWhereTheFacesKeepTheBandOpen) {
+  PartJob job = ring(2, 12, 0.0, 1);
+  job.tolerance = 0.01;
+  const PartResult result = check_part(job).result;
+  EXPECT_EQ(result.model, "3-D tetrahedra, p = 3");
+  EXPECT_TRUE(result.stopped_because.starts_with(
+      "degree 4 left out, finer cells are wanted"))
+      << result.stopped_because;
+  EXPECT_EQ(result.peak.verdict, PeakVerdict::kNotConverged);
+  EXPECT_LE(result.peak.band_low, lames_peak());
+  EXPECT_GE(result.peak.band_high, lames_peak());
+  job.part.limits.deflection = result.deflection;
+  const PartResult deflected = check_part(job).result;
+  EXPECT_EQ(deflected.model, "3-D tetrahedra, p = 4");
+  EXPECT_TRUE(deflected.stopped_because.starts_with("highest degree done"))
+      << deflected.stopped_because;
+}
+
 // What stands far from the neighbourhood needs no discretisation, but the
 // loaded groups do, whole: as with the whole mesh.
 TEST(LocalSolve, OnSomeCellsIsThatOnAllOfThem) {
@@ -144,7 +164,8 @@ TEST(NearbyPeak, IsLeftOnlyWhereItCannotConverge) {
                                     solid_model(job.mesh), 2, seconds);
   const auto look = [&](double tolerance, PlaceSearch which) {
     return nearby_peak<3>(job, job.load_sets, job.mesh, level, level.histories,
-                          0.0, tolerance, which);
+                          0.0, tolerance, which)
+        .peak;
   };
   constexpr double kWide = 0.5, kUnmet = 1e-9;
   const auto all = look(kWide, PlaceSearch::kAll);
