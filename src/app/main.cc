@@ -73,12 +73,16 @@ int main(int argc, char** argv) {
                                                static_cast<std::size_t>(argc));
   const clevis::app::Command* command =
       arguments.size() < 2 ? nullptr : clevis::app::find_command(arguments[1]);
+  // What comes while the program starts anew waits for the handlers.
+  const sigset_t interrupts = clevis::interrupt_set();
+  sigprocmask(SIG_BLOCK, &interrupts, nullptr);
   if (command != nullptr && command->memory == clevis::app::Memory::kMuch) {
     clevis::restart_with_huge_pages(argv);
   }
   // Given back for the words that say that the memory ran out.
   auto reserve = std::make_unique<std::array<char, 1U << 16U>>();
   clevis::end_on_interrupts();
+  sigprocmask(SIG_UNBLOCK, &interrupts, nullptr);
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit fails instead
   std::ios::sync_with_stdio(false);
   if (stands_aside(command)) return 0;

@@ -20,6 +20,7 @@ COUNT = 50
 SIGNALS = (signal.SIGKILL, signal.SIGKILL, signal.SIGINT, signal.SIGTERM,
            signal.SIGHUP)
 SECONDS_TO_STOP = 20
+SECONDS_TO_LOAD = 0.1  # before main, the system ends a process by the signal
 
 
 def torn(folder):
@@ -82,6 +83,8 @@ def killed(command, delay, number, temporary):
         os.killpg(process.pid, signal.SIGKILL)
         yield "a process of it stays"
     if number == signal.SIGKILL or ended:
+        return
+    if delay < SECONDS_TO_LOAD and process.returncode == -number:
         return
     if process.returncode not in (130, 0, 1, 4):
         yield f"exit {process.returncode}"
