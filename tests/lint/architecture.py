@@ -155,6 +155,7 @@ ROOMS = {
         "figures": "plots as scripts of gnuplot",
         "variants": "many variants of a scene: plan, results, table, plot",
         "view": "what pictures need of a result: surfaces, fields, the motion",
+        "stored": "the view of a part as it was stored, and packed for a page",
         "page": "a result as one HTML page, or as glTF",
         "picture": "parts and mechanisms as pictures, without a browser",
         "solid_picture": "a solid with its faces' numbers, from all sides",

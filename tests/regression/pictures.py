@@ -89,9 +89,13 @@ class Drawing:
 
 
 def positions(view):
-    numbers = base64.b64decode(view["positions_mm"]["base64"])
-    flat = struct.unpack(f"<{len(numbers) // 4}f", numbers)
-    return [flat[k::3] for k in range(3)]
+    """x, y, z of all places [mm]: blocks of integers."""
+    given = view["positions_mm"]
+    numbers = base64.b64decode(given["integers"]["base64"])
+    flat = struct.unpack(f"<{len(numbers) // 2}H", numbers)
+    n = len(flat) // 3
+    return [[given["origin"][k] + given["scale"] * v for v in flat[k * n:(k + 1) * n]]
+            for k in range(3)]
 
 
 def plates(checks, folder):

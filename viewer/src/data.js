@@ -14,27 +14,59 @@ function numbers({ type, base64 }) {
   return new ARRAYS[type](bytesOf(base64).buffer);
 }
 
+/** A list of a packed part: its bytes by planes, its numbers by their code. */
+function unpackedNumbers({ type, count, code, at }, bytes) {
+  const list = new ARRAYS[type](count);
+  const width = list.BYTES_PER_ELEMENT;
+  const whole = new Uint8Array(list.buffer);
+  for (let plane = 0; plane < width; ++plane) {
+    for (let i = 0; i < count; ++i) {
+      whole[width * i + plane] = bytes[at + plane * count + i];
+    }
+  }
+  if (code === "firsts") {
+    for (let i = 0, next = 0; i < count; ++i) {
+      list[i] = next - list[i];
+      if (list[i] === next) ++next;
+    }
+  } else if (code === "steps") {
+    const bits = 8 * width;
+    for (let i = 0, before = 0; i < count; ++i) {
+      const folded = bits === 32 ? list[i] >>> 0 : list[i] & ((1 << bits) - 1);
+      before += folded & 1 ? ~(folded >>> 1) : folded >>> 1;
+      list[i] = before;  // in the type's own width
+      before = list[i];
+    }
+  }
+  return list;
+}
+
 function stored(id) {
   const element = document.getElementById(id);
   return element ? JSON.parse(element.textContent) : null;
 }
 
-/** What is stored compressed (zlib, as base 64). */
+/** A part, stored compressed (zlib, as base 64): the length of a header, the
+ * header, and the lists of numbers that it tells of. */
 async function unpacked(id) {
   const element = document.getElementById(id);
   if (!element) return null;
   const stream = new Blob([bytesOf(element.textContent)]).stream()
     .pipeThrough(new DecompressionStream("deflate"));
-  return JSON.parse(await new Response(stream).text());
+  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+  const end = 4 + new DataView(bytes.buffer).getUint32(0, true);
+  const lists = bytes.subarray(end);
+  return JSON.parse(new TextDecoder().decode(bytes.subarray(4, end)),
+    (_, value) => value?.code ? unpackedNumbers(value, lists) : value);
 }
 
 /** A field of points over instants: Σ scale · column · coefficient. */
 class Field {
   constructor(json, size) {
     this.size = size;
-    this.columns = json.columns.map(numbers);
+    this.columns = json.columns;
     this.scale = json.scale;
-    this.coefficients = numbers(json.coefficients);
+    this.coefficients = json.coefficients;
   }
 
   /** Weights of the columns between two frames. */
@@ -86,14 +118,28 @@ export class Part {
     Object.assign(this, json);
     this.name = json.part;
     this.result = result;
-    this.positions = numbers(json.positions_mm);
-    this.corners = numbers(json.triangles);
-    this.edges = numbers(json.outline);
+    this.placeOf = json.point_places;
+    this.positions = this.#positions();
+    this.corners = json.triangles;
+    this.edges = json.outline;
     this.stress = new Field(json.von_mises_MPa, json.points);
     this.shift = new Field(json.displacement_mm,
-                           json.points * json.displacement_components);
+                           json.places * json.displacement_components);
     this.times = json.frames.t_s;
     this.shownCase = json.peak_frame;  // where cases load it, not the motion
+  }
+
+  /** x, y, z of the points, one after another [mm]. */
+  #positions() {
+    const { integers, scale, origin } = this.positions_mm;
+    const positions = new Float32Array(3 * this.points);
+    for (let p = 0; p < this.points; ++p) {
+      for (let d = 0; d < 3; ++d) {
+        positions[3 * p + d] = origin[d] +
+          scale * integers[this.placeOf[p] + d * this.places];
+      }
+    }
+    return positions;
   }
 
   /** Whether its frames follow one another in a time of their own: a blow. */

@@ -75,7 +75,7 @@ export class Surface {
     this.source = Int32Array.from(source);
     this.heights = Float32Array.from(heights);
     this.mises = new Float32Array(part.points);
-    this.shifts = new Float32Array(part.points * part.displacement_components);
+    this.shifts = new Float32Array(part.places * part.displacement_components);
     this.geometry = new BufferGeometry();
     this.geometry.setIndex(corners);
     this.geometry.setAttribute("position",
@@ -116,13 +116,14 @@ export class Surface {
     if (moved) this.part.shift.fill(moment, this.shifts);
     const position = this.geometry.attributes.position;
     const stress = this.geometry.attributes.stress;
-    const { positions, points, displacement_components: components } = this.part;
+    const { positions, placeOf, places, displacement_components: components } =
+      this.part;
     for (let v = 0; v < this.source.length; ++v) {
       const p = this.source[v];
       stress.array[v] = this.mises[p];
       for (let d = 0; d < 3; ++d) {
         const shift = moved && d < components
-          ? scale * this.shifts[p + d * points] : 0;
+          ? scale * this.shifts[placeOf[p] + d * places] : 0;
         position.array[3 * v + d] =
           (d < 2 ? positions[3 * p + d] : this.heights[v]) + shift;
       }

@@ -28,7 +28,7 @@ int subdivisions_of(const PartFields& fields, std::size_t cells) {
 /// How many instants a part's fields are looked at: their cost is cells times
 /// instants.
 std::size_t most_frames(std::size_t cells) {
-  constexpr std::size_t kMost = 240, kFewest = 24, kCells = 200000;
+  constexpr std::size_t kMost = 240, kFewest = 60, kCells = 200000;
   return std::clamp(kCells / std::max<std::size_t>(cells, 1), kFewest, kMost);
 }
 
@@ -101,7 +101,9 @@ struct Skin {
   int subdivisions{};
   stress::InstantField field;  ///< at the worst instant
   stress::SurfaceMesh surface;
-  stress::PointHistory values;
+  Eigen::MatrixX3d positions;   ///< of the places [m]
+  std::vector<int> places;      ///< of the points
+  stress::PointHistory values;  ///< stress of points, displacement of places
   std::vector<int> cell_triangles;  ///< how many of each cell
   /// Point that stands in for the peak; absent: the peak is inside.
   std::optional<Index> peak;
@@ -128,17 +130,18 @@ std::optional<Index> point_of_peak(const PartFields& fields, const Skin& skin) {
 /// Moves a point of the coarse lattice to the peak, which is then told as it
 /// was found.
 void show_peak(const PartFields& fields, const std::vector<int>& frames,
-               Index point, Skin& skin, report::PartView& view) {
+               Index point, Skin& skin) {
   const auto& worst = fields.worst;
   const auto fine = fields.at(fields.peak_instant, worst.subdivisions);
-  view.positions.row(point) =
+  const Index place = skin.places[static_cast<std::size_t>(point)];
+  skin.positions.row(place) =
       fine.points[static_cast<std::size_t>(worst.peak_at.cell)].row(
           worst.peak_at.point);
   const auto peak = fields.over({worst.peak_at}, worst.subdivisions, frames);
   skin.values.von_mises.row(point) = peak.von_mises;
-  const Index points = skin.values.von_mises.rows();
+  const Index places = skin.positions.rows();
   for (int d = 0; d < fields.dim; ++d) {
-    skin.values.displacement.row(point + d * points) = peak.displacement.row(d);
+    skin.values.displacement.row(place + d * places) = peak.displacement.row(d);
   }
 }
 
@@ -169,23 +172,21 @@ Eigen::MatrixX3d positions_of(const Skin& skin) {
 
 /// Makes points of cells one where the stress does not jump by more than it is
 /// told to.
-void share(int dim, Skin& skin) {
-  auto& [von_mises, displacement] = skin.values;
-  const Index points = von_mises.rows();
+/// @param positions  of all points [m].
+void share_stresses(const Eigen::MatrixX3d& positions, Skin& skin) {
+  auto& von_mises = skin.values.von_mises;
   const auto shared = stress::share_points(
-      positions_of(skin), von_mises,
+      positions, von_mises,
       report::kViewTolerance * von_mises.lpNorm<Eigen::Infinity>());
   std::vector<stress::FieldPoint> kept;
-  std::vector<Index> rows;
+  std::vector<int> places;
   for (const int point : shared.kept) {
     kept.push_back(skin.surface.points[static_cast<std::size_t>(point)]);
-  }
-  for (int d = 0; d < dim; ++d) {
-    for (const int point : shared.kept) rows.push_back(point + d * points);
+    places.push_back(skin.places[static_cast<std::size_t>(point)]);
   }
   von_mises = von_mises(shared.kept, Eigen::all).eval();
-  displacement = displacement(rows, Eigen::all).eval();
   skin.surface.points = std::move(kept);
+  skin.places = std::move(places);
   const auto renumber = [&](auto& pieces) {
     for (auto& piece : pieces) {
       for (int& point : piece) {
@@ -200,22 +201,44 @@ void share(int dim, Skin& skin) {
   }
 }
 
+/// Makes one place of all points that stand there: the displacement does not
+/// jump.
+/// @param positions  of all points [m].
+void share_places(int dim, const Eigen::MatrixX3d& positions, Skin& skin) {
+  auto& displacement = skin.values.displacement;
+  const Index points = positions.rows();
+  const auto shared =
+      stress::share_points(positions, Eigen::MatrixXd(points, 0), 0.0);
+  std::vector<Index> rows;
+  for (int d = 0; d < dim; ++d) {
+    for (const int point : shared.kept) rows.push_back(point + d * points);
+  }
+  displacement = displacement(rows, Eigen::all).eval();
+  skin.positions = positions(shared.kept, Eigen::all);
+  skin.places = shared.number;
+}
+
 Skin skin_of(const PartFields& fields, const std::vector<int>& frames,
              int subdivisions) {
-  Skin skin{subdivisions, fields.at(fields.peak_instant, subdivisions), {}, {}};
+  Skin skin;
+  skin.subdivisions = subdivisions;
+  skin.field = fields.at(fields.peak_instant, subdivisions);
   skin.surface = fields.dim == 2
                      ? stress::surface_mesh<2>(fields.shape, skin.field)
                      : stress::surface_mesh<3>(fields.shape, skin.field);
   skin.values = fields.over(skin.surface.points, subdivisions, frames);
   skin.cell_triangles = cell_triangles(skin.surface);
   skin.peak = point_of_peak(fields, skin);
-  share(fields.dim, skin);
+  const Eigen::MatrixX3d positions = positions_of(skin);
+  share_places(fields.dim, positions, skin);
+  share_stresses(positions, skin);
   return skin;
 }
 
 void fill_surface(const assessment::PartJob& job, const PartFields& fields,
                   const Skin& skin, report::PartView& view) {
-  view.positions = positions_of(skin);
+  view.positions = skin.positions;
+  view.places = skin.places;
   view.triangles = skin.surface.triangles;
   view.cell_triangles = skin.cell_triangles;
   view.outline = skin.surface.outline;
@@ -237,7 +260,7 @@ void fill_fields(const PartFields& fields, const std::vector<int>& frames,
   skin.values.von_mises.col(view.peak_frame).maxCoeff(&at);
   if (skin.peak) {
     at = *skin.peak;
-    show_peak(fields, frames, at, skin, view);
+    show_peak(fields, frames, at, skin);
   }
   view.peak_point = static_cast<int>(at);
   view.stress = packed(std::move(skin.values.von_mises), view.peak_frame);
@@ -266,8 +289,8 @@ report::PartView surface_view(const assessment::PartJob& job,
   view.definition = job.part;
   view.body = body;
   view.is_motion = is_motion;
-  fill_surface(job, fields, skin, view);
   fill_fields(fields, frames, skin, view);
+  fill_surface(job, fields, skin, view);
   const std::size_t row = governing_rows(fields);
   for (const int frame : frames) {
     view.frames.push_back(

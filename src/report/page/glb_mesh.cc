@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "report/page/page_assets.h"
-#include "report/page/stored_numbers.h"
+#include "report/stored/stored_numbers.h"
 
 namespace clevis::report {
 namespace {
@@ -94,7 +94,7 @@ Skin plate_skin(const JsonNode& part, const std::vector<double>& places) {
 }
 
 Skin skin_of(const JsonNode& part) {
-  const auto places = stored_numbers(part.at("positions_mm"));
+  const auto places = stored_points(part);
   if (part.has("faces_z_mm")) return plate_skin(part, places);
   Skin skin;
   for (std::size_t p = 0; p < places.size() / 3; ++p) {

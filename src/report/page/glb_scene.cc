@@ -7,7 +7,7 @@
 
 #include "base/errors.h"
 #include "report/page/glb_mesh.h"
-#include "report/page/stored_numbers.h"
+#include "report/stored/stored_numbers.h"
 
 namespace clevis::report {
 namespace {

@@ -28,14 +28,15 @@ struct StoredFile {
   nlohmann::ordered_json json;
 };
 
-StoredFile read_stored(const fs::path& file, const char* kind) {
+StoredFile read_stored(const fs::path& file, const char* kind,
+                       int schema = kSchema) {
   if (!fs::is_regular_file(file)) {
     refuse(file, fmt::format("the result has no {}", kind));
   }
   StoredFile stored{file_text(file), read_json(file)};
   const auto& json = stored.json;
   if (!json.is_object() || !json.contains("schema") ||
-      json["schema"] != kSchema) {
+      json["schema"] != schema) {
     refuse(file, "it is none of clevis, or of another version");
   }
   return stored;
@@ -90,8 +91,9 @@ StoredPage read_result_folder(const fs::path& folder, ResultKind kind) {
   if (kind == ResultKind::kSimulation) return page;
   for (const JsonNode& part : document.at("parts").elements()) {
     const std::string name = part.at("name").text();
-    page.parts.push_back(
-        read_stored(part_view_file(folder, name), "view of the part").text);
+    page.parts.push_back(read_stored(part_view_file(folder, name),
+                                     "view of the part", kPartViewSchema)
+                             .text);
   }
   return page;
 }

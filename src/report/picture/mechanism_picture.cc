@@ -12,9 +12,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
-#include "report/page/stored_numbers.h"
 #include "report/picture/picture.h"
 #include "report/picture/stored_surface.h"
+#include "report/stored/stored_numbers.h"
 #include "report/text/json_node.h"
 
 namespace clevis::report {

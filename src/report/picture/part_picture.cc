@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
-#include "report/page/stored_numbers.h"
 #include "report/picture/picture.h"
 #include "report/picture/stored_surface.h"
+#include "report/stored/stored_numbers.h"
 #include "report/text/atomic_file.h"
 #include "report/text/json_node.h"
 #include "report/text/units.h"
@@ -62,8 +62,8 @@ void write_part_picture(const PartView& view,
   const auto frame = static_cast<Eigen::Index>(
       frame_of(labels, peak.label, static_cast<std::size_t>(view.peak_frame)));
   const PackedField& field = view.stress;
-  Surface surface{millimetres(view.positions), view.triangles,
-                  view.cell_triangles,
+  const Eigen::MatrixX3d points = view.positions(view.places, Eigen::all);
+  Surface surface{millimetres(points), view.triangles, view.cell_triangles,
                   field.integers.cast<double>() *
                       field.scale.cwiseProduct(
                           field.coefficients.col(frame).cast<double>()) /

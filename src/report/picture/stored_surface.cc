@@ -1,13 +1,13 @@
 #include "report/picture/stored_surface.h"
 
 #include "base/errors.h"
-#include "report/page/stored_numbers.h"
+#include "report/stored/stored_numbers.h"
 
 namespace clevis::report {
 
 Surface stored_surface(const JsonNode& view, std::size_t frame) {
   Surface surface;
-  const auto places = stored_numbers(view.at("positions_mm"));
+  const auto places = stored_points(view);
   const auto corners = stored_numbers(view.at("triangles"));
   const auto stress = stored_field(view.at("von_mises_MPa"));
   const auto points = static_cast<Eigen::Index>(places.size() / 3);

@@ -1,5 +1,6 @@
 #include "report/view/packed_field.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace clevis::report {
@@ -9,9 +10,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kLargest16 = 32767.0, kLargest8 = 127.0;
-/// Columns up to so many tolerances are rounded by a quarter of one in 8 bits.
-constexpr double kSmall = 64.0;
+/// Steps of a column's integers in one tolerance.
+constexpr double kStepsOfFirst = 4.0, kSteps = 2.0;
+
+/// A step of integers of which `largest` is a whole number.
+double step_of(double largest, double wanted) {
+  constexpr double kMost = 32767.0;
+  return largest / std::clamp(std::ceil(largest / wanted), 1.0, kMost);
+}
 
 /// Instant that stands farthest from what the columns tell.
 struct Worst {
@@ -44,18 +50,23 @@ PackedField pack(Eigen::MatrixXd values, Eigen::Index first, double tolerance,
                         ? values.col(first).lpNorm<Eigen::Infinity>()
                         : 0.0};
   if (next.error == 0.0) next = worst_of(values);
+  const Index told = next.instant;  // by the first column alone
   while (next.error > tolerance && static_cast<int>(columns.size()) < most) {
-    const bool is_small = !columns.empty() && next.error < kSmall * tolerance;
-    const double scale = next.error / (is_small ? kLargest8 : kLargest16);
+    const double scale = step_of(
+        next.error, tolerance / (columns.empty() ? kStepsOfFirst : kSteps));
     // The rest is measured against the stored values, rounding and all.
     const VectorXd column = (values.col(next.instant) / scale).array().round();
-    const Eigen::RowVectorXf row =
+    Eigen::RowVectorXf row =
         ((column.transpose() * values) / (scale * column.squaredNorm()))
             .cast<float>();
+    if (columns.empty()) {
+      row[told] = 1.0F;  // the column is that instant
+    } else if (next.instant != told) {
+      row[told] = 0.0F;
+    }
     values.noalias() -= (scale * column) * row.cast<double>();
     columns.push_back(column);
     scales.push_back(scale);
-    field.bits.push_back(is_small ? 8 : 16);
     rows.push_back(row);
     next = worst_of(values);
   }

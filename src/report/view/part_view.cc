@@ -1,5 +1,8 @@
 #include "report/view/part_view.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "report/text/json_text.h"
@@ -27,14 +30,40 @@ ordered_json counts(const std::vector<int>& counted) {
   return packed(std::vector<std::uint32_t>(counted.begin(), counted.end()));
 }
 
+/// In steps of a 65535th of the largest extent: what 16 bits hold.
 ordered_json positions_json(const Eigen::MatrixX3d& positions) {
-  std::vector<float> numbers;
-  for (Index p = 0; p < positions.rows(); ++p) {
-    for (int d = 0; d < 3; ++d) {
-      numbers.push_back(static_cast<float>(millimetres(positions(p, d))));
+  constexpr double kMost = 65535.0;
+  Eigen::RowVector3d low = Eigen::RowVector3d::Zero();
+  double step = 1.0;
+  if (positions.rows() > 0) {
+    low = positions.colwise().minCoeff();
+    const double extent = (positions.rowwise() - low).maxCoeff();
+    if (extent > 0.0) step = extent / kMost;
+  }
+  std::vector<std::uint32_t> numbers;
+  for (int d = 0; d < 3; ++d) {
+    for (Index p = 0; p < positions.rows(); ++p) {
+      numbers.push_back(static_cast<std::uint32_t>(
+          std::lround((positions(p, d) - low[d]) / step)));
     }
   }
-  return packed(numbers);
+  return {{"integers", packed(numbers)},
+          {"scale", millimetres(step)},
+          {"origin",
+           {millimetres(low[0]), millimetres(low[1]), millimetres(low[2])}}};
+}
+
+/// In 8 bits where they fit.
+template <class Column>
+ordered_json integers_json(const Column& column) {
+  constexpr int kMost8 = 127;
+  const auto fits = [](std::int16_t value) {
+    return std::abs(int{value}) <= kMost8;
+  };
+  if (std::all_of(column.begin(), column.end(), fits)) {
+    return packed(std::vector<std::int8_t>(column.begin(), column.end()));
+  }
+  return packed(std::vector<std::int16_t>(column.begin(), column.end()));
 }
 
 /// @param unit  of what is shown, over SI.
@@ -45,14 +74,7 @@ ordered_json field_json(const PackedField& field, double unit) {
   ordered_json scale = ordered_json::array(), columns = scale;
   for (Index k = 0; k < field.scale.size(); ++k) {
     scale.push_back(field.scale[k] * unit);
-    const auto column = field.integers.col(k);
-    if (field.bits[static_cast<std::size_t>(k)] == 16) {
-      columns.push_back(
-          packed(std::vector<std::int16_t>(column.begin(), column.end())));
-    } else {
-      columns.push_back(
-          packed(std::vector<std::int8_t>(column.begin(), column.end())));
-    }
+    columns.push_back(integers_json(field.integers.col(k)));
   }
   return {{"columns", columns},
           {"scale", scale},
@@ -138,14 +160,16 @@ ordered_json definition_json(const part::PartDefinition& part) {
 }  // namespace
 
 std::string part_view_json(const PartView& view) {
-  const Index points = view.positions.rows();
+  const Index places = view.positions.rows();
   ordered_json json = {
-      {"schema", kSchema},
+      {"schema", kPartViewSchema},
       {"part", view.definition.name},
       {"body", view.body},
       {"definition", definition_json(view.definition)},
-      {"points", points},
+      {"places", places},
       {"positions_mm", positions_json(view.positions)},
+      {"points", view.places.size()},
+      {"point_places", counts(view.places)},
       {"triangles", corners(view.triangles)},
       {"cell_triangles", counts(view.cell_triangles)},
       {"outline", corners(view.outline)},
@@ -156,7 +180,7 @@ std::string part_view_json(const PartView& view) {
       {"peak_frame", view.peak_frame},
       {"von_mises_MPa", field_json(view.stress, 1e-6)},
       {"displacement_components",
-       points > 0 ? view.displacement.integers.rows() / points : 0},
+       places > 0 ? view.displacement.integers.rows() / places : 0},
       {"displacement_mm", field_json(view.displacement, 1e3)},
       {"history", instants_json(view.history)}};
   if (view.faces_z) {

@@ -125,13 +125,43 @@ class PointNumbers {
   std::map<std::array<std::int64_t, 3>, int> numbers_;
 };
 
-PointNumbers numbers_of(const InstantField& field) {
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300), high = -low;
+/// Ends of what holds all points of a field [m].
+struct Extent {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300);
+  Eigen::Vector3d high = Eigen::Vector3d::Constant(-1e300);
+};
+Extent extent_of(const InstantField& field) {
+  Extent extent;
   for (const auto& cell : field.points) {
-    low = low.cwiseMin(cell.colwise().minCoeff().transpose());
-    high = high.cwiseMax(cell.colwise().maxCoeff().transpose());
+    extent.low = extent.low.cwiseMin(cell.colwise().minCoeff().transpose());
+    extent.high = extent.high.cwiseMax(cell.colwise().maxCoeff().transpose());
   }
-  return {low, high};
+  return extent;
+}
+
+/// The cells along Morton's curve through their middles, so that neighbours
+/// stand near one another in the list: differences from one to the next are
+/// small, and take few bytes in a picture.
+std::vector<int> along_a_curve(const InstantField& field) {
+  constexpr int kBits = 16;
+  const auto [low, high] = extent_of(field);
+  const double step = (high - low).maxCoeff() / ((1 << kBits) - 1);
+  std::vector<std::pair<std::uint64_t, int>> places;
+  for (std::size_t c = 0; c < field.points.size(); ++c) {
+    const Eigen::Vector3d middle = field.points[c].colwise().mean();
+    std::uint64_t along = 0;
+    for (int bit = kBits - 1; bit >= 0; --bit) {
+      for (int d = 0; d < 3; ++d) {
+        const auto at = static_cast<std::uint64_t>((middle[d] - low[d]) / step);
+        along = along << 1 | (at >> bit & 1U);
+      }
+    }
+    places.emplace_back(along, static_cast<int>(c));
+  }
+  std::ranges::sort(places);
+  std::vector<int> cells;
+  for (const auto& [along, cell] : places) cells.push_back(cell);
+  return cells;
 }
 
 /// A facet of a cell, and how many cells have it.
@@ -141,20 +171,24 @@ struct SharedFacet {
   int cells = 0;
 };
 
+/// @param cells  in the order in which their facets come.
 std::vector<SharedFacet> outer_facets(const CellPattern& pattern,
-                                      const InstantField& field) {
-  PointNumbers number_of = numbers_of(field);
+                                      const InstantField& field,
+                                      const std::vector<int>& cells) {
+  const auto [low, high] = extent_of(field);
+  PointNumbers number_of(low, high);
   std::map<std::vector<int>, std::size_t> known;
   std::vector<SharedFacet> facets;
-  for (std::size_t c = 0; c < field.points.size(); ++c) {
+  for (const int c : cells) {
+    const auto& points = field.points[static_cast<std::size_t>(c)];
     for (const Facet& facet : pattern.facets) {
       std::vector<int> key;
       for (const int q : facet) {
-        key.push_back(number_of(field.points[c].row(q).transpose()));
+        key.push_back(number_of(points.row(q).transpose()));
       }
       std::ranges::sort(key);
       const auto [found, is_new] = known.try_emplace(key, facets.size());
-      if (is_new) facets.push_back({static_cast<int>(c), &facet, 0});
+      if (is_new) facets.push_back({c, &facet, 0});
       ++facets[found->second].cells;
     }
   }
@@ -214,12 +248,13 @@ SurfaceMesh surface_mesh(mesh::CellShape shape, const InstantField& field) {
                                   : simplex_pattern<dim>(field.subdivisions);
   SurfaceMesh surface;
   PointList place(surface.points);
-  for (std::size_t c = 0; c < field.points.size(); ++c) {
+  const std::vector<int> cells = along_a_curve(field);
+  for (const int c : cells) {
     for (const Facet& facet : pattern.sheet) {
-      add_triangles(static_cast<int>(c), facet, place, surface);
+      add_triangles(c, facet, place, surface);
     }
   }
-  for (const SharedFacet& outer : outer_facets(pattern, field)) {
+  for (const SharedFacet& outer : outer_facets(pattern, field, cells)) {
     if constexpr (dim == 3) {
       add_triangles(outer.cell, *outer.facet, place, surface);
     } else {

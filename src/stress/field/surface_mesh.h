@@ -19,6 +19,7 @@ struct SurfaceMesh {
   std::vector<std::array<int, 2>> outline;
 };
 
+/// Cells follow one another so that neighbours stand near in the list.
 /// @param field  of a mesh of `shape` cells; faces whose lattice points
 ///   coincide to 1e-7 of its size are inner ones.
 template <int dim>
@@ -33,7 +34,7 @@ struct SharedPoints {
 /// Makes points one that stand at the same place, to 1e-7 of the size of all,
 /// and whose values agree at all instants: cells that meet without a jump.
 /// @param positions  points × 3 [m].
-/// @param values  points × instants.
+/// @param values  points × instants; without instants the place alone counts.
 /// @param tolerance  of the values, their unit.
 SharedPoints share_points(const Eigen::MatrixX3d& positions,
                           const Eigen::MatrixXd& values, double tolerance);

@@ -25,6 +25,7 @@ PartView triangle(const std::string& name) {
   view.definition.name = name;
   view.definition.material.name = kHostile;
   view.positions = Eigen::MatrixX3d::Identity(3, 3);
+  view.places = {0, 1, 2};
   view.triangles = {{0, 1, 2}};
   view.cell_triangles = {1};
   view.frames = {{"t = 0 s", 0.0, 7e6, 1e-3}};

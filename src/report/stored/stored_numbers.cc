@@ -1,6 +1,5 @@
-#include "report/page/stored_numbers.h"
+#include "report/stored/stored_numbers.h"
 
-#include <cstdint>
 #include <cstring>
 
 #include "base/base64.h"
@@ -11,10 +10,6 @@ namespace {
 
 using Eigen::Index;
 
-[[noreturn]] void refuse(const std::string& problem) {
-  throw Error("I003", "view of a result", problem, "Run `clevis check` again.");
-}
-
 template <class Number>
 std::vector<double> numbers_of(const std::vector<std::byte>& bytes) {
   std::vector<Number> numbers(bytes.size() / sizeof(Number));
@@ -24,16 +19,16 @@ std::vector<double> numbers_of(const std::vector<std::byte>& bytes) {
 
 }  // namespace
 
+void refuse_view(const std::string& problem) {
+  throw Error("I003", "view of a result", problem, "Run `clevis check` again.");
+}
+
 std::vector<double> stored_numbers(const JsonNode& packed) {
-  const std::string type = packed.at("type").text();
   const auto bytes =
       bytes_of_base64(packed.at("base64").text(), "view of a result");
-  if (type == "f32") return numbers_of<float>(bytes);
-  if (type == "i8") return numbers_of<std::int8_t>(bytes);
-  if (type == "i16") return numbers_of<std::int16_t>(bytes);
-  if (type == "u16") return numbers_of<std::uint16_t>(bytes);
-  if (type == "u32") return numbers_of<std::uint32_t>(bytes);
-  refuse("numbers of type \"" + type + "\" are unknown");
+  return with_stored_type(packed, [&](auto number) {
+    return numbers_of<decltype(number)>(bytes);
+  });
 }
 
 Eigen::MatrixXd stored_field(const JsonNode& field) {
@@ -43,7 +38,7 @@ Eigen::MatrixXd stored_field(const JsonNode& field) {
   const auto rank = static_cast<Index>(columns.size());
   if (scale.size() != columns.size() ||
       (rank > 0 && flat.size() % columns.size() != 0)) {
-    refuse("a field's columns and coefficients do not fit");
+    refuse_view("a field's columns and coefficients do not fit");
   }
   if (rank == 0) return {};
   const Eigen::Map<const Eigen::MatrixXd> coefficients(
@@ -55,10 +50,30 @@ Eigen::MatrixXd stored_field(const JsonNode& field) {
     const Eigen::Map<const Eigen::VectorXd> shape(
         column.data(), static_cast<Index>(column.size()));
     if (k == 0) values.setZero(shape.size(), coefficients.cols());
-    if (shape.size() != values.rows()) refuse("columns differ in length");
+    if (shape.size() != values.rows()) refuse_view("columns differ in length");
     values += scale[at].number() * shape * coefficients.row(k);
   }
   return values;
+}
+
+std::vector<double> stored_points(const JsonNode& part) {
+  const JsonNode positions = part.at("positions_mm");
+  const auto integers = stored_numbers(positions.at("integers"));
+  const double scale = positions.at("scale").number();
+  const auto origin = positions.at("origin").numbers<3>();
+  const std::size_t places = integers.size() / 3;
+  std::vector<double> points;
+  for (const double place : stored_numbers(part.at("point_places"))) {
+    if (!(place >= 0.0 && place < static_cast<double>(places))) {
+      refuse_view("a point has no such place");
+    }
+    for (std::size_t d = 0; d < 3; ++d) {
+      points.push_back(
+          origin[d] +
+          scale * integers[static_cast<std::size_t>(place) + d * places]);
+    }
+  }
+  return points;
 }
 
 }  // namespace clevis::report
