@@ -29,9 +29,11 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
                         const LoadSet& set,
                         const std::vector<VibrationWindow>& windows,
                         std::string_view model) {
-  const int highest = mesh.shape == mesh::CellShape::kSimplex ? 2
-                      : dim == 2                              ? 4
-                                                              : 3;
+  const int wanted = mesh.shape == mesh::CellShape::kSimplex ? 2
+                     : dim == 2                              ? 4
+                                                             : 3;
+  const int highest =
+      std::max(2, elasticity::admitted_degree<dim>(mesh, wanted, job.max_dofs));
   VibrationResult result;
   int count = kFewest;
   double low_ratio = 0.0;

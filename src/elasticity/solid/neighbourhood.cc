@@ -146,6 +146,7 @@ Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
   auto number = number_nodes<dim>(problem.fine, cells, nodes);
   auto& part = result.basis.discretization;
   part = restricted<dim>(problem.fine, cells, number, nodes);
+  require_dofs(part.dofs(), problem.max_dofs, "neighbourhood");
   std::vector<int> place;
   const Dissection dissection = dissect_and_renumber(part, place);
   for (int& n : number) {
