@@ -77,7 +77,7 @@ elasticity::Enriched<dim> solve_nearby(
   return elasticity::enrich<dim>(
       {basis.discretization, u, fine, load,
        elasticity::held_on_groups<dim>(fine, set.fixed), job.part.material,
-       sub.cells, set.foundations},
+       sub.cells, set.foundations, job.max_dofs, job.processors},
       near);
 }
 

@@ -176,7 +176,7 @@ Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
       part.dofs(), held_components<dim>(problem, cells, number));
   const FrontalCholesky factor(free_equations(stiffness, numbers),
                                front_tree(dissection, dim, numbers.equation),
-                               "neighbourhood");
+                               "neighbourhood", problem.processors.now());
   const MatrixXd residual = load - stiffness.multiply(u);
   u += extend_rows(factor.solve(restrict_rows(residual, numbers)), numbers);
   result.basis.columns = std::move(u);
