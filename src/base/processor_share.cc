@@ -11,6 +11,13 @@
 
 namespace clevis {
 
+namespace {
+
+int all = 1;
+const SharedCount* processes = nullptr;
+
+}  // namespace
+
 static_assert(std::atomic<int>::is_always_lock_free);  // else not across forks
 
 SharedCount::SharedCount(int value) {
@@ -27,9 +34,14 @@ SharedCount::~SharedCount() {
   munmap(count_, sizeof(std::atomic<int>));
 }
 
-int ProcessorShare::now() const {
-  const int processes = at_work == nullptr ? 1 : at_work->get();
-  return std::max(1, all / std::max(1, processes));
+void share_processors(int processors, const SharedCount& at_work) {
+  all = processors;
+  processes = &at_work;
+}
+
+int own_processors() {
+  if (processes == nullptr) return 1;
+  return std::max(1, all / std::max(1, processes->get()));
 }
 
 }  // namespace clevis

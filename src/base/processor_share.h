@@ -20,13 +20,12 @@ class SharedCount {
   std::atomic<int>* count_;
 };
 
-/// Processors that this process may keep busy, beside others that share them.
-struct ProcessorShare {
-  int all = 1;
-  const SharedCount* at_work = nullptr;  ///< processes; none: this one alone
+/// Has this process and those that it forks share so many processors.
+/// @param at_work  how many of them have work; outlives their work.
+void share_processors(int processors, const SharedCount& at_work);
 
-  /// At this moment; at least 1.
-  int now() const;
-};
+/// Processors that this process may keep busy at this moment; 1 where nobody
+/// called share_processors().
+int own_processors();
 
 }  // namespace clevis

@@ -121,15 +121,6 @@ def check_plan(study):
     study.expect(study.plan() == lines, "the same plan twice")
     study.expect(all(line.startswith("clevis check ") for line in lines),
                  "commands start the program that planned", lines)
-    bounded = study.run("plan", "geometry/gear/scene.toml", "--vary", "variants.csv",
-                        "--out", "bounded", "--max-dofs", "5000")
-    study.expect(all(" --max-dofs 5000 " in line
-                     for line in bounded.stdout.splitlines()),
-                 "the checks keep to --max-dofs", bounded)
-    planned = json.loads((study.folder / "bounded/plan.json").read_text())
-    study.expect(all(variant["inputs"]["max_dofs"] == 5000
-                     for variant in planned["variants"]),
-                 "the plan knows it", planned)
     stale = study.run("check", "geometry/gear/scene.toml", "--set",
                       SIZE + "=3 mm", "--out", "x")
     study.expect(stale.returncode == 11 and "M011" in stale.stderr,

@@ -91,8 +91,7 @@ Run declare_simulate(CLI::App& command) {
   add_scene(command, *request);
   add_output(command, request->options);
   add_report_flag(command, request->options);
-  add_max_time(command, *request,
-               "processor time that a motion may take, e.g. \"10 min\" [60 s]");
+  add_max_time(command, *request);
   add_mesh_flag(command, request->options);
   return run_request(request, simulate_command);
 }

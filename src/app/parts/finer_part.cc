@@ -52,7 +52,6 @@ PartJob job_anew(const LoadedScene& loaded, std::size_t index,
   again.model = job.model;
   again.engine = job.engine;
   again.max_dofs = job.max_dofs;
-  again.processors = job.processors;
   return again;
 }
 

@@ -10,6 +10,7 @@
 
 #include "assessment/models/model_list.h"
 #include "base/stopwatch.h"
+#include "elasticity/problem/admitted_degree.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "elasticity/vibration/eigenmodes.h"
 #include "report/text/atomic_file.h"

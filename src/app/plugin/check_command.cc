@@ -73,11 +73,8 @@ Run declare_check(CLI::App& command) {
   command.add_flag("--linear-vtu", options.linear_vtu,
                    "write NAME_linear.vtu too, for readers without "
                    "higher-order cells");
-  add_max_time(command, *request,
-               "processor time that a motion may take, e.g. \"10 min\" [60 s]; "
-               "after as long by the clock a STEP part is not meshed finer [no "
-               "limit]");
-  add_max_dofs(command, options.max_dofs,
+  add_max_time(command, *request);
+  add_max_dofs(command, options,
                "degrees of freedom that a solution of a part may have: higher "
                "degrees and finer meshes are left out [what memory holds]");
   add_jobs(command, options.jobs, "parts in parallel [one per core]");

@@ -29,7 +29,7 @@ Run declare_study(CLI::App& command) {
   command.add_flag("--every-instant", options.every_instant,
                    "CalculiX solves all instants, a step for each, not only "
                    "the governing one");
-  add_max_dofs(command, options.max_dofs,
+  add_max_dofs(command, options,
                "degrees of freedom that a solution may have: others are left "
                "out [450000, of CalculiX's cut hexahedra 120000]");
   add_engine(command, options);

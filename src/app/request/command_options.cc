@@ -60,14 +60,18 @@ void add_mesh_flag(CLI::App& command, Options& options) {
                    "first mesh the parts whose mesh is missing or outdated");
 }
 
-void add_max_time(CLI::App& command, SceneRequest& request, const char* help) {
-  command.add_option("--max-time", request.max_time, help)->type_name("TIME");
+void add_max_time(CLI::App& command, SceneRequest& request) {
+  command
+      .add_option("--max-time", request.max_time,
+                  "processor time that a motion may take, e.g. \"10 "
+                  "min\" [60 s]; where it is given, no part is meshed finer "
+                  "once it was checked for as long")
+      ->type_name("TIME");
 }
 
-void add_max_dofs(CLI::App& command, std::optional<int>& max_dofs,
-                  const char* help) {
+void add_max_dofs(CLI::App& command, Options& options, const char* help) {
   constexpr int kFewest = 100;
-  command.add_option("--max-dofs", max_dofs, help)
+  command.add_option("--max-dofs", options.max_dofs, help)
       ->type_name("N")
       ->check(CLI::Range(kFewest, std::numeric_limits<int>::max()));
 }

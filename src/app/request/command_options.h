@@ -38,9 +38,8 @@ void add_jobs(CLI::App& command, int& jobs, const char* help);
 void add_output(CLI::App& command, Options& options);
 void add_report_flag(CLI::App& command, Options& options);
 void add_mesh_flag(CLI::App& command, Options& options);
-void add_max_time(CLI::App& command, SceneRequest& request, const char* help);
-void add_max_dofs(CLI::App& command, std::optional<int>& max_dofs,
-                  const char* help);
+void add_max_time(CLI::App& command, SceneRequest& request);
+void add_max_dofs(CLI::App& command, Options& options, const char* help);
 void add_engine(CLI::App& command, Options& options);
 void add_model(CLI::App& command, std::string& model);
 /// CalculiX's kind of cells.

@@ -28,7 +28,7 @@ struct Options {
   /// Of a watched check: the number of this run, which its report bears.
   std::optional<int> watch_run = {};
   bool resume = false;              ///< keep a finished result of these inputs
-  std::optional<double> max_time;   ///< of a motion, and of finer meshes [s]
+  std::optional<double> max_time;   ///< of the processor, for a motion [s]
   std::optional<int> max_dofs;      ///< of a part's solution; none: memory's
   int jobs = 0;                     ///< parts in parallel; 0: one per core
   std::string elements = "C3D20R";  ///< CalculiX's hexahedra
@@ -48,7 +48,6 @@ struct PlanOptions {
   std::string tolerance_text;       ///< as given, e.g. "20%"; empty: none
   std::optional<double> tolerance;  ///< the same, relative [1]
   std::string model = "auto";
-  std::optional<int> max_dofs;  ///< of each check
   int jobs = 1;
 };
 

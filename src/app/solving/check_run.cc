@@ -177,9 +177,7 @@ void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
   if (team != nullptr) {
     choose_shared(jobs);
   } else {
-    for (PartJob& job : jobs) {
-      job.processors = {processors(options), &at_work};
-    }
+    share_processors(processors(options), at_work);
   }
   const auto outcomes = team != nullptr
                             ? run_on_ranks(*team, jobs, check)

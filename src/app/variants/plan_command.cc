@@ -52,7 +52,6 @@ report::PlannedVariant planned(const PlanOptions& options,
   result.inputs.tolerance = options.tolerance;
   result.inputs.model = options.model;
   result.inputs.engine = "auto";
-  result.inputs.max_dofs = options.max_dofs;
   result.inputs.parts = options.parts;
   return result;
 }
@@ -74,10 +73,6 @@ std::string command_line(const PlanOptions& options,
   }
   if (options.model != "auto") {
     words.insert(words.end(), {"--model", options.model});
-  }
-  if (options.max_dofs) {
-    words.insert(words.end(),
-                 {"--max-dofs", std::to_string(*options.max_dofs)});
   }
   words.insert(words.end(),
                {"--jobs", std::to_string(options.jobs), "--mesh", "--resume",
@@ -134,9 +129,6 @@ Run declare_plan(CLI::App& command) {
                       "of the peak stress, e.g. 5%; replaces the scene's")
           ->type_name("RATIO");
   add_model(command, options->model);
-  add_max_dofs(command, options->max_dofs,
-               "degrees of freedom that a solution of a part may have [what "
-               "memory holds]");
   add_jobs(command, options->jobs, "parts in parallel of each check [1]");
   return [options, tolerance] {
     if (tolerance->count() > 0) {

@@ -10,7 +10,6 @@
 
 #include "assessment/job/model_traits.h"
 #include "assessment/job/part_result.h"
-#include "base/processor_share.h"
 #include "elasticity/problem/dof_limit.h"
 #include "elasticity/problem/engine.h"
 #include "loads/history/load_history.h"
@@ -79,7 +78,6 @@ struct PartJob {
   elasticity::Engine engine = elasticity::Engine::kAuto;  ///< asked for
   /// Of the solutions that give stress and of buckling; asked for.
   elasticity::DofLimit max_dofs = std::nullopt;
-  ProcessorShare processors = {};
   bool is_shared = false;  ///< all ranks of this MPI run check it together
   /// Its mesh can be made finer where its peak stays open: that comes before
   /// degree 4 of tetrahedra, and before what is not about the peak.

@@ -95,12 +95,11 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
   Level<dim> level;
   for (std::size_t s = 0; s < sets.size(); ++s) {
     const LoadSet& set = sets[s];
-    auto basis =
-        std::make_shared<elasticity::DisplacementBasis<dim>>(model.solve(
-            {mesh, job.part.material, set.history, set.fixed, job.part.name,
-             elasticity::LinearSolver::kAuto, set.foundations, job.engine,
-             job.is_shared, job.max_dofs, job.processors},
-            degree));
+    auto basis = std::make_shared<elasticity::DisplacementBasis<dim>>(
+        model.solve({mesh, job.part.material, set.history, set.fixed,
+                     job.part.name, elasticity::LinearSolver::kAuto,
+                     set.foundations, job.engine, job.is_shared, job.max_dofs},
+                    degree));
     seconds.assemble += basis->seconds.assemble;
     seconds.factor += basis->seconds.factor;
     seconds.solve += basis->seconds.solve;

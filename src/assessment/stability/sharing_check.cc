@@ -100,8 +100,7 @@ Answers rough_answers(const PartJob& job, const LoadSet& set) {
                                          .foundations = set.foundations,
                                          .engine = job.engine,
                                          .is_shared = job.is_shared,
-                                         .max_dofs = job.max_dofs,
-                                         .processors = job.processors},
+                                         .max_dofs = job.max_dofs},
                                         dim == 2 ? kPlaneDegree : kDegree);
     return answers_of<dim>(job, set, model.zones(set), basis);
   };

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "elasticity/problem/admitted_degree.h"
 #include "elasticity/vibration/eigenmodes.h"
 
 namespace clevis::assessment {

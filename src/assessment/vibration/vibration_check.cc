@@ -13,6 +13,7 @@
 #include "assessment/vibration/vibrating_model.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
+#include "elasticity/problem/admitted_degree.h"
 #include "stress/field/deflection.h"
 
 namespace clevis::assessment {

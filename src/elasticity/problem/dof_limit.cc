@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "elasticity/fe_space/discretization.h"
 
 namespace clevis::elasticity {
 
@@ -16,18 +15,5 @@ void require_dofs(double dofs, DofLimit limit, const std::string& place) {
                           "coarser.",
                           dofs));
 }
-
-template <int dim>
-int admitted_degree(const mesh::PartMesh<dim>& mesh, int wanted,
-                    DofLimit limit) {
-  int degree = wanted;
-  while (limit && degree > 1 && discretize<dim>(mesh, degree).dofs() > *limit) {
-    --degree;
-  }
-  return degree;
-}
-
-template int admitted_degree<2>(const mesh::PartMesh<2>&, int, DofLimit);
-template int admitted_degree<3>(const mesh::PartMesh<3>&, int, DofLimit);
 
 }  // namespace clevis::elasticity

@@ -4,7 +4,6 @@
 #include <map>
 #include <string>
 
-#include "base/processor_share.h"
 #include "elasticity/problem/dof_limit.h"
 #include "elasticity/problem/engine.h"
 #include "loads/history/load_history.h"
@@ -38,7 +37,6 @@ struct ElasticProblem {
   /// Every rank of this MPI run has this problem and calls solve() with it.
   bool is_shared = false;
   DofLimit max_dofs = std::nullopt;  ///< asked for
-  ProcessorShare processors = {};
 };
 
 }  // namespace clevis::elasticity

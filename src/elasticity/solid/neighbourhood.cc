@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/processor_share.h"
 #include "elasticity/assembly/equations.h"
 #include "elasticity/assembly/foundation.h"
 #include "elasticity/assembly/stiffness.h"
@@ -146,7 +147,6 @@ Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
   auto number = number_nodes<dim>(problem.fine, cells, nodes);
   auto& part = result.basis.discretization;
   part = restricted<dim>(problem.fine, cells, number, nodes);
-  require_dofs(part.dofs(), problem.max_dofs, "neighbourhood");
   std::vector<int> place;
   const Dissection dissection = dissect_and_renumber(part, place);
   for (int& n : number) {
@@ -176,7 +176,7 @@ Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
       part.dofs(), held_components<dim>(problem, cells, number));
   const FrontalCholesky factor(free_equations(stiffness, numbers),
                                front_tree(dissection, dim, numbers.equation),
-                               "neighbourhood", problem.processors.now());
+                               "neighbourhood", own_processors());
   const MatrixXd residual = load - stiffness.multiply(u);
   u += extend_rows(factor.solve(restrict_rows(residual, numbers)), numbers);
   result.basis.columns = std::move(u);

@@ -4,10 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "base/processor_share.h"
 #include "elasticity/fe_space/discretization.h"
 #include "elasticity/problem/displacement_basis.h"
-#include "elasticity/problem/dof_limit.h"
 #include "part/material.h"
 #include "part/part_definition.h"
 
@@ -32,8 +30,6 @@ struct EnrichmentProblem {
   /// Cell of `coarse` per cell of `fine`, oriented alike; empty: the same.
   std::vector<int> coarse_cells = {};
   part::Foundations foundations = {};  ///< under faces of `fine`
-  DofLimit max_dofs = std::nullopt;    ///< of the neighbourhood
-  ProcessorShare processors = {};
 };
 
 /// The field of higher degree on some cells.
@@ -51,7 +47,7 @@ struct Enriched {
 /// what the cells nearby do not resolve, not what comes from far away; of that
 /// larger neighbourhoods tell.
 /// @param cells  of `fine`: the neighbourhood, ascending.
-/// @throws Error F002 if the neighbourhood is loose, F007, M005.
+/// @throws Error F002 if the neighbourhood is loose, M005.
 template <int dim>
 Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
                      const std::vector<int>& cells);

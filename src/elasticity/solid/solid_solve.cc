@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/processor_share.h"
 #include "base/stopwatch.h"
 #include "elasticity/assembly/foundation.h"
 #include "elasticity/assembly/stiffness.h"
@@ -173,7 +174,7 @@ void solve_by_factors(const ElasticProblem<dim>& problem,
         },
         restrict_rows(c.loads.columns, c.numbers),
         {factor_precision(folding, static_cast<double>(c.loads.columns.cols())),
-         problem.processors.now()},
+         own_processors()},
         place);
     result.seconds.factor += solved.factor_seconds;
     result.seconds.solve += solved.solve_seconds;

@@ -22,9 +22,6 @@ CheckInputs inputs_of(const JsonNode& node, const ordered_json& set) {
   if (node.has("tolerance")) inputs.tolerance = node.at("tolerance").number();
   inputs.model = node.at("model").text();
   inputs.engine = node.at("engine").text();
-  if (node.has("max_dofs")) {
-    inputs.max_dofs = static_cast<int>(node.at("max_dofs").number());
-  }
   for (const JsonNode& part : node.at("parts").elements()) {
     inputs.parts.push_back(part.text());
   }

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
 #include "elasticity/assembly/stiffness.h"
 #include "elasticity/nodal_loads/load_vectors.h"
 #include "elasticity/problem/displacement_basis.h"
@@ -23,16 +22,10 @@ struct SolvedEye {
       assemble_loads<3>(fine, eye.history, eye.material.density, "");
   MatrixXd displacement = coarse.columns * coarse.coefficients;
 
-  Enriched<3> enriched(const std::vector<int>& centre,
-                       DofLimit max_dofs = std::nullopt) const {
-    return enrich<3>({.coarse = coarse.discretization,
-                      .displacement = displacement,
-                      .fine = fine,
-                      .load = load,
-                      .held = {},
-                      .material = eye.material,
-                      .max_dofs = max_dofs},
-                     with_neighbours<3>(fine, centre));
+  Enriched<3> enriched(const std::vector<int>& centre) const {
+    return enrich<3>(
+        {coarse.discretization, displacement, fine, load, {}, eye.material},
+        with_neighbours<3>(fine, centre));
   }
 };
 
@@ -53,18 +46,6 @@ TEST(Neighbourhood, OfAllCellsIsTheHigherDegreesSolution) {
   EXPECT_NEAR(energy(enriched.basis, solved.eye.material), wanted,
               1e-6 * wanted);
   EXPECT_GT(wanted - energy(solved.coarse, solved.eye.material), 1e-4 * wanted);
-}
-
-TEST(Neighbourhood, KeepsToMaxDofs) {
-  const SolvedEye solved;
-  const int dofs = solved.enriched({3}).basis.discretization.dofs();
-  EXPECT_EQ(solved.enriched({3}, dofs).cells.size(), 3U);
-  try {
-    solved.enriched({3}, dofs - 1);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), "F007");
-  }
 }
 
 // Of one cell: it and both its neighbours, whose far sides keep what they had.
