@@ -398,21 +398,21 @@ bore_B = { cylinder = { diameter = "15 mm", near = ["140 mm", "0 mm", "0 mm"] } 
         """A link turned with its load, meshed in its plane and in space: hexahedra,
         and bands that meet those of the tetrahedra and of the link along z."""
         c, s = math.cos(0.5), math.sin(0.5)
-        turns = {"z": ([1, 0, 0], [0, 1, 0], [0, 0, 1]),
-                 "x": ([0, 1, 0], [0, 0, 1], [1, 0, 0]),
-                 "skew": ([c, 0, s], [0, 1, 0], [-s, 0, c])}
+        # Where x, y and z go, and the same as a turn.
+        turns = {"z": (([1, 0, 0], [0, 1, 0], [0, 0, 1]), "{0, 0, 1}, {0, 0, 0}, 0"),
+                 "x": (([0, 1, 0], [0, 0, 1], [1, 0, 0]),
+                       "{1, 1, 1}, {0, 0, 0}, 2*Pi/3"),
+                 "skew": (([c, 0, s], [0, 1, 0], [-s, 0, c]),
+                          "{0, 1, 0}, {0, 0, 0}, -0.5")}
         parts, told = {}, {}
-        for name, axes in turns.items():
+        for name, (axes, turn) in turns.items():
             def mapped(*v):
                 return [sum(v[k] * axes[k][d] for k in range(3)) for d in range(3)]
 
             def mm(v):
                 return str([f"{x:.15g} mm" for x in v]).replace("'", '"')
 
-            matrix = ", ".join(
-                ", ".join(f"{axes[k][d]:.15g}" for k in range(3)) + ", 0"
-                for d in range(3)) + ", 0, 0, 0, 1"
-            self.step("link.step", LINK + f"Affine {{{matrix}}} {{ Volume{{7}}; }}\n")
+            self.step("link.step", LINK + f"Rotate {{{turn}}} {{ Volume{{7}}; }}\n")
             pull = str([f"{x:.15g} N" for x in mapped(3000, 500, 0)]).replace("'", '"')
             scene = f"""schema = 1
 name = "link"

@@ -166,7 +166,7 @@ TEST(FrontalCholesky, BlocksOfLargeFrontsSolveWhatCholmodSolves) {
   const auto system = large_block();
   const auto tree = system.tree();
   EXPECT_TRUE(std::ranges::any_of(tree.fronts, [](const Front& front) {
-    return front.own() > 600 && front.later() > 600;
+    return front.own() > 256 && front.later() > 512;  // several blocks
   }));
   expect_as_by_cholmod(system);
 }
