@@ -413,7 +413,7 @@ bore_B = { cylinder = { diameter = "15 mm", near = ["140 mm", "0 mm", "0 mm"] } 
                 return str([f"{x:.15g} mm" for x in v]).replace("'", '"')
 
             self.step("link.step", LINK + f"Rotate {{{turn}}} {{ Volume{{7}}; }}\n")
-            pull = str([f"{x:.15g} N" for x in mapped(3000, 500, 0)]).replace("'", '"')
+            pull = str([f"{x:.15g} N" for x in mapped(3000, 0, 0)]).replace("'", '"')
             scene = f"""schema = 1
 name = "link"
 {STEEL}
