@@ -205,7 +205,7 @@ PUBLIC = {
     "elasticity": "algebra/dense_product algebra/rank_team assembly/stiffness assembly/supports"
                   " buckling/buckling direct/dissection fe_space/discretization fe_space/group_trace"
                   " fe_space/tabulation nodal_loads/load_vectors plate/layered_solve"
-                  " plate/plate_layer problem/displacement_basis problem/admitted_degree problem/dof_limit"
+                  " plate/plate_layer problem/displacement_basis problem/dof_limit"
                   " problem/elastic_problem problem/engine revolution/revolution_solve"
                   " solid/neighbourhood solid/open_reactions solid/plane_loads"
                   " solid/seat_compliance solid/solid_solve vibration/eigenmodes"

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "part/bore.h"
-#include "support/simplex_mesh.h"
 #include "support/structured_mesh.h"
 
 namespace clevis::support {
@@ -25,7 +24,6 @@ struct Annulus {
   /// Mesh lines where they are not even: fractions of the span, and of the way
   /// from log inner to log outer, from 0 to 1; one more than cells.
   std::vector<double> angle_lines{}, radius_lines{};
-  mesh::CellShape shape = mesh::CellShape::kTensor;
 };
 
 /// `x` of evenly spaced lines moved to the given ones, linear in between.
@@ -48,21 +46,19 @@ mesh::PartMesh<dim> sector_mesh(const Annulus& annulus) {
   divisions[0] = annulus.radial;
   divisions[1] = annulus.angular;
   if constexpr (dim == 3) divisions[2] = annulus.axial;
-  const auto map = [&](const Point& x) -> Point {
-    const double r =
-        annulus.inner * std::pow(annulus.outer / annulus.inner,
-                                 on_lines(annulus.radius_lines, x[0]));
-    const double angle =
-        annulus.start + annulus.span * on_lines(annulus.angle_lines, x[1]);
-    Point p;
-    p[0] = r * std::cos(angle);
-    p[1] = r * std::sin(angle);
-    if constexpr (dim == 3) p[2] = annulus.thickness * x[2];
-    return p;
-  };
-  auto mesh = annulus.shape == mesh::CellShape::kSimplex
-                  ? simplex_mesh<dim>(divisions, annulus.degree, map)
-                  : structured_mesh<dim>(divisions, annulus.degree, map);
+  auto mesh = structured_mesh<dim>(
+      divisions, annulus.degree, [&](const Point& x) -> Point {
+        const double r =
+            annulus.inner * std::pow(annulus.outer / annulus.inner,
+                                     on_lines(annulus.radius_lines, x[0]));
+        const double angle =
+            annulus.start + annulus.span * on_lines(annulus.angle_lines, x[1]);
+        Point p;
+        p[0] = r * std::cos(angle);
+        p[1] = r * std::sin(angle);
+        if constexpr (dim == 3) p[2] = annulus.thickness * x[2];
+        return p;
+      });
   if (dim == 2) mesh.thickness = annulus.thickness;
   part::Bore bore;
   bore.p_LC = {0.0, 0.0, dim == 3 ? annulus.thickness / 2 : 0.0};

@@ -3,8 +3,8 @@
 
     accuracy_table.py BUILD_FOLDER [PAGE]
 
-Runs the test binaries that print lines "measured, ...", "shapes, ...",
-"published, ..." and orders of convergence, and writes them to PAGE (default
+Runs the test binaries that print lines "measured, ...", "published, ..." and
+orders of convergence, and writes them to PAGE (default
 results/studies/accuracy.md).
 """
 import re
@@ -26,16 +26,14 @@ def main():
     build = Path(sys.argv[1]) / "tests/verification/elasticity"
     page = Path(sys.argv[2] if len(sys.argv) > 2 else
                 "results/studies/accuracy.md")
-    measured, shapes, published, orders = [], [], [], []
-    for name in ("error_per_dof", "cell_shapes", "published", "manufactured"):
+    measured, published, orders = [], [], []
+    for name in ("error_per_dof", "published", "manufactured"):
         run = subprocess.run([build / f"verification_{name}"],
                              stdout=subprocess.PIPE, text=True, check=True)
         for line in run.stdout.splitlines():
             cells = [cell.strip().replace(";", ",") for cell in line.split(",")]
             if cells[0] == "measured":
                 measured.append(cells[1:])
-            elif cells[0] == "shapes":
-                shapes.append(cells[1:])
             elif cells[0] == "published":
                 problem, value, source, error, tolerance, dofs = cells[1:]
                 published.append([problem, value, source,
@@ -51,12 +49,6 @@ Peak stress against closed forms, degree 4: within 1e-3 on at most 2e4 degrees o
 (`error_per_dof_test.cc`).
 
 {table(["problem", "DoF", "error", "DoF", "error"], measured)}
-
-Simplices beside hexahedra (in the plane triangles beside quadrangles), degree 4, for the same error of the same stress: degrees of freedom that either
-takes, and what the simplices cost as a multiple, in degrees of freedom and in operations of the factor. Each cell of the one kind is cut into two triangles or six
-tetrahedra of the other. LE1 is measured against quadrangles of 24 x 24 cells, LE10 against the published value (`cell_shapes_test.cc`).
-
-{table(["problem", "error", "DoF", "DoF of simplices", "times DoF", "times operations"], shapes)}
 
 Published values (`published_test.cc`, with the sources):
 

@@ -10,7 +10,6 @@
 
 #include "assessment/models/model_list.h"
 #include "base/stopwatch.h"
-#include "elasticity/problem/admitted_degree.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "elasticity/vibration/eigenmodes.h"
 #include "report/text/atomic_file.h"
@@ -42,20 +41,17 @@ Climbed<dim> climb(const mesh::PartMesh<dim>& mesh,
                    const part::PartDefinition& part,
                    const ModesRequest& request) {
   static const loads::LoadHistory kNoLoads;
-  const elasticity::ElasticProblem<dim> problem{
-      .mesh = mesh,
-      .material = part.material,
-      .history = kNoLoads,
-      .fixed = request.fixed,
-      .name = part.name,
-      .foundations = request.foundations,
-      .max_dofs = request.max_dofs};
+  const elasticity::ElasticProblem<dim> problem{mesh,
+                                                part.material,
+                                                kNoLoads,
+                                                request.fixed,
+                                                part.name,
+                                                elasticity::LinearSolver::kAuto,
+                                                request.foundations};
   const int highest = mesh.shape == mesh::CellShape::kTensor ? 4 : 2;
   Climbed<dim> result;
-  const int last =
-      elasticity::admitted_degree<dim>(mesh, highest, request.max_dofs);
   const int first = highest > 2 ? 2 : 1;  // degree 1 locks
-  for (int degree = std::min(first, last); degree <= last; ++degree) {
+  for (int degree = first; degree <= highest; ++degree) {
     auto modes = elasticity::eigenmodes<dim>(problem, degree, request.count);
     const Eigen::Index n = modes.frequencies.size();
     result.change = Eigen::VectorXd::Zero(n);

@@ -9,7 +9,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/scenes/load_scene.h"
-#include "elasticity/problem/dof_limit.h"
 #include "part/supports.h"
 
 namespace clevis::app {
@@ -22,11 +21,9 @@ struct ModesRequest {
   int count{};         ///< of modes, rigid ones of a free part counted in
   double tolerance{};  ///< of the frequencies, for the climb of degrees [1]
   part::Foundations foundations = {};
-  elasticity::DofLimit max_dofs = std::nullopt;  ///< asked for
 };
 
-/// Climbs degrees until the frequencies settle or max_dofs admits no higher
-/// one; writes NAME_mode_N.vtu (of the
+/// Climbs degrees until the frequencies settle; writes NAME_mode_N.vtu (of the
 /// second set of supports NAME_2_mode_N.vtu)
 /// of every elastic mode. A plate whose supports hold nothing across its plane
 /// vibrates in it, by plane stress.

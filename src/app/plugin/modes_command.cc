@@ -33,9 +33,6 @@ Run declare_modes(CLI::App& command) {
       .add_option("--tolerance", request->tolerance,
                   "of the frequencies, e.g. 1%")
       ->type_name("RATIO");
-  add_max_dofs(command, options,
-               "degrees of freedom that a solution of a part may have: higher "
-               "degrees are left out [what memory holds]");
   add_output(command, options);
   return run_request(request, modes_command);
 }

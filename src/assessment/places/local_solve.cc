@@ -55,21 +55,6 @@ std::vector<int> needed_cells(const mesh::PartMesh<dim>& mesh,
   return cells;
 }
 
-/// @throws Error F007 if what is solved for in these cells is beyond
-///   --max-dofs.
-template <int dim>
-void require_few_dofs(const elasticity::Discretization<dim>& fine,
-                      const std::vector<int>& cells, const PartJob& job) {
-  if (!job.max_dofs) return;
-  std::set<int> nodes;
-  for (const int cell : cells) {
-    const auto& of_cell = fine.cell_nodes[static_cast<std::size_t>(cell)];
-    nodes.insert(of_cell.begin(), of_cell.end());
-  }
-  elasticity::require_dofs(static_cast<double>(dim * nodes.size()),
-                           job.max_dofs, "part " + job.part.name);
-}
-
 }  // namespace
 
 template <int dim>
@@ -82,14 +67,13 @@ elasticity::Enriched<dim> solve_nearby(
   auto near = mesh::surroundings(mesh, place.centre, place.layers);
   const auto sub = mesh::sub_mesh(mesh, needed_cells(mesh, one, near));
   const auto fine = elasticity::discretize<dim>(sub.mesh, place.degree);
+  const MatrixXd load = elasticity::assemble_loads<dim>(
+      fine, one, job.part.material.density, job.part.name);
+  const MatrixXd u = basis.columns * basis.coefficients.col(place.instant);
   for (int& cell : near) {
     cell = static_cast<int>(std::ranges::lower_bound(sub.cells, cell) -
                             sub.cells.begin());
   }
-  require_few_dofs<dim>(fine, near, job);
-  const MatrixXd load = elasticity::assemble_loads<dim>(
-      fine, one, job.part.material.density, job.part.name);
-  const MatrixXd u = basis.columns * basis.coefficients.col(place.instant);
   return elasticity::enrich<dim>(
       {basis.discretization, u, fine, load,
        elasticity::held_on_groups<dim>(fine, set.fixed), job.part.material,

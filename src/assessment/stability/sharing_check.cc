@@ -13,9 +13,7 @@
 
 #include "assessment/models/level.h"
 #include "assessment/models/model_list.h"
-#include "base/errors.h"
 #include "elasticity/problem/displacement_basis.h"
-#include "elasticity/problem/elastic_problem.h"
 #include "loads/history/balance.h"
 #include "stress/field/deflection.h"
 #include "stress/field/stress_history.h"
@@ -65,21 +63,6 @@ Answers answers_of(const PartJob& job, const LoadSet& set,
           deflections<dim>(basis, set)};
 }
 
-/// By the highest degree that --max-dofs admits.
-/// @throws Error F007 if it does not admit degree 1.
-template <int dim>
-elasticity::DisplacementBasis<dim> solve_up_to(
-    const FeModel<dim>& model, const elasticity::ElasticProblem<dim>& problem,
-    int degree) {
-  for (;; --degree) {
-    try {
-      return model.solve(problem, degree);
-    } catch (const Error& error) {
-      if (error.code() != "F007" || degree == 1) throw;
-    }
-  }
-}
-
 /// By the cheapest model that suits the loads and is quick to look at.
 Answers rough_answers(const PartJob& job, const LoadSet& set) {
   PartJob alone;
@@ -88,20 +71,17 @@ Answers rough_answers(const PartJob& job, const LoadSet& set) {
   alone.load_sets = {set};
   alone.engine = job.engine;
   alone.is_shared = job.is_shared;
-  alone.max_dofs = job.max_dofs;
   const PartShape shape(alone);
   const auto answers = [&]<int dim>(const FeModel<dim>& model) {
-    const auto basis = solve_up_to<dim>(model,
-                                        {.mesh = *model.mesh,
-                                         .material = job.part.material,
-                                         .history = set.history,
-                                         .fixed = set.fixed,
-                                         .name = job.part.name,
-                                         .foundations = set.foundations,
-                                         .engine = job.engine,
-                                         .is_shared = job.is_shared,
-                                         .max_dofs = job.max_dofs},
-                                        dim == 2 ? kPlaneDegree : kDegree);
+    const auto basis = model.solve({.mesh = *model.mesh,
+                                    .material = job.part.material,
+                                    .history = set.history,
+                                    .fixed = set.fixed,
+                                    .name = job.part.name,
+                                    .foundations = set.foundations,
+                                    .engine = job.engine,
+                                    .is_shared = job.is_shared},
+                                   dim == 2 ? kPlaneDegree : kDegree);
     return answers_of<dim>(job, set, model.zones(set), basis);
   };
   return std::visit(answers, cheapest_for_many_instants(shape).make(

@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 
-#include "elasticity/problem/admitted_degree.h"
 #include "elasticity/vibration/eigenmodes.h"
 
 namespace clevis::assessment {
@@ -67,15 +66,8 @@ void judge_duration_ratios(const PartJob& job, PartResult& result) {
   if (job.impact_loads.empty()) return;
   const loads::LoadHistory none;
   const double first = elasticity::first_period<3>(
-      {.mesh = job.mesh,
-       .material = job.part.material,
-       .history = none,
-       .fixed = {},
-       .name = job.part.name,
-       .max_dofs = job.max_dofs},
-      elasticity::admitted_degree<3>(
-          job.mesh, job.mesh.shape == mesh::CellShape::kSimplex ? 1 : 2,
-          job.max_dofs));
+      {job.mesh, job.part.material, none, {}, job.part.name},
+      job.mesh.shape == mesh::CellShape::kSimplex ? 1 : 2);
   result.first_period = first;
   const double waves = std::min(period_of_waves(job), first);
   for (const ImpactLoad& load : job.impact_loads) {

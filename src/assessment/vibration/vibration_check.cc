@@ -13,7 +13,6 @@
 #include "assessment/vibration/vibrating_model.h"
 #include "base/errors.h"
 #include "base/stopwatch.h"
-#include "elasticity/problem/admitted_degree.h"
 #include "stress/field/deflection.h"
 
 namespace clevis::assessment {
@@ -30,11 +29,9 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
                         const LoadSet& set,
                         const std::vector<VibrationWindow>& windows,
                         std::string_view model) {
-  const int wanted = mesh.shape == mesh::CellShape::kSimplex ? 2
-                     : dim == 2                              ? 4
-                                                             : 3;
-  const int highest =
-      std::max(2, elasticity::admitted_degree<dim>(mesh, wanted, job.max_dofs));
+  const int highest = mesh.shape == mesh::CellShape::kSimplex ? 2
+                      : dim == 2                              ? 4
+                                                              : 3;
   VibrationResult result;
   int count = kFewest;
   double low_ratio = 0.0;

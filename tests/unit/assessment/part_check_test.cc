@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "assessment/stability/sharing_check.h"
 #include "base/errors.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/solid/solid_solve.h"
@@ -187,37 +186,6 @@ TEST(PartCheck, ModelsBeyondMaxDofsAreLeftOutAndTold) {
   EXPECT_NE(result.stopped_because.find("; plane stress left out, "),
             std::string::npos)
       << result.stopped_because;
-}
-
-// Open reactions are compared by degree 2 of 3-D, 13 × 5 × 3 nodes, or by less
-// where --max-dofs has it so.
-TEST(PartCheck, OpenSharingsKeepToMaxDofs) {
-  PartJob job = bent_bar(ModelKind::kSolid, 13 * 5 * 3 * 3);
-  OpenSharing sharing;
-  sharing.checked = job.load_sets[0].history;
-  sharing.others = {sharing.checked};
-  for (auto& load : sharing.others[0].instants[0].surface_loads) {
-    load.traction *= 2.0;
-    load.resultant.force *= 2.0;
-    load.resultant.moment *= 2.0;
-  }
-  job.open_sharings = {sharing};
-  const auto upper_end = [&](int max_dofs) {
-    job.max_dofs = max_dofs;
-    PartResult result;
-    result.peak.value = result.peak.band_low = result.peak.band_high = 1.0;
-    check_sharing(job, result);
-    return result.peak.band_high;
-  };
-  EXPECT_NEAR(upper_end(13 * 5 * 3 * 3), 2.0, 1e-6);
-  EXPECT_NEAR(upper_end(13 * 5 * 3 * 3 - 1), 2.0, 1e-6);  // by degree 1
-  EXPECT_NEAR(upper_end(126), 2.0, 1e-6);
-  try {
-    upper_end(125);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), "F007");
-  }
 }
 
 TEST(PartCheck, NoDegreeWithinMaxDofsIsRefused) {

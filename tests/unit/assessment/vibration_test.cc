@@ -96,23 +96,6 @@ TEST(Vibration, WavesFromBothEndsOfASolidDouble) {
   expect_doubled(ModelKind::kSolid, "3-D, p = 3");
 }
 
-// 20 × 1 × 1 cells of degree 3 have 61 × 4 × 4 nodes.
-TEST(Vibration, MaxDofsTakeDegreesOff) {
-  constexpr int kOfThree = 3 * 61 * 4 * 4, kOfTwo = 3 * 41 * 3 * 3;
-  PartJob job = bar(0.8 * transit());
-  job.model = ModelKind::kSolid;
-  job.max_dofs = kOfThree;
-  EXPECT_EQ(check_part(job).result.vibration.model, "3-D, p = 3");
-  job.max_dofs = kOfThree - 1;
-  const VibrationResult lower = check_part(job).result.vibration;
-  EXPECT_EQ(lower.model, "3-D, p = 2");
-  EXPECT_NEAR(lower.ratio.value(), 2.0, 0.1);
-  job.max_dofs = kOfTwo - 1;
-  const VibrationResult none = check_part(job).result.vibration;
-  EXPECT_FALSE(none.ratio);
-  EXPECT_NE(none.failure.find("F007"), std::string::npos) << none.failure;
-}
-
 TEST(Vibration, DecidesTheVerdict) {
   PartJob job = bar(0.8 * transit());
   job.part.limits.safety_factor = 5.0;  // 7.5 at rest, 3.75 in the wave
