@@ -8,11 +8,12 @@
 
 namespace clevis::part {
 
-/// What a scene gives to a part's geometry: numbers to a .geo, and to a solid
-/// which faces its groups are.
+/// What a scene gives to a part's geometry: numbers to a .geo, to a solid which
+/// faces its groups are, and to the mesh how often its cells are cut.
 struct GeometryInput {
   std::vector<GeometryParameter> parameters;
   SolidSource solid;
+  int refine = 1;  ///< hexahedra into this many along each direction
 };
 
 }  // namespace clevis::part

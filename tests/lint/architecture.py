@@ -124,6 +124,7 @@ ROOMS = {
     },
     "stress": {
         "field": "stress and displacement in cells, over time, at probes, on surfaces",
+        "many_instants": "thousands of instants of a field: by few columns, at few points",
         "sections": "mean stress in plane sections, and of what a held face carries",
         "zones": "places where linear elasticity has no finite stress, and how far they reach",
         "peaks": "the largest stress, its band, and what shows that cells are too coarse",
@@ -202,7 +203,7 @@ PUBLIC = {
                 " load_vibration/load_shapes strike/strike strike/strike_steps"
                 " systems/block_krylov systems/eigenmodes systems/linear_system",
     "beam": "estimates/beam_estimate estimates/ejector estimates/struck_part",
-    "elasticity": "algebra/dense_product algebra/rank_team assembly/stiffness assembly/supports"
+    "elasticity": "algebra/dense_product algebra/principal_columns algebra/rank_team assembly/stiffness assembly/supports"
                   " buckling/buckling direct/dissection fe_space/discretization fe_space/group_trace"
                   " fe_space/tabulation nodal_loads/load_vectors plate/layered_solve"
                   " plate/plate_layer problem/displacement_basis problem/dof_limit"
@@ -211,7 +212,7 @@ PUBLIC = {
                   " solid/seat_compliance solid/solid_solve vibration/eigenmodes"
                   " vibration/load_vibration vibration/strike_response",
     "stress": "field/deflection field/finite_motion"
-              " field/point_history field/probe field/stress_history field/surface_mesh peaks/energy_error peaks/local_peak peaks/meeting_points"
+              " many_instants/field_reduction many_instants/point_stress field/point_history field/probe field/stress_history field/surface_mesh peaks/energy_error peaks/local_peak peaks/meeting_points"
               " peaks/peak_band peaks/peak_zoom peaks/slow_sequence surface/surface_deviation surface/surface_kink"
               " sections/support_face zones/singular_zone zones/zone_mask zones/zone_strength output/field_output",
     "assessment": "impact/impact_check job/model_traits job/part_job"

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """A scene's probe must be within a tolerance of a published value, and its
-band must hold it. Arguments: clevis scene part probe value_MPa tolerance."""
+band must hold it. Arguments: clevis scene part probe value_MPa tolerance [folder
+that keeps the result, for other tests]."""
 import json
 import subprocess
 import sys
@@ -10,7 +11,8 @@ import tempfile
 def main():
     clevis, scene, part_name, probe_name = sys.argv[1:5]
     published, tolerance = map(float, sys.argv[5:7])
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = sys.argv[7] if len(sys.argv) > 7 else temporary
         run = subprocess.run([clevis, "check", scene, "--json", "--out", folder],
                              capture_output=True, text=True, check=False)
     if run.returncode != 0:

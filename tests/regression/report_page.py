@@ -3,7 +3,11 @@
 
     report_page.py CLEVIS SOURCE bundle          viewer/dist is what viewer/src makes
     report_page.py CLEVIS SOURCE page FOLDER     the report and glTF of a check
-    report_page.py CLEVIS SOURCE simulate        mechanisms without a mesh
+    report_page.py CLEVIS SOURCE simulate        mechanisms: one of each folder of geometry
+    report_page.py CLEVIS SOURCE motions         mechanisms: all others, what differs from one to another
+    report_page.py CLEVIS SOURCE alone NAME=FOLDER...
+                                                 parts without a mechanism: all, of those named the results
+                                                 that other tests left in FOLDER
     report_page.py CLEVIS SOURCE blow            a part under a blow
     report_page.py CLEVIS SOURCE hostile         texts of a scene that would be code
 
@@ -23,6 +27,10 @@ SIMULATED = ["antenna/scene", "bennett/scene", "braiding/scene", "catapult/scene
              "ejector/scene", "five_bar/scene", "gas_cylinder/scene", "landing_gear/pneumatic",
              "step/four_bar", "tribometer/crank", "two_window_four_bar/scene", "wall/scene",
              "wheel/drop"]
+
+
+# A check of which only the pictures count.
+QUICK = ["--tolerance", "50 %", "--mesh-rounds", "0", "--max-dofs", "60000"]
 
 
 def node_is_there(viewer):
@@ -69,23 +77,56 @@ def page(clevis, source, folder):
         return code or node(source, "test/glb.mjs", glb, str(len(parts)))
 
 
-def simulate(clevis, source):
-    code = 0
-    mechanisms = {file.parent.name for file in Path(source, "geometry").glob("*/*.toml")
-                  if "\n[[body]]" in file.read_text()}
-    missing = mechanisms - {Path(scene).parent.name for scene in SIMULATED}
-    if missing:
-        print(f"no scene of {missing} is tried")
-        code = 1
+def scenes(source, table):
+    """All sample scenes that have such a table: "antenna/scene" …"""
+    return sorted(f"{file.parent.name}/{file.stem}"
+                  for file in Path(source, "geometry").glob("*/*.toml")
+                  if f"\n[[{table}]]" in file.read_text())
+
+
+def try_motions(clevis, source, wanted, *options):
     with tempfile.TemporaryDirectory() as name:
-        for scene in SIMULATED:
+        pages = []
+        for scene in wanted:
             folder = Path(name) / scene.replace("/", "_")
             run_clevis(clevis, "simulate", "--report", "--out", folder,
                        f"{source}/geometry/{scene}.toml")
-            print(scene)
-            code |= node(source, "test/report.mjs", folder / "report.html",
-                         folder)
-    return code
+            pages += [folder / "report.html", folder]
+        return node(source, "test/report.mjs", *options, *pages)
+
+
+def simulate(clevis, source):
+    missing = ({Path(scene).parent.name for scene in scenes(source, "body")}
+               - {Path(scene).parent.name for scene in SIMULATED})
+    if missing:
+        print(f"no scene of {missing} is tried")
+        return 1
+    return try_motions(clevis, source, SIMULATED)
+
+
+def motions(clevis, source):
+    others = [scene for scene in scenes(source, "body") if scene not in SIMULATED]
+    return try_motions(clevis, source, others, "--brief")
+
+
+def alone(clevis, source, *given):
+    results = dict(entry.split("=") for entry in given)
+    wanted = sorted(set(scenes(source, "part")) - set(scenes(source, "body")))
+    unknown = set(results) - set(wanted)
+    if unknown:
+        print(f"no scenes of parts alone: {unknown}")
+        return 1
+    with tempfile.TemporaryDirectory() as name:
+        pages = []
+        for scene in wanted:
+            folder = Path(results.get(scene) or Path(name) / scene.replace("/", "_"))
+            if scene not in results:
+                subprocess.run([clevis, "check", *QUICK, "--out", folder,
+                                f"{source}/geometry/{scene}.toml"], capture_output=True)
+            page = Path(name) / f"{scene.replace('/', '_')}.html"
+            run_clevis(clevis, "report", folder, "--out", page)
+            pages += [page, folder]
+        return node(source, "test/report.mjs", "--brief", *pages)
 
 
 def blow(clevis, source):
@@ -119,8 +160,8 @@ def main():
     clevis, source, what, *rest = sys.argv[1:]
     if what == "bundle":
         return node(source, "build.mjs", "--check")
-    return {"page": page, "simulate": simulate, "blow": blow,
-            "hostile": hostile}[what](
+    return {"page": page, "simulate": simulate, "motions": motions, "alone": alone,
+            "blow": blow, "hostile": hostile}[what](
         clevis, source, *rest)
 
 

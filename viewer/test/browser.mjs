@@ -5,6 +5,9 @@ import puppeteer from "puppeteer-core";
 const CHROMIUM = ["/usr/bin/chromium", "/usr/bin/chromium-browser",
                   "/usr/bin/google-chrome"];
 
+// A busy machine may take minutes over what takes a second.
+const BUSY = 180000;  // [ms]
+
 /** The browser; null where there is none. */
 export async function browser() {
   const executablePath = CHROMIUM.find(existsSync);
@@ -15,8 +18,9 @@ export async function browser() {
 }
 
 /** A page of a German reader that keeps what it said and what it asked the network for. */
-export async function open(chromium, url) {
+export async function open(chromium, url, size = { width: 1280, height: 900 }) {
   const page = await chromium.newPage();
+  page.setDefaultTimeout(BUSY);
   const session = await page.createCDPSession();
   await session.send("Emulation.setLocaleOverride", { locale: "de-DE" });
   await session.send("Performance.enable");
@@ -28,7 +32,7 @@ export async function open(chromium, url) {
       requests.push(request.url());
     }
   });
-  await page.setViewport({ width: 1280, height: 900 });
+  await page.setViewport(size);
   await page.goto(url, { waitUntil: "load" });
   await page.waitForSelector("html[data-built]");
   return { page, session, said, requests };

@@ -4,8 +4,11 @@
 #include <future>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "app/scenes/geometry_stamp.h"
 #include "base/errors.h"
+#include "mesh/derived/split_cells.h"
 #include "mesh/quality/mass_properties.h"
 #include "mesh/reading/mesh_reader.h"
 
@@ -32,6 +35,19 @@ std::vector<loads::GroupGeometry> group_geometry(
   return groups;
 }
 
+/// @throws Error M008 for other cells than hexahedra.
+void refine(int pieces, LoadedPart& part) {
+  if (part.mesh.shape != mesh::CellShape::kTensor) {
+    throw Error("M008", "part " + part.definition.name,
+                "`refine` cuts hexahedra, but the mesh has other cells",
+                "Mesh the part with hexahedra, or finer.");
+  }
+  part.mesh = mesh::refined(part.mesh, pieces);
+  part.notes.push_back(fmt::format(
+      "every cell of the mesh is cut into {} along each direction (refine)",
+      pieces));
+}
+
 }  // namespace
 
 LoadedPart load_part(const part::PartDefinition& definition,
@@ -45,6 +61,7 @@ LoadedPart load_part(const part::PartDefinition& definition,
   part.notes = std::move(read.notes);
   part.mass = mesh::mass_properties(part.mesh, definition.material.density);
   part.groups = group_geometry(part.mesh);
+  if (input.refine > 1) refine(input.refine, part);
   return part;
 }
 

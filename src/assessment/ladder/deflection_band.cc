@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "assessment/judge/time_sampling_error.h"
+#include "assessment/ladder/load_accuracy.h"
 #include "stress/peaks/slow_sequence.h"
 
 namespace clevis::assessment {
@@ -23,7 +24,8 @@ void DeflectionWatch::take(const std::vector<LoadSet>& sets,
     }
     if (deflections.maxCoeff() < degree.largest) continue;
     degree.largest = deflections.maxCoeff();
-    degree.time_error = time_sampling_error(sets[s].history, deflections);
+    degree.time_error = time_sampling_error(sets[s].history, deflections) +
+                        inexact_deflection<dim>(level, s) * degree.largest;
   }
 }
 

@@ -13,7 +13,9 @@ namespace clevis::assessment {
 /// How far the largest deflection of the last degree may be off [1].
 struct DeflectionError {
   double mesh{};  ///< to either side
-  double time{};  ///< between the instants; upwards only
+  /// Between the instants, and by what was admitted of their loads; upwards
+  /// only.
+  double time{};
 };
 
 /// Follows the largest deflection of each instant through the degrees.

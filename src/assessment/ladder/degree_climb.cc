@@ -9,6 +9,7 @@
 
 #include "assessment/judge/time_sampling_error.h"
 #include "assessment/ladder/governing_instants.h"
+#include "assessment/ladder/load_accuracy.h"
 #include "assessment/ladder/probe_band.h"
 #include "assessment/places/local_error.h"
 #include "assessment/places/meeting_places.h"
@@ -62,9 +63,15 @@ class Climb {
         ladder_(job, *model.mesh) {}
 
   /// Adds a degree, solved for these sets.
-  void take(const std::vector<LoadSet>& sets, int degree) {
-    ladder_.level = solve_level<dim>(job_, sets, ladder_.zones.mesh(), model_,
-                                     degree, seconds_);
+  /// @param admitted  errors of their loads, if any.
+  void take(const std::vector<LoadSet>& sets, int degree,
+            const std::vector<Eigen::VectorXd>& admitted = {}) {
+    const auto solve = [&](const std::vector<Eigen::VectorXd>& errors) {
+      return solve_level<dim>(job_, sets, ladder_.zones.mesh(), model_, degree,
+                              seconds_, errors);
+    };
+    ladder_.level = solve(admitted);
+    if (peak_is_inexact<dim>(ladder_.level)) ladder_.level = solve({});
     ladder_.sequence.push_back(ladder_.level.member);
     ladder_.probes.push_back(ladder_.level.probes);
     ladder_.held.push_back(ladder_.level.held);
@@ -73,7 +80,8 @@ class Climb {
     const double tolerance = job_.tolerance - model_.model_error;
     const auto& history = ladder_.level.history();
     ladder_.time_error =
-        time_sampling_error(sets[ladder_.level.set].history, history.peak);
+        time_sampling_error(sets[ladder_.level.set].history, history.peak) +
+        rise_of_inexact<dim>(ladder_.level);
     ladder_.band =
         band_of(ladder_.sequence, history.sampling_error + ladder_.time_error,
                 tolerance);
@@ -97,10 +105,11 @@ class Climb {
   /// @return whether they do.
   /// @throws Error F004, F007 if there is no result without it: three degrees
   ///   have a band; fewer are asked for by --max-dofs alone, and not judged.
-  bool may_take(const std::vector<LoadSet>& sets, int degree) {
+  bool may_take(const std::vector<LoadSet>& sets, int degree,
+                const std::vector<Eigen::VectorXd>& admitted = {}) {
     constexpr std::size_t kDegreesOfABand = 3;
     try {
-      take(sets, degree);
+      take(sets, degree, admitted);
     } catch (const Error& error) {
       const std::size_t taken = ladder_.sequence.size();
       const bool is_end =
@@ -271,9 +280,13 @@ template <int dim>
 DegreeLadder<dim> climb_with_all(const PartJob& job, const FeModel<dim>& model,
                                  PartSeconds& seconds) {
   Climb<dim> climb(job, model, seconds);
+  std::vector<Eigen::VectorXd> admitted;
   for (int degree = model.first_degree; degree <= model.highest_degree;
        ++degree) {
-    if (!climb.may_take(job.load_sets, degree)) {
+    if (degree > model.first_degree && !climb.ladder().zones.has_zones()) {
+      admitted = admitted_load_errors<dim>(job, climb.ladder().level);
+    }
+    if (!climb.may_take(job.load_sets, degree, admitted)) {
       climb.end(job.load_sets);
       break;
     }
@@ -296,18 +309,19 @@ DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
   if (chosen.sets().empty() || climb.ladder().zones.has_zones()) {
     return climb_with_all(job, model, seconds);
   }
+  const auto admitted = admitted_load_errors(job, chosen);
   bool is_of_all = false;  // the degree that was taken last
   for (int degree = model.first_degree; degree <= model.highest_degree;
        ++degree) {
     bool all = degree >= model.first_degree + kFirstDegrees ||
                (degree == model.first_degree + kFirstDegrees - 1 &&
                 climb.may_settle());
-    const bool is_taken =
-        climb.may_take(all ? job.load_sets : chosen.sets(), degree);
+    const bool is_taken = all ? climb.may_take(job.load_sets, degree, admitted)
+                              : climb.may_take(chosen.sets(), degree);
     if (is_taken ? !all && (climb.is_within() || degree == model.highest_degree)
                  : !is_of_all) {
       climb.drop();
-      climb.take(job.load_sets, is_taken ? degree : degree - 1);
+      climb.take(job.load_sets, is_taken ? degree : degree - 1, admitted);
       all = true;
     }
     if (!all) continue;

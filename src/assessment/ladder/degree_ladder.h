@@ -29,7 +29,9 @@ struct DegreeLadder {
   DeflectionWatch deflections;
   stress::Band band;
   stress::Band outer_band;  ///< away from zones; only if one governs
-  double time_error{};      ///< between instants, of the judged peak [Pa]
+  /// Between instants, and of those whose loads are not exact, of the judged
+  /// peak [Pa].
+  double time_error{};
   double jump{};  ///< between cells that meet near the judged peak [Pa]
   /// Of the judged band, where finer solutions nearby gave it.
   std::optional<NearbyPeak> nearby;

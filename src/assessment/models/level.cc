@@ -91,14 +91,17 @@ template <int dim>
 Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
                        const mesh::PartMesh<dim>& mesh,
                        const FeModel<dim>& model, int degree,
-                       PartSeconds& seconds) {
+                       PartSeconds& seconds,
+                       const std::vector<Eigen::VectorXd>& admitted) {
   Level<dim> level;
+  level.admitted = admitted;
   for (std::size_t s = 0; s < sets.size(); ++s) {
     const LoadSet& set = sets[s];
     auto basis = std::make_shared<elasticity::DisplacementBasis<dim>>(
         model.solve({mesh, job.part.material, set.history, set.fixed,
                      job.part.name, elasticity::LinearSolver::kAuto,
-                     set.foundations, job.engine, job.is_shared, job.max_dofs},
+                     set.foundations, job.engine, job.is_shared, job.max_dofs,
+                     admitted.empty() ? Eigen::VectorXd() : admitted[s]},
                     degree));
     seconds.assemble += basis->seconds.assemble;
     seconds.factor += basis->seconds.factor;
@@ -145,9 +148,11 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
 
 template Level<2> solve_level<2>(const PartJob&, const std::vector<LoadSet>&,
                                  const mesh::PartMesh<2>&, const FeModel<2>&,
-                                 int, PartSeconds&);
+                                 int, PartSeconds&,
+                                 const std::vector<Eigen::VectorXd>&);
 template Level<3> solve_level<3>(const PartJob&, const std::vector<LoadSet>&,
                                  const mesh::PartMesh<3>&, const FeModel<3>&,
-                                 int, PartSeconds&);
+                                 int, PartSeconds&,
+                                 const std::vector<Eigen::VectorXd>&);
 
 }  // namespace clevis::assessment

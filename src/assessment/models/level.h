@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "assessment/job/part_job.h"
 #include "assessment/models/fe_model.h"
 #include "elasticity/problem/displacement_basis.h"
@@ -21,6 +23,7 @@ struct Level {
       bases;                                     ///< per set
   std::vector<stress::StressHistory> histories;  ///< per set
   std::vector<stress::Deflection> deflections;   ///< per set
+  std::vector<Eigen::VectorXd> admitted;         ///< per set, or empty: none
   std::size_t set{};                             ///< the governing one
   SequenceMember member;
   std::optional<SupportStress> held;  ///< without band; absent: no plane face
@@ -37,11 +40,15 @@ std::vector<std::string> reference_groups(const LoadSet& set);
 /// relative to its pins.
 /// @param sets  the job's, or of each some instants.
 /// @param seconds  the stages' times are added here.
+/// @param admitted  per set, as ElasticProblem::admitted_load_error; empty:
+/// none
+///   of any.
 /// @throws Error L005 if a probe lies outside the part; see elasticity.
 template <int dim>
 Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
                        const mesh::PartMesh<dim>& mesh,
                        const FeModel<dim>& model, int degree,
-                       PartSeconds& seconds);
+                       PartSeconds& seconds,
+                       const std::vector<Eigen::VectorXd>& admitted = {});
 
 }  // namespace clevis::assessment

@@ -115,13 +115,15 @@ AnyFeModel layered_model(const PartShape& shape,
   model.cells_in_plane = static_cast<int>(plate.cells.size());
   model.solve = [&plate, terms = settings.terms](
                     const elasticity::ElasticProblem<3>& problem, int degree) {
-    return elasticity::solve_layered({.mesh = plate,
-                                      .material = problem.material,
-                                      .history = problem.history,
-                                      .fixed = problem.fixed,
-                                      .name = problem.name,
-                                      .max_dofs = problem.max_dofs},
-                                     degree, terms);
+    return elasticity::solve_layered(
+        {.mesh = plate,
+         .material = problem.material,
+         .history = problem.history,
+         .fixed = problem.fixed,
+         .name = problem.name,
+         .max_dofs = problem.max_dofs,
+         .admitted_load_error = problem.admitted_load_error},
+        degree, terms);
   };
   model.zones = [&shape, &plate](const LoadSet& set) {
     return plate_zones<3>(shape.job(), plate, set);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "assessment/places/local_solve.h"
 #include "elasticity/fe_space/tabulation.h"
@@ -23,8 +24,15 @@ constexpr double kNothing = -std::numeric_limits<double>::infinity();
 /// Solutions in the cells of a centre, lattice points × cells.
 struct FinerFields {
   stress::JoinedStress low;   ///< one degree higher
-  stress::JoinedStress wide;  ///< likewise, with a second layer around
   stress::JoinedStress high;  ///< two degrees higher
+  /// As low, with a second layer around; not always solved for.
+  std::optional<stress::JoinedStress> wide = std::nullopt;
+};
+
+/// Stress of some cells, and what is sure of its error without a second layer.
+struct JudgedStress {
+  CloserStress stress;
+  double least_error{};
 };
 
 /// Differences by degree, layer and cells, each by its largest in the cell
@@ -34,16 +42,21 @@ struct FinerFields {
 ///   one.
 /// @param counting  points × cells: those that are not left out.
 /// @return at a cell of the centre, a point of kFineLattice.
-CloserStress judge(const FinerFields& fields, const Eigen::VectorXd& rise,
+template <int dim>
+JudgedStress judge(const FinerFields& fields, const Eigen::VectorXd& rise,
                    const Eigen::MatrixXd& counting) {
   constexpr double kNear = 0.9;
-  constexpr double kDegree = 0.6;
-  constexpr double kLayer = 0.5;
+  constexpr double kDegree = dim == 2 ? 0.6 : 0.45;
+  constexpr double kLayer = dim == 2 ? 0.5 : 0.4;
   constexpr double kJump = 0.15;
-  const MatrixXd value = (fields.high.mean + fields.wide.mean - fields.low.mean)
-                             .cwiseProduct(counting);
+  const MatrixXd by_degree = fields.high.mean - fields.low.mean;
+  MatrixXd by_layer = MatrixXd::Zero(by_degree.rows(), by_degree.cols());
+  if (fields.wide) by_layer = fields.wide->mean - fields.low.mean;
+  const MatrixXd value = (fields.high.mean + by_layer).cwiseProduct(counting);
+  const MatrixXd& off_by_layer = fields.wide ? by_layer : by_degree;
   const double least = kNear * value.maxCoeff();
-  CloserStress closer{{kNothing, kNothing, kNothing}, {}};
+  JudgedStress judged{{{kNothing, kNothing, kNothing}, {}}};
+  PlaceEstimate& estimate = judged.stress.stress;
   for (Index c = 0; c < value.cols(); ++c) {
     const Eigen::ArrayXd counts =
         (value.col(c).array() >= least).cast<double>() *
@@ -53,18 +66,17 @@ CloserStress judge(const FinerFields& fields, const Eigen::VectorXd& rise,
     };
     Index point = 0;
     const double peak = rise[c] * value.col(c).maxCoeff(&point);
-    const double error =
-        rise[c] *
-        (kDegree * largest(fields.high.mean.col(c) - fields.low.mean.col(c)) +
-         kLayer * largest(fields.wide.mean.col(c) - fields.low.mean.col(c)) +
-         kJump * largest(fields.high.jump.col(c)));
-    closer.stress.high = std::max(closer.stress.high, peak + error);
-    if (peak <= closer.stress.value) continue;
-    closer.stress.value = peak;
-    closer.stress.low = peak - error;
-    closer.at = {static_cast<int>(c), static_cast<int>(point)};
+    const double sure = rise[c] * (kDegree * largest(by_degree.col(c)) +
+                                   kJump * largest(fields.high.jump.col(c)));
+    const double error = sure + rise[c] * kLayer * largest(off_by_layer.col(c));
+    estimate.high = std::max(estimate.high, peak + error);
+    if (peak <= estimate.value) continue;
+    estimate.value = peak;
+    estimate.low = peak - error;
+    judged.least_error = sure;
+    judged.stress.at = {static_cast<int>(c), static_cast<int>(point)};
   }
-  return closer;
+  return judged;
 }
 
 /// A look at some cells.
@@ -83,24 +95,24 @@ class Look {
   double shape() const { return rises_.maxCoeff() * shape_error(); }
 
   std::optional<CloserStress> stress(double pollution, double shape,
-                                     const IsFutile& is_futile) const {
+                                     const WorthOf& worth_of) const {
     const MatrixXd counts = counting();
-    FinerFields fields{solve(1, 1), {}, solve(1, 2)};
-    fields.wide = fields.low;  // dear, and last
-    CloserStress closer = judge(fields, rises_, counts);
-    const auto off = [&] {
-      return pollution * closer.stress.value + shape;
+    FinerFields fields{solve(1, 1), solve(1, 2)};
+    const auto judged = [&] {
+      JudgedStress all = judge<dim>(fields, rises_, counts);
+      const double off = pollution * all.stress.stress.value + shape;
+      all.stress.at = on_lattice(all.stress.at);
+      all.stress.stress.low -= off;
+      all.stress.stress.high += off;
+      all.least_error += off;
+      return all;
     };
-    if (is_futile(closer.stress.value - closer.stress.low + off(),
-                  closer.stress.value)) {
-      return std::nullopt;
-    }
+    const JudgedStress known = judged();
+    const Worth worth = worth_of({known.least_error, known.stress.stress});
+    if (worth == Worth::kNothing) return std::nullopt;
+    if (worth == Worth::kEnough) return known.stress;
     fields.wide = solve(2, 1);
-    closer = judge(fields, rises_, counts);
-    closer.at = on_lattice(closer.at);
-    closer.stress.low -= off();
-    closer.stress.high += off();
-    return closer;
+    return judged().stress;
   }
 
  private:
@@ -204,16 +216,17 @@ class Look {
   }
 
   /// By what the mesh makes of a curved surface [Pa]: a surface whose slope is
-  /// off by δ/2 to and fro has a stress that is by about δ off where it flows
-  /// across.
+  /// off by δ/2 to and fro has a stress that is by up to 0.8 δ off where it
+  /// flows across (theory.md, facets).
   double shape_error() const {
     if constexpr (dim == 3) {
+      constexpr double kOfKink = 0.8;
       constexpr int kIntervals = 4;
-      return stress::kinked_stress(
-          solved_.mesh, centre_,
-          stress::instant_field<dim>(field_, solved_.job.part.material,
-                                     kIntervals, 0)
-              .stress);
+      return kOfKink * stress::kinked_stress(
+                           solved_.mesh, centre_,
+                           stress::instant_field<dim>(
+                               field_, solved_.job.part.material, kIntervals, 0)
+                               .stress);
     }
     return 0.0;
   }
@@ -232,22 +245,21 @@ std::optional<CloserStress> look_closer(const SolvedSet<dim>& solved,
                                         const Place& place,
                                         const std::vector<int>& centre,
                                         double pollution,
-                                        const IsFutile& is_futile) {
+                                        const WorthOf& worth_of) {
   const Look<dim> look(solved, centre, place.instant);
   const double shape = look.shape();
-  if (is_futile(pollution * place.high + shape, place.high)) {
-    return std::nullopt;
-  }
-  return look.stress(pollution, shape, is_futile);
+  const KnownOfPlace known{pollution * place.high + shape, std::nullopt};
+  if (worth_of(known) == Worth::kNothing) return std::nullopt;
+  return look.stress(pollution, shape, worth_of);
 }
 
 template std::optional<CloserStress> look_closer<2>(const SolvedSet<2>&,
                                                     const Place&,
                                                     const std::vector<int>&,
-                                                    double, const IsFutile&);
+                                                    double, const WorthOf&);
 template std::optional<CloserStress> look_closer<3>(const SolvedSet<3>&,
                                                     const Place&,
                                                     const std::vector<int>&,
-                                                    double, const IsFutile&);
+                                                    double, const WorthOf&);
 
 }  // namespace clevis::assessment

@@ -31,23 +31,37 @@ struct CloserStress {
   stress::FieldPoint at;  ///< of the value, on the history's lattice
 };
 
-/// Whether an error beside a value [Pa] makes all further work vain.
-using IsFutile = std::function<bool(double error, double value)>;
+/// What is known of a place before its dearest solution.
+struct KnownOfPlace {
+  double error{};  ///< at least [Pa]
+  /// With a guess of what is not solved for; nothing before the first solution.
+  std::optional<PlaceEstimate> estimate;
+};
+
+/// What that is worth.
+enum class Worth {
+  kMore,    ///< the dearest solution as well
+  kEnough,  ///< the guess will do: no answer hangs on it
+  kNothing  ///< all further work is vain
+};
+
+/// Asked before each dear step.
+using WorthOf = std::function<Worth(const KnownOfPlace&)>;
 
 /// Solves near a place one and two degrees higher, and one degree higher with a
 /// second layer of cells around, dearest last: the value is the mean of the
 /// cells that meet. What degree, layer and cells differ by is its error, with
-/// that of the shape of the surface and what may come from farther away.
+/// that of the shape of the surface and what may come from farther away. Where
+/// the second layer is not worth it, it counts as far off as the degree.
 /// @param centre  cells to look at, ascending.
 /// @param pollution  what may come from outside, of the value [1].
-/// @param is_futile  asked before each dear step, of what is known till then.
-/// @return nothing where it was futile.
+/// @return nothing where that was worth nothing.
 /// @throws Error see solve_nearby.
 template <int dim>
 std::optional<CloserStress> look_closer(const SolvedSet<dim>& solved,
                                         const Place& place,
                                         const std::vector<int>& centre,
                                         double pollution,
-                                        const IsFutile& is_futile);
+                                        const WorthOf& worth_of);
 
 }  // namespace clevis::assessment

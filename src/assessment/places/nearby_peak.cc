@@ -149,19 +149,36 @@ class PeakSearch {
     return centre;
   }
 
-  /// @return false where it was left: errors at the highest place that are
-  ///   known before all is solved are beyond the tolerance already.
-  bool look_closer(const Number& seed, double tolerance, PlaceSearch which) {
+  /// What more work at a place is worth. One whose error is beyond the
+  /// tolerance keeps the band from converging, and one that is sure to stay
+  /// below the highest changes nothing of it.
+  Worth worth(const KnownOfPlace& known, double solved, double tolerance,
+              PlaceSearch which) const {
     constexpr double kSure = 1.1;  // the value is not known yet
-    const auto is_futile = [&](double error, double value) {
-      return which == PlaceSearch::kWhileItMayConverge && seen_.empty() &&
-             error > kSure * tolerance * value;
-    };
+    const bool is_first = seen_.empty();
+    if (!known.estimate && !is_first) return Worth::kMore;
+    const double own = known.estimate ? known.estimate->value : solved;
+    const double value = is_first ? own : std::max(best_, own);
+    if (own + known.error - value > kSure * tolerance * value) {
+      return which == PlaceSearch::kWhileItMayConverge ? Worth::kNothing
+                                                       : Worth::kEnough;
+    }
+    if (is_first) return Worth::kMore;
+    const double high = 2.0 * known.estimate->high - own;
+    return high < best_ || !may_converge(tolerance) ? Worth::kEnough
+                                                    : Worth::kMore;
+  }
+
+  /// @return false where it was left: errors that are known before all is
+  ///   solved are beyond the tolerance already.
+  bool look_closer(const Number& seed, double tolerance, PlaceSearch which) {
     const auto centre = centre_of(seed);
     const auto closer = assessment::look_closer<dim>(
         {job_, sets_[seed.set], mesh_, *level_.bases[seed.set],
          histories_[seed.set], level_.member.degree},
-        place(seed), centre, pollution_, is_futile);
+        place(seed), centre, pollution_, [&](const KnownOfPlace& known) {
+          return worth(known, place(seed).high, tolerance, which);
+        });
     if (!closer) return false;
     if (seen_.empty()) best_ = 0.0;
     seen_.push_back({seed.set, place(seed), centre, *closer});

@@ -5,11 +5,14 @@
 #include <numbers>
 
 #include "stress/field/stress_history.h"
+#include "stress/many_instants/field_reduction.h"
+#include "stress/many_instants/point_stress.h"
 
 namespace clevis::assessment {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kSides = 1e-8;  // of the motion: both sides of an event
@@ -19,35 +22,11 @@ constexpr double kPerPeriod = 400.0;  // times of the lowest shape's
 template <int dim>
 constexpr int kSubdivisions = dim == 2 ? 4 : 2;
 
-/// Every n-th time.
-template <int dim>
-elasticity::DisplacementBasis<dim> every(
-    Index n, const elasticity::DisplacementBasis<dim>& all) {
-  elasticity::DisplacementBasis<dim> some;
-  some.discretization = all.discretization;
-  some.columns = all.columns;
-  const Index count = (all.coefficients.cols() + n - 1) / n;
-  some.coefficients =
-      all.coefficients(Eigen::all, Eigen::seqN(Index{0}, count, n));
-  return some;
-}
-
-/// Without the other cells; groups keep the numbers of the whole and are not
-/// to be asked for.
-template <int dim>
-elasticity::DisplacementBasis<dim> within(
-    const std::vector<int>& cells,
-    const elasticity::DisplacementBasis<dim>& all) {
-  elasticity::DisplacementBasis<dim> some = all;
-  auto& part = some.discretization;
-  part.cell_nodes.clear();
-  part.cell_points.clear();
-  for (const int c : cells) {
-    const auto cell = static_cast<std::size_t>(c);
-    part.cell_nodes.push_back(all.discretization.cell_nodes[cell]);
-    part.cell_points.push_back(all.discretization.cell_points[cell]);
-  }
-  return some;
+/// Of the static columns and of the shapes, × times.
+MatrixXd coefficients_of(const dynamics::LoadAnswer& moving) {
+  MatrixXd both(moving.path.rows() + moving.added.rows(), moving.time.size());
+  both << moving.path, moving.added;
+  return both;
 }
 
 }  // namespace
@@ -88,23 +67,26 @@ stress::PartialPeak VibratingModel<dim>::peak_of(const Basis& basis) const {
 }
 
 template <int dim>
-std::vector<int> VibratingModel<dim>::cells_near_peak(
+std::vector<stress::FieldPoint> VibratingModel<dim>::points_near_peak(
     const Basis& basis) const {
   constexpr Index kSixth = 6;
   constexpr double kNear = 0.75;
   const auto zone_of = stress::zone_of_points<dim>(basis.discretization,
                                                    kSubdivisions<dim>, zones_);
   const auto coarse = stress::stress_history<dim>(
-      every<dim>(kSixth, basis), job_.part.material, kSubdivisions<dim>);
+      stress::reduced_field<dim>(basis, job_.part.material, kSixth),
+      job_.part.material, kSubdivisions<dim>);
   const Eigen::ArrayXXd outside =
-      (zone_of.array() >= 0).select(0.0, coarse.worst.array());
-  std::vector<int> cells;
+      (zone_of.array() >= 0).select(-1.0, coarse.worst.array());
+  const double least = kNear * outside.maxCoeff();
+  std::vector<stress::FieldPoint> points;
   for (Index c = 0; c < outside.cols(); ++c) {
-    if (outside.col(c).maxCoeff() >= kNear * outside.maxCoeff()) {
-      cells.push_back(static_cast<int>(c));
+    for (Index q = 0; q < outside.rows(); ++q) {
+      if (outside(q, c) < 0.0 || outside(q, c) < least) continue;
+      points.push_back({static_cast<int>(c), static_cast<int>(q)});
     }
   }
-  return cells;
+  return points;
 }
 
 template <int dim>
@@ -117,9 +99,7 @@ elasticity::DisplacementBasis<dim> VibratingModel<dim>::basis_of(
   basis.columns.resize(still.columns.rows(),
                        still.columns.cols() + shapes.columns.cols());
   basis.columns << still.columns, shapes.columns;
-  basis.coefficients.resize(basis.columns.cols(), moving.time.size());
-  basis.coefficients << moving.path, moving.added;
-  basis.strain_energy = VectorXd::Zero(moving.time.size());
+  basis.coefficients = coefficients_of(moving);
   return basis;
 }
 
@@ -140,22 +120,31 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(
       times_within(windows_, 1.0 / (kPerPeriod * found.lowest), kTimes);
   auto moving = answer_at(even);
   found.basis = basis_of(shapes, moving);
-  const std::vector<int> cells = cells_near_peak(found.basis);
-  const auto looked = stress::stress_history<dim>(
-      within<dim>(cells, found.basis), job_.part.material, kSubdivisions<dim>);
-  moving = answer_at(
-      with_times_near_peaks(even, moving.time, looked.peak, windows_));
-  found.basis = basis_of(shapes, moving);
-  const Basis near = within<dim>(cells, found.basis);
-  found.peak = peak_of(near);
+  const auto points = points_near_peak(found.basis);
+  if (points.empty()) return found;  // the zones are all there is
+  const auto& discretization = found.basis.discretization;
+  const stress::PointStress<dim> near(discretization, job_.part.material,
+                                      kSubdivisions<dim>, points,
+                                      found.basis.columns);
+  moving = answer_at(with_times_near_peaks(
+      even, moving.time,
+      near.von_mises(found.basis.coefficients).colwise().maxCoeff(), windows_));
+  found.basis.coefficients = coefficients_of(moving);
+  const MatrixXd stresses = near.von_mises(found.basis.coefficients);
+  Index point = 0, time = 0;
+  found.peak.value = stresses.maxCoeff(&point, &time);
+  found.peak.at = points[static_cast<std::size_t>(point)];
+  found.peak.instant = static_cast<int>(time);
+  const Index second = (stresses.cols() + 1) / 2;
   found.sampling_error =
-      (1.0 - peak_of(every<dim>(2, near)).value / found.peak.value) / 3.0;
-  found.peak.at.cell = cells[static_cast<std::size_t>(found.peak.at.cell)];
-  found.time = moving.time[found.peak.instant];
-  found.at = stress::position<dim>(found.basis.discretization, found.peak.at,
-                                   kSubdivisions<dim>);
-  found.group = stress::surface_group<dim>(found.basis.discretization,
-                                           found.peak.at, kSubdivisions<dim>);
+      (1.0 - stresses(Eigen::all, Eigen::seqN(Index{0}, second, 2)).maxCoeff() /
+                 found.peak.value) /
+      3.0;
+  found.time = moving.time[time];
+  found.at =
+      stress::position<dim>(discretization, found.peak.at, kSubdivisions<dim>);
+  found.group = stress::surface_group<dim>(discretization, found.peak.at,
+                                           kSubdivisions<dim>);
   return found;
 }
 

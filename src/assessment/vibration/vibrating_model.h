@@ -52,8 +52,9 @@ class VibratingModel {
 
   dynamics::LoadPath make_path() const;
   stress::PartialPeak peak_of(const Basis& basis) const;
-  /// Cells that come near the peak, by every sixth time.
-  std::vector<int> cells_near_peak(const Basis& basis) const;
+  /// Lattice points outside the zones that come near the peak, by every sixth
+  /// time.
+  std::vector<stress::FieldPoint> points_near_peak(const Basis& basis) const;
   Basis basis_of(const typename elasticity::LoadVibration<dim>::Shapes& shapes,
                  const dynamics::LoadAnswer& moving) const;
 

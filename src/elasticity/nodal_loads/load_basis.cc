@@ -66,14 +66,15 @@ void append_columns(MatrixXd& columns, const MatrixXd& more) {
 }
 
 /// Basis of the history relative to a scale.
-LoadBasis compress_over(const MatrixXd& history, double tolerance,
-                        double scale) {
+/// @param weights  of the instants' errors.
+LoadBasis compress_over(const MatrixXd& history, double tolerance, double scale,
+                        const VectorXd& weights) {
   constexpr int kPasses = 4;  // each resolves four more orders of magnitude
   LoadBasis basis;
   basis.columns.resize(history.rows(), 0);
   basis.coefficients.resize(0, history.cols());
   if (!(scale > 0.0)) return basis;
-  MatrixXd rest = history / scale;
+  MatrixXd rest = history * (weights / scale).asDiagonal();
   for (int pass = 0; pass < kPasses; ++pass) {
     if (rest.colwise().norm().maxCoeff() <= tolerance) break;
     append_columns(basis.columns, clear_directions(rest, tolerance));
@@ -86,6 +87,7 @@ LoadBasis compress_over(const MatrixXd& history, double tolerance,
       (history - product(basis.columns, basis.coefficients))
           .colwise()
           .norm()
+          .cwiseProduct(weights.transpose())
           .maxCoeff() /
       scale;
   return basis;
@@ -160,7 +162,8 @@ double largest_instant(const MatrixXd& gram, const MatrixXd& c) {
 }  // namespace
 
 LoadBasis compress(const MatrixXd& history, double tolerance) {
-  return compress_over(history, tolerance, history.colwise().norm().maxCoeff());
+  return compress_over(history, tolerance, history.colwise().norm().maxCoeff(),
+                       VectorXd::Ones(history.cols()));
 }
 
 double largest_instant(const LoadBasis& loads) {
@@ -168,7 +171,8 @@ double largest_instant(const LoadBasis& loads) {
   return largest_instant(ColumnSplit(loads.columns).gram(), loads.coefficients);
 }
 
-LoadBasis compress(const LoadBasis& loads, double tolerance, double scale) {
+LoadBasis compress(const LoadBasis& loads, double tolerance, double scale,
+                   const VectorXd& admitted) {
   const Index count = loads.columns.cols();
   LoadBasis none{MatrixXd(loads.columns.rows(), 0),
                  MatrixXd(0, loads.coefficients.cols())};
@@ -193,8 +197,13 @@ LoadBasis compress(const LoadBasis& loads, double tolerance, double scale) {
   coefficients.conservativeResize(kept, Eigen::NoChange);
   const Orthonormal orthonormal =
       orthonormalise(split, choose, choose.transpose() * gram * choose);
-  LoadBasis basis = compress_over(
-      product(orthonormal.coordinates, coefficients), tolerance, scale);
+  const VectorXd weights =
+      admitted.size() == 0
+          ? VectorXd(VectorXd::Ones(coefficients.cols()))
+          : VectorXd(tolerance * admitted.cwiseMax(tolerance).cwiseInverse());
+  LoadBasis basis =
+      compress_over(product(orthonormal.coordinates, coefficients), tolerance,
+                    scale, weights);
   basis.columns =
       split.times(product(choose, product(orthonormal.combine, basis.columns)));
   return basis;

@@ -8,7 +8,9 @@ namespace clevis::elasticity {
 struct LoadBasis {
   Eigen::MatrixXd columns;       ///< Q, near orthonormal, dofs × rank
   Eigen::MatrixXd coefficients;  ///< C, rank × instants
-  double compression_error{};  ///< max_i ‖f_i − Q c_i‖ / max_i ‖f_i‖ [1]
+  /// max_i w_i ‖f_i − Q c_i‖ / max_i ‖f_i‖, w_i the tolerance over what is
+  /// admitted of instant i [1].
+  double compression_error{};
 };
 
 /// Truncated singular value decomposition of the history by Gram matrices of
@@ -22,8 +24,10 @@ LoadBasis compress(const Eigen::MatrixXd& history, double tolerance);
 /// columns need not be independent.
 /// @param scale  that `tolerance` and compression_error refer to; 0: the
 ///   largest instant.
-LoadBasis compress(const LoadBasis& loads, double tolerance,
-                   double scale = 0.0);
+/// @param admitted  of each instant, over `scale`: the tolerance or more [1];
+///   empty: the tolerance.
+LoadBasis compress(const LoadBasis& loads, double tolerance, double scale = 0.0,
+                   const Eigen::VectorXd& admitted = {});
 
 /// Norm of the largest instant, in the units of the loads.
 double largest_instant(const LoadBasis& loads);

@@ -134,7 +134,7 @@ DisplacementBasis<3> solve_layered(const ElasticProblem<2>& problem, int degree,
     watch.lap();
     const LoadBasis loads = compress(
         LoadBasis{reduction.reduce(history.columns), history.coefficients},
-        kCompressionTolerance, all);
+        kCompressionTolerance, all, problem.admitted_load_error);
     result.seconds.assemble += watch.lap();
     if (largest_instant(loads) <= kNoLoad * all) continue;
     solve_parity(plate, dissection, reduction, loads, result);

@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include <Eigen/Core>
+
 #include "elasticity/problem/dof_limit.h"
 #include "elasticity/problem/engine.h"
 #include "loads/history/load_history.h"
@@ -37,6 +39,10 @@ struct ElasticProblem {
   /// Every rank of this MPI run has this problem and calls solve() with it.
   bool is_shared = false;
   DofLimit max_dofs = std::nullopt;  ///< asked for
+  /// Error of each instant's load, over the largest load, that is enough of it;
+  /// empty: all are solved as exactly as they can be. The model of revolution
+  /// solves them so anyway.
+  Eigen::VectorXd admitted_load_error = {};
 };
 
 }  // namespace clevis::elasticity

@@ -292,7 +292,8 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
   if (is_free) {
     balance_free_part<dim>(whole, positions, density, loads, result.checks);
   }
-  loads = compress(loads, kCompressionTolerance);
+  loads =
+      compress(loads, kCompressionTolerance, 0.0, problem.admitted_load_error);
   result.checks.compression = loads.compression_error;
   result.coefficients = loads.coefficients;
   const auto folded_positions = node_positions(part);

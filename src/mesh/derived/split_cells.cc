@@ -101,4 +101,16 @@ PartMesh<3> split_cells(const PartMesh<3>& mesh, int n) {
   return result;
 }
 
+PartMesh<3> refined(const PartMesh<3>& mesh, int n) {
+  PartMesh<3> result = split_cells(mesh, n);
+  if (n == 1 || result.degree <= kPieceDegree) return result;
+  const Eigen::MatrixXd down =
+      lagrange(gauss_lobatto(result.degree), gauss_lobatto(kPieceDegree)).value;
+  for (auto& points : result.cell_points) {
+    points = interpolate<3>(points, {&down, &down, &down});
+  }
+  result.degree = kPieceDegree;
+  return result;
+}
+
 }  // namespace clevis::mesh

@@ -11,4 +11,10 @@ namespace clevis::mesh {
 /// @pre tensor cells; n ≥ 1.
 PartMesh<3> split_cells(const PartMesh<3>& mesh, int n);
 
+/// The same, for n > 1 with geometry of kPieceDegree at most: on a cylinder it
+/// adds, over half the angle of the parent, a few per cent to the parent's
+/// error.
+inline constexpr int kPieceDegree = 4;
+PartMesh<3> refined(const PartMesh<3>& mesh, int n);
+
 }  // namespace clevis::mesh

@@ -67,6 +67,19 @@ void read_length_unit_of(StrictTable& table, part::GeometryFormat format,
   }
 }
 
+/// Pieces of a cell along each direction. @throws Error S010.
+int read_refine(StrictTable& table, bool is_solid) {
+  constexpr int kMost = 16;
+  const auto refine = table.find("refine");
+  if (!refine) return 1;
+  if (is_solid) {
+    throw refine->refusal("S010",
+                          "is for hexahedra, but a solid is meshed anew",
+                          "Give `mesh_size` instead.");
+  }
+  return refine->integer(1, kMost);
+}
+
 /// What only a solid of a CAD system takes. @throws Error S010.
 void read_solid(StrictTable& table, bool is_solid, part::SolidSource& solid) {
   for (const std::string_view key : {"faces", "mesh_size", "sweep"}) {
@@ -134,6 +147,7 @@ PartOfGeometry read_part(StrictTable& table, const Names& names,
   const bool is_solid = format != part::GeometryFormat::kScript;
   read_length_unit_of(table, format, part, result.input.solid);
   read_solid(table, is_solid, result.input.solid);
+  result.input.refine = read_refine(table, is_solid);
   if (const auto parameters = table.find("parameters")) {
     if (!geometry || mesh || is_solid) {
       throw parameters->refusal(

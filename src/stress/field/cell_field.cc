@@ -6,8 +6,23 @@
 
 namespace clevis::stress {
 
+using Eigen::ArrayXXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
+
+template <int dim>
+ArrayXXd von_mises_squared(const MatrixXd& stress, Index n) {
+  const auto s = [&](int k) {
+    return stress.middleRows(k * n, n).array();
+  };
+  if constexpr (dim == 2) {
+    return s(0).square() - s(0) * s(1) + s(1).square() + 3.0 * s(2).square();
+  } else {
+    return 0.5 * ((s(0) - s(1)).square() + (s(1) - s(2)).square() +
+                  (s(2) - s(0)).square()) +
+           3.0 * (s(3).square() + s(4).square() + s(5).square());
+  }
+}
 
 namespace {
 
@@ -137,6 +152,8 @@ MatrixXd CellField<dim>::gradients(std::size_t cell,
   return slopes;
 }
 
+template ArrayXXd von_mises_squared<2>(const MatrixXd&, Index);
+template ArrayXXd von_mises_squared<3>(const MatrixXd&, Index);
 template class CellField<2>;
 template class CellField<3>;
 

@@ -12,6 +12,13 @@ namespace clevis::stress {
 template <int dim>
 inline constexpr int kStressComponents = dim == 2 ? 3 : 6;
 
+/// Squares of von Mises [Pa²], points × columns, of stress blocks as CellField
+/// gives them.
+/// @param n  points.
+template <int dim>
+Eigen::ArrayXXd von_mises_squared(const Eigen::MatrixXd& stress,
+                                  Eigen::Index n);
+
 /// Stress and displacement at the same reference points of any cell, for many
 /// displacement vectors at once.
 template <int dim>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -21,6 +22,8 @@ using Eigen::MatrixXd;
 /// Seats nearer than this, over the part's size, have no line between them to
 /// speak of: their slip over the distance would be a turn of any size.
 constexpr double kNearestSeats = 1e-3;
+
+constexpr Index kBlock = 64;  // instants, so that few displacements are held
 
 /// Mean displacement and mean rotation of a surface group per basis column.
 template <int dim>
@@ -126,6 +129,26 @@ MatrixXd line_rotation(const SurfaceMotion<dim>& first,
   }
 }
 
+/// Largest displacement of each node over all instants [m].
+template <int dim>
+Eigen::VectorXd largest_of_nodes(
+    const elasticity::DisplacementBasis<dim>& basis) {
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(basis.columns.rows() / dim);
+  for (Index begin = 0; begin < basis.coefficients.cols(); begin += kBlock) {
+    const Index count = std::min(kBlock, basis.coefficients.cols() - begin);
+    const MatrixXd u = elasticity::product(
+        basis.columns, basis.coefficients.middleCols(begin, count));
+    for (Index i = 0; i < count; ++i) {
+      largest = largest.cwiseMax(u.col(i)
+                                     .reshaped(dim, largest.size())
+                                     .colwise()
+                                     .squaredNorm()
+                                     .transpose());
+    }
+  }
+  return largest.cwiseSqrt();
+}
+
 }  // namespace
 
 template <int dim>
@@ -159,7 +182,6 @@ void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
 
 template <int dim>
 Deflection largest_deflection(const elasticity::DisplacementBasis<dim>& basis) {
-  constexpr Index kBlock = 64;  // instants, so that few displacements are held
   const auto positions = elasticity::node_positions(basis.discretization);
   Deflection result;
   result.of_instant = Eigen::VectorXd::Zero(basis.coefficients.cols());
@@ -187,6 +209,29 @@ Deflection largest_deflection(const elasticity::DisplacementBasis<dim>& basis) {
   return result;
 }
 
+template <int dim>
+double largest_deflection_of_many(
+    const elasticity::DisplacementBasis<dim>& basis, int stride) {
+  constexpr double kNear = 0.75;
+  const Index instants = basis.coefficients.cols();
+  elasticity::DisplacementBasis<dim> some;
+  some.discretization = basis.discretization;
+  some.columns = basis.columns;
+  some.coefficients = basis.coefficients(
+      Eigen::all,
+      Eigen::seqN(Index{0}, (instants + stride - 1) / stride, Index{stride}));
+  const Eigen::VectorXd largest = largest_of_nodes<dim>(some);
+  const double least = kNear * largest.maxCoeff();
+  std::vector<Index> rows;
+  for (Index node = 0; node < largest.size(); ++node) {
+    if (largest[node] < least) continue;
+    for (Index d = 0; d < dim; ++d) rows.push_back(dim * node + d);
+  }
+  const MatrixXd u =
+      elasticity::product(basis.columns(rows, Eigen::all), basis.coefficients);
+  return u.reshaped(dim, u.size() / dim).colwise().norm().maxCoeff();
+}
+
 template void remove_rigid_motion<2>(elasticity::DisplacementBasis<2>&,
                                      const std::vector<std::string>&);
 template void remove_rigid_motion<3>(elasticity::DisplacementBasis<3>&,
@@ -195,5 +240,9 @@ template Deflection largest_deflection<2>(
     const elasticity::DisplacementBasis<2>&);
 template Deflection largest_deflection<3>(
     const elasticity::DisplacementBasis<3>&);
+template double largest_deflection_of_many<2>(
+    const elasticity::DisplacementBasis<2>&, int);
+template double largest_deflection_of_many<3>(
+    const elasticity::DisplacementBasis<3>&, int);
 
 }  // namespace clevis::stress

@@ -32,4 +32,10 @@ void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
 template <int dim>
 Deflection largest_deflection(const elasticity::DisplacementBasis<dim>& basis);
 
+/// The value alone, where instants are thousands: nodes are looked at in all of
+/// them that come near the largest in every `stride`-th [m].
+template <int dim>
+double largest_deflection_of_many(
+    const elasticity::DisplacementBasis<dim>& basis, int stride);
+
 }  // namespace clevis::stress

@@ -4,24 +4,9 @@
 #include "stress/field/cell_field.h"
 
 namespace clevis::stress {
-namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-
-/// Von Mises [Pa] of a cell's lattice points, points × instants.
-/// @param stress  blocks of `n` rows, one per component [Pa].
-template <int dim>
-MatrixXd von_mises_of_blocks(const MatrixXd& stress, Index n) {
-  MatrixXd rows = MatrixXd::Zero(n * stress.cols(), 6);
-  for (int k = 0; k < kStressComponents<dim>; ++k) {
-    const MatrixXd block = stress.middleRows(k * n, n);
-    rows.col(dim == 2 && k == 2 ? 3 : k) = block.reshaped();
-  }
-  return von_mises(rows).reshaped(n, stress.cols());
-}
-
-}  // namespace
 
 template <int dim>
 PointHistory point_history(const elasticity::DisplacementBasis<dim>& basis,
@@ -45,10 +30,11 @@ PointHistory point_history(const elasticity::DisplacementBasis<dim>& basis,
     if (at.cell != cell) {
       cell = at.cell;
       const auto c = static_cast<std::size_t>(cell);
-      mises = von_mises_of_blocks<dim>(
-          elasticity::product(cell_field.stress(c, basis.columns),
-                              coefficients),
-          n);
+      mises = von_mises_squared<dim>(
+                  elasticity::product(cell_field.stress(c, basis.columns),
+                                      coefficients),
+                  n)
+                  .sqrt();
       moved = cell_field.displacement(c, basis.columns);
     }
     history.von_mises.row(p) = mises.row(at.point);

@@ -15,21 +15,6 @@ using Eigen::ArrayXXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Squares of von Mises, points × instants, of stress blocks as above.
-template <int dim>
-ArrayXXd von_mises_squared(const MatrixXd& stress, Index n) {
-  const auto s = [&](int k) {
-    return stress.middleRows(k * n, n).array();
-  };
-  if constexpr (dim == 2) {
-    return s(0).square() - s(0) * s(1) + s(1).square() + 3.0 * s(2).square();
-  } else {
-    return 0.5 * ((s(0) - s(1)).square() + (s(1) - s(2)).square() +
-                  (s(2) - s(0)).square()) +
-           3.0 * (s(3).square() + s(4).square() + s(5).square());
-  }
-}
-
 /// The points of a lattice that are evaluated, and of each point of the lattice
 /// the evaluated one whose von Mises it has.
 template <int dim>

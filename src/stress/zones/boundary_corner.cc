@@ -134,10 +134,20 @@ class Collector {
       : mesh_(mesh), local_(local_corners<dim>(mesh.shape)) {
     elasticity::ReferencePoints<dim> tips(
         dim, static_cast<Eigen::Index>(local_.size()));
+    auto ends = std::array{tips, tips};
     for (std::size_t k = 0; k < local_.size(); ++k) {
-      tips.col(static_cast<Eigen::Index>(k)) = local_[k].tip;
+      const auto column = static_cast<Eigen::Index>(k);
+      tips.col(column) = local_[k].tip;
+      for (std::size_t s = 0; s < 2; ++s) {
+        ends[s].col(column) = local_[k].tip + local_[k].direction[s];
+      }
     }
-    table_ = elasticity::tabulate_geometry<dim>(mesh.shape, mesh.degree, tips);
+    const auto tabulate = [&](const auto& points) {
+      return elasticity::tabulate_geometry<dim>(mesh.shape, mesh.degree,
+                                                points);
+    };
+    table_ = tabulate(tips);
+    ends_ = {tabulate(ends[0]), tabulate(ends[1])};
     group_.resize(mesh.cells.size());
     on_boundary_.resize(mesh.vertices.size());
     for (auto& faces : group_) faces.fill(kInside);
@@ -193,12 +203,7 @@ class Collector {
     const LocalCorner<dim>& local = local_[k];
     const auto row = static_cast<Eigen::Index>(k);
     const auto& points = mesh_.cell_points[cell];
-    Eigen::Matrix<double, dim, dim> jacobian;
-    for (int d = 0; d < dim; ++d) {
-      jacobian.col(d) =
-          points *
-          table_.gradients[static_cast<std::size_t>(d)].row(row).transpose();
-    }
+    const auto jacobian = jacobian_at(table_, cell, k);
     BoundaryCorner& corner = entry.corner;
     corner.vertices = {key.first, key.second};
     corner.at = in_space<dim>(points * table_.values.row(row).transpose(),
@@ -223,12 +228,30 @@ class Collector {
       ++entry.sides;
       // The cell's material lies counter-clockwise of its first side.
       const bool first = (sine > 0.0) == (s == 0);
+      const Vector3d end =
+          in_space<dim>(jacobian_at(ends_[s], cell, k) * local.direction[s]);
+      const double turn =
+          std::atan2(end.cross(side[s]).dot(axis), end.dot(side[s]));
       corner.sides[first ? 0 : 1] = {
-          side[s], group, extent(cell, local.face[s], corner.at, axis)};
+          side[s], group, extent(cell, local.face[s], corner.at, axis),
+          first ? turn : -turn};
     }
     for (const unsigned v : mesh_.cells[cell]) {
       corner.reach = std::max(corner.reach, across(v, corner.at, axis));
     }
+  }
+
+  Eigen::Matrix<double, dim, dim> jacobian_at(const elasticity::Tabulation& at,
+                                              std::size_t cell,
+                                              std::size_t k) const {
+    Eigen::Matrix<double, dim, dim> jacobian;
+    for (int d = 0; d < dim; ++d) {
+      jacobian.col(d) =
+          mesh_.cell_points[cell] * at.gradients[static_cast<std::size_t>(d)]
+                                        .row(static_cast<Eigen::Index>(k))
+                                        .transpose();
+    }
+    return jacobian;
   }
 
   /// Way from a point to a vertex across an axis [m].
@@ -254,7 +277,8 @@ class Collector {
 
   const mesh::PartMesh<dim>& mesh_;
   std::vector<LocalCorner<dim>> local_;
-  elasticity::Tabulation table_;
+  elasticity::Tabulation table_;                ///< at the corners
+  std::array<elasticity::Tabulation, 2> ends_;  ///< far ends of their faces
   std::vector<std::array<int, 6>> group_;
   std::vector<bool> on_boundary_;
   std::map<Key, Entry> found_;

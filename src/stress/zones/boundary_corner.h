@@ -14,6 +14,9 @@ struct CornerSide {
   Eigen::Vector3d direction;  ///< unit, along the surface away from the corner
   int group = -1;             ///< of its face; -1: unnamed
   double extent{};            ///< of its face, across the edge [m]
+  /// Of its face's tangent from the corner to its far end, across the edge,
+  /// positive where the face is hollow [rad].
+  double turn{};
 };
 
 /// A boundary vertex of a plane mesh or a surface edge of a solid one, seen

@@ -37,8 +37,9 @@ struct SingularZone {
 /// material, from the true tangents of its cells, and what is held on both
 /// sides give the exponent. Counted from kSmoothExponent down; kinks
 /// between sides that are held alike are facets of a smooth surface if they are
-/// of up to 15° beside another like them, or of up to kFacetKink in a row of
-/// three and more with one facet between each two; else notches. Edges that
+/// of up to 15° beside another like them or a face that itself bends four times
+/// as far in their sense, or of up to kFacetKink in a row of three and more
+/// with one facet between each two; else notches. Edges that
 /// meet and have like sides are one zone. The radius is a tenth of the wall,
 /// the way through the material from the zone along the bisector of its angle,
 /// however large the cells: what lies farther away has to be resolved. It ends

@@ -135,5 +135,28 @@ TEST(VonMises, ClosedForms) {
   EXPECT_DOUBLE_EQ(equivalent[4], std::sqrt(300.0 + 3 * (16 + 25 + 36)));
 }
 
+// A bar that swings about its middle beside one that stretches: the farthest
+// end at the farthest time, between the times that are looked at first.
+TEST(Deflection, LargestOfManyInstants) {
+  const auto mesh = bar_mesh();
+  elasticity::DisplacementBasis<3> basis;
+  basis.discretization = elasticity::discretize<3>(mesh, 1);
+  const auto at = elasticity::node_positions(basis.discretization);
+  basis.columns = Eigen::MatrixXd::Zero(basis.discretization.dofs(), 2);
+  for (Eigen::Index i = 0; i < at.cols(); ++i) {
+    basis.columns(3 * i + 1, 0) = at(0, i) - 0.5 * kSize.x();
+    basis.columns(3 * i, 1) = at(0, i);
+  }
+  constexpr int kInstants = 1000;
+  basis.coefficients.resize(2, kInstants);
+  for (int i = 0; i < kInstants; ++i) {
+    basis.coefficients.col(i) << 2e-3 * std::sin(0.0314 * (i - 451)),
+        1e-3 * std::cos(0.0314 * (i - 451));
+  }
+  const auto all = largest_deflection<3>(basis);
+  ASSERT_NE(all.instant % 6, 0);
+  EXPECT_EQ(largest_deflection_of_many<3>(basis, 6), all.value);
+}
+
 }  // namespace
 }  // namespace clevis::stress

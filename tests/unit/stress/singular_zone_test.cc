@@ -91,6 +91,47 @@ TEST(SingularZone, GrooveOfOneCellHasTwoNotches) {
   EXPECT_EQ(singular_zones<2>(strip(2), kSteel, {}).size(), 2u);
 }
 
+/// Strip with a round groove, straight flanks and one cell of the second degree
+/// over its arc.
+/// @param turn  of the arc [rad].
+/// @param middle  of the cell, from that of the arc [1].
+/// @param kink  between arc and first flank [rad].
+mesh::PartMesh<2> round_groove(double turn, double middle, double kink) {
+  const auto on_arc = [&](double t) -> Vector2d {
+    const double angle = turn * (t - 0.5 + middle * 4.0 * t * (1.0 - t));
+    return {std::sin(angle), std::cos(angle)};
+  };
+  const auto profile = [&](double x) -> Vector2d {
+    if (x >= 1.0 && x <= 2.0) return on_arc(x - 1.0);
+    const double slope = x < 1.0 ? 0.5 * turn - kink : -0.5 * turn;
+    return on_arc(x < 1.0 ? 0.0 : 1.0) +
+           (x < 1.0 ? x - 1.0 : x - 2.0) *
+               Vector2d(std::cos(slope), std::sin(slope));
+  };
+  auto mesh = support::structured_mesh<2>(
+      {3, 2}, 2, [&](const Vector2d& x) -> Vector2d {
+        const Vector2d below = profile(3.0 * x.x());
+        return 2e-3 * (below + x.y() * Vector2d(0.0, 4.0 - below.y()));
+      });
+  mesh.thickness = 0.005;
+  return mesh;
+}
+
+// A mesher's cell over an arc of 60° with its middle node 5° off kinks by 8.6°
+// at one end and by as much the other way at the other.
+TEST(SingularZone, EndOfACurvedCellIsNoNotch) {
+  EXPECT_TRUE(
+      singular_zones<2>(round_groove(pi / 3, 0.08, 0.0), kSteel, {}).empty());
+}
+
+// A fillet that does not meet its flank: kinks of what cells cannot leave.
+TEST(SingularZone, ArcThatMeetsItsFlankAtAnAngleIsANotch) {
+  const double kink = 12.0 / 180.0 * pi;
+  EXPECT_EQ(
+      singular_zones<2>(round_groove(pi / 6, 0.0, kink), kSteel, {}).size(),
+      1u);
+}
+
 // 12 facets round a hole kink by 30 degrees each.
 TEST(SingularZone, CoarseHoleHasNone) {
   const auto ring = support::structured_mesh<2>(

@@ -108,6 +108,26 @@ TEST(LoadBasis, DependentColumnsAreTheirHistory) {
             1e-11 * history.norm());
 }
 
+// Half of the instants is made up of fewer columns than are needed for all; the
+// others stay exact.
+TEST(LoadBasis, InstantsKeepWhatIsAdmittedOfEach) {
+  const MatrixXd history = history_of(0.4);
+  const LoadBasis loads{history, MatrixXd::Identity(12, 12)};
+  const double largest = history.colwise().norm().maxCoeff();
+  constexpr double kTolerance = 1e-7;
+  Eigen::VectorXd admitted = Eigen::VectorXd::Zero(12);
+  admitted.tail(8).setConstant(3e-2);
+  const auto basis = compress(loads, kTolerance, largest, admitted);
+  EXPECT_LT(basis.columns.cols(),
+            compress(loads, kTolerance, largest).columns.cols());
+  const Eigen::RowVectorXd error =
+      (history - basis.columns * basis.coefficients).colwise().norm() / largest;
+  EXPECT_LE(error.head(4).maxCoeff(), 1.5 * kTolerance);
+  EXPECT_LE(error.tail(8).maxCoeff(), 1.5 * 3e-2);
+  EXPECT_GT(error.tail(8).maxCoeff(), 1e-4);
+  EXPECT_LE(basis.compression_error, 1.5 * kTolerance);
+}
+
 TEST(LoadsInPlane, TellsPlaneFromSpatialLoads) {
   loads::LoadHistory history;
   history.seats.push_back(
