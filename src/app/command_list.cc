@@ -28,7 +28,7 @@ namespace clevis::app {
 std::span<const Command> commands() {
   static constexpr std::array kCommands{
       Command{"check", "does every part hold over the motion and its cases?",
-              declare_check, Ranks::kAll},
+              declare_check, Memory::kMuch, Ranks::kAll},
       Command{"simulate", "the mechanism alone: structure, motion, reactions",
               declare_simulate},
       Command{"transmission",
@@ -42,9 +42,9 @@ std::span<const Command> commands() {
               declare_faces},
       Command{"study",
               "speed against error: every model and degree, and CalculiX",
-              declare_study},
+              declare_study, Memory::kMuch},
       Command{"modes", "free vibrations of the parts: frequencies and shapes",
-              declare_modes},
+              declare_modes, Memory::kMuch},
       Command{"export", "the parts as CalculiX decks, or a result as glTF",
               declare_export},
       Command{"plan", "commands that check many variants of a scene",

@@ -10,11 +10,15 @@ namespace clevis::app {
 /// Ranks of mpirun that run a command; the others end at once.
 enum class Ranks { kFirst, kAll };
 
+/// What a command needs: matrices come and go by the megabyte, or not.
+enum class Memory { kLittle, kMuch };
+
 /// A command of clevis.
 struct Command {
   const char* name;
   const char* about;                 ///< one line of --help
   Run (*declare)(CLI::App& parser);  ///< declares its options
+  Memory memory = Memory::kLittle;
   Ranks ranks = Ranks::kFirst;
 };
 

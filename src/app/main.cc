@@ -14,6 +14,7 @@
 #include "app/command_line.h"
 #include "app/command_list.h"
 #include "app/request/error_output.h"
+#include "base/huge_pages.h"
 #include "base/interrupts.h"
 #include "base/mpi_run.h"
 #include "base/system_failure.h"
@@ -35,14 +36,12 @@ clevis::ExitCode run(int argc, const char* const* argv) {
 /// Under mpirun most commands are the first rank's work, and only that rank
 /// speaks.
 /// @return whether this rank has nothing to do.
-bool stands_aside(std::span<const char* const> arguments) {
+bool stands_aside(const clevis::app::Command* command) {
   if (clevis::mpi_rank() == 0) return false;
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
   close(nowhere);
-  const clevis::app::Command* command =
-      arguments.size() < 2 ? nullptr : clevis::app::find_command(arguments[1]);
   return command == nullptr || command->ranks != clevis::app::Ranks::kAll;
 }
 
@@ -70,14 +69,19 @@ int fail(const Error& error, std::span<const char* const> arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::span<const char* const> arguments(argv,
+                                               static_cast<std::size_t>(argc));
+  const clevis::app::Command* command =
+      arguments.size() < 2 ? nullptr : clevis::app::find_command(arguments[1]);
+  if (command != nullptr && command->memory == clevis::app::Memory::kMuch) {
+    clevis::restart_with_huge_pages(argv);
+  }
   // Given back for the words that say that the memory ran out.
   auto reserve = std::make_unique<std::array<char, 1U << 16U>>();
   clevis::end_on_interrupts();
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit fails instead
   std::ios::sync_with_stdio(false);
-  const std::span<const char* const> arguments(argv,
-                                               static_cast<std::size_t>(argc));
-  if (stands_aside(arguments)) return 0;
+  if (stands_aside(command)) return 0;
   try {
     try {
       return static_cast<int>(run(argc, argv));

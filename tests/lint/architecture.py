@@ -212,7 +212,7 @@ PUBLIC = {
                   " solid/seat_compliance solid/solid_solve vibration/eigenmodes"
                   " vibration/load_vibration vibration/strike_response",
     "stress": "field/deflection field/finite_motion"
-              " many_instants/field_reduction many_instants/point_stress field/point_history field/probe field/stress_history field/surface_mesh peaks/energy_error peaks/local_peak peaks/meeting_points"
+              " many_instants/field_reduction many_instants/point_stress field/point_history field/probe field/stress_history field/surface_mesh peaks/energy_error peaks/local_peak peaks/lattice_maximum peaks/meeting_points"
               " peaks/peak_band peaks/peak_zoom peaks/slow_sequence surface/surface_deviation surface/surface_kink"
               " sections/support_face zones/singular_zone zones/zone_mask zones/zone_strength output/field_output",
     "assessment": "impact/impact_check job/model_traits job/part_job"

@@ -212,14 +212,25 @@ async function tryReport(file, folder) {
         stage.show({ part, scale: 0 });
         stage.shading = 0;
         document.querySelector(".overlay").style.display = "none";
-        const best = stage.lookAt(part, part.peak_point);
-        return best;
+        // a stress without bound has fallen within a pixel: the peak beside it
+        const outside = part.result.peak_outside_singular_zones;
+        if (!outside) return stage.lookAt(part, part.peak_point);
+        const away = (p) => Math.hypot(...[0, 1, 2].map((d) =>
+          part.positions[3 * p + d] - outside.at_mm[d]));
+        let nearest = 0;
+        for (let p = 1; p < part.points; ++p) {
+          if (away(p) < away(nearest)) nearest = p;
+        }
+        stage.shared.range.value = [0, outside.value_MPa];
+        return stage.lookAt(part, nearest);
       }, index);
       const shown = await screenColour(view.screen);
       const stress = view.stress;
-      const expected = part.peak_von_mises.field_maximum_MPa ??
+      const outside = part.peak_outside_singular_zones;
+      const expected = outside?.value_MPa ?? part.peak_von_mises.field_maximum_MPa ??
                        part.peak_von_mises.value_MPa;
-      assert.ok(Math.abs(stress - expected) <= 2e-3 * expected,
+      // away from the worst point the lattice is coarser
+      assert.ok(Math.abs(stress - expected) <= (outside ? 0.1 : 2e-3) * expected,
                 `${stress} MPa stored, ${expected} MPa in result.json`);
       const wanted = await legendColour(stress);
       const away = Math.max(...shown.map((v, c) => Math.abs(v - wanted[c])));

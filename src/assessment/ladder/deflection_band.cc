@@ -58,6 +58,13 @@ DeflectionError DeflectionWatch::error() const {
           last.time_error / last.largest};
 }
 
+DeflectionBand DeflectionWatch::band() const {
+  const double largest = degrees_.back().largest;
+  const DeflectionError off = error();
+  return {std::max(0.0, 1.0 - off.mesh) * largest,
+          (1.0 + off.mesh + off.time) * largest};
+}
+
 double DeflectionWatch::probe_error(const std::string& label,
                                     const std::vector<double>& values) const {
   std::vector<stress::DisplacementValue> sequence;

@@ -18,6 +18,11 @@ struct DeflectionError {
   double time{};
 };
 
+/// What the largest deflection is at least and at most [m].
+struct DeflectionBand {
+  double low{}, high{};
+};
+
 /// Follows the largest deflection of each instant through the degrees.
 class DeflectionWatch {
  public:
@@ -31,6 +36,8 @@ class DeflectionWatch {
   /// Of the instant that deflects the part most of those that all degrees
   /// have; if the last has another that does more, twice that.
   DeflectionError error() const;
+  /// Of the last degree's largest deflection [m].
+  DeflectionBand band() const;
 
   /// Error of a displacement at a point over it [1].
   /// @param label  of the case's instant.

@@ -129,6 +129,24 @@ class Climb {
     look_at_places(sets, tolerance, PlaceSearch::kAll);
     if (ladder_.zones.is_singular()) widen_beside_zones(tolerance);
   }
+  /// Whether what no degree mends keeps the peak's band from the tolerance, and
+  /// nothing else asks for a higher degree.
+  bool is_in_vain() const {
+    constexpr double kSure = 1.1;  // the value is not known yet
+    return lasting_error_ > kSure * (job_.tolerance - model_.model_error) &&
+           !deflection_is_open() &&
+           probes_are_within(ladder_, job_, job_.tolerance);
+  }
+  /// Says why the degrees end before the highest.
+  void tell_in_vain() {
+    const auto& last = ladder_.sequence.back();
+    if (last.degree >= model_.highest_degree) return;
+    ladder_.ended_by = fmt::format(
+        "degree {} left out, finer cells are wanted: the faces of these are "
+        "off "
+        "the curved surface by {:.2g} % of the stress",
+        last.degree + 1, 100.0 * lasting_error_);
+  }
   void drop() {
     ladder_.sequence.pop_back();
     ladder_.probes.pop_back();
@@ -156,6 +174,14 @@ class Climb {
   DegreeLadder<dim> finish() { return std::move(ladder_); }
 
  private:
+  /// Whether the limit of the deflection lies in its band.
+  bool deflection_is_open() const {
+    const auto limit = job_.part.limits.deflection;
+    if (!limit) return false;
+    const DeflectionBand band = ladder_.deflections.band();
+    return band.low <= *limit && *limit < band.high;
+  }
+
   /// Cells that are many times as large as a zone do not show what stands
   /// beside it.
   void widen_beside_zones(double tolerance) {
@@ -250,10 +276,12 @@ class Climb {
                       PlaceSearch which) {
     Stopwatch watch;
     const bool is_outer = ladder_.zones.is_singular();
-    ladder_.nearby = nearby_peak<dim>(
+    auto found = nearby_peak<dim>(
         job_, sets, ladder_.zones.mesh(), ladder_.level,
         is_outer ? ladder_.zones.outside_histories() : ladder_.level.histories,
         pollution(), tolerance, which);
+    ladder_.nearby = std::move(found.peak);
+    lasting_error_ = found.lasting_error;
     seconds_.recover += watch.lap();
     stress::Band& judged = is_outer ? ladder_.outer_band : ladder_.band;
     if (!ladder_.nearby) {
@@ -274,6 +302,7 @@ class Climb {
   PartSeconds& seconds_;
   DegreeLadder<dim> ladder_;
   std::vector<double> deviation_;  ///< of faces from curved surfaces [m]
+  double lasting_error_{};         ///< of FoundPeak
 };
 
 template <int dim>
@@ -291,6 +320,11 @@ DegreeLadder<dim> climb_with_all(const PartJob& job, const FeModel<dim>& model,
       break;
     }
     if (climb.is_within()) break;
+    if (climb.is_in_vain()) {
+      climb.end(job.load_sets);
+      climb.tell_in_vain();
+      break;
+    }
   }
   return climb.finish();
 }
@@ -318,7 +352,8 @@ DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
                 climb.may_settle());
     const bool is_taken = all ? climb.may_take(job.load_sets, degree, admitted)
                               : climb.may_take(chosen.sets(), degree);
-    if (is_taken ? !all && (climb.is_within() || degree == model.highest_degree)
+    if (is_taken ? !all && (climb.is_within() || climb.is_in_vain() ||
+                            degree == model.highest_degree)
                  : !is_of_all) {
       climb.drop();
       climb.take(job.load_sets, is_taken ? degree : degree - 1, admitted);
@@ -330,8 +365,10 @@ DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
     if (!chosen.contains(level.set, level.history().peak_instant)) {
       return climb_with_all(job, model, seconds);
     }
-    if (!is_taken) climb.end(job.load_sets);
-    if (!is_taken || climb.is_within()) break;
+    const bool is_last = !is_taken || climb.is_in_vain();
+    if (is_last) climb.end(job.load_sets);
+    if (is_taken && is_last) climb.tell_in_vain();
+    if (is_last || climb.is_within()) break;
   }
   return climb.finish();
 }

@@ -35,7 +35,7 @@ struct DegreeLadder {
   double jump{};  ///< between cells that meet near the judged peak [Pa]
   /// Of the judged band, where finer solutions nearby gave it.
   std::optional<NearbyPeak> nearby;
-  /// The degree that memory or --max-dofs did not admit; empty: none.
+  /// Why the degrees ended before the highest; empty: they did not.
   std::string ended_by = {};
 };
 

@@ -9,12 +9,6 @@ bool is_same(const loads::InstantLoad& a, const loads::InstantLoad& b) {
   return a.label == b.label && a.time == b.time;
 }
 
-bool has_probes(const PartJob& job) {
-  return std::ranges::any_of(job.part.cases, [](const auto& load_case) {
-    return !load_case.probes.empty();
-  });
-}
-
 /// The instants of a set that are among the governing ones or near to one.
 std::vector<bool> choose(const std::vector<loads::InstantLoad>& instants,
                          const std::vector<LoadSet>& governing) {
@@ -35,6 +29,12 @@ std::vector<bool> choose(const std::vector<loads::InstantLoad>& instants,
 }
 
 }  // namespace
+
+bool has_probes(const PartJob& job) {
+  return std::ranges::any_of(job.part.cases, [](const auto& load_case) {
+    return !load_case.probes.empty();
+  });
+}
 
 GoverningInstants::GoverningInstants(const PartJob& job,
                                      const std::vector<LoadSet>& governing) {

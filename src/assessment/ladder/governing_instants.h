@@ -7,6 +7,9 @@
 
 namespace clevis::assessment {
 
+/// Whether a case has probes, which want their values with every degree.
+bool has_probes(const PartJob& job);
+
 /// The governing instants of a part's load sets and their neighbours in time:
 /// what the peak of a low degree is sought among.
 class GoverningInstants {

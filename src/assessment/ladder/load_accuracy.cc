@@ -21,11 +21,8 @@ double admitted_of(const PartJob& job) {
 }
 
 bool wants_all_exactly(const PartJob& job) {
-  const bool has_probes =
-      std::ranges::any_of(job.part.cases, [](const auto& load_case) {
-        return !load_case.probes.empty();
-      });
-  return has_probes || std::ranges::all_of(job.load_sets, [](const auto& set) {
+  return has_probes(job) ||
+         std::ranges::all_of(job.load_sets, [](const auto& set) {
            return set.history.instants.size() < kFew;
          });
 }

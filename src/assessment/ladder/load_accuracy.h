@@ -16,7 +16,8 @@ namespace clevis::assessment {
 /// Per load set what is admitted of each instant's load, over the largest [1]:
 /// nothing of instants whose peak or deflection by a solution of all came near
 /// the largest.
-/// @return empty where that saves little, or probes and zones want all exactly.
+/// @return empty where that saves little, or probes want all exactly.
+/// @pre no singular zone, beside which other instants may govern.
 template <int dim>
 std::vector<Eigen::VectorXd> admitted_load_errors(const PartJob& job,
                                                   const Level<dim>& before);

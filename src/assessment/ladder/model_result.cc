@@ -117,9 +117,9 @@ void fill_deflection(const PartJob& job, const DegreeLadder<dim>& ladder,
             .history.instants[static_cast<std::size_t>(deflection.instant)]
             .time;
   }
-  const DeflectionError error = ladder.deflections.error();
-  result.deflection_low = std::max(0.0, 1.0 - error.mesh) * result.deflection;
-  result.deflection_high = (1.0 + error.mesh + error.time) * result.deflection;
+  const DeflectionBand band = ladder.deflections.band();
+  result.deflection_low = band.low;
+  result.deflection_high = band.high;
 }
 
 /// The label is of what is farther beyond its bound.

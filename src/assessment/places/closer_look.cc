@@ -7,6 +7,7 @@
 
 #include "assessment/places/local_solve.h"
 #include "elasticity/fe_space/tabulation.h"
+#include "stress/peaks/lattice_maximum.h"
 #include "stress/peaks/meeting_points.h"
 #include "stress/surface/surface_kink.h"
 
@@ -43,7 +44,8 @@ struct JudgedStress {
 /// @param counting  points × cells: those that are not left out.
 /// @return at a cell of the centre, a point of kFineLattice.
 template <int dim>
-JudgedStress judge(const FinerFields& fields, const Eigen::VectorXd& rise,
+JudgedStress judge(mesh::CellShape shape, const FinerFields& fields,
+                   const Eigen::VectorXd& rise,
                    const Eigen::MatrixXd& counting) {
   constexpr double kNear = 0.9;
   constexpr double kDegree = dim == 2 ? 0.6 : 0.45;
@@ -65,7 +67,11 @@ JudgedStress judge(const FinerFields& fields, const Eigen::VectorXd& rise,
       return (difference.array().abs() * counts).maxCoeff();
     };
     Index point = 0;
-    const double peak = rise[c] * value.col(c).maxCoeff(&point);
+    const double highest = value.col(c).maxCoeff(&point);
+    const double peak =
+        rise[c] * (highest + stress::rise_between_points<dim>(
+                                 shape, kFineLattice, value.col(c),
+                                 counting.col(c), point));
     const double sure = rise[c] * (kDegree * largest(by_degree.col(c)) +
                                    kJump * largest(fields.high.jump.col(c)));
     const double error = sure + rise[c] * kLayer * largest(off_by_layer.col(c));
@@ -99,7 +105,7 @@ class Look {
     const MatrixXd counts = counting();
     FinerFields fields{solve(1, 1), solve(1, 2)};
     const auto judged = [&] {
-      JudgedStress all = judge<dim>(fields, rises_, counts);
+      JudgedStress all = judge<dim>(solved_.mesh.shape, fields, rises_, counts);
       const double off = pollution * all.stress.stress.value + shape;
       all.stress.at = on_lattice(all.stress.at);
       all.stress.stress.low -= off;
@@ -108,7 +114,8 @@ class Look {
       return all;
     };
     const JudgedStress known = judged();
-    const Worth worth = worth_of({known.least_error, known.stress.stress});
+    const Worth worth =
+        worth_of({known.least_error, shape, known.stress.stress});
     if (worth == Worth::kNothing) return std::nullopt;
     if (worth == Worth::kEnough) return known.stress;
     fields.wide = solve(2, 1);
@@ -248,7 +255,7 @@ std::optional<CloserStress> look_closer(const SolvedSet<dim>& solved,
                                         const WorthOf& worth_of) {
   const Look<dim> look(solved, centre, place.instant);
   const double shape = look.shape();
-  const KnownOfPlace known{pollution * place.high + shape, std::nullopt};
+  const KnownOfPlace known{pollution * place.high + shape, shape, std::nullopt};
   if (worth_of(known) == Worth::kNothing) return std::nullopt;
   return look.stress(pollution, shape, worth_of);
 }

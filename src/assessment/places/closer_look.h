@@ -33,7 +33,8 @@ struct CloserStress {
 
 /// What is known of a place before its dearest solution.
 struct KnownOfPlace {
-  double error{};  ///< at least [Pa]
+  double error{};    ///< at least [Pa]
+  double lasting{};  ///< of it what no degree mends: the surface's shape [Pa]
   /// With a guess of what is not solved for; nothing before the first solution.
   std::optional<PlaceEstimate> estimate;
 };

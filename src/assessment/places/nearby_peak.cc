@@ -28,8 +28,20 @@ class PeakSearch {
         histories_(histories),
         pollution_(pollution) {}
 
+  FoundPeak search(double tolerance, PlaceSearch which) {
+    FoundPeak found;
+    try {
+      found.peak = peak(tolerance, which);
+    } catch (const Error&) {
+      // a neighbourhood that folds or is loose
+    }
+    found.lasting_error = lasting_error_;
+    return found;
+  }
+
+ private:
   /// @return nothing if no place counts, or it was left before the first.
-  std::optional<NearbyPeak> search(double tolerance, PlaceSearch which) {
+  std::optional<NearbyPeak> peak(double tolerance, PlaceSearch which) {
     constexpr int kMostClusters = 8;
     // Of hexahedra each is dear: enough where the band is within the tolerance.
     const int kFewest =
@@ -54,7 +66,6 @@ class PeakSearch {
     return join(tolerance);
   }
 
- private:
   static constexpr double kReach = 0.97;
   static constexpr double kShare = 0.6;
   struct Number {
@@ -160,8 +171,12 @@ class PeakSearch {
     const double own = known.estimate ? known.estimate->value : solved;
     const double value = is_first ? own : std::max(best_, own);
     if (own + known.error - value > kSure * tolerance * value) {
-      return which == PlaceSearch::kWhileItMayConverge ? Worth::kNothing
-                                                       : Worth::kEnough;
+      if (which == PlaceSearch::kWhileItMayConverge) return Worth::kNothing;
+      // The band stays open: what narrows it is worth solving for.
+      constexpr double kMuch = 0.25;
+      const double error = known.estimate ? own - known.estimate->low : 0.0;
+      return error - known.error > kMuch * error ? Worth::kMore
+                                                 : Worth::kEnough;
     }
     if (is_first) return Worth::kMore;
     const double high = 2.0 * known.estimate->high - own;
@@ -177,6 +192,7 @@ class PeakSearch {
         {job_, sets_[seed.set], mesh_, *level_.bases[seed.set],
          histories_[seed.set], level_.member.degree},
         place(seed), centre, pollution_, [&](const KnownOfPlace& known) {
+          if (seen_.empty()) lasting_error_ = known.lasting / place(seed).high;
           return worth(known, place(seed).high, tolerance, which);
         });
     if (!closer) return false;
@@ -298,31 +314,27 @@ class PeakSearch {
   std::vector<Seen> seen_;
   double least_{};      ///< stress that the places found reach [Pa]
   double pollution_{};  ///< of a value, from outside of its neighbourhood [1]
-  double best_{};       ///< highest mean, then highest value of finer solutions
+  double lasting_error_{};  ///< as in FoundPeak
+  double best_{};  ///< highest mean, then highest value of finer solutions
 };
 
 }  // namespace
 
 template <int dim>
-std::optional<NearbyPeak> nearby_peak(
-    const PartJob& job, const std::vector<LoadSet>& sets,
-    const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
-    const std::vector<stress::StressHistory>& histories, double pollution,
-    double tolerance, PlaceSearch which) {
-  try {
-    return PeakSearch<dim>(job, sets, mesh, level, histories, pollution)
-        .search(tolerance, which);
-  } catch (const Error&) {
-    return std::nullopt;  // a neighbourhood that folds or is loose
-  }
+FoundPeak nearby_peak(const PartJob& job, const std::vector<LoadSet>& sets,
+                      const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
+                      const std::vector<stress::StressHistory>& histories,
+                      double pollution, double tolerance, PlaceSearch which) {
+  return PeakSearch<dim>(job, sets, mesh, level, histories, pollution)
+      .search(tolerance, which);
 }
 
-template std::optional<NearbyPeak> nearby_peak<2>(
-    const PartJob&, const std::vector<LoadSet>&, const mesh::PartMesh<2>&,
-    const Level<2>&, const std::vector<stress::StressHistory>&, double, double,
-    PlaceSearch);
-template std::optional<NearbyPeak> nearby_peak<3>(
-    const PartJob&, const std::vector<LoadSet>&, const mesh::PartMesh<3>&,
-    const Level<3>&, const std::vector<stress::StressHistory>&, double, double,
-    PlaceSearch);
+template FoundPeak nearby_peak<2>(const PartJob&, const std::vector<LoadSet>&,
+                                  const mesh::PartMesh<2>&, const Level<2>&,
+                                  const std::vector<stress::StressHistory>&,
+                                  double, double, PlaceSearch);
+template FoundPeak nearby_peak<3>(const PartJob&, const std::vector<LoadSet>&,
+                                  const mesh::PartMesh<3>&, const Level<3>&,
+                                  const std::vector<stress::StressHistory>&,
+                                  double, double, PlaceSearch);
 }  // namespace clevis::assessment

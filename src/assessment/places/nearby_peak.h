@@ -22,6 +22,15 @@ struct NearbyPeak {
   std::vector<OpenPlace> open;
 };
 
+/// What a search found.
+struct FoundPeak {
+  /// Nothing if a neighbourhood cannot be solved for, or the search was left
+  /// before the first one was.
+  std::optional<NearbyPeak> peak;
+  /// Error at the highest place that no degree mends, of its stress [1].
+  double lasting_error{};
+};
+
 /// Which places are looked at.
 enum class PlaceSearch {
   kAll,
@@ -38,13 +47,11 @@ enum class PlaceSearch {
 /// @param sets  that the level was solved for.
 /// @param pollution  what may come from outside of the neighbourhoods [1].
 /// @param histories  of its sets; points below zero do not count.
-/// @return nothing if a neighbourhood cannot be solved for, or the search was
-///   left before the first one was.
 template <int dim>
-std::optional<NearbyPeak> nearby_peak(
-    const PartJob& job, const std::vector<LoadSet>& sets,
-    const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
-    const std::vector<stress::StressHistory>& histories, double pollution,
-    double tolerance, PlaceSearch which = PlaceSearch::kAll);
+FoundPeak nearby_peak(const PartJob& job, const std::vector<LoadSet>& sets,
+                      const mesh::PartMesh<dim>& mesh, const Level<dim>& level,
+                      const std::vector<stress::StressHistory>& histories,
+                      double pollution, double tolerance,
+                      PlaceSearch which = PlaceSearch::kAll);
 
 }  // namespace clevis::assessment

@@ -131,13 +131,13 @@ MatrixXd line_rotation(const SurfaceMotion<dim>& first,
 
 /// Largest displacement of each node over all instants [m].
 template <int dim>
-Eigen::VectorXd largest_of_nodes(
-    const elasticity::DisplacementBasis<dim>& basis) {
-  Eigen::VectorXd largest = Eigen::VectorXd::Zero(basis.columns.rows() / dim);
-  for (Index begin = 0; begin < basis.coefficients.cols(); begin += kBlock) {
-    const Index count = std::min(kBlock, basis.coefficients.cols() - begin);
-    const MatrixXd u = elasticity::product(
-        basis.columns, basis.coefficients.middleCols(begin, count));
+Eigen::VectorXd largest_of_nodes(const MatrixXd& columns,
+                                 const MatrixXd& coefficients) {
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(columns.rows() / dim);
+  for (Index begin = 0; begin < coefficients.cols(); begin += kBlock) {
+    const Index count = std::min(kBlock, coefficients.cols() - begin);
+    const MatrixXd u =
+        elasticity::product(columns, coefficients.middleCols(begin, count));
     for (Index i = 0; i < count; ++i) {
       largest = largest.cwiseMax(u.col(i)
                                      .reshaped(dim, largest.size())
@@ -214,13 +214,11 @@ double largest_deflection_of_many(
     const elasticity::DisplacementBasis<dim>& basis, int stride) {
   constexpr double kNear = 0.75;
   const Index instants = basis.coefficients.cols();
-  elasticity::DisplacementBasis<dim> some;
-  some.discretization = basis.discretization;
-  some.columns = basis.columns;
-  some.coefficients = basis.coefficients(
-      Eigen::all,
-      Eigen::seqN(Index{0}, (instants + stride - 1) / stride, Index{stride}));
-  const Eigen::VectorXd largest = largest_of_nodes<dim>(some);
+  const Eigen::VectorXd largest = largest_of_nodes<dim>(
+      basis.columns,
+      basis.coefficients(Eigen::all,
+                         Eigen::seqN(Index{0}, (instants + stride - 1) / stride,
+                                     Index{stride})));
   const double least = kNear * largest.maxCoeff();
   std::vector<Index> rows;
   for (Index node = 0; node < largest.size(); ++node) {

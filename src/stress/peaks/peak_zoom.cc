@@ -7,6 +7,7 @@
 
 #include "elasticity/fe_space/tabulation.h"
 #include "stress/field/cell_field.h"
+#include "stress/peaks/surroundings.h"
 
 namespace clevis::stress {
 namespace {
@@ -16,35 +17,6 @@ using Eigen::MatrixXd;
 
 template <int dim>
 using Reference = Eigen::Matrix<double, dim, 1>;
-
-template <int dim>
-bool is_inside(mesh::CellShape shape, const Reference<dim>& xi) {
-  if ((xi.array() < 0.0).any()) return false;
-  return shape == mesh::CellShape::kSimplex ? xi.sum() <= 1.0
-                                            : (xi.array() <= 1.0).all();
-}
-
-/// The point and its neighbours at `spacing`, as far as they lie in the cell.
-template <int dim>
-elasticity::ReferencePoints<dim> surroundings(mesh::CellShape shape,
-                                              const Reference<dim>& centre,
-                                              double spacing) {
-  std::vector<Reference<dim>> inside = {centre};
-  const int all = dim == 2 ? 9 : 27;
-  for (int k = 0; k < all; ++k) {
-    Reference<dim> xi = centre;
-    for (int d = 0, rest = k; d < dim; ++d, rest /= 3) {
-      xi[d] += (rest % 3 - 1) * spacing;
-    }
-    if (is_inside<dim>(shape, xi)) inside.push_back(xi);
-  }
-  elasticity::ReferencePoints<dim> points(dim,
-                                          static_cast<Index>(inside.size()));
-  for (std::size_t i = 0; i < inside.size(); ++i) {
-    points.col(static_cast<Index>(i)) = inside[i];
-  }
-  return points;
-}
 
 /// Von Mises [Pa] of the stress blocks of CellField at n points.
 template <int dim>

@@ -103,7 +103,7 @@ mesh::PartMesh<2> round_groove(double turn, double middle, double kink) {
   };
   const auto profile = [&](double x) -> Vector2d {
     if (x >= 1.0 && x <= 2.0) return on_arc(x - 1.0);
-    const double slope = x < 1.0 ? 0.5 * turn - kink : -0.5 * turn;
+    const double slope = x < 1.0 ? 0.5 * turn + kink : -0.5 * turn;
     return on_arc(x < 1.0 ? 0.0 : 1.0) +
            (x < 1.0 ? x - 1.0 : x - 2.0) *
                Vector2d(std::cos(slope), std::sin(slope));

@@ -3,6 +3,7 @@
 
 #include "assessment/places/nearby_peak.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -14,7 +15,9 @@
 
 #include "assessment/models/solid_model.h"
 #include "assessment/part_check.h"
+#include "assessment/places/closer_look.h"
 #include "assessment/places/local_solve.h"
+#include "assessment/places/meeting_places.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/nodal_loads/load_vectors.h"
 #include "mesh/derived/sub_mesh.h"
@@ -54,9 +57,9 @@ constexpr double kOuter = 0.02;
 constexpr double kThickness = 0.006;
 constexpr double kPressure = 10e6;
 
-PartJob ring(int radial, int angular, double disorder) {
+PartJob ring(int radial, int angular, double disorder, int order = 4) {
   auto mesh = support::simplex_mesh<3>(
-      {radial, angular, 2}, 4, [&](const Vector3d& x) -> Vector3d {
+      {radial, angular, 2}, order, [&](const Vector3d& x) -> Vector3d {
         const double bump = disorder * std::sin(std::numbers::pi * x[0]) *
                             std::sin(std::numbers::pi * x[1]);
         const double s = x[0] + bump * std::cos(5.0 * x[1] + 7.0 * x[2]);
@@ -105,6 +108,26 @@ TEST(NearbyPeak, BandHoldsLamesStressOnIrregularTetrahedra) {
   EXPECT_GE(converged, 3);
 }
 
+// Flat faces round the bore: no degree mends that, so that the highest one is
+// left out, unless the deflection asks for it.
+TEST(NearbyPeak, DegreesEndWhereTheFacesKeepTheBandOpen) {
+  PartJob job = ring(2, 12, 0.0, 1);
+  job.tolerance = 0.01;
+  const PartResult result = check_part(job).result;
+  EXPECT_EQ(result.model, "3-D tetrahedra, p = 3");
+  EXPECT_TRUE(result.stopped_because.starts_with(
+      "degree 4 left out, finer cells are wanted"))
+      << result.stopped_because;
+  EXPECT_EQ(result.peak.verdict, PeakVerdict::kNotConverged);
+  EXPECT_LE(result.peak.band_low, lames_peak());
+  EXPECT_GE(result.peak.band_high, lames_peak());
+  job.part.limits.deflection = result.deflection;
+  const PartResult deflected = check_part(job).result;
+  EXPECT_EQ(deflected.model, "3-D tetrahedra, p = 4");
+  EXPECT_TRUE(deflected.stopped_because.starts_with("highest degree done"))
+      << deflected.stopped_because;
+}
+
 // What stands far from the neighbourhood needs no discretisation, but the
 // loaded groups do, whole: as with the whole mesh.
 TEST(LocalSolve, OnSomeCellsIsThatOnAllOfThem) {
@@ -141,7 +164,8 @@ TEST(NearbyPeak, IsLeftOnlyWhereItCannotConverge) {
                                     solid_model(job.mesh), 2, seconds);
   const auto look = [&](double tolerance, PlaceSearch which) {
     return nearby_peak<3>(job, job.load_sets, job.mesh, level, level.histories,
-                          0.0, tolerance, which);
+                          0.0, tolerance, which)
+        .peak;
   };
   constexpr double kWide = 0.5, kUnmet = 1e-9;
   const auto all = look(kWide, PlaceSearch::kAll);
@@ -153,6 +177,51 @@ TEST(NearbyPeak, IsLeftOnlyWhereItCannotConverge) {
   EXPECT_EQ(some->band.low, all->band.low);
   EXPECT_EQ(some->band.high, all->band.high);
   EXPECT_FALSE(look(kUnmet, PlaceSearch::kWhileItMayConverge));
+}
+
+// Of what it knows before its dearest solution a look asks whether that is
+// worth it: left out it counts as far off as the degree, and the band holds.
+TEST(CloserLook, GoesOnAsLongAsItIsWorthIt) {
+  const PartJob job = ring(2, 2, 0.03);
+  PartSeconds seconds;
+  const auto level = solve_level<3>(job, job.load_sets, job.mesh,
+                                    solid_model(job.mesh), 2, seconds);
+  const SolvedSet<3> solved{job,
+                            job.load_sets[0],
+                            job.mesh,
+                            *level.governing,
+                            level.history(),
+                            level.member.degree};
+  const auto found = find_places<3>(level.governing->discretization,
+                                    level.history(), 0.9 * lames_peak());
+  const Place& place = found.places.front();
+  auto centre = found.cells[static_cast<std::size_t>(place.number)];
+  std::ranges::sort(centre);
+  std::vector<KnownOfPlace> asked;
+  const auto look = [&](Worth before, Worth after) {
+    asked.clear();
+    return look_closer<3>(solved, place, centre, 0.0,
+                          [&](const KnownOfPlace& known) {
+                            asked.push_back(known);
+                            return known.estimate ? after : before;
+                          });
+  };
+  EXPECT_FALSE(look(Worth::kNothing, Worth::kMore));
+  EXPECT_EQ(asked.size(), 1u);
+  EXPECT_FALSE(look(Worth::kMore, Worth::kNothing));
+  ASSERT_EQ(asked.size(), 2u);
+  const KnownOfPlace known = asked.back();
+  const auto guessed = look(Worth::kMore, Worth::kEnough);
+  const auto solved_for = look(Worth::kMore, Worth::kMore);
+  ASSERT_TRUE(guessed && solved_for);
+  EXPECT_EQ(guessed->stress.value, known.estimate->value);
+  EXPECT_NE(solved_for->stress.value, known.estimate->value);
+  EXPECT_LE(known.error, solved_for->stress.high - solved_for->stress.value);
+  for (const auto& band : {guessed->stress, solved_for->stress}) {
+    EXPECT_LE(band.low, lames_peak());
+    EXPECT_GE(band.high, lames_peak());
+    EXPECT_LT(band.high - band.low, 0.2 * lames_peak());
+  }
 }
 
 /// A traction of 10 MPa that pulls on both ends of a prism along an axis.

@@ -56,6 +56,17 @@ TEST(DriveLaw, SineStartsAtFrom) {
   EXPECT_NEAR(q.rate, 0.1 * omega * std::cos(omega * 0.4), 1e-14);
 }
 
+TEST(DriveLaw, SpeedRunsOnFromItsStart) {
+  DriveDefinition drive = law(DriveLaw::kSpeed);
+  drive.speed = -0.4;
+  EXPECT_EQ(drive_target(drive, 0.9).position, 0.2);
+  EXPECT_EQ(drive_target(drive, 0.9).rate, 0.0);
+  const DriveTarget q = drive_target(drive, 11.0);  // beyond any duration
+  EXPECT_NEAR(q.position, 0.2 - 0.4 * 10.0, 1e-14);
+  EXPECT_EQ(q.rate, -0.4);
+  EXPECT_EQ(q.acceleration, 0.0);
+}
+
 // Central differences of fourth order: error h⁴/30 times the fifth derivative
 // (at most 720 stroke/duration⁵) plus round-off ε/h.
 TEST(DriveLaw, DerivativesAreThoseOfThePosition) {
