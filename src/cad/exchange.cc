@@ -119,7 +119,8 @@ std::string text_of(const Request& request) {
   if (request.plate) {
     text["plate"] = {{"bottom", request.plate->bottom},
                      {"top", request.plate->top},
-                     {"thickness", request.plate->thickness}};
+                     {"thickness", request.plate->thickness},
+                     {"normal", vector_json(request.plate->normal)}};
   }
   return text.dump();
 }
@@ -142,8 +143,8 @@ Request read_request(const std::string& text) {
   if (found.contains("mesh_size")) request.mesh_size = found["mesh_size"];
   if (found.contains("plate")) {
     const json& plate = found["plate"];
-    request.plate = {plate.at("bottom"), plate.at("top"),
-                     plate.at("thickness")};
+    request.plate = {plate.at("bottom"), plate.at("top"), plate.at("thickness"),
+                     vector_of(plate.at("normal"))};
   }
   return request;
 }

@@ -88,8 +88,9 @@ void import_plate(const TopoDS_Solid& solid, const cad::Plate& plate) {
   const TopoDS_Shape bottom = faces(plate.bottom);
   gmsh::vectorpair imported, pulled;
   gmsh::model::occ::importShapesNativePointer(&bottom, imported, true);
-  gmsh::model::occ::extrude(imported, 0, 0, plate.thickness / kMillimetre,
-                            pulled, {1}, {}, true);
+  const Vector3d way = plate.thickness / kMillimetre * plate.normal;
+  gmsh::model::occ::extrude(imported, way.x(), way.y(), way.z(), pulled, {1},
+                            {}, true);
   constexpr double kSubdivided = 2.0;  // all triangles, to quadrangles
   // It would move nodes of the middle away from those below and above them.
   gmsh::option::setNumber("Mesh.HighOrderOptimize", 0);

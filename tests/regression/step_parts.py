@@ -394,6 +394,67 @@ bore_B = { cylinder = { diameter = "15 mm", near = ["140 mm", "0 mm", "0 mm"] } 
             self.assertAlmostEqual(part["deflection_mm"],
                                    parts["geo"]["deflection_mm"], 5, name)
 
+    def test_plates_lie_in_any_direction(self):
+        """A link turned with its load, meshed in its plane and in space: hexahedra,
+        and bands that meet those of the tetrahedra and of the link along z."""
+        c, s = math.cos(0.5), math.sin(0.5)
+        # Where x, y and z go, and the same as a turn.
+        turns = {"z": (([1, 0, 0], [0, 1, 0], [0, 0, 1]), "{0, 0, 1}, {0, 0, 0}, 0"),
+                 "x": (([0, 1, 0], [0, 0, 1], [1, 0, 0]),
+                       "{1, 1, 1}, {0, 0, 0}, 2*Pi/3"),
+                 "skew": (([c, 0, s], [0, 1, 0], [-s, 0, c]),
+                          "{0, 1, 0}, {0, 0, 0}, -0.5")}
+        parts, told = {}, {}
+        for name, (axes, turn) in turns.items():
+            def mapped(*v):
+                return [sum(v[k] * axes[k][d] for k in range(3)) for d in range(3)]
+
+            def mm(v):
+                return str([f"{x:.15g} mm" for x in v]).replace("'", '"')
+
+            self.step("link.step", LINK + f"Rotate {{{turn}}} {{ Volume{{7}}; }}\n")
+            pull = str([f"{x:.15g} N" for x in mapped(3000, 0, 0)]).replace("'", '"')
+            scene = f"""schema = 1
+name = "link"
+{STEEL}
+[[part]]
+name = "link"
+geometry = "link.step"
+material = "steel"
+
+[part.faces]
+bore_A = {{ cylinder = {{ diameter = "12 mm", near = {mm(mapped(0, 0, 4))} }} }}
+bore_B = {{ cylinder = {{ diameter = "12 mm", near = {mm(mapped(80, 0, 4))} }} }}
+
+[[part.case]]
+name = "pull"
+pins = {{ bore_B = {pull} }}
+held_by_pin = ["bore_A"]
+"""
+            never = scene.replace('material = "steel"\n\n[part.faces]',
+                                  'material = "steel"\nsweep = "never"\n\n[part.faces]')
+            self.assertNotEqual(never, scene)
+            for how, text in (("plane", scene), ("space", never)):
+                key = f"{name}, {how}"
+                (self.folder / "link.toml").write_text(text)
+                done = self.run_clevis("check", "link.toml", "--mesh", "--json",
+                                       "--tolerance", "2%", "--out", "out")
+                parts[key] = json.loads(done.stdout)["parts"][0]
+                told[key] = done.stderr
+        self.assertIn("a plate along x, 8 mm thick: meshed in its plane; models of "
+                      "plates know such along z alone", told["x, plane"])
+        self.assertIn("a plate along (-0.4794, 0, 0.8776), 8 mm thick",
+                      told["skew, plane"])
+        self.assertIn("2-D x thickness", parts["z, plane"]["model"])
+        for key in ("x, plane", "skew, plane"):
+            self.assertEqual(parts[key]["model"], "3-D", key)
+        for key in ("x, space", "skew, space"):
+            self.assertIn("tetrahedra", parts[key]["model"], key)
+        lowest = max(p["peak_von_mises"]["band_MPa"][0] for p in parts.values())
+        highest = min(p["peak_von_mises"]["band_MPa"][1] for p in parts.values())
+        self.assertLessEqual(lowest, highest, {
+            key: p["peak_von_mises"]["band_MPa"] for key, p in parts.items()})
+
     def test_meshes_again_when_file_or_selector_changes(self):
         self.step("bar.step", BAR)
         scene = self.folder / "bar.toml"

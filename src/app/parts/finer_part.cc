@@ -59,7 +59,8 @@ PartJob job_anew(const LoadedScene& loaded, std::size_t index,
 
 CheckedPart check_on_finer_meshes(const LoadedScene& loaded,
                                   const mechanism::Motion& motion,
-                                  const PartJob& job, int rounds) {
+                                  const PartJob& job,
+                                  const RoundLimits& limits) {
   if (!part::is_solid_file(job.part.geometry) || job.is_shared) {
     return {job, assessment::check_part(job)};
   }
@@ -68,7 +69,7 @@ CheckedPart check_on_finer_meshes(const LoadedScene& loaded,
                         &part::PartDefinition::name) -
       loaded.scene.parts.begin());
   return check_in_rounds(
-      job, rounds, assessment::check_part, [&](const cad::Refinement& finer) {
+      job, limits, assessment::check_part, [&](const cad::Refinement& finer) {
         write_finer_mesh(job, loaded.scene.inputs[index], finer);
         return job_anew(loaded, index, motion, job);
       });

@@ -64,7 +64,8 @@ void add_max_time(CLI::App& command, SceneRequest& request) {
   command
       .add_option("--max-time", request.max_time,
                   "processor time that a motion may take, e.g. \"10 "
-                  "min\" [60 s]")
+                  "min\" [60 s]; where it is given, no part is meshed finer "
+                  "once it was checked for as long")
       ->type_name("TIME");
 }
 

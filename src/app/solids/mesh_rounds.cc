@@ -70,7 +70,7 @@ cad::Refinement finer_mesh(cad::Refinement last,
 }
 
 CheckedPart check_in_rounds(
-    PartJob job, int rounds,
+    PartJob job, RoundLimits limits,
     const std::function<assessment::PartAssessment(const PartJob&)>& check,
     const std::function<PartJob(const cad::Refinement&)>& mesh_again) {
   cad::Refinement finer;
@@ -78,11 +78,18 @@ CheckedPart check_in_rounds(
   std::vector<std::string> told;
   for (int made = 0;; ++made) {
     const std::size_t cells = job.mesh.cells.size();
-    job.may_be_meshed_finer = made < rounds && cells <= kMostCells;
+    job.may_be_meshed_finer = made < limits.rounds && cells <= kMostCells;
     auto assessment = check(job);
     add(before, assessment.result.seconds);
     const auto open = open_by_mesh(assessment.result, job.tolerance);
-    if (open && job.may_be_meshed_finer) {
+    const bool is_late =
+        limits.seconds && assessment.result.seconds.total > *limits.seconds;
+    if (is_late && is_open(assessment.result) && job.may_be_meshed_finer) {
+      told.push_back(fmt::format(
+          "no finer mesh and no higher degree: the part took {:.3g} "
+          "s, --max-time allows {:.3g} s",
+          assessment.result.seconds.total, *limits.seconds));
+    } else if (open && job.may_be_meshed_finer) {
       Stopwatch watch;
       before = assessment.result.seconds;
       finer = finer_mesh(std::move(finer), assessment.open_places,
@@ -95,7 +102,7 @@ CheckedPart check_in_rounds(
             cells, 100.0 * *open, job.mesh.cells.size()));
       } catch (const Error& error) {
         if (!keeps_the_last(error)) throw;
-        rounds = made;  // what there is will do
+        limits.rounds = made;  // what there is will do
         told.push_back("not meshed finer: " + error.problem());
       }
       const double meshing = watch.lap();
@@ -103,13 +110,13 @@ CheckedPart check_in_rounds(
       before.total += meshing;
       continue;
     }
-    if (is_open(assessment.result) && job.may_be_meshed_finer) {
+    if (!is_late && is_open(assessment.result) && job.may_be_meshed_finer) {
       job.may_be_meshed_finer = false;  // another mesh would not close it
       before = assessment.result.seconds;
       assessment = check(job);
       add(before, assessment.result.seconds);
     }
-    if (open && made < rounds) {
+    if (open && made < limits.rounds && cells > kMostCells) {
       told.push_back(fmt::format(
           "{} cells leave {:.3g} % open; a finer mesh would take minutes: give "
           "the part a mesh_size if it may",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -25,16 +26,21 @@ cad::Refinement finer_mesh(cad::Refinement last,
                            const std::vector<assessment::OpenPlace>& places,
                            const Eigen::Vector3d& peak);
 
+/// What finer meshes may take.
+struct RoundLimits {
+  int rounds{};                   ///< at most
+  std::optional<double> seconds;  ///< of the part before the last one begins
+};
+
 /// Checks a part on finer and finer meshes until the mesh leaves its peak open
-/// by no more than the tolerance, so many rounds are done, or it has 20 000
-/// cells, of which the next would take minutes. The last mesh is checked with
-/// all degrees, and so is the last that could be made. Notes tell each round;
-/// seconds are those of all.
-/// @param rounds  of finer meshes at most.
+/// by no more than the tolerance, a limit is met, or it has 20 000 cells, of
+/// which the next would take minutes. The last mesh is checked with all
+/// degrees, and so is the last that could be made, unless the time is over.
+/// Notes tell each round; seconds are those of all.
 /// @param check   as assessment::check_part().
 /// @param mesh_again  the part on a mesh with such a refinement.
 CheckedPart check_in_rounds(
-    assessment::PartJob job, int rounds,
+    assessment::PartJob job, RoundLimits limits,
     const std::function<assessment::PartAssessment(const assessment::PartJob&)>&
         check,
     const std::function<assessment::PartJob(const cad::Refinement&)>&

@@ -40,12 +40,15 @@ SolidMesh swept_mesh(const part::PartDefinition& part,
                      cad::Request request, std::vector<std::string>& told) {
   request.plate = cad::plate_of(solid);
   if (!request.plate) return unfolded_mesh(part, request);
-  const std::string what = fmt::format("a plate along z, {:.6g} mm thick",
-                                       1e3 * request.plate->thickness);
+  const std::string what = cad::text(*request.plate);
   if (source.sweep) {
     try {
       SolidMesh made = unfolded_mesh(part, request);
-      told.push_back(what + ": meshed in its plane");
+      told.push_back(what + ": meshed in its plane" +
+                     (request.plate->is_along_z()
+                          ? ""
+                          : "; models of plates know such along z alone, so it "
+                            "is solved in space"));
       return made;
     } catch (const Error& error) {
       if (!error.code().starts_with('M')) throw;

@@ -29,6 +29,7 @@
 #include "app/variants/check_inputs.h"
 #include "base/interrupts.h"
 #include "base/mpi_run.h"
+#include "base/processor_share.h"
 #include "base/stopwatch.h"
 #include "base/system_failure.h"
 #include "loads/parts/part_loads.h"
@@ -116,19 +117,25 @@ void take_outcome(const WorkerOutcome& outcome, const std::string& part,
   }
 }
 
+/// Processors that parts are checked on: `--jobs`, else all.
+int processors(const Options& options) {
+  const auto cores = std::max(1U, std::thread::hardware_concurrency());
+  return options.jobs > 0 ? options.jobs : static_cast<int>(cores);
+}
+
 /// By processes, `--jobs` at a time, with progress on stderr.
+/// @param at_work  processes that check a part.
 std::vector<WorkerOutcome> run_on_processes(
     const std::vector<PartJob>& jobs, const Options& options,
-    const std::function<std::string(std::size_t)>& check) {
-  const auto cores = std::max(1U, std::thread::hardware_concurrency());
-  const int processes =
-      options.jobs > 0 ? options.jobs : static_cast<int>(cores);
+    const std::function<std::string(std::size_t)>& check,
+    SharedCount& at_work) {
   report::Progress progress(std::cerr, isatty(STDERR_FILENO) != 0
                                            ? report::Progress::Stream::kTerminal
                                            : report::Progress::Stream::kLog);
   auto outcomes = run_workers(
-      jobs.size(), processes, check,
+      jobs.size(), processors(options), check,
       [&](std::size_t done, const std::vector<std::size_t>& running) {
+        at_work.set(static_cast<int>(running.size()));
         std::string names;
         for (const std::size_t index : running) {
           names += (names.empty() ? "" : ", ") + jobs[index].part.name;
@@ -152,7 +159,7 @@ void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
   const auto check = [&](std::size_t index) {
     const auto checked_part = [&] {
       return check_on_finer_meshes(loaded, motion, jobs[index],
-                                   options.mesh_rounds);
+                                   {options.mesh_rounds, options.max_time});
     };
     const auto body = loaded.body_of(jobs[index].part.name);
     if (body == mechanism::kGround) {
@@ -165,10 +172,16 @@ void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
                      {MovingPart{&motion, body}, options.linear_vtu}, team,
                      carrier.name, folder);
   };
-  if (team != nullptr) choose_shared(jobs);
+  SharedCount at_work(
+      std::min(processors(options), static_cast<int>(jobs.size())));
+  if (team != nullptr) {
+    choose_shared(jobs);
+  } else {
+    share_processors(processors(options), at_work);
+  }
   const auto outcomes = team != nullptr
                             ? run_on_ranks(*team, jobs, check)
-                            : run_on_processes(jobs, options, check);
+                            : run_on_processes(jobs, options, check, at_work);
   if (mpi_rank() > 0) return;
   report::remove_unfinished(folder);  // of workers that were stopped or died
   for (const auto& name : order) {

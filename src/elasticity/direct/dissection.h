@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "elasticity/direct/node_fronts.h"
+#include "elasticity/direct/front_merging.h"
 #include "elasticity/fe_space/discretization.h"
 
 namespace clevis::elasticity {

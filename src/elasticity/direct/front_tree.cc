@@ -8,11 +8,6 @@ namespace {
 /// Fronts below this size cost more to call than to compute.
 constexpr int kSmallFront = 96;
 
-std::size_t square(const Front& front) {
-  const auto n = static_cast<std::size_t>(front.later());
-  return n * n;
-}
-
 /// A front and all below it.
 struct Subtree {
   int begin;          ///< its first unknown
@@ -95,27 +90,38 @@ FrontTree front_tree(const Dissection& dissection, int unknowns,
 
 std::size_t FrontTree::factor_entries() const {
   std::size_t entries = 0;
-  for (const Front& front : fronts) {
-    entries += static_cast<std::size_t>(front.own()) *
-               static_cast<std::size_t>(front.size());
-  }
+  for (const Front& front : fronts) entries += front.panel_entries();
   return entries;
 }
 
-std::size_t FrontTree::stack_entries() const {
+std::size_t stack_entries(std::span<const Front> fronts) {
   std::vector<std::size_t> standing;
   std::size_t now = 0;
   std::size_t most = 0;
   for (const Front& front : fronts) {
-    now += square(front);
+    now += front.border_entries();
     most = std::max(most, now);  // beside those of its children
     for (int child = 0; child < front.children; ++child) {
       now -= standing.back();
       standing.pop_back();
     }
-    standing.push_back(square(front));
+    standing.push_back(front.border_entries());
   }
   return most;
+}
+
+std::vector<std::size_t> first_below(const std::vector<Front>& fronts) {
+  std::vector<std::size_t> first, waiting;
+  for (std::size_t f = 0; f < fronts.size(); ++f) {
+    std::size_t lowest = f;
+    for (int child = 0; child < fronts[f].children; ++child) {
+      lowest = waiting.back();
+      waiting.pop_back();
+    }
+    waiting.push_back(lowest);
+    first.push_back(lowest);
+  }
+  return first;
 }
 
 }  // namespace clevis::elasticity

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/errors.h"
-#include "elasticity/algebra/dense_blocks.h"
+#include "elasticity/direct/elimination.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -50,179 +50,84 @@ bool is_in_order(const std::vector<int>& place) {
   return true;
 }
 
-/// The dense matrices of the front at work and of those that wait for their
-/// parent.
-class Workspace {
- public:
-  explicit Workspace(const FrontTree& tree)
-      : local_(tree.place.size()), stack_(large_buffer(tree.stack_entries())) {}
-
-  /// Matrix of the border, zero at first, above its children's.
-  double* open(const Front& front) {
-    const auto n = static_cast<std::size_t>(front.later());
-    open_ = stack_.get() + top_;
-    std::fill_n(open_, n * n, 0.0);
-    for (int k = 0; k < front.later(); ++k) {
-      local(front.border[static_cast<std::size_t>(k)]) = front.own() + k;
-    }
-    return open_;
-  }
-
-  void add_children(const Front& front, double* panel) {
-    for (int child = 0; child < front.children; ++child) {
-      const Waiting& waiting =
-          waiting_[waiting_.size() - 1 - static_cast<std::size_t>(child)];
-      add(*waiting.front, waiting.matrix, front, panel);
-    }
-  }
-
-  /// Lays the border's matrix where the children's were.
-  void close(const Front& front) {
-    for (int child = 0; child < front.children; ++child) {
-      top_ = static_cast<std::size_t>(waiting_.back().matrix - stack_.get());
-      waiting_.pop_back();
-    }
-    const auto n = static_cast<std::size_t>(front.later());
-    double* to = stack_.get() + top_;
-    if (to != open_) std::copy_n(open_, n * n, to);
-    waiting_.push_back({&front, to});
-    top_ += n * n;
-  }
-
-  /// Place in the open front.
-  int row(const Front& front, int unknown) {
-    return unknown < front.end ? unknown - front.begin : local(unknown);
-  }
-
- private:
-  struct Waiting {
-    const Front* front;
-    double* matrix;
-  };
-
-  int& local(int unknown) { return local_[static_cast<std::size_t>(unknown)]; }
-
-  void add(const Front& child, const double* matrix, const Front& front,
-           double* panel) {
-    const int n = child.later();
-    rows_.resize(static_cast<std::size_t>(n));
-    for (int k = 0; k < n; ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      rows_[at] = row(front, child.border[at]);
-    }
-    for (int c = 0; c < n; ++c) {
-      const int column = rows_[static_cast<std::size_t>(c)];
-      const double* from = matrix + static_cast<std::ptrdiff_t>(c) * n;
-      double* to =
-          column < front.own()
-              ? panel + static_cast<std::ptrdiff_t>(column) * front.size()
-              : open_ +
-                    static_cast<std::ptrdiff_t>(column - front.own()) *
-                        front.later() -
-                    front.own();
-      for (int r = c; r < n; ++r) {
-        to[rows_[static_cast<std::size_t>(r)]] += from[r];
-      }
-    }
-  }
-
-  std::vector<int> local_, rows_;
-  LargeBuffer stack_;
-  std::size_t top_ = 0;
-  double* open_ = nullptr;
-  std::vector<Waiting> waiting_;
-};
-
-void assemble(const UpperTriangle& matrix, const Front& front,
-              Workspace& workspace, double* panel) {
-  for (int i = front.begin; i < front.end; ++i) {
-    double* column =
-        panel + static_cast<std::ptrdiff_t>(i - front.begin) * front.size();
-    const auto row = static_cast<std::size_t>(i);
-    for (int k = matrix.row_start[row]; k < matrix.row_start[row + 1]; ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      column[workspace.row(front, matrix.column[at])] += matrix.value[at];
-    }
-  }
-}
-
 }  // namespace
 
-FrontalCholesky::FrontalCholesky(const UpperTriangle& matrix, FrontTree tree,
-                                 const std::string& name)
-    : tree_(std::move(tree)), factor_(large_buffer(tree_.factor_entries())) {
+template <typename Real>
+FrontalFactor<Real>::FrontalFactor(const UpperTriangle& matrix, FrontTree tree,
+                                   const std::string& name, int threads)
+    : tree_(std::move(tree)),
+      factor_(large_buffer<Real>(tree_.factor_entries())) {
   std::size_t next = 0;
   for (const Front& front : tree_.fronts) {
     start_.push_back(next);
-    next += static_cast<std::size_t>(front.own()) *
-            static_cast<std::size_t>(front.size());
+    next += front.panel_entries();
   }
-  if (is_in_order(tree_.place)) {
-    factor(matrix, name);
-  } else {
-    factor(ordered(matrix, tree_.place), name);
-  }
+  const bool is_positive =
+      is_in_order(tree_.place)
+          ? eliminate_fronts<Real>(matrix, tree_, start_, threads,
+                                   factor_.get())
+          : eliminate_fronts<Real>(ordered(matrix, tree_.place), tree_, start_,
+                                   threads, factor_.get());
+  if (is_positive) return;
+  throw Error("F002", name, "the stiffness matrix is not positive definite",
+              "Check the mesh quality and the material.");
 }
 
-void FrontalCholesky::factor(const UpperTriangle& ordered,
-                             const std::string& name) {
-  Workspace workspace(tree_);
+template <typename Real>
+void FrontalFactor<Real>::forward_all(MatrixOf<Real>& x) const {
+  MatrixOf<Real> border;
   for (std::size_t f = 0; f < tree_.fronts.size(); ++f) {
     const Front& front = tree_.fronts[f];
-    double* panel = factor_.get() + start_[f];
-    std::fill_n(panel,
-                static_cast<std::size_t>(front.own()) *
-                    static_cast<std::size_t>(front.size()),
-                0.0);
-    double* border = workspace.open(front);
-    assemble(ordered, front, workspace, panel);
-    workspace.add_children(front, panel);
-    if (!eliminate({panel, front.own(), front.later()}, border)) {
-      throw Error("F002", name, "the stiffness matrix is not positive definite",
-                  "Check the mesh quality and the material.");
-    }
-    workspace.close(front);
-  }
-}
-
-MatrixXd FrontalCholesky::solve(const MatrixXd& right_hand_sides) const {
-  return solve_upper(solve_lower(right_hand_sides));
-}
-
-MatrixXd FrontalCholesky::solve_lower(const MatrixXd& right_hand_sides) const {
-  MatrixXd x(right_hand_sides.rows(), right_hand_sides.cols());
-  for (Eigen::Index e = 0; e < x.rows(); ++e) {
-    x.row(tree_.place[static_cast<std::size_t>(e)]) = right_hand_sides.row(e);
-  }
-  MatrixXd border;
-  for (std::size_t f = 0; f < tree_.fronts.size(); ++f) {
-    const Front& front = tree_.fronts[f];
-    auto own = x.middleRows(front.begin, front.own());
-    forward({panel(f), front.own(), front.later()}, own, border);
+    forward<Real>(panel(f), x.middleRows(front.begin, front.own()), border);
     for (int k = 0; k < front.later(); ++k) {
       x.row(front.border[static_cast<std::size_t>(k)]) -= border.row(k);
     }
   }
-  return x;
 }
 
-MatrixXd FrontalCholesky::solve_upper(const MatrixXd& ordered) const {
-  MatrixXd x = ordered;
-  MatrixXd border;
+template <typename Real>
+void FrontalFactor<Real>::backward_all(MatrixOf<Real>& x) const {
+  MatrixOf<Real> border;
   for (std::size_t f = tree_.fronts.size(); f-- > 0;) {
     const Front& front = tree_.fronts[f];
     border.resize(front.later(), x.cols());
     for (int k = 0; k < front.later(); ++k) {
       border.row(k) = x.row(front.border[static_cast<std::size_t>(k)]);
     }
-    auto own = x.middleRows(front.begin, front.own());
-    backward({panel(f), front.own(), front.later()}, border, own);
+    backward<Real>(panel(f), border, x.middleRows(front.begin, front.own()));
   }
+}
+
+template <typename Real>
+MatrixXd FrontalFactor<Real>::solve(const MatrixXd& right_hand_sides) const {
+  return solve_upper(solve_lower(right_hand_sides));
+}
+
+template <typename Real>
+MatrixXd FrontalFactor<Real>::solve_lower(
+    const MatrixXd& right_hand_sides) const {
+  MatrixOf<Real> x(right_hand_sides.rows(), right_hand_sides.cols());
+  for (Eigen::Index e = 0; e < x.rows(); ++e) {
+    x.row(tree_.place[static_cast<std::size_t>(e)]) =
+        right_hand_sides.row(e).template cast<Real>();
+  }
+  forward_all(x);
+  return x.template cast<double>();
+}
+
+template <typename Real>
+MatrixXd FrontalFactor<Real>::solve_upper(const MatrixXd& ordered) const {
+  MatrixOf<Real> x = ordered.template cast<Real>();
+  backward_all(x);
   MatrixXd result(x.rows(), x.cols());
   for (Eigen::Index e = 0; e < x.rows(); ++e) {
-    result.row(e) = x.row(tree_.place[static_cast<std::size_t>(e)]);
+    result.row(e) =
+        x.row(tree_.place[static_cast<std::size_t>(e)]).template cast<double>();
   }
   return result;
 }
+
+template class FrontalFactor<double>;
+template class FrontalFactor<float>;
 
 }  // namespace clevis::elasticity

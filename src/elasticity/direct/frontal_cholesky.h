@@ -5,24 +5,30 @@
 
 #include <Eigen/Core>
 
+#include "elasticity/algebra/dense_blocks.h"
+#include "elasticity/algebra/large_buffer.h"
 #include "elasticity/algebra/sparse_cholesky.h"
 #include "elasticity/direct/front_tree.h"
-#include "elasticity/direct/large_buffer.h"
 
 namespace clevis::elasticity {
 
 /// Multifrontal Cholesky factorisation on the tree of a nested dissection of
 /// the cells. Fronts are dense and known before the matrix: nothing is
 /// searched for entry by entry, and all arithmetic is that of dense blocks.
+/// Threads take subtrees, and blocks of the fronts above them; the same bits
+/// for any number of threads.
 ///
 /// Source: [DuffReid1983], [Liu1992].
-class FrontalCholesky {
+/// @tparam Real  of the factor: float needs half the time and memory and holds
+///   seven digits.
+template <typename Real>
+class FrontalFactor {
  public:
   /// @param matrix  couples only equations whose nodes share a cell.
   /// @param name    entity for messages ("part DCE").
   /// @throws Error F002 if the matrix is not positive definite.
-  FrontalCholesky(const UpperTriangle& matrix, FrontTree tree,
-                  const std::string& name);
+  FrontalFactor(const UpperTriangle& matrix, FrontTree tree,
+                const std::string& name, int threads = 1);
 
   /// X with A X = B, all columns as one block.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) const;
@@ -33,15 +39,19 @@ class FrontalCholesky {
   Eigen::MatrixXd solve_upper(const Eigen::MatrixXd& ordered) const;
 
  private:
-  void factor(const UpperTriangle& ordered, const std::string& name);
-  const double* panel(std::size_t front) const {
-    return factor_.get() + start_[front];
+  Panel<Real> panel(std::size_t front) const {
+    return {factor_.get() + start_[front], tree_.fronts[front].own(),
+            tree_.fronts[front].later()};
   }
+  void forward_all(MatrixOf<Real>& ordered) const;
+  void backward_all(MatrixOf<Real>& ordered) const;
 
   FrontTree tree_;
   std::vector<std::size_t> start_;  ///< of each front's panel in factor_
   /// Per front: own + border rows × own columns, by columns.
-  LargeBuffer factor_;
+  LargeBuffer<Real> factor_;
 };
+
+using FrontalCholesky = FrontalFactor<double>;
 
 }  // namespace clevis::elasticity

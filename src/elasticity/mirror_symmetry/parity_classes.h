@@ -1,14 +1,13 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "elasticity/assembly/equations.h"
-#include "elasticity/direct/frontal_cholesky.h"
 #include "elasticity/mirror_symmetry/folding.h"
 #include "elasticity/nodal_loads/load_basis.h"
+#include "elasticity/problem/refinement.h"
 #include "elasticity/problem/self_checks.h"
 
 namespace clevis::elasticity {
@@ -24,7 +23,7 @@ struct ParityClass {
   std::vector<int> held;      ///< on the planes and by supports, sorted
   std::vector<int> supports;  ///< determinate: without reaction
   EquationNumbers numbers;
-  std::unique_ptr<FrontalCholesky> factor;
+  Inverse inverse;          ///< by a factor that it keeps
   Eigen::MatrixXd columns;  ///< displacements on the folded part
 };
 

@@ -80,7 +80,7 @@ void solve_parity(const Plate& plate, const Dissection& dissection,
               result.discretization, plate.material, reduction.expand(u)));
         },
         action_of(stiffness).multiply_absolute};
-    refine(by_strain, cholesky, numbers, basis, terms);
+    refine(by_strain, inverse_by(cholesky), numbers, basis, terms);
     energy = check_solution(by_strain, terms, basis, held, is_free, checks);
   }
   result.strain_energy += energy;

@@ -94,7 +94,7 @@ MatrixXd forces_by_strain(const Discretization<dim>& discretization,
   return forces;
 }
 
-void refine(const StiffnessAction& stiffness, const FrontalCholesky& factor,
+void refine(const StiffnessAction& stiffness, const Inverse& inverse,
             const EquationNumbers& numbers, const LoadBasis& loads,
             MatrixXd& columns) {
   constexpr int kSweeps = 5;
@@ -102,7 +102,7 @@ void refine(const StiffnessAction& stiffness, const FrontalCholesky& factor,
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     const MatrixXd rest = loads.columns - stiffness.multiply(columns);
     const MatrixXd correction =
-        extend_rows(factor.solve(restrict_rows(rest, numbers)), numbers);
+        extend_rows(inverse(restrict_rows(rest, numbers)), numbers);
     columns += correction;
     const Eigen::ArrayXd size = columns.colwise().norm().transpose().array();
     const Eigen::ArrayXd change =

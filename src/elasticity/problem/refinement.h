@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include <Eigen/Core>
 
 #include "elasticity/assembly/equations.h"
@@ -21,12 +23,23 @@ Eigen::MatrixXd forces_by_strain(const Discretization<dim>& discretization,
                                  const part::Material& material,
                                  const Eigen::MatrixXd& columns);
 
-/// Improves U by K⁻¹ (F − K U) with the factor at hand until the correction
-/// is round-off, at most a few times.
-/// @param stiffness  more exact than the factor.
+/// B -> about K⁻¹ B of the equations, by the factor at hand.
+using Inverse = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
+
+/// @param factor  outlives it.
+template <typename Real>
+Inverse inverse_by(const FrontalFactor<Real>& factor) {
+  return [&factor](const Eigen::MatrixXd& b) {
+    return factor.solve(b);
+  };
+}
+
+/// Improves U by K⁻¹ (F − K U) until the correction is round-off, at most a few
+/// times.
+/// @param stiffness  more exact than the inverse.
 /// @param loads      F [N].
 /// @param columns    U, dofs × columns [m].
-void refine(const StiffnessAction& stiffness, const FrontalCholesky& factor,
+void refine(const StiffnessAction& stiffness, const Inverse& inverse,
             const EquationNumbers& numbers, const LoadBasis& loads,
             Eigen::MatrixXd& columns);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/processor_share.h"
 #include "elasticity/assembly/equations.h"
 #include "elasticity/assembly/foundation.h"
 #include "elasticity/assembly/stiffness.h"
@@ -175,7 +176,7 @@ Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
       part.dofs(), held_components<dim>(problem, cells, number));
   const FrontalCholesky factor(free_equations(stiffness, numbers),
                                front_tree(dissection, dim, numbers.equation),
-                               "neighbourhood");
+                               "neighbourhood", own_processors());
   const MatrixXd residual = load - stiffness.multiply(u);
   u += extend_rows(factor.solve(restrict_rows(residual, numbers)), numbers);
   result.basis.columns = std::move(u);

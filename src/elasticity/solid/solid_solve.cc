@@ -5,12 +5,12 @@
 #include <memory>
 #include <utility>
 
+#include "base/processor_share.h"
 #include "base/stopwatch.h"
 #include "elasticity/assembly/foundation.h"
 #include "elasticity/assembly/stiffness.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/dealii/dealii_solver.h"
-#include "elasticity/direct/frontal_cholesky.h"
 #include "elasticity/direct/memory_forecast.h"
 #include "elasticity/mirror_symmetry/folding.h"
 #include "elasticity/mirror_symmetry/parity_classes.h"
@@ -19,6 +19,7 @@
 #include "elasticity/multigrid/multigrid_solver.h"
 #include "elasticity/nodal_loads/load_basis.h"
 #include "elasticity/nodal_loads/load_vectors.h"
+#include "elasticity/problem/factored_solve.h"
 #include "elasticity/problem/refinement.h"
 #include "elasticity/solid/engine_choice.h"
 
@@ -29,6 +30,20 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 constexpr double kCompressionTolerance = 3e-7;
+
+template <int dim>
+Precision factor_precision(const Folding<dim>& folding, double columns) {
+  return cheaper_precision(folding.factor_flops(), folding.factor_bytes(),
+                           columns);
+}
+
+/// Of the factors of all classes, kept together [bytes].
+template <int dim>
+double factors_bytes(const Folding<dim>& folding, double columns) {
+  const double share =
+      factor_precision(folding, columns) == Precision::kSingle ? 0.5 : 1.0;
+  return share * folding.classes() * folding.factor_bytes();
+}
 
 template <int dim>
 bool uses_multigrid(const ElasticProblem<dim>& problem,
@@ -61,7 +76,7 @@ bool own_fits(const Folding<dim>& folding, double columns, bool by_multigrid) {
                    usable_memory());
     }
   }
-  return holds(classes * folding.factor_bytes(), usable_memory());
+  return holds(factors_bytes(folding, columns), usable_memory());
 }
 
 /// Columns that the own multigrid works on, filled up to its lanes.
@@ -107,7 +122,7 @@ void require_memory_for(const ElasticProblem<dim>& problem,
       return;
     }
   }
-  require_memory(classes * folding.factor_bytes(), classes * part.dofs(),
+  require_memory(factors_bytes(folding, columns), classes * part.dofs(),
                  usable_memory(), place);
 }
 
@@ -151,12 +166,21 @@ void solve_by_factors(const ElasticProblem<dim>& problem,
     c.numbers = number_equations(part.dofs(), c.held);
     const UpperTriangle upper = free_equations(stiffness, c.numbers);
     result.seconds.assemble += watch.lap();
-    c.factor = std::make_unique<FrontalCholesky>(
-        upper, front_tree(folding.dissection, dim, c.numbers.equation), place);
-    result.seconds.factor += watch.lap();
-    c.columns = extend_rows(
-        c.factor->solve(restrict_rows(c.loads.columns, c.numbers)), c.numbers);
-    result.seconds.solve += watch.lap();
+    FactoredSolution solved = solve_by_factor(
+        upper, front_tree(folding.dissection, dim, c.numbers.equation),
+        [&](const MatrixXd& x) {
+          return restrict_rows(stiffness.multiply(extend_rows(x, c.numbers)),
+                               c.numbers);
+        },
+        restrict_rows(c.loads.columns, c.numbers),
+        {factor_precision(folding, static_cast<double>(c.loads.columns.cols())),
+         own_processors()},
+        place);
+    result.seconds.factor += solved.factor_seconds;
+    result.seconds.solve += solved.solve_seconds;
+    c.inverse = std::move(solved.inverse);
+    c.columns = extend_rows(solved.columns, c.numbers);
+    watch.lap();
   }
   const auto check = [&](const StiffnessAction& action) {
     result.strain_energy =
@@ -169,7 +193,7 @@ void solve_by_factors(const ElasticProblem<dim>& problem,
                                     },
                                     action_of(stiffness).multiply_absolute};
     for (ParityClass& c : classes) {
-      refine(by_strain, *c.factor, c.numbers, c.loads, c.columns);
+      refine(by_strain, c.inverse, c.numbers, c.loads, c.columns);
     }
     check(by_strain);
   }

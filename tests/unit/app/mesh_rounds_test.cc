@@ -44,9 +44,10 @@ struct Rounds {
   std::vector<bool> may_be_finer = {};
   std::vector<cad::Refinement> finer = {};
 
-  CheckedPart start(std::size_t cells, int rounds) {
+  CheckedPart start(std::size_t cells, int rounds,
+                    std::optional<double> seconds = std::nullopt) {
     return check_in_rounds(
-        part_of(cells), rounds,
+        part_of(cells), {rounds, seconds},
         [this](const PartJob& job) {
           const double open = opens.at(may_be_finer.size());
           may_be_finer.push_back(job.may_be_meshed_finer);
@@ -99,6 +100,21 @@ TEST(MeshRounds, StopAt20000Cells) {
   EXPECT_EQ(below.may_be_finer, (std::vector{true, false}));
 }
 
+// Each check takes 3 s.
+TEST(MeshRounds, StopWhereTheTimeIsOver) {
+  Rounds run{{0.05, 0.03}};
+  const CheckedPart checked = run.start(1000, 5, 5.0);
+  EXPECT_EQ(run.may_be_finer, (std::vector{true, true}));
+  EXPECT_EQ(checked.job.mesh.cells.size(), 1100U);
+  ASSERT_EQ(checked.assessment.result.notes.size(), 2U);
+  EXPECT_NE(checked.assessment.result.notes[1].find(
+                "no finer mesh and no higher degree: the part took 6"),
+            std::string::npos)
+      << checked.assessment.result.notes[1];
+  Rounds in_time{{0.05, 0.004}};
+  EXPECT_EQ(in_time.start(1000, 5, 100.0).assessment.result.notes.size(), 1U);
+}
+
 TEST(MeshRounds, NoneWhereNoneIsWanted) {
   Rounds run{{0.05}};
   EXPECT_TRUE(run.start(1000, 0).assessment.result.notes.empty());
@@ -108,7 +124,7 @@ TEST(MeshRounds, NoneWhereNoneIsWanted) {
 TEST(MeshRounds, WhatNoMeshClosesTakesAllDegrees) {
   std::vector<bool> may_be_finer;
   check_in_rounds(
-      part_of(1000), 2,
+      part_of(1000), {2, std::nullopt},
       [&](const PartJob& job) {
         may_be_finer.push_back(job.may_be_meshed_finer);
         return open_by(0.004, PeakVerdict::kNotConverged);
@@ -123,7 +139,7 @@ TEST(MeshRounds, WhatNoMeshClosesTakesAllDegrees) {
 /// @param may_be_finer  whether its mesh could be, check by check.
 CheckedPart refused_by(const Error& error, std::vector<bool>& may_be_finer) {
   return check_in_rounds(
-      part_of(1000), 2,
+      part_of(1000), {2, std::nullopt},
       [&](const PartJob& job) {
         may_be_finer.push_back(job.may_be_meshed_finer);
         return open_by(0.05, PeakVerdict::kNotConverged);

@@ -20,7 +20,7 @@ TEST(Exchange, BringsARequestAcross) {
   request.mesh = "/tmp/part.msh";
   request.groups = {{"bore_A", {3, 4}}, {"foot", {1}}};
   request.mesh_size = 0.004;
-  request.plate = {3, 7, 0.008};
+  request.plate = {3, 7, 0.008, {0.6, 0.0, 0.8}};
   request.finer = {1.5, {{{0.1, 0.2, 0.3}, 2.5}}};
   const Request read = read_request(text_of(request));
   EXPECT_EQ(read.file, request.file);
@@ -39,6 +39,7 @@ TEST(Exchange, BringsARequestAcross) {
   EXPECT_EQ(read.plate->bottom, 3);
   EXPECT_EQ(read.plate->top, 7);
   EXPECT_EQ(read.plate->thickness, 0.008);
+  EXPECT_EQ(read.plate->normal, Eigen::Vector3d(0.6, 0.0, 0.8));
   request.mesh_size.reset();
   request.plate.reset();
   EXPECT_FALSE(read_request(text_of(request)).mesh_size);

@@ -1,5 +1,6 @@
 #include "cad/plate.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "solid_of_cylinders.h"
@@ -29,6 +30,57 @@ TEST(Plate, HasOneProfileBetweenTwoPlanes) {
   EXPECT_EQ(found->bottom, 6);
   EXPECT_EQ(found->top, 1);
   EXPECT_NEAR(found->thickness, 0.01, 1e-15);
+}
+
+/// The same, turned.
+Solid turned(const Eigen::Matrix3d& turn) {
+  Solid solid = plate();
+  solid.faces[5].area = 0.01 - 1e-4;
+  Eigen::AlignedBox3d box;
+  for (int corner = 0; corner < 8; ++corner) {
+    box.extend(turn * Eigen::AlignedBox3d(solid.low, solid.high)
+                          .corner(static_cast<Eigen::AlignedBox3d::CornerType>(
+                              corner)));
+  }
+  solid.low = box.min();
+  solid.high = box.max();
+  for (Face& face : solid.faces) {
+    for (Eigen::Vector3d* v :
+         {&face.centre, &face.normal, &face.axis_point, &face.axis}) {
+      *v = turn * *v;
+    }
+  }
+  return solid;
+}
+
+TEST(Plate, LiesInAnyDirection) {
+  Eigen::Matrix3d to_x;  // z to x, x to y
+  to_x << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  const auto along_x = plate_of(turned(to_x));
+  ASSERT_TRUE(along_x);
+  EXPECT_EQ(along_x->normal, Eigen::Vector3d::UnitX());
+  EXPECT_EQ(along_x->bottom, 6);
+  EXPECT_EQ(along_x->top, 1);
+  EXPECT_NEAR(along_x->thickness, 0.01, 1e-15);
+  EXPECT_EQ(text(*along_x), "a plate along x, 10 mm thick");
+  const auto along_y = plate_of(turned(to_x * to_x));
+  ASSERT_TRUE(along_y);
+  EXPECT_EQ(along_y->normal, Eigen::Vector3d::UnitY());
+  EXPECT_FALSE(along_y->is_along_z());
+  const Eigen::Matrix3d skew =
+      Eigen::AngleAxisd(0.6, Eigen::Vector3d(1, 2, 0.5).normalized())
+          .toRotationMatrix();
+  const auto slanted = plate_of(turned(skew));
+  ASSERT_TRUE(slanted);
+  EXPECT_LT((slanted->normal - skew.col(2)).norm(), 1e-12);
+  EXPECT_EQ(slanted->bottom, 6);
+  EXPECT_NEAR(slanted->thickness, 0.01, 1e-15);
+  // Upside down the other face is the bottom.
+  const auto below =
+      plate_of(turned(Eigen::Vector3d(1, -1, -1).asDiagonal().toDenseMatrix()));
+  ASSERT_TRUE(below);
+  EXPECT_TRUE(below->is_along_z());
+  EXPECT_EQ(below->bottom, 1);
 }
 
 TEST(Plate, HasNoOtherFaces) {

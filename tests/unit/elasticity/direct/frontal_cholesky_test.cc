@@ -144,5 +144,54 @@ TEST(FrontalCholesky, TheSameBitsTwice) {
   EXPECT_EQ(one.solve(b), two.solve(b));
 }
 
+/// Fronts that are worked on in blocks, and subtrees for several threads.
+System<3> large_block() {
+  return block<3>({7, 6, 6}, 3, true);
+}
+
+TEST(FrontalCholesky, TheSameBitsByAnyNumberOfThreads) {
+  for (const auto& system : {large_block(), block<3>({2, 1, 1}, 2, false)}) {
+    const MatrixXd b = MatrixXd::Random(system.matrix.rows(), 2);
+    const FrontalCholesky one(system.matrix, system.tree(), "block");
+    const MatrixXd expected = one.solve(b);
+    for (const int threads : {2, 3, 8}) {
+      const FrontalCholesky many(system.matrix, system.tree(), "block",
+                                 threads);
+      EXPECT_EQ(many.solve(b), expected) << threads;
+    }
+  }
+}
+
+TEST(FrontalCholesky, BlocksOfLargeFrontsSolveWhatCholmodSolves) {
+  const auto system = large_block();
+  const auto tree = system.tree();
+  EXPECT_TRUE(std::ranges::any_of(tree.fronts, [](const Front& front) {
+    return front.own() > 256 && front.later() > 512;  // several blocks
+  }));
+  expect_as_by_cholmod(system);
+}
+
+TEST(FrontalCholesky, ThreadsRefuseWhatIsNotPositiveDefinite) {
+  for (const int share : {2, 50}) {  // above all subtrees, and in one of them
+    auto system = large_block();
+    const auto row = static_cast<std::size_t>(system.matrix.rows() / share);
+    system.matrix
+        .value[static_cast<std::size_t>(system.matrix.row_start[row])] *= -1.0;
+    EXPECT_THROW(FrontalCholesky(system.matrix, system.tree(), "part X", 2),
+                 Error);
+  }
+}
+
+TEST(FrontalCholesky, FloatsHoldSevenDigits) {
+  const auto system = large_block();
+  const MatrixXd b = MatrixXd::Random(system.matrix.rows(), 2);
+  const MatrixXd expected =
+      FrontalCholesky(system.matrix, system.tree(), "block").solve(b);
+  const FrontalFactor<float> single(system.matrix, system.tree(), "block", 2);
+  const double error = (single.solve(b) - expected).norm() / expected.norm();
+  EXPECT_LT(error, 1e-3);
+  EXPECT_GT(error, 1e-10);
+}
+
 }  // namespace
 }  // namespace clevis::elasticity
