@@ -445,9 +445,9 @@ held_by_pin = ["bore_A"]
                       "plates know such along z alone", told["x, plane"])
         self.assertIn("a plate along (-0.4794, 0, 0.8776), 8 mm thick",
                       told["skew, plane"])
-        self.assertIn("2-D x thickness", parts["z, plane"]["model"])
+        self.assertRegex(parts["z, plane"]["model"], "plane stress|2-D x thickness")
         for key in ("x, plane", "skew, plane"):
-            self.assertEqual(parts[key]["model"], "3-D", key)
+            self.assertRegex(parts[key]["model"], "^3-D, p", key)
         for key in ("x, space", "skew, space"):
             self.assertIn("tetrahedra", parts[key]["model"], key)
         lowest = max(p["peak_von_mises"]["band_MPa"][0] for p in parts.values())
