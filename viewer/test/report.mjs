@@ -68,7 +68,7 @@ async function tryReport(file, folder) {
   await check("first frame within 2 s", async () => {
     const first = Number(await page.evaluate(() =>
       document.documentElement.dataset.firstFrame));
-    const busy = loadavg()[0] > cpus().length;
+    const busy = loadavg()[0] > 0.5 * cpus().length;
     console.log(`first frame: ${first} ms${busy ? ", on a busy machine" : ""}`);
     assert.ok(first > 0);
     // a busy machine tells by the processor's time, of the page's own process
