@@ -18,8 +18,8 @@ import band_shapes
 import calculix_flat
 
 # cells over Shape.size away from the peak and near it, cells round an arc
-PLANE_LEVELS = ((1.0, 0.45, 20), (0.9, 0.3, 28))
-LAYERS = ((0.15, 0.5, 0.85, 1.0), (0.1, 0.3, 0.6, 0.85, 1.0))
+PLANE_LEVELS = ((1.4, 0.65, 16), (1.0, 0.45, 20))
+LAYERS = ((0.25, 0.75, 1.0), (0.15, 0.5, 0.85, 1.0))
 SOLID_LEVELS = ((1.4, 0.4, 16), (1.1, 0.27, 20))
 FLAT_LEVELS = ((0.36, 0.06, 60), (0.21, 0.035, 100))
 PARTS = [f"{family}-{k}" for family in (

@@ -21,7 +21,11 @@ TUNABLES = "GLIBC_TUNABLES"
 
 
 def environment_of(pid):
-    entries = Path(f"/proc/{pid}/environ").read_bytes().split(b"\0")
+    """Nothing of a process that has ended."""
+    try:
+        entries = Path(f"/proc/{pid}/environ").read_bytes().split(b"\0")
+    except OSError:
+        return {}
     return dict(e.decode().split("=", 1) for e in entries if b"=" in e)
 
 
@@ -33,8 +37,10 @@ def run(clevis, scene, command, out, tunables=None):
     process = subprocess.Popen(
         [clevis, command, scene, "--out", out], env=environment,
         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    time.sleep(0.1)
-    seen = environment_of(process.pid).get(TUNABLES)
+    seen = None
+    while process.poll() is None:  # it starts anew when it comes to that
+        seen = environment_of(process.pid).get(TUNABLES, seen)
+        time.sleep(0.01)
     return seen, process.wait()
 
 

@@ -87,10 +87,16 @@ TEST(LatticeMaximum, NothingAboveASlopeNorWhereNoPointCounts) {
   });
   EXPECT_NEAR(slope.rise, 0.0, 1e-12);
   const auto points = elasticity::lattice<2>(mesh::CellShape::kTensor, 2);
+  VectorXd values = VectorXd::Zero(points.cols());
+  values[4] = 1.0;
+  values[5] = 0.9;
+  const VectorXd all = VectorXd::Ones(points.cols());
+  EXPECT_GT(rise_between_points<2>(mesh::CellShape::kTensor, 2, values, all, 4),
+            0.01);
   VectorXd alone = VectorXd::Zero(points.cols());
   alone[4] = 1.0;
   EXPECT_EQ(
-      rise_between_points<2>(mesh::CellShape::kTensor, 2, alone, alone, 4),
+      rise_between_points<2>(mesh::CellShape::kTensor, 2, values, alone, 4),
       0.0);
 }
 
