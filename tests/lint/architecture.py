@@ -115,7 +115,9 @@ ROOMS = {
         "problem": "an elastic problem, its solution, the checks of that",
         "mirror_symmetry": "symmetric parts, solved on one side of their mirrors",
         "multigrid": "large parts without a matrix",
-        "dealii": "the other engine: deal.II's matrix-free stiffness and multigrid, PETSc below",
+        "dealii_space": "a rank's share of a part's cells as deal.II has them, functions on it",
+        "dealii_levels": "the levels of deal.II's multigrid: stiffness without a matrix, PETSc below",
+        "dealii": "the other engine, alone or on the ranks of MPI, and its door",
         "solid": "plane stress and 3-D: solve, neighbourhoods, compliance of seats",
         "plate": "terms through the thickness of a plate",
         "revolution": "Fourier terms about an axis",
@@ -168,6 +170,7 @@ ROOMS = {
         "solids": "meshes of CAD solids, by clevis-mesher",
         "scenes": "a scene with its meshes; gmsh, and which mesh a geometry belongs to",
         "parts": "from a scene's motion to the jobs of its parts",
+        "ranks": "the parts of a check on the ranks of an MPI run",
         "variants": "many variants: plan, collect, and which results are finished",
         "solving": "the commands that solve, as the library that is loaded on demand",
         "results": "commands that read results: compare, report, glTF",
@@ -205,7 +208,7 @@ PUBLIC = {
                 " systems/block_krylov systems/eigenmodes systems/linear_system",
     "beam": "estimates/beam_estimate estimates/ejector estimates/struck_part",
     "elasticity": "algebra/dense_product algebra/principal_columns algebra/rank_team assembly/stiffness assembly/supports"
-                  " buckling/buckling direct/dissection fe_space/discretization fe_space/group_trace"
+                  " buckling/buckling dealii/dealii_service direct/dissection fe_space/discretization fe_space/group_trace"
                   " fe_space/tabulation nodal_loads/load_vectors plate/layered_solve"
                   " plate/plate_layer problem/displacement_basis problem/dof_limit"
                   " problem/elastic_problem problem/engine revolution/revolution_solve"

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """`mpirun -np N clevis`: one part shared among ranks gives the serial check to
-1e-8 and the same bits each time; parts dealt out give the serial bits; other
-commands do their work once; a rank that is killed ends all.
+1e-8 and the same bits each time, solids and such with fewer cells than ranks too;
+ranks beside the first hold the solver's share alone; parts dealt out give the serial
+bits; other commands do their work once; a rank that is killed ends all.
 
     ranks.py CLEVIS ROOT
 """
@@ -14,7 +15,8 @@ import tempfile
 import time
 from pathlib import Path
 
-from support import Checks, make_meshes
+from hex_mesh import block, write
+from support import Checks, make_meshes, steel
 
 SCENE = "geometry/landing_gear/scene.toml"
 SHARED = "geometry/nafems_le1/scene.toml"
@@ -66,6 +68,54 @@ def worst(one, other):
     return max(map(differs, keys)), len(keys)
 
 
+def few_cells(folder):
+    """A scene of two hexahedra, pulled; the place of its file."""
+    write(folder / "bar.msh", block((2, 1, 1), lambda x, y, z: (40 * x, 10 * y, 10 * z)))
+    scene = folder / "bar.toml"
+    scene.write_text(f"""schema = 1
+name = "two cells"
+{steel()}
+[[part]]
+name = "bar"
+mesh = "bar.msh"
+length_unit = "mm"
+material = "steel"
+
+[[part.case]]
+name = "pull"
+fixed = {{ x0 = ["x", "y", "z"] }}
+traction = {{ x1 = ["10 MPa", "20 MPa", "0 MPa"] }}
+""")
+    return scene
+
+
+def shares(clevis, checks, place, name, options, counts):
+    """One part on several numbers of ranks against the serial check."""
+    serial, files = checked(clevis, 1, place(f"{name}1"), *options)
+    for ranks in counts:
+        result, its_files = checked(clevis, ranks, place(f"{name}{ranks}"), *options)
+        difference, count = worst(serial, result)
+        checks.expect(count > 4 and difference < AGREEMENT,
+                      f"{name}: {ranks} ranks share it, {count} numbers within {difference:.1e}")
+        checks.expect(its_files == files, f"{name}: {ranks} ranks write the serial files")
+
+
+def memory(clevis, folder):
+    """Largest memory of the first rank and of the other one [MB]."""
+    script = Path(folder) / "measured"
+    script.write_text('#!/bin/sh\nexec /usr/bin/env python3 -c "\n'
+                      "import os, resource, subprocess, sys\n"
+                      "code = subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL).returncode\n"
+                      "used = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss\n"
+                      "rank = os.environ['OMPI_COMM_WORLD_RANK']\n"
+                      f"open('{folder}/rank' + rank, 'w').write(str(used))\n"
+                      'sys.exit(code)" "$@"\n')
+    script.chmod(0o755)
+    run(2, script, clevis, "check", SCENE, "--part", "FE2", "--model", "3d", "--set",
+        "part.FE2.refine=2", "--engine", "dealii", "--tolerance", "20%", "--out", f"{folder}/out")
+    return [int((Path(folder) / f"rank{rank}").read_text()) / 1e3 for rank in (0, 1)]
+
+
 def killed(clevis, folder):
     """Seconds from the end of one rank by force to that of mpirun, its code."""
     process = subprocess.Popen(
@@ -93,15 +143,16 @@ def main():
     shared = (SHARED, "--model", "plane-stress", "--engine", "dealii")
     with tempfile.TemporaryDirectory() as folder:
         place = lambda name: Path(folder) / name
-        serial, files = checked(clevis, 1, place("serial"), *shared)
-        for ranks in (2, 4):
-            result, its_files = checked(clevis, ranks, place(f"shared{ranks}"), *shared)
-            difference, count = worst(serial, result)
-            checks.expect(count > 4 and difference < AGREEMENT,
-                          f"{ranks} ranks share a part: {count} numbers within {difference:.1e}")
-            checks.expect(its_files == files, f"{ranks} ranks write the serial files")
-        again, _ = checked(clevis, 4, place("again"), *shared)
-        checks.expect(again == result, "4 ranks give the same bits again")
+        shares(clevis, checks, place, "plate", shared, (2, 4))
+        once, again = (checked(clevis, 4, place(f"bits{n}"), *shared)[0] for n in (1, 2))
+        checks.expect(again == once, "4 ranks give the same bits again")
+        shares(clevis, checks, place, "solid",
+               (SCENE, "--part", "FE2", "--model", "3d", "--engine", "dealii"), (3,))
+        shares(clevis, checks, place, "two cells",
+               (few_cells(Path(folder)), "--model", "3d", "--engine", "dealii"), (4,))
+        first, other = memory(clevis, place("").resolve())
+        checks.expect(other < 0.75 * first,
+                      f"the other rank has {other:.0f} MB, the first {first:.0f} MB")
         dealt_parts = ("--engine", "own", "--part", "AB", "--part", "DCE", "--part", "FE1")
         own, files = checked(clevis, 1, place("own"), SCENE, *dealt_parts)
         dealt, its_files = checked(clevis, 2, place("dealt"), SCENE, *dealt_parts)

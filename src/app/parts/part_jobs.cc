@@ -176,6 +176,7 @@ PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
   PartJob job;
   job.part = part.definition;
   job.mesh = part.mesh;
+  job.unrefined = part.unrefined;
   job.mass = part.mass;
   job.groups = part.groups;
   job.tolerance = tolerance;

@@ -13,6 +13,7 @@
 #include "app/solving/plugin_entries.h"
 #include "base/companion.h"
 #include "base/errors.h"
+#include "base/instruction_set.h"
 #include "base/system_failure.h"
 
 namespace clevis::app {
@@ -27,16 +28,11 @@ void set_up_blas() {
   setenv("OPENBLAS_NUM_THREADS", "1", 1);
   setenv("OMP_NUM_THREADS", "1", 1);
   setenv("DEAL_II_NUM_THREADS", "1", 1);  // it aborts at what is no number
-#if defined(__x86_64__)
   // OpenBLAS 0.3.21 takes processors younger than itself for Haswell, which
   // halves the speed of those with AVX-512.
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512bw") &&
-      __builtin_cpu_supports("avx512vl") &&
-      __builtin_cpu_supports("avx512cd")) {
+  if (instruction_set() == InstructionSet::kAvx512) {
     setenv("OPENBLAS_CORETYPE", "SkylakeX", 0);
   }
-#endif
 }
 
 /// Matrices come and go by the megabyte: pages that went back to the system

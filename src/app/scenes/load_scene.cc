@@ -42,7 +42,8 @@ void refine(int pieces, LoadedPart& part) {
                 "`refine` cuts hexahedra, but the mesh has other cells",
                 "Mesh the part with hexahedra, or finer.");
   }
-  part.mesh = mesh::refined(part.mesh, pieces);
+  auto finer = mesh::refined(part.mesh, pieces);
+  part.unrefined = std::exchange(part.mesh, std::move(finer));
   part.notes.push_back(fmt::format(
       "every cell of the mesh is cut into {} along each direction (refine)",
       pieces));

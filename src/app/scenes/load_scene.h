@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace clevis::app {
 struct LoadedPart {
   part::PartDefinition definition;
   mesh::PartMesh<3> mesh;
+  std::optional<mesh::PartMesh<3>> unrefined;  ///< before `refine`
   part::MassProperties mass;
   std::vector<loads::GroupGeometry> groups;
   std::vector<std::string> notes;  ///< what was made of the mesh

@@ -17,8 +17,9 @@
 #include "app/parts/part_jobs.h"
 #include "app/parts/solver_jobs.h"
 #include "app/processes/folder_lock.h"
-#include "app/processes/rank_jobs.h"
 #include "app/processes/worker_pool.h"
+#include "app/ranks/rank_jobs.h"
+#include "app/request/error_output.h"
 #include "app/request/error_text.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
@@ -58,8 +59,7 @@ using assessment::PartJob;
 constexpr char kResult = 'R';
 constexpr char kRefusal = 'E';
 
-/// Runs in a worker process or a rank: checks the part and writes its fields;
-/// of a part that all ranks check, the first one's.
+/// Runs in a worker process or a rank: checks the part and writes its fields.
 std::string check_one(const PartJob& job,
                       const std::function<CheckedPart()>& checked_part,
                       const FieldFiles& files, const elasticity::RankTeam* team,
@@ -67,17 +67,15 @@ std::string check_one(const PartJob& job,
   try {
     auto [last_job, assessment] = checked_part();
     Stopwatch watch;
-    if (!job.is_shared || mpi_rank() == 0) {
-      write_part_files(assessment, files, job.part.material.yield_strength,
-                       folder);
-      if (files.moving) {
-        report::write_file(folder / (job.part.name + "_loads.csv"),
-                           loads_csv(job.load_sets.front().history));
-      }
-      const auto view = surface_view(last_job, assessment, files.moving, body);
-      report::write_part_view(view, folder);
-      report::write_part_picture(view, assessment.result, folder);
+    write_part_files(assessment, files, job.part.material.yield_strength,
+                     folder);
+    if (files.moving) {
+      report::write_file(folder / (job.part.name + "_loads.csv"),
+                         loads_csv(job.load_sets.front().history));
     }
+    const auto view = surface_view(last_job, assessment, files.moving, body);
+    report::write_part_view(view, folder);
+    report::write_part_picture(view, assessment.result, folder);
     assessment.result.seconds.write = watch.lap();
     assessment.result.seconds.total += assessment.result.seconds.write;
     return kResult + report::encode(assessment.result);
@@ -85,9 +83,9 @@ std::string check_one(const PartJob& job,
     return kRefusal + encode_error(error);
   } catch (const std::exception& failure) {
     const Error error = system_failure(failure, "part " + job.part.name);
-    // The other ranks wait for this one in a sum, not for its text.
-    if (job.is_shared && error.exit_code() == ExitCode::kResourceLimit) {
-      team->abort(static_cast<int>(ExitCode::kResourceLimit));
+    if (job.is_shared) {  // others may wait for this rank in a sum
+      print_error(error, ErrorFormat::kText);
+      team->abort(static_cast<int>(error.exit_code()));
     }
     return kRefusal + encode_error(error);
   }
@@ -149,7 +147,7 @@ std::vector<WorkerOutcome> run_on_processes(
 
 /// Checks all parts, on the ranks of a team if there is one; results in the
 /// scene's order.
-void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
+void check_parts(LoadedScene& loaded, const mechanism::Motion& motion,
                  std::vector<PartJob> jobs, const Options& options,
                  const elasticity::RankTeam* team, const fs::path& folder,
                  report::CheckReport& report) {
@@ -176,6 +174,7 @@ void check_parts(const LoadedScene& loaded, const mechanism::Motion& motion,
       std::min(processors(options), static_cast<int>(jobs.size())));
   if (team != nullptr) {
     choose_shared(jobs);
+    if (mpi_rank() > 0) leave_to_first_rank(loaded, jobs);
   } else {
     share_processors(processors(options), at_work);
   }

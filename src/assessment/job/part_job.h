@@ -65,6 +65,7 @@ struct OpenSharing {
 struct PartJob {
   part::PartDefinition part;
   mesh::PartMesh<3> mesh;
+  std::optional<mesh::PartMesh<3>> unrefined;  ///< the mesh before `refine`
   part::MassProperties mass;
   std::vector<loads::GroupGeometry> groups;
   std::vector<LoadSet> load_sets;
@@ -78,11 +79,17 @@ struct PartJob {
   elasticity::Engine engine = elasticity::Engine::kAuto;  ///< asked for
   /// Of the solutions that give stress and of buckling; asked for.
   elasticity::DofLimit max_dofs = std::nullopt;
-  bool is_shared = false;  ///< all ranks of this MPI run check it together
+  bool is_shared = false;  ///< all ranks of this MPI run solve it together
   /// Its mesh can be made finer where its peak stays open: that comes before
   /// degree 4 of tetrahedra, and before what is not about the peak.
   bool may_be_meshed_finer = false;
   std::vector<std::string> notes;  ///< of the mesh, for the result
+
+  /// For what the part does as a whole, its periods and its buckling: fine
+  /// cells round a peak make both dear and no better.
+  const mesh::PartMesh<3>& overall_mesh() const {
+    return unrefined ? *unrefined : mesh;
+  }
 };
 
 /// Peak and strain energy of the part at one instant or in one case.

@@ -37,7 +37,9 @@ class BucklingModel {
 
   PartSpace discretize(int degree) const {
     constexpr int kThroughThickness = 3;  // warps as shear wants
-    if (!shape_.plate()) return {elasticity::discretize<3>(job_.mesh, degree)};
+    if (!shape_.plate()) {
+      return {elasticity::discretize<3>(job_.overall_mesh(), degree)};
+    }
     auto plane = elasticity::discretize<2>(shape_.plate()->quadrangles, degree);
     auto layer = elasticity::layer_over(plane, kThroughThickness);
     return {std::move(layer), std::move(plane)};

@@ -66,7 +66,7 @@ void judge_duration_ratios(const PartJob& job, PartResult& result) {
   if (job.impact_loads.empty()) return;
   const loads::LoadHistory none;
   const double first = elasticity::first_period<3>(
-      {job.mesh, job.part.material, none, {}, job.part.name},
+      {job.overall_mesh(), job.part.material, none, {}, job.part.name},
       job.mesh.shape == mesh::CellShape::kSimplex ? 1 : 2);
   result.first_period = first;
   const double waves = std::min(period_of_waves(job), first);

@@ -1,34 +1,12 @@
 #pragma once
 
 #include <memory>
-#include <string>
-#include <vector>
 
 #include <Eigen/Core>
 
-#include "elasticity/assembly/foundation.h"
-#include "elasticity/fe_space/discretization.h"
-#include "part/material.h"
+#include "elasticity/dealii_space/dealii_task.h"
 
 namespace clevis::elasticity {
-
-/// Effort of a solve, largest over the columns.
-struct DealiiReport {
-  int iterations{};     ///< conjugate gradients, all sweeps
-  double correction{};  ///< of the last sweep over the solution [1]
-  int levels{};         ///< degrees of the multigrid
-};
-
-/// What a DealiiSolver is made of.
-template <int dim>
-struct DealiiTask {
-  const Discretization<dim>& discretization;
-  const part::Material& material;
-  const FoundationStiffness<dim>& bed;
-  const std::vector<int>& held;
-  const std::string& place;
-  bool is_shared;
-};
 
 /// The part of DealiiSolver, loads [N] and displacements [m], that is in the
 /// library of deal.II and PETSc.

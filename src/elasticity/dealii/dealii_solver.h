@@ -18,14 +18,14 @@ void require_suits_dealii(const Discretization<dim>& discretization,
 /// K U = F by deal.II: matrix-free stiffness on the exact geometry, conjugate
 /// gradients, a column after the other, multigrid over falling degrees, its
 /// coarsest level by PETSc. The same code for one process and for all ranks of
-/// MPI; every rank has the whole part and gets the whole solution;
-/// levels, vectors and work are shared.
+/// MPI: the first one has the part and its solution, levels, vectors and work
+/// are shared with those that serve_dealii().
 template <int dim>
 class DealiiSolver {
  public:
   /// @param bed   in the numbering of the discretisation.
   /// @param held  degrees of freedom of the discretisation that are zero.
-  /// @param is_shared  every rank makes the same solver and uses it alike.
+  /// @param is_shared  with the other ranks of this MPI run.
   /// @pre suits_dealii().
   /// @throws Error F002 from the coarsest level.
   DealiiSolver(const Discretization<dim>& discretization,

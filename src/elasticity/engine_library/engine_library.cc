@@ -4,6 +4,7 @@
 
 #include "base/companion.h"
 #include "base/errors.h"
+#include "base/instruction_set.h"
 #include "base/system_failure.h"
 
 namespace clevis::elasticity {
@@ -11,7 +12,14 @@ namespace {
 
 /// Found beside the library or program that this is part of, by its run path.
 void* library() {
-  static void* const handle = dlopen(kEngineLibrary, RTLD_NOW | RTLD_LOCAL);
+  static void* const handle = [] {
+    void* found = nullptr;
+    if (instruction_set() >= InstructionSet::kAvx2) {
+      found = dlopen(kEngineInLanes, RTLD_NOW | RTLD_LOCAL);
+    }
+    return found != nullptr ? found
+                            : dlopen(kEngineLibrary, RTLD_NOW | RTLD_LOCAL);
+  }();
   if (handle == nullptr) throw load_failure(kEngineLibrary, dlerror());
   return handle;
 }

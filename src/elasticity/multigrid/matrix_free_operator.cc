@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "base/instruction_set.h"
 #include "mesh/basis/tensor_basis.h"
 
 namespace clevis::elasticity {
@@ -81,19 +82,18 @@ const lanes::Kernels& lane_kernels() {
   static const lanes::Kernels kernels = [] {
     lanes::Kernels result;
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f") &&
-        __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl")) {
-      lanes::avx512::get(result);
-    } else if (__builtin_cpu_supports("avx2") &&
-               __builtin_cpu_supports("fma")) {
-      lanes::avx2::get(result);
-    } else {
-      lanes::plain::get(result);
+    switch (instruction_set()) {
+      case InstructionSet::kAvx512:
+        lanes::avx512::get(result);
+        return result;
+      case InstructionSet::kAvx2:
+        lanes::avx2::get(result);
+        return result;
+      case InstructionSet::kPlain:
+        break;
     }
-#else
-    lanes::plain::get(result);
 #endif
+    lanes::plain::get(result);
     return result;
   }();
   return kernels;

@@ -36,7 +36,7 @@ struct ElasticProblem {
   LinearSolver solver = LinearSolver::kAuto;
   part::Foundations foundations = {};
   Engine engine = Engine::kAuto;  ///< of plane stress and 3-D
-  /// Every rank of this MPI run has this problem and calls solve() with it.
+  /// The other ranks of this MPI run serve_dealii() while this one solves.
   bool is_shared = false;
   DofLimit max_dofs = std::nullopt;  ///< asked for
   /// Error of each instant's load, over the largest load, that is enough of it;

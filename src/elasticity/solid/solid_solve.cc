@@ -5,6 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/processor_share.h"
 #include "base/stopwatch.h"
 #include "elasticity/assembly/foundation.h"
@@ -242,6 +244,7 @@ void solve_by_dealii(const ElasticProblem<dim>& problem,
   Stopwatch watch;
   const BeddedPart<dim> bedded(problem, folding, result.discretization);
   std::unique_ptr<DealiiSolver<dim>> solver;
+  int iterations = 0;
   for (ParityClass& c : classes) {
     solver.reset();  // before the next: memory
     solver = std::make_unique<DealiiSolver<dim>>(folding.part, problem.material,
@@ -249,8 +252,11 @@ void solve_by_dealii(const ElasticProblem<dim>& problem,
                                                  problem.is_shared);
     result.seconds.factor += watch.lap();
     c.columns = solver->solve(c.loads.columns);
+    iterations = std::max(iterations, solver->report().iterations);
     result.seconds.solve += watch.lap();
   }
+  result.engine.why += fmt::format("; at most {} iterations over {} degrees",
+                                   iterations, solver->report().levels);
   const StiffnessAction action{[&](const MatrixXd& u) {
                                  return bedded.forces(u);
                                },

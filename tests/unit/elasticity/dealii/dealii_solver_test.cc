@@ -8,7 +8,7 @@
 
 #include "base/errors.h"
 #include "elasticity/assembly/supports.h"
-#include "elasticity/dealii/level_degrees.h"
+#include "elasticity/dealii_space/level_degrees.h"
 #include "elasticity/solid/solid_solve.h"
 #include "support/annulus_mesh.h"
 #include "support/eye_problem.h"

@@ -1,4 +1,4 @@
-#include "elasticity/dealii/degree_space.h"
+#include "elasticity/dealii_space/degree_space.h"
 
 #include <cmath>
 
@@ -32,13 +32,13 @@ std::vector<std::vector<double>> values_at_nodes(int degree, int fine_degree) {
 template <int dim>
 std::vector<std::vector<bool>> held_functions(
     const std::vector<std::vector<double>>& at_nodes,
-    const std::vector<int>& nodes, const std::vector<bool>& is_held) {
+    const std::vector<char>& is_held) {
   constexpr double kZero = 1e-9;
   std::vector<std::vector<bool>> result(
       dim, std::vector<bool>(at_nodes.front().size(), false));
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
+  for (std::size_t n = 0; n < at_nodes.size(); ++n) {
     for (std::size_t a = 0; a < dim; ++a) {
-      if (!is_held[dim * static_cast<std::size_t>(nodes[n]) + a]) continue;
+      if (is_held[dim * n + a] == 0) continue;
       for (std::size_t i = 0; i < at_nodes[n].size(); ++i) {
         if (std::abs(at_nodes[n][i]) > kZero) result[a][i] = true;
       }
@@ -50,12 +50,10 @@ std::vector<std::vector<bool>> held_functions(
 }  // namespace
 
 template <int dim>
-DegreeSpace<dim>::DegreeSpace(const MeshShare<dim>& share,
-                              const Discretization<dim>& discretization,
-                              int degree, const std::vector<int>& held)
+DegreeSpace<dim>::DegreeSpace(const MeshShare<dim>& share, int degree)
     : share_(&share),
       degree_(degree),
-      at_nodes_(values_at_nodes<dim>(degree, discretization.degree)),
+      at_nodes_(values_at_nodes<dim>(degree, share.degree())),
       handler_(share.triangulation()) {
   const dealii::FESystem<dim> element(
       dealii::FE_Q<dim>(static_cast<unsigned>(degree)), dim);
@@ -63,14 +61,11 @@ DegreeSpace<dim>::DegreeSpace(const MeshShare<dim>& share,
   dealii::IndexSet relevant;
   dealii::DoFTools::extract_locally_relevant_dofs(handler_, relevant);
   held_.reinit(relevant);
-  std::vector<bool> is_held(static_cast<std::size_t>(discretization.dofs()));
-  for (const int dof : held) is_held[static_cast<std::size_t>(dof)] = true;
   std::vector<global_dof_index> dofs(element.n_dofs_per_cell());
   for (const auto& cell : handler_.active_cell_iterators()) {
     if (cell->is_artificial()) continue;
-    const auto functions = held_functions<dim>(
-        at_nodes_, discretization.cell_nodes[MeshShare<dim>::number(cell)],
-        is_held);
+    const auto functions =
+        held_functions<dim>(at_nodes_, share.at(cell).is_held);
     cell->get_dof_indices(dofs);
     for (unsigned i = 0; i < dofs.size(); ++i) {
       const auto [component, function] = element.system_to_component_index(i);
@@ -81,15 +76,14 @@ DegreeSpace<dim>::DegreeSpace(const MeshShare<dim>& share,
 }
 
 template <int dim>
-std::vector<int> own_numbering(const DegreeSpace<dim>& space,
-                               const Discretization<dim>& discretization) {
+std::vector<int> own_numbering(const DegreeSpace<dim>& space) {
   const auto& handler = space.handler();
   const dealii::IndexSet& owned = handler.locally_owned_dofs();
   std::vector<int> result(owned.n_elements(), -1);
   std::vector<global_dof_index> dofs(handler.get_fe().n_dofs_per_cell());
   for (const auto& cell : handler.active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
-    const auto& nodes = discretization.cell_nodes[MeshShare<dim>::number(cell)];
+    const auto& nodes = space.share().at(cell).nodes;
     cell->get_dof_indices(dofs);
     for (unsigned i = 0; i < dofs.size(); ++i) {
       if (!owned.is_element(dofs[i])) continue;
@@ -110,9 +104,7 @@ std::vector<int> own_numbering(const DegreeSpace<dim>& space,
 
 template class DegreeSpace<2>;
 template class DegreeSpace<3>;
-template std::vector<int> own_numbering<2>(const DegreeSpace<2>&,
-                                           const Discretization<2>&);
-template std::vector<int> own_numbering<3>(const DegreeSpace<3>&,
-                                           const Discretization<3>&);
+template std::vector<int> own_numbering<2>(const DegreeSpace<2>&);
+template std::vector<int> own_numbering<3>(const DegreeSpace<3>&);
 
 }  // namespace clevis::elasticity

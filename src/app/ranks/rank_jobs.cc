@@ -1,11 +1,33 @@
-#include "app/processes/rank_jobs.h"
+#include "app/ranks/rank_jobs.h"
 
+#include <algorithm>
+
+#include <malloc.h>
+
+#include "app/request/error_output.h"
 #include "base/mpi_run.h"
+#include "base/system_failure.h"
+#include "elasticity/dealii/dealii_service.h"
 
 namespace clevis::app {
 
 using assessment::PartJob;
 using elasticity::Engine;
+
+namespace {
+
+/// Takes part in the first rank's solves of a part until it has its result.
+void serve(const elasticity::RankTeam& team, const std::string& part) {
+  try {
+    elasticity::serve_dealii();
+  } catch (const std::exception& failure) {
+    const Error error = system_failure(failure, "part " + part);
+    print_error(error, ErrorFormat::kText);
+    team.abort(static_cast<int>(error.exit_code()));
+  }
+}
+
+}  // namespace
 
 void choose_shared(std::vector<PartJob>& jobs) {
   constexpr std::size_t kManyCells = 5000;
@@ -15,6 +37,21 @@ void choose_shared(std::vector<PartJob>& jobs) {
                      job.mesh.shape == mesh::CellShape::kTensor &&
                      job.mesh.cells.size() >= kManyCells);
   }
+}
+
+void leave_to_first_rank(LoadedScene& loaded, std::vector<PartJob>& jobs) {
+  for (PartJob& job : jobs) {
+    if (!job.is_shared) continue;
+    const std::string& name = job.part.name;
+    const auto part =
+        std::ranges::find(loaded.parts, name, [](const LoadedPart& p) {
+          return p.definition.name;
+        });
+    part->mesh = job.mesh = {};
+    part->unrefined = job.unrefined = {};
+    job.load_sets.clear();
+  }
+  malloc_trim(0);  // cells are many small pieces, which the heap would keep
 }
 
 std::vector<WorkerOutcome> run_on_ranks(
@@ -38,8 +75,12 @@ std::vector<WorkerOutcome> run_on_ranks(
   }
   for (std::size_t j = 0; j < jobs.size(); ++j) {
     if (!jobs[j].is_shared) continue;
-    const auto texts = team.gather(check(j));
-    if (rank == 0) outcomes[j] = {WorkerOutcome::Kind::kDone, texts.front()};
+    if (rank == 0) {
+      outcomes[j] = {WorkerOutcome::Kind::kDone, check(j)};
+      elasticity::dismiss_dealii();
+    } else {
+      serve(team, jobs[j].part.name);
+    }
   }
   return outcomes;
 }

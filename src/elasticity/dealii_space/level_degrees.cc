@@ -1,4 +1,4 @@
-#include "elasticity/dealii/level_degrees.h"
+#include "elasticity/dealii_space/level_degrees.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@ namespace clevis::elasticity {
 
 std::vector<int> level_degrees(int degree, int dim, double nodes) {
   const double quadratic = dim * nodes * std::pow(2.0 / degree, dim);
-  const int lowest = quadratic <= kMostFactored ? 2 : 1;
+  const int lowest = quadratic <= kMostOfDegree2 ? 2 : 1;
   std::vector<int> degrees{degree};
   while (degrees.back() > lowest) {
     const int last = degrees.back();

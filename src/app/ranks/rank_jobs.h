@@ -6,17 +6,22 @@
 #include <vector>
 
 #include "app/processes/worker_pool.h"
+#include "app/scenes/load_scene.h"
 #include "assessment/job/part_job.h"
 #include "elasticity/algebra/rank_team.h"
 
 namespace clevis::app {
 
-/// Which parts all ranks check together: those that deal.II is asked for, else
+/// Which parts all ranks solve together: those that deal.II is asked for, else
 /// hexahedral ones with so many cells that sharing pays.
 void choose_shared(std::vector<assessment::PartJob>& jobs);
 
+/// Frees what the first rank alone needs: meshes and loads of shared parts.
+void leave_to_first_rank(LoadedScene& loaded,
+                         std::vector<assessment::PartJob>& jobs);
+
 /// Checks parts on the ranks of an MPI run: small ones are dealt out, one to
-/// a rank at a time, shared ones are checked by all.
+/// a rank at a time; shared ones are checked by the first, and solved by all.
 /// @param check  of the part with this index, on each rank that has it.
 /// @return on rank 0 of all parts, elsewhere nothing.
 std::vector<WorkerOutcome> run_on_ranks(

@@ -5,7 +5,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include "elasticity/dealii/mesh_share.h"
+#include "elasticity/dealii_space/mesh_share.h"
 
 namespace clevis::elasticity {
 
@@ -16,10 +16,7 @@ class DegreeSpace {
  public:
   /// @param degree  at most that of the discretisation; of the lower degrees
   ///   held is what does not vanish at a held node.
-  /// @param held    degrees of freedom of the discretisation.
-  DegreeSpace(const MeshShare<dim>& share,
-              const Discretization<dim>& discretization, int degree,
-              const std::vector<int>& held);
+  DegreeSpace(const MeshShare<dim>& share, int degree);
 
   const MeshShare<dim>& share() const { return *share_; }
   const dealii::DoFHandler<dim>& handler() const { return handler_; }
@@ -41,7 +38,6 @@ class DegreeSpace {
 /// Which degree of freedom of the discretisation each one has that a rank owns,
 /// in deal.II's order. @pre the space has the discretisation's degree.
 template <int dim>
-std::vector<int> own_numbering(const DegreeSpace<dim>& space,
-                               const Discretization<dim>& discretization);
+std::vector<int> own_numbering(const DegreeSpace<dim>& space);
 
 }  // namespace clevis::elasticity

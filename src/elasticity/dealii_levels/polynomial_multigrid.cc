@@ -1,4 +1,4 @@
-#include "elasticity/dealii/polynomial_multigrid.h"
+#include "elasticity/dealii_levels/polynomial_multigrid.h"
 
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/precondition.h>
@@ -8,7 +8,7 @@
 #include <deal.II/multigrid/mg_transfer_global_coarsening.h>
 #include <deal.II/multigrid/multigrid.h>
 
-#include "elasticity/dealii/level_degrees.h"
+#include "elasticity/dealii_space/level_degrees.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -73,12 +73,11 @@ void PolynomialMultigrid<dim>::Levels::smooth(unsigned top) {
 }
 
 template <int dim>
-PolynomialMultigrid<dim>::PolynomialMultigrid(const LevelSetup<dim>& setup,
+PolynomialMultigrid<dim>::PolynomialMultigrid(const EnginePart& part,
                                               const DegreeSpace<dim>& finest)
     : levels_(std::make_unique<Levels>()) {
   Levels& l = *levels_;
-  const auto degrees =
-      level_degrees(finest.degree(), dim, setup.discretization.nodes);
+  const auto degrees = level_degrees(finest.degree(), dim, part.nodes);
   const auto top = static_cast<unsigned>(degrees.size() - 1);
   std::vector<const DegreeSpace<dim>*> spaces(degrees.size(), &finest);
   std::vector<dealii::AffineConstraints<float>> held(degrees.size());
@@ -87,12 +86,12 @@ PolynomialMultigrid<dim>::PolynomialMultigrid(const LevelSetup<dim>& setup,
   for (unsigned level = 0; level <= top; ++level) {
     if (level < top) {
       l.spaces.push_back(std::make_unique<DegreeSpace<dim>>(
-          setup.share, setup.discretization, degrees[top - level], setup.held));
+          finest.share(), degrees[top - level]));
       spaces[level] = l.spaces.back().get();
     }
     held[level].copy_from(spaces[level]->held());
     l.stiffness[level].reinit(*spaces[level], spaces[level]->degree() + 1,
-                              setup.stiffness, setup.beds);
+                              part.stiffness, part.beds);
     if (level == 0) continue;
     l.steps[level].reinit_polynomial_transfer(spaces[level]->handler(),
                                               spaces[level - 1]->handler(),
@@ -105,13 +104,13 @@ PolynomialMultigrid<dim>::PolynomialMultigrid(const LevelSetup<dim>& setup,
   l.smooth(top);
   {
     StiffnessOperator<dim, double> coarse;
-    coarse.reinit(*spaces[0], spaces[0]->degree() + 1, setup.stiffness,
-                  setup.beds);
+    coarse.reinit(*spaces[0], spaces[0]->degree() + 1, part.stiffness,
+                  part.beds);
     const bool is_small = coarse.m() <= kMostFactored;
     l.solver = std::make_unique<CoarseSolver<dim>>(
         *spaces[0], coarse,
         is_small ? CoarseMethod::kFactor : CoarseMethod::kMultigrid,
-        setup.name);
+        part.place);
   }
   l.coarsest = std::make_unique<Coarsest<dim>>(*l.solver);
   l.matrix = std::make_unique<dealii::mg::Matrix<Single>>(l.stiffness);

@@ -4,9 +4,13 @@
 
 namespace clevis::elasticity {
 
-/// Equations that are factored at once; more are left to a lower degree or to
-/// algebraic multigrid.
+/// Equations of degree 1 that are factored; more are left to algebraic
+/// multigrid.
 inline constexpr double kMostFactored = 1e5;
+
+/// Equations of degree 2 that are factored: their factor is the larger, and is
+/// gone through in every cycle.
+inline constexpr double kMostOfDegree2 = 1e4;
 
 /// Degrees of the levels, from that of the solution down to one that PETSc
 /// solves: 2 while it has few equations, else 1.

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "elasticity/dealii/stiffness_operator.h"
+#include "elasticity/dealii_levels/stiffness_operator.h"
 
 namespace clevis::elasticity {
 

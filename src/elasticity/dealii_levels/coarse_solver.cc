@@ -1,6 +1,8 @@
-#include "elasticity/dealii/coarse_solver.h"
+#include "elasticity/dealii_levels/coarse_solver.h"
 
+#include <array>
 #include <map>
+#include <utility>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -12,6 +14,20 @@
 #include "elasticity/engine_library/petsc_session.h"
 
 namespace clevis::elasticity {
+namespace {
+
+// What solves within PETSc's telescope, and the smoother of GAMG's levels, are
+// set by options alone.
+constexpr const char* kFactorPrefix = "clevis_factor_";
+constexpr std::array<std::pair<const char*, const char*>, 3> kFactorOptions{{
+    {"-clevis_factor_telescope_ksp_type", "preonly"},
+    {"-clevis_factor_telescope_pc_type", "cholesky"},
+    {"-clevis_factor_telescope_pc_factor_mat_solver_type", "mumps"},
+}};
+constexpr const char* kPrefix = "clevis_coarse_";
+constexpr const char* kSmoother = "-clevis_coarse_mg_levels_pc_type";
+
+}  // namespace
 
 template <int dim>
 struct CoarseSolver<dim>::Petsc {
@@ -32,6 +48,7 @@ struct CoarseSolver<dim>::Petsc {
                 const StiffnessOperator<dim, double>& stiffness);
   void set_rigid_modes(const DegreeSpace<dim>& space);
   void set_up(MPI_Comm ranks, CoarseMethod method);
+  PCFailedReason reason_of_failure(PC preconditioner, MPI_Comm ranks) const;
 };
 
 template <int dim>
@@ -91,13 +108,22 @@ void CoarseSolver<dim>::Petsc::set_up(MPI_Comm ranks, CoarseMethod method) {
   PC preconditioner = nullptr;
   require(KSPGetPC(solver, &preconditioner), "KSPGetPC");
   if (method == CoarseMethod::kFactor) {
+    int count = 1;
+    MPI_Comm_size(ranks, &count);
+    // On one rank: a solve by all would be hundreds of messages.
     require(KSPSetType(solver, KSPPREONLY), "KSPSetType");
-    require(PCSetType(preconditioner, PCCHOLESKY), "PCSetType");
-    require(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS),
-            "PCFactorSetMatSolverType");
+    require(PCSetType(preconditioner, PCTELESCOPE), "PCSetType");
+    require(PCTelescopeSetReductionFactor(preconditioner, count),
+            "PCTelescopeSetReductionFactor");
+    require(KSPSetOptionsPrefix(solver, kFactorPrefix), "KSPSetOptionsPrefix");
+    for (const auto& [name_of, value] : kFactorOptions) {
+      require(PetscOptionsSetValue(nullptr, name_of, value),
+              "PetscOptionsSetValue");
+    }
+    require(KSPSetFromOptions(solver), "KSPSetFromOptions");
   } else {
-    constexpr double kReduction = 1e-2;
-    constexpr int kMostIterations = 20;
+    constexpr double kReduction = 1e-6;
+    constexpr int kMostIterations = 50;
     require(KSPSetType(solver, KSPCG), "KSPSetType");
     require(KSPSetNormType(solver, KSP_NORM_UNPRECONDITIONED),
             "KSPSetNormType");
@@ -105,14 +131,45 @@ void CoarseSolver<dim>::Petsc::set_up(MPI_Comm ranks, CoarseMethod method) {
                              kMostIterations),
             "KSPSetTolerances");
     require(PCSetType(preconditioner, PCGAMG), "PCSetType");
+    // Its default squares the graph first: aggregates of some hundred nodes, by
+    // which slender parts do not converge.
+    require(PCGAMGSetAggressiveLevels(preconditioner, 0),
+            "PCGAMGSetAggressiveLevels");
+    require(KSPSetOptionsPrefix(solver, kPrefix), "KSPSetOptionsPrefix");
+    require(PetscOptionsSetValue(nullptr, kSmoother, "sor"),
+            "PetscOptionsSetValue");
+    require(KSPSetFromOptions(solver), "KSPSetFromOptions");
   }
   require(KSPSetUp(solver), "KSPSetUp");
-  PCFailedReason failure{};
-  require(PCGetFailedReason(preconditioner, &failure), "PCGetFailedReason");
+  const PCFailedReason failure = reason_of_failure(preconditioner, ranks);
   if (failure != PC_NOERROR) {
     throw Error("F002", name, "the stiffness matrix is not positive definite",
                 "Check the mesh quality and the material.");
   }
+}
+
+/// The same on all ranks: what factors may stand on one.
+template <int dim>
+PCFailedReason CoarseSolver<dim>::Petsc::reason_of_failure(
+    PC preconditioner, MPI_Comm ranks) const {
+  KSP inner = nullptr;
+  PetscBool is_telescope = PETSC_FALSE;
+  require(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(preconditioner),
+                                 PCTELESCOPE, &is_telescope),
+          "PetscObjectTypeCompare");
+  if (is_telescope == PETSC_TRUE) {
+    require(PCTelescopeGetKSP(preconditioner, &inner), "PCTelescopeGetKSP");
+  }
+  PCFailedReason failure = PC_NOERROR;
+  if (is_telescope == PETSC_FALSE || inner != nullptr) {
+    if (inner != nullptr) {
+      require(KSPGetPC(inner, &preconditioner), "KSPGetPC");
+    }
+    require(PCGetFailedReason(preconditioner, &failure), "PCGetFailedReason");
+  }
+  int worst = failure == PC_NOERROR ? 0 : 1;
+  MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, ranks);
+  return worst == 0 ? PC_NOERROR : PC_FACTOR_OTHER;
 }
 
 template <int dim>

@@ -1,0 +1,88 @@
+#include "elasticity/dealii_space/engine_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <deal.II/base/mpi.h>
+
+#include "elasticity/assembly/stiffness.h"
+
+namespace clevis::elasticity {
+namespace {
+
+template <int dim>
+int points_a_direction(const Discretization<dim>& discretization) {
+  const auto points = stiffness_quadrature(discretization).weights.size();
+  return static_cast<int>(
+      std::lround(std::pow(static_cast<double>(points), 1.0 / dim)));
+}
+
+template <int dim>
+std::vector<BedFace> bed_faces(const Discretization<dim>& discretization,
+                               const FoundationStiffness<dim>& bed) {
+  std::vector<BedFace> result;
+  for (const auto& face : bed.faces()) {
+    const auto cell = static_cast<std::size_t>(face.cell);
+    const auto& nodes = discretization.cell_nodes[cell];
+    const auto size = static_cast<unsigned>(face.matrix.rows());
+    BedFace entry{cell, {}, dealii::FullMatrix<double>(size, size)};
+    for (const int node : face.nodes) {
+      entry.nodes.push_back(
+          static_cast<int>(std::ranges::find(nodes, node) - nodes.begin()));
+    }
+    for (unsigned i = 0; i < size; ++i) {
+      for (unsigned j = 0; j < size; ++j) {
+        entry.matrix(i, j) = face.matrix(i, j);
+      }
+    }
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
+template <class T>
+T from_first(const T& value, MPI_Comm ranks) {
+  return dealii::Utilities::MPI::broadcast(ranks, value);
+}
+
+}  // namespace
+
+template <int dim>
+EnginePart engine_part(const DealiiTask<dim>& task) {
+  const auto& discretization = task.discretization;
+  const auto lame = lame_constants<dim>(task.material);
+  return {.degree = discretization.degree,
+          .geometry_degree = discretization.geometry_degree,
+          .gauss_points = points_a_direction(discretization),
+          .nodes = discretization.nodes,
+          .stiffness = {lame.lambda * discretization.thickness,
+                        lame.mu * discretization.thickness},
+          .beds = bed_faces(discretization, task.bed),
+          .place = task.place};
+}
+
+EnginePart broadcast(const EnginePart& part, MPI_Comm ranks) {
+  EnginePart result;
+  std::tie(result.degree, result.geometry_degree, result.gauss_points,
+           result.nodes) = std::tuple{
+      from_first(part.degree, ranks), from_first(part.geometry_degree, ranks),
+      from_first(part.gauss_points, ranks), from_first(part.nodes, ranks)};
+  result.stiffness = {from_first(part.stiffness.lambda, ranks),
+                      from_first(part.stiffness.mu, ranks)};
+  result.place = from_first(part.place, ranks);
+  result.beds.resize(from_first(part.beds.size(), ranks));
+  for (std::size_t b = 0; b < result.beds.size(); ++b) {
+    BedFace mine;
+    if (b < part.beds.size()) mine = part.beds[b];
+    result.beds[b] = {from_first(mine.cell, ranks),
+                      from_first(mine.nodes, ranks),
+                      from_first(mine.matrix, ranks)};
+  }
+  return result;
+}
+
+template EnginePart engine_part<2>(const DealiiTask<2>&);
+template EnginePart engine_part<3>(const DealiiTask<3>&);
+
+}  // namespace clevis::elasticity
