@@ -1,7 +1,6 @@
 #include "elasticity/dealii/shared_solver.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include <deal.II/lac/solver_cg.h>
 

@@ -131,8 +131,7 @@ void CoarseSolver<dim>::Petsc::set_up(MPI_Comm ranks, CoarseMethod method) {
                              kMostIterations),
             "KSPSetTolerances");
     require(PCSetType(preconditioner, PCGAMG), "PCSetType");
-    // Its default squares the graph first: aggregates of some hundred nodes, by
-    // which slender parts do not converge.
+    // Its default squares the graph first; slender parts do not converge so.
     require(PCGAMGSetAggressiveLevels(preconditioner, 0),
             "PCGAMGSetAggressiveLevels");
     require(KSPSetOptionsPrefix(solver, kPrefix), "KSPSetOptionsPrefix");
