@@ -14,10 +14,10 @@
 #include "app/command_line.h"
 #include "app/command_list.h"
 #include "app/request/error_output.h"
-#include "base/huge_pages.h"
-#include "base/interrupts.h"
-#include "base/mpi_run.h"
-#include "base/system_failure.h"
+#include "base/system/huge_pages.h"
+#include "base/system/interrupts.h"
+#include "base/system/mpi_run.h"
+#include "base/system/system_failure.h"
 
 namespace {
 

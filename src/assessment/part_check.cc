@@ -23,8 +23,8 @@
 #include "assessment/stability/sharing_check.h"
 #include "assessment/vibration/duration_ratio.h"
 #include "assessment/vibration/vibration_check.h"
-#include "base/errors.h"
-#include "base/stopwatch.h"
+#include "base/messages/errors.h"
+#include "base/values/stopwatch.h"
 #include "part/verdict.h"
 
 namespace clevis::assessment {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::cad {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "cad/cylinders.h"
 #include "cad/joint_cylinder.h"
 #include "cad/select_faces.h"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::cad {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "cad/cylinders.h"
 
 namespace clevis::cad {

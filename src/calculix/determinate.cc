@@ -5,7 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/problem/elastic_problem.h"
 
 namespace clevis::calculix {

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 #include <sdf/Exception.hh>
 
-#include "base/allowed_program.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
+#include "base/system/allowed_program.h"
 #include "importer/model_xml.h"
 #include "importer/read_sdf.h"
 #include "importer/read_urdf.h"

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::importer {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <sdf/sdf.hh>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::importer {
 namespace {

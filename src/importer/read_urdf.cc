@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::importer {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/constraints/closed_joints.h"
 #include "mechanism/constraints/mobility.h"
 #include "mechanism/definition/drive_names.h"

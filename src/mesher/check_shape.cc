@@ -18,7 +18,7 @@
 #include <TopoDS.hxx>
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::mesher {
 namespace {

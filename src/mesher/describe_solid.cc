@@ -23,7 +23,7 @@
 #include <gp_Sphere.hxx>
 #include <gp_Torus.hxx>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::mesher {
 namespace {

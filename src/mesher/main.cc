@@ -9,8 +9,8 @@
 #include <Standard_Failure.hxx>
 #include <fmt/format.h>
 
-#include "base/allowed_program.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
+#include "base/system/allowed_program.h"
 #include "cad/exchange.h"
 #include "mesher/check_shape.h"
 #include "mesher/describe_solid.h"

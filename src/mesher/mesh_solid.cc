@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gmsh.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mesher/mesh_sizes.h"
 
 namespace clevis::mesher {

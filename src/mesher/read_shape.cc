@@ -22,7 +22,7 @@
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::mesher {
 namespace {

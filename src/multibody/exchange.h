@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "multibody/model.h"
 
 namespace clevis::multibody {

@@ -11,7 +11,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "multibody/body_hosts.h"
 #include "multibody/names.h"
 

@@ -9,8 +9,8 @@
 #include "assessment/models/level.h"
 #include "assessment/models/model_list.h"
 #include "assessment/part_check.h"
-#include "base/errors.h"
-#include "base/stopwatch.h"
+#include "base/messages/errors.h"
+#include "base/values/stopwatch.h"
 #include "mesh/derived/split_cells.h"
 #include "mesh/reading/mesh_reader.h"
 

@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "base/stopwatch.h"
+#include "base/values/stopwatch.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/assembly/equations.h"
 #include "elasticity/assembly/supports.h"

@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include "base/stopwatch.h"
+#include "base/values/stopwatch.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/multigrid/matrix_free_operator.h"
 #include "elasticity/multigrid/multigrid_solver.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "benchmarks/precision_row.h"
 #include "benchmarks/reference_trajectories.h"
 #include "mechanism/simulate.h"

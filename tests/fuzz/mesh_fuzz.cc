@@ -1,7 +1,7 @@
 // Meshes of gmsh, with whatever a part reads from them.
 #include <optional>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "fuzz/fuzz_target.h"
 #include "mesh/reading/mesh_reader.h"
 

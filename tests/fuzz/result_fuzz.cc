@@ -1,5 +1,5 @@
 // Results and baselines of clevis compare.
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "fuzz/fuzz_target.h"
 #include "report/compare/result_reader.h"
 

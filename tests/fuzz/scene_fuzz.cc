@@ -1,5 +1,5 @@
 // Scene files.
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "fuzz/fuzz_target.h"
 #include "scene/scene.h"
 

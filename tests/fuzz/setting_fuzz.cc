@@ -1,7 +1,7 @@
 // Values of --set, put into a scene.
 #include <string_view>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "fuzz/fuzz_target.h"
 #include "scene/scene.h"
 #include "scene/variants/setting.h"

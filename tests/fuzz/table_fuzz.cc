@@ -1,5 +1,5 @@
 // Tables of load histories and of variants.
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "fuzz/fuzz_target.h"
 #include "scene/cases/load_table.h"
 #include "scene/variants/variant_list.h"

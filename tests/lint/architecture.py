@@ -30,6 +30,12 @@ LAYERS = {  # module: (modules it may include, outside libraries it may include)
 # Rooms of a module, bottom to top: each may include those above it in the list.
 # Files beside the rooms are the module's door: they may include all.
 ROOMS = {
+    "base": {
+        "messages": "what is wrong, where, what to do: errors, their catalogue, exit codes",
+        "values": "quantities with units, indices, seconds",
+        "bytes": "base64, deflate, fingerprints",
+        "system": "the process and its machine: signals, processors, memory, other programs",
+    },
     "numerics": {
         "factors": "small LU, rank-revealing QR, Cholesky of normal equations",
         "curves": "splines, tables, roots in an interval",
@@ -183,6 +189,12 @@ ROOMS = {
 
 # Headers that other modules may include, of modules with rooms.
 PUBLIC = {
+    "base": "messages/diagnostics messages/errors messages/exit_code"
+            " values/index values/quantity values/stopwatch"
+            " bytes/base64 bytes/compression bytes/fingerprint"
+            " system/allowed_program system/companion system/huge_pages"
+            " system/instruction_set system/interrupts system/mpi_run"
+            " system/processor_share system/system_failure",
     "numerics": "factors/jacobian_factor factors/normal_cholesky curves/brent"
                 " curves/cubic_spline curves/dip curves/linear_table"
                 " integrators/integrator_choice integrators/ode_system"

@@ -5,7 +5,7 @@
 
 Every relative link of a *.md leads to a file (and heading), every `./...`
 command exists, every `clevis COMMAND --option` is one that `clevis --help`
-knows, the exit codes in README.md are those of base/exit_code.h, the pages of the scene
+knows, the exit codes in README.md are those of base/messages/exit_code.h, the pages of the scene
 file name every key of its schema, have an example of every type of force and a test each, and no tracked
 text names a folder of one developer's machine or leaves work open.
 """
@@ -79,7 +79,7 @@ def command_faults(document, clevis):
 
 def exit_code_faults():
     enum = re.search(r"enum class ExitCode {(.*?)}",
-                     (ROOT / "src/base/exit_code.h").read_text(), re.S)
+                     (ROOT / "src/base/messages/exit_code.h").read_text(), re.S)
     used = {int(code) for code in re.findall(r"= (\d+)", enum[1])} | {130}
     table = re.search(r"^## Exit codes\n(.*?)(?=^## |\Z)",
                       (ROOT / "README.md").read_text(), re.M | re.S)

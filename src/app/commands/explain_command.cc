@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "base/diagnostics.h"
-#include "base/errors.h"
+#include "base/messages/diagnostics.h"
+#include "base/messages/errors.h"
 
 namespace clevis::app {
 namespace {

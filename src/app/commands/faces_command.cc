@@ -17,7 +17,7 @@
 #include "app/solids/face_picture.h"
 #include "app/solids/solid_mesh.h"
 #include "app/solids/solid_mesher.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "cad/face_groups.h"
 #include "cad/select_faces.h"
 #include "report/text/json_text.h"

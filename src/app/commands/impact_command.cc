@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <unistd.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "beam/estimates/ejector.h"
 #include "report/machine/ejector_output.h"
 #include "scene/scene.h"

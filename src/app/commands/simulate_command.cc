@@ -13,7 +13,7 @@
 #include "app/scenes/load_scene.h"
 #include "app/scenes/mesh_parts.h"
 #include "app/scenes/view_inputs.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "machine/bearings/bearing_life.h"
 #include "mechanism/simulate.h"
 #include "mechanism/structure/structure.h"

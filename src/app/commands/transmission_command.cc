@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <unistd.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "machine/transmissions/transmission.h"
 #include "report/machine/transmission_output.h"
 #include "scene/scene.h"

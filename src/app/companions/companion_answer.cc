@@ -11,8 +11,8 @@
 
 #include "app/companions/sandbox.h"
 #include "app/processes/child_process.h"
-#include "base/companion.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
+#include "base/system/companion.h"
 
 namespace clevis::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "app/companions/companion_answer.h"
 #include "app/processes/temporary_folder.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "multibody/exchange.h"
 #include "multibody/source_file.h"
 

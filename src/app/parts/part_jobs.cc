@@ -10,7 +10,7 @@
 #include "app/parts/held_part.h"
 #include "app/parts/impact_jobs.h"
 #include "app/parts/open_sharing.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "loads/parts/series_loads.h"
 #include "loads/seats/seat_spans.h"
 

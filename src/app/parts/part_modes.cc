@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "assessment/models/model_list.h"
-#include "base/stopwatch.h"
+#include "base/values/stopwatch.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "elasticity/vibration/eigenmodes.h"
 #include "report/text/atomic_file.h"

@@ -10,7 +10,7 @@
 #include "app/parts/part_jobs.h"
 #include "app/request/error_text.h"
 #include "assessment/impact/impact_check.h"
-#include "base/system_failure.h"
+#include "base/system/system_failure.h"
 #include "loads/parts/part_loads.h"
 #include "mechanism/simulate.h"
 #include "report/text/progress.h"

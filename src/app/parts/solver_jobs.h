@@ -9,7 +9,7 @@
 #include "app/request/options.h"
 #include "app/scenes/load_scene.h"
 #include "assessment/job/part_job.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "calculix/model.h"
 
 namespace clevis::app {

@@ -13,8 +13,8 @@
 #include "app/variants/finished_check.h"
 #include "app/watch/watched_check.h"
 #include "assessment/job/model_traits.h"
-#include "base/errors.h"
-#include "base/mpi_run.h"
+#include "base/messages/errors.h"
+#include "base/system/mpi_run.h"
 
 namespace clevis::app {
 namespace {

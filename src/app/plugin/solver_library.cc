@@ -11,10 +11,10 @@
 #include "app/request/options.h"
 #include "app/scenes/mesh_parts.h"
 #include "app/solving/plugin_entries.h"
-#include "base/companion.h"
-#include "base/errors.h"
-#include "base/instruction_set.h"
-#include "base/system_failure.h"
+#include "base/messages/errors.h"
+#include "base/system/companion.h"
+#include "base/system/instruction_set.h"
+#include "base/system/system_failure.h"
 
 namespace clevis::app {
 namespace {

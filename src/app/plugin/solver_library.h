@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "app/request/options.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "scene/scene.h"
 
 namespace clevis::app {

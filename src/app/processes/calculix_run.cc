@@ -10,7 +10,7 @@
 #include "app/processes/child_process.h"
 #include "app/processes/displacement_match.h"
 #include "app/processes/temporary_folder.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "calculix/deck.h"
 #include "calculix/frd.h"
 #include "mesh/derived/split_cells.h"

@@ -13,10 +13,10 @@
 #include <unistd.h>
 
 #include "app/processes/lone_program.h"
-#include "base/allowed_program.h"
-#include "base/errors.h"
-#include "base/interrupts.h"
-#include "base/stopwatch.h"
+#include "base/messages/errors.h"
+#include "base/system/allowed_program.h"
+#include "base/system/interrupts.h"
+#include "base/values/stopwatch.h"
 
 namespace clevis::app {
 namespace {

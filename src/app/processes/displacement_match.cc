@@ -8,7 +8,7 @@
 #include <Eigen/Cholesky>
 
 #include "assessment/job/model_traits.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/solid/solid_solve.h"
 #include "mesh/cells/topology.h"

@@ -11,7 +11,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::app {
 namespace {

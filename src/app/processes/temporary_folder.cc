@@ -7,7 +7,7 @@
 
 #include <stdlib.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::app {
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "base/interrupts.h"
+#include "base/system/interrupts.h"
 
 namespace clevis::app {
 

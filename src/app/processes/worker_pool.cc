@@ -15,9 +15,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/errors.h"
-#include "base/interrupts.h"
-#include "base/system_failure.h"
+#include "base/messages/errors.h"
+#include "base/system/interrupts.h"
+#include "base/system/system_failure.h"
 
 namespace clevis::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::app {
 

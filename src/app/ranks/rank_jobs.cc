@@ -5,8 +5,8 @@
 #include <malloc.h>
 
 #include "app/request/error_output.h"
-#include "base/mpi_run.h"
-#include "base/system_failure.h"
+#include "base/system/mpi_run.h"
+#include "base/system/system_failure.h"
 #include "elasticity/dealii/dealii_service.h"
 
 namespace clevis::app {

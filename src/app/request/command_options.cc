@@ -8,8 +8,8 @@
 #include <fmt/ranges.h>
 
 #include "assessment/job/model_traits.h"
-#include "base/errors.h"
-#include "base/quantity.h"
+#include "base/messages/errors.h"
+#include "base/values/quantity.h"
 #include "elasticity/problem/engine.h"
 #include "scene/variants/setting.h"
 

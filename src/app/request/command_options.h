@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/request/options.h"
-#include "base/exit_code.h"
+#include "base/messages/exit_code.h"
 
 namespace CLI {
 class App;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::app {
 

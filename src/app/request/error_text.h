@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::app {
 

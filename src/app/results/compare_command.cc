@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <unistd.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "report/compare/comparison.h"
 #include "report/compare/comparison_output.h"
 #include "report/compare/result_reader.h"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "report/page/result_folder.h"
 #include "report/picture/mechanism_picture.h"
 #include "report/picture/part_picture.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/request/command_options.h"
-#include "base/exit_code.h"
+#include "base/messages/exit_code.h"
 
 namespace clevis::app {
 

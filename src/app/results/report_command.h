@@ -2,7 +2,7 @@
 
 #include "app/request/command_options.h"
 #include "app/request/options.h"
-#include "base/exit_code.h"
+#include "base/messages/exit_code.h"
 
 namespace clevis::app {
 

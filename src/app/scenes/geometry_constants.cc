@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/scenes/geometry_files.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "scene/text/suggestion.h"
 
 namespace clevis::app {

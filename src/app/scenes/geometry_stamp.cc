@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "app/scenes/geometry_files.h"
-#include "base/errors.h"
-#include "base/fingerprint.h"
+#include "base/bytes/fingerprint.h"
+#include "base/messages/errors.h"
 #include "cad/source_text.h"
 
 namespace clevis::app {

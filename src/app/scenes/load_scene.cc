@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/scenes/geometry_stamp.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mesh/derived/split_cells.h"
 #include "mesh/quality/mass_properties.h"
 #include "mesh/reading/mesh_reader.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "report/solid_picture/face_picture.h"
 #include "report/text/atomic_file.h"
 

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
-#include "base/stopwatch.h"
+#include "base/messages/errors.h"
+#include "base/values/stopwatch.h"
 
 namespace clevis::app {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "app/solids/solid_mesher.h"
 #include "app/solids/validated_mesh.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "cad/face_groups.h"
 #include "cad/plate.h"
 #include "cad/select_faces.h"

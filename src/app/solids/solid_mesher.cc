@@ -7,7 +7,7 @@
 
 #include "app/companions/companion_answer.h"
 #include "app/processes/temporary_folder.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "cad/source_file.h"
 
 namespace clevis::app {

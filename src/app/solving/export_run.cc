@@ -13,7 +13,7 @@
 #include "app/processes/folder_lock.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
-#include "base/interrupts.h"
+#include "base/system/interrupts.h"
 #include "calculix/deck.h"
 #include "mesh/derived/split_cells.h"
 #include "report/text/atomic_file.h"

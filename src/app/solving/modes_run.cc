@@ -14,7 +14,7 @@
 #include "app/processes/folder_lock.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
-#include "base/interrupts.h"
+#include "base/system/interrupts.h"
 #include "report/text/atomic_file.h"
 #include "report/text/json_text.h"
 #include "report/text/text_table.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/request/options.h"
-#include "base/exit_code.h"
+#include "base/messages/exit_code.h"
 #include "scene/scene.h"
 
 namespace clevis::app {

@@ -11,8 +11,8 @@
 #include "app/solving/export_run.h"
 #include "app/solving/modes_run.h"
 #include "app/solving/study_run.h"
-#include "base/interrupts.h"
-#include "base/system_failure.h"
+#include "base/system/interrupts.h"
+#include "base/system/system_failure.h"
 #include "elasticity/algebra/dense_product.h"
 
 namespace {

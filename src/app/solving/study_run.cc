@@ -13,7 +13,7 @@
 #include "app/processes/calculix_run.h"
 #include "app/processes/folder_lock.h"
 #include "app/request/output_folder.h"
-#include "base/interrupts.h"
+#include "base/system/interrupts.h"
 #include "elasticity/problem/dof_limit.h"
 #include "report/text/atomic_file.h"
 #include "report/text/json_text.h"

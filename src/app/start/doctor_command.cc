@@ -17,7 +17,7 @@
 #include "app/processes/child_process.h"
 #include "app/processes/temporary_folder.h"
 #include "app/solids/solid_mesher.h"
-#include "base/companion.h"
+#include "base/system/companion.h"
 
 namespace clevis::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::app {
 

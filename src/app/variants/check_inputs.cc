@@ -3,7 +3,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "base/fingerprint.h"
+#include "base/bytes/fingerprint.h"
 
 namespace clevis::app {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/request/error_text.h"
 #include "app/request/output_folder.h"
 #include "app/variants/check_inputs.h"
-#include "base/mpi_run.h"
+#include "base/system/mpi_run.h"
 #include "report/text/atomic_file.h"
 
 namespace clevis::app {

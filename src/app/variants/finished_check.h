@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/request/options.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::app {
 

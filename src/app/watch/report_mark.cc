@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 
 #include "app/request/output_folder.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "report/page/report_page.h"
 #include "report/page/watch_mark.h"
 

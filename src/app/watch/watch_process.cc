@@ -12,8 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/errors.h"
-#include "base/interrupts.h"
+#include "base/messages/errors.h"
+#include "base/system/interrupts.h"
 
 namespace clevis::app {
 namespace {

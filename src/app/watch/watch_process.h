@@ -8,7 +8,7 @@
 
 #include <sys/types.h>
 
-#include "base/exit_code.h"
+#include "base/messages/exit_code.h"
 
 namespace clevis::app {
 

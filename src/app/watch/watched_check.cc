@@ -14,8 +14,8 @@
 #include "app/watch/report_mark.h"
 #include "app/watch/watch_process.h"
 #include "app/watch/watched_files.h"
-#include "base/errors.h"
-#include "base/system_failure.h"
+#include "base/messages/errors.h"
+#include "base/system/system_failure.h"
 #include "report/text/atomic_file.h"
 #include "report/text/terminal.h"
 

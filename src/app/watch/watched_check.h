@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "app/request/options.h"
-#include "base/exit_code.h"
+#include "base/messages/exit_code.h"
 
 namespace clevis::app {
 

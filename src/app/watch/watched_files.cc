@@ -7,7 +7,7 @@
 
 #include "app/scenes/geometry_files.h"
 #include "app/scenes/geometry_stamp.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "scene/scene.h"
 
 namespace clevis::app {

@@ -20,7 +20,7 @@
 #include "assessment/judge/model_band.h"
 #include "assessment/judge/verdict.h"
 #include "assessment/models/model_list.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/vibration/eigenmodes.h"
 #include "loads/parts/case_loads.h"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/stopwatch.h"
+#include "base/values/stopwatch.h"
 
 namespace clevis::assessment {
 namespace {

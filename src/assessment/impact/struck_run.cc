@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
-#include "base/stopwatch.h"
+#include "base/messages/errors.h"
+#include "base/values/stopwatch.h"
 #include "elasticity/solid/solid_solve.h"
 #include "loads/parts/case_loads.h"
 #include "stress/field/stress_history.h"

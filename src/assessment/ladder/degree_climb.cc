@@ -13,8 +13,8 @@
 #include "assessment/ladder/probe_band.h"
 #include "assessment/places/local_error.h"
 #include "assessment/places/meeting_places.h"
-#include "base/errors.h"
-#include "base/stopwatch.h"
+#include "base/messages/errors.h"
+#include "base/values/stopwatch.h"
 #include "stress/peaks/peak_zoom.h"
 #include "stress/surface/surface_deviation.h"
 

@@ -10,7 +10,7 @@
 
 #include "assessment/judge/finite_motion.h"
 #include "assessment/ladder/probe_band.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "stress/field/deflection.h"
 #include "stress/field/finite_motion.h"
 #include "stress/peaks/energy_error.h"

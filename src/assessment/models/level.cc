@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
-#include "base/stopwatch.h"
+#include "base/messages/errors.h"
+#include "base/values/stopwatch.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "stress/field/deflection.h"
 #include "stress/peaks/peak_zoom.h"

@@ -9,7 +9,7 @@
 #include "assessment/models/plate_models.h"
 #include "assessment/models/revolution_model.h"
 #include "assessment/models/solid_model.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::assessment {
 namespace {

@@ -1,6 +1,6 @@
 #include "assessment/places/local_error.h"
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/nodal_loads/load_vectors.h"
 #include "elasticity/solid/neighbourhood.h"

@@ -6,7 +6,7 @@
 #include "assessment/places/closer_look.h"
 #include "assessment/places/meeting_places.h"
 #include "assessment/places/place_band.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mesh/derived/sub_mesh.h"
 
 namespace clevis::assessment {

@@ -9,8 +9,8 @@
 
 #include "assessment/models/part_shape.h"
 #include "assessment/stability/sharing_check.h"
-#include "base/errors.h"
-#include "base/stopwatch.h"
+#include "base/messages/errors.h"
+#include "base/values/stopwatch.h"
 #include "elasticity/buckling/buckling.h"
 #include "elasticity/plate/plate_layer.h"
 #include "part/buckling_limit.h"

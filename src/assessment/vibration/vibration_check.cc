@@ -11,8 +11,8 @@
 #include "assessment/models/level.h"
 #include "assessment/models/model_list.h"
 #include "assessment/vibration/vibrating_model.h"
-#include "base/errors.h"
-#include "base/stopwatch.h"
+#include "base/messages/errors.h"
+#include "base/values/stopwatch.h"
 #include "stress/field/deflection.h"
 
 namespace clevis::assessment {

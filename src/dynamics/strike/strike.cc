@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "dynamics/strike/strike_steps.h"
 #include "dynamics/struck_body/damped_body.h"
 #include "dynamics/struck_body/damped_scheme.h"

@@ -6,7 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::dynamics {
 

@@ -1,6 +1,6 @@
 #include <petscmat.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/algebra/sparse_cholesky.h"
 #include "elasticity/engine_library/cholesky_entry.h"
 #include "elasticity/engine_library/engine_library.h"

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/engine_library/cholesky_entry.h"
 #include "elasticity/engine_library/engine_library.h"
 

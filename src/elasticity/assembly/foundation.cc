@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/fe_space/group_trace.h"
 

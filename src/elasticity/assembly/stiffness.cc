@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/algebra/symmetric_product.h"
 #include "elasticity/assembly/gradient_products.h"
 #include "elasticity/assembly/node_pairs.h"

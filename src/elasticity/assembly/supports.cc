@@ -8,7 +8,7 @@
 #include <Eigen/SVD>
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "part/supports.h"
 
 namespace clevis::elasticity {

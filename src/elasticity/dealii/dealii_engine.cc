@@ -6,7 +6,7 @@
 
 #include <deal.II/base/multithread_info.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/dealii/dealii_service.h"
 #include "elasticity/dealii/shared_solver.h"
 #include "elasticity/engine_library/engine_library.h"

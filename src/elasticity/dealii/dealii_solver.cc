@@ -1,6 +1,6 @@
 #include "elasticity/dealii/dealii_solver.h"
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/engine_library/engine_library.h"
 
 namespace clevis::elasticity {
@@ -32,9 +32,11 @@ DealiiSolver<dim>::DealiiSolver(const Discretization<dim>& discretization,
                                 const part::Material& material,
                                 const FoundationStiffness<dim>& bed,
                                 const std::vector<int>& held,
-                                const std::string& place, bool is_shared)
+                                const std::string& place, bool is_shared,
+                                double most_factored)
     : data_(new Data{engine_function<DealiiEntry<dim>>(kDealiiEntry<dim>)(
-          {discretization, material, bed, held, place, is_shared})}) {}
+          {discretization, material, bed, held, place, is_shared,
+           most_factored})}) {}
 
 template <int dim>
 DealiiSolver<dim>::~DealiiSolver() = default;

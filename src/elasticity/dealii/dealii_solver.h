@@ -26,13 +26,15 @@ class DealiiSolver {
   /// @param bed   in the numbering of the discretisation.
   /// @param held  degrees of freedom of the discretisation that are zero.
   /// @param is_shared  with the other ranks of this MPI run.
+  /// @param most_factored  equations of the coarsest level that are factored;
+  ///   more are left to algebraic multigrid.
   /// @pre suits_dealii().
   /// @throws Error F002 from the coarsest level.
   DealiiSolver(const Discretization<dim>& discretization,
                const part::Material& material,
                const FoundationStiffness<dim>& bed,
                const std::vector<int>& held, const std::string& place,
-               bool is_shared = false);
+               bool is_shared = false, double most_factored = kMostFactored);
   ~DealiiSolver();
   DealiiSolver(const DealiiSolver&) = delete;
   DealiiSolver& operator=(const DealiiSolver&) = delete;

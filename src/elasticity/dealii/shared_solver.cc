@@ -12,8 +12,8 @@ using Eigen::MatrixXd;
 template <int dim>
 SharedSolver<dim>::SharedSolver(const DealiiTask<dim>* task, MPI_Comm ranks)
     : ranks_(ranks),
-      part_(broadcast(task != nullptr ? engine_part(*task) : EnginePart{},
-                      ranks)),
+      part_(dealii::Utilities::MPI::broadcast(
+          ranks, task != nullptr ? engine_part(*task) : EnginePart{})),
       share_(task, part_, ranks),
       space_(share_, part_.degree),
       multigrid_(part_, space_) {
@@ -32,8 +32,7 @@ void SharedSolver<dim>::take_rows(const DealiiTask<dim>* task) {
     starts_.push_back(static_cast<int>(rows_.size()));
     rows_.insert(rows_.end(), rows.begin(), rows.end());
   }
-  is_held_.resize(static_cast<std::size_t>(task->discretization.dofs()));
-  for (const int dof : task->held) is_held_[static_cast<std::size_t>(dof)] = 1;
+  is_held_ = held_marks(*task);
 }
 
 /// @param column  on the first rank.

@@ -10,7 +10,7 @@
 #include <deal.II/lac/sparsity_tools.h>
 #include <petscksp.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/engine_library/petsc_session.h"
 
 namespace clevis::elasticity {
@@ -47,8 +47,10 @@ struct CoarseSolver<dim>::Petsc {
   void assemble(const DegreeSpace<dim>& space,
                 const StiffnessOperator<dim, double>& stiffness);
   void set_rigid_modes(const DegreeSpace<dim>& space);
+  void factor(PC preconditioner, int ranks);
+  void coarsen(PC preconditioner);
   void set_up(MPI_Comm ranks, CoarseMethod method);
-  PCFailedReason reason_of_failure(PC preconditioner, MPI_Comm ranks) const;
+  bool has_failed(PC preconditioner, MPI_Comm ranks) const;
 };
 
 template <int dim>
@@ -98,6 +100,46 @@ void CoarseSolver<dim>::Petsc::set_rigid_modes(const DegreeSpace<dim>& space) {
   require(VecDestroy(&coordinates), "VecDestroy");
 }
 
+/// On one rank: a solve by all would be hundreds of messages.
+template <int dim>
+void CoarseSolver<dim>::Petsc::factor(PC preconditioner, int ranks) {
+  require(KSPSetType(solver, KSPPREONLY), "KSPSetType");
+  if (ranks == 1) {
+    require(PCSetType(preconditioner, PCCHOLESKY), "PCSetType");
+    require(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS),
+            "PCFactorSetMatSolverType");
+    return;
+  }
+  require(PCSetType(preconditioner, PCTELESCOPE), "PCSetType");
+  require(PCTelescopeSetReductionFactor(preconditioner, ranks),
+          "PCTelescopeSetReductionFactor");
+  require(KSPSetOptionsPrefix(solver, kFactorPrefix), "KSPSetOptionsPrefix");
+  for (const auto& [option, value] : kFactorOptions) {
+    require(PetscOptionsSetValue(nullptr, option, value),
+            "PetscOptionsSetValue");
+  }
+  require(KSPSetFromOptions(solver), "KSPSetFromOptions");
+}
+
+template <int dim>
+void CoarseSolver<dim>::Petsc::coarsen(PC preconditioner) {
+  constexpr double kReduction = 1e-6;
+  constexpr int kMostIterations = 50;
+  require(KSPSetType(solver, KSPCG), "KSPSetType");
+  require(KSPSetNormType(solver, KSP_NORM_UNPRECONDITIONED), "KSPSetNormType");
+  require(KSPSetTolerances(solver, kReduction, PETSC_DEFAULT, PETSC_DEFAULT,
+                           kMostIterations),
+          "KSPSetTolerances");
+  require(PCSetType(preconditioner, PCGAMG), "PCSetType");
+  // Its default squares the graph first; slender parts do not converge so.
+  require(PCGAMGSetAggressiveLevels(preconditioner, 0),
+          "PCGAMGSetAggressiveLevels");
+  require(KSPSetOptionsPrefix(solver, kPrefix), "KSPSetOptionsPrefix");
+  require(PetscOptionsSetValue(nullptr, kSmoother, "sor"),
+          "PetscOptionsSetValue");
+  require(KSPSetFromOptions(solver), "KSPSetFromOptions");
+}
+
 template <int dim>
 void CoarseSolver<dim>::Petsc::set_up(MPI_Comm ranks, CoarseMethod method) {
   Mat stiffness = matrix;
@@ -110,65 +152,39 @@ void CoarseSolver<dim>::Petsc::set_up(MPI_Comm ranks, CoarseMethod method) {
   if (method == CoarseMethod::kFactor) {
     int count = 1;
     MPI_Comm_size(ranks, &count);
-    // On one rank: a solve by all would be hundreds of messages.
-    require(KSPSetType(solver, KSPPREONLY), "KSPSetType");
-    require(PCSetType(preconditioner, PCTELESCOPE), "PCSetType");
-    require(PCTelescopeSetReductionFactor(preconditioner, count),
-            "PCTelescopeSetReductionFactor");
-    require(KSPSetOptionsPrefix(solver, kFactorPrefix), "KSPSetOptionsPrefix");
-    for (const auto& [name_of, value] : kFactorOptions) {
-      require(PetscOptionsSetValue(nullptr, name_of, value),
-              "PetscOptionsSetValue");
-    }
-    require(KSPSetFromOptions(solver), "KSPSetFromOptions");
+    factor(preconditioner, count);
   } else {
-    constexpr double kReduction = 1e-6;
-    constexpr int kMostIterations = 50;
-    require(KSPSetType(solver, KSPCG), "KSPSetType");
-    require(KSPSetNormType(solver, KSP_NORM_UNPRECONDITIONED),
-            "KSPSetNormType");
-    require(KSPSetTolerances(solver, kReduction, PETSC_DEFAULT, PETSC_DEFAULT,
-                             kMostIterations),
-            "KSPSetTolerances");
-    require(PCSetType(preconditioner, PCGAMG), "PCSetType");
-    // Its default squares the graph first; slender parts do not converge so.
-    require(PCGAMGSetAggressiveLevels(preconditioner, 0),
-            "PCGAMGSetAggressiveLevels");
-    require(KSPSetOptionsPrefix(solver, kPrefix), "KSPSetOptionsPrefix");
-    require(PetscOptionsSetValue(nullptr, kSmoother, "sor"),
-            "PetscOptionsSetValue");
-    require(KSPSetFromOptions(solver), "KSPSetFromOptions");
+    coarsen(preconditioner);
   }
   require(KSPSetUp(solver), "KSPSetUp");
-  const PCFailedReason failure = reason_of_failure(preconditioner, ranks);
-  if (failure != PC_NOERROR) {
+  if (has_failed(preconditioner, ranks)) {
     throw Error("F002", name, "the stiffness matrix is not positive definite",
                 "Check the mesh quality and the material.");
   }
 }
 
-/// The same on all ranks: what factors may stand on one.
+/// The same on all ranks, though one alone may factor.
 template <int dim>
-PCFailedReason CoarseSolver<dim>::Petsc::reason_of_failure(
-    PC preconditioner, MPI_Comm ranks) const {
-  KSP inner = nullptr;
+bool CoarseSolver<dim>::Petsc::has_failed(PC preconditioner,
+                                          MPI_Comm ranks) const {
   PetscBool is_telescope = PETSC_FALSE;
   require(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(preconditioner),
                                  PCTELESCOPE, &is_telescope),
           "PetscObjectTypeCompare");
+  PC own = preconditioner;
   if (is_telescope == PETSC_TRUE) {
+    KSP inner = nullptr;
+    own = nullptr;
     require(PCTelescopeGetKSP(preconditioner, &inner), "PCTelescopeGetKSP");
+    if (inner != nullptr) require(KSPGetPC(inner, &own), "KSPGetPC");
   }
-  PCFailedReason failure = PC_NOERROR;
-  if (is_telescope == PETSC_FALSE || inner != nullptr) {
-    if (inner != nullptr) {
-      require(KSPGetPC(inner, &preconditioner), "KSPGetPC");
-    }
-    require(PCGetFailedReason(preconditioner, &failure), "PCGetFailedReason");
+  PCFailedReason reason = PC_NOERROR;
+  if (own != nullptr) {
+    require(PCGetFailedReason(own, &reason), "PCGetFailedReason");
   }
-  int worst = failure == PC_NOERROR ? 0 : 1;
-  MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, ranks);
-  return worst == 0 ? PC_NOERROR : PC_FACTOR_OTHER;
+  int failed = reason == PC_NOERROR ? 0 : 1;
+  MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, ranks);
+  return failed != 0;
 }
 
 template <int dim>

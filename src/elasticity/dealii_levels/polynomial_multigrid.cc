@@ -106,7 +106,7 @@ PolynomialMultigrid<dim>::PolynomialMultigrid(const EnginePart& part,
     StiffnessOperator<dim, double> coarse;
     coarse.reinit(*spaces[0], spaces[0]->degree() + 1, part.stiffness,
                   part.beds);
-    const bool is_small = coarse.m() <= kMostFactored;
+    const bool is_small = static_cast<double>(coarse.m()) <= part.most_factored;
     l.solver = std::make_unique<CoarseSolver<dim>>(
         *spaces[0], coarse,
         is_small ? CoarseMethod::kFactor : CoarseMethod::kMultigrid,

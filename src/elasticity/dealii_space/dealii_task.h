@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "elasticity/assembly/foundation.h"
+#include "elasticity/dealii_space/level_degrees.h"
 #include "elasticity/fe_space/discretization.h"
 #include "part/material.h"
 
@@ -18,7 +19,16 @@ struct DealiiTask {
   const std::vector<int>& held;
   const std::string& place;
   bool is_shared;
+  double most_factored = kMostFactored;  ///< equations of the coarsest level
 };
+
+/// One for each held degree of freedom of the discretisation, else zero.
+template <int dim>
+std::vector<char> held_marks(const DealiiTask<dim>& task) {
+  std::vector<char> marks(static_cast<std::size_t>(task.discretization.dofs()));
+  for (const int dof : task.held) marks[static_cast<std::size_t>(dof)] = 1;
+  return marks;
+}
 
 /// Effort of a solve, largest over the columns.
 struct DealiiReport {

@@ -6,7 +6,7 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::elasticity {
 namespace {

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
-
-#include <deal.II/base/mpi.h>
 
 #include "elasticity/assembly/stiffness.h"
 
@@ -41,11 +38,6 @@ std::vector<BedFace> bed_faces(const Discretization<dim>& discretization,
   return result;
 }
 
-template <class T>
-T from_first(const T& value, MPI_Comm ranks) {
-  return dealii::Utilities::MPI::broadcast(ranks, value);
-}
-
 }  // namespace
 
 template <int dim>
@@ -56,30 +48,11 @@ EnginePart engine_part(const DealiiTask<dim>& task) {
           .geometry_degree = discretization.geometry_degree,
           .gauss_points = points_a_direction(discretization),
           .nodes = discretization.nodes,
+          .most_factored = task.most_factored,
           .stiffness = {lame.lambda * discretization.thickness,
                         lame.mu * discretization.thickness},
           .beds = bed_faces(discretization, task.bed),
           .place = task.place};
-}
-
-EnginePart broadcast(const EnginePart& part, MPI_Comm ranks) {
-  EnginePart result;
-  std::tie(result.degree, result.geometry_degree, result.gauss_points,
-           result.nodes) = std::tuple{
-      from_first(part.degree, ranks), from_first(part.geometry_degree, ranks),
-      from_first(part.gauss_points, ranks), from_first(part.nodes, ranks)};
-  result.stiffness = {from_first(part.stiffness.lambda, ranks),
-                      from_first(part.stiffness.mu, ranks)};
-  result.place = from_first(part.place, ranks);
-  result.beds.resize(from_first(part.beds.size(), ranks));
-  for (std::size_t b = 0; b < result.beds.size(); ++b) {
-    BedFace mine;
-    if (b < part.beds.size()) mine = part.beds[b];
-    result.beds[b] = {from_first(mine.cell, ranks),
-                      from_first(mine.nodes, ranks),
-                      from_first(mine.matrix, ranks)};
-  }
-  return result;
 }
 
 template EnginePart engine_part<2>(const DealiiTask<2>&);

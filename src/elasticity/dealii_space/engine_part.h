@@ -13,6 +13,7 @@ namespace clevis::elasticity {
 /// Lamé's constants times the thickness of a plate.
 struct CellStiffness {
   double lambda{}, mu{};  ///< [Pa], for dim = 2 [N/m]
+  void serialize(auto& archive, unsigned) { archive& lambda& mu; }
 };
 
 /// Stiffness of a bed under one face, at the discretisation's nodes.
@@ -20,24 +21,26 @@ struct BedFace {
   std::size_t cell{};                 ///< of the discretisation
   std::vector<int> nodes;             ///< of the face, numbers within the cell
   dealii::FullMatrix<double> matrix;  ///< dim nodes × dim nodes [N/m]
+  void serialize(auto& archive, unsigned) { archive& cell& nodes& matrix; }
 };
 
 /// What every rank knows of a part that the engine solves: all but its cells.
 struct EnginePart {
   int degree{};
   int geometry_degree{};
-  int gauss_points{};  ///< of the stiffness, a direction
-  int nodes{};         ///< of the discretisation
+  int gauss_points{};      ///< of the stiffness, a direction
+  int nodes{};             ///< of the discretisation
+  double most_factored{};  ///< equations of the coarsest level
   CellStiffness stiffness;
   std::vector<BedFace> beds;
   std::string place;  ///< for messages ("part DCE")
+  void serialize(auto& archive, unsigned) {
+    archive& degree& geometry_degree& gauss_points& nodes& most_factored;
+    archive& stiffness& beds& place;
+  }
 };
 
 template <int dim>
 EnginePart engine_part(const DealiiTask<dim>& task);
-
-/// That of the first rank, on all.
-/// @param part  of the first rank; elsewhere whatever.
-EnginePart broadcast(const EnginePart& part, MPI_Comm ranks);
 
 }  // namespace clevis::elasticity

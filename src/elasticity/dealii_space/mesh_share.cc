@@ -126,9 +126,7 @@ PackedCells deal_cells(const DealiiTask<dim>* task, const EnginePart& part,
     receive(packed.is_held, 0, ranks);
     return packed;
   }
-  std::vector<char> is_held(
-      static_cast<std::size_t>(task->discretization.dofs()));
-  for (const int dof : task->held) is_held[static_cast<std::size_t>(dof)] = 1;
+  const std::vector<char> is_held = held_marks(*task);
   for (std::size_t r = 1; r < all.size(); ++r) {
     const PackedCells packed = pack(*task, is_held, all[r]);
     send(packed.points, static_cast<int>(r), ranks);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/direct/elimination.h"
 
 namespace clevis::elasticity {

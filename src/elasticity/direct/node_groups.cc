@@ -6,7 +6,7 @@
 
 #include <metis.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::elasticity {
 

@@ -2,10 +2,10 @@
 
 #include <dlfcn.h>
 
-#include "base/companion.h"
-#include "base/errors.h"
-#include "base/instruction_set.h"
-#include "base/system_failure.h"
+#include "base/messages/errors.h"
+#include "base/system/companion.h"
+#include "base/system/instruction_set.h"
+#include "base/system/system_failure.h"
 
 namespace clevis::elasticity {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <petscsys.h>
 
-#include "base/mpi_run.h"
+#include "base/system/mpi_run.h"
 #include "elasticity/engine_library/engine_library.h"
 #include "elasticity/engine_library/petsc_session.h"
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
-#include "base/mpi_run.h"
+#include "base/messages/errors.h"
+#include "base/system/mpi_run.h"
 
 namespace clevis::elasticity {
 

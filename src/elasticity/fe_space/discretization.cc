@@ -8,7 +8,7 @@
 
 #include <Eigen/LU>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/fe_space/simplex_numbering.h"
 #include "elasticity/fe_space/tensor_numbering.h"

@@ -8,8 +8,8 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
-#include "base/errors.h"
-#include "base/instruction_set.h"
+#include "base/messages/errors.h"
+#include "base/system/instruction_set.h"
 #include "mesh/basis/tensor_basis.h"
 
 namespace clevis::elasticity {

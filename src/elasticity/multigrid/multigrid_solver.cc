@@ -4,7 +4,7 @@
 #include <array>
 #include <cassert>
 
-#include "base/stopwatch.h"
+#include "base/values/stopwatch.h"
 #include "elasticity/multigrid/block_cg.h"
 
 namespace clevis::elasticity {

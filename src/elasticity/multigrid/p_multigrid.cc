@@ -7,7 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "base/stopwatch.h"
+#include "base/values/stopwatch.h"
 #include "elasticity/algebra/sparse_cholesky.h"
 #include "elasticity/assembly/equations.h"
 #include "mesh/basis/tensor_basis.h"

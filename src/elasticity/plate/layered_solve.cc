@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/stopwatch.h"
+#include "base/values/stopwatch.h"
 #include "elasticity/algebra/symmetric_product.h"
 #include "elasticity/assembly/equations.h"
 #include "elasticity/assembly/supports.h"

@@ -3,8 +3,8 @@
 #include <memory>
 #include <optional>
 
-#include "base/errors.h"
-#include "base/stopwatch.h"
+#include "base/messages/errors.h"
+#include "base/values/stopwatch.h"
 #include "elasticity/direct/memory_forecast.h"
 #include "elasticity/problem/single_precision.h"
 

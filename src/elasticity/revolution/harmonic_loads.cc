@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/fe_space/group_trace.h"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/assembly/node_pairs.h"
 #include "elasticity/assembly/supports.h"

@@ -10,7 +10,7 @@
 
 #include <Eigen/QR>
 
-#include "base/stopwatch.h"
+#include "base/values/stopwatch.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/assembly/equations.h"
 #include "elasticity/assembly/supports.h"

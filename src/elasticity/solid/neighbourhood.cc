@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "base/processor_share.h"
+#include "base/system/processor_share.h"
 #include "elasticity/assembly/equations.h"
 #include "elasticity/assembly/foundation.h"
 #include "elasticity/assembly/stiffness.h"

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "base/processor_share.h"
-#include "base/stopwatch.h"
+#include "base/system/processor_share.h"
+#include "base/values/stopwatch.h"
 #include "elasticity/assembly/foundation.h"
 #include "elasticity/assembly/stiffness.h"
 #include "elasticity/assembly/supports.h"

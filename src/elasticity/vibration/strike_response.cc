@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
-#include "base/stopwatch.h"
+#include "base/messages/errors.h"
+#include "base/values/stopwatch.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/nodal_loads/load_basis.h"
 #include "elasticity/problem/elastic_problem.h"

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/assembly/mass_matrix.h"
 #include "elasticity/assembly/stiffness.h"
 #include "elasticity/assembly/supports.h"

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "loads/history/balance.h"
 
 namespace clevis::loads {

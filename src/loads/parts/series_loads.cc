@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "loads/history/balance.h"
 #include "loads/parts/surface_loads.h"
 

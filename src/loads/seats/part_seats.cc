@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "loads/history/balance.h"
 #include "loads/seats/seat_fit.h"
 #include "loads/seats/slide_zone.h"

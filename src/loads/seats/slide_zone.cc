@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "loads/history/balance.h"
 #include "mechanism/joints/joint_types.h"
 

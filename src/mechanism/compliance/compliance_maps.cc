@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "base/index.h"
+#include "base/values/index.h"
 
 namespace clevis::mechanism {
 namespace {

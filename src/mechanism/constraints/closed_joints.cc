@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/constraints/assembly.h"
 
 namespace clevis::mechanism {

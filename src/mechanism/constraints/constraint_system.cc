@@ -8,7 +8,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-#include "base/index.h"
+#include "base/values/index.h"
 
 namespace clevis::mechanism {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/constraints/assembly.h"
 #include "mechanism/definition/drive_names.h"
 #include "numerics/factors/jacobian_factor.h"

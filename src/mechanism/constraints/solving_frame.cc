@@ -8,7 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "mechanism/constraints/plane.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/joints/joint_types.h"

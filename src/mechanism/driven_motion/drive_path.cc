@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/drives/drive_law.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/drives/drive_law.h"
 

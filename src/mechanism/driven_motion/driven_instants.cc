@@ -5,7 +5,7 @@
 
 #include <Eigen/QR>
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/drives/drive_law.h"
 #include "mechanism/forces/element_modes.h"

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
-#include "base/index.h"
+#include "base/messages/errors.h"
+#include "base/values/index.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/drives/drive_law.h"
 

@@ -1,6 +1,6 @@
 #include "mechanism/driven_search/driven_guards.h"
 
-#include "base/index.h"
+#include "base/values/index.h"
 
 namespace clevis::mechanism {
 

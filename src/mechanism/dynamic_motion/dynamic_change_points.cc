@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/drives/drive_law.h"
 #include "mechanism/equations_of_motion/branch_motion.h"
 #include "mechanism/reactions/body_motion.h"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/dynamic_motion/dynamic_run.h"
 #include "mechanism/sampling/law_times.h"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "mechanism/force_elements/force_element.h"
 
 namespace clevis::mechanism {

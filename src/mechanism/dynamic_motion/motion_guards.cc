@@ -6,8 +6,8 @@
 #include <Eigen/SVD>
 #include <fmt/format.h>
 
-#include "base/errors.h"
-#include "base/index.h"
+#include "base/messages/errors.h"
+#include "base/values/index.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/drives/drive_law.h"
 #include "mechanism/dynamic_motion/fastest_rate.h"

@@ -1,6 +1,6 @@
 #include "mechanism/dynamic_state/drive_schedule.h"
 
-#include "base/index.h"
+#include "base/values/index.h"
 
 namespace clevis::mechanism {
 

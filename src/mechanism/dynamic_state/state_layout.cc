@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "base/index.h"
+#include "base/values/index.h"
 
 namespace clevis::mechanism {
 

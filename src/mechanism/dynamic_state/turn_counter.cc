@@ -1,6 +1,6 @@
 #include "mechanism/dynamic_state/turn_counter.h"
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "mechanism/joints/joint_types.h"
 
 namespace clevis::mechanism {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "mechanism/joints/joint_types.h"
 
 namespace clevis::mechanism {

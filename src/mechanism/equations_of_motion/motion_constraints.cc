@@ -5,7 +5,7 @@
 
 #include <Eigen/QR>
 
-#include "base/index.h"
+#include "base/values/index.h"
 
 namespace clevis::mechanism {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/index.h"
+#include "base/values/index.h"
 
 namespace clevis::mechanism {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/forces/element_modes.h"
 #include "numerics/curves/brent.h"
 #include "numerics/curves/dip.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "mechanism/forces/element_modes.h"
 
 namespace clevis::mechanism {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/drives/drive_law.h"
 #include "mechanism/forces/element_modes.h"
 #include "mechanism/forces/given_efforts.h"

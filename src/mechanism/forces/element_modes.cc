@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "mechanism/line_elements/friction.h"
 
 namespace clevis::mechanism {

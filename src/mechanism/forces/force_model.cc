@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "mechanism/drives/drive_law.h"
 
 namespace clevis::mechanism {

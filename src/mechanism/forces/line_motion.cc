@@ -1,6 +1,6 @@
 #include "mechanism/forces/line_motion.h"
 
-#include "base/index.h"
+#include "base/values/index.h"
 
 namespace clevis::mechanism {
 

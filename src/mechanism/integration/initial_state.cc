@@ -9,7 +9,7 @@
 #include <Eigen/SVD>
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/change_points/singular_start.h"
 #include "mechanism/constraints/assembly.h"
 #include "mechanism/constraints/closed_joints.h"

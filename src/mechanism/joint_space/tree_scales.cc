@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/index.h"
+#include "base/values/index.h"
 
 namespace clevis::mechanism {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "base/index.h"
+#include "base/values/index.h"
 
 namespace clevis::mechanism {
 

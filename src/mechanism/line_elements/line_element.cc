@@ -1,6 +1,6 @@
 #include "mechanism/line_elements/line_element.h"
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "mechanism/element_base/acting_element.h"
 
 namespace clevis::mechanism {

@@ -1,6 +1,6 @@
 #include "mechanism/line_elements/stop.h"
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "mechanism/element_base/line_force.h"
 #include "mechanism/element_base/pressing_end.h"
 

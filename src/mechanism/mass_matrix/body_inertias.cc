@@ -4,7 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "base/index.h"
+#include "base/values/index.h"
 
 namespace clevis::mechanism {
 namespace {

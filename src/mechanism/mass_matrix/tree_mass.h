@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "mechanism/constraints/solving_frame.h"
 
 namespace clevis::mechanism {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "mechanism/compliance/compliant_balance.h"
 
 namespace clevis::mechanism {

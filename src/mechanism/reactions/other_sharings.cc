@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "mechanism/constraints/constraint_system.h"
 #include "mechanism/constraints/solving_frame.h"
 #include "mechanism/force_elements/force_element.h"

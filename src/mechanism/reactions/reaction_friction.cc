@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/forces/given_efforts.h"
 
 namespace clevis::mechanism {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mesh/gmsh/gmsh_nodes.h"
 
 namespace clevis::mesh {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mesh/gmsh/gmsh_parser.h"
 
 namespace clevis::mesh {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mesh/basis/tensor_basis.h"
 #include "mesh/cells/topology.h"
 #include "mesh/reading/orient.h"

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mesh/gmsh/gmsh_file.h"
 #include "mesh/gmsh/gmsh_reader.h"
 #include "mesh/quality/mesh_validation.h"

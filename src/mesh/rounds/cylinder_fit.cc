@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::mesh {
 

@@ -7,7 +7,7 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mesh/basis/simplex_basis.h"
 #include "mesh/basis/tensor_basis.h"
 #include "mesh/cells/topology.h"

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mesh/cells/topology.h"
 
 namespace clevis::mesh {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "base/index.h"
+#include "base/values/index.h"
 #include "numerics/factors/jacobian_factor.h"
 
 namespace clevis::numerics {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "assessment/job/part_result.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "part/part_definition.h"
 #include "part/verdict.h"
 #include "report/check/check_inputs.h"

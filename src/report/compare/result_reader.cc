@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "report/check/check_quantities.h"
 #include "report/check/result_json.h"
 #include "report/compare/quantity_reader.h"

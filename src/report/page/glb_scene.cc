@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "report/page/glb_mesh.h"
 #include "report/stored/stored_numbers.h"
 

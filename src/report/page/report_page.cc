@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "base/base64.h"
-#include "base/compression.h"
+#include "base/bytes/base64.h"
+#include "base/bytes/compression.h"
 #include "report/page/page_assets.h"
 #include "report/page/watch_mark.h"
 #include "report/stored/packed_part.h"

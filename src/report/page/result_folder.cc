@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "report/check/result_json.h"
 #include "report/text/json_node.h"
 #include "report/text/json_text.h"

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "report/quantities/member_count.h"
 #include "report/text/json_text.h"
 

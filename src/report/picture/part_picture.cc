@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "report/picture/picture.h"
 #include "report/picture/stored_surface.h"
 #include "report/stored/stored_numbers.h"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/base64.h"
+#include "base/bytes/base64.h"
 #include "report/picture/raster.h"
 #include "report/picture/svg_parts.h"
 

@@ -2,7 +2,7 @@
 
 #include <png.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::report {
 

@@ -1,6 +1,6 @@
 #include "report/picture/stored_surface.h"
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "report/stored/stored_numbers.h"
 
 namespace clevis::report {

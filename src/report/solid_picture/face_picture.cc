@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/base64.h"
+#include "base/bytes/base64.h"
 #include "report/picture/png.h"
 #include "report/picture/svg_parts.h"
 #include "report/solid_picture/digits.h"

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/base64.h"
+#include "base/bytes/base64.h"
 #include "report/stored/stored_numbers.h"
 
 namespace clevis::report {

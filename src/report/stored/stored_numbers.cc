@@ -2,8 +2,8 @@
 
 #include <cstring>
 
-#include "base/base64.h"
-#include "base/errors.h"
+#include "base/bytes/base64.h"
+#include "base/messages/errors.h"
 
 namespace clevis::report {
 namespace {

@@ -26,6 +26,10 @@ std::string finite_field(double value) {
   return std::isfinite(value) ? fmt::format("{:.12g}", value) : "";
 }
 
+/// Force over the largest of all, below which a touch is not shown: rounding of
+/// one that grazes [1].
+constexpr double kNothing = 1e-9;
+
 /// Indices of those with the largest force, in the order of time.
 std::vector<std::size_t> hardest(const std::vector<NamedImpact>& impacts,
                                  std::size_t most) {
@@ -34,6 +38,11 @@ std::vector<std::size_t> hardest(const std::vector<NamedImpact>& impacts,
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
     return impacts[a].impact.peak_force > impacts[b].impact.peak_force;
   });
+  const auto is_nothing = [&](std::size_t i) {
+    return impacts[i].impact.peak_force <=
+           kNothing * impacts[order.front()].impact.peak_force;
+  };
+  while (is_nothing(order.back()) && order.size() > 1) order.pop_back();
   order.resize(std::min(most, order.size()));
   std::ranges::sort(order);
   return order;
@@ -79,7 +88,8 @@ std::string impacts_text(const std::vector<NamedImpact>& impacts,
                    {"after ms", Align::kRight},
                    {"impulse", Align::kRight},
                    {"leaves with", Align::kRight}});
-  for (const std::size_t i : hardest(impacts, kShown)) {
+  const std::vector<std::size_t> shown = hardest(impacts, kShown);
+  for (const std::size_t i : shown) {
     const NamedImpact& named = impacts[i];
     const Impact& impact = named.impact;
     const char* speed = named.angular ? "rad/s" : "m/s";
@@ -100,9 +110,9 @@ std::string impacts_text(const std::vector<NamedImpact>& impacts,
                           : "-"}});
   }
   std::string text = table.text(colour);
-  if (impacts.size() > kShown) {
+  if (impacts.size() > shown.size()) {
     text += fmt::format("  the {} hardest of {} impacts (all in impacts.csv)\n",
-                        kShown, impacts.size());
+                        shown.size(), impacts.size());
   }
   return text;
 }

@@ -14,8 +14,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "base/errors.h"
-#include "base/interrupts.h"
+#include "base/messages/errors.h"
+#include "base/system/interrupts.h"
 
 namespace clevis::report {
 namespace {

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::report {
 

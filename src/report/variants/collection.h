@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/exit_code.h"
+#include "base/messages/exit_code.h"
 #include "part/verdict.h"
 
 namespace clevis::report {

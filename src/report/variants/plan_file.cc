@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "report/text/json_node.h"
 #include "report/text/json_text.h"
 

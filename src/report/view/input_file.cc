@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::report {
 namespace {

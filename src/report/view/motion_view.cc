@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include "base/fingerprint.h"
+#include "base/bytes/fingerprint.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/force_elements/force_element.h"
 #include "mechanism/joints/joint_types.h"

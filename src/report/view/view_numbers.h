@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/base64.h"
+#include "base/bytes/base64.h"
 
 namespace clevis::report {
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
-#include "base/quantity.h"
+#include "base/messages/errors.h"
+#include "base/values/quantity.h"
 #include "scene/csv/csv_column.h"
 #include "scene/csv/csv_text.h"
 #include "scene/text/document.h"

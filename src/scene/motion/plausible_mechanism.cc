@@ -6,7 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::scene {
 namespace {

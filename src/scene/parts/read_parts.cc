@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/fingerprint.h"
+#include "base/bytes/fingerprint.h"
 #include "scene/cases/read_cases.h"
 #include "scene/cases/read_histories.h"
 #include "scene/parts/read_parameters.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/joints/joint_types.h"
 
 namespace clevis::scene {

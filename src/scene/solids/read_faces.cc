@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "scene/text/strict_table.h"
 
 namespace clevis::scene {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::scene {
 namespace {

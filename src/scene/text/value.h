@@ -10,8 +10,8 @@
 #include <Eigen/Core>
 #include <toml++/toml.h>
 
-#include "base/errors.h"
-#include "base/quantity.h"
+#include "base/messages/errors.h"
+#include "base/values/quantity.h"
 
 namespace clevis::scene {
 

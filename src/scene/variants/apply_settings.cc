@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "scene/text/keys.h"
 #include "scene/text/suggestion.h"
 #include "scene/variants/key_path.h"

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
-#include "base/index.h"
+#include "base/messages/errors.h"
+#include "base/values/index.h"
 
 namespace clevis::scene {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::scene {
 

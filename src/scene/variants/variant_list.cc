@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "scene/csv/csv_column.h"
 #include "scene/csv/csv_text.h"
 #include "scene/text/document.h"

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "base/base64.h"
-#include "base/compression.h"
+#include "base/bytes/base64.h"
+#include "base/bytes/compression.h"
 
 namespace clevis::stress {
 namespace {

@@ -14,7 +14,7 @@
 #include "app/processes/child_process.h"
 #include "app/processes/lone_program.h"
 #include "app/processes/temporary_folder.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/processes/temporary_folder.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::app {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "app/processes/temporary_folder.h"
 #include "app/scenes/geometry_files.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/solid/solid_solve.h"
 #include "mesh/quality/mass_properties.h"

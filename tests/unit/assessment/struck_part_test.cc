@@ -7,7 +7,7 @@
 
 #include "assessment/impact/impact_check.h"
 #include "assessment/part_check.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "dynamics/strike/strike.h"
 #include "part/verdict.h"
 #include "support/damped_blow.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "cad/select_faces.h"
 #include "solid_of_cylinders.h"
 

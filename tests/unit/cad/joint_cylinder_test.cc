@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "solid_of_cylinders.h"
 
 namespace clevis::cad {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::cad {
 namespace {

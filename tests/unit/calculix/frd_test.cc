@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::calculix {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/simulate.h"
 #include "support/four_bar.h"
 #include "support/free_linkages.h"

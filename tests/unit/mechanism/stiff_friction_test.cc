@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/force_elements/contact.h"
 #include "mechanism/force_laws/friction_law.h"
 #include "mechanism/simulate.h"

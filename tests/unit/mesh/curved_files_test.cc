@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mesh/cells/section.h"
 #include "mesh/gmsh/gmsh_reader.h"
 #include "mesh/quality/mass_properties.h"

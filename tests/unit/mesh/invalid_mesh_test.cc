@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "support/source_dir.h"
 #include "unit/mesh/mesh_data.h"
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "scene/scene.h"
 
 namespace clevis::multibody {

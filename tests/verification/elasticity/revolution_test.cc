@@ -11,7 +11,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "base/stopwatch.h"
+#include "base/values/stopwatch.h"
 #include "elasticity/revolution/revolution_solve.h"
 #include "elasticity/solid/solid_solve.h"
 #include "stress/field/stress_history.h"

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "assessment/models/solid_model.h"
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "support/annulus_mesh.h"
 #include "support/simplex_mesh.h"
 #include "support/source_dir.h"

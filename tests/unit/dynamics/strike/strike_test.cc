@@ -14,7 +14,7 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "dynamics/struck_body/contact_law.h"
 #include "dynamics/struck_body/damped_body.h"
 #include "dynamics/struck_body/damped_scheme.h"

@@ -5,7 +5,7 @@
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "part/supports.h"
 #include "support/structured_mesh.h"
 

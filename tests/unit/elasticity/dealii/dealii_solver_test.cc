@@ -6,7 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
+#include "elasticity/assembly/stiffness.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/dealii_space/level_degrees.h"
 #include "elasticity/solid/solid_solve.h"
@@ -182,6 +183,36 @@ TEST(DealiiSolver, ChecksAreThoseOfOurKernels) {
   EXPECT_LT(dealii.checks.residual, 1e-9);
   EXPECT_LT(dealii.checks.equilibrium, 1e-9);
   EXPECT_LT(dealii.checks.energy, 1e-10);
+}
+
+/// Largest error over the largest of displacements [m] whose loads are K times
+/// them, with a coarsest level that is factored or not.
+double coarse_level_error(const Discretization<3>& part,
+                          const std::vector<int>& held, double most_factored) {
+  const auto material = steel();
+  const auto stiffness = assemble_stiffness(part, material, "bar");
+  MatrixXd truth = MatrixXd::Random(part.dofs(), 1);
+  for (const int dof : held) truth(dof, 0) = 0.0;
+  const FoundationStiffness<3> none(part, {}, "bar");
+  DealiiSolver<3> solver(part, material, none, held, "bar", false,
+                         most_factored);
+  const MatrixXd found = solver.solve(stiffness.multiply(truth));
+  EXPECT_LT(solver.report().iterations, 80);
+  return distance(found, truth);
+}
+
+TEST(DealiiSolver, CoarsestLevelByAlgebraicMultigrid) {
+  const auto mesh = support::structured_mesh<3>(
+      {24, 3, 3}, 1, [](const Vector3d& x) -> Vector3d {
+        return {0.3 * x[0], 0.02 * x[1], 0.015 * x[2] * (1.0 + 0.2 * x[0])};
+      });
+  const auto part = discretize<3>(mesh, 3);
+  const auto clamped = held_on_groups<3>(part, {{"x0", {true, true, true}}});
+  const auto free = determinate_supports<3>(part, node_positions(part));
+  for (const auto& held : {clamped, free}) {
+    EXPECT_LT(coarse_level_error(part, held, kMostFactored), kAgreement);
+    EXPECT_LT(coarse_level_error(part, held, 0.0), kAgreement);
+  }
 }
 
 TEST(DealiiSolver, RefusesSimplices) {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/assembly/equations.h"
 #include "elasticity/assembly/supports.h"
 #include "support/structured_mesh.h"

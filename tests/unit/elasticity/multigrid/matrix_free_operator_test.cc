@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/assembly/stiffness.h"
 #include "support/annulus_mesh.h"
 #include "support/structured_mesh.h"

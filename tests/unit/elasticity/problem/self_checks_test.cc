@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "elasticity/assembly/supports.h"
 #include "support/structured_mesh.h"
 

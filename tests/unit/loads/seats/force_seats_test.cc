@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "loads/parts/part_loads.h"
 #include "mechanism/simulate.h"
 #include "support/free_linkages.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/constraints/closed_joints.h"
 #include "support/free_linkages.h"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/simulate.h"
 #include "support/free_linkages.h"
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/constraints/closed_joints.h"
 #include "mechanism/dynamic_state/centre_frame.h"
 #include "support/reference_motions.h"

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/constraints/assembly.h"
 #include "mechanism/constraints/constraint_system.h"
 #include "mechanism/definition/drive_names.h"

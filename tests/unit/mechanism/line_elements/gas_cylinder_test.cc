@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 

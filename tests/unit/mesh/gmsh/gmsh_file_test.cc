@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mesh/gmsh/gmsh_reader.h"
 #include "mesh/reading/cells.h"
 #include "unit/mesh/mesh_data.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mesh/derived/plate.h"
 #include "mesh/gmsh/gmsh_reader.h"
 #include "mesh/quality/mass_properties.h"

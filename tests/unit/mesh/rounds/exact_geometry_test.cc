@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "mesh/basis/simplex_basis.h"
 #include "mesh/basis/simplex_quadrature.h"
 #include "mesh/basis/tensor_basis.h"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "part/verdict.h"
 #include "report/compare/comparison_output.h"
 #include "unit/report/compare/sample_comparison.h"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "report/check/result_json.h"
 #include "report/compare/comparison.h"
 #include "report/compare/result_reader.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "part/verdict.h"
 #include "unit/report/sample_report.h"
 

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "base/base64.h"
-#include "base/compression.h"
-#include "base/errors.h"
+#include "base/bytes/base64.h"
+#include "base/bytes/compression.h"
+#include "base/messages/errors.h"
 
 namespace clevis::report {
 namespace {

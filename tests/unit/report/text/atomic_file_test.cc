@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "unit/report/sample_report.h"
 
 namespace clevis::report {

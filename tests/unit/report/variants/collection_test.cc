@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "report/check/check_report.h"
 #include "report/check/result_json.h"
 #include "report/text/atomic_file.h"

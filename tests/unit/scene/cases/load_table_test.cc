@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis::scene {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "scene/text/value.h"
 
 namespace clevis::scene {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 #include "scene/variants/read_vary.h"
 
 namespace clevis::scene {

@@ -1,4 +1,4 @@
-#include "base/mpi_run.h"
+#include "base/system/mpi_run.h"
 
 #include <cstdlib>
 #include <initializer_list>

@@ -1,4 +1,4 @@
-#include "base/companion.h"
+#include "base/system/companion.h"
 
 namespace clevis {
 

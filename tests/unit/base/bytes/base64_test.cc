@@ -1,8 +1,8 @@
-#include "base/base64.h"
+#include "base/bytes/base64.h"
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis {
 namespace {

@@ -1,4 +1,4 @@
-#include "base/diagnostics.h"
+#include "base/messages/diagnostics.h"
 
 #include <algorithm>
 #include <array>

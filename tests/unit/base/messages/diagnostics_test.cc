@@ -1,10 +1,10 @@
-#include "base/diagnostics.h"
+#include "base/messages/diagnostics.h"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis {
 namespace {

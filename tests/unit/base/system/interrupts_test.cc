@@ -1,4 +1,4 @@
-#include "base/interrupts.h"
+#include "base/system/interrupts.h"
 
 #include <csignal>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "base/processor_share.h"
+#include "base/system/processor_share.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/exit_code.h"
+#include "base/messages/exit_code.h"
 
 namespace clevis {
 
@@ -12,7 +12,7 @@ namespace clevis {
 ///
 /// Every error that a user can cause is thrown as this type and caught in
 /// app/main.cc only. The code must stand in the catalogue
-/// (base/diagnostics.h), which also fixes the exit code.
+/// (base/messages/diagnostics.h), which also fixes the exit code.
 class Error : public std::runtime_error {
  public:
   /// @param code     catalogue code, e.g. "S003".

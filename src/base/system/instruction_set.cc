@@ -1,4 +1,4 @@
-#include "base/instruction_set.h"
+#include "base/system/instruction_set.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -3,7 +3,7 @@
 #include <exception>
 #include <string>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis {
 

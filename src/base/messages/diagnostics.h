@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "base/exit_code.h"
+#include "base/messages/exit_code.h"
 
 namespace clevis {
 

@@ -1,4 +1,4 @@
-#include "base/fingerprint.h"
+#include "base/bytes/fingerprint.h"
 
 #include <gtest/gtest.h>
 

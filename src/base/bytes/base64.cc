@@ -1,11 +1,11 @@
-#include "base/base64.h"
+#include "base/bytes/base64.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis {
 namespace {

@@ -1,10 +1,10 @@
-#include "base/interrupts.h"
+#include "base/system/interrupts.h"
 
 #include <atomic>
 
 #include <unistd.h>
 
-#include "base/exit_code.h"
+#include "base/messages/exit_code.h"
 
 namespace clevis {
 namespace {

@@ -1,4 +1,4 @@
-#include "base/quantity.h"
+#include "base/values/quantity.h"
 
 #include <array>
 #include <charconv>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <udunits2.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis {
 namespace {

@@ -1,4 +1,4 @@
-#include "base/processor_share.h"
+#include "base/system/processor_share.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -7,7 +7,7 @@
 
 #include <sys/mman.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis {
 

@@ -1,4 +1,4 @@
-#include "base/quantity.h"
+#include "base/values/quantity.h"
 
 #include <cmath>
 #include <numbers>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 namespace clevis {
 namespace {

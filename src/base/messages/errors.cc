@@ -1,10 +1,10 @@
-#include "base/errors.h"
+#include "base/messages/errors.h"
 
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "base/diagnostics.h"
+#include "base/messages/diagnostics.h"
 
 namespace clevis {
 

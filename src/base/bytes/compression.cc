@@ -1,4 +1,4 @@
-#include "base/compression.h"
+#include "base/bytes/compression.h"
 
 #include <new>
 

@@ -1,4 +1,4 @@
-#include "base/system_failure.h"
+#include "base/system/system_failure.h"
 
 #include <filesystem>
 #include <new>

@@ -1,4 +1,4 @@
-#include "base/allowed_program.h"
+#include "base/system/allowed_program.h"
 
 #include <array>
 #include <cerrno>
