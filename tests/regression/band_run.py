@@ -188,9 +188,10 @@ def references():
                 for row in csv.DictReader(file)}
 
 
-def truth(shape, stored):
+def truth(shape, stored, flat):
     if shape.truth:
-        return shape.truth[0], 0.0, shape.truth[1]
+        way = shape.truth[1] if math.isnan(shape.flat_way) or not flat else shape.flat_way
+        return shape.truth[0], 0.0, way
     return stored[shape.name]
 
 
@@ -258,7 +259,8 @@ def drawn(clevis, folder, shape, rng, stored):
     mesh = draw_mesh(rng, shape)
     tolerance = rng.choice(TOLERANCES)
     model = draw_model(rng, shape, mesh)
-    return one(clevis, folder, shape, mesh, tolerance, model, truth(shape, stored))
+    known = truth(shape, stored, mesh.kind == "flat")
+    return one(clevis, folder, shape, mesh, tolerance, model, known)
 
 
 def line(row):

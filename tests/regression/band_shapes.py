@@ -27,6 +27,7 @@ class Shape:
     tight: tuple = ()        # of a solid: (corner, corner, radius) of small curves
     focus: tuple = ()        # (x, y, z) where the peak lies, for the reference
     truth: tuple = ()        # closed form: stress MPa, deflection mm or None
+    flat_way: float = math.nan   # deflection if meshed flat, where it is another
 
 
 YOUNG = 210e3
@@ -74,6 +75,7 @@ def lame_ring(rng, name):
         else quarter_ring(a, b),
         thickness=t, truth=(equivalent(hoop, -p, 0.0), math.hypot(
             out, across / 2 if whole else across)),
+        flat_way=math.hypot(out, across / 2),  # held at its mid-plane
         fixed={} if whole else {"cut_x": "x", "cut_y": "y", "bottom": "z"})
 
 

@@ -12,10 +12,10 @@
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
 #include "app/scenes/mesh_parts.h"
+#include "app/scenes/motion_of_scene.h"
 #include "app/scenes/view_inputs.h"
 #include "base/messages/errors.h"
 #include "machine/bearings/bearing_life.h"
-#include "mechanism/simulate.h"
 #include "mechanism/structure/structure.h"
 #include "report/motion/motion_files.h"
 #include "report/motion/motion_json.h"
@@ -69,10 +69,7 @@ ExitCode simulate_command(const Options& options) {
   report.scene = scene.name;
   report.definition = scene.mechanism;
   report.structure = mechanism::analyse_structure(scene.mechanism);
-  mechanism::SimulationSettings settings = scene.simulation;
-  settings.at_peaks = true;
-  settings.max_time = options.max_time.value_or(settings.max_time);
-  report.motion = mechanism::simulate(scene.mechanism, settings);
+  report.motion = motion_of_scene(scene, options);
   if (scene.slide_lever) {
     report.slide_lever = compare_slide_lever(scene, report.motion);
   }

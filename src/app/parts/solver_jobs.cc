@@ -1,10 +1,8 @@
 #include "app/parts/solver_jobs.h"
 
-#include <iostream>
 #include <utility>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "app/parts/link_compliance.h"
 #include "app/parts/part_jobs.h"
@@ -69,9 +67,7 @@ SolverJobs load_solver_jobs(const Options& options, scene::Scene read) {
 
 std::vector<SolverAnswer> run_solver_tasks(
     const std::vector<SolverTask>& tasks) {
-  report::Progress progress(std::cerr, isatty(STDERR_FILENO) != 0
-                                           ? report::Progress::Stream::kTerminal
-                                           : report::Progress::Stream::kLog);
+  report::Progress progress;
   const auto outcomes = run_workers(
       tasks.size(), 1,
       [&](std::size_t index) {

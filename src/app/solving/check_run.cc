@@ -23,6 +23,7 @@
 #include "app/request/error_text.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
+#include "app/scenes/motion_of_scene.h"
 #include "app/scenes/view_inputs.h"
 #include "app/solving/part_files.h"
 #include "app/solving/part_loads.h"
@@ -35,7 +36,6 @@
 #include "base/values/stopwatch.h"
 #include "loads/parts/part_loads.h"
 #include "machine/bearings/bearing_life.h"
-#include "mechanism/simulate.h"
 #include "mechanism/structure/structure.h"
 #include "report/check/check_table.h"
 #include "report/check/result_files.h"
@@ -127,9 +127,7 @@ std::vector<WorkerOutcome> run_on_processes(
     const std::vector<PartJob>& jobs, const Options& options,
     const std::function<std::string(std::size_t)>& check,
     SharedCount& at_work) {
-  report::Progress progress(std::cerr, isatty(STDERR_FILENO) != 0
-                                           ? report::Progress::Stream::kTerminal
-                                           : report::Progress::Stream::kLog);
+  report::Progress progress;
   auto outcomes = run_workers(
       jobs.size(), processors(options), check,
       [&](std::size_t done, const std::vector<std::size_t>& running) {
@@ -248,10 +246,7 @@ ExitCode run_check(const Options& options, scene::Scene scene) {
 
   mechanism::Motion motion;
   if (loaded.scene.has_mechanism) {
-    mechanism::SimulationSettings settings = loaded.scene.simulation;
-    settings.at_peaks = true;
-    settings.max_time = options.max_time.value_or(settings.max_time);
-    motion = mechanism::simulate(loaded.scene.mechanism, settings);
+    motion = motion_of_scene(loaded.scene, options);
     report.mechanism = report::summarise(
         loaded.scene.mechanism,
         mechanism::analyse_structure(loaded.scene.mechanism), motion);

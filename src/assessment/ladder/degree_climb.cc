@@ -133,7 +133,8 @@ class Climb {
   /// nothing else asks for a higher degree.
   bool is_in_vain() const {
     constexpr double kSure = 1.1;  // the value is not known yet
-    return lasting_error_ > kSure * (job_.tolerance - model_.model_error) &&
+    return lasting_error_ > 0.0 &&
+           lasting_error_ > kSure * (job_.tolerance - model_.model_error) &&
            !deflection_is_open() &&
            probes_are_within(ladder_, job_, job_.tolerance);
   }
@@ -143,8 +144,7 @@ class Climb {
     if (last.degree >= model_.highest_degree) return;
     ladder_.ended_by = fmt::format(
         "degree {} left out, finer cells are wanted: the faces of these are "
-        "off "
-        "the curved surface by {:.2g} % of the stress",
+        "off the curved surface by {:.2g} % of the stress",
         last.degree + 1, 100.0 * lasting_error_);
   }
   void drop() {

@@ -113,7 +113,12 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
     note_held<dim>(job, set, *basis, level);
     auto history = stress::stress_history<dim>(*basis, job.part.material,
                                                model.subdivisions);
-    level.deflections.push_back(stress::largest_deflection<dim>(*basis));
+    if constexpr (dim == 2) {
+      level.deflections.push_back(
+          stress::largest_deflection_of_plate(*basis, job.part.material));
+    } else {
+      level.deflections.push_back(stress::largest_deflection<dim>(*basis));
+    }
     level.member.deflection =
         std::max(level.member.deflection, level.deflections.back().value);
     seconds.recover += watch.lap();

@@ -48,8 +48,10 @@ JudgedStress judge(mesh::CellShape shape, const FinerFields& fields,
                    const Eigen::VectorXd& rise,
                    const Eigen::MatrixXd& counting) {
   constexpr double kNear = 0.9;
-  constexpr double kDegree = dim == 2 ? 0.6 : 0.45;
-  constexpr double kLayer = dim == 2 ? 0.5 : 0.4;
+  // A hexahedron may be all that there is across a part.
+  const bool is_hexahedron = dim == 3 && shape == mesh::CellShape::kTensor;
+  const double degree_share = dim == 2 ? 0.6 : is_hexahedron ? 0.55 : 0.45;
+  const double layer_share = dim == 2 || is_hexahedron ? 0.5 : 0.4;
   constexpr double kJump = 0.15;
   const MatrixXd by_degree = fields.high.mean - fields.low.mean;
   MatrixXd by_layer = MatrixXd::Zero(by_degree.rows(), by_degree.cols());
@@ -72,9 +74,10 @@ JudgedStress judge(mesh::CellShape shape, const FinerFields& fields,
         rise[c] * (highest + stress::rise_between_points<dim>(
                                  shape, kFineLattice, value.col(c),
                                  counting.col(c), point));
-    const double sure = rise[c] * (kDegree * largest(by_degree.col(c)) +
+    const double sure = rise[c] * (degree_share * largest(by_degree.col(c)) +
                                    kJump * largest(fields.high.jump.col(c)));
-    const double error = sure + rise[c] * kLayer * largest(off_by_layer.col(c));
+    const double error =
+        sure + rise[c] * layer_share * largest(off_by_layer.col(c));
     estimate.high = std::max(estimate.high, peak + error);
     if (peak <= estimate.value) continue;
     estimate.value = peak;

@@ -21,6 +21,7 @@ TimeLimit::TimeLimit(double limit, double duration, int passes,
       duration_(duration),
       start_(clock()),
       pass_start_(start_),
+      passes_(passes),
       passes_left_(passes) {}
 
 void TimeLimit::end_pass() {
@@ -44,6 +45,10 @@ bool TimeLimit::is_over(double t) {
   const double rest = (duration_ - t) / progress * (in_pass - earlier_.used);
   forecast_ = used + rest + (passes_left_ - 1) * (in_pass + rest);
   return used > limit_ || (in_pass > kLeast && forecast_ > kFar * limit_);
+}
+
+double TimeLimit::share(double t) const {
+  return (passes_ - passes_left_ + t / duration_) / passes_;
 }
 
 std::optional<double> TimeLimit::enough() const {

@@ -26,6 +26,8 @@ class TimeLimit {
   /// in t.
   bool is_used_up() const { return used() > limit_; }
   double used() const { return clock_() - start_; }  ///< [s]
+  /// Of all passes, that which the one at hand has reached at t [1].
+  double share(double t) const;
   /// Of the whole, as of the last is_over() [s].
   double forecast() const { return forecast_; }
   double limit() const { return limit_; }  ///< [s]
@@ -37,7 +39,7 @@ class TimeLimit {
  private:
   double (*clock_)();
   double limit_, duration_, start_, pass_start_;
-  int passes_left_;
+  int passes_, passes_left_;
   /// A time and where the motion stood then: the forecast goes by the progress
   /// since, for a start may be slow.
   struct Mark {

@@ -143,7 +143,10 @@ void MotionGuards::refuse_stuck() {
 
 void MotionGuards::require_in_time() {
   constexpr long kLook = 16;  // steps: the clock is a system call
-  if (++steps_ % kLook != 0 || !limit_.is_over(integrator_.t())) return;
+  if (++steps_ % kLook != 0) return;
+  const auto& progress = model_.settings.progress;
+  if (progress) progress(limit_.share(integrator_.t()));
+  if (!limit_.is_over(integrator_.t())) return;
   const numerics::StepCounts& counts = integrator_.counts();
   const FastestRate fastest =
       fastest_rate(model_, integrator_.t(), integrator_.y());

@@ -1,9 +1,11 @@
 #include "report/text/progress.h"
 
 #include <algorithm>
+#include <iostream>
 #include <utility>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "report/text/terminal.h"
 
@@ -40,6 +42,10 @@ Progress::Progress(std::ostream& out, Stream kind, Clock clock)
     : out_(out), kind_(kind), clock_(std::move(clock)), start_(clock_()) {
   last_output_ = start_;
 }
+
+Progress::Progress()
+    : Progress(std::cerr,
+               isatty(STDERR_FILENO) != 0 ? Stream::kTerminal : Stream::kLog) {}
 
 Progress::~Progress() {
   clear();

@@ -21,6 +21,8 @@ class Progress {
   /// @param out  outlives the object.
   Progress(std::ostream& out, Stream kind,
            Clock clock = std::chrono::steady_clock::now);
+  /// On stderr, as it is.
+  Progress();
   /// Leaves a clean line behind.
   ~Progress();
   Progress(const Progress&) = delete;

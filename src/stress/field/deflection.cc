@@ -12,6 +12,7 @@
 #include "elasticity/assembly/supports.h"
 #include "elasticity/fe_space/group_trace.h"
 #include "elasticity/nodal_loads/load_vectors.h"
+#include "stress/field/cell_field.h"
 
 namespace clevis::stress {
 namespace {
@@ -149,6 +150,66 @@ Eigen::VectorXd largest_of_nodes(const MatrixXd& columns,
   return largest.cwiseSqrt();
 }
 
+/// Largest displacement, and that of each instant [m].
+struct LargestOfNodes {
+  double value{};
+  Index node{}, instant{};
+  Eigen::VectorXd of_instant;
+};
+
+/// @param columns  directions × nodes, per basis column [m].
+LargestOfNodes largest_of(const MatrixXd& columns, Index directions,
+                          const MatrixXd& coefficients) {
+  LargestOfNodes result;
+  result.of_instant = Eigen::VectorXd::Zero(coefficients.cols());
+  double largest = -1.0;
+  for (Index begin = 0; begin < coefficients.cols(); begin += kBlock) {
+    const Index count = std::min(kBlock, coefficients.cols() - begin);
+    const MatrixXd u =
+        elasticity::product(columns, coefficients.middleCols(begin, count));
+    for (Index i = 0; i < count; ++i) {
+      Index node = 0;
+      const double squared =
+          u.col(i)
+              .reshaped(directions, columns.rows() / directions)
+              .colwise()
+              .squaredNorm()
+              .maxCoeff(&node);
+      result.of_instant[begin + i] = std::sqrt(squared);
+      if (squared <= largest) continue;
+      largest = squared;
+      result.node = node;
+      result.instant = begin + i;
+    }
+  }
+  result.value = std::sqrt(std::max(0.0, largest));
+  return result;
+}
+
+/// Motion of a plate's upper surface across it at the nodes, per basis column
+/// [m].
+MatrixXd rise_of_surface(const elasticity::DisplacementBasis<2>& basis,
+                         const part::Material& material) {
+  const auto& plate = basis.discretization;
+  const auto points = elasticity::displacement_support_points<2>(
+      plate.shape, plate.displacement_degree());
+  const CellField<2> field(plate, material, points);
+  const double factor = -0.5 * plate.thickness * material.poissons_ratio /
+                        material.youngs_modulus;
+  const Index n = points.cols();
+  MatrixXd rise = MatrixXd::Zero(plate.nodes, basis.columns.cols());
+  Eigen::VectorXd cells = Eigen::VectorXd::Zero(plate.nodes);
+  for (std::size_t c = 0; c < plate.cell_nodes.size(); ++c) {
+    const MatrixXd stress = field.stress(c, basis.columns);
+    for (Index k = 0; k < n; ++k) {
+      const int node = plate.cell_nodes[c][static_cast<std::size_t>(k)];
+      rise.row(node) += factor * (stress.row(k) + stress.row(n + k));
+      cells[node] += 1.0;
+    }
+  }
+  return cells.cwiseMax(1.0).cwiseInverse().asDiagonal() * rise;
+}
+
 }  // namespace
 
 template <int dim>
@@ -182,31 +243,27 @@ void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
 
 template <int dim>
 Deflection largest_deflection(const elasticity::DisplacementBasis<dim>& basis) {
-  const auto positions = elasticity::node_positions(basis.discretization);
-  Deflection result;
-  result.of_instant = Eigen::VectorXd::Zero(basis.coefficients.cols());
-  double largest = -1.0;
-  for (Index begin = 0; begin < basis.coefficients.cols(); begin += kBlock) {
-    const Index count = std::min(kBlock, basis.coefficients.cols() - begin);
-    const MatrixXd u = elasticity::product(
-        basis.columns, basis.coefficients.middleCols(begin, count));
-    for (Index i = 0; i < count; ++i) {
-      Index node = 0;
-      const double squared = u.col(i)
-                                 .reshaped(dim, positions.cols())
-                                 .colwise()
-                                 .squaredNorm()
-                                 .maxCoeff(&node);
-      result.of_instant[begin + i] = std::sqrt(squared);
-      if (squared <= largest) continue;
-      largest = squared;
-      result.at.setConstant(basis.discretization.mid_plane_z);
-      result.at.template head<dim>() = positions.col(node);
-      result.instant = static_cast<int>(begin + i);
-    }
+  const auto found = largest_of(basis.columns, dim, basis.coefficients);
+  Eigen::Vector3d at(0.0, 0.0, basis.discretization.mid_plane_z);
+  at.template head<dim>() =
+      elasticity::node_positions(basis.discretization).col(found.node);
+  return {found.value, at, static_cast<int>(found.instant), found.of_instant};
+}
+
+Deflection largest_deflection_of_plate(
+    const elasticity::DisplacementBasis<2>& basis,
+    const part::Material& material) {
+  const auto& plate = basis.discretization;
+  MatrixXd columns(3 * Index{plate.nodes}, basis.columns.cols());
+  const MatrixXd rise = rise_of_surface(basis, material);
+  for (Index node = 0; node < plate.nodes; ++node) {
+    columns.middleRows<2>(3 * node) = basis.columns.middleRows<2>(2 * node);
+    columns.row(3 * node + 2) = rise.row(node);
   }
-  result.value = std::sqrt(std::max(0.0, largest));
-  return result;
+  const auto found = largest_of(columns, 3, basis.coefficients);
+  Eigen::Vector3d at(0.0, 0.0, plate.mid_plane_z + 0.5 * plate.thickness);
+  at.head<2>() = elasticity::node_positions(plate).col(found.node);
+  return {found.value, at, static_cast<int>(found.instant), found.of_instant};
 }
 
 template <int dim>

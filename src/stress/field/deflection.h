@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/problem/displacement_basis.h"
+#include "part/material.h"
 
 namespace clevis::stress {
 
@@ -31,6 +32,13 @@ void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
 /// The largest nodal displacement over all instants.
 template <int dim>
 Deflection largest_deflection(const elasticity::DisplacementBasis<dim>& basis);
+
+/// The same of a plate's surface by plane stress: it moves across the plate as
+/// well, by half its thickness times the strain there, of the cells at a node
+/// their mean.
+Deflection largest_deflection_of_plate(
+    const elasticity::DisplacementBasis<2>& basis,
+    const part::Material& material);
 
 /// The value alone, where instants are thousands: nodes are looked at in all of
 /// them that come near the largest in every `stride`-th [m].

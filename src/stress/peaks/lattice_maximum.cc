@@ -33,6 +33,18 @@ MatrixXd monomials(const MatrixXd& offsets) {
   return terms;
 }
 
+/// Largest misfit at the neighbours of the centre: large where the quantity
+/// bends within a spacing, as beside a free face.
+double misfit_beside(const MatrixXd& offsets, const VectorXd& misfits) {
+  constexpr double kNext = 1.001;  // spacings
+  double largest = 0.0;
+  for (Index i = 0; i < misfits.size(); ++i) {
+    if (offsets.col(i).cwiseAbs().maxCoeff() > kNext) continue;
+    largest = std::max(largest, std::abs(misfits[i]));
+  }
+  return largest;
+}
+
 }  // namespace
 
 template <int dim>
@@ -61,6 +73,8 @@ double rise_between_points(mesh::CellShape shape, int subdivisions,
   const Eigen::ColPivHouseholderQR<MatrixXd> fit(weights.asDiagonal() * terms);
   if (fit.rank() < terms.cols()) return 0.0;
   const VectorXd factors = fit.solve(weights.cwiseProduct(rises));
+  const double misfit =
+      misfit_beside(offsets(Eigen::all, around), terms * factors - rises);
 
   constexpr int kRounds = 5;
   double best = 0.0;
@@ -75,7 +89,9 @@ double rise_between_points(mesh::CellShape shape, int subdivisions,
     best = std::max(best, found.maxCoeff(&highest));
     from = points.col(highest);
   }
-  return best;
+  constexpr double kMost = 1.0 / 3.0;  // of the rise
+  if (!(misfit < kMost * best)) return 0.0;
+  return best * (1.0 - std::pow(misfit / (kMost * best), 2));
 }
 
 template double rise_between_points<2>(mesh::CellShape, int, const VectorXd&,

@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "assessment/ladder/degree_climb.h"
+#include "assessment/models/plate_models.h"
 #include "base/messages/errors.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/solid/solid_solve.h"
@@ -173,6 +175,21 @@ TEST(PartCheck, MaxDofsEndAPlatesDegreesWithAllInstants) {
       << found.result.stopped_because;
   EXPECT_EQ(found.fields.history.size(), 21U);
   EXPECT_EQ(found.result.peak.label, "t = 2.000000 s");
+}
+
+// The model's error keeps the band from the tolerance: no reason to end with a
+// degree that has none.
+TEST(PartCheck, DegreesRiseWhereTheModelIsBeyondTheTolerance) {
+  const PartJob job = pulled_bar();
+  const PartShape shape(job);
+  ModelSettings settings;
+  settings.terms = 2;
+  settings.error = 2.0 * job.tolerance;
+  const auto model = std::get<FeModel<3>>(layered_model(shape, settings));
+  PartSeconds seconds;
+  const auto ladder = climb_degrees<3>(job, model, {}, seconds);
+  EXPECT_EQ(ladder.sequence.back().degree, model.highest_degree);
+  EXPECT_EQ(ladder.ended_by, "");
 }
 
 // What tells the error of plane stress has more unknowns than 3-D of degree 2.

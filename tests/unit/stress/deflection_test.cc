@@ -135,6 +135,35 @@ TEST(VonMises, ClosedForms) {
   EXPECT_DOUBLE_EQ(equivalent[4], std::sqrt(300.0 + 3 * (16 + 25 + 36)));
 }
 
+// Stretched evenly, a plate thins: its surface sinks by half of that.
+TEST(Deflection, SurfaceOfAPlateMovesAcrossIt) {
+  constexpr double kStrain = 1e-3;
+  const part::Material steel{"steel", 210e9, 0.3, 7850.0, 355e6};
+  auto mesh = support::structured_mesh<2>(
+      {3, 2}, 1, [](const Eigen::Vector2d& x) -> Eigen::Vector2d {
+        return {0.05 * x[0] + 0.01 * x[1], 0.04 * x[1]};
+      });
+  mesh.thickness = 0.1;
+  mesh.mid_plane_z = 0.02;
+  elasticity::DisplacementBasis<2> basis;
+  basis.discretization = elasticity::discretize<2>(mesh, 2);
+  const auto at = elasticity::node_positions(basis.discretization);
+  basis.columns.resize(basis.discretization.dofs(), 1);
+  for (Eigen::Index i = 0; i < at.cols(); ++i) {
+    basis.columns.middleRows<2>(2 * i) << kStrain * at(0, i),
+        -0.3 * kStrain * at(1, i);
+  }
+  basis.coefficients = Eigen::RowVector2d(-0.5, 2.0);
+  const auto found = largest_deflection_of_plate(basis, steel);
+  const Vector3d corner(0.06, 0.04, 0.02 + 0.05);
+  EXPECT_LT((found.at - corner).norm(), 1e-12);
+  EXPECT_EQ(found.instant, 1);
+  const double farthest =
+      kStrain * Vector3d(0.06, -0.3 * 0.04, -0.3 * 0.05).norm();
+  EXPECT_NEAR(found.value, 2.0 * farthest, 1e-12 * farthest);
+  EXPECT_NEAR(found.of_instant[0], 0.5 * farthest, 1e-12 * farthest);
+}
+
 // A bar that swings about its middle beside one that stretches: the farthest
 // end at the farthest time, between the times that are looked at first.
 TEST(Deflection, LargestOfManyInstants) {

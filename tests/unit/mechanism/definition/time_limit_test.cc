@@ -26,6 +26,15 @@ TEST(TimeLimit, ForecastsBothPassesByTheProgressOfTheFirst) {
   EXPECT_NEAR(limit.forecast(), 60.0, 1e-6);
 }
 
+TEST(TimeLimit, SharesThePassesAlike) {
+  TimeLimit limit(60.0, 10.0, 2, test_clock);
+  EXPECT_DOUBLE_EQ(limit.share(0.0), 0.0);
+  EXPECT_DOUBLE_EQ(limit.share(4.0), 0.2);
+  limit.end_pass();
+  EXPECT_DOUBLE_EQ(limit.share(0.0), 0.5);
+  EXPECT_DOUBLE_EQ(limit.share(10.0), 1.0);
+}
+
 TEST(TimeLimit, IsOverWhenUsedUp) {
   now = 0.0;
   TimeLimit limit(60.0, 10.0, 1, test_clock);

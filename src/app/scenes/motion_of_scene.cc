@@ -1,0 +1,28 @@
+#include "app/scenes/motion_of_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "mechanism/simulate.h"
+#include "report/text/progress.h"
+
+namespace clevis::app {
+
+mechanism::Motion motion_of_scene(const scene::Scene& scene,
+                                  const Options& options) {
+  constexpr int kPercent = 100;
+  report::Progress progress;
+  mechanism::SimulationSettings settings = scene.simulation;
+  settings.at_peaks = true;
+  settings.max_time = options.max_time.value_or(settings.max_time);
+  settings.progress = [&](double share) {
+    const auto done = static_cast<int>(std::lround(kPercent * share));
+    progress.update(std::clamp(done, 0, kPercent), kPercent,
+                    "integrating the motion");
+  };
+  return mechanism::simulate(scene.mechanism, settings);
+}
+
+}  // namespace clevis::app
