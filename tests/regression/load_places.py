@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Loads act where the counterpart is: a block 20 mm long on a slot of 100 mm,
-and a part that its CAD extrudes from z = 0 while the joints stand at the middle
+the same that crosses it in 40 ms of 10 s, and a part that its CAD extrudes from z = 0 while the joints stand at the middle
 plane.
 
     load_places.py CLEVIS SOURCE_DIR
@@ -148,6 +148,19 @@ def block_in_slot(folder):
         CHECKS.expect(abs(found.peak / beam(length) - 1) < BEAM,
                       f"{length} mm of the slot: {found}, "
                       f"beam {beam(length):.2f} MPa")
+    # The block crosses the slot in 40 ms, between two instants of 10 s.
+    runs = SLOT.replace(
+        f'law = "constant"\nfrom = "{SPAN / 2} mm"',
+        f'law = "ramp"\nfrom = "{SPAN / 2 - 40} mm"\nto = "{SPAN / 2 + 40} mm"\n'
+        'start = "5.005 s"\nduration = "40 ms"')
+    head = HEAD.replace('duration = "1 s"\ninstants = 2', 'duration = "10 s"')
+    scene.write_text(head + runs + part(
+        "bar", 'mesh = "bar.msh"',
+        'pins = { A = "bore_A", B = "bore_B", slide = { group = "wall", length = '
+        '"20 mm" } }\ndrives = { slide = { face = "bore_A" } }'))
+    ran = support.check(CLEVIS, scene)
+    CHECKS.holds(ran.band, patch.peak, "block that crosses the slot in a moment",
+                 SCATTER)
 
 
 def pulled(folder, offset, seat):

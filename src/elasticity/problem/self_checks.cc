@@ -91,6 +91,16 @@ void balance_free_part(
   checks.balance = balance.rest;
 }
 
+template <int dim>
+void restore_balance(
+    const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions,
+    MatrixXd& columns) {
+  const MatrixXd modes = modes_of<dim>(positions);
+  const MatrixXd gram = modes.transpose() * modes;
+  columns -=
+      product(modes, gram.ldlt().solve(transposed_product(modes, columns)));
+}
+
 void forget_solution(SolveChecks& checks) {
   checks.residual = checks.residual_round_off = 0.0;
   checks.equilibrium = checks.equilibrium_round_off = 0.0;
@@ -187,7 +197,9 @@ void require_checks(const SolveChecks& checks, int geometry_degree,
   template void balance_free_part<dim>(                                      \
       const Discretization<dim>&,                                            \
       const Eigen::Matrix<double, dim, Eigen::Dynamic>&, double, LoadBasis&, \
-      SolveChecks&);
+      SolveChecks&);                                                         \
+  template void restore_balance<dim>(                                        \
+      const Eigen::Matrix<double, dim, Eigen::Dynamic>&, MatrixXd&);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)
 #undef CLEVIS_INSTANTIATE

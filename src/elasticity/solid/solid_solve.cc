@@ -300,6 +300,7 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
   }
   loads =
       compress(loads, kCompressionTolerance, 0.0, problem.admitted_load_error);
+  if (is_free) restore_balance<dim>(positions, loads.columns);
   result.checks.compression = loads.compression_error;
   result.coefficients = loads.coefficients;
   const auto folded_positions = node_positions(part);

@@ -123,6 +123,8 @@ struct SimulationSettings {
   double max_time = 60.0;  ///< of the processor, for a motion [s]
   AtSingularity at_singularity = AtSingularity::kReport;
   LinkStiffness links = LinkStiffness::kRigid;
+  /// Joints whose seats travel along parts: looked at all along their way.
+  std::vector<int> slides = {};
   /// Told how much of an integration is done [1], every few steps; or empty.
   std::function<void(double share)> progress = {};
 };

@@ -7,6 +7,7 @@
 #include "mechanism/driven_search/driven_search.h"
 #include "mechanism/forces/line_motion.h"
 #include "mechanism/sampling/driven_sampling.h"
+#include "mechanism/sampling/slide_times.h"
 
 namespace clevis::mechanism {
 
@@ -22,6 +23,13 @@ Motion run_driven(const MechanismDefinition& definition,
   Motion motion = found.positions.empty() || counts_turns(instants.forces())
                       ? driven.run_at(found.times)
                       : driven.run_through(found.times, found.positions);
+  std::vector<double> times =
+      slide_times(definition, settings.slides, motion.instants);
+  if (!times.empty()) {
+    add_times(found.times, settings.duration, times);
+    instants.set_line_angles(start, 0.0);
+    motion = driven.run_at(times);
+  }
   motion.events = std::move(found.events);
   motion.search = std::move(found.search);
   return motion;

@@ -9,6 +9,7 @@
 #include "base/messages/errors.h"
 #include "mechanism/dynamic_motion/dynamic_run.h"
 #include "mechanism/sampling/law_times.h"
+#include "mechanism/sampling/slide_times.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -33,6 +34,29 @@ void refuse_massless(const MechanismDefinition& definition) {
   }
 }
 
+/// Instants within the hardest impacts, whose loads a part may feel at no other
+/// time [s].
+std::vector<double> impact_times(std::vector<Impact> impacts) {
+  constexpr std::size_t kMost = 60;
+  constexpr double kLeast = 0.01;  // of the hardest
+  constexpr int kParts = 4;        // of its rise, and of its fall
+  std::ranges::stable_sort(impacts, std::ranges::greater{},
+                           &Impact::peak_force);
+  std::vector<double> times;
+  for (std::size_t i = 0; i < std::min(kMost, impacts.size()); ++i) {
+    const Impact& impact = impacts[i];
+    if (!(impact.peak_force > kLeast * impacts.front().peak_force)) break;
+    const double end = impact.t + impact.duration.value_or(0.0);
+    for (int k = 1; k <= kParts; ++k) {
+      const double share = double(k) / kParts;
+      times.push_back(std::lerp(impact.t, impact.peak_at, share));
+      if (k == kParts || end <= impact.peak_at) continue;
+      times.push_back(std::lerp(impact.peak_at, end, share));
+    }
+  }
+  return times;
+}
+
 }  // namespace
 
 Motion integrate_motion(const MechanismDefinition& definition,
@@ -50,6 +74,11 @@ Motion integrate_motion(const MechanismDefinition& definition,
   BesideChangePoints beside{{}, settings.duration / (settings.instants - 1)};
   for (const ChangePoint& point : found.change_points) {
     beside.times.push_back(point.t);
+  }
+  for (const auto& more :
+       {impact_times(found.impacts),
+        slide_times(definition, settings.slides, found.instants)}) {
+    others.insert(others.end(), more.begin(), more.end());
   }
   std::erase_if(others, [&](double t) {
     return beside.contains(t);

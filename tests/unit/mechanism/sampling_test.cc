@@ -122,5 +122,66 @@ TEST(Sampling, BothSidesOfADrivesBend) {
   EXPECT_LT(next->t - (next - 1)->t, 2e-8);
 }
 
+// A part may feel a softer impact at a place, or beside loads, where the
+// hardest means nothing to it.
+TEST(Sampling, WithinSofterImpacts) {
+  MechanismDefinition m = testing::sliders({1.0});
+  m.elements = {
+      testing::on_joint(
+          0, StopLaw{.lower = 0.0,
+                     .upper = {},
+                     .contact = {.stiffness = 1e5, .damping = 200.0}}),
+      testing::on_joint(0, TableLaw{.times = {0.0}, .efforts = {-5.0}})};
+  m.initial_joints = {
+      {.joint = 0, .position = 0.1, .rate = -1.0, .place = "start"}};
+  const Motion motion = simulate(m, at_peaks(0.4, 4));
+  ASSERT_GE(motion.impacts.size(), 2u);
+  ASSERT_LT(motion.impacts[1].peak_force, 0.5 * motion.impacts[0].peak_force);
+  for (const std::size_t i : {0U, 1U}) {
+    const Impact& impact = motion.impacts[i];
+    ASSERT_TRUE(impact.duration);
+    double largest = 0.0;
+    int within = 0;
+    for (const Instant& at : motion.instants) {
+      if (at.t <= impact.t || at.t >= impact.t + *impact.duration) continue;
+      ++within;
+      largest = std::max(largest, std::abs(at.elements[0].effort));
+    }
+    EXPECT_GE(within, 7) << i;
+    EXPECT_NEAR(largest, impact.peak_force, 1e-3 * impact.peak_force) << i;
+  }
+}
+
+// Between two instants a seat runs along a part.
+TEST(Sampling, AlongASlideThatMovesForAMoment) {
+  MechanismDefinition m = testing::sliders({1.0});
+  DriveDefinition drive;
+  drive.joint = 0;
+  drive.law = DriveLaw::kRamp;
+  drive.to = 0.1;
+  drive.start = 5.005;
+  drive.duration = 0.04;
+  m.drives = {drive};
+  const auto longest_way = [&](const SimulationSettings& settings) {
+    const auto instants = simulate(m, settings).instants;
+    double longest = 0.0;
+    for (std::size_t i = 1; i < instants.size(); ++i) {
+      longest = std::max(
+          longest,
+          (instants[i].joints[0].p_WJ - instants[i - 1].joints[0].p_WJ).norm());
+    }
+    return longest;
+  };
+  SimulationSettings settings = at_peaks(10.0, 201);
+  EXPECT_GT(longest_way(settings), 0.01);
+  settings.slides = {0};
+  EXPECT_LT(longest_way(settings), 0.1 / 60.0);
+  m.drives.clear();
+  m.elements = {testing::on_joint(
+      0, TableLaw{.times = {0.0, 5.0, 5.0, 5.001, 5.001},
+                  .efforts = {0.0, 0.0, 1000.0, 1000.0, 0.0}})};
+  EXPECT_LT(longest_way(settings), 5.0 / 60.0);  // 1 m/s for 5 s
+}
+
 }  // namespace
 }  // namespace clevis::mechanism

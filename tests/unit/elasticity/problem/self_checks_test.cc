@@ -20,6 +20,31 @@ using Eigen::VectorXd;
 
 constexpr double kRoundOff = 1e-13;
 
+TEST(SelfChecks, BalanceIsRestoredAndNothingElse) {
+  const auto mesh = support::structured_mesh<3>(
+      {2, 2, 1}, 1, [](const Vector3d& x) -> Vector3d {
+        return {0.2 * x[0], 0.05 * x[1], 0.01 * x[2]};
+      });
+  const auto part = discretize<3>(mesh, 2);
+  const auto positions = node_positions(part);
+  const MatrixXd modes = rigid_modes<3>(positions, Vector3d(0.1, 0, 0), 0.2);
+  MatrixXd loads = MatrixXd::Random(part.dofs(), 3);
+  const MatrixXd before = loads;
+  restore_balance<3>(positions, loads);
+  const double size = before.cwiseAbs().colwise().sum().maxCoeff();
+  EXPECT_LT((modes.transpose() * loads).cwiseAbs().maxCoeff(),
+            kRoundOff * size);
+  // What went is a rigid mode at the nodes; once is enough.
+  const MatrixXd gone = before - loads;
+  const MatrixXd fit =
+      modes *
+      (modes.transpose() * modes).ldlt().solve(modes.transpose() * gone);
+  EXPECT_LT((gone - fit).norm(), kRoundOff * before.norm());
+  const MatrixXd once = loads;
+  restore_balance<3>(positions, loads);
+  EXPECT_LT((loads - once).norm(), kRoundOff * before.norm());
+}
+
 /// Springs k_1 and k_2 in a row: nodes 0 (held or free), 1, 2.
 struct Row {
   static constexpr double kFirst = 200.0, kSecond = 300.0;  // [N/m]
