@@ -26,6 +26,9 @@ FIXED = (("hollow_sphere-1", 1), ("lame_ring-2", 1), ("lame_ring-3", 1),
          # ends of coarse cells over the groove's round kink: no corner is there
          ("grooved_bar-2", 6), ("grooved_bar-2", 7))
 GROSS = 0.03
+# Known peaks are good to 1e-5 to 5e-4 of theirs, each row by its own; no band's end
+# is told to more than this.
+HAIR = 1e-4
 
 
 def drawn(clevis, part, seed, stored):
@@ -47,7 +50,7 @@ def main():
             faults.append(f"{part}: {row['peak']}, {row.get('note')}")
         elif row["peak"] == "converged":
             converged += 1
-            if not row["held"]:
+            if not row["held"] and row["miss"] > HAIR:
                 faults.append(f"{part}: the band misses by {row['miss']:.2%}")
     if converged < len(FIXED) // 2:
         faults.append(f"only {converged} of {len(FIXED)} converge")

@@ -132,9 +132,14 @@ DisplacementBasis<3> solve_layered(const ElasticProblem<2>& problem, int degree,
   for (const Parity parity : {Parity::kStretching, Parity::kBending}) {
     const ThicknessReduction reduction(parity, terms);
     watch.lap();
-    const LoadBasis loads = compress(
+    LoadBasis loads = compress(
         LoadBasis{reduction.reduce(history.columns), history.coefficients},
         kCompressionTolerance, all, problem.admitted_load_error);
+    if (is_free) {
+      restore_balance(
+          reduction.rigid_modes(node_positions(plane), plane.thickness),
+          loads.columns);
+    }
     result.seconds.assemble += watch.lap();
     if (largest_instant(loads) <= kNoLoad * all) continue;
     solve_parity(plate, dissection, reduction, loads, result);

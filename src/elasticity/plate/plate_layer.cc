@@ -151,4 +151,30 @@ MatrixXd ThicknessReduction::reduce(const MatrixXd& nodal) const {
   return terms;
 }
 
+MatrixXd ThicknessReduction::rigid_modes(const Eigen::Matrix2Xd& positions,
+                                         double thickness) const {
+  const Index n = terms_;
+  const Index nodes = positions.cols();
+  const double half = 0.5 * thickness;  // z is half of it times P_1
+  MatrixXd modes = MatrixXd::Zero(3 * n * nodes, 3);
+  for (Index i = 0; i < nodes; ++i) {
+    const auto first_of = [&](Index component, Index mode) -> double& {
+      return modes(3 * n * i + n * component, mode);
+    };
+    const double x = positions(0, i), y = positions(1, i);
+    if (parity_ == Parity::kStretching) {
+      first_of(0, 0) = first_of(1, 1) = 1.0;
+      first_of(0, 2) = -y;
+      first_of(1, 2) = x;
+    } else {
+      first_of(2, 0) = 1.0;
+      first_of(1, 1) = -half;
+      first_of(2, 1) = y;
+      first_of(0, 2) = half;
+      first_of(2, 2) = -x;
+    }
+  }
+  return modes;
+}
+
 }  // namespace clevis::elasticity

@@ -28,6 +28,13 @@ class ThicknessReduction {
   /// Tᵀ: the layer's nodal loads [N] to loads of the terms [N].
   Eigen::MatrixXd reduce(const Eigen::MatrixXd& nodal) const;
 
+  /// Rigid motions of the parity as terms [m] per metre or radian: along x and
+  /// y and about z, or along z and about x and y.
+  /// @param positions  of the plane's nodes [m].
+  /// @param thickness  of the plate [m].
+  Eigen::MatrixXd rigid_modes(const Eigen::Matrix2Xd& positions,
+                              double thickness) const;
+
   Parity parity() const { return parity_; }
   int terms() const { return terms_; }
 

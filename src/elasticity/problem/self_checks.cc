@@ -91,11 +91,7 @@ void balance_free_part(
   checks.balance = balance.rest;
 }
 
-template <int dim>
-void restore_balance(
-    const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions,
-    MatrixXd& columns) {
-  const MatrixXd modes = modes_of<dim>(positions);
+void restore_balance(const MatrixXd& modes, MatrixXd& columns) {
   const MatrixXd gram = modes.transpose() * modes;
   columns -=
       product(modes, gram.ldlt().solve(transposed_product(modes, columns)));
@@ -197,9 +193,7 @@ void require_checks(const SolveChecks& checks, int geometry_degree,
   template void balance_free_part<dim>(                                      \
       const Discretization<dim>&,                                            \
       const Eigen::Matrix<double, dim, Eigen::Dynamic>&, double, LoadBasis&, \
-      SolveChecks&);                                                         \
-  template void restore_balance<dim>(                                        \
-      const Eigen::Matrix<double, dim, Eigen::Dynamic>&, MatrixXd&);
+      SolveChecks&);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)
 #undef CLEVIS_INSTANTIATE

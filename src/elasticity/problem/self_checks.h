@@ -56,11 +56,8 @@ void balance_free_part(
 
 /// Takes what round-off has brought out of balance, as in combinations of many
 /// columns, out of the columns of a free part's loads (dofs × columns).
-/// @param positions  of the nodes [m].
-template <int dim>
-void restore_balance(
-    const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions,
-    Eigen::MatrixXd& columns);
+/// @param modes  rigid, in the columns' unknowns.
+void restore_balance(const Eigen::MatrixXd& modes, Eigen::MatrixXd& columns);
 
 /// Sets what SolutionCheck fills back to nothing.
 void forget_solution(SolveChecks& checks);

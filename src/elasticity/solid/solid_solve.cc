@@ -300,7 +300,11 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
   }
   loads =
       compress(loads, kCompressionTolerance, 0.0, problem.admitted_load_error);
-  if (is_free) restore_balance<dim>(positions, loads.columns);
+  if (is_free) {
+    restore_balance(
+        rigid_modes<dim>(positions, positions.rowwise().mean(), 1.0),
+        loads.columns);
+  }
   result.checks.compression = loads.compression_error;
   result.coefficients = loads.coefficients;
   const auto folded_positions = node_positions(part);

@@ -45,6 +45,45 @@ double misfit_beside(const MatrixXd& offsets, const VectorXd& misfits) {
   return largest;
 }
 
+/// Rise of the parabola through values at 0, 1 and 2 above the first, from 0 to
+/// 1.
+double rise_of_parabola(double at_0, double at_1, double at_2) {
+  const double slope = -1.5 * at_0 + 2.0 * at_1 - 0.5 * at_2;
+  const double bend = at_0 - 2.0 * at_1 + at_2;
+  if (!(slope > 0.0)) return std::max(0.0, at_1 - at_0);
+  if (!(bend < 0.0) || slope > -bend) return std::max(0.0, at_1 - at_0);
+  return 0.5 * slope * slope / -bend;
+}
+
+/// Rise above a point of a tensor cell by the lattice's lines through it, each
+/// direction's by the smaller of two parabolas on the side of its larger
+/// neighbour: one of them is free of what bends beyond the point.
+template <int dim>
+double rise_along_lines(int subdivisions, const VectorXd& values,
+                        const VectorXd& counting, Index at) {
+  double rise = 0.0;
+  Index stride = 1;
+  for (int d = 0; d < dim; ++d, stride *= subdivisions + 1) {
+    const Index place = at / stride % (subdivisions + 1);
+    const auto value = [&](Index steps) -> double {
+      const bool is_inside =
+          place + steps >= 0 && place + steps <= subdivisions;
+      const Index i = at + steps * stride;
+      return is_inside && counting[i] > 0.0 ? values[i] : -HUGE_VAL;
+    };
+    const Index side = value(1) > value(-1) ? 1 : -1;
+    if (std::isinf(value(2 * side))) continue;
+    double along = rise_of_parabola(value(0), value(side), value(2 * side));
+    if (!std::isinf(value(-side))) {
+      const double slope = 0.5 * (value(side) - value(-side));
+      const double bend = value(side) - 2.0 * value(0) + value(-side);
+      if (bend < 0.0) along = std::min(along, 0.5 * slope * slope / -bend);
+    }
+    rise += along;
+  }
+  return rise;
+}
+
 }  // namespace
 
 template <int dim>
@@ -89,9 +128,14 @@ double rise_between_points(mesh::CellShape shape, int subdivisions,
     best = std::max(best, found.maxCoeff(&highest));
     from = points.col(highest);
   }
+  if (!(best > 0.0)) return 0.0;
   constexpr double kMost = 1.0 / 3.0;  // of the rise
-  if (!(misfit < kMost * best)) return 0.0;
-  return best * (1.0 - std::pow(misfit / (kMost * best), 2));
+  const double trusted =
+      best * std::max(0.0, 1.0 - std::pow(misfit / (kMost * best), 2));
+  if (shape != mesh::CellShape::kTensor) return trusted;
+  return std::max(trusted,
+                  std::min(best, rise_along_lines<dim>(subdivisions, values,
+                                                       counting, at)));
 }
 
 template double rise_between_points<2>(mesh::CellShape, int, const VectorXd&,

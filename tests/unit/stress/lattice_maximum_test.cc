@@ -93,6 +93,18 @@ TEST(LatticeMaximum, NothingBesideASteepSide) {
   EXPECT_LT(side.rise, 0.002 * kFall + 0.001 / kSubdivisions);
 }
 
+// Steep across, round along: what stands between the points along is found.
+TEST(LatticeMaximum, BesideASteepSideAlongIt) {
+  const auto side = found<3>(mesh::CellShape::kTensor, [](const Vector3d& x) {
+    const double beyond = std::max(0.0, kSubdivisions * (x[2] - 0.875));
+    return 3.0 + 0.001 * x[2] - 0.1 * beyond * beyond -
+           0.5 * std::pow(x[0] - 0.44, 2) - 0.1 * x[1];
+  });
+  const double missed = 3.0 + 0.001 * 0.875 - side.at_points;
+  EXPECT_GT(missed, 1e-3);
+  EXPECT_NEAR(side.rise, missed, 0.1 * missed);
+}
+
 TEST(LatticeMaximum, NothingAboveASlopeNorWhereNoPointCounts) {
   const auto slope = found<3>(mesh::CellShape::kTensor, [](const Vector3d& x) {
     return x[0] - 0.5 * x[1] + x[2];

@@ -72,6 +72,11 @@ TEST(Layered, StiffnessIsTheReducedStiffnessOfTheHexahedra) {
     const auto positions = elasticity::node_positions(layer);
     const MatrixXd rigid = elasticity::rigid_modes<3>(
         positions, Vector3d(0.0, 0.0, plane.mid_plane_z), 0.02);
+    const MatrixXd own = reduction.expand(reduction.rigid_modes(
+        elasticity::node_positions(plane), plane.thickness));
+    const MatrixXd known = rigid * rigid.colPivHouseholderQr().solve(own);
+    EXPECT_EQ(own.colPivHouseholderQr().rank(), 3);
+    EXPECT_LT((own - known).norm(), 1e-12 * own.norm());
     const MatrixXd mass_free =
         reduction.expand(MatrixXd::Identity(reduced.rows(), reduced.rows()));
     for (Index mode = 0; mode < 6; ++mode) {

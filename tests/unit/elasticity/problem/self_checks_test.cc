@@ -30,7 +30,7 @@ TEST(SelfChecks, BalanceIsRestoredAndNothingElse) {
   const MatrixXd modes = rigid_modes<3>(positions, Vector3d(0.1, 0, 0), 0.2);
   MatrixXd loads = MatrixXd::Random(part.dofs(), 3);
   const MatrixXd before = loads;
-  restore_balance<3>(positions, loads);
+  restore_balance(modes, loads);
   const double size = before.cwiseAbs().colwise().sum().maxCoeff();
   EXPECT_LT((modes.transpose() * loads).cwiseAbs().maxCoeff(),
             kRoundOff * size);
@@ -41,7 +41,7 @@ TEST(SelfChecks, BalanceIsRestoredAndNothingElse) {
       (modes.transpose() * modes).ldlt().solve(modes.transpose() * gone);
   EXPECT_LT((gone - fit).norm(), kRoundOff * before.norm());
   const MatrixXd once = loads;
-  restore_balance<3>(positions, loads);
+  restore_balance(modes, loads);
   EXPECT_LT((loads - once).norm(), kRoundOff * before.norm());
 }
 
