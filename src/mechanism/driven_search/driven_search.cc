@@ -78,6 +78,11 @@ DrivenSearch::Found DrivenSearch::run() {
   const double duration = settings_.duration;
   std::vector<double> instants = uniform_;
   add_times(instants_of_laws(laws_, duration), duration, instants);
+  if (!settings_.slides.empty()) {  // where they turn back
+    for (const auto* turns : {&laws_.knots, &laws_.looks}) {
+      if (turns->size() <= kMostAdded) add_times(*turns, duration, instants);
+    }
+  }
   std::vector<double> times = instants;
   for (const auto* more : {&laws_.breakpoints, &laws_.knots, &laws_.looks}) {
     add_times(*more, duration, times);

@@ -176,6 +176,16 @@ TEST(Sampling, AlongASlideThatMovesForAMoment) {
   EXPECT_GT(longest_way(settings), 0.01);
   settings.slides = {0};
   EXPECT_LT(longest_way(settings), 0.1 / 60.0);
+  drive = {};
+  drive.joint = 0;
+  drive.law = DriveLaw::kSine;
+  drive.amplitude = 0.1;
+  drive.frequency = 10.0;  // in the middle at every instant
+  m.drives = {drive};
+  SimulationSettings turns = at_peaks(1.0, 21);
+  turns.slides = {0};
+  EXPECT_LT(longest_way(turns), 0.2 / 40.0);
+  EXPECT_GT(longest_way(turns), 0.2 / 200.0);
   m.drives.clear();
   m.elements = {testing::on_joint(
       0, TableLaw{.times = {0.0, 5.0, 5.0, 5.001, 5.001},
