@@ -36,16 +36,19 @@ void refuse_massless(const MechanismDefinition& definition) {
 
 /// Instants within the hardest impacts, whose loads a part may feel at no other
 /// time [s].
-std::vector<double> impact_times(std::vector<Impact> impacts) {
+std::vector<double> impact_times(std::vector<Impact> impacts, double duration) {
   constexpr std::size_t kMost = 60;
   constexpr double kLeast = 0.01;  // of the hardest
   constexpr int kParts = 4;        // of its rise, and of its fall
+  constexpr double kLast = 1e-5;   // of the duration
   std::ranges::stable_sort(impacts, std::ranges::greater{},
                            &Impact::peak_force);
   std::vector<double> times;
   for (std::size_t i = 0; i < std::min(kMost, impacts.size()); ++i) {
     const Impact& impact = impacts[i];
     if (!(impact.peak_force > kLeast * impacts.front().peak_force)) break;
+    // What comes to rest presses hardest just before the end.
+    if (impact.peak_at > (1.0 - kLast) * duration) continue;
     const double end = impact.t + impact.duration.value_or(0.0);
     for (int k = 1; k <= kParts; ++k) {
       const double share = double(k) / kParts;
@@ -76,7 +79,7 @@ Motion integrate_motion(const MechanismDefinition& definition,
     beside.times.push_back(point.t);
   }
   for (const auto& more :
-       {impact_times(found.impacts),
+       {impact_times(found.impacts, settings.duration),
         slide_times(definition, settings.slides, found.instants)}) {
     others.insert(others.end(), more.begin(), more.end());
   }
