@@ -11,7 +11,7 @@ namespace {
 using Eigen::Matrix3Xd;
 
 // Ways of a slide from instant to instant, over all of its way: a bending
-// moment that is a parabola of the place is then met to 1e-4.
+// moment that is a parabola of the place is then met to (1/64)^2 = 2.4e-4.
 constexpr double kStep = 1.0 / 64.0;
 constexpr std::size_t kMost = 4000;  // times
 

@@ -46,13 +46,11 @@ double misfit_beside(const MatrixXd& offsets, const VectorXd& misfits) {
 }
 
 /// Rise of the parabola through values at 0, 1 and 2 above the first, from 0 to
-/// 1.
+/// 1. @pre the first is the largest.
 double rise_of_parabola(double at_0, double at_1, double at_2) {
   const double slope = -1.5 * at_0 + 2.0 * at_1 - 0.5 * at_2;
   const double bend = at_0 - 2.0 * at_1 + at_2;
-  if (!(slope > 0.0)) return std::max(0.0, at_1 - at_0);
-  if (!(bend < 0.0) || slope > -bend) return std::max(0.0, at_1 - at_0);
-  return 0.5 * slope * slope / -bend;
+  return slope > 0.0 && slope <= -bend ? 0.5 * slope * slope / -bend : 0.0;
 }
 
 /// Rise above a point of a tensor cell by the lattice's lines through it, each
