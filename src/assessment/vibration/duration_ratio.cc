@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
+#include "assessment/vibration/load_jumps.h"
 #include "elasticity/vibration/eigenmodes.h"
 
 namespace clevis::assessment {
 namespace {
 
 constexpr double kSlow = 0.10, kShort = 0.25;
+constexpr const char* kInTime =
+    "dynamic elements: the loads of the instants may be exceeded";
 
 /// Of a part's first vibration along its longest way: 2 l/√(E/ρ) [s]. What is
 /// over before the part bends may still run along it and meet its like.
@@ -21,6 +26,14 @@ double period_of_waves(const PartJob& job) {
   return 2.0 * box.sizes().maxCoeff() *
          std::sqrt(job.part.material.density /
                    job.part.material.youngs_modulus);
+}
+
+/// The jump that reaches farthest, if that is beyond the loads of the instants.
+std::optional<LoadJump> farthest_jump(const PartJob& job) {
+  const auto jumps = load_jumps(job);
+  const auto farthest = std::ranges::max_element(jumps, {}, &LoadJump::reach);
+  if (farthest == jumps.end() || farthest->reach <= 1.0 + kSlow) return {};
+  return *farthest;
 }
 
 }  // namespace
@@ -63,7 +76,8 @@ bool wants_elements_in_time(const DurationRatio& rated) {
 }
 
 void judge_duration_ratios(const PartJob& job, PartResult& result) {
-  if (job.impact_loads.empty()) return;
+  const std::optional<LoadJump> jump = farthest_jump(job);
+  if (job.impact_loads.empty() && !jump) return;
   const loads::LoadHistory none;
   const double first = elasticity::first_period<3>(
       {job.overall_mesh(), job.part.material, none, {}, job.part.name},
@@ -81,13 +95,20 @@ void judge_duration_ratios(const PartJob& job, PartResult& result) {
           rated.amplification,
           pulse_amplification(load.duration / period, load.rise_time / period));
     }
-    rated.treatment =
-        wants_elements_in_time(rated)
-            ? "dynamic elements: the loads of the instants may be exceeded"
-        : rated.ratio < kShort
-            ? "beam impact: over before the part gives way, the loads of the "
-              "instants are an upper bound"
-            : "quasi-static: the loads of the instants suffice";
+    rated.treatment = wants_elements_in_time(rated) ? kInTime
+                      : rated.ratio < kShort
+                          ? "beam impact: over before the part gives way, the "
+                            "loads of the instants are an upper bound"
+                          : "quasi-static: the loads of the instants suffice";
+    result.duration_ratios.push_back(rated);
+  }
+  if (jump) {
+    DurationRatio rated;
+    rated.impact = fmt::format("jump of its loads at {:.6g} s", jump->time);
+    rated.duration = jump->stays;
+    rated.ratio = jump->stays / first;
+    rated.amplification = jump->reach;
+    rated.treatment = kInTime;
     result.duration_ratios.push_back(rated);
   }
 }

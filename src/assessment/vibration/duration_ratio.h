@@ -21,7 +21,8 @@ double pulse_amplification(double duration_over_period,
 bool wants_elements_in_time(const DurationRatio& rated);
 
 /// Judges each impact of the mechanism by its duration over the part's first
-/// period, free or held.
+/// period, free or held; and the jump of its loads after which a mode may swing
+/// farthest beyond those of all instants.
 void judge_duration_ratios(const PartJob& job, PartResult& result);
 
 }  // namespace clevis::assessment

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "assessment/vibration/load_jumps.h"
 #include "stress/field/stress_history.h"
 #include "stress/many_instants/field_reduction.h"
 #include "stress/many_instants/point_stress.h"
@@ -15,9 +16,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kSides = 1e-8;  // of the motion: both sides of an event
-constexpr int kTimes = 2400;
-constexpr double kPerPeriod = 400.0;  // times of the lowest shape's
+// Times, of them within a period of the lowest shape.
+constexpr int kDriven = 2400, kSwing = 4000;
+constexpr double kDrivenPerPeriod = 400.0, kSwingPerPeriod = 20.0;
+
+constexpr double kFrontTurns = 6.0;
 
 template <int dim>
 constexpr int kSubdivisions = dim == 2 ? 4 : 2;
@@ -35,12 +38,12 @@ template <int dim>
 VibratingModel<dim>::VibratingModel(const PartJob& job,
                                     const mesh::PartMesh<dim>& mesh,
                                     const LoadSet& set, int degree,
-                                    const std::vector<VibrationWindow>& windows)
+                                    const VibrationTimes& times)
     : job_(job),
       set_(set),
-      windows_(windows),
+      times_(times),
       part_({mesh, job.part.material, set.history, {}, job.part.name}, degree,
-            instants_within(windows, set.history.instants)),
+            instants_within(times.driven, set.history.instants)),
       zones_(stress::singular_zones<dim>(mesh, job.part.material, {})),
       path_(make_path()),
       still_(peak_of(part_.statics()).value) {}
@@ -53,7 +56,14 @@ dynamics::LoadPath VibratingModel<dim>::make_path() const {
     time[i] = instants[static_cast<std::size_t>(i)].time;
   }
   return {time, part_.statics().coefficients,
-          kSides * (time[time.size() - 1] - time[0])};
+          kEventSides * (time[time.size() - 1] - time[0])};
+}
+
+template <int dim>
+VectorXd VibratingModel<dim>::even_times(double lowest) const {
+  return merged(
+      times_within(times_.driven, 1.0 / (kDrivenPerPeriod * lowest), kDriven),
+      times_within(times_.swing, 1.0 / (kSwingPerPeriod * lowest), kSwing));
 }
 
 template <int dim>
@@ -112,12 +122,14 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(
   found.shapes = static_cast<int>(hertz.size());
   found.lowest = hertz.minCoeff();
   found.highest = hertz.maxCoeff();
+  // Leaves of a jump 1.1 % to a shape of half the highest frequency: those
+  // above are less true than many.
+  const double front = kFrontTurns / shapes.squares.cwiseSqrt().maxCoeff();
   const auto answer_at = [&](const VectorXd& times) {
     return dynamics::answer_to(path, shapes.participation, shapes.squares,
-                               job_.part.damping, times);
+                               job_.part.damping, times, front);
   };
-  const VectorXd even =
-      times_within(windows_, 1.0 / (kPerPeriod * found.lowest), kTimes);
+  const VectorXd even = even_times(found.lowest);
   auto moving = answer_at(even);
   found.basis = basis_of(shapes, moving);
   const auto points = points_near_peak(found.basis);
@@ -128,7 +140,8 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(
                                       found.basis.columns);
   moving = answer_at(with_times_near_peaks(
       even, moving.time,
-      near.von_mises(found.basis.coefficients).colwise().maxCoeff(), windows_));
+      near.von_mises(found.basis.coefficients).colwise().maxCoeff(),
+      times_.swing));
   found.basis.coefficients = coefficients_of(moving);
   const MatrixXd stresses = near.von_mises(found.basis.coefficients);
   Index point = 0, time = 0;

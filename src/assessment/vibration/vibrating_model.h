@@ -15,8 +15,14 @@
 
 namespace clevis::assessment {
 
-/// Peak of a part that vibrates about its quasi-static answer, over the times
-/// of its windows and all instants.
+/// When a part vibrates.
+struct VibrationTimes {
+  std::vector<VibrationWindow> driven;  ///< vibration_windows()
+  std::vector<VibrationWindow> swing;   ///< swing_windows() of them
+};
+
+/// Peak of a part that vibrates about its quasi-static answer, over its times
+/// and all instants.
 template <int dim>
 struct VibratingAnswer {
   stress::PartialPeak peak;  ///< outside the singular zones
@@ -33,11 +39,10 @@ struct VibratingAnswer {
 template <int dim>
 class VibratingModel {
  public:
-  /// @param job, mesh, set, windows  outlive the object; the set floats.
+  /// @param job, mesh, set, times  outlive the object; the set floats.
   /// @throws Error of elasticity::LoadVibration.
   VibratingModel(const PartJob& job, const mesh::PartMesh<dim>& mesh,
-                 const LoadSet& set, int degree,
-                 const std::vector<VibrationWindow>& windows);
+                 const LoadSet& set, int degree, const VibrationTimes& times);
 
   /// @param path  that of the loads, or thinned.
   VibratingAnswer<dim> answer(int shapes, const dynamics::LoadPath& path);
@@ -51,6 +56,9 @@ class VibratingModel {
   using Basis = elasticity::DisplacementBasis<dim>;
 
   dynamics::LoadPath make_path() const;
+  /// Even times, closer where the loads drive the vibration than where it
+  /// swings out. @param lowest  frequency [Hz].
+  Eigen::VectorXd even_times(double lowest) const;
   stress::PartialPeak peak_of(const Basis& basis) const;
   /// Lattice points outside the zones that come near the peak, by every sixth
   /// time.
@@ -60,7 +68,7 @@ class VibratingModel {
 
   const PartJob& job_;
   const LoadSet& set_;
-  const std::vector<VibrationWindow>& windows_;
+  const VibrationTimes& times_;
   elasticity::LoadVibration<dim> part_;
   std::vector<stress::SingularZone> zones_;
   dynamics::LoadPath path_;

@@ -10,6 +10,7 @@
 
 #include "assessment/models/level.h"
 #include "assessment/models/model_list.h"
+#include "assessment/vibration/load_jumps.h"
 #include "assessment/vibration/vibrating_model.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
@@ -26,8 +27,7 @@ double change(double from, double to) {
 
 template <int dim>
 VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
-                        const LoadSet& set,
-                        const std::vector<VibrationWindow>& windows,
+                        const LoadSet& set, const VibrationTimes& times,
                         std::string_view model) {
   const int highest = mesh.shape == mesh::CellShape::kSimplex ? 2
                       : dim == 2                              ? 4
@@ -36,7 +36,7 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   int count = kFewest;
   double low_ratio = 0.0;
   {
-    VibratingModel<dim> low(job, mesh, set, highest - 1, windows);
+    VibratingModel<dim> low(job, mesh, set, highest - 1, times);
     double before = low.answer(count, low.path()).peak.value;
     for (;;) {
       count *= 2;
@@ -52,7 +52,7 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
     result.path_error =
         change(low.answer(count, thinned(low.path())).peak.value, before) / 3.0;
   }
-  VibratingModel<dim> high(job, mesh, set, highest, windows);
+  VibratingModel<dim> high(job, mesh, set, highest, times);
   if (!(high.still() > 0.0)) return {};  // the zones are all that is loaded
   auto found = high.answer(count, high.path());
   result.peak = found.peak.value;
@@ -121,27 +121,29 @@ void judge_vibration(const PartJob& job, const LoadSet& set, PartResult& result,
 }  // namespace
 
 void check_vibration(const PartJob& job, PartResult& result) {
-  auto windows = vibration_windows(job, result);
-  if (windows.empty() || !(judged_peak(result).value > 0.0)) return;
+  VibrationTimes times{vibration_windows(job, result), {}};
+  if (times.driven.empty() || !(judged_peak(result).value > 0.0)) return;
   Stopwatch watch;
   PartJob moving = job;
   moving.load_sets = {motion_loads(job)};
   const LoadSet& set = moving.load_sets.front();
+  times.swing =
+      swing_windows(times.driven, result.first_period.value(), job.part.damping,
+                    set.history.instants.back().time);
   VibrationResult found;
   try {
     const PartShape shape(moving);
     const Model& model = cheapest_in_time(shape);
     found = std::visit(
         [&]<int dim>(const FeModel<dim>& fe) {
-          return vibrate<dim>(moving, *fe.mesh, set, windows,
-                              model.traits.name);
+          return vibrate<dim>(moving, *fe.mesh, set, times, model.traits.name);
         },
         model.make(shape, {}));
   } catch (const Error& error) {
     found.failure = fmt::format("{}: {}", error.code(), error.what());
   }
-  found.from = windows.front().from;
-  found.to = windows.back().to;
+  found.from = times.swing.front().from;
+  found.to = times.swing.back().to;
   found.seconds = watch.lap();
   if (found.ratio) judge_vibration(job, set, result, found);
   result.vibration = std::move(found);

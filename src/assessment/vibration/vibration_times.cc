@@ -2,16 +2,46 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "assessment/vibration/duration_ratio.h"
+#include "assessment/vibration/load_jumps.h"
 
 namespace clevis::assessment {
+
+namespace {
+
+std::vector<VibrationWindow> joined(std::vector<VibrationWindow> all) {
+  std::ranges::sort(all, {}, &VibrationWindow::from);
+  std::vector<VibrationWindow> apart;
+  for (const VibrationWindow& window : all) {
+    if (!apart.empty() && window.from <= apart.back().to) {
+      apart.back().to = std::max(apart.back().to, window.to);
+    } else {
+      apart.push_back(window);
+    }
+  }
+  return apart;
+}
+
+void end_at(double end, std::vector<VibrationWindow>& windows) {
+  std::erase_if(windows, [end](const VibrationWindow& window) {
+    return window.from >= end;
+  });
+  for (VibrationWindow& window : windows) window.to = std::min(window.to, end);
+}
+
+}  // namespace
 
 std::vector<VibrationWindow> vibration_windows(const PartJob& job,
                                                const PartResult& result) {
   constexpr double kPressing = 10.0, kAfter = 5.0;  // first periods
+  if (std::ranges::none_of(result.duration_ratios, wants_elements_in_time)) {
+    return {};
+  }
   std::vector<VibrationWindow> all;
-  for (std::size_t i = 0; i < result.duration_ratios.size(); ++i) {
+  for (std::size_t i = 0; i < job.impact_loads.size(); ++i) {
     if (!wants_elements_in_time(result.duration_ratios[i])) continue;
     const ImpactLoad& load = job.impact_loads[i];
     const double period = result.first_period.value();
@@ -21,16 +51,24 @@ std::vector<VibrationWindow> vibration_windows(const PartJob& job,
       all.push_back({start, start + follow});
     }
   }
-  std::ranges::sort(all, {}, &VibrationWindow::from);
-  std::vector<VibrationWindow> joined;
-  for (const VibrationWindow& window : all) {
-    if (!joined.empty() && window.from <= joined.back().to) {
-      joined.back().to = std::max(joined.back().to, window.to);
-    } else {
-      joined.push_back(window);
-    }
+  for (const LoadJump& jump : load_jumps(job)) {
+    all.push_back(
+        {jump.time, jump.time + kAfter * result.first_period.value()});
   }
-  return joined;
+  end_at(motion_loads(job).history.instants.back().time, all);
+  return joined(std::move(all));
+}
+
+std::vector<VibrationWindow> swing_windows(
+    const std::vector<VibrationWindow>& windows, double period, double damping,
+    double end) {
+  constexpr double kLeft = 0.05, kMost = 100.0;  // periods
+  const double turn = 2.0 * std::numbers::pi;
+  const double periods = std::min(kMost, -std::log(kLeft) / (turn * damping));
+  auto all = windows;
+  for (VibrationWindow& window : all) window.to += periods * period;
+  end_at(end, all);
+  return joined(std::move(all));
 }
 
 std::vector<Eigen::Index> instants_within(
@@ -94,16 +132,11 @@ Eigen::VectorXd with_times_near_peaks(
       times.data(), static_cast<Eigen::Index>(times.size()));
 }
 
-LoadSet motion_loads(const PartJob& job) {
-  LoadSet set = job.load_sets.front();
-  auto& instants = set.history.instants;
-  std::size_t motion = 1;
-  while (motion < instants.size() &&
-         instants[motion].time > instants[motion - 1].time) {
-    ++motion;
-  }
-  instants.resize(motion);
-  return set;
+Eigen::VectorXd merged(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  Eigen::VectorXd both(a.size() + b.size());
+  std::ranges::merge(a, b, both.begin());
+  both.conservativeResize(std::unique(both.begin(), both.end()) - both.begin());
+  return both;
 }
 
 }  // namespace clevis::assessment

@@ -14,10 +14,19 @@ struct VibrationWindow {
 };
 
 /// From the touch of each impact that wants elements in time until five first
-/// periods after its force has gone (or, where it stays, after ten); joined
-/// where they meet. None: the loads of the instants suffice.
+/// periods after its force has gone (or, where it stays, after ten). If an
+/// impact or a jump of the loads wants them, also for five periods from every
+/// jump. Joined where they meet, within the motion. None: the loads of the
+/// instants suffice.
 std::vector<VibrationWindow> vibration_windows(const PartJob& job,
                                                const PartResult& result);
+
+/// Each window and what follows until the part's swing has fallen to a
+/// twentieth, a hundred first periods at most; joined, until `end` [s].
+/// @param period  first [s]. @param damping  ζ [1].
+std::vector<VibrationWindow> swing_windows(
+    const std::vector<VibrationWindow>& windows, double period, double damping,
+    double end);
 
 /// Instants of the motion in the windows.
 std::vector<Eigen::Index> instants_within(
@@ -36,7 +45,7 @@ Eigen::VectorXd with_times_near_peaks(
     const Eigen::VectorXd& even, const Eigen::VectorXd& time,
     const Eigen::VectorXd& peak, const std::vector<VibrationWindow>& windows);
 
-/// The loads over the motion of the part's body, without its cases.
-LoadSet motion_loads(const PartJob& job);
+/// Both, rising, none twice.
+Eigen::VectorXd merged(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
 }  // namespace clevis::assessment

@@ -60,8 +60,9 @@ double energy_of(const ArrayXd& omega, const State& state) {
 
 LoadAnswer answer_to(const LoadPath& path, const MatrixXd& participation,
                      const VectorXd& squares, double damping,
-                     const VectorXd& others) {
+                     const VectorXd& others, double front) {
   const ArrayXd omega = squares.array().sqrt();
+  const ArrayXd share = (-0.5 * (front * omega).square()).exp();
   const Index n = path.size() + others.size();
   LoadAnswer answer{VectorXd(n), MatrixXd(path.coordinates(), n),
                     MatrixXd(squares.size(), n), VectorXd(n)};
@@ -79,14 +80,14 @@ LoadAnswer answer_to(const LoadPath& path, const MatrixXd& participation,
     const double from = path.time()[i], to = path.time()[i + 1];
     const MatrixXd cubic = path.cubic(i);
     if (path.is_jump(i)) {
-      state.w -=
-          (participation * (path.values().col(i + 1) - path.values().col(i)))
-              .array();
+      state.w -= share * (participation *
+                          (path.values().col(i + 1) - path.values().col(i)))
+                             .array();
       // the rates of x on both sides may differ too
       VectorXd step = VectorXd::Zero(path.coordinates());
       if (i > 0) step -= path.end_slope(i - 1);
       if (i + 2 < path.size()) step += path.cubic(i + 1).col(0);
-      state.rate -= (participation * step).array();
+      state.rate -= share * (participation * step).array();
     } else {
       const Interval interval(omega, damping, participation * cubic, state);
       for (; next < others.size() && others[next] < to; ++next) {

@@ -20,16 +20,19 @@ struct LoadAnswer {
 /// modes without rigid motion
 ///     w'' + 2 ζ ω w' + ω² w = −x'' − 2 ζ ω x',   x = Φᵀ M U c.
 /// x is cubic between the instants, so each interval is solved exactly; where
-/// x jumps, w jumps the other way, for a body cannot. Before the first instant
-/// the load has changed slowly: w = w' = 0.
+/// x jumps, w jumps the other way, for a body cannot; by exp(−(ω τ)²/2) of it
+/// if the jump is spread by a bell curve of standard deviation τ. Before the
+/// first instant the load has changed slowly: w = w' = 0.
 ///
 /// @param participation  Φᵀ M U, modes × coordinates of the path.
 /// @param squares        ω² > 0 [1/s²].
 /// @param damping        ζ of every mode, 0 <= ζ < 1 [1].
 /// @param others         times to be looked at besides, rising, within the
 ///   path [s].
+/// @param front           τ, >= 0: few modes overshoot behind a sharper wave
+///   front than they can carry, however many they are [s].
 LoadAnswer answer_to(const LoadPath& path, const Eigen::MatrixXd& participation,
                      const Eigen::VectorXd& squares, double damping,
-                     const Eigen::VectorXd& others);
+                     const Eigen::VectorXd& others, double front = 0.0);
 
 }  // namespace clevis::dynamics

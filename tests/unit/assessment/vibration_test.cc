@@ -8,6 +8,7 @@
 
 #include "assessment/part_check.h"
 #include "assessment/vibration/duration_ratio.h"
+#include "assessment/vibration/load_jumps.h"
 #include "assessment/vibration/vibration_times.h"
 #include "mesh/quality/mass_properties.h"
 #include "part/verdict.h"
@@ -144,8 +145,38 @@ TEST(Vibration, DampingLowersIt) {
   EXPECT_GT(damped, 1.5);
 }
 
+// A jump of the loads excites as an impact does: no touch is needed.
+TEST(Vibration, JumpOfTheLoadsDoubles) {
+  PartJob job = bar(0.8 * transit());
+  const double side = 1e-9 * transit(), end = 20.0 * transit();
+  job.load_sets[0].history.instants = {pulled(-transit(), 0.5),
+                                       pulled(-side, 0.5), pulled(0.0, 1.0),
+                                       pulled(end, 1.0)};
+  job.impact_loads.clear();
+  job.part.damping = 0.01;
+  const PartResult result = check_part(job).result;
+  ASSERT_EQ(result.duration_ratios.size(), 1U);
+  EXPECT_NEAR(result.duration_ratios[0].amplification, 1.5, 1e-6);
+  const VibrationResult& found = result.vibration;
+  EXPECT_NEAR(found.ratio.value(), 1.5, 0.01);
+  EXPECT_GE(found.band_high, 1.49 * kPull);
+
+  job.load_sets[0].history.instants[2] = pulled(0.0, 0.52);
+  job.load_sets[0].history.instants[3] = pulled(end, 0.52);
+  EXPECT_FALSE(check_part(job).result.vibration.ratio);  // by 4 %
+}
+
+/// Loads of these ends and times in between, in periods of 1 s.
+PartJob bar_over(double end) {
+  PartJob job = bar(0.8 * transit());
+  auto& instants = job.load_sets[0].history.instants;
+  instants = {pulled(0.0, 0.0), pulled(end, 0.0)};
+  job.impact_loads.clear();
+  return job;
+}
+
 TEST(VibrationWindows, MeetAndJoin) {
-  PartJob job;
+  PartJob job = bar_over(600.0);
   PartResult result;
   result.first_period = 1.0;
   job.impact_loads.push_back(
@@ -169,6 +200,36 @@ TEST(VibrationWindows, MeetAndJoin) {
   const auto times = times_within(windows, 1e-6, 280);
   EXPECT_NEAR(static_cast<double>(times.size()), 282.0, 2.0);
   EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
+
+  const double damping = 0.1;  // to a twentieth in 4.8 periods
+  const auto swing = swing_windows(windows, 1.0, damping, 600.0);
+  ASSERT_EQ(swing.size(), 2U);
+  EXPECT_NEAR(swing[0].to, 24.0 + 4.768, 1e-3);
+  const auto undamped = swing_windows(windows, 1.0, 0.0, 130.0);
+  ASSERT_EQ(undamped.size(), 1U);
+  EXPECT_EQ(undamped[0].to, 130.0);  // the motion's end comes first
+}
+
+TEST(VibrationWindows, BeginWhereLoadsJumpToo) {
+  PartJob job = bar_over(100.0);
+  PartResult result;
+  result.first_period = 1.0;
+  auto& instants = job.load_sets[0].history.instants;
+  instants = {pulled(0.0, 0.0),          pulled(20.0, 1.0),
+              pulled(20.0 + 1e-8, 1.01), pulled(50.0, 1.01),
+              pulled(50.0 + 1e-8, 0.5),  pulled(100.0, 0.5)};
+  EXPECT_TRUE(vibration_windows(job, result).empty());  // no impact
+  job.impact_loads.push_back(
+      {.name = "a", .duration = 2.0, .rise_time = 0.1, .touches = {3.0}});
+  result.duration_ratios.emplace_back().amplification = 2.0;
+  const auto windows = vibration_windows(job, result);
+  ASSERT_EQ(windows.size(), 2U);
+  EXPECT_NEAR(windows[1].from, 50.0, 1e-6);
+  EXPECT_NEAR(windows[1].to, 55.0, 1e-6);
+  const auto jumps = load_jumps(job);
+  ASSERT_EQ(jumps.size(), 1U);
+  EXPECT_NEAR(jumps[0].reach, 1.0, 1e-6);  // back to where it came from
+  EXPECT_NEAR(jumps[0].stays, 50.0, 1e-6);
 }
 
 }  // namespace

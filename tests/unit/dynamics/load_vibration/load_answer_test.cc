@@ -194,6 +194,18 @@ TEST(LoadAnswer, DampedRampLagsBehind) {
   EXPECT_NEAR(found.added(0, at), -lag, 1e-9);
 }
 
+// A jump spread by a bell curve: of the swing after it, at rest before, the
+// curve's Fourier transform is left.
+TEST(LoadAnswer, SpreadJumpSwingsLess) {
+  const double front = 0.2, omega = 2.0 * kPi;
+  const auto path = path_of({{0.0, 0.0}, {0.0, 1.0}, {3.0, 1.0}});
+  const auto found = dynamics::answer_to(
+      path, MatrixXd::Ones(1, 1), VectorXd::Constant(1, omega * omega), 0.0,
+      VectorXd::LinSpaced(3001, 0.0, 3.0), front);
+  EXPECT_NEAR(found.added.row(0).maxCoeff(),
+              std::exp(-0.5 * std::pow(omega * front, 2)), 1e-6);
+}
+
 // The rod held at its first end, pulled at the other by a step: its end's
 // displacement is a triangle wave between 0 and twice the static one.
 TEST(LoadShapes, StepOnARod) {
