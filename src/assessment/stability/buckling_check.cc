@@ -1,10 +1,12 @@
 #include "assessment/stability/buckling_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include "assessment/models/part_shape.h"
@@ -24,11 +26,68 @@ using elasticity::Discretization;
 constexpr int kFirstDegree = 2;
 constexpr int kHighestDegree = 4;
 
+/// Of the first degree alone, where the memory holds no other: on cells that
+/// are not long it has less than three times the factor.
+constexpr double kThrice = 3.0;
+
 /// A part of one degree.
 struct PartSpace {
   Discretization<3> whole;
   std::optional<Discretization<2>> plane = {};  ///< that it is a layer over
 };
+
+/// Longest edge of a cell over its smallest height at a corner [1]; regular
+/// tetrahedron: 1.22, square: 1.
+/// @param vertices  dim × corners.
+/// @param joined  corners that an edge joins to each corner.
+template <int dim>
+double slenderness(
+    const Eigen::Matrix<double, dim, Eigen::Dynamic>& vertices,
+    const std::vector<std::array<int, static_cast<std::size_t>(dim)>>& joined,
+    double height = HUGE_VAL) {
+  double longest = 0.0, lowest = height;
+  for (std::size_t c = 0; c < joined.size(); ++c) {
+    Eigen::Matrix<double, dim, dim> edges;
+    for (int k = 0; k < dim; ++k) {
+      edges.col(k) = vertices.col(joined[c][static_cast<std::size_t>(k)]) -
+                     vertices.col(static_cast<Eigen::Index>(c));
+      longest = std::max(longest, edges.col(k).norm());
+    }
+    // The rows of the inverse are normal to the other edges.
+    lowest =
+        std::min(lowest, 1.0 / edges.inverse().rowwise().norm().maxCoeff());
+  }
+  return lowest > 0.0 ? longest / lowest : HUGE_VAL;
+}
+
+/// Whether 95 % of the cells are not long: of them degree 2 has bending and
+/// twisting, and what kThrice says holds.
+/// @param height  of a layer of cells, which may be tall [m].
+template <int dim>
+bool has_compact_cells(const mesh::PartMesh<dim>& mesh,
+                       double height = HUGE_VAL) {
+  constexpr double kLong = 5.0;
+  using Joined = std::vector<std::array<int, static_cast<std::size_t>(dim)>>;
+  Joined joined;
+  if constexpr (dim == 2) {
+    joined = {{1, 2}, {0, 3}, {0, 3}, {1, 2}};
+  } else if (mesh.shape == mesh::CellShape::kSimplex) {
+    joined = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
+  } else {
+    joined = {{1, 2, 4}, {0, 3, 5}, {0, 3, 6}, {1, 2, 7},
+              {0, 5, 6}, {1, 4, 7}, {2, 4, 7}, {3, 5, 6}};
+  }
+  const auto compact = std::ranges::count_if(mesh.cells, [&](const auto& cell) {
+    Eigen::Matrix<double, dim, Eigen::Dynamic> vertices(
+        dim, static_cast<Eigen::Index>(cell.size()));
+    for (std::size_t v = 0; v < cell.size(); ++v) {
+      vertices.col(static_cast<Eigen::Index>(v)) = mesh.vertices[cell[v]];
+    }
+    return slenderness<dim>(vertices, joined, height) < kLong;
+  });
+  return static_cast<double>(compact) >=
+         0.95 * static_cast<double>(mesh.cells.size());
+}
 
 /// The part's discretisation for bending and twisting: of plates one layer.
 class BucklingModel {
@@ -43,6 +102,12 @@ class BucklingModel {
     auto plane = elasticity::discretize<2>(shape_.plate()->quadrangles, degree);
     auto layer = elasticity::layer_over(plane, kThroughThickness);
     return {std::move(layer), std::move(plane)};
+  }
+  bool is_compact() const {
+    return shape_.plate()
+               ? has_compact_cells(shape_.plate()->quadrangles,
+                                   shape_.plate()->quadrangles.thickness)
+               : has_compact_cells(job_.overall_mesh());
   }
   std::string name(int degree) const {
     const auto kind = shape_.plate() ? ModelKind::kLayered : ModelKind::kSolid;
@@ -88,7 +153,7 @@ struct Found {
   std::string label;
   double instant{};
 };
-Found lowest(const PartJob& job, const PartSpace& space,
+Found lowest(const PartJob& job, const PartSpace& space, double highest,
              std::vector<Candidate>& candidates) {
   std::optional<Found> best;
   for (Candidate& candidate : candidates) {
@@ -97,7 +162,7 @@ Found lowest(const PartJob& job, const PartSpace& space,
          job.load_sets[candidate.set].fixed, candidate.holds, job.part.name,
          job.load_sets[candidate.set].foundations,
          space.plane ? &*space.plane : nullptr,
-         candidate.known ? &*candidate.known : nullptr});
+         candidate.known ? &*candidate.known : nullptr, highest});
     const auto instant =
         candidate.history.instants[static_cast<std::size_t>(mode.instant)];
     candidate.history.instants = {instant};
@@ -122,17 +187,14 @@ BucklingShape shape_of(const PartJob& job,
           stress::instant_field<3>(basis, job.part.material, kSubdivisions, 0)};
 }
 
-/// Of the first degree alone, where the memory holds no other: on cells that
-/// are not long it has less than three times the factor.
-constexpr double kFirst = 2.0 / 3.0;
-
 /// Factors fall with the degree to that of the model: what is still to come is
 /// no more than the last change.
 /// @param before  the degree's before; nothing: it is the first.
 void set_band(std::optional<double> before, double now,
               BucklingResult& result) {
   constexpr double kAbove = 0.1;  // of the change: the stresses' own error
-  const double change = before ? std::abs(*before - now) : kFirst * now;
+  const double change =
+      before ? std::abs(*before - now) : (1.0 - 1.0 / kThrice) * now;
   result.factor = now;
   result.band_low = std::max(0.0, now - change);
   result.band_high = now + (before ? kAbove * change : 0.0);
@@ -148,21 +210,25 @@ bool is_decided(const BucklingResult& result, double wanted) {
          (narrow && (result.band_low > wanted || result.band_high < wanted));
 }
 
+/// Factors of the model beyond are not looked for.
+constexpr double kHighest = 100.0;
+
 /// Takes one degree in.
 /// @param before  factor of the degree before.
+/// @param highest  factors beyond are not looked for.
 void take(const PartJob& job, const BucklingModel& model, int degree,
-          std::optional<double> before, std::vector<Candidate>& candidates,
-          BucklingCheck& check) {
+          std::optional<double> before, double highest,
+          std::vector<Candidate>& candidates, BucklingCheck& check) {
   const PartSpace space = model.discretize(degree);
   elasticity::require_dofs(space.whole.dofs(), job.max_dofs,
                            "part " + job.part.name);
-  const Found found = lowest(job, space, candidates);
+  const Found found = lowest(job, space, highest, candidates);
   check.result.label = found.label;
   check.result.instant = found.instant;
   check.result.model = model.name(degree);
   if (found.mode.is_above) {
     check.shape.reset();
-    const double bound = (before ? 1.0 : 1.0 - kFirst) * found.mode.factor;
+    const double bound = found.mode.factor / (before ? 1.0 : kThrice);
     check.result.factor = bound;
     check.result.band_low = check.result.band_high = bound;
     return;
@@ -179,49 +245,21 @@ bool is_bearable(const Error& error) {
          error.code() == "M005";
 }
 
-/// Longest edge over smallest height of a tetrahedron [1]; regular: 1.22.
-double slenderness(const mesh::PartMesh<3>& mesh,
-                   const std::vector<unsigned>& cell) {
-  const auto at = [&](std::size_t v) -> const Eigen::Vector3d& {
-    return mesh.vertices[cell[v]];
-  };
-  double longest = 0.0, largest = 0.0;
-  for (std::size_t a = 0; a < 4; ++a) {
-    for (std::size_t b = a + 1; b < 4; ++b) {
-      longest = std::max(longest, (at(b) - at(a)).norm());
-    }
-    const Eigen::Vector3d first = at((a + 2) % 4) - at((a + 1) % 4);
-    const Eigen::Vector3d second = at((a + 3) % 4) - at((a + 1) % 4);
-    largest = std::max(largest, first.cross(second).norm());
-  }
-  const double volume = std::abs(
-      (at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0)));  // six times
-  return volume > 0.0 ? longest * largest / volume : HUGE_VAL;
-}
-
-/// Whether 95 % of the cells are tetrahedra that are not long: of them degree 2
-/// has bending and twisting, and what kFirst says holds.
-bool has_compact_tetrahedra(const mesh::PartMesh<3>& mesh) {
-  constexpr double kLong = 5.0;
-  if (mesh.shape != mesh::CellShape::kSimplex) return false;
-  const auto compact = std::ranges::count_if(mesh.cells, [&](const auto& cell) {
-    return slenderness(mesh, cell) < kLong;
-  });
-  return static_cast<double>(compact) >=
-         0.95 * static_cast<double>(mesh.cells.size());
-}
-
 /// Climbs the degrees until the limit is decided, by two at least: of the first
-/// thin cells may lock by any factor. Compact tetrahedra do not; where no
-/// factor is found with them that is enough.
+/// thin cells may lock by any factor. Compact ones do not; where no factor is
+/// found with them that is enough, looked for so far that the model has none
+/// below kHighest.
 BucklingCheck climb(const PartJob& job, const BucklingModel& model,
                     std::vector<Candidate> candidates) {
   const double wanted = part::wanted_buckling_factor(job.part.limits);
   BucklingCheck check;
+  const bool is_compact = model.is_compact();
   std::optional<double> before;
   for (int degree = kFirstDegree; degree <= kHighestDegree; ++degree) {
     try {
-      take(job, model, degree, before, candidates, check);
+      const bool is_last = before || !is_compact;
+      take(job, model, degree, before, is_last ? kHighest : kThrice * kHighest,
+           candidates, check);
     } catch (const Error& error) {
       if (!is_bearable(error)) throw;
       if (before) return check;  // its band holds what is missing
@@ -230,8 +268,7 @@ BucklingCheck climb(const PartJob& job, const BucklingModel& model,
       continue;
     }
     check.result.remark.clear();
-    const bool is_enough =
-        before || (!check.shape && has_compact_tetrahedra(job.mesh));
+    const bool is_enough = before || (!check.shape && is_compact);
     if (is_enough && is_decided(check.result, wanted)) return check;
     before = check.result.factor;
   }

@@ -59,6 +59,7 @@ class StressedPart {
   explicit StressedPart(const BucklingProblem& problem)
       : part_(problem.discretization),
         material_(problem.material),
+        highest_(problem.highest),
         coordinates_(coordinates_of(problem)),
         pairs_(node_pairs(part_.cell_nodes, part_.nodes)) {
     const bool is_free = problem.fixed.empty() && problem.foundations.empty();
@@ -81,6 +82,7 @@ class StressedPart {
 
   Index instants() const { return coefficients_.cols(); }
   Index equations() const { return coordinates_->size(); }
+  double highest() const { return highest_; }
   std::size_t holds() const { return std::max<std::size_t>(1, holds_.size()); }
   const MatrixXd& coefficients() const { return coefficients_; }
   const InitialStress& stress() const { return *stress_; }
@@ -115,6 +117,7 @@ class StressedPart {
  private:
   const Discretization<3>& part_;
   const part::Material& material_;
+  double highest_;  ///< factor [1]
   std::unique_ptr<EnergyCoordinates> coordinates_;
   NodePairs pairs_;
   MatrixXd coefficients_;
@@ -202,7 +205,7 @@ class TrialSpace {
 
 /// The largest 1/λ of one instant.
 struct Yield {
-  double value{};     ///< 1/λ; 0: below 1/kHighestFactor
+  double value{};     ///< 1/λ; 0: below 1/highest()
   double residual{};  ///< relative
   MatrixXd shapes;    ///< unknowns of the largest few, the largest first
 };
@@ -220,7 +223,7 @@ Yield largest_yield(const StressedPart& part, std::size_t hold, Index instant,
     const auto ritz = space.ritz_values();
     const double theta = ritz.theta[0];
     const double rest = ritz.residual[0];
-    const bool is_low = theta + rest < 1.0 / kHighestFactor;
+    const bool is_low = theta + rest < 1.0 / part.highest();
     const bool settled = rest < kTolerance * theta;
     const bool is_last = space.is_closed() || step == kMostSteps;
     if (!is_last && (step < fewest || !(settled || is_low))) continue;
@@ -274,21 +277,21 @@ void take(const StressedPart& part, const Yield& yield, Index instant,
   best.instant = instant;
   best.residual = yield.residual;
   best.shape = to_unit(part.shapes(yield.shapes.leftCols(1), best.hold));
-  best.is_above = !(yield.value > 1.0 / kHighestFactor);
-  best.factor = best.is_above ? kHighestFactor : 1.0 / yield.value;
+  best.is_above = !(yield.value > 1.0 / part.highest());
+  best.factor = best.is_above ? part.highest() : 1.0 / yield.value;
 }
 
-BucklingMode none_below() {
+BucklingMode none_below(double highest) {
   BucklingMode none;
   none.is_above = true;
-  none.factor = kHighestFactor;
+  none.factor = highest;
   return none;
 }
 
 /// The largest 1/λ of one instant with one hold, from a shape that is near.
 BucklingMode lowest_near(const StressedPart& part, const VectorXd& shape) {
   constexpr int kFewest = 4;  // for the random ones to come near
-  BucklingMode best = none_below();
+  BucklingMode best = none_below(part.highest());
   const Yield yield =
       largest_yield(part, 0, 0, start_near(part, shape), kFewest);
   if (yield.value > 0.0) take(part, yield, 0, best);
@@ -301,9 +304,9 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
                          const MatrixXd& yielding) {
   constexpr double kGain = 1.0 + 1e-3;
   // By trial factors are too high, of shapes near the right ones little.
-  constexpr double kFarAbove = 0.1 / kHighestFactor;
+  const double far_above = 0.1 / part.highest();
   constexpr int kFewest = 2;
-  BucklingMode best = none_below();
+  BucklingMode best = none_below(part.highest());
   best.hold = hold;
   TrialSpace space(part, hold, yielding);
   std::set<Index> solved;
@@ -323,7 +326,7 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
     // With one hold one is solved for whatever the trial says.
     const bool must = solved.empty() && hold == 0;
     if (next < 0 ||
-        (!must && expected <= std::max(kGain * largest, kFarAbove))) {
+        (!must && expected <= std::max(kGain * largest, far_above))) {
       break;
     }
     const Yield yield =
@@ -342,7 +345,8 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
 
 BucklingMode lowest_buckling(const BucklingProblem& problem) {
   const StressedPart part(problem);
-  if (part.coefficients().rows() == 0) return none_below();  // not stressed
+  if (part.coefficients().rows() == 0)
+    return none_below(problem.highest);  // not stressed
   if (problem.known != nullptr && part.instants() == 1 && part.holds() == 1) {
     return lowest_near(part,
                        carried_over(*problem.known, problem.discretization));

@@ -38,6 +38,7 @@ struct BucklingProblem {
   const Discretization<2>* plane = nullptr;
   /// Of one instant with one hold: near to what is sought. Null: none is known.
   const KnownShape* known = nullptr;
+  double highest = 100.0;  ///< factors beyond are not looked for [1]
 };
 
 /// The lowest positive λ of K φ = −λ K_G φ over all instants and holds.
@@ -49,9 +50,6 @@ struct BucklingMode {
   Eigen::VectorXd shape;  ///< dofs, largest displacement of a node 1
   double residual{};  ///< ‖(−K⁻¹ K_G − 1/λ) φ‖_K λ: its square is λ's error
 };
-
-/// Factors beyond are not looked for.
-inline constexpr double kHighestFactor = 100.0;
 
 /// Linear buckling: K_G from the stresses of each instant; loads keep size and
 /// direction while the part moves. One factorisation, of each parity class of

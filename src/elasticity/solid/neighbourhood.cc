@@ -8,8 +8,8 @@
 #include "elasticity/assembly/foundation.h"
 #include "elasticity/assembly/stiffness.h"
 #include "elasticity/assembly/supports.h"
-#include "elasticity/direct/frontal_cholesky.h"
 #include "elasticity/fe_space/tabulation.h"
+#include "elasticity/problem/factored_solve.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -174,11 +174,17 @@ Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
   bed.add_to(stiffness);
   const auto numbers = number_equations(
       part.dofs(), held_components<dim>(problem, cells, number));
-  const FrontalCholesky factor(free_equations(stiffness, numbers),
-                               front_tree(dissection, dim, numbers.equation),
-                               "neighbourhood", own_processors());
   const MatrixXd residual = load - stiffness.multiply(u);
-  u += extend_rows(factor.solve(restrict_rows(residual, numbers)), numbers);
+  const auto correction = solve_by_factor(
+      free_equations(stiffness, numbers),
+      front_tree(dissection, dim, numbers.equation),
+      [&](const MatrixXd& x) {
+        return restrict_rows(stiffness.multiply(extend_rows(x, numbers)),
+                             numbers);
+      },
+      restrict_rows(residual, numbers), {Precision::kSingle, own_processors()},
+      "neighbourhood");
+  u += extend_rows(correction.columns, numbers);
   result.basis.columns = std::move(u);
   result.basis.coefficients = MatrixXd::Ones(1, 1);
   return result;

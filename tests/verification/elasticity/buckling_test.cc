@@ -245,7 +245,7 @@ TEST(Buckling, ColumnThatIsPulledDoesNotBuckle) {
   const auto mode = buckling(box({10, 1, 1}, kColumn), 2, kSteel, history, {},
                              {{"x0", "x1"}});
   EXPECT_TRUE(mode.is_above);
-  EXPECT_EQ(mode.factor, kHighestFactor);
+  EXPECT_EQ(mode.factor, 100.0);
 }
 
 // 4 π² D / b²: a quarter of it between its planes of symmetry, the other two

@@ -81,19 +81,76 @@ PartJob column_of_tetrahedra(std::array<int, 3> cells, double pressure) {
   return job;
 }
 
+PartJob column_of_hexahedra(std::array<int, 3> cells, double pressure) {
+  PartJob job = column(pressure);
+  job.mesh =
+      support::structured_mesh<3>(cells, 1, [](const Vector3d& x) -> Vector3d {
+        return x.cwiseProduct(Vector3d(kLength, kWidth, kWidth));
+      });
+  return job;
+}
+
 // Far from buckling, degree 2 on cells as long as wide tells enough, on cells
-// eight times as long it does not.
-TEST(BucklingCheck, CompactTetrahedraNeedOneDegreeWhereNothingBuckles) {
+// seven times as long it does not.
+template <typename Column>
+void expect_one_degree_where_compact(Column column_of) {
+  constexpr double kPressure = 0.2e6;
+  ASSERT_GT(euler(kPressure), 500.0);
+  const auto compact = check_buckling(column_of({20, 1, 1}, kPressure)).result;
+  EXPECT_EQ(compact.model, "3-D, p = 2");
+  EXPECT_NEAR(compact.band_low, 100.0, 1e-9);
+  const auto slender = check_buckling(column_of({3, 1, 1}, kPressure)).result;
+  EXPECT_EQ(slender.model, "3-D, p = 3");
+}
+
+TEST(BucklingCheck, CompactCellsNeedOneDegreeWhereNothingBuckles) {
+  expect_one_degree_where_compact(column_of_tetrahedra);
+  expect_one_degree_where_compact(column_of_hexahedra);
+}
+
+// On cells nearly as long as a compact one may be, of a bar and of a strip that
+// bends out of its plane, degree 2 is not thrice too high.
+TEST(BucklingCheck, DegreeTwoOfCompactCellsIsNotThriceTooHigh) {
+  constexpr double kPressure = 20e6;
+  PartJob bar = column_of_hexahedra({5, 1, 1}, kPressure);
+  bar.max_dofs = 500;
+  const auto of_bar = check_buckling(bar).result;
+  EXPECT_EQ(of_bar.model, "3-D, p = 2");
+  EXPECT_LE(of_bar.factor.value(), 1.5 * euler(kPressure));
+  EXPECT_GE(of_bar.factor.value(), euler(kPressure));
+
+  PartJob strip = column(kPressure);
+  strip.model = std::nullopt;
+  const double thickness = 0.21 * kWidth;
+  strip.mesh = support::structured_mesh<3>(
+      {20, 1, 1}, 1, [&](const Vector3d& x) -> Vector3d {
+        return Vector3d(kLength * x.x(), kWidth * x.y(),
+                        thickness * (x.z() - 0.5));
+      });
+  auto& load = strip.load_sets[0].history.instants[0].surface_loads[0];
+  load.resultant.force *= thickness / kWidth;
+  load.resultant.moment =
+      Vector3d(kLength, kWidth / 2, 0.0).cross(load.resultant.force);
+  strip.max_dofs = 1800;
+  const auto of_strip = check_buckling(strip).result;
+  EXPECT_EQ(of_strip.model, "2-D x thickness, p = 2");
+  const double thin = std::pow(thickness / kWidth, 2) * euler(kPressure);
+  EXPECT_LE(of_strip.factor.value(), 1.5 * thin);
+  EXPECT_GE(of_strip.factor.value(), thin);
+}
+
+// A factor that the first degree has above 100, but not three times: the second
+// one tells.
+TEST(BucklingCheck, CompactCellsNeedTwoDegreesNearTheHighest) {
   constexpr double kPressure = 0.5e6;
   ASSERT_GT(euler(kPressure), 200.0);
-  const auto compact =
-      check_buckling(column_of_tetrahedra({20, 1, 1}, kPressure)).result;
-  EXPECT_EQ(compact.model, "3-D, p = 2");
-  EXPECT_LT(compact.band_low, 100.0 / 2.9);
-  EXPECT_GT(compact.band_low, 30.0);
-  const auto slender =
-      check_buckling(column_of_tetrahedra({3, 1, 1}, kPressure)).result;
-  EXPECT_EQ(slender.model, "3-D, p = 3");
+  ASSERT_LT(euler(kPressure), 290.0);
+  for (const PartJob& job : {column_of_tetrahedra({20, 1, 1}, kPressure),
+                             column_of_hexahedra({20, 1, 1}, kPressure)}) {
+    const auto result = check_buckling(job).result;
+    EXPECT_EQ(result.model, "3-D, p = 3");
+    EXPECT_NEAR(result.band_low, 100.0, 1e-9);
+  }
 }
 
 // What is found is still told by two degrees.
