@@ -14,6 +14,7 @@ using Eigen::Matrix3Xd;
 // moment that is a parabola of the place is then met to (1/64)^2 = 2.4e-4.
 constexpr double kStep = 1.0 / 64.0;
 constexpr std::size_t kMost = 4000;  // times
+constexpr double kRest = 1e-9;       // of where it stands: round-off, no way
 
 /// Where a joint stands on its body a at each instant [m].
 Matrix3Xd places(const JointDefinition& joint, int j,
@@ -40,7 +41,11 @@ std::vector<double> slide_times(const MechanismDefinition& definition,
     const Matrix3Xd at = places(definition.joints[index(j)], j, instants);
     const double way =
         (at.rowwise().maxCoeff() - at.rowwise().minCoeff()).norm();
-    if (!(way > 0.0)) continue;
+    double far = 0.0;
+    for (const Instant& instant : instants) {
+      far = std::max(far, instant.joints[index(j)].p_WJ.norm());
+    }
+    if (!(way > kRest * far)) continue;
     for (std::size_t i = 0; i + 1 < instants.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
       const double step = (at.col(k + 1) - at.col(k)).norm() / way;

@@ -145,6 +145,25 @@ TEST(Vibration, DampingLowersIt) {
   EXPECT_GT(damped, 1.5);
 }
 
+// What the part does as a whole is told by the mesh before `refine`.
+TEST(DurationRatios, PeriodIsOfTheMeshBeforeItsRefinement) {
+  const auto period_of = [](const PartJob& job) {
+    PartResult result;
+    judge_duration_ratios(job, result);
+    return result.first_period.value();
+  };
+  const PartJob fine = bar(0.8 * transit());
+  PartJob coarse = fine;
+  coarse.mesh = support::structured_mesh<3>(
+      {2, 1, 1}, 1, [](const Vector3d& x) -> Vector3d {
+        return kSize.cwiseProduct(x - Vector3d(0.0, 0.5, 0.5));
+      });
+  PartJob refined = fine;
+  refined.unrefined = coarse.mesh;
+  EXPECT_EQ(period_of(refined), period_of(coarse));
+  EXPECT_GT(std::abs(period_of(fine) / period_of(coarse) - 1.0), 1e-6);
+}
+
 // A jump of the loads excites as an impact does: no touch is needed.
 TEST(Vibration, JumpOfTheLoadsDoubles) {
   PartJob job = bar(0.8 * transit());

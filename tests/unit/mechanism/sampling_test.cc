@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "mechanism/sampling/slide_times.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 
@@ -191,6 +194,36 @@ TEST(Sampling, AlongASlideThatMovesForAMoment) {
       0, TableLaw{.times = {0.0, 5.0, 5.0, 5.001, 5.001},
                   .efforts = {0.0, 0.0, 1000.0, 1000.0, 0.0}})};
   EXPECT_LT(longest_way(settings), 5.0 / 60.0);  // 1 m/s for 5 s
+}
+
+// The way counts on the body that carries the slide, which may turn: 63 mm of a
+// metre in a quarter of a turn.
+TEST(SlideTimes, FollowTheWayOnAMovingBody) {
+  MechanismDefinition m;
+  m.joints.emplace_back().body_a = 0;
+  const auto instant_at = [](double t, double along) {
+    Instant instant;
+    instant.t = t;
+    part::Pose& pose = instant.bodies.emplace_back().pose;
+    pose.R_WL =
+        Eigen::AngleAxisd(0.5 * std::numbers::pi * t, Eigen::Vector3d::UnitZ())
+            .toRotationMatrix();
+    pose.p_WL = {10.0 * t, 0.0, 0.0};
+    instant.joints.emplace_back().p_WJ =
+        pose.p_WL + pose.R_WL * Eigen::Vector3d(along, 0.0, 0.0);
+    return instant;
+  };
+  EXPECT_TRUE(slide_times(m, {0}, {instant_at(0.0, 0.3), instant_at(1.0, 0.3)})
+                  .empty());
+  const auto times = slide_times(
+      m, {0},
+      {instant_at(0.0, 0.0), instant_at(1.0, 0.0624), instant_at(2.0, 1.0)});
+  EXPECT_EQ(std::ranges::count_if(times,
+                                  [](double t) {
+                                    return t < 1.0;
+                                  }),
+            3);
+  EXPECT_EQ(times.size(), 63U);  // in 64ths, four of them before
 }
 
 }  // namespace
