@@ -38,7 +38,7 @@ LoadSet motion_loads(const PartJob& job) {
 }
 
 std::vector<LoadJump> load_jumps(const PartJob& job) {
-  constexpr double kJump = 0.02;
+  constexpr double kJump = 0.02, kNothing = 1e-3;
   if (job.load_sets.empty()) return {};
   const LoadSet set = motion_loads(job);
   const auto& instants = set.history.instants;
@@ -47,26 +47,32 @@ std::vector<LoadJump> load_jumps(const PartJob& job) {
   }
   Eigen::AlignedBox3d box;
   for (const auto& vertex : job.mesh.vertices) box.extend(vertex);
-  std::vector<Eigen::VectorXd> forces;
-  double largest = 0.0;
-  for (const auto& instant : instants) {
-    forces.push_back(surface_forces(instant, box.sizes().maxCoeff()));
-    if (forces.back().size() > 0) {
-      largest = std::max(largest, forces.back().cwiseAbs().maxCoeff());
-    }
+  const double size = box.sizes().maxCoeff();
+  const auto forces_at = [&](std::size_t i) -> Eigen::ArrayXd {
+    return surface_forces(instants[i], size);
+  };
+  Eigen::ArrayXd largest = forces_at(0).abs();
+  for (std::size_t i = 1; i < instants.size(); ++i) {
+    largest = largest.max(forces_at(i).abs());
   }
+  if (largest.size() == 0 || !(largest.maxCoeff() > 0.0)) return {};
+  // A component that is nothing beside the others jumps by nothing.
+  const Eigen::ArrayXd counting =
+      (largest > kNothing * largest.maxCoeff()).cast<double>();
+  const Eigen::ArrayXd scale =
+      counting / largest.max(kNothing * largest.maxCoeff());
   const double sides =
       kEventSides * (instants.back().time - instants.front().time);
   std::vector<LoadJump> jumps;
-  for (std::size_t i = 1; largest > 0.0 && i < instants.size(); ++i) {
-    if (instants[i].time - instants[i - 1].time > sides) continue;
-    const Eigen::VectorXd jump = forces[i] - forces[i - 1];
-    if (jump.cwiseAbs().maxCoeff() <= kJump * largest) continue;
+  for (std::size_t i = 1; i < instants.size(); ++i) {
     const double time = instants[i].time;
+    if (time - instants[i - 1].time > sides) continue;
+    const Eigen::ArrayXd after = forces_at(i);
+    const Eigen::ArrayXd jump = (after - forces_at(i - 1)).abs();
+    if ((jump * scale).maxCoeff() <= kJump) continue;
     if (!jumps.empty()) jumps.back().stays = time - jumps.back().time;
-    jumps.push_back(
-        {time, instants.back().time - time,
-         (forces[i].cwiseAbs() + jump.cwiseAbs()).maxCoeff() / largest});
+    jumps.push_back({time, instants.back().time - time,
+                     ((after.abs() + jump) * scale).maxCoeff()});
   }
   return jumps;
 }

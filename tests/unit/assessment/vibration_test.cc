@@ -251,5 +251,26 @@ TEST(VibrationWindows, BeginWhereLoadsJumpToo) {
   EXPECT_NEAR(jumps[0].stays, 50.0, 1e-6);
 }
 
+// A small force across a part may stress it more than a large one along it.
+TEST(VibrationWindows, SmallComponentsJumpToo) {
+  PartJob job = bar_over(100.0);
+  auto& instants = job.load_sets[0].history.instants;
+  instants = {pulled(0.0, 1.0), pulled(50.0, 1.0), pulled(50.0 + 1e-8, 1.0),
+              pulled(100.0, 1.0)};
+  EXPECT_TRUE(load_jumps(job).empty());
+  const auto across = [&](double share) {
+    for (const std::size_t i : {2U, 3U}) {
+      for (auto& load : instants[i].surface_loads) {
+        load.resultant.force.y() = share * load.resultant.force.x();
+      }
+    }
+  };
+  across(0.02);
+  ASSERT_EQ(load_jumps(job).size(), 1U);
+  EXPECT_NEAR(load_jumps(job)[0].reach, 2.0, 1e-6);
+  across(0.5e-3);
+  EXPECT_TRUE(load_jumps(job).empty());
+}
+
 }  // namespace
 }  // namespace clevis::assessment
