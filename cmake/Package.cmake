@@ -18,9 +18,12 @@ foreach(name compare error faces impact modes plan result scene simulate study
   install(FILES docs/${name}.schema.json
           DESTINATION ${CMAKE_INSTALL_DATADIR}/clevis)
 endforeach()
-install(DIRECTORY geometry meshes DESTINATION ${CMAKE_INSTALL_DOCDIR}
-        FILES_MATCHING PATTERN "*.toml" PATTERN "*.geo" PATTERN "*.msh" PATTERN "*.step"
-        PATTERN "*.csv")
+install(DIRECTORY geometry DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        FILES_MATCHING PATTERN "*.toml" PATTERN "*.geo" PATTERN "*.step" PATTERN "*.csv")
+# Not those that clevis made here: of STEP files and of variants.
+install(DIRECTORY meshes DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        FILES_MATCHING PATTERN "*.msh" PATTERN "step" EXCLUDE
+        PATTERN "*-????????????????.msh" EXCLUDE)
 
 # Completion, as `clevis completion` prints it.
 set(completions ${CMAKE_BINARY_DIR}/completions)

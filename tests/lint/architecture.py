@@ -211,7 +211,7 @@ PUBLIC = {
             " cells/topology derived/graded_mesh derived/plate derived/quadrangles"
             " derived/revolution derived/split_cells derived/sub_mesh"
             " gmsh/gmsh_element quality/mass_properties reading/mesh_reader",
-    "loads": "history/balance history/load_history history/strike"
+    "loads": "history/balance history/load_history history/motion_instants history/strike"
              " parts/case_loads parts/held_pins parts/part_loads parts/series_loads"
              " pressure/discrete_balance pressure/seat_traction"
              " pressure/wall_pressure seats/part_seats seats/seat_spans",

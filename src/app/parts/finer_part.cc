@@ -13,6 +13,7 @@
 #include "assessment/part_check.h"
 #include "elasticity/fe_space/discretization.h"
 #include "elasticity/problem/dof_limit.h"
+#include "loads/history/balance.h"
 #include "report/text/atomic_file.h"
 
 namespace clevis::app {
@@ -45,10 +46,26 @@ void write_finer_mesh(const PartJob& job, const part::GeometryInput& input,
 PartJob job_anew(const LoadedScene& loaded, std::size_t index,
                  const mechanism::Motion& motion, const PartJob& job) {
   LoadedScene changed = loaded;
-  changed.parts[index] =
-      load_part(loaded.scene.parts[index], loaded.scene.inputs[index]);
+  LoadedPart& part = changed.parts[index];
+  part = load_part(loaded.scene.parts[index], loaded.scene.inputs[index]);
+  // Curved faces make the masses of two meshes differ by their cells' size.
+  const part::MassProperties mass =
+      std::exchange(part.mass, loaded.parts[index].mass);
   PartJob again = std::move(
       part_jobs(changed, motion, {job.part.name}, job.tolerance).front());
+  again.mass = mass;
+  const auto floats = [](const assessment::LoadSet& set) {
+    return set.fixed.empty() && set.foundations.empty();
+  };
+  for (assessment::LoadSet& set : again.load_sets) {
+    if (floats(set)) loads::float_on(mass, set.history);
+  }
+  for (assessment::OpenSharing& sharing : again.open_sharings) {
+    if (!floats(again.load_sets[sharing.set])) continue;
+    loads::float_on(mass, sharing.checked);
+    for (loads::LoadHistory& other : sharing.others)
+      loads::float_on(mass, other);
+  }
   again.model = job.model;
   again.engine = job.engine;
   again.max_dofs = job.max_dofs;

@@ -24,6 +24,7 @@ void add_scene(CLI::App& command, SceneRequest& request) {
                   "part.AB.thickness=\"10 mm\"; may be repeated")
       ->type_name("PATH=VALUE")
       ->expected(1)
+      ->allow_extra_args(false)  // what follows may be the scene
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
@@ -31,6 +32,7 @@ void add_parts(CLI::App& command, std::vector<std::string>& parts) {
   command.add_option("--part", parts, "only this part; may be repeated")
       ->type_name("NAME")
       ->expected(1)
+      ->allow_extra_args(false)  // what follows may be the scene
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 

@@ -65,6 +65,7 @@ Run declare_compare(CLI::App& command) {
                   "QUANTITY=VALUE, e.g. peak_von_mises=0.2%; may be repeated")
       ->type_name("QUANTITY=VALUE")
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_option("--junit", options->junit, "write JUnit XML here")
       ->type_name("FILE");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loads/history/motion_instants.h"
 #include "stress/field/stress_history.h"
 
 namespace clevis::assessment {
@@ -11,17 +12,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kSides = 1e-8;
 constexpr Index kFew = 12;
-
-Index motion_length(const std::vector<loads::InstantLoad>& instants) {
-  std::size_t motion = 1;
-  while (motion < instants.size() &&
-         instants[motion].time > instants[motion - 1].time) {
-    ++motion;
-  }
-  return static_cast<Index>(motion);
-}
 
 /// Of a piece between two events. A short one has instants as close as its
 /// loads change: a third of the fall beside its highest, as if halved.
@@ -35,17 +26,15 @@ double doubt_of_piece(const VectorXd& peak) {
   return (highest - lowest) / 3.0;
 }
 
-}  // namespace
-
-double time_sampling_error(const loads::LoadHistory& history,
-                           const VectorXd& peak) {
+/// Of the loads, at the seats where they act.
+double doubt_of_loads(const loads::LoadHistory& history, const VectorXd& peak) {
   const std::vector<loads::InstantLoad>& instants = history.instants;
-  const Index n = motion_length(instants);
+  const auto n = static_cast<Index>(loads::motion_length(history));
   if (history.unseen > 0.0) return history.unseen * peak.head(n).maxCoeff();
   const auto time = [&](Index i) {
     return instants[static_cast<std::size_t>(i)].time;
   };
-  const double apart = kSides * (time(n - 1) - time(0));
+  const double apart = loads::kEventSides * loads::motion_duration(history);
   std::vector<Index> starts{0};
   for (Index i = 1; i < n; ++i) {
     if (time(i) - time(i - 1) <= apart) starts.push_back(i);
@@ -58,6 +47,15 @@ double time_sampling_error(const loads::LoadHistory& history,
     bound = std::max(bound, piece.maxCoeff() + doubt_of_piece(piece));
   }
   return bound - peak.head(n).maxCoeff();
+}
+
+}  // namespace
+
+double time_sampling_error(const loads::LoadHistory& history,
+                           const VectorXd& peak) {
+  const auto n = static_cast<Index>(loads::motion_length(history));
+  return doubt_of_loads(history, peak) +
+         history.slide_excess * peak.head(n).maxCoeff();
 }
 
 }  // namespace clevis::assessment

@@ -8,12 +8,11 @@ namespace clevis::assessment {
 
 /// How much a peak of the motion may be higher between the instants [Pa].
 ///
-/// Two instants within 1e-8 of the motion's duration stand on both sides of
-/// an event: loads may jump there, and nothing lies between. The pieces of the
-/// motion that such pairs separate are judged each by itself.
-/// Where the motion was searched its loads between two instants lie on the
-/// line between theirs but for LoadHistory::unseen: the stress, a convex
-/// function of the loads, is no higher but for that part of it.
+/// The pieces of the motion that events separate (loads::kEventSides) are
+/// judged each by itself. Where the motion was searched its loads between two
+/// instants lie on the line between theirs but for LoadHistory::unseen: the
+/// stress, a convex function of the loads, is no higher but for that part of
+/// it. Where a seat travels, LoadHistory::slide_excess of it is added.
 /// @param history  of a load set; its cases stand behind the motion, at time
 ///   0, and have no doubt.
 /// @param peak  at least one per instant of the motion [Pa].

@@ -45,6 +45,7 @@ GoverningInstants::GoverningInstants(const PartJob& job,
     chosen_.push_back(choose(set.history.instants, governing));
     LoadSet few{{set.history.seats, {}}, set.fixed};
     few.history.unseen = set.history.unseen;
+    few.history.slide_excess = set.history.slide_excess;
     for (std::size_t i = 0; i < set.history.instants.size(); ++i) {
       if (!chosen_.back()[i]) continue;
       few.history.instants.push_back(set.history.instants[i]);

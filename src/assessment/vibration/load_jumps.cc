@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include "loads/history/motion_instants.h"
+
 namespace clevis::assessment {
 namespace {
 
@@ -27,13 +29,7 @@ Eigen::VectorXd surface_forces(const loads::InstantLoad& instant, double size) {
 
 LoadSet motion_loads(const PartJob& job) {
   LoadSet set = job.load_sets.front();
-  auto& instants = set.history.instants;
-  std::size_t motion = 1;
-  while (motion < instants.size() &&
-         instants[motion].time > instants[motion - 1].time) {
-    ++motion;
-  }
-  instants.resize(motion);
+  set.history.instants.resize(loads::motion_length(set.history));
   return set;
 }
 
@@ -61,8 +57,7 @@ std::vector<LoadJump> load_jumps(const PartJob& job) {
       (largest > kNothing * largest.maxCoeff()).cast<double>();
   const Eigen::ArrayXd scale =
       counting / largest.max(kNothing * largest.maxCoeff());
-  const double sides =
-      kEventSides * (instants.back().time - instants.front().time);
+  const double sides = loads::kEventSides * loads::motion_duration(set.history);
   std::vector<LoadJump> jumps;
   for (std::size_t i = 1; i < instants.size(); ++i) {
     const double time = instants[i].time;

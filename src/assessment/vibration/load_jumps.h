@@ -9,10 +9,6 @@ namespace clevis::assessment {
 /// The loads over the motion of the part's body, without its cases.
 LoadSet motion_loads(const PartJob& job);
 
-/// Instants closer than this part of the motion are the two sides of an event
-/// [1].
-inline constexpr double kEventSides = 1e-8;
-
 /// An event at which the loads of a part jump.
 struct LoadJump {
   double time{};   ///< [s]

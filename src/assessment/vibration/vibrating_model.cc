@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "assessment/vibration/load_jumps.h"
+#include "loads/history/motion_instants.h"
 #include "stress/field/stress_history.h"
 #include "stress/many_instants/field_reduction.h"
 #include "stress/many_instants/point_stress.h"
@@ -56,7 +56,7 @@ dynamics::LoadPath VibratingModel<dim>::make_path() const {
     time[i] = instants[static_cast<std::size_t>(i)].time;
   }
   return {time, part_.statics().coefficients,
-          kEventSides * (time[time.size() - 1] - time[0])};
+          loads::kEventSides * loads::motion_duration(set_.history)};
 }
 
 template <int dim>

@@ -201,6 +201,15 @@ void relieve(const LoadHistory& history, const part::MassProperties& mass,
   instant.relief = rest.left;
 }
 
+void float_on(const part::MassProperties& mass, LoadHistory& history) {
+  for (InstantLoad& instant : history.instants) {
+    const RigidAcceleration more =
+        relieving_acceleration(residual(history, instant, mass), mass);
+    instant.rigid.acceleration += more.acceleration;
+    instant.rigid.alpha += more.alpha;
+  }
+}
+
 Wrench residual(const LoadHistory& history, const InstantLoad& instant,
                 const part::MassProperties& mass) {
   Wrench sum = inertia_load(instant.rigid, mass);

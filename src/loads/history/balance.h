@@ -81,6 +81,11 @@ RigidAcceleration relieving_acceleration(const Wrench& left,
 void relieve(const LoadHistory& history, const part::MassProperties& mass,
              double size, const std::string& place, InstantLoad& instant);
 
+/// Lets the inertia of one mesh take up loads that were balanced by that of
+/// another of the same body: curved faces make masses differ by the size of the
+/// cells.
+void float_on(const part::MassProperties& mass, LoadHistory& history);
+
 /// Refuses a history in which an instant is out of balance.
 ///
 /// The load of an instant is the sum of the magnitudes of its forces and

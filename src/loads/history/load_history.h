@@ -74,6 +74,9 @@ struct LoadHistory {
   /// Possible excess of loads between instants over those at the instants,
   /// over the largest [1].
   double unseen = 0.0;
+  /// The same where seats travel: a bending moment that is a parabola of the
+  /// place rises by the square of a step over all the way in between [1].
+  double slide_excess = 0.0;
   /// Notes for the user on how the seats were modelled, a line each.
   std::vector<std::string> notes = {};
 };

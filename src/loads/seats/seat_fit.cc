@@ -97,6 +97,13 @@ Vector3d mean_gap(const std::vector<Pair>& pairs) {
   return sum / static_cast<double>(pairs.size());
 }
 
+/// Likewise across the axes alone: a joint need not stand in the middle.
+Vector3d mean_gap_across(const std::vector<Pair>& pairs) {
+  Vector3d sum = Vector3d::Zero();
+  for (const Pair& pair : pairs) sum += pair.across();
+  return sum / static_cast<double>(pairs.size());
+}
+
 /// Largest distance from their mean.
 double spread(const std::vector<Vector3d>& points) {
   Vector3d mean = Vector3d::Zero();
@@ -183,8 +190,8 @@ std::string remedy_for(const std::vector<Pair>& pairs, double size) {
           turn.name);
     }
   }
-  const Vector3d shift = mean_gap(pairs);
-  if (all_fit(moved(pairs, as_is, 1.0, shift), gap)) {
+  for (const Vector3d& shift : {mean_gap_across(pairs), mean_gap(pairs)}) {
+    if (!all_fit(moved(pairs, as_is, 1.0, shift), gap)) continue;
     return fmt::format(
         "Move the mesh by {} mm, or the part's joints by the opposite.",
         vector_text(shift * 1e3, size * 1e3));

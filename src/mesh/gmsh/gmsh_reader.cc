@@ -27,7 +27,8 @@ GmshFile read_gmsh_file(const std::filesystem::path& path) {
   const auto status = std::filesystem::status(path, failure);
   if (!std::filesystem::exists(status)) {
     throw Error("I001", path.string(), "there is no such mesh file",
-                "Check the path of the mesh, or build it with `clevis mesh`.");
+                "Check the path of the mesh, or build it with `clevis mesh` or "
+                "`clevis check --mesh`.");
   }
   if (!std::filesystem::is_regular_file(status)) {
     throw Error("I001", path.string(), "is not a regular file",

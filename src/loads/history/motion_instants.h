@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+
+#include "loads/history/load_history.h"
+
+namespace clevis::loads {
+
+/// Instants closer than this part of the motion are the two sides of an event:
+/// loads may jump there, and nothing lies between [1].
+inline constexpr double kEventSides = 1e-8;
+
+/// Number of the instants of the motion; cases stand behind them, at time 0.
+std::size_t motion_length(const LoadHistory& history);
+
+/// Duration of the motion [s].
+double motion_duration(const LoadHistory& history);
+
+/// The longest way of a contact zone from one instant of the motion to the
+/// next, over all of its way [1]; 0: none travels.
+double longest_slide_step(const LoadHistory& history);
+
+}  // namespace clevis::loads

@@ -1,0 +1,42 @@
+#include "loads/history/balance.h"
+
+#include <gtest/gtest.h>
+
+#include "base/messages/errors.h"
+
+namespace clevis::loads {
+namespace {
+
+using Eigen::Vector3d;
+
+part::MassProperties mass_of(double mass, const Vector3d& centre) {
+  part::MassProperties result;
+  result.mass = mass;
+  result.p_LCm = centre;
+  result.inertia_LCm = (mass * Vector3d(2e-4, 3e-4, 4e-4)).asDiagonal();
+  return result;
+}
+
+// Balanced by one mesh's inertia, then by that of another.
+TEST(Balance, FloatsOnTheMassOfAnotherMesh) {
+  const auto coarse = mass_of(0.2, {0.01, 0.02, -0.005});
+  const auto fine = mass_of(0.2001, {0.01001, 0.02, -0.00501});
+  LoadHistory history;
+  history.seats.emplace_back().p_LS = {0.03, -0.01, 0.0};
+  InstantLoad& instant = history.instants.emplace_back();
+  instant.wrenches.push_back({{200.0, -30.0, 5.0}, {0.1, -0.2, 0.3}});
+  instant.rigid.omega = {0.0, 3.0, 60.0};
+  float_on(coarse, history);
+  const auto off = [&](const part::MassProperties& mass) {
+    return imbalance(history, instant, mass, 0.1).relative();
+  };
+  EXPECT_LT(off(coarse), 1e-13);
+  EXPECT_GT(off(fine), 1e-6);
+  EXPECT_THROW(require_balance(history, fine, 0.1, "part"), Error);
+  float_on(fine, history);
+  EXPECT_LT(off(fine), 1e-13);
+  EXPECT_NO_THROW(require_balance(history, fine, 0.1, "part"));
+}
+
+}  // namespace
+}  // namespace clevis::loads
