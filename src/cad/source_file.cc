@@ -21,6 +21,11 @@ constexpr std::uintmax_t kLargest = std::uintmax_t{256} << 20;
 std::string head_of(const std::filesystem::path& file) {
   std::error_code failure;
   std::ifstream stream(file, std::ios::binary);
+  if (!std::filesystem::exists(file, failure)) {
+    throw Error(
+        "I001", file.string(), "there is no such file",
+        "Check the path; a part's `geometry` is relative to the scene.");
+  }
   if (!std::filesystem::is_regular_file(file, failure) || !stream) {
     throw Error("I001", file.string(), "the geometry cannot be read",
                 "Check the part's `geometry`; it is relative to the scene.");

@@ -38,9 +38,8 @@ ExitCode init_command(const InitOptions& options) {
   }
   report::write_file(options.folder / "scene.schema.json", scene_schema());
   const std::string scene = (options.folder / "scene.toml").string();
-  std::cout << fmt::format(
-      "{}: {}\nNext:\n  clevis mesh {}\n  clevis check {}\n",
-      options.folder.string(), chosen->about, scene, scene);
+  std::cout << fmt::format("{}: {}\nNext:\n  clevis check --mesh --report {}\n",
+                           options.folder.string(), chosen->about, scene);
   return ExitCode::kPass;
 }
 

@@ -66,7 +66,9 @@ double slenderness(
 template <int dim>
 bool has_compact_cells(const mesh::PartMesh<dim>& mesh,
                        double height = HUGE_VAL) {
-  constexpr double kLong = 5.0;
+  // A plate of one cell bends and twists with degree 2 worse than a bar: where
+  // it is as thick as a third of its width it yields long before it buckles.
+  const double long_cell = mesh.shape == mesh::CellShape::kSimplex ? 5.0 : 3.0;
   using Joined = std::vector<std::array<int, static_cast<std::size_t>(dim)>>;
   Joined joined;
   if constexpr (dim == 2) {
@@ -83,7 +85,7 @@ bool has_compact_cells(const mesh::PartMesh<dim>& mesh,
     for (std::size_t v = 0; v < cell.size(); ++v) {
       vertices.col(static_cast<Eigen::Index>(v)) = mesh.vertices[cell[v]];
     }
-    return slenderness<dim>(vertices, joined, height) < kLong;
+    return slenderness<dim>(vertices, joined, height) < long_cell;
   });
   return static_cast<double>(compact) >=
          0.95 * static_cast<double>(mesh.cells.size());
@@ -92,7 +94,13 @@ bool has_compact_cells(const mesh::PartMesh<dim>& mesh,
 /// The part's discretisation for bending and twisting: of plates one layer.
 class BucklingModel {
  public:
-  explicit BucklingModel(const PartJob& job) : job_(job), shape_(job) {}
+  explicit BucklingModel(const PartJob& job)
+      : job_(job),
+        shape_(job),
+        is_compact_(shape_.plate() ? has_compact_cells(
+                                         shape_.plate()->quadrangles,
+                                         shape_.plate()->quadrangles.thickness)
+                                   : has_compact_cells(job.overall_mesh())) {}
 
   PartSpace discretize(int degree) const {
     constexpr int kThroughThickness = 3;  // warps as shear wants
@@ -103,12 +111,8 @@ class BucklingModel {
     auto layer = elasticity::layer_over(plane, kThroughThickness);
     return {std::move(layer), std::move(plane)};
   }
-  bool is_compact() const {
-    return shape_.plate()
-               ? has_compact_cells(shape_.plate()->quadrangles,
-                                   shape_.plate()->quadrangles.thickness)
-               : has_compact_cells(job_.overall_mesh());
-  }
+  /// Of compact cells the first degree is not thrice too high.
+  bool is_compact() const { return is_compact_; }
   std::string name(int degree) const {
     const auto kind = shape_.plate() ? ModelKind::kLayered : ModelKind::kSolid;
     return fmt::format("{}, p = {}", traits_of(kind).name, degree);
@@ -117,6 +121,7 @@ class BucklingModel {
  private:
   const PartJob& job_;
   PartShape shape_;
+  bool is_compact_;
 };
 
 /// Each way in which two pins of a free part may hold it.
@@ -210,25 +215,34 @@ bool is_decided(const BucklingResult& result, double wanted) {
          (narrow && (result.band_low > wanted || result.band_high < wanted));
 }
 
-/// Factors of the model beyond are not looked for.
-constexpr double kHighest = 100.0;
+/// Factors of the model beyond are not looked for: 100, or far more than is
+/// wanted.
+double highest_factor(double wanted) {
+  constexpr double kHighest = 100.0, kFar = 3.0;
+  return std::max(kHighest, kFar * wanted);
+}
 
 /// Takes one degree in.
 /// @param before  factor of the degree before.
-/// @param highest  factors beyond are not looked for.
+/// @param highest  of the model; it is looked for as far as the degree may
+///   have it too high.
 void take(const PartJob& job, const BucklingModel& model, int degree,
           std::optional<double> before, double highest,
           std::vector<Candidate>& candidates, BucklingCheck& check) {
   const PartSpace space = model.discretize(degree);
   elasticity::require_dofs(space.whole.dofs(), job.max_dofs,
                            "part " + job.part.name);
-  const Found found = lowest(job, space, highest, candidates);
+  constexpr double kOfLater = 1.1;
+  const double too_high = before ? kOfLater : kThrice;
+  const bool goes_on = !before && !model.is_compact();
+  const Found found =
+      lowest(job, space, goes_on ? highest : too_high * highest, candidates);
   check.result.label = found.label;
   check.result.instant = found.instant;
   check.result.model = model.name(degree);
   if (found.mode.is_above) {
     check.shape.reset();
-    const double bound = found.mode.factor / (before ? 1.0 : kThrice);
+    const double bound = goes_on ? highest / kThrice : highest;
     check.result.factor = bound;
     check.result.band_low = check.result.band_high = bound;
     return;
@@ -248,18 +262,16 @@ bool is_bearable(const Error& error) {
 /// Climbs the degrees until the limit is decided, by two at least: of the first
 /// thin cells may lock by any factor. Compact ones do not; where no factor is
 /// found with them that is enough, looked for so far that the model has none
-/// below kHighest.
+/// below highest_factor().
 BucklingCheck climb(const PartJob& job, const BucklingModel& model,
                     std::vector<Candidate> candidates) {
   const double wanted = part::wanted_buckling_factor(job.part.limits);
   BucklingCheck check;
-  const bool is_compact = model.is_compact();
   std::optional<double> before;
   for (int degree = kFirstDegree; degree <= kHighestDegree; ++degree) {
     try {
-      const bool is_last = before || !is_compact;
-      take(job, model, degree, before, is_last ? kHighest : kThrice * kHighest,
-           candidates, check);
+      take(job, model, degree, before, highest_factor(wanted), candidates,
+           check);
     } catch (const Error& error) {
       if (!is_bearable(error)) throw;
       if (before) return check;  // its band holds what is missing
@@ -268,7 +280,7 @@ BucklingCheck climb(const PartJob& job, const BucklingModel& model,
       continue;
     }
     check.result.remark.clear();
-    const bool is_enough = before || (!check.shape && is_compact);
+    const bool is_enough = before || (!check.shape && model.is_compact());
     if (is_enough && is_decided(check.result, wanted)) return check;
     before = check.result.factor;
   }

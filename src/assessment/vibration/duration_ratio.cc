@@ -15,6 +15,7 @@ namespace clevis::assessment {
 namespace {
 
 constexpr double kSlow = 0.10, kShort = 0.25;
+constexpr double kNoJump = 0.02;
 constexpr const char* kInTime =
     "dynamic elements: the loads of the instants may be exceeded";
 
@@ -32,7 +33,7 @@ double period_of_waves(const PartJob& job) {
 std::optional<LoadJump> farthest_jump(const PartJob& job) {
   const auto jumps = load_jumps(job);
   const auto farthest = std::ranges::max_element(jumps, {}, &LoadJump::reach);
-  if (farthest == jumps.end() || farthest->reach <= 1.0 + kSlow) return {};
+  if (farthest == jumps.end() || farthest->reach <= 1.0 + kNoJump) return {};
   return *farthest;
 }
 
@@ -72,7 +73,8 @@ double pulse_amplification(double duration_over_period,
 }
 
 bool wants_elements_in_time(const DurationRatio& rated) {
-  return rated.amplification > 1.0 + kSlow;
+  const bool is_jump = rated.rise_time == 0.0;
+  return rated.amplification > 1.0 + (is_jump ? kNoJump : kSlow);
 }
 
 void judge_duration_ratios(const PartJob& job, PartResult& result) {

@@ -171,6 +171,11 @@ bool looks_like_unit(std::string_view text) {
          text.find_first_of(std::string_view("\0\n\r@\xff", 5)) == text.npos;
 }
 
+/// Of "8,5 mm" what is behind the 8.
+bool has_decimal_comma(std::string_view rest) {
+  return rest.size() > 1 && rest[0] == ',' && rest[1] >= '0' && rest[1] <= '9';
+}
+
 }  // namespace
 
 std::string_view accepted_units(Dimension dimension) {
@@ -200,6 +205,9 @@ double parse_quantity(std::string_view text, Dimension dimension,
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
   const std::string unit_text(trimmed(rest));
   if (unit_text.empty()) throw refuse("S004", "has no unit");
+  if (has_decimal_comma(unit_text)) {
+    throw refuse("S004", "has a comma where a decimal point belongs");
+  }
   const auto unknown = [&] {
     return refuse("S004",
                   fmt::format("has no known unit: \"{:.60}\"", unit_text));

@@ -40,8 +40,11 @@ double longest_step_of(const LoadHistory& history, std::size_t seat) {
 std::size_t motion_length(const LoadHistory& history) {
   const auto& instants = history.instants;
   std::size_t motion = std::min<std::size_t>(1, instants.size());
+  const auto goes_on = [&](double before, double time) {
+    return time > before || (time == before && time != 0.0);  // a step
+  };
   while (motion < instants.size() &&
-         instants[motion].time > instants[motion - 1].time) {
+         goes_on(instants[motion - 1].time, instants[motion].time)) {
     ++motion;
   }
   return motion;

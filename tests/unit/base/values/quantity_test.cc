@@ -108,6 +108,16 @@ TEST(Quantity, RefusesMissingUnknownAndForeignUnits) {
   EXPECT_EQ(refusal("0.5", kRatio), "S004");  // 50 % or 0.5 %?
 }
 
+TEST(Quantity, TellsADecimalComma) {
+  try {
+    parse_quantity("8,5 mm", kLength, "here");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(error.problem().find("has a comma"), std::string::npos)
+        << error.problem();
+  }
+}
+
 // Texts that udunits2 alone would take, and silently change the value.
 TEST(Quantity, RefusesWhatUdunitsWouldReinterpret) {
   EXPECT_EQ(refusal("140 2 mm", kLength), "S004");    // 280 mm

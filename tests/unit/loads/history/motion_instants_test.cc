@@ -30,6 +30,10 @@ TEST(MotionInstants, CasesStandBehind) {
   EXPECT_EQ(motion_length(history), 4U);
   EXPECT_EQ(motion_duration(history), 3.0);
   EXPECT_EQ(motion_length({}), 0U);
+  history.instants = {at(0.0, 0.0), at(0.0, 0.0)};  // cases alone
+  EXPECT_EQ(motion_length(history), 1U);
+  history.instants = {at(0.0, 0.0), at(1.0, 0.0), at(1.0, 0.0), at(2.0, 0.0)};
+  EXPECT_EQ(motion_length(history), 4U);  // a step of a load history
 }
 
 TEST(MotionInstants, LongestStepOfASeat) {
