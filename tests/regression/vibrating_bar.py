@@ -162,8 +162,7 @@ def check_pull(clevis, instants, expect):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         scene = write_scene(folder, False, speed=0.01, stiffness=1e8, upper=0.001,
-                            more=PULLS,
-                            faces=faces, instants=instants, damping=0.003)
+                            more=PULLS, faces=faces, instants=instants, damping=0.003)
         part = support.check(clevis, scene).part
     still = PULL / AREA / 1e6
     expect(f"pulled, {instants} instants: at rest",

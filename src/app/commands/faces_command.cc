@@ -95,20 +95,18 @@ Found find(const Asked& asked, bool facets) {
   return found;
 }
 
-/// Six digits; what rounds to zero is 0, without a sign.
-std::string number(double value) {
-  constexpr double kFinest = 1e6;
-  return fmt::format("{:.6g}", std::round(kFinest * value) / kFinest + 0.0);
+/// What rounds to zero is 0, without a sign.
+std::string number(double value, int digits = 6) {
+  const double finest = std::pow(10.0, digits);
+  return fmt::format("{:.{}g}", std::round(finest * value) / finest + 0.0,
+                     digits);
 }
 
 /// Nine digits: a mechanism whose joints are copied from here closes.
 std::string vector(const Vector3d& v) {
-  const auto digits = [](double value) {
-    constexpr double kFinest = 1e9;
-    return fmt::format("{:.9g}", std::round(kFinest * value) / kFinest + 0.0);
-  };
-  return fmt::format("({}, {}, {})", digits(v.x()), digits(v.y()),
-                     digits(v.z()));
+  constexpr int kDigits = 9;
+  return fmt::format("({}, {}, {})", number(v.x(), kDigits),
+                     number(v.y(), kDigits), number(v.z(), kDigits));
 }
 
 std::string type_of(const cad::Face& face) {

@@ -15,25 +15,26 @@
 
 namespace clevis::app {
 
-void add_scene(CLI::App& command, SceneRequest& request) {
-  command.add_option("SCENE", request.options.scene, "the scene's .toml file")
-      ->required();
-  command
-      .add_option("--set", request.settings,
-                  "a value in place of the scene's, e.g. "
-                  "part.AB.thickness=\"10 mm\"; may be repeated")
-      ->type_name("PATH=VALUE")
+CLI::Option* repeatable(CLI::Option* option, const std::string& type_name) {
+  return option->type_name(type_name)
       ->expected(1)
       ->allow_extra_args(false)  // what follows may be the scene
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void add_scene(CLI::App& command, SceneRequest& request) {
+  command.add_option("SCENE", request.options.scene, "the scene's .toml file")
+      ->required();
+  repeatable(command.add_option("--set", request.settings,
+                                "a value in place of the scene's, e.g. "
+                                "part.AB.thickness=\"10 mm\"; may be repeated"),
+             "PATH=VALUE");
+}
+
 void add_parts(CLI::App& command, std::vector<std::string>& parts) {
-  command.add_option("--part", parts, "only this part; may be repeated")
-      ->type_name("NAME")
-      ->expected(1)
-      ->allow_extra_args(false)  // what follows may be the scene
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  repeatable(
+      command.add_option("--part", parts, "only this part; may be repeated"),
+      "NAME");
 }
 
 void add_jobs(CLI::App& command, int& jobs, const char* help) {

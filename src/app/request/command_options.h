@@ -11,7 +11,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace clevis::app {
 
@@ -30,6 +31,8 @@ struct SceneRequest {
 // Options that several commands share. What they fill in must live as long as
 // the parser.
 
+/// An option that is given once for each value.
+CLI::Option* repeatable(CLI::Option* option, const std::string& type_name);
 /// SCENE and --set.
 void add_scene(CLI::App& command, SceneRequest& request);
 void add_parts(CLI::App& command, std::vector<std::string>& parts);

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "assessment/job/model_traits.h"
 #include "assessment/job/part_result.h"
 #include "elasticity/problem/dof_limit.h"
@@ -89,6 +91,13 @@ struct PartJob {
   /// cells round a peak make both dear and no better.
   const mesh::PartMesh<3>& overall_mesh() const {
     return unrefined ? *unrefined : mesh;
+  }
+
+  /// Longest side of the box about the mesh [m].
+  double longest_side() const {
+    Eigen::AlignedBox3d box;
+    for (const auto& vertex : mesh.vertices) box.extend(vertex);
+    return box.sizes().maxCoeff();
   }
 };
 

@@ -53,11 +53,12 @@ double slenderness(
                      vertices.col(static_cast<Eigen::Index>(c));
       longest = std::max(longest, edges.col(k).norm());
     }
+    if (!(std::abs(edges.determinant()) > 0.0)) return HUGE_VAL;
     // The rows of the inverse are normal to the other edges.
     lowest =
         std::min(lowest, 1.0 / edges.inverse().rowwise().norm().maxCoeff());
   }
-  return lowest > 0.0 ? longest / lowest : HUGE_VAL;
+  return longest / lowest;
 }
 
 /// Whether 95 % of the cells are not long: of them degree 2 has bending and

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <optional>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "assessment/vibration/load_jumps.h"
@@ -22,9 +21,7 @@ constexpr const char* kInTime =
 /// Of a part's first vibration along its longest way: 2 l/√(E/ρ) [s]. What is
 /// over before the part bends may still run along it and meet its like.
 double period_of_waves(const PartJob& job) {
-  Eigen::AlignedBox3d box;
-  for (const auto& vertex : job.mesh.vertices) box.extend(vertex);
-  return 2.0 * box.sizes().maxCoeff() *
+  return 2.0 * job.longest_side() *
          std::sqrt(job.part.material.density /
                    job.part.material.youngs_modulus);
 }

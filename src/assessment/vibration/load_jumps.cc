@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include "loads/history/motion_instants.h"
 
@@ -36,19 +36,16 @@ LoadSet motion_loads(const PartJob& job) {
 std::vector<LoadJump> load_jumps(const PartJob& job) {
   constexpr double kJump = 0.02, kNothing = 1e-3;
   if (job.load_sets.empty()) return {};
-  const LoadSet set = motion_loads(job);
+  const LoadSet& set = job.load_sets.front();
   const auto& instants = set.history.instants;
-  if (instants.size() < 2 || !set.fixed.empty() || !set.foundations.empty()) {
-    return {};
-  }
-  Eigen::AlignedBox3d box;
-  for (const auto& vertex : job.mesh.vertices) box.extend(vertex);
-  const double size = box.sizes().maxCoeff();
+  const std::size_t length = loads::motion_length(set.history);
+  if (length < 2 || !set.fixed.empty() || !set.foundations.empty()) return {};
+  const double size = job.longest_side();
   const auto forces_at = [&](std::size_t i) -> Eigen::ArrayXd {
     return surface_forces(instants[i], size);
   };
   Eigen::ArrayXd largest = forces_at(0).abs();
-  for (std::size_t i = 1; i < instants.size(); ++i) {
+  for (std::size_t i = 1; i < length; ++i) {
     largest = largest.max(forces_at(i).abs());
   }
   if (largest.size() == 0 || !(largest.maxCoeff() > 0.0)) return {};
@@ -59,14 +56,14 @@ std::vector<LoadJump> load_jumps(const PartJob& job) {
       counting / largest.max(kNothing * largest.maxCoeff());
   const double sides = loads::kEventSides * loads::motion_duration(set.history);
   std::vector<LoadJump> jumps;
-  for (std::size_t i = 1; i < instants.size(); ++i) {
+  for (std::size_t i = 1; i < length; ++i) {
     const double time = instants[i].time;
     if (time - instants[i - 1].time > sides) continue;
     const Eigen::ArrayXd after = forces_at(i);
     const Eigen::ArrayXd jump = (after - forces_at(i - 1)).abs();
     if ((jump * scale).maxCoeff() <= kJump) continue;
     if (!jumps.empty()) jumps.back().stays = time - jumps.back().time;
-    jumps.push_back({time, instants.back().time - time,
+    jumps.push_back({time, instants[length - 1].time - time,
                      ((after.abs() + jump) * scale).maxCoeff()});
   }
   return jumps;

@@ -20,7 +20,8 @@ using Eigen::VectorXd;
 constexpr int kDriven = 2400, kSwing = 4000;
 constexpr double kDrivenPerPeriod = 400.0, kSwingPerPeriod = 20.0;
 
-constexpr double kFrontTurns = 6.0;
+/// Of the spread of a jump: times the angular frequency of the highest shape.
+constexpr double kFront = 6.0;
 
 template <int dim>
 constexpr int kSubdivisions = dim == 2 ? 4 : 2;
@@ -124,7 +125,7 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(
   found.highest = hertz.maxCoeff();
   // Leaves of a jump 1.1 % to a shape of half the highest frequency: those
   // above are less true than many.
-  const double front = kFrontTurns / shapes.squares.cwiseSqrt().maxCoeff();
+  const double front = kFront / shapes.squares.cwiseSqrt().maxCoeff();
   const auto answer_at = [&](const VectorXd& times) {
     return dynamics::answer_to(path, shapes.participation, shapes.squares,
                                job_.part.damping, times, front);

@@ -7,9 +7,9 @@
 
 #include "assessment/vibration/duration_ratio.h"
 #include "assessment/vibration/load_jumps.h"
+#include "loads/history/motion_instants.h"
 
 namespace clevis::assessment {
-
 namespace {
 
 std::vector<VibrationWindow> joined(std::vector<VibrationWindow> all) {
@@ -55,7 +55,8 @@ std::vector<VibrationWindow> vibration_windows(const PartJob& job,
     all.push_back(
         {jump.time, jump.time + kAfter * result.first_period.value()});
   }
-  end_at(motion_loads(job).history.instants.back().time, all);
+  const auto& history = job.load_sets.front().history;
+  end_at(history.instants[loads::motion_length(history) - 1].time, all);
   return joined(std::move(all));
 }
 

@@ -45,6 +45,14 @@ LoadScale load_scale(const InstantLoad& instant,
   return scale;
 }
 
+/// Gives the part the acceleration by which its inertia balances a residual.
+void take_up(const Wrench& left, const part::MassProperties& mass,
+             InstantLoad& instant) {
+  const RigidAcceleration more = relieving_acceleration(left, mass);
+  instant.rigid.acceleration += more.acceleration;
+  instant.rigid.alpha += more.alpha;
+}
+
 /// Of whole rings normals across the axis are alike in all directions.
 bool are_rings(const GroupGeometry& group) {
   const Vector3d& axis = group.cylinder.axis_L;
@@ -195,18 +203,13 @@ void relieve(const LoadHistory& history, const part::MassProperties& mass,
                             "`foundation`; inertia takes up {:.3g} % at most.",
                             100.0 * kLargestRelief));
   }
-  const RigidAcceleration more = relieving_acceleration(rest.left, mass);
-  instant.rigid.acceleration += more.acceleration;
-  instant.rigid.alpha += more.alpha;
+  take_up(rest.left, mass, instant);
   instant.relief = rest.left;
 }
 
 void float_on(const part::MassProperties& mass, LoadHistory& history) {
   for (InstantLoad& instant : history.instants) {
-    const RigidAcceleration more =
-        relieving_acceleration(residual(history, instant, mass), mass);
-    instant.rigid.acceleration += more.acceleration;
-    instant.rigid.alpha += more.alpha;
+    take_up(residual(history, instant, mass), mass, instant);
   }
 }
 

@@ -202,8 +202,17 @@ TEST(LoadAnswer, SpreadJumpSwingsLess) {
   const auto found = dynamics::answer_to(
       path, MatrixXd::Ones(1, 1), VectorXd::Constant(1, omega * omega), 0.0,
       VectorXd::LinSpaced(3001, 0.0, 3.0), front);
-  EXPECT_NEAR(found.added.row(0).maxCoeff(),
-              std::exp(-0.5 * std::pow(omega * front, 2)), 1e-6);
+  const double left = std::exp(-0.5 * std::pow(omega * front, 2));
+  EXPECT_NEAR(found.added.row(0).maxCoeff(), left, 1e-6);
+  EXPECT_NEAR(found.added.row(0).minCoeff(), -left, 1e-6);
+  EXPECT_NEAR(found.added(0, 2), -left, 1e-12);  // just behind the jump
+
+  // Where only the rate jumps: by 1 a period, after a ramp without swing.
+  const auto bend = dynamics::answer_to(
+      path_of({{0.0, 0.0}, {1.0, 1.0}, {1.0, 1.0}, {4.0, 1.0}}),
+      MatrixXd::Ones(1, 1), VectorXd::Constant(1, omega * omega), 0.0,
+      VectorXd::LinSpaced(4001, 0.0, 4.0), front);
+  EXPECT_NEAR(bend.added.row(0).maxCoeff(), left / omega, 1e-6);
 }
 
 // The rod held at its first end, pulled at the other by a step: its end's
