@@ -21,7 +21,6 @@
 #include "assessment/notes/part_notes.h"
 #include "assessment/stability/buckling_check.h"
 #include "assessment/stability/sharing_check.h"
-#include "assessment/vibration/duration_ratio.h"
 #include "assessment/vibration/vibration_check.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
@@ -203,7 +202,6 @@ PartAssessment check_part(const PartJob& given) {
   result.safety_factor =
       judged > 0.0 ? job.part.material.yield_strength / judged : 0.0;
   finish_impacts(std::move(blows.impacts), result);
-  judge_duration_ratios(job, result);
   check_vibration(job, result);
   check_sharing(given, result);
   judge(job.part, result);

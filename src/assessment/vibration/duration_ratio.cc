@@ -3,35 +3,74 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include <fmt/format.h>
 
-#include "assessment/vibration/load_jumps.h"
+#include "assessment/vibration/load_pace.h"
 #include "elasticity/vibration/eigenmodes.h"
 
 namespace clevis::assessment {
 namespace {
 
-constexpr double kSlow = 0.10, kShort = 0.25;
-constexpr double kNoJump = 0.02;
+constexpr double kShort = 0.25;
 constexpr const char* kInTime =
     "dynamic elements: the loads of the instants may be exceeded";
 
-/// Of a part's first vibration along its longest way: 2 l/√(E/ρ) [s]. What is
-/// over before the part bends may still run along it and meet its like.
-double period_of_waves(const PartJob& job) {
-  return 2.0 * job.longest_side() *
-         std::sqrt(job.part.material.density /
-                   job.part.material.youngs_modulus);
+double first_period_of(const PartJob& job) {
+  const loads::LoadHistory none;
+  return elasticity::first_period<3>(
+      {job.overall_mesh(), job.part.material, none, {}, job.part.name},
+      job.mesh.shape == mesh::CellShape::kSimplex ? 1 : 2);
 }
 
-/// The jump that reaches farthest, if that is beyond the loads of the instants.
-std::optional<LoadJump> farthest_jump(const PartJob& job) {
-  const auto jumps = load_jumps(job);
-  const auto farthest = std::ranges::max_element(jumps, {}, &LoadJump::reach);
-  if (farthest == jumps.end() || farthest->reach <= 1.0 + kNoJump) return {};
-  return *farthest;
+/// Whether one of the impact's touches lies in a window.
+bool drives(const ImpactLoad& load,
+            const std::vector<VibrationWindow>& windows) {
+  return std::ranges::any_of(load.touches, [&](double touch) {
+    return std::ranges::any_of(windows, [&](const VibrationWindow& window) {
+      return window.from <= touch + load.duration && window.to >= touch;
+    });
+  });
+}
+
+DurationRatio rated_impact(const PartJob& job, const ImpactLoad& load,
+                           double first, bool in_time) {
+  DurationRatio rated;
+  rated.impact = load.name;
+  rated.duration = load.duration;
+  rated.rise_time = load.rise_time;
+  rated.ratio = load.duration / first;
+  for (const double period : {first, std::min(period_of_waves(job), first)}) {
+    rated.amplification = std::max(
+        rated.amplification,
+        pulse_amplification(load.duration / period, load.rise_time / period));
+  }
+  rated.treatment = in_time ? kInTime
+                    : rated.ratio < kShort
+                        ? "beam impact: over before the part gives way, the "
+                          "loads of the instants are an upper bound"
+                        : "quasi-static: the loads of the instants suffice";
+  return rated;
+}
+
+/// The change after which an oscillator answers most.
+DurationRatio rated_change(const dynamics::ResponseSpectrum& spectrum,
+                           const std::vector<VibrationWindow>& windows,
+                           double first) {
+  const auto window =
+      std::ranges::find_if(windows, [&](const VibrationWindow& candidate) {
+        return spectrum.time <= candidate.to;
+      });
+  const VibrationWindow& changes =
+      window == windows.end() ? windows.back() : *window;
+  DurationRatio rated;
+  rated.impact =
+      fmt::format("change of its loads near {:.6g} s", spectrum.time);
+  rated.duration = changes.to - changes.from;
+  rated.ratio = rated.duration / first;
+  rated.amplification = spectrum.amplification;
+  rated.treatment = kInTime;
+  return rated;
 }
 
 }  // namespace
@@ -69,47 +108,31 @@ double pulse_amplification(double duration_over_period,
   return std::max(half_sine, step);
 }
 
-bool wants_elements_in_time(const DurationRatio& rated) {
-  const bool is_jump = rated.rise_time == 0.0;
-  return rated.amplification > 1.0 + (is_jump ? kNoJump : kSlow);
-}
-
-void judge_duration_ratios(const PartJob& job, PartResult& result) {
-  const std::optional<LoadJump> jump = farthest_jump(job);
-  if (job.impact_loads.empty() && !jump) return;
-  const loads::LoadHistory none;
-  const double first = elasticity::first_period<3>(
-      {job.overall_mesh(), job.part.material, none, {}, job.part.name},
-      job.mesh.shape == mesh::CellShape::kSimplex ? 1 : 2);
+std::vector<VibrationWindow> judge_load_pace(const PartJob& job,
+                                             PartResult& result) {
+  const dynamics::LoadPath components = load_components(job);
+  const bool slow = is_slow(job, components);
+  if (slow && job.impact_loads.empty()) return {};
+  const double first = first_period_of(job);
   result.first_period = first;
-  const double waves = std::min(period_of_waves(job), first);
+  std::vector<VibrationWindow> windows;
+  dynamics::ResponseSpectrum spectrum;
+  if (!slow) {
+    spectrum = load_spectrum(job, components, first);
+    const auto& time = components.time();
+    windows = vibration_windows(spectrum.onsets, first,
+                                {time[0], time[time.size() - 1]});
+  }
+  bool by_impact = false;
   for (const ImpactLoad& load : job.impact_loads) {
-    DurationRatio rated;
-    rated.impact = load.name;
-    rated.duration = load.duration;
-    rated.rise_time = load.rise_time;
-    rated.ratio = load.duration / first;
-    for (const double period : {first, waves}) {
-      rated.amplification = std::max(
-          rated.amplification,
-          pulse_amplification(load.duration / period, load.rise_time / period));
-    }
-    rated.treatment = wants_elements_in_time(rated) ? kInTime
-                      : rated.ratio < kShort
-                          ? "beam impact: over before the part gives way, the "
-                            "loads of the instants are an upper bound"
-                          : "quasi-static: the loads of the instants suffice";
-    result.duration_ratios.push_back(rated);
+    const bool in_time = drives(load, windows);
+    by_impact = by_impact || in_time;
+    result.duration_ratios.push_back(rated_impact(job, load, first, in_time));
   }
-  if (jump) {
-    DurationRatio rated;
-    rated.impact = fmt::format("jump of its loads at {:.6g} s", jump->time);
-    rated.duration = jump->stays;
-    rated.ratio = jump->stays / first;
-    rated.amplification = jump->reach;
-    rated.treatment = kInTime;
-    result.duration_ratios.push_back(rated);
+  if (!windows.empty() && !by_impact) {
+    result.duration_ratios.push_back(rated_change(spectrum, windows, first));
   }
+  return windows;
 }
 
 }  // namespace clevis::assessment

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "assessment/job/part_job.h"
+#include "assessment/vibration/vibration_times.h"
 
 namespace clevis::assessment {
 
@@ -15,14 +18,10 @@ double half_sine_amplification(double duration_over_period);
 double pulse_amplification(double duration_over_period,
                            double rise_over_period);
 
-/// Whether the loads of the instants may be exceeded: the force neither rises
-/// and falls slowly nor is over before the part gives way or a wave has run
-/// along it.
-bool wants_elements_in_time(const DurationRatio& rated);
-
-/// Judges each impact of the mechanism by its duration over the part's first
-/// period, free or held; and the jump of its loads after which a mode may swing
-/// farthest beyond those of all instants.
-void judge_duration_ratios(const PartJob& job, PartResult& result);
+/// Puts each impact's duration over the part's first period into the result,
+/// and the change of the loads that excites it most; tells when the loads drive
+/// vibration that counts. None: those of the instants suffice.
+std::vector<VibrationWindow> judge_load_pace(const PartJob& job,
+                                             PartResult& result);
 
 }  // namespace clevis::assessment

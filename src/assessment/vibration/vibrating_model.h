@@ -28,6 +28,9 @@ struct VibratingAnswer {
   stress::PartialPeak peak;  ///< outside the singular zones
   double time{};             ///< of it [s]
   double sampling_error{};   ///< between the times [1]
+  /// Possible of pulses shorter than the shapes carry: they meet their like
+  /// with twice what the spread takes off them, over the peak [1].
+  double front_error{};
   std::string group;
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]
   int shapes{};
@@ -50,7 +53,7 @@ class VibratingModel {
   /// Of the quasi-static answer.
   const dynamics::LoadPath& path() const { return path_; }
   /// Quasi-static peak over all instants [Pa].
-  double still() const { return still_; }
+  double still() const { return still_.value; }
 
  private:
   using Basis = elasticity::DisplacementBasis<dim>;
@@ -60,8 +63,9 @@ class VibratingModel {
   /// swings out. @param lowest  frequency [Hz].
   Eigen::VectorXd even_times(double lowest) const;
   stress::PartialPeak peak_of(const Basis& basis) const;
-  /// Lattice points outside the zones that come near the peak, by every sixth
-  /// time.
+  /// Every sixth time, and that of the quasi-static peak.
+  std::vector<Eigen::Index> times_to_look_at(const Eigen::VectorXd& time) const;
+  /// Lattice points outside the zones that come near the peak.
   std::vector<stress::FieldPoint> points_near_peak(const Basis& basis) const;
   Basis basis_of(const typename elasticity::LoadVibration<dim>::Shapes& shapes,
                  const dynamics::LoadAnswer& moving) const;
@@ -72,7 +76,7 @@ class VibratingModel {
   elasticity::LoadVibration<dim> part_;
   std::vector<stress::SingularZone> zones_;
   dynamics::LoadPath path_;
-  double still_{};
+  stress::PartialPeak still_;  ///< quasi-static
 };
 
 }  // namespace clevis::assessment

@@ -10,7 +10,8 @@
 
 #include "assessment/models/level.h"
 #include "assessment/models/model_list.h"
-#include "assessment/vibration/load_jumps.h"
+#include "assessment/vibration/duration_ratio.h"
+#include "assessment/vibration/load_pace.h"
 #include "assessment/vibration/vibrating_model.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
@@ -20,6 +21,8 @@ namespace clevis::assessment {
 namespace {
 
 constexpr int kFewest = 16, kMost = 96;  // shapes
+constexpr double kSpread =
+    0.003;  // of fronts by mesh and shapes, by d'Alembert
 
 double change(double from, double to) {
   return std::abs(from / to - 1.0);
@@ -41,10 +44,12 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
     for (;;) {
       count *= 2;
       const auto more = low.answer(count, low.path());
-      result.shape_error = change(before, more.peak.value);
+      const double moved =
+          std::max(change(before, more.peak.value), more.front_error);
+      result.shape_error = std::max(kSpread, moved);
       before = more.peak.value;
       if (count >= kMost || more.shapes < count ||
-          result.shape_error < 0.3 * job.tolerance) {
+          moved < 0.3 * job.tolerance) {
         break;
       }
     }
@@ -121,7 +126,7 @@ void judge_vibration(const PartJob& job, const LoadSet& set, PartResult& result,
 }  // namespace
 
 void check_vibration(const PartJob& job, PartResult& result) {
-  VibrationTimes times{vibration_windows(job, result), {}};
+  VibrationTimes times{judge_load_pace(job, result), {}};
   if (times.driven.empty() || !(judged_peak(result).value > 0.0)) return;
   Stopwatch watch;
   PartJob moving = job;

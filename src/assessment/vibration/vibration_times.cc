@@ -5,10 +5,6 @@
 #include <numbers>
 #include <utility>
 
-#include "assessment/vibration/duration_ratio.h"
-#include "assessment/vibration/load_jumps.h"
-#include "loads/history/motion_instants.h"
-
 namespace clevis::assessment {
 namespace {
 
@@ -34,29 +30,16 @@ void end_at(double end, std::vector<VibrationWindow>& windows) {
 
 }  // namespace
 
-std::vector<VibrationWindow> vibration_windows(const PartJob& job,
-                                               const PartResult& result) {
-  constexpr double kPressing = 10.0, kAfter = 5.0;  // first periods
-  if (std::ranges::none_of(result.duration_ratios, wants_elements_in_time)) {
-    return {};
-  }
+std::vector<VibrationWindow> vibration_windows(
+    const std::vector<double>& onsets, double period,
+    const VibrationWindow& motion) {
+  constexpr double kBefore = 1.0, kAfter = 5.0;  // first periods
   std::vector<VibrationWindow> all;
-  for (std::size_t i = 0; i < job.impact_loads.size(); ++i) {
-    if (!wants_elements_in_time(result.duration_ratios[i])) continue;
-    const ImpactLoad& load = job.impact_loads[i];
-    const double period = result.first_period.value();
-    const double follow =
-        std::min(load.duration, kPressing * period) + kAfter * period;
-    for (const double start : load.touches) {
-      all.push_back({start, start + follow});
-    }
+  for (const double onset : onsets) {
+    all.push_back({std::max(motion.from, onset - kBefore * period),
+                   onset + kAfter * period});
   }
-  for (const LoadJump& jump : load_jumps(job)) {
-    all.push_back(
-        {jump.time, jump.time + kAfter * result.first_period.value()});
-  }
-  const auto& history = job.load_sets.front().history;
-  end_at(history.instants[loads::motion_length(history) - 1].time, all);
+  end_at(motion.to, all);
   return joined(std::move(all));
 }
 

@@ -13,13 +13,13 @@ struct VibrationWindow {
   double from{}, to{};  ///< [s]
 };
 
-/// From the touch of each impact that wants elements in time until five first
-/// periods after its force has gone (or, where it stays, after ten). If an
-/// impact or a jump of the loads wants them, also for five periods from every
-/// jump. Joined where they meet, within the motion. None: the loads of the
-/// instants suffice.
-std::vector<VibrationWindow> vibration_windows(const PartJob& job,
-                                               const PartResult& result);
+/// From a first period before each onset until five after it. Joined where they
+/// meet, within the motion.
+/// @param onsets  rising [s]. @param period  first [s].
+/// @param motion  from its first instant to its last.
+std::vector<VibrationWindow> vibration_windows(
+    const std::vector<double>& onsets, double period,
+    const VibrationWindow& motion);
 
 /// Each window and what follows until the part's swing has fallen to a
 /// twentieth, a hundred first periods at most; joined, until `end` [s].

@@ -20,9 +20,11 @@ struct LoadAnswer {
 /// modes without rigid motion
 ///     w'' + 2 ζ ω w' + ω² w = −x'' − 2 ζ ω x',   x = Φᵀ M U c.
 /// x is cubic between the instants, so each interval is solved exactly; where
-/// x jumps, w jumps the other way, for a body cannot; by exp(−(ω τ)²/2) of it
-/// if the jump is spread by a bell curve of standard deviation τ. Before the
-/// first instant the load has changed slowly: w = w' = 0.
+/// x jumps, w jumps the other way, for a body cannot. Changes sharper than τ,
+/// |x''| τ² > max |x|/10 and jumps, are spread by a bell curve of that standard
+/// deviation: exp(−(ω τ)²/2) of them is left. Of gentler ones all is left to ω
+/// τ = 3 and nothing from 6: modes above follow at rest. Before the first
+/// instant the load has changed slowly: w = w' = 0.
 ///
 /// @param participation  Φᵀ M U, modes × coordinates of the path.
 /// @param squares        ω² > 0 [1/s²].
@@ -34,5 +36,11 @@ struct LoadAnswer {
 LoadAnswer answer_to(const LoadPath& path, const Eigen::MatrixXd& participation,
                      const Eigen::VectorXd& squares, double damping,
                      const Eigen::VectorXd& others, double front = 0.0);
+
+/// What the spread by `front` takes off the loads' largest values, over the
+/// largest of all modes by ω x [1]: of pulses that are as short. 0 where it
+/// leaves them alone, as steps.
+double cut_by_spread(const LoadPath& path, const Eigen::MatrixXd& participation,
+                     const Eigen::VectorXd& squares, double front);
 
 }  // namespace clevis::dynamics

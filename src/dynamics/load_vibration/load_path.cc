@@ -46,27 +46,59 @@ bool LoadPath::is_jump(Index i) const {
   return time_[i + 1] - time_[i] <= jump_;
 }
 
+VectorXd LoadPath::bend(Index i) const {
+  if (is_jump(i)) {
+    VectorXd step = VectorXd::Zero(coordinates());
+    if (i > 0) step -= end_.col(i - 1);
+    if (i + 2 < size()) step += start_.col(i + 1);
+    return step;
+  }
+  if (i == 0 || is_jump(i - 1)) return VectorXd::Zero(coordinates());
+  return start_.col(i) - end_.col(i - 1);
+}
+
+/// Between the instants `first` and `last`, between which nothing jumps.
 void LoadPath::set_piece(Index first, Index last) {
+  constexpr double kBend = 4.0;
+  for (Index k = 0; k < coordinates(); ++k) {
+    const auto curvature = [&](Index i) {
+      const double before = time_[i] - time_[i - 1];
+      const double after = time_[i + 1] - time_[i];
+      return std::abs((values_(k, i + 1) - values_(k, i)) / after -
+                      (values_(k, i) - values_(k, i - 1)) / before) /
+             (before + after);
+    };
+    Index begin = first;
+    for (Index i = first + 2; i + 2 <= last; ++i) {
+      const double beside = std::max(i - 1 > begin ? curvature(i - 1) : 0.0,
+                                     i + 1 < last ? curvature(i + 1) : 0.0);
+      if (i == begin || curvature(i) <= kBend * beside) continue;
+      set_slopes(k, begin, i);
+      begin = i;
+    }
+    set_slopes(k, begin, last);
+  }
+}
+
+void LoadPath::set_slopes(Index k, Index first, Index last) {
   const auto width = [&](Index i) {
     return time_[i + 1] - time_[i];
   };
-  for (Index k = 0; k < coordinates(); ++k) {
-    const auto secant = [&](Index i) {
-      return (values_(k, i + 1) - values_(k, i)) / width(i);
-    };
-    if (last - first == 1) {
-      start_(k, first) = end_(k, first) = secant(first);
-      continue;
-    }
-    start_(k, first) = outer_slope(secant(first), width(first),
-                                   secant(first + 1), width(first + 1));
-    for (Index i = first; i + 1 < last; ++i) {
-      end_(k, i) = start_(k, i + 1) =
-          inner_slope(secant(i), width(i), secant(i + 1), width(i + 1));
-    }
-    end_(k, last - 1) = outer_slope(secant(last - 1), width(last - 1),
-                                    secant(last - 2), width(last - 2));
+  const auto secant = [&](Index i) {
+    return (values_(k, i + 1) - values_(k, i)) / width(i);
+  };
+  if (last - first == 1) {
+    start_(k, first) = end_(k, first) = secant(first);
+    return;
   }
+  start_(k, first) = outer_slope(secant(first), width(first), secant(first + 1),
+                                 width(first + 1));
+  for (Index i = first; i + 1 < last; ++i) {
+    end_(k, i) = start_(k, i + 1) =
+        inner_slope(secant(i), width(i), secant(i + 1), width(i + 1));
+  }
+  end_(k, last - 1) = outer_slope(secant(last - 1), width(last - 1),
+                                  secant(last - 2), width(last - 2));
 }
 
 MatrixXd LoadPath::cubic(Index i) const {
@@ -78,6 +110,17 @@ MatrixXd LoadPath::cubic(Index i) const {
   a.col(1) = (3.0 * secant - 2.0 * start_.col(i) - end_.col(i)) / h;
   a.col(2) = (start_.col(i) + end_.col(i) - 2.0 * secant) / (h * h);
   return a;
+}
+
+VectorXd LoadPath::at(double t) const {
+  const Index after = std::ranges::upper_bound(time_, t) - time_.begin();
+  if (after == 0) return values_.col(0);
+  const Index i = after - 1;
+  if (after == size() || is_jump(i)) return values_.col(i);
+  const MatrixXd a = cubic(i);
+  const double since = t - time_[i];
+  return values_.col(i) +
+         since * (a.col(0) + since * (a.col(1) + since * a.col(2)));
 }
 
 LoadPath thinned(const LoadPath& path) {

@@ -6,7 +6,8 @@ namespace clevis::dynamics {
 
 /// Coordinates of a quasi-static answer between the instants at which they are
 /// known: on each interval the cubic with the slopes of [FritschButland1984],
-/// which never leaves the values at its ends and whose slope has no jump.
+/// which never leaves the values at its ends. Its slope jumps only where the
+/// second difference is four times those beside it: at the bend of a ramp.
 /// Instants next to one another closer than `jump` are the two sides of an
 /// event; there the coordinates jump, and nothing lies between.
 class LoadPath {
@@ -24,11 +25,16 @@ class LoadPath {
   /// a1, a2, a3; zero where the coordinates jump.
   Eigen::MatrixXd cubic(Eigen::Index i) const;
   bool is_jump(Eigen::Index i) const;
-  /// Slope that interval i has at its end, per second.
-  Eigen::VectorXd end_slope(Eigen::Index i) const { return end_.col(i); }
+  /// At any time; those of the ends before and after them.
+  Eigen::VectorXd at(double t) const;
+  /// By how much the slope jumps where interval i begins, or, if the
+  /// coordinates jump in it, over it, per second.
+  Eigen::VectorXd bend(Eigen::Index i) const;
 
  private:
   void set_piece(Eigen::Index first, Eigen::Index last);
+  void set_slopes(Eigen::Index coordinate, Eigen::Index first,
+                  Eigen::Index last);
 
   Eigen::VectorXd time_;
   Eigen::MatrixXd values_;

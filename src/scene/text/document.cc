@@ -13,20 +13,45 @@
 namespace clevis::scene {
 namespace {
 
+/// Dots of the line's longest dotted key, at least. Texts and the numbers of a
+/// list have dots of their own, apart from keys; a line that may lie in a text
+/// of several lines counts whole.
+std::ptrdiff_t dots_of_a_key(std::string_view line) {
+  if (line.find(R"(""")") != line.npos || line.find("'''") != line.npos) {
+    return std::ranges::count(line, '.');
+  }
+  std::ptrdiff_t most = 0, dots = 0;
+  char quote = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (quote) {
+      if (c == '\\' && quote == '"') ++i;
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '#') {
+      break;
+    } else if (std::string_view("=,[]{}").find(c) != std::string_view::npos) {
+      dots = 0;
+    } else if (c == '.') {
+      most = std::max(most, ++dots);
+    }
+  }
+  return quote ? std::ranges::count(line, '.') : most;
+}
+
 /// toml++ 3.3 overflows the stack on keys of some 30 000 dotted levels
 /// (a.a.a…); it limits nested values to 256 but not dotted keys. With 64 dots
-/// in a line at most, the depth stays below 64 · 256.
+/// in a key at most, the depth stays below 64 · 256.
 void refuse_deep_keys(std::string_view text, const std::string& file) {
   constexpr std::ptrdiff_t kMostDots = 64;
   int number = 1;
   for (std::size_t start = 0; start < text.size(); ++number) {
     const std::size_t end = std::min(text.find('\n', start), text.size());
-    const std::string_view line = text.substr(start, end - start);
-    const bool is_comment = line.starts_with('#');
-    if (!is_comment && std::ranges::count(line, '.') > kMostDots) {
+    if (dots_of_a_key(text.substr(start, end - start)) > kMostDots) {
       throw Error("S001", fmt::format("{}:{}:1", file, number),
-                  "the line holds more than 64 dots",
-                  "Break the line; keys nest three levels at most.");
+                  "a key has more than 64 dots",
+                  "Keys nest three levels at most.");
     }
     start = end + 1;
   }

@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 template <int dim>
 elasticity::DisplacementBasis<dim> reduced_field(
     const elasticity::DisplacementBasis<dim>& basis,
-    const part::Material& material, Index n) {
+    const part::Material& material) {
   constexpr double kAdmitted = 1e-4;
   const auto& discretization = basis.discretization;
   const auto corners = elasticity::lattice<dim>(discretization.shape, 1);
@@ -25,10 +25,8 @@ elasticity::DisplacementBasis<dim> reduced_field(
     stress.middleRows(rows * c, rows) =
         cell_field.stress(static_cast<std::size_t>(c), basis.columns);
   }
-  const Index count = (basis.coefficients.cols() + n - 1) / n;
   auto principal = elasticity::principal_columns(
-      elasticity::transposed_product(stress, stress),
-      basis.coefficients(Eigen::all, Eigen::seqN(Index{0}, count, n)),
+      elasticity::transposed_product(stress, stress), basis.coefficients,
       kAdmitted, basis.columns.cols());
   elasticity::DisplacementBasis<dim> reduced;
   reduced.discretization = discretization;
@@ -38,8 +36,8 @@ elasticity::DisplacementBasis<dim> reduced_field(
 }
 
 template elasticity::DisplacementBasis<2> reduced_field<2>(
-    const elasticity::DisplacementBasis<2>&, const part::Material&, Index);
+    const elasticity::DisplacementBasis<2>&, const part::Material&);
 template elasticity::DisplacementBasis<3> reduced_field<3>(
-    const elasticity::DisplacementBasis<3>&, const part::Material&, Index);
+    const elasticity::DisplacementBasis<3>&, const part::Material&);
 
 }  // namespace clevis::stress

@@ -3,6 +3,7 @@
 
 #include "dynamics/load_vibration/load_answer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -217,6 +218,43 @@ TEST(LoadAnswer, SpreadJumpSwingsLess) {
 
 // The rod held at its first end, pulled at the other by a step: its end's
 // displacement is a triangle wave between 0 and twice the static one.
+// A ramp of one period leaves no swing: the cubics keep its bends, wherever the
+// instants lie.
+TEST(LoadAnswer, BendsAreKept) {
+  std::vector<Knot> knots;
+  for (int i = 0; i <= 60; ++i) {
+    const double t = 0.1 * i;
+    knots.push_back({t, std::min(1.0, std::max(0.0, t - 2.0))});
+  }
+  const LoadAnswer found = answer(path_of(knots));
+  EXPECT_NEAR(found.added.row(0).maxCoeff(), 1.0 / (2.0 * kPi), 1e-6);
+  EXPECT_NEAR(largest(found), 1.0, 1e-9);
+}
+
+// Of a step nothing, of a triangle the mean of its tip's fall, τ √(2/π) over
+// half its base, and of a pulse far shorter than τ nearly all.
+TEST(LoadAnswer, CutBySpread) {
+  const double front = 0.01;
+  const auto cut = [&](const std::vector<Knot>& knots) {
+    return dynamics::cut_by_spread(path_of(knots), MatrixXd::Ones(1, 1),
+                                   VectorXd::Ones(1), front);
+  };
+  EXPECT_EQ(cut({{0, 0}, {1, 0}, {1, 1}, {2, 1}}), 0.0);
+  const auto triangle = [](double half) {
+    return std::vector<Knot>{{0, 0},
+                             {1, 0},
+                             {1, 0},
+                             {1 + half, 1},
+                             {1 + half, 1},
+                             {1 + 2 * half, 0},
+                             {1 + 2 * half, 0},
+                             {2, 0}};
+  };
+  EXPECT_NEAR(cut(triangle(0.1)), 0.1 * std::sqrt(2.0 / kPi), 0.02);
+  EXPECT_GT(cut(triangle(0.001)), 0.8);
+  EXPECT_EQ(cut(triangle(0.5)), 0.0);  // gentle
+}
+
 TEST(LoadShapes, StepOnARod) {
   const support::UnitRod rod(40);
   VectorXd load = VectorXd::Zero(rod.system.size);

@@ -1,0 +1,119 @@
+#include "assessment/vibration/load_pace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "loads/history/motion_instants.h"
+
+namespace clevis::assessment {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Forces, and moments over the size, that act on the surface [N].
+VectorXd surface_forces(const loads::InstantLoad& instant, double size) {
+  std::vector<double> all;
+  const auto put = [&](const loads::Wrench& wrench) {
+    all.insert(all.end(), wrench.force.begin(), wrench.force.end());
+    for (const double moment : wrench.moment) all.push_back(moment / size);
+  };
+  for (const loads::Wrench& wrench : instant.wrenches) put(wrench);
+  for (const auto& load : instant.surface_loads) {
+    put(load.resultant);
+    all.push_back(load.total);
+  }
+  return Eigen::Map<const VectorXd>(all.data(), static_cast<Index>(all.size()));
+}
+
+/// From the longest to the shortest, each so much of the one before.
+VectorXd falling(double longest, double shortest, double step) {
+  const auto count = static_cast<Index>(
+      std::ceil(std::log(shortest / longest) / std::log(step)));
+  VectorXd periods(count + 1);
+  for (Index i = 0; i <= count; ++i) {
+    periods[i] = longest * std::pow(step, static_cast<double>(i));
+  }
+  return periods;
+}
+
+// Of the first period or that of waves: shorter ones hold little of a load.
+constexpr double kShortest = 0.02;
+
+}  // namespace
+
+LoadSet motion_loads(const PartJob& job) {
+  LoadSet set = job.load_sets.front();
+  set.history.instants.resize(loads::motion_length(set.history));
+  return set;
+}
+
+dynamics::LoadPath load_components(const PartJob& job) {
+  constexpr double kNothing = 1e-3;
+  const dynamics::LoadPath none(VectorXd(0), MatrixXd(0, 0), 0.0);
+  if (job.load_sets.empty()) return none;
+  const LoadSet& set = job.load_sets.front();
+  const auto& instants = set.history.instants;
+  const auto length = static_cast<Index>(loads::motion_length(set.history));
+  if (length < 2 || !set.fixed.empty() || !set.foundations.empty()) return none;
+  const double size = job.longest_side();
+  MatrixXd forces(surface_forces(instants.front(), size).size(), length);
+  VectorXd time(length);
+  for (Index i = 0; i < length; ++i) {
+    const auto& instant = instants[static_cast<std::size_t>(i)];
+    forces.col(i) = surface_forces(instant, size);
+    time[i] = instant.time;
+  }
+  const VectorXd largest = forces.rowwise().lpNorm<Eigen::Infinity>();
+  std::vector<Index> counting;
+  for (Index k = 0; k < largest.size(); ++k) {
+    if (largest[k] > kNothing * largest.maxCoeff()) counting.push_back(k);
+  }
+  MatrixXd components(static_cast<Index>(counting.size()), length);
+  for (Index k = 0; k < components.rows(); ++k) {
+    const Index row = counting[static_cast<std::size_t>(k)];
+    components.row(k) = forces.row(row) / largest[row];
+  }
+  return {time, components,
+          loads::kEventSides * loads::motion_duration(set.history)};
+}
+
+double period_of_waves(const PartJob& job) {
+  return 2.0 * job.longest_side() *
+         std::sqrt(job.part.material.density /
+                   job.part.material.youngs_modulus);
+}
+
+bool is_slow(const PartJob& job, const dynamics::LoadPath& components) {
+  constexpr double kStep = 0.9, kSure = 4.0;
+  Eigen::AlignedBox3d box;
+  for (const auto& vertex : job.mesh.vertices) box.extend(vertex);
+  Eigen::Vector3d sides = box.sizes();
+  std::ranges::sort(sides);
+  // A bar of the mean thickness bends in half the waves' period times length
+  // over thickness.
+  const double thickness =
+      job.mass.mass / job.part.material.density / (sides[1] * sides[2]);
+  const double waves = period_of_waves(job);
+  const double longest = kSure * waves * std::max(1.0, sides[2] / thickness);
+  const auto spectrum =
+      response_spectrum(components, falling(longest, kShortest * waves, kStep),
+                        job.part.damping, kPaceCounts);
+  return spectrum.amplification <= kPaceCounts;
+}
+
+dynamics::ResponseSpectrum load_spectrum(const PartJob& job,
+                                         const dynamics::LoadPath& components,
+                                         double first) {
+  constexpr double kStep = 0.95;
+  const double shortest = kShortest * std::min(first, period_of_waves(job));
+  return response_spectrum(components, falling(first, shortest, kStep),
+                           job.part.damping, kPaceCounts);
+}
+
+}  // namespace clevis::assessment

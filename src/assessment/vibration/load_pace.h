@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "assessment/job/part_job.h"
+#include "dynamics/load_vibration/load_path.h"
+#include "dynamics/load_vibration/response_spectrum.h"
+
+namespace clevis::assessment {
+
+/// Beyond the loads of the instants an oscillator may answer by so much before
+/// the part is computed with its vibration [1].
+inline constexpr double kPaceCounts = 1.02;
+
+/// The loads over the motion of the part's body, without its cases.
+LoadSet motion_loads(const PartJob& job);
+
+/// Components of the forces and moments on the part's surface over the motion,
+/// each over its largest. Each counts by itself, for a small force across a
+/// part may stress it more than a large one along it; below a thousandth of the
+/// largest none does.
+dynamics::LoadPath load_components(const PartJob& job);
+
+/// Whether the loads change so slowly that no vibration a body of the part's
+/// size and material can have is excited: a test without its modes.
+bool is_slow(const PartJob& job, const dynamics::LoadPath& components);
+
+/// Of oscillators with the part's first period and shorter ones.
+/// @param first  period [s].
+dynamics::ResponseSpectrum load_spectrum(const PartJob& job,
+                                         const dynamics::LoadPath& components,
+                                         double first);
+
+/// Of a part's first vibration along its longest way: 2 l/√(E/ρ) [s]. What is
+/// over before the part bends may still run along it and meet its like.
+double period_of_waves(const PartJob& job);
+
+}  // namespace clevis::assessment
