@@ -25,6 +25,11 @@ constexpr double kDrivenPerPeriod = 400.0, kSwingPerPeriod = 20.0;
 /// back a few times tops its true height (6: by 10 %, 9: 2.5 %, 12: 0.2 %).
 constexpr double kFront = 12.0;
 
+/// The same of what shapes cannot follow without it, on the safe side of
+/// √(π/2): that bell curve is as high as the kernel of all frequencies below
+/// the highest.
+constexpr double kUnspread = 1.5;
+
 template <int dim>
 constexpr int kSubdivisions = dim == 2 ? 4 : 2;
 
@@ -137,13 +142,17 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(
   found.shapes = static_cast<int>(hertz.size());
   found.lowest = hertz.minCoeff();
   found.highest = hertz.maxCoeff();
-  const double front = kFront / shapes.squares.cwiseSqrt().maxCoeff();
-  const auto answer_at = [&](const VectorXd& times) {
+  const double shortest = 1.0 / shapes.squares.cwiseSqrt().maxCoeff();
+  const auto answer_at = [&](const VectorXd& times, double front) {
     return dynamics::answer_to(path, shapes.participation, shapes.squares,
-                               job_.part.damping, times, front);
+                               job_.part.damping, times, front * shortest);
+  };
+  const auto cut = [&](double front) {
+    return dynamics::cut_by_spread(path, shapes.participation, shapes.squares,
+                                   front * shortest);
   };
   const VectorXd even = even_times(found.lowest);
-  auto moving = answer_at(even);
+  auto moving = answer_at(even, kFront);
   found.basis = basis_of(shapes, moving);
   found.basis.coefficients =
       found.basis.coefficients(Eigen::all, times_to_look_at(moving.time))
@@ -154,10 +163,11 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(
   const stress::PointStress<dim> near(discretization, job_.part.material,
                                       kSubdivisions<dim>, points,
                                       found.basis.columns);
-  moving = answer_at(with_times_near_peaks(
+  const VectorXd times = with_times_near_peaks(
       even, moving.time,
-      near.von_mises(found.basis.coefficients).colwise().maxCoeff(),
-      times_.swing));
+      near.von_mises(coefficients_of(moving)).colwise().maxCoeff(),
+      times_.swing);
+  moving = answer_at(times, kFront);
   found.basis.coefficients = coefficients_of(moving);
   const MatrixXd stresses = near.von_mises(found.basis.coefficients);
   Index point = 0, time = 0;
@@ -169,9 +179,12 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(
       (1.0 - stresses(Eigen::all, Eigen::seqN(Index{0}, second, 2)).maxCoeff() /
                  found.peak.value) /
       3.0;
-  found.front_error = 2.0 * still_.value / found.peak.value *
-                      dynamics::cut_by_spread(path, shapes.participation,
-                                              shapes.squares, front);
+  if (cut(kFront) > 0.0) {
+    const double sharp =
+        near.von_mises(coefficients_of(answer_at(times, 0.0))).maxCoeff();
+    found.front_error = std::abs(sharp / found.peak.value - 1.0) +
+                        2.0 * cut(kUnspread) * still_.value / found.peak.value;
+  }
   found.time = moving.time[time];
   found.at =
       stress::position<dim>(discretization, found.peak.at, kSubdivisions<dim>);

@@ -28,8 +28,9 @@ struct VibratingAnswer {
   stress::PartialPeak peak;  ///< outside the singular zones
   double time{};             ///< of it [s]
   double sampling_error{};   ///< between the times [1]
-  /// Possible of pulses shorter than the shapes carry: they meet their like
-  /// with twice what the spread takes off them, over the peak [1].
+  /// Of pulses as short as the spread of fronts: what they reach without it,
+  /// and twice what the shapes cannot follow, for two may meet; over the
+  /// peak [1].
   double front_error{};
   std::string group;
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]

@@ -114,7 +114,7 @@ void judge_vibration(const PartJob& job, const LoadSet& set, PartResult& result,
   } else {
     found.band_low = found.band_high = found.peak;
   }
-  found.band_low -= error * found.peak;
+  found.band_low = std::max(0.0, found.band_low - error * found.peak);
   found.band_high += error * found.peak;
   found.governs = of_motion || found.band_high > still.value;
   deflect(!job.part.cases.empty(), found, result);
