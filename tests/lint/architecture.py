@@ -216,8 +216,9 @@ PUBLIC = {
              " pressure/discrete_balance pressure/seat_traction"
              " pressure/wall_pressure seats/part_seats seats/seat_spans",
     "dynamics": "load_vibration/load_answer load_vibration/load_path"
+                " load_vibration/response_spectrum"
                 " load_vibration/load_shapes strike/strike strike/strike_steps"
-                " systems/block_krylov systems/eigenmodes systems/linear_system",
+                " systems/block_krylov systems/eigenmodes systems/held_system systems/linear_system",
     "beam": "estimates/beam_estimate estimates/ejector estimates/struck_part",
     "elasticity": "algebra/dense_product algebra/principal_columns algebra/rank_team assembly/stiffness assembly/supports"
                   " buckling/buckling dealii/dealii_service direct/dissection fe_space/discretization fe_space/group_trace"

@@ -210,6 +210,33 @@ def check_pulls(clevis, expect):
     check_pull(clevis, "slow", [(0, 0), (0.5, 1)], 1.0, expect, **alone)
 
 
+def check_welded(clevis, expect):
+    """Welded to the ground at one end and pulled at the other at once: the wave
+    comes back from the weld with twice the pull. A free bar would have less."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        scene = write_scene(folder, False, speed=0, upper=1,
+                            more=pulls([(0, 0), (0.1, 0), (0.1, 1)]),
+                            faces='pull_x1 = { face = "x1" }\n')
+        text = scene.read_text()
+        for start, end in (('[[initial]]', '[[force]]\ntype = "stop"'),
+                           ('[[force]]\ntype = "stop"', '[[force]]\nname = "pull_x0"'),
+                           ('[[force]]\nname = "pull_x0"', '[[force]]\nname = "pull_x1"')):
+            text = text[:text.index(start)] + text[text.index(end):]
+        scene.write_text(
+            text.replace('type = "prismatic"', 'type = "weld"')
+            .replace('axis = [1, 0, 0]\n', '', 1)
+            .replace('slide = { group = "y0", length = "200 mm" }', 'slide = "x0"')
+            .replace('stop = { face = "x1" }\n', ''))
+        found = support.check(clevis, scene)
+        part = found.part
+    still = PULL / AREA / 1e6
+    expect("welded: at rest", part["peak_von_mises"]["value_MPa"], still)
+    expect("welded: with vibration", part["vibration"]["peak_MPa"], 2.0 * still)
+    low, high = part["vibration"]["band_MPa"]
+    expect(f"welded: band {low:.2f} to {high:.2f}", low <= 2.0 * still <= high, True)
+
+
 def main():
     faults = []
 
@@ -224,6 +251,7 @@ def main():
     expect("exit with a block", check(sys.argv[1], 2.0, expect), 1)
     check(sys.argv[1], 0.0, expect)
     check_pulls(sys.argv[1], expect)
+    check_welded(sys.argv[1], expect)
     return len(faults) > 0
 
 

@@ -17,9 +17,9 @@ constexpr const char* kInTime =
     "dynamic elements: the loads of the instants may be exceeded";
 
 double first_period_of(const PartJob& job) {
-  const loads::LoadHistory none;
+  const loads::LoadHistory& history = job.load_sets.front().history;
   return elasticity::first_period<3>(
-      {job.overall_mesh(), job.part.material, none, {}, job.part.name},
+      {job.overall_mesh(), job.part.material, history, {}, job.part.name},
       job.mesh.shape == mesh::CellShape::kSimplex ? 1 : 2);
 }
 
@@ -112,7 +112,7 @@ std::vector<VibrationWindow> judge_load_pace(const PartJob& job,
                                              PartResult& result) {
   const dynamics::LoadPath components = load_components(job);
   const bool slow = is_slow(job, components);
-  if (slow && job.impact_loads.empty()) return {};
+  if (job.load_sets.empty() || (slow && job.impact_loads.empty())) return {};
   const double first = first_period_of(job);
   result.first_period = first;
   std::vector<VibrationWindow> windows;

@@ -1,6 +1,7 @@
 #include "assessment/vibration/vibrating_model.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -28,7 +29,10 @@ constexpr double kFront = 12.0;
 /// The same of what shapes cannot follow without it, on the safe side of
 /// √(π/2): that bell curve is as high as the kernel of all frequencies below
 /// the highest.
-constexpr double kUnspread = 1.5;
+constexpr double kUnspread = 1.5 / kFront;
+/// The same of a spread that the mesh carries: times the time of a wave over a
+/// node's spacing.
+constexpr double kNodes = 2.5;
 
 template <int dim>
 constexpr int kSubdivisions = dim == 2 ? 4 : 2;
@@ -38,6 +42,29 @@ MatrixXd coefficients_of(const dynamics::LoadAnswer& moving) {
   MatrixXd both(moving.path.rows() + moving.added.rows(), moving.time.size());
   both << moving.path, moving.added;
   return both;
+}
+
+/// Whether two corners of a cell are the ends of an edge.
+bool is_edge(mesh::CellShape shape, unsigned a, unsigned b) {
+  return shape == mesh::CellShape::kSimplex || std::has_single_bit(a ^ b);
+}
+
+/// Mean of the cells' longest edges over the degree [m].
+template <int dim>
+double node_spacing(const mesh::PartMesh<dim>& mesh, int degree) {
+  double sum = 0.0;
+  for (const auto& cell : mesh.cells) {
+    double longest = 0.0;
+    for (unsigned a = 0; a < cell.size(); ++a) {
+      for (unsigned b = 0; b < a; ++b) {
+        if (!is_edge(mesh.shape, a, b)) continue;
+        longest = std::max(
+            longest, (mesh.vertices[cell[a]] - mesh.vertices[cell[b]]).norm());
+      }
+    }
+    sum += longest;
+  }
+  return sum / static_cast<double>(mesh.cells.size()) / degree;
 }
 
 }  // namespace
@@ -52,6 +79,9 @@ VibratingModel<dim>::VibratingModel(const PartJob& job,
       times_(times),
       part_({mesh, job.part.material, set.history, {}, job.part.name}, degree,
             instants_within(times.driven, set.history.instants)),
+      mesh_front_(kNodes * node_spacing(mesh, degree) *
+                  std::sqrt(job.part.material.density /
+                            job.part.material.youngs_modulus)),
       zones_(stress::singular_zones<dim>(mesh, job.part.material, {})),
       path_(make_path()),
       still_(peak_of(part_.statics())) {}
@@ -142,17 +172,18 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(
   found.shapes = static_cast<int>(hertz.size());
   found.lowest = hertz.minCoeff();
   found.highest = hertz.maxCoeff();
-  const double shortest = 1.0 / shapes.squares.cwiseSqrt().maxCoeff();
-  const auto answer_at = [&](const VectorXd& times, double front) {
+  const double front =
+      std::max(kFront / shapes.squares.cwiseSqrt().maxCoeff(), mesh_front_);
+  const auto answer_at = [&](const VectorXd& times, double spread) {
     return dynamics::answer_to(path, shapes.participation, shapes.squares,
-                               job_.part.damping, times, front * shortest);
+                               job_.part.damping, times, spread);
   };
-  const auto cut = [&](double front) {
+  const auto cut = [&](double spread) {
     return dynamics::cut_by_spread(path, shapes.participation, shapes.squares,
-                                   front * shortest);
+                                   spread);
   };
   const VectorXd even = even_times(found.lowest);
-  auto moving = answer_at(even, kFront);
+  auto moving = answer_at(even, front);
   found.basis = basis_of(shapes, moving);
   found.basis.coefficients =
       found.basis.coefficients(Eigen::all, times_to_look_at(moving.time))
@@ -167,7 +198,7 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(
       even, moving.time,
       near.von_mises(coefficients_of(moving)).colwise().maxCoeff(),
       times_.swing);
-  moving = answer_at(times, kFront);
+  moving = answer_at(times, front);
   found.basis.coefficients = coefficients_of(moving);
   const MatrixXd stresses = near.von_mises(found.basis.coefficients);
   Index point = 0, time = 0;
@@ -179,11 +210,12 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(
       (1.0 - stresses(Eigen::all, Eigen::seqN(Index{0}, second, 2)).maxCoeff() /
                  found.peak.value) /
       3.0;
-  if (cut(kFront) > 0.0) {
+  if (cut(front) > 0.0) {
     const double sharp =
         near.von_mises(coefficients_of(answer_at(times, 0.0))).maxCoeff();
-    found.front_error = std::abs(sharp / found.peak.value - 1.0) +
-                        2.0 * cut(kUnspread) * still_.value / found.peak.value;
+    found.front_error =
+        std::abs(sharp / found.peak.value - 1.0) +
+        2.0 * cut(kUnspread * front) * still_.value / found.peak.value;
   }
   found.time = moving.time[time];
   found.at =

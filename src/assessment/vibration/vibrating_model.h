@@ -75,6 +75,7 @@ class VibratingModel {
   const LoadSet& set_;
   const VibrationTimes& times_;
   elasticity::LoadVibration<dim> part_;
+  double mesh_front_;  ///< shortest spread that the mesh carries [s]
   std::vector<stress::SingularZone> zones_;
   dynamics::LoadPath path_;
   stress::PartialPeak still_;  ///< quasi-static

@@ -9,8 +9,7 @@ using Eigen::MatrixXd;
 LoadShapes::LoadShapes(const LinearSystem& system, const MatrixXd& answers)
     : system_(system) {
   const MatrixXd rigid = mass_orthonormal(system, system.rigid);
-  const BlockOperator solve =
-      system.factor(rigid.cols() > 0 ? system.low_square : 0.0);
+  const BlockOperator solve = system.factor(system.least_shift());
   space_ = std::make_unique<BlockKrylov>(system, solve, answers, rigid);
 }
 

@@ -29,7 +29,8 @@ BlockKrylov::BlockKrylov(const LinearSystem& system, BlockOperator solve,
                               [solve = std::move(solve)](
                                   const MatrixXd&, const MatrixXd& weighted) {
                                 return solve(weighted);
-                              }},
+                              },
+                              system.admitted},
                   start, std::move(deflated)) {}
 
 BlockKrylov::BlockKrylov(SelfAdjoint system, const MatrixXd& start,
@@ -77,11 +78,12 @@ MatrixXd BlockKrylov::append(const MatrixXd& block, double scale) {
     if (!(square > kNothing * kNothing * scale)) break;
     MatrixXd column = rest.col(at) / std::sqrt(square);
     MatrixXd image = weighted_rest.col(at) / std::sqrt(square);
-    if (k > 0) {
+    if (k > 0 || system_.admitted) {
+      if (system_.admitted) column = system_.admitted(column);
       // Once more against the space and the columns before: what is small
       // carries the round-off of what was large.
       orthogonalise(column, nullptr);
-      column -= columns * (weighted_.transpose() * column);
+      if (k > 0) column -= columns * (weighted_.transpose() * column);
       image = system_.product(column);
       const double norm = std::sqrt(column.cwiseProduct(image).sum());
       column /= norm;

@@ -17,6 +17,7 @@ struct SelfAdjoint {
   std::function<Eigen::MatrixXd(const Eigen::MatrixXd& block,
                                 const Eigen::MatrixXd& weighted)>
       apply;
+  BlockOperator admitted = {};  ///< as of LinearSystem
 };
 
 /// Space of T applied again and again to a block, M-orthonormal, with the

@@ -68,7 +68,7 @@ void check(const LinearSystem& system, const BlockOperator& solve, double shift,
 Modes lowest_modes(const LinearSystem& system, int count,
                    const std::string& name) {
   const MatrixXd rigid = mass_orthonormal(system, system.rigid);
-  const double shift = rigid.cols() > 0 ? system.low_square : 0.0;
+  const double shift = system.least_shift();
   const BlockOperator solve = system.factor(shift);
   const Index wanted =
       std::min<Index>(std::max<Index>(count, rigid.cols()), system.size) -

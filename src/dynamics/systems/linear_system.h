@@ -19,9 +19,17 @@ struct LinearSystem {
   std::function<BlockOperator(double shift)> factor;
   /// Free rigid motions, any basis; size × 0…6.
   Eigen::MatrixXd rigid;
+  bool is_held = false;  ///< by constraints: K alone may be singular
+  /// X -> what constraints leave of X; none: all of it.
+  BlockOperator admitted = {};
   /// Square of a circular frequency below the first elastic one but not by
   /// many orders of magnitude, for free parts [1/s²].
   double low_square{};
+
+  /// Of a factor that exists [1/s²].
+  double least_shift() const {
+    return is_held || rigid.cols() > 0 ? low_square : 0.0;
+  }
 };
 
 }  // namespace clevis::dynamics

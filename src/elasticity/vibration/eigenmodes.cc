@@ -50,7 +50,7 @@ double first_period(const ElasticProblem<dim>& problem, int degree) {
                         ? (dim == 2 ? 3 : 6)
                         : 0;
   const auto modes = eigenmodes(problem, degree, rigid + 1);
-  return 1.0 / modes.frequencies[rigid];
+  return 1.0 / modes.frequencies[modes.rigid];
 }
 
 template <int dim>

@@ -35,8 +35,9 @@ template <int dim>
 Eigenmodes<dim> eigenmodes(const ElasticProblem<dim>& problem, int degree,
                            int count);
 
-/// Period of the lowest elastic vibration [s]. Quick with degree 2: within a
-/// per cent or so on meshes that suit stress.
+/// Period of the lowest elastic vibration, of a part without supports held
+/// where the ground holds its seats [s]. Quick with degree 2: within a per cent
+/// or so on meshes that suit stress.
 template <int dim>
 double first_period(const ElasticProblem<dim>& problem, int degree);
 

@@ -1,6 +1,7 @@
 #include "elasticity/vibration/load_vibration.h"
 
 #include "dynamics/systems/block_krylov.h"
+#include "dynamics/systems/held_system.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/algebra/principal_columns.h"
 #include "elasticity/problem/elastic_problem.h"
@@ -23,6 +24,9 @@ LoadVibration<dim>::LoadVibration(const ElasticProblem<dim>& problem,
     : statics_(solve(problem, degree)), part_(vibrating_part(problem, degree)) {
   const auto& system = part_.system;
   MatrixXd answers = restrict_rows(statics_.columns, part_.numbers);
+  if (part_.ground.cols() > 0) {
+    answers = dynamics::moved_to_constraints(part_.free, part_.ground, answers);
+  }
   weighted_ = system.mass(answers);
   if (system.rigid.cols() > 0) {
     const MatrixXd rigid = dynamics::mass_orthonormal(system, system.rigid);

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/messages/errors.h"
+#include "dynamics/systems/held_system.h"
 #include "elasticity/assembly/mass_matrix.h"
 #include "elasticity/assembly/stiffness.h"
 #include "elasticity/assembly/supports.h"
@@ -18,6 +19,7 @@
 #include "elasticity/direct/memory_forecast.h"
 #include "elasticity/fe_space/group_trace.h"
 #include "elasticity/problem/elastic_problem.h"
+#include "elasticity/vibration/ground_hold.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -110,6 +112,12 @@ VibratingPart<dim> vibrating_part(const ElasticProblem<dim>& problem,
   part.system.low_square = low_square(problem.material, size);
   if (held.empty() && bed.empty()) {
     part.system.rigid = rigid_modes<dim>(positions, 0.5 * (low + high), size);
+    part.ground =
+        ground_hold(part.discretization, problem.history, problem.name);
+  }
+  part.free = part.system;
+  if (part.ground.cols() > 0) {
+    part.system = dynamics::held_system(part.free, part.ground);
   }
   return part;
 }

@@ -27,6 +27,9 @@ struct Seat {
   Eigen::Vector3d p_LS = Eigen::Vector3d::Zero();  ///< [m]
   /// Of a slide whose counterpart does not touch the whole group.
   std::optional<SlideWall> slide = std::nullopt;
+  /// In which the ground holds it by a joint or a drive, whatever the part
+  /// does: unit forces above unit moments about p_LS, in L; a column each.
+  Eigen::Matrix<double, 6, Eigen::Dynamic> grounded = {};
 };
 
 /// Force and moment on the part, in L; the moment about the seat's p_LS.

@@ -2,12 +2,16 @@
 
 #include "dynamics/systems/eigenmodes.h"
 
+#include <cmath>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
+#include "dynamics/load_vibration/load_shapes.h"
+#include "dynamics/systems/held_system.h"
 #include "support/dense_system.h"
 
 namespace clevis {
@@ -20,6 +24,23 @@ MatrixXd positive_matrix(int n, unsigned seed) {
   std::srand(seed);
   const MatrixXd a = MatrixXd::Random(n, n);
   return a * a.transpose() + 0.1 * MatrixXd::Identity(n, n);
+}
+
+support::EulerBeam unit_beam() {
+  return {1.0, 1.0, 1.0, 20};
+}
+
+dynamics::LinearSystem free_beam() {
+  auto system =
+      support::dense_system(unit_beam().stiffness(), unit_beam().mass());
+  system.rigid = MatrixXd::Zero(42, 2);
+  for (int node = 0; node <= 20; ++node) {
+    system.rigid(2 * node, 0) = 1.0;
+    system.rigid(2 * node, 1) = node / 20.0;
+    system.rigid(2 * node + 1, 1) = 1.0;
+  }
+  system.low_square = 1.0;
+  return system;
 }
 
 TEST(Eigenmodes, MatchADenseSolver) {
@@ -70,16 +91,7 @@ TEST(Eigenmodes, CantileverOfBeamElements) {
 
 /// Free-free: two rigid motions, exactly zero, then cos β l cosh β l = 1.
 TEST(Eigenmodes, FreeBeamHasItsRigidMotionsFirst) {
-  const support::EulerBeam beam{1.0, 1.0, 1.0, 20};
-  auto system = support::dense_system(beam.stiffness(), beam.mass());
-  system.rigid = MatrixXd::Zero(42, 2);
-  for (int node = 0; node <= 20; ++node) {
-    system.rigid(2 * node, 0) = 1.0;
-    system.rigid(2 * node, 1) = node / 20.0;
-    system.rigid(2 * node + 1, 1) = 1.0;
-  }
-  system.low_square = 1.0;
-  const auto modes = dynamics::lowest_modes(system, 4, "test");
+  const auto modes = dynamics::lowest_modes(free_beam(), 4, "test");
   EXPECT_EQ(modes.rigid, 2);
   EXPECT_EQ(modes.squares[0], 0.0);
   EXPECT_EQ(modes.squares[1], 0.0);
@@ -88,4 +100,42 @@ TEST(Eigenmodes, FreeBeamHasItsRigidMotionsFirst) {
 }
 
 }  // namespace
+// Held by constraints a free beam is the cantilever, the pinned one (tan β l =
+// tanh β l, β l = 3.926602, free to turn) or the one on two pins (β l = π).
+TEST(HeldSystem, FreeBeamHeldIsTheHeldBeam) {
+  const auto lowest = [](const std::vector<int>& held, int rigid) {
+    MatrixXd constraints = MatrixXd::Zero(42, held.size());
+    for (std::size_t k = 0; k < held.size(); ++k) {
+      constraints(held[k], static_cast<Eigen::Index>(k)) = 7.0;  // any size
+    }
+    const auto modes = dynamics::lowest_modes(
+        dynamics::held_system(free_beam(), constraints), rigid + 2, "test");
+    EXPECT_EQ(modes.rigid, rigid);
+    EXPECT_LT((constraints.transpose() * modes.shapes).norm(), 1e-10);
+    return std::pow(modes.squares[rigid], 0.25);
+  };
+  EXPECT_NEAR(lowest({0, 1}, 0), 1.875104069, 1e-6);
+  EXPECT_NEAR(lowest({0}, 1), 3.926602312, 1e-5);
+  EXPECT_NEAR(lowest({0, 40}, 0), std::numbers::pi, 1e-5);
+  EXPECT_NEAR(lowest({0, 40, 20}, 0), 2.0 * std::numbers::pi, 1e-4);
+}
+
+// A space far beyond what the loads excite keeps to the constraints: round-off
+// that breaks them would grow.
+TEST(HeldSystem, ShapesKeepToTheConstraints) {
+  MatrixXd constraints = MatrixXd::Zero(42, 2);
+  constraints(0, 0) = constraints(1, 1) = 1.0;
+  const auto free = free_beam();
+  const auto held = dynamics::held_system(free, constraints);
+  const MatrixXd load = MatrixXd::Random(42, 1);
+  const MatrixXd answer = dynamics::moved_to_constraints(
+      free, constraints, held.factor(held.low_square)(load));
+  EXPECT_LT((constraints.transpose() * answer).norm(), 1e-12);
+  dynamics::LoadShapes space(held, answer);
+  const auto shapes = space.shapes(38);
+  EXPECT_LT((constraints.transpose() * shapes.columns).norm(),
+            1e-9 * shapes.columns.norm());
+  EXPECT_NEAR(std::pow(shapes.squares[0], 0.25), 1.875104069, 1e-6);
+}
+
 }  // namespace clevis

@@ -188,5 +188,27 @@ TEST(SeatFit, ShiftedMeshIsNamed) {
       << plate.refusal();
 }
 
+// A pin of the ground holds its place and its axis, a ball its place; a pin of
+// another body and a slide hold nothing against the ground.
+TEST(JointSeats, TellWhatTheGroundHolds) {
+  const auto held = [](const Plate& plate) {
+    return joint_seats(plate.context()).front().seat.grounded;
+  };
+  Plate plate;
+  plate.definition.joints[0].frame_b.R_LJ =
+      Eigen::AngleAxisd(0.3, Vector3d::UnitZ()).toRotationMatrix();
+  const Eigen::MatrixXd pin = held(plate);
+  ASSERT_EQ(pin.cols(), 5);
+  Eigen::MatrixXd exact = Eigen::MatrixXd::Identity(6, 6);
+  exact(5, 5) = 0.0;  // turns freely
+  EXPECT_LT((pin * pin.transpose() - exact).norm(), 1e-12);
+  EXPECT_EQ(held(Plate(JointType::kSpherical)).cols(), 3);
+  EXPECT_EQ(held(Plate(JointType::kCylindrical)).cols(), 0);
+
+  plate.definition.bodies.resize(2);
+  plate.definition.joints[0].body_a = 1;
+  EXPECT_EQ(held(plate).cols(), 0);
+}
+
 }  // namespace
 }  // namespace clevis::loads
