@@ -173,14 +173,15 @@ PartAssessment check_part(const PartJob& given) {
   Stopwatch watch;
   CheckedBlows blows = check_blows(given);
   PartAssessment assessment = solve_all(given, blows);
+  PartJob job = given;  // with the blows as loads at rest, for beam theory
+  job.load_sets.insert(job.load_sets.end(), blows.at_rest.begin(),
+                       blows.at_rest.end());
+  add_facet_doubt(job, assessment.fields, assessment.result);
   if (given.may_be_meshed_finer &&
       judged_peak(assessment.result).verdict == PeakVerdict::kNotConverged) {
     assessment.result.seconds.total = watch.lap();
     return assessment;
   }
-  PartJob job = given;  // with the blows as loads at rest, for beam theory
-  job.load_sets.insert(job.load_sets.end(), blows.at_rest.begin(),
-                       blows.at_rest.end());
   PartResult& result = assessment.result;
   result.name = job.part.name;
   result.notes.insert(result.notes.end(), job.notes.begin(), job.notes.end());
@@ -191,7 +192,6 @@ PartAssessment check_part(const PartJob& given) {
                         set.history.notes.end());
   }
   note_cases(given, result);
-  add_facet_doubt(job, assessment.fields, result);
   result.beam = compare_with_beam(job, result);
   BucklingCheck buckling = check_buckling(job);
   result.buckling = std::move(buckling.result);

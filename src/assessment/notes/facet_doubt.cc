@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "assessment/judge/doubt.h"
 #include "stress/field/stress_history.h"
 #include "stress/zones/singular_zone.h"
 
@@ -64,7 +65,9 @@ double widen(const PartJob& job, const Eigen::Matrix3d& stress,
   peak.band_high += amount;
   peak.discretization_error += amount;
   peak.shares.mesh += amount;
-  if (peak.verdict == PeakVerdict::kConverged && error > job.tolerance) {
+  if (peak.verdict == PeakVerdict::kConverged &&
+      peak.discretization_error + peak.model_error >
+          job.tolerance * peak.value) {
     peak.verdict = PeakVerdict::kNotConverged;
   }
   return error;
@@ -75,6 +78,8 @@ double widen(const PartJob& job, const Eigen::Matrix3d& stress,
 void add_facet_doubt(const PartJob& job, const PartFields& fields,
                      PartResult& result) {
   if (!(result.peak.value > 0.0) || !fields.at) return;
+  const bool was_converged =
+      judged_peak(result).verdict == PeakVerdict::kConverged;
   double error = 0.0;
   if (!is_on_cylinder(job, result.peak)) {  // else spared a whole field
     error = widen(job, stress_at(fields, result.peak.at), result.peak);
@@ -85,6 +90,12 @@ void add_facet_doubt(const PartJob& job, const PartFields& fields,
                      widen(job, Eigen::Matrix3d::Zero(), *result.peak_outside));
   }
   if (error == 0.0) return;
+  if (was_converged &&
+      judged_peak(result).verdict == PeakVerdict::kNotConverged) {
+    result.stopped_because =
+        fmt::format("faces that kink under the peak: {}, {:.3g} % wanted",
+                    doubt_text(judged_peak(result)), 100.0 * job.tolerance);
+  }
   result.notes.push_back(fmt::format(
       "the peak stands on {} that kink by {:.2g}°: the curve behind "
       "them may have {:.2g} % more or less, which is in the band; mesh {}, or "

@@ -30,6 +30,12 @@ struct FinerFields {
   std::optional<stress::JoinedStress> wide = std::nullopt;
 };
 
+/// From the instant that was solved for to the worst one of each point.
+struct Rise {
+  MatrixXd added;          ///< points of kFineLattice × cells [Pa]
+  Eigen::VectorXd factor;  ///< of each cell's largest, >= 1 [1]
+};
+
 /// Stress of some cells, and what is sure of its error without a second layer.
 struct JudgedStress {
   CloserStress stress;
@@ -39,14 +45,11 @@ struct JudgedStress {
 /// Differences by degree, layer and cells, each by its largest in the cell
 /// where the stress is not far below its largest: what agrees at a point by
 /// chance does not hide it.
-/// @param rise  of each cell, from the instant that was solved for to its worst
-///   one.
 /// @param counting  points × cells: those that are not left out.
 /// @return at a cell of the centre, a point of kFineLattice.
 template <int dim>
 JudgedStress judge(mesh::CellShape shape, const FinerFields& fields,
-                   const Eigen::VectorXd& rise,
-                   const Eigen::MatrixXd& counting) {
+                   const Rise& rise, const Eigen::MatrixXd& counting) {
   constexpr double kNear = 0.9;
   // A hexahedron may be all that there is across a part.
   const bool is_hexahedron = dim == 3 && shape == mesh::CellShape::kTensor;
@@ -56,7 +59,8 @@ JudgedStress judge(mesh::CellShape shape, const FinerFields& fields,
   const MatrixXd by_degree = fields.high.mean - fields.low.mean;
   MatrixXd by_layer = MatrixXd::Zero(by_degree.rows(), by_degree.cols());
   if (fields.wide) by_layer = fields.wide->mean - fields.low.mean;
-  const MatrixXd value = (fields.high.mean + by_layer).cwiseProduct(counting);
+  const MatrixXd value =
+      (fields.high.mean + by_layer + rise.added).cwiseProduct(counting);
   const MatrixXd& off_by_layer = fields.wide ? by_layer : by_degree;
   const double least = kNear * value.maxCoeff();
   JudgedStress judged{{{kNothing, kNothing, kNothing}, {}}};
@@ -70,18 +74,19 @@ JudgedStress judge(mesh::CellShape shape, const FinerFields& fields,
     };
     Index point = 0;
     const double highest = value.col(c).maxCoeff(&point);
-    const double peak =
-        rise[c] * (highest + stress::rise_between_points<dim>(
-                                 shape, kFineLattice, value.col(c),
-                                 counting.col(c), point));
-    const double sure = rise[c] * (degree_share * largest(by_degree.col(c)) +
-                                   kJump * largest(fields.high.jump.col(c)));
+    const double peak = highest + stress::rise_between_points<dim>(
+                                      shape, kFineLattice, value.col(c),
+                                      counting.col(c), point);
+    const double sure =
+        rise.factor[c] * (degree_share * largest(by_degree.col(c)) +
+                          kJump * largest(fields.high.jump.col(c)));
     const double error =
-        sure + rise[c] * layer_share * largest(off_by_layer.col(c));
+        sure + rise.factor[c] * layer_share * largest(off_by_layer.col(c));
     estimate.high = std::max(estimate.high, peak + error);
     if (peak <= estimate.value) continue;
     estimate.value = peak;
-    estimate.low = peak - error;
+    // What it rises by at another instant is not solved for.
+    estimate.low = peak - error - rise.added(point, c);
     judged.least_error = sure;
     judged.stress.at = {static_cast<int>(c), static_cast<int>(point)};
   }
@@ -98,17 +103,17 @@ class Look {
         centre_(centre),
         instant_(instant),
         field_(field_in_centre()),
-        rises_(rise()) {}
+        rise_(rise()) {}
 
   /// Error of the surface's shape [Pa].
-  double shape() const { return rises_.maxCoeff() * shape_error(); }
+  double shape() const { return rise_.factor.maxCoeff() * shape_error(); }
 
   std::optional<CloserStress> stress(double pollution, double shape,
                                      const WorthOf& worth_of) const {
     const MatrixXd counts = counting();
     FinerFields fields{solve(1, 1), solve(1, 2)};
     const auto judged = [&] {
-      JudgedStress all = judge<dim>(solved_.mesh.shape, fields, rises_, counts);
+      JudgedStress all = judge<dim>(solved_.mesh.shape, fields, rise_, counts);
       const double off = pollution * all.stress.stress.value + shape;
       all.stress.at = on_lattice(all.stress.at);
       all.stress.stress.low -= off;
@@ -163,24 +168,37 @@ class Look {
     return part;
   }
 
-  /// By how much the solved stress near its largest is higher at its worst
-  /// instant than at the place's, per cell.
-  Eigen::VectorXd rise() const {
-    constexpr double kNear = 0.9;
-    Eigen::VectorXd result =
-        Eigen::VectorXd::Ones(static_cast<Index>(centre_.size()));
+  /// Of the solved stress, point by point: loads that travel stress one end of
+  /// a cell now and the other later.
+  Rise rise() const {
+    const auto cells = static_cast<Index>(centre_.size());
+    const auto shape = solved_.mesh.shape;
+    const auto fine = elasticity::lattice<dim>(shape, kFineLattice);
+    Rise result{MatrixXd::Zero(fine.cols(), cells),
+                Eigen::VectorXd::Ones(cells)};
     if (solved_.basis.coefficients.cols() < 2) return result;
     const auto& history = solved_.history;
+    const auto usual = elasticity::lattice<dim>(shape, history.subdivisions);
     const auto then = stress::stress_history<dim>(
         field_, solved_.job.part.material, history.subdivisions);
-    for (std::size_t k = 0; k < centre_.size(); ++k) {
-      const auto at = static_cast<Index>(k);
-      const auto worst = history.worst.col(centre_[k]).array();
-      const Eigen::ArrayXd counts =
-          (worst >= kNear * worst.maxCoeff()).template cast<double>();
-      const Eigen::ArrayXd least =
-          then.worst.col(at).array().max(1e-3 * worst.maxCoeff());
-      result[at] = std::max(1.0, (counts * worst / least).maxCoeff());
+    MatrixXd worst(usual.cols(), cells);
+    for (Index k = 0; k < cells; ++k) {
+      worst.col(k) = history.worst.col(centre_[static_cast<std::size_t>(k)]);
+      const double now = then.worst.col(k).maxCoeff();
+      if (now > 0.0) {
+        result.factor[k] = std::max(1.0, worst.col(k).maxCoeff() / now);
+      }
+    }
+    const MatrixXd rise = (worst - then.worst).cwiseMax(0.0);
+    for (Index i = 0; i < fine.cols(); ++i) {
+      // Linear between the points along each of the cell's directions.
+      const Eigen::RowVectorXd weights =
+          (1.0 -
+           history.subdivisions * (usual.colwise() - fine.col(i)).array().abs())
+              .max(0.0)
+              .colwise()
+              .prod();
+      result.added.row(i) = weights * rise / weights.sum();
     }
     return result;
   }
@@ -245,7 +263,7 @@ class Look {
   const std::vector<int>& centre_;
   int instant_;
   elasticity::DisplacementBasis<dim> field_;  ///< of field_in_centre()
-  Eigen::VectorXd rises_;                     ///< of rise()
+  Rise rise_;                                 ///< of rise()
 };
 
 }  // namespace

@@ -19,7 +19,10 @@ template <int dim>
 std::vector<int> loaded_cells(const mesh::PartMesh<dim>& mesh,
                               const loads::LoadHistory& history) {
   std::set<std::string> groups;
-  for (const auto& seat : history.seats) groups.insert(seat.group);
+  for (const auto& seat : history.seats) {
+    groups.insert(seat.group);
+    if (seat.slide) groups.insert(seat.slide->opposite);
+  }
   for (const auto& load : history.instants.front().surface_loads) {
     groups.insert(load.group);
   }

@@ -17,8 +17,7 @@ ExcitedShapes::ExcitedShapes(const LinearSystem& system, const VectorXd& load)
     : system_(system),
       load_(load),
       rigid_(mass_orthonormal(system, system.rigid)) {
-  const BlockOperator solve =
-      system.factor(system.least_shift());
+  const BlockOperator solve = system.factor(system.least_shift());
   // Of a free body the part of the load that moves it as a whole is taken
   // out: what is left strains it.
   VectorXd straining = load;

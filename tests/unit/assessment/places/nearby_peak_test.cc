@@ -25,6 +25,7 @@
 #include "stress/peaks/meeting_points.h"
 #include "support/annulus_mesh.h"
 #include "support/simplex_mesh.h"
+#include "support/structured_mesh.h"
 
 namespace clevis::assessment {
 namespace {
@@ -314,6 +315,41 @@ TEST(NearbyPeak, OfAFieldInTheSpaceHasNoError) {
   EXPECT_LE(peak.band_low, peak.value);
   EXPECT_GE(peak.band_high, peak.value);
   EXPECT_LT(peak.jump, 10.0);
+}
+
+// A bar of one hexahedron across, bent about one axis and then nearly as much
+// about the other: what stresses one side of a cell later says nothing of what
+// the other bears now.
+TEST(NearbyPeak, RisesPointByPointToAnotherInstant) {
+  const Vector3d size(0.06, 0.01, 0.01);
+  PartJob job =
+      job_of(support::structured_mesh<3>({6, 1, 1}, 1,
+                                         [&](const Vector3d& x) -> Vector3d {
+                                           return size.cwiseProduct(
+                                               x - Vector3d(0.0, 0.5, 0.5));
+                                         }),
+             {});
+  auto& history = job.load_sets[0].history;
+  history.instants.clear();
+  for (const double at : {0.0, size.x()}) {
+    history.seats.push_back({.name = at > 0.0 ? "end" : "root",
+                             .group = at > 0.0 ? "x1" : "x0",
+                             .kind = loads::SeatKind::kTraction,
+                             .p_LS = Vector3d(at, 0.0, 0.0)});
+  }
+  for (const Vector3d& moment : {Vector3d(0, 0, 10.0), Vector3d(0, 9.5, 0)}) {
+    loads::InstantLoad instant;
+    instant.time = static_cast<double>(history.instants.size());
+    instant.label = "bent";
+    instant.wrenches = {{Vector3d::Zero(), -moment},
+                        {Vector3d::Zero(), moment}};
+    history.instants.push_back(instant);
+  }
+  const double exact = 10.0 * 6.0 / std::pow(size.y(), 3);
+  const PeakStress peak = check_part(job).result.peak;
+  EXPECT_NEAR(peak.value, exact, 0.01 * exact);
+  EXPECT_LE(peak.band_low, exact);
+  EXPECT_GE(peak.band_high, exact);
 }
 
 }  // namespace
