@@ -5,7 +5,7 @@
 bore = 6; neck = 20; collar = 30; fillet = 4;
 shoulder = 100; length = 200;
 quarter = 2;     // cells round a quarter
-around = 4;      // cells along the fillet
+around = 5;      // cells along the fillet
 outwards = 3;    // cells from the fillet into the shaft
 
 // Neck: stations at the journals' ends, on the bore, half-way and outside.

@@ -237,6 +237,41 @@ def check_welded(clevis, expect):
     expect(f"welded: band {low:.2f} to {high:.2f}", low <= 2.0 * still <= high, True)
 
 
+def check_held_history(clevis, expect):
+    """The same by a file of loads on a part that supports hold; of two files the
+    one that swings the part more counts."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        write_scene(folder, False)
+        rows = {"slow": [(0, 0), (1, 0.9)],
+                "jump": [(0, 0), (0.1, 0), (0.1, 1), (1, 1)]}
+        scene = folder / "scene.toml"
+        scene.write_text(f"""schema = 1
+name = "bench"
+{support.steel(ratio=0.0)}[[part]]
+name = "bar"
+mesh = "bar.msh"
+length_unit = "mm"
+material = "steel"
+limits = {{ safety_factor = 2.0 }}
+""" + "".join(f"""[[part.history]]
+name = "{file}"
+file = "{file}.csv"
+faces = {{ tip = "x1" }}
+fixed = {{ x0 = ["x", "y", "z"] }}
+""" for file in rows))
+        for file, law in rows.items():
+            (folder / f"{file}.csv").write_text("time [ms],tip.force_x [N]\n" + "".join(
+                f"{time},{share * PULL}\n" for time, share in law))
+        part = support.check(clevis, scene).part
+    still = PULL / AREA / 1e6
+    expect("held history: at rest", part["peak_von_mises"]["value_MPa"], still)
+    expect("held history: with vibration", part["vibration"]["peak_MPa"], 2.0 * still)
+    low, high = part["vibration"]["band_MPa"]
+    expect(f"held history: band {low:.2f} to {high:.2f}",
+           low <= 2.0 * still <= high, True)
+
+
 def main():
     faults = []
 
@@ -252,6 +287,7 @@ def main():
     check(sys.argv[1], 0.0, expect)
     check_pulls(sys.argv[1], expect)
     check_welded(sys.argv[1], expect)
+    check_held_history(sys.argv[1], expect)
     return len(faults) > 0
 
 

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "assessment/job/model_traits.h"
 #include "assessment/judge/doubt.h"
+#include "mesh/derived/revolution.h"
 #include "stress/field/stress_history.h"
 #include "stress/zones/singular_zone.h"
 
@@ -44,9 +46,10 @@ bool is_on_cylinder(const PartJob& job, const PeakStress& peak) {
 }
 
 /// @param stress  at the peak; zero: not known.
+/// @param turned  by which the part was solved, or null.
 /// @return over the peak [1].
 double widen(const PartJob& job, const Eigen::Matrix3d& stress,
-             PeakStress& peak) {
+             const mesh::Revolution* turned, PeakStress& peak) {
   if (is_on_cylinder(job, peak)) return 0.0;
   double kink = 0.0;
   const auto& sets = job.load_sets;
@@ -55,8 +58,8 @@ double widen(const PartJob& job, const Eigen::Matrix3d& stress,
       return s.fixed == set->fixed;
     });
     if (is_known) continue;
-    kink = std::max(kink,
-                    stress::facet_kink(job.mesh, set->fixed, peak.at, stress));
+    kink = std::max(kink, stress::facet_kink(job.mesh, set->fixed, peak.at,
+                                             stress, turned));
   }
   const double error = kOfKink * kink;
   if (error < kSmall) return 0.0;
@@ -78,16 +81,21 @@ double widen(const PartJob& job, const Eigen::Matrix3d& stress,
 void add_facet_doubt(const PartJob& job, const PartFields& fields,
                      PartResult& result) {
   if (!(result.peak.value > 0.0) || !fields.at) return;
+  const bool is_turned =
+      result.model.starts_with(traits_of(ModelKind::kRevolution).name);
+  const auto revolution =
+      is_turned ? mesh::find_revolution(job.mesh) : std::nullopt;
+  const mesh::Revolution* turned = revolution ? &*revolution : nullptr;
   const bool was_converged =
       judged_peak(result).verdict == PeakVerdict::kConverged;
   double error = 0.0;
   if (!is_on_cylinder(job, result.peak)) {  // else spared a whole field
-    error = widen(job, stress_at(fields, result.peak.at), result.peak);
+    error = widen(job, stress_at(fields, result.peak.at), turned, result.peak);
   }
   if (result.peak_outside) {
     // Perhaps of another instant: its stress is not known here.
-    error = std::max(error,
-                     widen(job, Eigen::Matrix3d::Zero(), *result.peak_outside));
+    error = std::max(error, widen(job, Eigen::Matrix3d::Zero(), turned,
+                                  *result.peak_outside));
   }
   if (error == 0.0) return;
   if (was_converged &&

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "assessment/vibration/load_pace.h"
+#include "base/messages/errors.h"
 #include "elasticity/vibration/eigenmodes.h"
 
 namespace clevis::assessment {
@@ -16,11 +17,19 @@ constexpr double kShort = 0.25;
 constexpr const char* kInTime =
     "dynamic elements: the loads of the instants may be exceeded";
 
-double first_period_of(const PartJob& job) {
-  const loads::LoadHistory& history = job.load_sets.front().history;
-  return elasticity::first_period<3>(
-      {job.overall_mesh(), job.part.material, history, {}, job.part.name},
-      job.mesh.shape == mesh::CellShape::kSimplex ? 1 : 2);
+double first_period_of(const PartJob& job, const LoadSet& set) {
+  try {
+    return elasticity::first_period<3>(
+        {.mesh = job.overall_mesh(),
+         .material = job.part.material,
+         .history = set.history,
+         .fixed = set.fixed,
+         .name = job.part.name,
+         .foundations = set.foundations},
+        job.mesh.shape == mesh::CellShape::kSimplex ? 1 : 2);
+  } catch (const Error&) {
+    return longest_period(job);  // supports that hold it in a plane alone
+  }
 }
 
 /// Whether one of the impact's touches lies in a window.
@@ -109,12 +118,15 @@ double pulse_amplification(double duration_over_period,
 }
 
 std::vector<VibrationWindow> judge_load_pace(const PartJob& job,
+                                             const LoadSet& set,
                                              PartResult& result) {
-  const dynamics::LoadPath components = load_components(job);
+  const bool has_impacts =
+      &set == &job.load_sets.front() && !job.impact_loads.empty();
+  const dynamics::LoadPath components = load_components(job, set);
   const bool slow = is_slow(job, components);
-  if (job.load_sets.empty() || (slow && job.impact_loads.empty())) return {};
-  const double first = first_period_of(job);
-  result.first_period = first;
+  if (slow && !has_impacts) return {};
+  const double first = first_period_of(job, set);
+  result.first_period = std::max(result.first_period.value_or(0.0), first);
   std::vector<VibrationWindow> windows;
   dynamics::ResponseSpectrum spectrum;
   if (!slow) {
@@ -124,7 +136,8 @@ std::vector<VibrationWindow> judge_load_pace(const PartJob& job,
                                 {time[0], time[time.size() - 1]});
   }
   bool by_impact = false;
-  for (const ImpactLoad& load : job.impact_loads) {
+  for (const ImpactLoad& load :
+       has_impacts ? job.impact_loads : std::vector<ImpactLoad>()) {
     const bool in_time = drives(load, windows);
     by_impact = by_impact || in_time;
     result.duration_ratios.push_back(rated_impact(job, load, first, in_time));

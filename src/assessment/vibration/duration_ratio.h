@@ -21,7 +21,9 @@ double pulse_amplification(double duration_over_period,
 /// Puts each impact's duration over the part's first period into the result,
 /// and the change of the loads that excites it most; tells when the loads drive
 /// vibration that counts. None: those of the instants suffice.
+/// @param set  of the job; the first has the mechanism's impacts.
 std::vector<VibrationWindow> judge_load_pace(const PartJob& job,
+                                             const LoadSet& set,
                                              PartResult& result);
 
 }  // namespace clevis::assessment

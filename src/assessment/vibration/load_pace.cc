@@ -47,20 +47,17 @@ constexpr double kShortest = 0.02;
 
 }  // namespace
 
-LoadSet motion_loads(const PartJob& job) {
-  LoadSet set = job.load_sets.front();
-  set.history.instants.resize(loads::motion_length(set.history));
-  return set;
+LoadSet motion_loads(const LoadSet& set) {
+  LoadSet motion = set;
+  motion.history.instants.resize(loads::motion_length(set.history));
+  return motion;
 }
 
-dynamics::LoadPath load_components(const PartJob& job) {
+dynamics::LoadPath load_components(const PartJob& job, const LoadSet& set) {
   constexpr double kNothing = 1e-3;
-  const dynamics::LoadPath none(VectorXd(0), MatrixXd(0, 0), 0.0);
-  if (job.load_sets.empty()) return none;
-  const LoadSet& set = job.load_sets.front();
   const auto& instants = set.history.instants;
   const auto length = static_cast<Index>(loads::motion_length(set.history));
-  if (length < 2 || !set.fixed.empty() || !set.foundations.empty()) return none;
+  if (length < 2) return {VectorXd(0), MatrixXd(0, 0), 0.0};
   const double size = job.longest_side();
   MatrixXd forces(surface_forces(instants.front(), size).size(), length);
   VectorXd time(length);
@@ -89,21 +86,25 @@ double period_of_waves(const PartJob& job) {
                    job.part.material.youngs_modulus);
 }
 
-bool is_slow(const PartJob& job, const dynamics::LoadPath& components) {
-  constexpr double kStep = 0.9, kSure = 4.0;
+double longest_period(const PartJob& job) {
+  constexpr double kSure = 4.0;  // held at one end: 3.1
   Eigen::AlignedBox3d box;
   for (const auto& vertex : job.mesh.vertices) box.extend(vertex);
   Eigen::Vector3d sides = box.sizes();
   std::ranges::sort(sides);
-  // A bar of the mean thickness bends in half the waves' period times length
-  // over thickness.
+  // A free bar of the mean thickness bends in half the waves' period times
+  // length over thickness.
   const double thickness =
       job.mass.mass / job.part.material.density / (sides[1] * sides[2]);
-  const double waves = period_of_waves(job);
-  const double longest = kSure * waves * std::max(1.0, sides[2] / thickness);
-  const auto spectrum =
-      response_spectrum(components, falling(longest, kShortest * waves, kStep),
-                        job.part.damping, kPaceCounts);
+  return kSure * period_of_waves(job) * std::max(1.0, sides[2] / thickness);
+}
+
+bool is_slow(const PartJob& job, const dynamics::LoadPath& components) {
+  constexpr double kStep = 0.9;
+  const auto spectrum = response_spectrum(
+      components,
+      falling(longest_period(job), kShortest * period_of_waves(job), kStep),
+      job.part.damping, kPaceCounts);
   return spectrum.amplification <= kPaceCounts;
 }
 

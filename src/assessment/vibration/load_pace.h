@@ -12,14 +12,18 @@ namespace clevis::assessment {
 /// the part is computed with its vibration [1].
 inline constexpr double kPaceCounts = 1.02;
 
-/// The loads over the motion of the part's body, without its cases.
-LoadSet motion_loads(const PartJob& job);
+/// The loads over a motion or a load history, without the cases behind them.
+LoadSet motion_loads(const LoadSet& set);
 
 /// Components of the forces and moments on the part's surface over the motion,
 /// each over its largest. Each counts by itself, for a small force across a
 /// part may stress it more than a large one along it; below a thousandth of the
 /// largest none does.
-dynamics::LoadPath load_components(const PartJob& job);
+dynamics::LoadPath load_components(const PartJob& job, const LoadSet& set);
+
+/// Longer than a body of the part's size and material vibrates, free or held at
+/// one end: by its mean thickness [s].
+double longest_period(const PartJob& job);
 
 /// Whether the loads change so slowly that no vibration a body of the part's
 /// size and material can have is excited: a test without its modes.

@@ -77,12 +77,17 @@ VibratingModel<dim>::VibratingModel(const PartJob& job,
     : job_(job),
       set_(set),
       times_(times),
-      part_({mesh, job.part.material, set.history, {}, job.part.name}, degree,
-            instants_within(times.driven, set.history.instants)),
+      part_({.mesh = mesh,
+             .material = job.part.material,
+             .history = set.history,
+             .fixed = set.fixed,
+             .name = job.part.name,
+             .foundations = set.foundations},
+            degree, instants_within(times.driven, set.history.instants)),
       mesh_front_(kNodes * node_spacing(mesh, degree) *
                   std::sqrt(job.part.material.density /
                             job.part.material.youngs_modulus)),
-      zones_(stress::singular_zones<dim>(mesh, job.part.material, {})),
+      zones_(stress::singular_zones<dim>(mesh, job.part.material, set.fixed)),
       path_(make_path()),
       still_(peak_of(part_.statics())) {}
 

@@ -43,7 +43,7 @@ struct VibratingAnswer {
 template <int dim>
 class VibratingModel {
  public:
-  /// @param job, mesh, set, times  outlive the object; the set floats.
+  /// @param job, mesh, set, times  outlive the object.
   /// @throws Error of elasticity::LoadVibration.
   VibratingModel(const PartJob& job, const mesh::PartMesh<dim>& mesh,
                  const LoadSet& set, int degree, const VibrationTimes& times);

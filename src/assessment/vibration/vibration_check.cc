@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -72,7 +73,9 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   result.lowest_frequency = found.lowest;
   result.highest_frequency = found.highest;
   result.model = fmt::format("{}, p = {}", model, highest);
-  stress::remove_rigid_motion<dim>(found.basis, reference_groups(set));
+  if (set.fixed.empty() && set.foundations.empty()) {
+    stress::remove_rigid_motion<dim>(found.basis, reference_groups(set));
+  }
   constexpr int kSixth = 6;  // of the times
   result.deflection =
       stress::largest_deflection_of_many<dim>(found.basis, kSixth);
@@ -123,14 +126,15 @@ void judge_vibration(const PartJob& job, const LoadSet& set, PartResult& result,
   }
 }
 
-}  // namespace
-
-void check_vibration(const PartJob& job, PartResult& result) {
-  VibrationTimes times{judge_load_pace(job, result), {}};
-  if (times.driven.empty() || !(judged_peak(result).value > 0.0)) return;
+/// Of one load set; nothing where its loads are followed at rest.
+std::optional<VibrationResult> vibration_of(const PartJob& job,
+                                            const LoadSet& given,
+                                            PartResult& result) {
+  VibrationTimes times{judge_load_pace(job, given, result), {}};
+  if (times.driven.empty() || !(judged_peak(result).value > 0.0)) return {};
   Stopwatch watch;
   PartJob moving = job;
-  moving.load_sets = {motion_loads(job)};
+  moving.load_sets = {motion_loads(given)};
   const LoadSet& set = moving.load_sets.front();
   times.swing =
       swing_windows(times.driven, result.first_period.value(), job.part.damping,
@@ -150,8 +154,30 @@ void check_vibration(const PartJob& job, PartResult& result) {
   found.from = times.swing.front().from;
   found.to = times.swing.back().to;
   found.seconds = watch.lap();
-  if (found.ratio) judge_vibration(job, set, result, found);
-  result.vibration = std::move(found);
+  return found;
+}
+
+}  // namespace
+
+void check_vibration(const PartJob& job, PartResult& result) {
+  std::optional<VibrationResult> most;
+  const LoadSet* set = nullptr;
+  double seconds = 0.0;
+  for (const LoadSet& given : job.load_sets) {
+    auto found = vibration_of(job, given, result);
+    if (!found) continue;
+    seconds += found->seconds;
+    // One that could not be computed must be told.
+    const bool is_more = !most || !found->failure.empty() ||
+                         (most->failure.empty() && found->peak > most->peak);
+    if (!is_more) continue;
+    most = std::move(found);
+    set = &given;
+  }
+  if (!most) return;
+  most->seconds = seconds;
+  if (most->ratio) judge_vibration(job, motion_loads(*set), result, *most);
+  result.vibration = std::move(*most);
 }
 
 }  // namespace clevis::assessment

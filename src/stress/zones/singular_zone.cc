@@ -388,6 +388,13 @@ double share_across(const BoundaryCorner& corner,
   return std::min(1.0, std::hypot(normal, std::sqrt(3.0) * shear) / von_mises);
 }
 
+/// Whether a corner's edge goes round the axis: it is one of the section.
+bool goes_round(const BoundaryCorner& corner, const mesh::Revolution& turned) {
+  const Vector3d round =
+      turned.axes.col(0).cross(corner.at - turned.origin).normalized();
+  return std::abs(corner.axis.dot(round)) > std::numbers::sqrt2 / 2.0;
+}
+
 }  // namespace
 
 template <int dim>
@@ -409,13 +416,15 @@ std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
 }
 
 double facet_kink(const mesh::PartMesh<3>& mesh, const part::Supports& fixed,
-                  const Vector3d& at, const Eigen::Matrix3d& stress) {
+                  const Vector3d& at, const Eigen::Matrix3d& stress,
+                  const mesh::Revolution* turned) {
   const auto corners = held_corners<3>(mesh, fixed);
   const auto is_facet = facets_of_curves(corners);
   double largest = 0.0;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     if (!is_facet[k]) continue;
     const BoundaryCorner& corner = corners[k].corner;
+    if (turned && !goes_round(corner, *turned)) continue;
     const Vector3d arm = at - corner.at;
     const double across = (arm - corner.axis.dot(arm) * corner.axis).norm();
     if (arm.norm() > 2.0 * corner.reach || across > corner.reach) continue;

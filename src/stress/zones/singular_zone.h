@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "mesh/cells/part_mesh.h"
+#include "mesh/derived/revolution.h"
 #include "part/material.h"
 #include "part/supports.h"
 
@@ -60,8 +61,11 @@ inline constexpr double kRadiusOfWall = 0.1;
 /// @param stress  there, in L [Pa]: a kink counts as far as it flows across
 ///   the kink's edge or shears along it, over its von Mises stress; zero: as a
 ///   whole.
+/// @param turned  of a model that turns a section: round its axis the facets
+///   are round; null: of none.
 double facet_kink(const mesh::PartMesh<3>& mesh, const part::Supports& fixed,
-                  const Eigen::Vector3d& at, const Eigen::Matrix3d& stress);
+                  const Eigen::Vector3d& at, const Eigen::Matrix3d& stress,
+                  const mesh::Revolution* turned = nullptr);
 
 /// Distance of a point from a zone's edges [m].
 double distance(const SingularZone& zone, const Eigen::Vector3d& point);

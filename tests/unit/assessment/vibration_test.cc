@@ -149,7 +149,7 @@ TEST(Vibration, DampingLowersIt) {
 TEST(DurationRatios, PeriodIsOfTheMeshBeforeItsRefinement) {
   const auto period_of = [](const PartJob& job) {
     PartResult result;
-    judge_load_pace(job, result);
+    judge_load_pace(job, job.load_sets.front(), result);
     return result.first_period.value();
   };
   const PartJob fine = bar(0.8 * transit());
@@ -321,7 +321,7 @@ TEST(LoadPace, SmallComponentsCountToo) {
   instants = {pulled(0.0, 1.0), pulled(5.0 * transit(), 1.0),
               pulled(5.0 * transit() + step, 1.0),
               pulled(10.0 * transit(), 1.0)};
-  EXPECT_TRUE(is_slow(job, load_components(job)));
+  EXPECT_TRUE(is_slow(job, load_components(job, job.load_sets.front())));
   const auto across = [&](double share) {
     for (const std::size_t i : {2U, 3U}) {
       for (auto& load : instants[i].surface_loads) {
@@ -330,12 +330,12 @@ TEST(LoadPace, SmallComponentsCountToo) {
     }
   };
   across(0.02);
-  const auto components = load_components(job);
+  const auto components = load_components(job, job.load_sets.front());
   EXPECT_FALSE(is_slow(job, components));
   EXPECT_NEAR(load_spectrum(job, components, transit()).amplification, 2.0,
               0.02);
   across(0.5e-3);
-  EXPECT_TRUE(is_slow(job, load_components(job)));
+  EXPECT_TRUE(is_slow(job, load_components(job, job.load_sets.front())));
 }
 
 }  // namespace

@@ -156,6 +156,10 @@ TEST(SingularZone, FacetsOfACurveTellTheirKink) {
   axial(2, 2) = 100e6;
   EXPECT_NEAR(facet_kink(ring, {}, inside, hoop), kink, 0.05 * kink);
   EXPECT_NEAR(facet_kink(ring, {}, inside, axial), 0.0, 1e-9);
+  // A section that is turned has none round its axis.
+  const auto turned = mesh::find_revolution(ring);
+  ASSERT_TRUE(turned);
+  EXPECT_EQ(facet_kink(ring, {}, inside, hoop, &*turned), 0.0);
 }
 
 TEST(SingularZone, ClampHasItsTwoEnds) {
