@@ -102,6 +102,20 @@ class CsvReader {
   std::size_t line_start_ = 0;
 };
 
+/// A header that other separators than commas keep in one field.
+void refuse_other_separators(const std::vector<CsvField>& header) {
+  if (header.size() != 1) return;
+  for (const auto& [separator, name] :
+       {std::pair{';', "semicolons"}, std::pair{'\t', "tabs"}}) {
+    if (header.front().text.find(separator) == std::string::npos) continue;
+    throw Error("S012", header.front().place,
+                fmt::format("{} separate the columns, commas are wanted", name),
+                fmt::format("Replace decimal commas, if there are any, by "
+                            "points; then all {} by commas.",
+                            name));
+  }
+}
+
 }  // namespace
 
 std::vector<std::vector<CsvField>> parse_csv(std::string_view text,
@@ -111,6 +125,7 @@ std::vector<std::vector<CsvField>> parse_csv(std::string_view text,
   while (!reader.at_end()) {
     auto row = reader.row();
     if (row.empty()) continue;
+    if (rows.empty()) refuse_other_separators(row);
     if (!rows.empty() && row.size() != rows.front().size()) {
       throw Error("S012", row.front().place,
                   fmt::format("the row has {} fields, the header {}",

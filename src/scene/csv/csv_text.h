@@ -16,8 +16,9 @@ struct CsvField {
 /// with commas, line ends and doubled quotes in them. LF alone ends a line
 /// too; empty lines and a byte order mark are left out.
 /// @param file  for places.
-/// @throws Error S012 if a quote is not closed or stands within a field, or if
-///   a row has more or fewer fields than the first.
+/// @throws Error S012 if a quote is not closed or stands within a field, if a
+///   row has more or fewer fields than the first, or if semicolons or tabs
+///   separate the columns.
 std::vector<std::vector<CsvField>> parse_csv(std::string_view text,
                                              const std::string& file);
 

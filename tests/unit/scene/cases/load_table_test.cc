@@ -73,6 +73,19 @@ TEST_F(LoadTableFile, OrientationTurnsThePartsFrameIntoTheWorlds) {
   EXPECT_NEAR(turned.y(), 2.0 * 0.6 * 0.8, 1e-15);
 }
 
+TEST_F(LoadTableFile, TellsWhichOtherSeparatorStands) {
+  EXPECT_EQ(refusal("time [s];A.force_x [N]\n0;1,5\n"), "S012:1:1");
+  EXPECT_EQ(refusal("sep=;\ntime [s];A.force_x [N]\n0;1\n"), "S012:1:1");
+  EXPECT_EQ(refusal("time [s]\tA.force_x [N]\n0\t1\n"), "S012:1:1");
+  try {
+    read("time [s];A.force_x [N]\n0;1,5\n");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.problem(),
+              "semicolons separate the columns, commas are wanted");
+  }
+}
+
 TEST_F(LoadTableFile, RefusesWhatItDoesNotUnderstand) {
   EXPECT_EQ(refusal(""), "S012:1:1");
   EXPECT_EQ(refusal("time [s]\n"), "S012:1:1");
