@@ -37,7 +37,13 @@ REFUSED = [
     (["compare", "only_one"], 2, "U001", "BASELINE"),
     (["explain", "Q999"], 2, "U002", "Q999"),
     (["simulate", "none.toml"], 22, "I001", "none.toml"),
-    (["simulate", "."], 22, "I001", "not a regular file"),
+    (["simulate", "."], 22, "I001", "Give the file itself."),
+    (["check", "gear"], 22, "I001", "Give the scene in it: gear/scene.toml."),
+    (["check", "gear", "--watch"], 22, "I001", "is a folder, not a file"),
+    (["check", "own.STEP"], 10, "S001", "is a CAD file, not a scene"),
+    (["mesh", "own.step"], 10, "S001", 'geometry = "own.step"'),
+    (["check", "own.msh"], 10, "S001", 'mesh = "own.msh"'),
+    (["simulate", "own.urdf"], 10, "S001", "clevis import own.urdf"),
     (["simulate", "/dev/zero"], 22, "I001", "not a regular file"),
     (["simulate", ""], 22, "I001", "no such file"),
 ]
@@ -59,6 +65,10 @@ def call(clevis, arguments, **options):
 
 
 def check_refusals(clevis, checks, folder):
+    (Path(folder) / "gear").mkdir()
+    (Path(folder) / "gear/scene.toml").touch()
+    for name in ("own.STEP", "own.step", "own.msh", "own.urdf"):
+        (Path(folder) / name).touch()
     for arguments, exit_code, code, text in REFUSED:
         run = call(clevis, arguments, cwd=folder)
         checks.expect(run.returncode == exit_code

@@ -134,9 +134,11 @@ ExitCode watched_check(const Options& options,
   std::error_code ignored;
   if (!fs::is_regular_file(options.scene, ignored)) {
     throw Error("I001", options.scene.string(),
-                fs::exists(options.scene, ignored) ? "is not a regular file"
-                                                   : "there is no such file",
-                "Check the path.");
+                fs::is_directory(options.scene, ignored)
+                    ? "is a folder, not a file"
+                : fs::exists(options.scene, ignored) ? "is not a regular file"
+                                                     : "there is no such file",
+                "Give the path of a scene (TOML).");
   }
   const StopSignals signals;
   const TemporaryFolder temporary;

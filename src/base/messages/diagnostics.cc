@@ -265,7 +265,9 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "one of other inputs or a damaged file. Run its command of the plan: what "
      "is finished is skipped."},
     {"S001", kSceneInvalid, "scene is not valid TOML",
-     "The text could not be parsed at the given place."},
+     "The text could not be parsed at the given place, or is no scene but the "
+     "file of another program. Texts, and numbers with a unit, stand in double "
+     "quotes; other numbers have a decimal point."},
     {"S002", kSceneInvalid, "unknown key",
      "The key is not part of the scene format. A silent typo would change "
      "the model, so it is refused; the nearest known name is given."},
@@ -297,9 +299,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"S012", kSceneInvalid, "table of variants or loads is not valid",
      "The CSV of `clevis plan --vary` has a header of paths and a row for each "
      "variant, every row with as many fields as the header and none empty "
-     "(RFC 4180: fields with commas or quotes stand in double quotes). The "
-     "file "
-     "of a [[part.history]] likewise: a header of titles with units, and a row "
+     "(RFC 4180: commas between columns, fields with commas or quotes in "
+     "double "
+     "quotes). The file of a [[part.history]] likewise: a header of titles "
+     "with units, and a row "
      "for each time."},
     {"S013", kSceneInvalid, "no SDF or URDF file",
      "`clevis import` reads XML whose root is <sdf> or <robot>, up to 16 MiB. "

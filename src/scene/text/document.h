@@ -15,11 +15,11 @@ struct Document {
 
 /// The bytes of a file that the user wrote.
 /// @throws Error I001 if it is no regular file, cannot be read or is larger
-/// than
-///   16 MiB.
+///   than 16 MiB.
 std::string read_text(const std::filesystem::path& file);
 
-/// @throws Error I001 if it is no readable file, S001 if it is not TOML.
+/// @throws Error I001 if it is no readable file, S001 if it is not TOML or by
+///   its name a file of another kind, such as STEP.
 Document read_document(const std::filesystem::path& file);
 
 }  // namespace clevis::scene

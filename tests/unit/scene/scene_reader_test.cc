@@ -261,18 +261,28 @@ TEST(SceneReader, FindsMeshesBesideTheGeometryTree) {
 }
 
 /// Code of the refusal of a file with this text.
-std::string refusal_of_text(const std::string& text) {
+/// What a scene of this text is refused for: its code, and the problem.
+std::pair<std::string, std::string> refusal_with_problem(
+    const std::string& text) {
   const auto file = std::filesystem::temp_directory_path() /
                     ("scene_reader_test_" + std::to_string(getpid()));
   std::ofstream(file, std::ios::binary) << text;
-  std::string code = "accepted";
+  std::pair<std::string, std::string> refusal{"accepted", ""};
   try {
     read_scene(file);
   } catch (const Error& error) {
-    code = error.code();
+    refusal = {error.code(), error.problem()};
   }
   std::filesystem::remove(file);
-  return code;
+  return refusal;
+}
+
+std::string refusal_of_text(const std::string& text) {
+  return refusal_with_problem(text).first;
+}
+
+std::string problem_of_text(const std::string& text) {
+  return refusal_with_problem(text).second;
 }
 
 TEST(SceneReader, RefusesWhatIsNoSceneFile) {
@@ -290,6 +300,22 @@ TEST(SceneReader, RefusesWhatIsNoSceneFile) {
       EXPECT_EQ(error.code(), "I001");
       EXPECT_EQ(error.place(), path.string());
     }
+  }
+}
+
+// Tables and keys are no values; what is a number is not quoted.
+TEST(SceneReader, QuotationMarksAreWantedOfValuesAlone) {
+  for (const char* text :
+       {"[part steel]\n", "  [[part steel]]\n", "schema 1\n",
+        "a = 2024-13-01\n", "a = 0.3.1\n", "a = \"x\" y\n", "a = \n", "a",
+        "= b", "a = [1, 2", "a = inf\nb c\n", "\n\n["}) {
+    EXPECT_EQ(problem_of_text(text).find("quotation marks"), std::string::npos)
+        << text;
+  }
+  for (const char* text : {"a = b", "\"ä\" = é\n", "a = [\n1,\n2 mm]\n",
+                           "a = { b = 3 % }\n", "\r\na = 10mm # 3\r\n"}) {
+    EXPECT_NE(problem_of_text(text).find("quotation marks"), std::string::npos)
+        << text << problem_of_text(text);
   }
 }
 
