@@ -1,6 +1,8 @@
 #include "app/command_line.h"
 
+#include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -12,13 +14,22 @@
 namespace clevis::app {
 namespace {
 
+constexpr std::string_view kFirstSteps =
+    R"(clevis checks whether the link parts of a mechanism hold.
+
+From nothing to a verdict:
+  clevis init link                              # a scene to start from
+  clevis check --mesh --report link/scene.toml  # does it hold? with a page to look at
+  clevis --help                                 # all commands
+)";
+
 constexpr const char* kAbout =
     R"(clevis checks whether the link parts of a mechanism hold.
 
 Examples:
-  clevis check geometry/landing_gear/scene.toml
-  clevis simulate geometry/landing_gear/scene.toml --out results/gear
-  clevis compare results/gear results/baselines/gear
+  clevis init link                              # a scene to start from
+  clevis check --mesh --report link/scene.toml  # does it hold? with a page to look at
+  clevis faces FILE.step                        # the bores of a part of your own
 )";
 
 constexpr const char* kExitCodes =
@@ -43,6 +54,10 @@ std::string usage_remedy(const CLI::App& app, int argc,
 }  // namespace
 
 ExitCode run_command_line(int argc, const char* const* argv) {
+  if (argc < 2) {
+    std::cerr << kFirstSteps;
+    return ExitCode::kUsage;
+  }
   CLI::App app(kAbout, "clevis");
   app.footer(kExitCodes);
   app.set_version_flag("--version", "clevis " CLEVIS_VERSION);

@@ -37,7 +37,7 @@ std::span<const Command> commands() {
       Command{"impact",
               "ejectors by beam theory: blow on the workpiece, limits",
               declare_impact},
-      Command{"mesh", "(re)build the meshes from geometry/", declare_mesh},
+      Command{"mesh", "(re)build the meshes of a scene's parts", declare_mesh},
       Command{"faces", "the faces of a STEP, IGES or BREP solid",
               declare_faces},
       Command{"study",

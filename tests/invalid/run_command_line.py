@@ -6,6 +6,7 @@
 import json
 import os
 import pty
+import re
 import subprocess
 import sys
 import tempfile
@@ -15,7 +16,7 @@ CPU_MILLISECONDS = 60  # promised for everything that does not load deal.II
 
 # arguments, exit code, code, text of the message
 REFUSED = [
-    ([], 2, "U001", "subcommand"),
+    (["--quick"], 2, "U001", "See clevis --help."),
     (["chek", "x.toml"], 2, "U001", 'Did you mean "check"?'),
     (["design", "x.toml"], 2, "U001", "Known: check, simulate"),
     (["study"], 2, "U001", "SCENE is required"),
@@ -83,11 +84,21 @@ def check_refusals(clevis, checks, folder):
                       "  as JSON", error)
 
 
+def check_first_steps(clevis, checks):
+    run = call(clevis, [])
+    checks.expect(run.returncode == 2 and not run.stdout
+                  and run.stderr.count("\n  clevis ") == 3
+                  and "Usage" not in run.stderr, "nothing: three commands", run)
+
+
 def check_help(clevis, checks):
     run = call(clevis, ["--help"])
     examples = run.stdout.split("Usage:")[0].count("\n  clevis ")
     checks.expect(run.returncode == 0 and examples == 3,
                   "three examples before the usage", run)
+    named = re.findall(r"\S+/\S+", run.stdout.split("Usage:")[0])
+    checks.expect(named == ["link/scene.toml"],
+                  "no file that is not made before", named)
     checks.expect("design" not in run.stdout, "no command that is not there")
     checks.expect(call(clevis, ["--version"]).stdout.startswith("clevis "),
                   "--version")
@@ -152,6 +163,7 @@ def main():
     checks = Checks()
     with tempfile.TemporaryDirectory() as folder:
         check_refusals(clevis, checks, folder)
+    check_first_steps(clevis, checks)
     check_help(clevis, checks)
     check_start(clevis, checks, Path(scenes))
     check_output(clevis, checks)

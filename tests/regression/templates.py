@@ -1,6 +1,8 @@
-"""Each template of `clevis init` meshes and passes its check as it is; a folder
-that holds anything is refused; completion scripts know every command."""
+"""The commands that clevis names when called without any lead to a verdict. Each
+template of `clevis init` meshes and passes its check as it is; a folder that
+holds anything is refused; completion scripts know every command."""
 import json
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -20,6 +22,12 @@ def run(*arguments, cwd, code=0):
 
 with tempfile.TemporaryDirectory() as name:
     folder = Path(name)
+    steps = [shlex.split(line, comments=True)[1:]
+             for line in run(cwd=folder, code=2).splitlines()
+             if line.startswith("  clevis ")]
+    told = [run(*step, cwd=folder) for step in steps]
+    assert len(steps) == 3 and "verdict: pass" in told[1], told
+    assert "report: results/link/report.html" in told[1], told
     for word, parts in (("part", 1), ("four-bar", 1), ("slider-crank", 1),
                         ("landing-gear", 5)):
         run("init", word, "--template", word, cwd=folder)
