@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <optional>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "base/messages/errors.h"
+#include "cad/unit_slip.h"
 
 namespace clevis::cad {
 namespace {
@@ -79,15 +83,95 @@ std::vector<std::vector<Cylinder>> candidates(const std::vector<Cylinder>& all,
 
 [[noreturn]] void refuse(const part::JointFaces& joint,
                          const std::string& problem,
-                         const std::vector<Cylinder>& listed) {
-  throw Error(
-      "M017", joint.place,
-      fmt::format("joint {}: {}: {}", joint.joint, problem, list_of(listed)),
-      fmt::format("Name the faces: pins = {{ {} = \"bore_x\" }}, "
-                  "faces.bore_x = {{ cylinder = {{ diameter = \"...\", "
-                  "near = [...] }} }}; or correct the joint's place on "
-                  "the body.",
-                  joint.joint));
+                         const std::string& first_remedy = "") {
+  throw Error("M017", joint.place,
+              fmt::format("joint {}: {}", joint.joint, problem),
+              fmt::format("{}Name the faces: pins = {{ {} = \"bore_x\" }}, "
+                          "faces.bore_x = {{ cylinder = {{ diameter = \"...\", "
+                          "near = [...] }} }}; or correct the joint's place on "
+                          "the body.",
+                          first_remedy, joint.joint));
+}
+
+/// How far a cylinder is from being a joint's.
+struct Miss {
+  Cylinder cylinder;
+  double tilt{};    ///< between both axes [rad]
+  double beside{};  ///< of the joint's point from the cylinder's axis [m]
+  double along{};   ///< of that point from the cylinder's nearer end [m]
+  double rank{};    ///< of the nearest the least [m]
+};
+
+/// Of a part of some size [m]. Whole bores and shafts rank before arcs.
+Miss miss_of(const Cylinder& cylinder, const part::JointFaces& joint,
+             double size) {
+  const Vector3d away = joint.p_LJ - cylinder.point;
+  Miss miss{.cylinder = cylinder};
+  const double sine = std::min(1.0, cylinder.axis.cross(joint.axis_L).norm());
+  miss.tilt = std::asin(sine);
+  miss.beside = away.cross(cylinder.axis).norm();
+  miss.along =
+      std::max(0.0, std::abs(away.dot(cylinder.axis)) - cylinder.length / 2);
+  miss.rank = std::hypot(miss.beside, miss.along) + size * sine +
+              (cylinder.is_round() ? 0.0 : size) +
+              (cylinder.hollow ? 0.0 : size);
+  return miss;
+}
+
+std::string text_of(const Miss& miss) {
+  const auto degrees = [](double angle) {
+    return 180.0 / std::numbers::pi * angle;
+  };
+  std::string off;
+  const auto add = [&](const std::string& text) {
+    off += (off.empty() ? "" : ", ") + text;
+  };
+  constexpr double kSameDirection = 1e-3;  // [rad], as are_coaxial
+  if (miss.tilt > kSameDirection) {
+    add(fmt::format("its axis turned by {:.3g} deg", degrees(miss.tilt)));
+  }
+  if (miss.beside > 2e-3 * miss.cylinder.radius) {
+    add(fmt::format("its axis {:.4g} mm from the point", 1e3 * miss.beside));
+  }
+  if (miss.along > 0.0) {
+    add(fmt::format("its end {:.4g} mm off along it", 1e3 * miss.along));
+  }
+  if (!miss.cylinder.is_round()) {
+    add(fmt::format("only {:.3g} deg of a turn", degrees(miss.cylinder.angle)));
+  }
+  return fmt::format("{} ({})", text_of(miss.cylinder), off);
+}
+
+/// Bores and shafts, those next to fitting first.
+std::string nearest_of(const std::vector<Cylinder>& all,
+                       const part::JointFaces& joint, double size) {
+  constexpr std::size_t kMost = 5;
+  if (all.empty()) return "no cylinder at all";
+  std::vector<Miss> misses;
+  for (const Cylinder& cylinder : all) {
+    misses.push_back(miss_of(cylinder, joint, size));
+  }
+  std::ranges::stable_sort(misses, {}, &Miss::rank);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMost, misses.size()); ++i) {
+    text += (i == 0 ? "" : "; ") + text_of(misses[i]);
+  }
+  if (all.size() > kMost)
+    text += fmt::format("; and {} more", all.size() - kMost);
+  return text;
+}
+
+/// Whether a joint whose place is multiplied by a factor has its bore. The
+/// origin stays where it is: bores about it tell nothing.
+bool fits_scaled(const std::vector<Cylinder>& all,
+                 const part::JointFaces& joint, double factor) {
+  part::JointFaces scaled = joint;
+  scaled.p_LJ *= factor;
+  const double aside = scaled.p_LJ.cross(joint.axis_L).norm();
+  return std::ranges::any_of(candidates(all, scaled, true),
+                             [&](const auto& group) {
+                               return group.front().radius < aside;
+                             });
 }
 
 }  // namespace
@@ -104,18 +188,30 @@ std::vector<Cylinder> joint_cylinders(const Solid& solid,
       listed.insert(listed.end(), group.begin(), group.end());
     }
     refuse(joint,
-           fmt::format("{} diameters lie on its axis about its point",
-                       found.size()),
-           listed);
+           fmt::format("{} diameters lie on its axis about its point: {}",
+                       found.size(), list_of(listed)));
   }
   const Vector3d p = 1e3 * joint.p_LJ, a = joint.axis_L;
+  const std::string problem = fmt::format(
+      "no bore and no shaft of the part lies on its axis about its point "
+      "({:.6g}, {:.6g}, {:.6g}) mm, axis ({:.4g}, {:.4g}, {:.4g}), in the "
+      "part's frame",
+      p.x() + 0.0, p.y() + 0.0, p.z() + 0.0, a.x() + 0.0, a.y() + 0.0,
+      a.z() + 0.0);
+  const auto slip = unit_slip([&](double factor) {
+    return fits_scaled(all, joint, factor);
+  });
+  const std::string nearest =
+      nearest_of(all, joint, (solid.high - solid.low).norm());
+  if (!slip) refuse(joint, problem + "; nearest: " + nearest);
   refuse(joint,
-         fmt::format("no bore and no shaft of the part lies on its axis about "
-                     "its point ({:.6g}, {:.6g}, {:.6g}) mm, axis ({:.4g}, "
-                     "{:.4g}, {:.4g}), in the part's frame; the part has",
-                     p.x() + 0.0, p.y() + 0.0, p.z() + 0.0, a.x() + 0.0,
-                     a.y() + 0.0, a.z() + 0.0),
-         all);
+         fmt::format("{}, but one does at {:.4g} times its distance from the "
+                     "part's origin; nearest: {}",
+                     problem, slip->factor, nearest),
+         fmt::format("A unit seems wrong ({}): compare that of the joint's "
+                     "point with that of the file, which `clevis faces FILE` "
+                     "prints. Else: ",
+                     slip->units));
 }
 
 }  // namespace clevis::cad

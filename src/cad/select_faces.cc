@@ -9,6 +9,7 @@
 
 #include "base/messages/errors.h"
 #include "cad/cylinders.h"
+#include "cad/unit_slip.h"
 
 namespace clevis::cad {
 namespace {
@@ -93,12 +94,45 @@ std::vector<std::vector<Cylinder>> by_axis(
   return found;
 }
 
+bool has_diameter(const Cylinder& cylinder, double diameter) {
+  return std::abs(2 * cylinder.radius - diameter) <= kSame * diameter;
+}
+
+/// Why no cylinder fits: those of the nearest diameters, and whether another
+/// unit would help.
+std::string none_fits(std::vector<Cylinder> all,
+                      const part::CylinderSelector& wanted) {
+  std::string problem = "no cylinder of the part fits";
+  if (wanted.diameter) {
+    const double diameter = *wanted.diameter;
+    std::ranges::stable_sort(all, {}, [&](const Cylinder& c) {
+      return std::abs(std::log(2 * c.radius / diameter));
+    });
+    const auto slip = unit_slip([&](double factor) {
+      return std::ranges::any_of(all, [&](const Cylinder& c) {
+        return has_diameter(c, factor * diameter);
+      });
+    });
+    if (slip) {
+      problem += fmt::format(
+          ", but some have {:.4g} times the diameter {:.6g} mm: is a unit "
+          "wrong ({})?",
+          slip->factor, 1e3 * diameter, slip->units);
+    }
+  }
+  constexpr std::size_t kMost = 5;
+  const std::size_t n_more = all.size() - std::min(all.size(), kMost);
+  all.resize(all.size() - n_more);
+  return problem + "; it has " + list_of(all) +
+         (n_more > 0 ? fmt::format("; and {} more", n_more) : "");
+}
+
 std::vector<int> FacesOf::operator()(
     const part::CylinderSelector& wanted) const {
+  const std::vector<Cylinder> all = cylinders_of(solid);
   std::vector<Cylinder> found;
-  for (const Cylinder& cylinder : cylinders_of(solid)) {
-    if (wanted.diameter && std::abs(2 * cylinder.radius - *wanted.diameter) >
-                               kSame * *wanted.diameter) {
+  for (const Cylinder& cylinder : all) {
+    if (wanted.diameter && !has_diameter(cylinder, *wanted.diameter)) {
       continue;
     }
     if (wanted.axis &&
@@ -107,7 +141,7 @@ std::vector<int> FacesOf::operator()(
     }
     found.push_back(cylinder);
   }
-  if (found.empty()) refuse("no cylinder of the part fits");
+  if (found.empty()) refuse(none_fits(all, wanted));
   if (wanted.near && found.size() > 1) {
     const auto away = [&](const Cylinder& c) {
       return distance(*wanted.near, c);

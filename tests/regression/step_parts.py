@@ -484,13 +484,19 @@ held_by_pin = ["bore_A"]
         self.assertAlmostEqual(groups["bore_B"]["centre_m"][0], 80e-3, 9)
         self.run_clevis("mesh", scene)
         self.assertIn('"bore_B"', (self.folder / "link.msh").read_text())
-        # 2 mm beside the bore: all candidates are listed, nothing is meshed.
+        # 2 mm beside the bore: the nearest are listed, nothing is meshed.
         scene.write_text(SWING.replace('"80 mm", "0 mm", "4 mm"]',
                                        '"78 mm", "0 mm", "4 mm"]'))
         done = self.run_clevis("mesh", scene, code=11)
         self.assertIn("M017", done.stderr)
-        self.assertIn("bore of diameter 12 mm, 8 mm long, middle (80, 0, 4) mm",
-                      done.stderr)
+        self.assertRegex(done.stderr, r"; nearest: bore of diameter 12 mm, 8 mm long, "
+                         r"middle \(80, 0, 4\) mm, faces? [\d, ]+ "
+                         r"\(its axis 2 mm from the point\)")
+        self.assertNotIn("unit", done.stderr)
+        scene.write_text(SWING.replace('"80 mm", "0 mm", "4 mm"]',
+                                       '"80 in", "0 mm", "4 mm"]'))
+        done = self.run_clevis("mesh", scene, code=11)
+        self.assertIn("A unit seems wrong (an inch is 25.4 mm)", done.stderr)
 
     def test_runs_no_script_and_no_options_of_the_user(self):
         shutil.copy(STEP / "fork.step", self.folder)

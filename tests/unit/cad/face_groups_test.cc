@@ -103,6 +103,16 @@ TEST(FaceGroups, TakeTheNearestFaceAndAllOfSeveral) {
             (Numbers{3, 6}));
 }
 
+TEST(FaceGroups, TellWhichDiametersThereAre) {
+  EXPECT_EQ(refused(cylinder(0.0125)).find("unit"), std::string::npos);
+  EXPECT_NE(refused(cylinder(0.0125)).find("bore of diameter 12 mm"),
+            std::string::npos);
+  for (const double factor : {1e3, 1e-3, 25.4, 1.0 / 25.4}) {
+    EXPECT_NE(refused(cylinder(0.012 / factor)).find("is a unit wrong"),
+              std::string::npos);
+  }
+}
+
 TEST(FaceGroups, TakeTheFaceOfALabelAndListOthers) {
   Solid named = block();
   named.faces[2].label = "PIN";

@@ -1,6 +1,7 @@
 #include "cad/joint_cylinder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,8 @@
 
 namespace clevis::cad {
 namespace {
+
+using Eigen::Vector3d;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -85,6 +88,47 @@ TEST(JointCylinder, ABoreBesideTheJointIsNotFoundButListed) {
     EXPECT_NE(error.problem().find("bore of diameter 16 mm"),
               std::string::npos);
   }
+}
+
+TEST(JointCylinder, TellsHowFarTheNearestAreOff) {
+  std::vector<Face> faces{cylinder_face(1, 0.01, 0.0, 0.01, 0.03, false),
+                          cylinder_face(2, 0.06, 0.0, 0.01, 0.016, true),
+                          cylinder_face(3, 0.012, 0.0, 0.01, 0.016, true),
+                          cylinder_face(4, 0.01, 0.0, 0.01, 0.02, true, kPi)};
+  faces.push_back(cylinder_face(5, 0.01, 0.0, 0.01, 0.018, true));
+  faces.back().axis = Vector3d(0.0, std::sin(0.1), std::cos(0.1));
+  const std::string problem =
+      refusal(solid_of(faces), joint_at(0.01, 0.025)).problem();
+  const auto at = [&](const char* text) {
+    EXPECT_NE(problem.find(text), std::string::npos) << text << problem;
+    return problem.find(text);
+  };
+  // 2 mm beside and 15 mm beyond, then 0.1 rad, then 50 mm beside.
+  EXPECT_LT(at("face 3 (its axis 2 mm from the point, its end 15 mm off along "
+               "it)"),
+            at("face 5 (its axis turned by 5.73 deg"));
+  EXPECT_LT(at("face 5 (its axis turned"), at("face 2 (its axis 50 mm"));
+  EXPECT_LT(at("face 2"), at("face 1 (its end 15 mm off along it)"));
+  at("face 4 (its end 15 mm off along it, only 180 deg of a turn)");
+  EXPECT_EQ(problem.find("unit"), std::string::npos);
+}
+
+TEST(JointCylinder, SuspectsAUnitThatIsWrong) {
+  const Solid link = solid_of({cylinder_face(1, 0.0, 0.0, 0.01, 0.016, true),
+                               cylinder_face(2, 0.08, 0.0, 0.01, 0.016, true)});
+  for (const double ratio : {1000.0, 25.4}) {
+    for (const double factor : {ratio, 1.0 / ratio}) {
+      const Error error =
+          refusal(link, joint_at(0.08 / factor, 0.005 / factor));
+      EXPECT_NE(error.remedy().find("A unit seems wrong"), std::string::npos)
+          << factor << error.problem();
+      EXPECT_NE(error.remedy().find(ratio > 100.0 ? "1000 mm" : "25.4 mm"),
+                std::string::npos);
+    }
+  }
+  // On the axis of a bore at the origin every factor would fit along it.
+  EXPECT_EQ(refusal(link, joint_at(0.0, 2.0)).remedy().find("unit"),
+            std::string::npos);
 }
 
 }  // namespace
