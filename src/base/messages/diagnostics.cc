@@ -173,7 +173,9 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "The load on the group has a component that its surface cannot take."},
     {"L003", kModelInvalid, "bore and joint do not coincide",
      "A pin's bore in the part's mesh lies elsewhere than the joint in the "
-     "mechanism: the lengths in the scene and in the geometry disagree."},
+     "mechanism: the lengths in the scene and in the geometry disagree by more "
+     "than a thousandth of the bore's diameter. The message tells by how much, "
+     "and the numbers that would fit."},
     {"L004", kModelInvalid, "load without a seat on the part",
      "A joint, drive or force acts on the body of a part, but no group of its "
      "mesh takes it, or a seat names one that is not on the body. The part "

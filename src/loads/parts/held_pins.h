@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
+#include "loads/history/group_geometry.h"
 #include "loads/history/load_history.h"
-#include "loads/parts/part_loads.h"
 #include "part/mass_properties.h"
 
 namespace clevis::loads {

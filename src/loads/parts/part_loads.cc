@@ -9,6 +9,7 @@
 
 #include "loads/history/balance.h"
 #include "loads/history/motion_instants.h"
+#include "loads/parts/axis_loads.h"
 #include "loads/seats/force_seats.h"
 #include "loads/seats/part_seats.h"
 #include "loads/seats/seat_fit.h"
@@ -128,6 +129,7 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
   }
   require_balance(history, mass, context.size, context.place("loads"));
   history.notes = off_middle_notes(context, by_joint);
+  act_on_axes(context, by_joint, mass, history);
   set_contact_zones(context, motion, spans, by_joint, history);
   history.slide_excess = std::pow(longest_slide_step(history), 2);
   return history;

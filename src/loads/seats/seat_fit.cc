@@ -25,6 +25,11 @@ namespace {
 // least seven digits.
 constexpr double kGapTolerance = 1e-6;
 constexpr double kAngleTolerance = 1e-6;
+// Largest gap across the axis over the diameter: drawings round lengths, and
+// joints find bores in solids as well as that (cad/cylinders). Forces then act
+// on the cylinder's axis (parts/axis_loads).
+constexpr double kOffsetTolerance = 1e-3;
+constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// A joint and the cylinder that it should lie in.
 struct Pair {
@@ -34,6 +39,7 @@ struct Pair {
   part::Bore cylinder;
   bool has_axis;  ///< a weld and a ball have none of their own
   bool slides;
+  bool goes_on = false;  ///< the joint's place along the axis says nothing
 
   const Vector3d& joint() const { return frame.p_LJ; }
   Vector3d axis() const { return frame.R_LJ.col(2); }
@@ -49,10 +55,22 @@ struct Pair {
     return std::asin(std::min(1.0, axis().cross(cylinder.axis_L).norm()));
   }
   bool is_beyond_the_end(double gap) const {
-    return !slides && std::abs(along()) > 0.5 * cylinder.length + gap;
+    return !slides && !goes_on &&
+           std::abs(along()) > 0.5 * cylinder.length + gap;
   }
-  bool fits(double gap) const {
-    return across().norm() <= gap && angle() <= kAngleTolerance &&
+  /// @param gap  that the digits of scene and mesh explain [m].
+  double allowed_across(double gap) const {
+    return slides ? gap
+                  : std::max(gap, 2.0 * kOffsetTolerance * cylinder.radius);
+  }
+  bool fits(double gap) const { return fits(gap, allowed_across(gap)); }
+  bool fits_to_digits(double gap) const { return fits(gap, gap); }
+  /// Place on the cylinder's axis at the joint's height.
+  Vector3d foot() const { return joint() - across(); }
+
+ private:
+  bool fits(double gap, double gap_across) const {
+    return across().norm() <= gap_across && angle() <= kAngleTolerance &&
            !is_beyond_the_end(gap);
   }
 };
@@ -87,7 +105,7 @@ std::vector<Pair> moved(std::vector<Pair> pairs, const Matrix3d& turn,
 
 bool all_fit(const std::vector<Pair>& pairs, double gap) {
   return std::ranges::all_of(pairs, [gap](const Pair& pair) {
-    return pair.fits(gap);
+    return pair.fits_to_digits(gap);
   });
 }
 
@@ -169,8 +187,40 @@ std::vector<Turn> turns() {
   return result;
 }
 
+/// "["12.5 mm", "0 mm", "0 mm"]", as scenes have it; v [m].
+std::string scene_text(const Vector3d& v, double size) {
+  const auto number = [size](double x) {
+    return std::abs(x) <= 1e-12 * size ? 0.0 : 1e3 * x;
+  };
+  return fmt::format("[\"{:.9g} mm\", \"{:.9g} mm\", \"{:.9g} mm\"]",
+                     number(v.x()), number(v.y()), number(v.z()));
+}
+
+/// The number in the scene that would make one pair agree.
+std::string remedy_for(const Pair& pair, const std::string& body, double size) {
+  if (pair.across().norm() <= pair.allowed_across(kGapTolerance * size) &&
+      pair.angle() > kAngleTolerance) {
+    const Vector3d axis = pair.axis().dot(pair.cylinder.axis_L) < 0.0
+                              ? Vector3d(-pair.cylinder.axis_L)
+                              : pair.cylinder.axis_L;
+    return fmt::format(
+        "Give joint {} the cylinder's axis, in the body's frame ({:.9g}, "
+        "{:.9g}, {:.9g}), or turn the mesh.",
+        pair.name, axis.x() + 0.0, axis.y() + 0.0, axis.z() + 0.0);
+  }
+  const Vector3d place = pair.is_beyond_the_end(kGapTolerance * size)
+                             ? Vector3d(pair.cylinder.p_LC)
+                             : pair.foot();
+  return fmt::format(
+      "Place joint {} on the cylinder, at.{} = {} instead of {}; or correct "
+      "the mesh: same lengths, in the body's frame, right length_unit.",
+      pair.name, body, scene_text(place, size), scene_text(pair.joint(), size));
+}
+
 /// Likely remedy for the user.
-std::string remedy_for(const std::vector<Pair>& pairs, double size) {
+/// @param bad  the pair that does not fit, of body `body`.
+std::string remedy_for(const std::vector<Pair>& pairs, const Pair& bad,
+                       const std::string& body, double size) {
   const double gap = kGapTolerance * size;
   const Matrix3d as_is = Matrix3d::Identity();
   if (const auto slip = unit_slip(pairs)) {
@@ -191,35 +241,38 @@ std::string remedy_for(const std::vector<Pair>& pairs, double size) {
     }
   }
   for (const Vector3d& shift : {mean_gap_across(pairs), mean_gap(pairs)}) {
-    if (!all_fit(moved(pairs, as_is, 1.0, shift), gap)) continue;
+    if (pairs.size() < 2 || !all_fit(moved(pairs, as_is, 1.0, shift), gap))
+      continue;
     return fmt::format(
         "Move the mesh by {} mm, or the part's joints by the opposite.",
         vector_text(shift * 1e3, size * 1e3));
   }
-  return "Make the joint's position in the scene and the cylinder in the mesh "
-         "agree (same lengths, mesh in the body's frame, right length_unit).";
+  return remedy_for(bad, body, size);
 }
 
 [[noreturn]] void refuse(const SeatContext& context, const Pair& pair,
                          const std::string& place, const std::string& remedy) {
   const std::string& group = pair.group;
   const double size_mm = context.size * 1e3;
-  const double gap = kGapTolerance * context.size;
-  if (!(pair.across().norm() <= gap)) {
+  const double allowed = pair.allowed_across(kGapTolerance * context.size);
+  if (!(pair.across().norm() <= allowed)) {
     throw Error("L003", place,
                 fmt::format("the joint lies {:.6g} mm off the axis of "
-                            "\"{}\": joint at {} mm, cylinder at {} mm",
-                            pair.across().norm() * 1e3, group,
+                            "\"{}\", {:.3g} mm are allowed: joint at {} mm, "
+                            "off by {} mm, cylinder at {} mm",
+                            pair.across().norm() * 1e3, group, allowed * 1e3,
                             vector_text(pair.joint() * 1e3, size_mm),
+                            vector_text(pair.across() * 1e3, size_mm),
                             vector_text(pair.cylinder.p_LC * 1e3, size_mm)),
                 remedy);
   }
   if (!(pair.angle() <= kAngleTolerance)) {
-    throw Error("L003", place,
-                fmt::format("the joint's axis and the cylinder \"{}\" make an "
-                            "angle of {:.6g} deg",
-                            group, pair.angle() * 180.0 / std::numbers::pi),
-                remedy);
+    throw Error(
+        "L003", place,
+        fmt::format("the joint's axis and the cylinder \"{}\" make an "
+                    "angle of {:.6g} deg, {:.2g} deg are allowed",
+                    group, pair.angle() * kDegrees, kAngleTolerance * kDegrees),
+        remedy);
   }
   throw Error("L003", place,
               fmt::format("the joint lies {:.6g} mm from the middle of \"{}\", "
@@ -227,6 +280,10 @@ std::string remedy_for(const std::vector<Pair>& pairs, double size) {
                           std::abs(pair.along()) * 1e3, group,
                           pair.cylinder.length * 1e3),
               remedy);
+}
+
+const std::string& body_name(const SeatContext& context) {
+  return context.definition.bodies[static_cast<std::size_t>(context.body)].name;
 }
 
 }  // namespace
@@ -237,7 +294,7 @@ void require_fit(const SeatContext& context,
   for (const Pair& pair : pairs) {
     if (pair.fits(kGapTolerance * context.size)) continue;
     refuse(context, pair, context.place("joint " + pair.name),
-           remedy_for(pairs, context.size));
+           remedy_for(pairs, pair, body_name(context), context.size));
   }
 }
 
@@ -246,15 +303,48 @@ void require_coaxial(const SeatContext& context, const part::Bore& cylinder,
                      const std::string& place) {
   const auto& definition =
       context.definition.joints[static_cast<std::size_t>(joint)];
-  const Pair pair{definition.name,
-                  group,
-                  definition.body_b == context.body ? definition.frame_b
-                                                    : definition.frame_a,
-                  cylinder,
-                  true,
-                  true};
+  const Pair pair{.name = definition.name,
+                  .group = group,
+                  .frame = definition.body_b == context.body
+                               ? definition.frame_b
+                               : definition.frame_a,
+                  .cylinder = cylinder,
+                  .has_axis = true,
+                  .slides = mechanism::traits(definition.type).slides(),
+                  .goes_on = true};
   if (pair.fits(kGapTolerance * context.size)) return;
-  refuse(context, pair, place, remedy_for({pair}, context.size));
+  refuse(context, pair, place,
+         remedy_for({pair}, pair, body_name(context), context.size));
+}
+
+std::vector<Vector3d> axis_offsets(const SeatContext& context,
+                                   const std::vector<JointSeat>& seats) {
+  std::vector<Vector3d> offsets(seats.size(), Vector3d::Zero());
+  for (const Pair& pair : pairs_of(context, seats)) {
+    if (pair.across().norm() <= kGapTolerance * context.size) continue;
+    const auto seat =
+        std::ranges::find(seats, pair.name, [](const JointSeat& s) {
+          return s.seat.name;
+        });
+    offsets[static_cast<std::size_t>(seat - seats.begin())] = pair.across();
+  }
+  return offsets;
+}
+
+std::vector<std::string> off_axis_notes(const SeatContext& context,
+                                        const std::vector<JointSeat>& seats) {
+  std::vector<std::string> notes;
+  for (const Pair& pair : pairs_of(context, seats)) {
+    const Vector3d across = pair.across();
+    if (across.norm() <= kGapTolerance * context.size) continue;
+    notes.push_back(fmt::format(
+        "joint {} stands {:.3g} mm off the axis of \"{}\", by {} mm: its force "
+        "acts on that axis; at.{} = {} would lie on it",
+        pair.name, across.norm() * 1e3, pair.group,
+        vector_text(across * 1e3, context.size * 1e3), body_name(context),
+        scene_text(pair.foot(), context.size)));
+  }
+  return notes;
 }
 
 std::vector<std::string> off_middle_notes(const SeatContext& context,

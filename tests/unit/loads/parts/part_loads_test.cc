@@ -267,9 +267,26 @@ TEST(PartLoads, BoreThatMissesItsJointIsRefusedWithTheGap) {
     EXPECT_NE(error.problem().find("0.1 mm off"), std::string::npos)
         << error.problem();
   }
-  s = general_link();  // 1e-6 of a part of 0.17 m is 0.17 µm
-  s.groups[1].cylinder.p_LC.x() += 0.3e-6;
+  s = general_link();  // a thousandth of 10 mm is allowed
+  s.groups[1].cylinder.p_LC.x() += 10.1e-6;
   EXPECT_EQ(s.code(), "L003");
+}
+
+// The moment of the reaction at A about A's axis is what acts on its bore; the
+// offset times the force does not.
+TEST(PartLoads, ABoreALittleOffItsJointTakesTheForceOnItsAxis) {
+  const LoadHistory before = general_link().loads();
+  LinkInMotion s = general_link();
+  s.groups[0].cylinder.p_LC.y() += 9e-6;
+  const LoadHistory history = s.loads();
+  const Wrench& was = before.instants[0].wrenches[0];
+  const Wrench& is = history.instants[0].wrenches[0];
+  EXPECT_NEAR(is.moment.z(), was.moment.z(), 1e-12);
+  EXPECT_GT((is.force - was.force).norm(), 0.0);
+  EXPECT_LT((is.force - was.force).norm(), 1e-3 * was.force.norm());
+  const Wrench left = residual(history, history.instants[0], s.mass);
+  EXPECT_LT(left.force.norm() + left.moment.norm(), 1e-9);
+  EXPECT_EQ(history.notes.size(), before.notes.size() + 2);
 }
 
 TEST(PartLoads, CylinderMustBeParallelToItsJoint) {

@@ -179,6 +179,50 @@ TEST(SeatFit, WrongUnitOfLengthIsNamed) {
       << wrong.refusal();
 }
 
+// As drawings round 95.2627944 to 95.263.
+TEST(SeatFit, AThousandthOfTheDiameterIsAllowedAndTold) {
+  for (const double offset : {9.9e-6, 10.1e-6}) {
+    Plate plate;
+    plate.definition.bodies[0].name = "plate";
+    plate.definition.joints[1].frame_b.p_LJ += Vector3d(0.0, offset, 0.0);
+    const std::string refusal = plate.refusal();
+    if (offset < 10e-6) {
+      EXPECT_EQ(refusal, "");
+      const auto notes =
+          off_axis_notes(plate.context(), joint_seats(plate.context()));
+      ASSERT_EQ(notes.size(), 1u);
+      EXPECT_TRUE(contains(notes[0],
+                           "joint B stands 0.0099 mm off the axis of "
+                           "\"bore_B\", by (0, 0.0099, 0) mm"))
+          << notes[0];
+    } else {
+      EXPECT_TRUE(contains(refusal,
+                           "0.0101 mm off the axis of \"bore_B\", 0.01 mm are "
+                           "allowed: joint at (80, 0.0101, 0) mm, off by (0, "
+                           "0.0101, 0) mm"))
+          << refusal;
+      EXPECT_TRUE(contains(refusal,
+                           "at.plate = [\"80 mm\", \"0 mm\", \"0 mm\"] instead "
+                           "of [\"80 mm\", \"0.0101 mm\", \"0 mm\"]"))
+          << refusal;
+    }
+  }
+  Plate slide(JointType::kPrismatic);
+  slide.definition.joints[1].frame_b.p_LJ += Vector3d(0.0, 1e-6, 0.0);
+  EXPECT_TRUE(contains(slide.refusal(), "off the axis"));
+}
+
+TEST(SeatFit, ATiltedAxisIsToldWithTheOneToWrite) {
+  Plate plate;
+  plate.groups[2].cylinder.axis_L = -Vector3d(0.6e-5, 0.0, 1.0).normalized();
+  const std::string refusal = plate.refusal();
+  EXPECT_TRUE(contains(refusal, "an angle of 0.000343775 deg")) << refusal;
+  EXPECT_TRUE(contains(refusal,
+                       "Give joint C the cylinder's axis, in the "
+                       "body's frame (6e-06, 0, 1)"))
+      << refusal;
+}
+
 TEST(SeatFit, ShiftedMeshIsNamed) {
   Plate plate;
   plate.move_mesh([](const Vector3d& p) -> Vector3d {
