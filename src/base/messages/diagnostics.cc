@@ -108,7 +108,9 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"K001", kModelInvalid, "mechanism does not assemble",
      "No position of the bodies satisfies all joints and drives at the start: "
      "lengths break a loop, or the approximate placement is too far off. The "
-     "message lists the joints that stay open and by how much."},
+     "message lists the joints that stay open and by how much; what is allowed "
+     "is `tolerance` of [simulation], 1e-8, times the mechanism's size. Along "
+     "pins the points in `at` around a loop must meet at one height."},
     {"K002", kModelInvalid, "under-driven mechanism",
      "The scene asks for a motion that the drives fix, but they leave degrees "
      "of freedom unprescribed. Add a drive on one of the named joints, or "

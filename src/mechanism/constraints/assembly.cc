@@ -85,19 +85,14 @@ Assembled assemble(const ConstraintSystem& system, Configuration guess,
   return {std::move(best.x), closed, std::move(best.residual)};
 }
 
-std::string open_joints(const MechanismDefinition& definition,
-                        const ConstraintSystem& system,
-                        const VectorXd& residual, double tolerance) {
-  std::vector<std::pair<double, std::string>> open;
-  const auto note = [&open](const std::string& name, double gap) {
-    const auto found =
-        std::ranges::find(open, name, &std::pair<double, std::string>::second);
-    if (found == open.end()) {
-      open.emplace_back(gap * gap, name);
-    } else {
-      found->first += gap * gap;
-    }
+OpenJoints open_joints(const MechanismDefinition& definition,
+                       const ConstraintSystem& system, const VectorXd& residual,
+                       double tolerance) {
+  struct Gap {
+    std::string name;
+    double square = 0.0, along_square = 0.0;  // [m²]
   };
+  std::vector<Gap> gaps;
   for (int i = 0; i < system.rows(); ++i) {
     const auto& row = system.row_list()[static_cast<std::size_t>(i)];
     const auto joint = static_cast<std::size_t>(row.joint);
@@ -106,17 +101,30 @@ std::string open_joints(const MechanismDefinition& definition,
             ? definition.joints[joint].name
             : definition.couplings[static_cast<std::size_t>(row.coupling)].name;
     if (i >= system.joint_rows()) name += " (drive)";
-    note(name, residual[i]);
+    auto gap = std::ranges::find(gaps, name, &Gap::name);
+    if (gap == gaps.end()) gap = gaps.insert(gap, Gap{.name = name});
+    const double square = residual[i] * residual[i];
+    gap->square += square;
+    const bool is_along = row.coupling < 0 && i < system.joint_rows() &&
+                          row.row.kind == JointRow::Kind::kTranslation &&
+                          row.row.axis == 2 &&
+                          traits(definition.joints[joint].type).axis ==
+                              JointTraits::Axis::kNeeded;
+    if (is_along) gap->along_square += square;
   }
-  std::ranges::stable_sort(open, std::ranges::greater{},
-                           &std::pair<double, std::string>::first);
-  std::string text;
-  for (const auto& [square, name] : open) {
-    if (std::sqrt(square) <= tolerance) break;
-    text += fmt::format("{}{} by {:.4g} mm", text.empty() ? "" : ", ", name,
-                        1e3 * std::sqrt(square));
+  std::ranges::stable_sort(gaps, std::ranges::greater{}, &Gap::square);
+  OpenJoints open;
+  open.tolerance = tolerance;
+  for (const Gap& gap : gaps) {
+    constexpr double kAlone = 0.9999;
+    if (std::sqrt(gap.square) <= tolerance) break;
+    const bool is_along = gap.along_square > kAlone * gap.square;
+    if (is_along) open.along_axes.push_back(gap.name);
+    open.text += fmt::format(
+        "{}{} by {:.4g} mm{}", open.text.empty() ? "" : ", ", gap.name,
+        1e3 * std::sqrt(gap.square), is_along ? " along its axis" : "");
   }
-  return text;
+  return open;
 }
 
 }  // namespace clevis::mechanism

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -25,10 +26,16 @@ Assembled assemble(const ConstraintSystem& system, Configuration guess,
                    const Eigen::VectorXd& targets, double tolerance,
                    double rank_threshold = numerics::kRankThreshold);
 
-/// "B by 12.3 mm, cylinder (drive) by 4 mm": rows that stay open.
+/// Rows that stay open.
+struct OpenJoints {
+  std::string text;  ///< "B by 12.3 mm, cylinder (drive) by 4 mm"
+  /// Joints that are open along their axes alone.
+  std::vector<std::string> along_axes;
+  double tolerance{};  ///< [m]
+};
 /// @param residual, tolerance  turns × length [m].
-std::string open_joints(const MechanismDefinition& definition,
-                        const ConstraintSystem& system,
-                        const Eigen::VectorXd& residual, double tolerance);
+OpenJoints open_joints(const MechanismDefinition& definition,
+                       const ConstraintSystem& system,
+                       const Eigen::VectorXd& residual, double tolerance);
 
 }  // namespace clevis::mechanism

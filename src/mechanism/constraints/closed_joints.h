@@ -1,8 +1,8 @@
 #pragma once
 
-#include <string>
 #include <string_view>
 
+#include "mechanism/constraints/assembly.h"
 #include "mechanism/constraints/constraint_system.h"
 
 namespace clevis::mechanism {
@@ -14,10 +14,9 @@ namespace clevis::mechanism {
 Configuration closed_joints(const MechanismDefinition& definition,
                             const SolvingFrame& frame, double tolerance);
 
-/// @param open     open_joints().
 /// @param closing  what could not be closed.
 /// @throws Error K001, always.
-[[noreturn]] void refuse_open(const std::string& open,
-                              std::string_view closing);
+[[noreturn]] void refuse_open(const MechanismDefinition& definition,
+                              const OpenJoints& open, std::string_view closing);
 
 }  // namespace clevis::mechanism

@@ -92,7 +92,8 @@ ClosedConfiguration assembled_start(const DrivenModel& model) {
       assemble(model.system, model.frame.placement, targets, model.tolerance,
                model.frame.rank_threshold());
   if (!assembled.closed) {
-    refuse_open(open_joints(model.definition, model.system, assembled.residual,
+    refuse_open(model.definition,
+                open_joints(model.definition, model.system, assembled.residual,
                             model.tolerance),
                 "all joints with the drives at their start");
   }

@@ -82,7 +82,8 @@ Configuration assembled(const MechanismDefinition& definition,
   if (!result.closed) {
     MechanismDefinition with_initial = definition;
     with_initial.drives = wanted.drives;
-    refuse_open(open_joints(with_initial, system, result.residual, tolerance),
+    refuse_open(with_initial,
+                open_joints(with_initial, system, result.residual, tolerance),
                 "all joints with the drives and initial coordinates");
   }
   return result.x;

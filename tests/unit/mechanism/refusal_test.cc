@@ -128,7 +128,31 @@ TEST(Refusal, LoopOpenAlongThePins) {
   const std::string why = refusal(m);
   EXPECT_TRUE(has(why, "K001")) << why;
   EXPECT_TRUE(has(why, "along the normal")) << why;
-  EXPECT_TRUE(has(why, "by 3 mm")) << why;
+  EXPECT_TRUE(has(why, "D by 3 mm along its axis, cylinder by 3 mm; ")) << why;
+  EXPECT_TRUE(has(why, " mm are allowed; What turns about one pin")) << why;
+  // Both loops stay open at other joints than the one to correct.
+  EXPECT_TRUE(has(why, "apart along their axes at B by 3 mm. Change")) << why;
+}
+
+TEST(Refusal, LoopOpenAcrossThePinsSaysNothingOfHeights) {
+  FourBar l;
+  MechanismDefinition m = four_bar(l, 0.7);
+  m.joints[3].frame_a.p_LJ.x() = 0.5;
+  const std::string why = refusal(m);
+  EXPECT_FALSE(has(why, "along its axis")) << why;
+  EXPECT_FALSE(has(why, "meant parallel")) << why;
+  EXPECT_TRUE(has(why, "; Correct the lengths")) << why;
+}
+
+// A planar loop with one axis a little off is a spatial one that jams.
+TEST(Refusal, AxesMeantParallelAreNamed) {
+  MechanismDefinition m = four_bar({}, 0.7);
+  m.joints[2].frame_a.R_LJ = m.joints[2].frame_b.R_LJ =
+      Eigen::AngleAxisd(1e-5, Vector3d::UnitX()).toRotationMatrix();
+  const std::string why = refusal(m);
+  EXPECT_TRUE(has(why, "K001")) << why;
+  EXPECT_TRUE(has(why, "differ by 0.000573 deg: if they are meant parallel"))
+      << why;
 }
 
 }  // namespace
