@@ -193,7 +193,9 @@ PartAssessment check_part(const PartJob& given) {
   }
   note_cases(given, result);
   result.beam = compare_with_beam(job, result);
+  job.tell("buckling");
   BucklingCheck buckling = check_buckling(job);
+  job.tell("vibration and notes");
   result.buckling = std::move(buckling.result);
   result.buckling.euler = result.beam.buckling_safety;
   result.buckling.strut_is_longer = job.buckling_length.has_value();

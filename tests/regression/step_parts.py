@@ -5,8 +5,11 @@ their bores, meshes that follow the file, units, and limits of the mesher.
 """
 import json
 import math
+import os
+import pty
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -497,6 +500,28 @@ held_by_pin = ["bore_A"]
                                        '"80 in", "0 mm", "4 mm"]'))
         done = self.run_clevis("mesh", scene, code=11)
         self.assertIn("A unit seems wrong (an inch is 25.4 mm)", done.stderr)
+
+    def test_a_terminal_shows_degree_cells_and_unknowns(self):
+        for name in ("bracket.step", "bracket.toml"):
+            shutil.copy(STEP / name, self.folder)
+        wanted = re.compile(rb"bracket: degree 2, \d\d \d{3} cells, \d+ k unknowns")
+        try:
+            master, slave = pty.openpty()
+        except OSError as error:  # a container without /dev/pts
+            self.skipTest(str(error))
+        shown = b""
+        with subprocess.Popen([CLEVIS, "check", "bracket.toml", "--out", "out"],
+                              cwd=self.folder, stderr=slave,
+                              stdout=subprocess.DEVNULL) as run:
+            os.close(slave)
+            while not wanted.search(shown):
+                try:
+                    shown += os.read(master, 4096)
+                except OSError:  # clevis has ended
+                    break
+            run.send_signal(signal.SIGINT)
+        os.close(master)
+        self.assertRegex(shown, wanted)
 
     def test_a_joint_a_thousandth_off_its_bore_is_accepted_and_told(self):
         self.step("link.step", LINK)

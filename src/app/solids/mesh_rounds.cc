@@ -94,8 +94,12 @@ CheckedPart check_in_rounds(
       before = assessment.result.seconds;
       finer = finer_mesh(std::move(finer), assessment.open_places,
                          judged_peak(assessment.result).at);
+      job.tell("meshing finer");
+      const auto listener = job.listener;
       try {
         job = mesh_again(finer);
+        job.mesh_round = made + 1;
+        job.listener = listener;
         told.push_back(fmt::format(
             "meshed finer where its error stands: {} cells left {:.3g} % open, "
             "now {}",

@@ -17,6 +17,7 @@
 #include "app/parts/part_jobs.h"
 #include "app/parts/solver_jobs.h"
 #include "app/processes/folder_lock.h"
+#include "app/processes/shared_text.h"
 #include "app/processes/worker_pool.h"
 #include "app/ranks/rank_jobs.h"
 #include "app/request/error_output.h"
@@ -123,21 +124,24 @@ int processors(const Options& options) {
 
 /// By processes, `--jobs` at a time, with progress on stderr.
 /// @param at_work  processes that check a part.
+/// @param stages   what each job's process is doing.
 std::vector<WorkerOutcome> run_on_processes(
     const std::vector<PartJob>& jobs, const Options& options,
-    const std::function<std::string(std::size_t)>& check,
-    SharedCount& at_work) {
+    const std::function<std::string(std::size_t)>& check, SharedCount& at_work,
+    const std::vector<SharedText>& stages) {
   report::Progress progress;
   auto outcomes = run_workers(
       jobs.size(), processors(options), check,
       [&](std::size_t done, const std::vector<std::size_t>& running) {
         at_work.set(static_cast<int>(running.size()));
-        std::string names;
+        std::string what;
         for (const std::size_t index : running) {
-          names += (names.empty() ? "" : ", ") + jobs[index].part.name;
+          const std::string stage = stages[index].get();
+          what += (what.empty() ? "" : "; ") + jobs[index].part.name +
+                  (stage.empty() ? "" : ": ") + stage;
         }
         progress.update(static_cast<int>(done), static_cast<int>(jobs.size()),
-                        "checking " + names);
+                        what);
       });
   progress.clear();
   return outcomes;
@@ -152,6 +156,12 @@ void check_parts(LoadedScene& loaded, const mechanism::Motion& motion,
   std::vector<std::string> order;
   for (const auto& job : jobs) order.push_back(job.part.name);
   longest_first(jobs);
+  std::vector<SharedText> stages(jobs.size());
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    jobs[i].listener = [&stage = stages[i]](const std::string& what) {
+      stage.set(what);
+    };
+  }
   const auto check = [&](std::size_t index) {
     const auto checked_part = [&] {
       return check_on_finer_meshes(loaded, motion, jobs[index],
@@ -176,9 +186,9 @@ void check_parts(LoadedScene& loaded, const mechanism::Motion& motion,
   } else {
     share_processors(processors(options), at_work);
   }
-  const auto outcomes = team != nullptr
-                            ? run_on_ranks(*team, jobs, check)
-                            : run_on_processes(jobs, options, check, at_work);
+  const auto outcomes =
+      team != nullptr ? run_on_ranks(*team, jobs, check)
+                      : run_on_processes(jobs, options, check, at_work, stages);
   if (mpi_rank() > 0) return;
   report::remove_unfinished(folder);  // of workers that were stopped or died
   for (const auto& name : order) {

@@ -86,6 +86,17 @@ struct PartJob {
   /// degree 4 of tetrahedra, and before what is not about the peak.
   bool may_be_meshed_finer = false;
   std::vector<std::string> notes;  ///< of the mesh, for the result
+  /// Of meshes finer than the first, 1, 2, …
+  int mesh_round = 0;
+  /// Hears what is being done, for a user who waits; empty: nobody.
+  std::function<void(const std::string&)> listener = {};
+
+  void tell(const std::string& what) const {
+    if (!listener) return;
+    listener(mesh_round > 0
+                 ? "finer mesh " + std::to_string(mesh_round) + ", " + what
+                 : what);
+  }
 
   /// For what the part does as a whole, its periods and its buckling: fine
   /// cells round a peak make both dear and no better.

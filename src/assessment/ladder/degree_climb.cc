@@ -275,6 +275,8 @@ class Climb {
   void look_at_places(const std::vector<LoadSet>& sets, double tolerance,
                       PlaceSearch which) {
     Stopwatch watch;
+    job_.tell(fmt::format("after degree {}, finer solutions near the peak",
+                          ladder_.sequence.back().degree));
     const bool is_outer = ladder_.zones.is_singular();
     auto found = nearby_peak<dim>(
         job_, sets, ladder_.zones.mesh(), ladder_.level,

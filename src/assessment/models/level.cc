@@ -57,6 +57,26 @@ std::vector<stress::PointValue> probe_values(const PartJob& job,
   return values;
 }
 
+/// "12 480": thousands apart.
+std::string grouped(std::size_t number) {
+  std::string text = std::to_string(number);
+  for (auto at = std::ssize(text) - 3; at > 0; at -= 3) {
+    text.insert(static_cast<std::size_t>(at), 1, ' ');
+  }
+  return text;
+}
+
+/// "degree 3, 12 480 cells, 214 k unknowns".
+std::string stage_of(int degree, std::size_t cells, double dofs) {
+  constexpr double kThousand = 1e3, kMillion = 1e6;
+  const std::string unknowns =
+      dofs < 10.0 * kThousand ? grouped(static_cast<std::size_t>(dofs))
+      : dofs < kMillion       ? fmt::format("{:.0f} k", dofs / kThousand)
+                              : fmt::format("{:.3g} M", dofs / kMillion);
+  return fmt::format("degree {}, {} cells, {} unknowns", degree, grouped(cells),
+                     unknowns);
+}
+
 template <int dim>
 void note_held(const PartJob& job, const LoadSet& set,
                const elasticity::DisplacementBasis<dim>& basis,
@@ -95,13 +115,19 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
                        const std::vector<Eigen::VectorXd>& admitted) {
   Level<dim> level;
   level.admitted = admitted;
+  const std::size_t cells =
+      model.cells_in_plane ? static_cast<std::size_t>(*model.cells_in_plane)
+                           : mesh.cells.size();
   for (std::size_t s = 0; s < sets.size(); ++s) {
     const LoadSet& set = sets[s];
     auto basis = std::make_shared<elasticity::DisplacementBasis<dim>>(
         model.solve({mesh, job.part.material, set.history, set.fixed,
                      job.part.name, elasticity::LinearSolver::kAuto,
                      set.foundations, job.engine, job.is_shared, job.max_dofs,
-                     admitted.empty() ? Eigen::VectorXd() : admitted[s]},
+                     admitted.empty() ? Eigen::VectorXd() : admitted[s],
+                     [&](double dofs) {
+                       job.tell(stage_of(degree, cells, dofs));
+                     }},
                     degree));
     seconds.assemble += basis->seconds.assemble;
     seconds.factor += basis->seconds.factor;

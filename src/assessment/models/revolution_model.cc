@@ -27,7 +27,7 @@ elasticity::DisplacementBasis<3> solve(
     int degree, Progress& progress) {
   auto solution = elasticity::solve_revolution(
       {solid, problem.material, problem.history, problem.fixed, problem.name,
-       problem.max_dofs},
+       problem.max_dofs, problem.tell_dofs},
       degree);
   if (progress.degree != degree) progress = {degree, 0, 0.0};
   progress.harmonics = std::max(progress.harmonics, solution.terms);

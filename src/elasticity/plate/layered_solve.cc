@@ -102,7 +102,9 @@ DisplacementBasis<3> solve_layered(const ElasticProblem<2>& problem, int degree,
   const std::string place = "part " + problem.name;
   const double density = problem.material.density;
   auto plane = discretize(problem.mesh, degree);
-  require_dofs(6.0 * terms * plane.nodes, problem.max_dofs, place);
+  const double dofs = 6.0 * terms * plane.nodes;
+  require_dofs(dofs, problem.max_dofs, place);
+  if (problem.tell_dofs) problem.tell_dofs(dofs);
   std::vector<int> place_of_node;
   const Dissection dissection = dissect_and_renumber(plane, place_of_node);
   DisplacementBasis<3> result;

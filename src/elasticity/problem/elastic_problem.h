@@ -43,6 +43,7 @@ struct ElasticProblem {
   /// empty: all are solved as exactly as they can be. The model of revolution
   /// solves them so anyway.
   Eigen::VectorXd admitted_load_error = {};
+  DofListener tell_dofs = {};
 };
 
 }  // namespace clevis::elasticity

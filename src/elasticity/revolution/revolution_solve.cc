@@ -310,6 +310,7 @@ RevolutionSolution solve_revolution(const RevolutionProblem& problem,
     return held;
   });
   require_dofs(system.equations(), problem.max_dofs, place);
+  if (problem.tell_dofs) problem.tell_dofs(system.equations());
   const LoadBasis loads = system.compressed(kCompressionTolerance);
   basis.checks.compression = loads.compression_error;
   basis.coefficients = loads.coefficients;

@@ -24,6 +24,7 @@ struct RevolutionProblem {
   part::Supports fixed;
   std::string name;  ///< of the part, for messages
   DofLimit max_dofs = std::nullopt;
+  DofListener tell_dofs = {};
 };
 
 struct RevolutionSolution {

@@ -281,6 +281,7 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
   result.discretization = discretize(problem.mesh, degree);
   const auto& whole = result.discretization;
   require_dofs(whole.dofs(), problem.max_dofs, place);
+  if (problem.tell_dofs) problem.tell_dofs(whole.dofs());
   const auto positions = node_positions(whole);
   std::vector<int> fixed;
   if (!is_free) {

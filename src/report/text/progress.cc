@@ -19,16 +19,15 @@ using std::chrono::seconds;
 constexpr auto kLogInterval = seconds(10);
 // The eye follows ten redraws a second; more only cost time.
 constexpr auto kRedrawInterval = milliseconds(100);
-constexpr int kBarWidth = 24;
-// With the bar this fits a line of 80 places: a wrapped line would not be
-// wiped by the next redraw.
-constexpr std::size_t kLongestText = 32;
+constexpr int kBarWidth = 10;
+// A wrapped line would not be wiped by the next redraw.
+constexpr std::size_t kLongestLine = 79;
 
 constexpr const char* kWipeLine = "\r\033[K";
 
 /// The start of a UTF-8 text, cut between characters.
-std::string shortened(const std::string& text) {
-  std::size_t end = std::min(text.size(), kLongestText);
+std::string shortened(const std::string& text, std::size_t longest) {
+  std::size_t end = std::min(text.size(), longest);
   while (end > 0 && end < text.size() &&
          (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) {
     --end;
@@ -76,11 +75,12 @@ void Progress::draw_bar(int done, int total, const std::string& what) {
   last_done_ = done;
   last_what_ = what;
   const int filled = total > 0 ? kBarWidth * done / total : 0;
-  out_ << kWipeLine
-       << fmt::format("[{:<{}}] {}/{} {:5.1f} s  {}",
-                      std::string(static_cast<std::size_t>(filled), '#'),
-                      kBarWidth, done, total, seconds_since_start(now),
-                      shortened(what))
+  const std::string bar =
+      fmt::format("[{:<{}}] {}/{} {:5.1f} s  ",
+                  std::string(static_cast<std::size_t>(filled), '#'), kBarWidth,
+                  done, total, seconds_since_start(now));
+  out_ << kWipeLine << bar
+       << shortened(what, kLongestLine - std::min(kLongestLine, bar.size()))
        << std::flush;
   bar_is_drawn_ = true;
 }

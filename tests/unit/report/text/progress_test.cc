@@ -50,11 +50,11 @@ TEST(Progress, TerminalShowsABarThatFillsAndIsWiped) {
   {
     Progress progress(out, Progress::Stream::kTerminal, time.clock());
     progress.update(0, 4, "DCE");
-    EXPECT_EQ(out.str(), "\r\033[K[                        ] 0/4   0.0 s  DCE");
+    EXPECT_EQ(out.str(), "\r\033[K[          ] 0/4   0.0 s  DCE");
     out.str("");
     time.pass(1500ms);
     progress.update(2, 4, "BC");
-    EXPECT_EQ(out.str(), "\r\033[K[############            ] 2/4   1.5 s  BC");
+    EXPECT_EQ(out.str(), "\r\033[K[#####     ] 2/4   1.5 s  BC");
     out.str("");
   }
   EXPECT_EQ(out.str(), "\r\033[K");
@@ -77,10 +77,20 @@ TEST(Progress, LongTextStaysOnOneLineAndWholeInItsCharacters) {
   FakeTime time;
   std::ostringstream out;
   Progress progress(out, Progress::Stream::kTerminal, time.clock());
-  progress.update(100, 100, std::string(31, 'x') + "µµµ");
-  const std::string text = out.str();
-  EXPECT_LT(text.size(), 80u);
+  progress.update(100, 100, std::string(48, 'x') + "µµµ");
+  const std::string text = out.str().substr(4);  // behind the wipe
+  EXPECT_EQ(text.size(), 78u);  // half of a µ would fill the 79th place
   EXPECT_EQ(text.substr(text.size() - 3), "xxx");
+}
+
+TEST(Progress, WhatAPartIsAtFitsBesideTheBar) {
+  FakeTime time;
+  std::ostringstream out;
+  Progress progress(out, Progress::Stream::kTerminal, time.clock());
+  const std::string stage = "crank: degree 3, 12 480 cells, 214 k unknowns";
+  time.pass(1234500ms);
+  progress.update(0, 1, stage);
+  EXPECT_TRUE(out.str().ends_with(stage)) << out.str();
 }
 
 TEST(Progress, ThreadsDoNotTearLines) {
