@@ -14,13 +14,13 @@
 namespace clevis::app {
 namespace {
 
+/// In lines, as a remedy cannot be.
 constexpr std::string_view kFirstSteps =
-    R"(clevis checks whether the link parts of a mechanism hold.
-
-From nothing to a verdict:
-  clevis init link                              # a scene to start from
-  clevis check --mesh --report link/scene.toml  # does it hold? with a page to look at
-  clevis --help                                 # all commands
+    R"(error[U001]: command line: no command is given
+  help: From nothing to a verdict:
+    clevis init link                              # a scene to start from
+    clevis check --mesh --report link/scene.toml  # does it hold? with a page to look at
+    clevis --help                                 # all commands
 )";
 
 constexpr const char* kAbout =

@@ -87,8 +87,8 @@ def check_refusals(clevis, checks, folder):
 def check_first_steps(clevis, checks):
     run = call(clevis, [])
     checks.expect(run.returncode == 2 and not run.stdout
-                  and run.stderr.count("\n  clevis ") == 3
-                  and "Usage" not in run.stderr, "nothing: three commands", run)
+                  and run.stderr.count("\n    clevis ") == 3
+                  and run.stderr.startswith("error[U001]: "), "nothing: three commands", run)
 
 
 def check_help(clevis, checks):

@@ -102,7 +102,7 @@ def plans(checks, folder):
         checks.expect(["plan", SCENE, "--vary", table, "--out", folder / "out"],
                       exit_code, code, f"{table}:{place}", remark)
     checks.expect(["plan", SCENE, "--vary", folder, "--out", folder / "out"],
-                  22, "I001", folder, "not a regular file")
+                  22, "I001", folder, "is a folder, not a file")
     checks.expect(["plan", SCENE, "--out", folder / "out"], 10, "S003",
                   f"{SCENE}:1:1", "[vary]")
     if (folder / "out").exists():

@@ -24,7 +24,7 @@ with tempfile.TemporaryDirectory() as name:
     folder = Path(name)
     steps = [shlex.split(line, comments=True)[1:]
              for line in run(cwd=folder, code=2).splitlines()
-             if line.startswith("  clevis ")]
+             if line.startswith("    clevis ")]
     told = [run(*step, cwd=folder) for step in steps]
     assert len(steps) == 3 and "verdict: pass" in told[1], told
     assert "report: results/link/report.html" in told[1], told
