@@ -168,6 +168,18 @@ export class Part {
   }
 }
 
+/** The moving part that the verdict hangs on: of those with the worst verdict
+ * the one with the least safety over what is wanted. */
+export function decisivePart(parts) {
+  const rank = ({ result }) => ["fail", "not_judged"].indexOf(
+    result.verdict.replace(/\W/g, "_"));
+  const order = (part) => rank(part) < 0 ? 2 : rank(part);
+  const safety = ({ result }) => (result.safety_factor || Infinity) /
+    (result.limits?.safety_factor || 1);
+  return parts.filter((part) => part.is_motion).sort((a, b) =>
+    order(a) - order(b) || safety(a) - safety(b))[0];
+}
+
 /** Everything of the page. */
 export async function load() {
   const result = stored("result");

@@ -1,5 +1,5 @@
 // Small drawings: the band of a peak beside its limit, and how it converged.
-import { svg } from "./dom.js";
+import { h, svg } from "./dom.js";
 import { number } from "./format.js";
 
 /** Peak and band of a part beside its limit, on a scale that `most` ends. */
@@ -16,6 +16,20 @@ export function bandBar({ value, low, high, limit, most, unit }) {
     svg("line", { x1: x(value), x2: x(value), y1: 3, y2: 23, class: "value" }),
     limit && svg("line", { x1: x(limit), x2: x(limit), y1: 0, y2: height,
                            class: "limit" }));
+}
+
+/** What the lines of these bars mean. */
+export function barLegend(hasLimits) {
+  const key = (mark, text) => h("span", {},
+    svg("svg", { viewBox: "0 0 14 26", "aria-hidden": "true" }, mark),
+    text);
+  const upright = (name) => svg("line", { x1: 7, x2: 7, y1: 2, y2: 24, class: name });
+  return h("p", { class: "keys" },
+    key(upright("value"), "peak"),
+    key(svg("rect", { x: 1, width: 12, y: 5, height: 16, class: "band" }),
+        "its band"),
+    hasLimits && key(upright("limit"),
+                     "limit: yield strength over the safety factor wanted"));
 }
 
 /** The peak by degree, its band as a band. */

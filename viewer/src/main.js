@@ -2,7 +2,7 @@
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import { Timeline, viewControls } from "./controls.js";
-import { load } from "./data.js";
+import { decisivePart, load } from "./data.js";
 import { h } from "./dom.js";
 import { follow } from "./follow.js";
 import { JointNames, Legend, Markers } from "./overlay.js";
@@ -103,8 +103,9 @@ function run(data, stage, { canvas, overlay, side, below, chartGrid }) {
     stage.show({ part });
     stage.fit();
   });
+  const worst = (part) => Math.fround(part.times[part.peak_frame]);
   const pickPart = (part) => {
-    if (part.is_motion) timeline.go(Math.fround(part.times[part.peak_frame]));
+    if (part.is_motion) timeline.go(worst(part));
     picked.show(part, part.peak_point, { worst: true });
     canvas.scrollIntoView({ block: "nearest" });
   };
@@ -127,6 +128,9 @@ function run(data, stage, { canvas, overlay, side, below, chartGrid }) {
   addPicking(canvas, stage, picked);
   addKeys(timeline);
   stage.resize();
+  // The first picture shows what the verdict says.
+  const decisive = decisivePart(parts);
+  if (decisive) timeline.t = worst(decisive);
   timeline.start();
   stage.fit();
   stage.live = true;

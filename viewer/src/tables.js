@@ -1,6 +1,6 @@
 // The result as tables.
 import { h, table } from "./dom.js";
-import { bandBar, convergence } from "./figures.js";
+import { bandBar, barLegend, convergence } from "./figures.js";
 import { band, number, vector, withUnit } from "./format.js";
 
 const WORDS = { pass: "passes", fail: "fails", not_judged: "not judged",
@@ -34,8 +34,9 @@ export function verdicts(data, onPart) {
     rows.push([failure.part, verdictWord("not judged"), "–", "–", "–",
       `${failure.code}: ${failure.problem} ${failure.remedy}`]);
   }
-  return table("Verdict by part: peak von Mises stress, its band and its limit",
-    ["Part", "Verdict", "Peak in its band", "Where and when", "Safety", "Why"], rows);
+  return [table("Verdict by part: peak von Mises stress, its band and its limit",
+    ["Part", "Verdict", "Peak in its band", "Where and when", "Safety", "Why"], rows),
+    barLegend(data.parts.some(limit))];
 }
 
 function pairs(caption, entries) {

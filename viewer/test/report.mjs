@@ -77,6 +77,28 @@ async function tryReport(file, folder) {
     console.log(`processor time of the page: ${Math.round(worked)} ms`);
     assert.ok((busy ? worked : first) <= FIRST_FRAME);
   });
+  await check("opens at the worst instant of the part that decides", async () => {
+    const order = ["fail", "not judged", "pass"];
+    const wanted = (part) => part.safety_factor / (part.limits?.safety_factor ?? 1);
+    const moving = await page.evaluate(() => globalThis.clevisReport.data.parts
+      .filter((part) => part.is_motion).map((part) => part.name));
+    const [worst] = (isCheck?.parts ?? []).filter(({ name }) => moving.includes(name))
+      .sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) ||
+                      wanted(a) - wanted(b));
+    const t = await page.evaluate(() => globalThis.clevisReport.timeline.t);
+    const first = await page.evaluate(() => globalThis.clevisReport.timeline.times[0]);
+    const expected = worst?.peak_outside_singular_zones?.instant_s ??
+                     worst?.peak_von_mises.instant_s ?? first;
+    assert.ok(Math.abs(t - expected) <= 1e-6 * Math.abs(expected),
+              `t = ${t} s, ${worst?.name} is worst at ${expected} s`);
+  });
+  await check("bars with a limit are explained", async () => {
+    const [limits, keys] = await page.evaluate(() => [
+      document.querySelectorAll(".bar .limit").length,
+      document.querySelector(".keys")?.textContent ?? ""]);
+    assert.equal(keys.includes("limit"), limits > 0);
+    assert.equal(keys.includes("band"), (isCheck?.parts.length ?? 0) > 0);
+  });
   await picture("report.png");
   const moves = await page.evaluate(() =>
     globalThis.clevisReport.data.motion.bodies.length > 0);
