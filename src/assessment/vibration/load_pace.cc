@@ -16,8 +16,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Forces, and moments over the size, that act on the surface [N].
-VectorXd surface_forces(const loads::InstantLoad& instant, double size) {
+/// Forces, and moments over the size, that act on the surface and, of a mass in
+/// its far corner, by inertia [N].
+VectorXd acting_forces(const loads::InstantLoad& instant, double mass,
+                       double size) {
   std::vector<double> all;
   const auto put = [&](const loads::Wrench& wrench) {
     all.insert(all.end(), wrench.force.begin(), wrench.force.end());
@@ -27,6 +29,14 @@ VectorXd surface_forces(const loads::InstantLoad& instant, double size) {
   for (const auto& load : instant.surface_loads) {
     put(load.resultant);
     all.push_back(load.total);
+  }
+  const loads::RigidAcceleration& rigid = instant.rigid;
+  for (int k = 0; k < 3; ++k) {
+    all.push_back(mass * rigid.acceleration[k]);
+    all.push_back(mass * size * rigid.alpha[k]);
+    for (int i = 0; i <= k; ++i) {
+      all.push_back(mass * size * rigid.omega[i] * rigid.omega[k]);
+    }
   }
   return Eigen::Map<const VectorXd>(all.data(), static_cast<Index>(all.size()));
 }
@@ -53,17 +63,23 @@ LoadSet motion_loads(const LoadSet& set) {
   return motion;
 }
 
+dynamics::LoadPath::Between between_instants(const LoadSet& set) {
+  return set.history.is_table ? dynamics::LoadPath::Between::kLinear
+                              : dynamics::LoadPath::Between::kCubic;
+}
+
 dynamics::LoadPath load_components(const PartJob& job, const LoadSet& set) {
   constexpr double kNothing = 1e-3;
   const auto& instants = set.history.instants;
   const auto length = static_cast<Index>(loads::motion_length(set.history));
   if (length < 2) return {VectorXd(0), MatrixXd(0, 0), 0.0};
   const double size = job.longest_side();
-  MatrixXd forces(surface_forces(instants.front(), size).size(), length);
+  const double mass = job.mass.mass;
+  MatrixXd forces(acting_forces(instants.front(), mass, size).size(), length);
   VectorXd time(length);
   for (Index i = 0; i < length; ++i) {
     const auto& instant = instants[static_cast<std::size_t>(i)];
-    forces.col(i) = surface_forces(instant, size);
+    forces.col(i) = acting_forces(instant, mass, size);
     time[i] = instant.time;
   }
   const VectorXd largest = forces.rowwise().lpNorm<Eigen::Infinity>();
@@ -77,7 +93,8 @@ dynamics::LoadPath load_components(const PartJob& job, const LoadSet& set) {
     components.row(k) = forces.row(row) / largest[row];
   }
   return {time, components,
-          loads::kEventSides * loads::motion_duration(set.history)};
+          loads::kEventSides * loads::motion_duration(set.history),
+          between_instants(set)};
 }
 
 double period_of_waves(const PartJob& job) {

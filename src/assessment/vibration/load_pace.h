@@ -15,10 +15,13 @@ inline constexpr double kPaceCounts = 1.02;
 /// The loads over a motion or a load history, without the cases behind them.
 LoadSet motion_loads(const LoadSet& set);
 
-/// Components of the forces and moments on the part's surface over the motion,
-/// each over its largest. Each counts by itself, for a small force across a
-/// part may stress it more than a large one along it; below a thousandth of the
-/// largest none does.
+/// How loads go on from one instant to the next.
+dynamics::LoadPath::Between between_instants(const LoadSet& set);
+
+/// Components of the forces and moments on the part's surface and of those of
+/// its inertia over the motion, each over its largest. Each counts by itself,
+/// for a small force across a part may stress it more than a large one along
+/// it; below a thousandth of the largest none does.
 dynamics::LoadPath load_components(const PartJob& job, const LoadSet& set);
 
 /// Longer than a body of the part's size and material vibrates, free or held at

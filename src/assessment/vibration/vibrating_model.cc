@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "assessment/vibration/load_pace.h"
 #include "loads/history/motion_instants.h"
 #include "stress/field/stress_history.h"
 #include "stress/many_instants/field_reduction.h"
@@ -99,7 +100,8 @@ dynamics::LoadPath VibratingModel<dim>::make_path() const {
     time[i] = instants[static_cast<std::size_t>(i)].time;
   }
   return {time, part_.statics().coefficients,
-          loads::kEventSides * loads::motion_duration(set_.history)};
+          loads::kEventSides * loads::motion_duration(set_.history),
+          between_instants(set_)};
 }
 
 template <int dim>

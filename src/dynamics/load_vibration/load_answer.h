@@ -24,7 +24,7 @@ struct LoadAnswer {
 /// |x''| τ² > max |x|/10 and jumps, are spread by a bell curve of that standard
 /// deviation: exp(−(ω τ)²/2) of them is left. Of gentler ones all is left to ω
 /// τ = 3 and nothing from 6: modes above follow at rest. Before the first
-/// instant the load has changed slowly: w = w' = 0.
+/// instant the load stands still.
 ///
 /// @param participation  Φᵀ M U, modes × coordinates of the path.
 /// @param squares        ω² > 0 [1/s²].

@@ -30,8 +30,11 @@ double outer_slope(double a, double h_a, double b, double h_b) {
 
 }  // namespace
 
-LoadPath::LoadPath(VectorXd time, MatrixXd values, double jump)
-    : time_(std::move(time)), values_(std::move(values)), jump_(jump) {
+LoadPath::LoadPath(VectorXd time, MatrixXd values, double jump, Between between)
+    : time_(std::move(time)),
+      values_(std::move(values)),
+      jump_(jump),
+      between_(between) {
   const Index intervals = std::max<Index>(0, size() - 1);
   start_ = end_ = MatrixXd::Zero(coordinates(), intervals);
   Index first = 0;
@@ -53,7 +56,8 @@ VectorXd LoadPath::bend(Index i) const {
     if (i + 2 < size()) step += start_.col(i + 1);
     return step;
   }
-  if (i == 0 || is_jump(i - 1)) return VectorXd::Zero(coordinates());
+  if (i == 0) return start_.col(0);
+  if (is_jump(i - 1)) return VectorXd::Zero(coordinates());
   return start_.col(i) - end_.col(i - 1);
 }
 
@@ -87,8 +91,10 @@ void LoadPath::set_slopes(Index k, Index first, Index last) {
   const auto secant = [&](Index i) {
     return (values_(k, i + 1) - values_(k, i)) / width(i);
   };
-  if (last - first == 1) {
-    start_(k, first) = end_(k, first) = secant(first);
+  if (last - first == 1 || between_ == Between::kLinear) {
+    for (Index i = first; i < last; ++i) {
+      start_(k, i) = end_(k, i) = secant(i);
+    }
     return;
   }
   start_(k, first) = outer_slope(secant(first), width(first), secant(first + 1),
@@ -124,16 +130,22 @@ VectorXd LoadPath::at(double t) const {
 }
 
 LoadPath thinned(const LoadPath& path) {
+  // Of fewer the half tells nothing of what lies between them.
+  constexpr Index kFew = 6;  // intervals
+  if (path.between() == LoadPath::Between::kLinear) return path;
   std::vector<Index> kept;
   double smallest = 0.0;
-  Index in_piece = 0;
-  for (Index i = 0; i < path.size(); ++i) {
-    const bool begins = i == 0 || path.is_jump(i - 1);
-    const bool ends = i + 1 == path.size() || path.is_jump(i);
-    in_piece = begins ? 0 : in_piece + 1;
-    if (begins || ends || in_piece % 2 == 0) kept.push_back(i);
-    if (i > 0 && path.is_jump(i - 1)) {
-      smallest = std::max(smallest, path.time()[i] - path.time()[i - 1]);
+  Index first = 0;
+  for (Index last = 0; last < path.size(); ++last) {
+    const bool ends = last + 1 == path.size() || path.is_jump(last);
+    if (!ends) continue;
+    for (Index i = first; i <= last; ++i) {
+      const bool is_few = last - first < kFew;
+      if (is_few || i == last || (i - first) % 2 == 0) kept.push_back(i);
+    }
+    first = last + 1;
+    if (first < path.size()) {
+      smallest = std::max(smallest, path.time()[first] - path.time()[last]);
     }
   }
   const auto n = static_cast<Index>(kept.size());

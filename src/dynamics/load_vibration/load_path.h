@@ -12,9 +12,14 @@ namespace clevis::dynamics {
 /// event; there the coordinates jump, and nothing lies between.
 class LoadPath {
  public:
+  enum class Between {
+    kCubic,
+    kLinear  ///< as of a table's rows: the slope jumps at each instant
+  };
   /// @param time    rising [s]. @param values  coordinates × instants.
   /// @param jump    [s], >= 0.
-  LoadPath(Eigen::VectorXd time, Eigen::MatrixXd values, double jump);
+  LoadPath(Eigen::VectorXd time, Eigen::MatrixXd values, double jump,
+           Between between = Between::kCubic);
 
   Eigen::Index size() const { return time_.size(); }
   Eigen::Index coordinates() const { return values_.rows(); }
@@ -27,8 +32,10 @@ class LoadPath {
   bool is_jump(Eigen::Index i) const;
   /// At any time; those of the ends before and after them.
   Eigen::VectorXd at(double t) const;
+  Between between() const { return between_; }
   /// By how much the slope jumps where interval i begins, or, if the
-  /// coordinates jump in it, over it, per second.
+  /// coordinates jump in it, over it, per second; before the first instant
+  /// nothing changes.
   Eigen::VectorXd bend(Eigen::Index i) const;
 
  private:
@@ -39,11 +46,12 @@ class LoadPath {
   Eigen::VectorXd time_;
   Eigen::MatrixXd values_;
   double jump_;
+  Between between_;
   Eigen::MatrixXd start_, end_;  ///< slopes per interval
 };
 
-/// The path without every second instant of each smooth piece: its difference
-/// estimates the error of interpolation.
+/// The path without every second instant of each smooth piece of seven or more:
+/// its difference estimates the error of interpolation. A table stays whole.
 LoadPath thinned(const LoadPath& path);
 
 }  // namespace clevis::dynamics

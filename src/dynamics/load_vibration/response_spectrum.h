@@ -22,7 +22,7 @@ struct ResponseSpectrum {
   std::vector<double> onsets;
 };
 
-/// @param path     before its first instant the load has changed slowly.
+/// @param path     before its first instant the load stands still.
 /// @param periods  [s]. @param damping  ζ < 1 [1].
 /// @param least    amplification that counts, > 1 [1].
 ResponseSpectrum response_spectrum(const LoadPath& path,

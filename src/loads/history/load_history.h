@@ -74,6 +74,7 @@ struct InstantLoad {
 struct LoadHistory {
   std::vector<Seat> seats;
   std::vector<InstantLoad> instants;
+  bool is_table = false;  ///< rows of a file, linear between them
   /// Possible excess of loads between instants over those at the instants,
   /// over the largest [1].
   double unseen = 0.0;

@@ -75,10 +75,12 @@ void act_on_axes(const SeatContext& context,
   for (const std::string& note : off_axis_notes(context, seats)) {
     history.notes.push_back(note);
   }
+  constexpr double kTold = 1e-6;
+  if (largest_change <= kTold * largest_load) return;
   history.notes.push_back(fmt::format(
       "to balance the forces that act on the axes, pins' forces are changed by "
       "{:.2g} % of the largest load",
-      100.0 * (largest_load > 0.0 ? largest_change / largest_load : 0.0)));
+      100.0 * largest_change / largest_load));
 }
 
 }  // namespace clevis::loads

@@ -165,11 +165,14 @@ std::string duration_ratios_text(const PartResult& part) {
   for (const DurationRatio& rated : part.duration_ratios) {
     text += printable(fmt::format("{}, {}", part.name, rated.impact));
     text += fmt::format(
-        ": for {:.4g} ms, {:.3g} of its first period of {:.4g} ms, "
-        "rising for {:.4g} ms; a mode answers {:.2f} times. {}\n",
+        ": for {:.4g} ms, {:.3g} of its first period of {:.4g} ms{}; a mode "
+        "answers {:.2f} times. {}\n",
         rated.duration / kMillisecond, rated.ratio,
         part.first_period.value() / kMillisecond,
-        rated.rise_time / kMillisecond, rated.amplification, rated.treatment);
+        rated.rise_time > 0.0 ? fmt::format(", rising for {:.4g} ms",
+                                            rated.rise_time / kMillisecond)
+                              : "",
+        rated.amplification, rated.treatment);
   }
   return text;
 }
