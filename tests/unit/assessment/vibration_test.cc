@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -311,6 +312,29 @@ TEST(VibrationWindows, MeetAndJoin) {
       swing_windows({windows[0], windows[1]}, 1.0, 0.0, 130.0);
   ASSERT_EQ(undamped.size(), 1U);
   EXPECT_EQ(undamped[0].to, 130.0);  // the motion's end comes first
+}
+
+// A held part that is shaken has no force on its surface but its supports'.
+TEST(LoadPace, InertiaExcitesToo) {
+  PartJob job = bar(transit());
+  job.impact_loads.clear();
+  job.load_sets[0].fixed = {{"x0", {true, true, true}}};
+  auto& instants = job.load_sets[0].history.instants;
+  const double step = 1e-9 * transit();
+  instants.clear();
+  for (const auto& [time, shake] : {std::pair{-transit(), 0.0},
+                                    {-step, 0.0},
+                                    {0.0, 1e5},
+                                    {9.0 * transit(), 1e5}}) {
+    instants.push_back(pulled(time, 0.0));
+    instants.back().surface_loads.clear();
+    instants.back().rigid.acceleration.x() = shake;
+  }
+  EXPECT_FALSE(is_slow(job, load_components(job, job.load_sets.front())));
+  const PartResult result = check_part(job).result;
+  EXPECT_NEAR(result.peak.value, kCork.density * 1e5 * kSize.x(),
+              0.01 * result.peak.value);
+  EXPECT_NEAR(result.vibration.ratio.value(), 2.0, 0.06);
 }
 
 // A small force across a part may stress it more than a large one along it.

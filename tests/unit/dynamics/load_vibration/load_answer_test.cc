@@ -231,6 +231,42 @@ TEST(LoadAnswer, BendsAreKept) {
   EXPECT_NEAR(largest(found), 1.0, 1e-9);
 }
 
+// A ramp of r periods from the first instant on answers as one that begins
+// later: 1 + |sin(π r)|/(π r).
+TEST(LoadAnswer, LoadsStandStillBeforeTheFirstInstant) {
+  for (const double r : {0.3, 1.5}) {
+    const auto found =
+        answer(path_of({{0.0, 0.0}, {r, 1.0}, {r, 1.0}, {r + 4.0, 1.0}}));
+    EXPECT_NEAR(largest(found), 1.0 + std::abs(std::sin(kPi * r)) / (kPi * r),
+                1e-6);
+  }
+}
+
+// Rows of a file: a triangle in three of them, no cubic between.
+TEST(LoadPath, RowsOfAFileAreLinearBetween) {
+  VectorXd time(4);
+  time << 0.0, 1.0, 3.0, 4.0;
+  MatrixXd values(1, 4);
+  values << 0.0, 1.0, -1.0, 0.0;
+  const LoadPath path(time, values, 1e-12, LoadPath::Between::kLinear);
+  for (const double t : {0.25, 1.5, 2.9, 3.5}) {
+    const double exact = t < 1.0 ? t : t < 3.0 ? 2.0 - t : t - 4.0;
+    EXPECT_NEAR(path.at(t)[0], exact, 1e-12);
+  }
+  EXPECT_NEAR(path.bend(1)[0], -2.0, 1e-12);
+  EXPECT_EQ(dynamics::thinned(path).size(), 4);
+}
+
+// Of a few instants between two events none can be spared.
+TEST(LoadPath, ThinnedKeepsShortPiecesWhole) {
+  std::vector<Knot> knots{{0.0, 0.0}, {0.4, 0.2}, {1.0, 1.0}, {1.0, 0.0}};
+  for (int i = 1; i <= 8; ++i) knots.push_back({1.0 + i, std::sin(i)});
+  const auto thin = dynamics::thinned(path_of(knots));
+  ASSERT_EQ(thin.size(), 3 + 5);
+  EXPECT_EQ(thin.time()[1], 0.4);
+  EXPECT_EQ(thin.time()[4], 3.0);
+}
+
 // Of a step nothing, of a triangle the mean of its tip's fall, τ √(2/π) over
 // half its base, and of a pulse far shorter than τ nearly all.
 TEST(LoadAnswer, CutBySpread) {
