@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
@@ -104,11 +105,13 @@ struct PartJob {
     return unrefined ? *unrefined : mesh;
   }
 
-  /// Longest side of the box about the mesh [m].
-  double longest_side() const {
+  /// Of the box about the mesh, rising [m].
+  Eigen::Vector3d sides() const {
     Eigen::AlignedBox3d box;
     for (const auto& vertex : mesh.vertices) box.extend(vertex);
-    return box.sizes().maxCoeff();
+    Eigen::Vector3d sides = box.sizes();
+    std::ranges::sort(sides);
+    return sides;
   }
 };
 

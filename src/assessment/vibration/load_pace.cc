@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include "loads/history/motion_instants.h"
 
@@ -73,7 +72,7 @@ dynamics::LoadPath load_components(const PartJob& job, const LoadSet& set) {
   const auto& instants = set.history.instants;
   const auto length = static_cast<Index>(loads::motion_length(set.history));
   if (length < 2) return {VectorXd(0), MatrixXd(0, 0), 0.0};
-  const double size = job.longest_side();
+  const double size = job.sides()[2];
   const double mass = job.mass.mass;
   MatrixXd forces(acting_forces(instants.front(), mass, size).size(), length);
   VectorXd time(length);
@@ -98,17 +97,14 @@ dynamics::LoadPath load_components(const PartJob& job, const LoadSet& set) {
 }
 
 double period_of_waves(const PartJob& job) {
-  return 2.0 * job.longest_side() *
+  return 2.0 * job.sides()[2] *
          std::sqrt(job.part.material.density /
                    job.part.material.youngs_modulus);
 }
 
 double longest_period(const PartJob& job) {
   constexpr double kSure = 4.0;  // held at one end: 3.1
-  Eigen::AlignedBox3d box;
-  for (const auto& vertex : job.mesh.vertices) box.extend(vertex);
-  Eigen::Vector3d sides = box.sizes();
-  std::ranges::sort(sides);
+  const Eigen::Vector3d sides = job.sides();
   // A free bar of the mean thickness bends in half the waves' period times
   // length over thickness.
   const double thickness =

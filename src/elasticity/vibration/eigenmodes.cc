@@ -46,10 +46,11 @@ Eigenmodes<dim> eigenmodes(const ElasticProblem<dim>& problem, int degree,
 
 template <int dim>
 double first_period(const ElasticProblem<dim>& problem, int degree) {
-  const int rigid = problem.fixed.empty() && problem.foundations.empty()
-                        ? (dim == 2 ? 3 : 6)
-                        : 0;
-  const auto modes = eigenmodes(problem, degree, rigid + 1);
+  // What the ground holds of a free part has fewer.
+  const int most_rigid = problem.fixed.empty() && problem.foundations.empty()
+                             ? (dim == 2 ? 3 : 6)
+                             : 0;
+  const auto modes = eigenmodes(problem, degree, most_rigid + 1);
   return 1.0 / modes.frequencies[modes.rigid];
 }
 
