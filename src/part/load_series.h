@@ -32,12 +32,19 @@ struct SeriesInstant {
   Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();  ///< [rad/s²]
 };
 
+/// What loads do between the rows of a file.
+enum class BetweenRows {
+  kUnknown,  ///< what they may do there is in the band
+  kLinear
+};
+
 /// Loads of a part over time, as another program or a test bench wrote them.
 struct LoadSeries {
   std::string name;
   std::vector<SeriesSeat> seats;
   std::vector<std::string> pressurized;  ///< groups
   std::vector<SeriesInstant> instants;   ///< times never fall
+  BetweenRows between = BetweenRows::kUnknown;
   bool has_acceleration{};  ///< else the part's inertia balances its loads
   /// Largest rest of the balance that inertia takes up where accelerations are
   /// given, over the largest load of the series [1].

@@ -39,11 +39,16 @@ std::string doubt_text(const PeakStress& peak) {
   return text;
 }
 
-std::string doubt_remedy(const ErrorShares& shares) {
+std::string doubt_remedy(const part::PartDefinition& part,
+                         const ErrorShares& shares) {
   const auto* largest =
       std::ranges::max_element(kSources, {}, [&](const Source& source) {
         return shares.*source.share;
       });
+  if (largest->share == &ErrorShares::time && !part.series.empty()) {
+    return "give more rows, or `interpolation = \"linear\"` where the loads "
+           "change evenly between two rows";
+  }
   return largest->remedy;
 }
 

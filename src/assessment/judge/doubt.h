@@ -3,6 +3,7 @@
 #include <string>
 
 #include "assessment/job/part_result.h"
+#include "part/part_definition.h"
 
 namespace clevis::assessment {
 
@@ -11,6 +12,7 @@ namespace clevis::assessment {
 std::string doubt_text(const PeakStress& peak);
 
 /// Remedy for the largest of them: "give more instants" …
-std::string doubt_remedy(const ErrorShares& shares);
+std::string doubt_remedy(const part::PartDefinition& part,
+                         const ErrorShares& shares);
 
 }  // namespace clevis::assessment

@@ -30,6 +30,7 @@ double doubt_of_piece(const VectorXd& peak) {
 double doubt_of_loads(const loads::LoadHistory& history, const VectorXd& peak) {
   const std::vector<loads::InstantLoad>& instants = history.instants;
   const auto n = static_cast<Index>(loads::motion_length(history));
+  if (history.rows == part::BetweenRows::kLinear) return 0.0;
   if (history.unseen > 0.0) return history.unseen * peak.head(n).maxCoeff();
   const auto time = [&](Index i) {
     return instants[static_cast<std::size_t>(i)].time;

@@ -12,7 +12,9 @@ namespace clevis::assessment {
 /// judged each by itself. Where the motion was searched its loads between two
 /// instants lie on the line between theirs but for LoadHistory::unseen: the
 /// stress, a convex function of the loads, is no higher but for that part of
-/// it. Where a seat travels, LoadHistory::slide_excess of it is added.
+/// it. Of rows of a
+/// file between which loads change evenly it is none. Where a seat travels,
+/// LoadHistory::slide_excess of it is added.
 /// @param history  of a load set; its cases stand behind the motion, at time
 ///   0, and have no doubt.
 /// @param peak  at least one per instant of the motion [Pa].

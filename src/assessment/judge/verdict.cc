@@ -22,12 +22,13 @@ void set(PartResult& result, part::Verdict verdict, std::string why) {
   result.why = std::move(why);
 }
 
-std::string unsettled_remedy(const PeakStress& peak) {
+std::string unsettled_remedy(const part::PartDefinition& part,
+                             const PeakStress& peak) {
   if (peak.verdict == PeakVerdict::kSingular) {
     return "round the corner, or support the part without a sharp edge";
   }
   return fmt::format("in doubt by {}: {}", doubt_text(peak),
-                     doubt_remedy(peak.shares));
+                     doubt_remedy(part, peak.shares));
 }
 
 /// Whether a peak that is not converged lies within the limit all the same:
@@ -123,7 +124,7 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
                         ? "singular (grows without bound under refinement)"
                         : "not converged",
                     peak.group, peak.band_low / kMega, peak.band_high / kMega,
-                    unsettled_remedy(peak)));
+                    unsettled_remedy(part, peak)));
     return false;
   }
   const std::string limit =
@@ -140,13 +141,13 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
   if (peak.band_high > allowed) {
     const bool vibrates = result.vibration.governs;
     set(result, part::Verdict::kNotJudged,
-        fmt::format(
-            "{} lies inside the band of the peak{}, [{:.4g}, {:.4g}] "
-            "MPa: {}",
-            limit, vibrates ? " with vibration" : "", peak.band_low / kMega,
-            peak.band_high / kMega,
-            vibrates ? "give the part its damping, or mesh finer"
-                     : "tighten --tolerance, or " + doubt_remedy(peak.shares)));
+        fmt::format("{} lies inside the band of the peak{}, [{:.4g}, {:.4g}] "
+                    "MPa: {}",
+                    limit, vibrates ? " with vibration" : "",
+                    peak.band_low / kMega, peak.band_high / kMega,
+                    vibrates ? "give the part its damping, or mesh finer"
+                             : "tighten --tolerance, or " +
+                                   doubt_remedy(part, peak.shares)));
     return false;
   }
   if (!result.vibration.failure.empty()) {

@@ -43,9 +43,8 @@ GoverningInstants::GoverningInstants(const PartJob& job,
   std::size_t kept = 0;
   for (const LoadSet& set : job.load_sets) {
     chosen_.push_back(choose(set.history.instants, governing));
-    LoadSet few{{set.history.seats, {}}, set.fixed};
-    few.history.unseen = set.history.unseen;
-    few.history.slide_excess = set.history.slide_excess;
+    LoadSet few = set;
+    few.history.instants.clear();
     for (std::size_t i = 0; i < set.history.instants.size(); ++i) {
       if (!chosen_.back()[i]) continue;
       few.history.instants.push_back(set.history.instants[i]);

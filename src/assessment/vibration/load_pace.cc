@@ -63,8 +63,8 @@ LoadSet motion_loads(const LoadSet& set) {
 }
 
 dynamics::LoadPath::Between between_instants(const LoadSet& set) {
-  return set.history.is_table ? dynamics::LoadPath::Between::kLinear
-                              : dynamics::LoadPath::Between::kCubic;
+  return set.history.rows ? dynamics::LoadPath::Between::kLinear
+                          : dynamics::LoadPath::Between::kCubic;
 }
 
 dynamics::LoadPath load_components(const PartJob& job, const LoadSet& set) {

@@ -74,7 +74,8 @@ struct InstantLoad {
 struct LoadHistory {
   std::vector<Seat> seats;
   std::vector<InstantLoad> instants;
-  bool is_table = false;  ///< rows of a file, linear between them
+  /// Of rows of a file; nothing: a motion, or cases.
+  std::optional<part::BetweenRows> rows = std::nullopt;
   /// Possible excess of loads between instants over those at the instants,
   /// over the largest [1].
   double unseen = 0.0;

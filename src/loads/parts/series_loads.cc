@@ -145,7 +145,7 @@ LoadHistory series_loads(const part::PartDefinition& part,
   const std::string place = fmt::format("{}: part {}, history {}", series.place,
                                         part.name, series.name);
   LoadHistory history;
-  history.is_table = true;
+  history.rows = series.between;
   for (const part::SeriesSeat& seat : series.seats) {
     history.seats.push_back(seat_of(seat, groups, place));
   }

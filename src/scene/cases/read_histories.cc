@@ -118,6 +118,14 @@ std::vector<part::SeriesInstant> instants_of(
   return instants;
 }
 
+part::BetweenRows read_interpolation(StrictTable& table) {
+  const auto value = table.find("interpolation");
+  return value ? value->choice<part::BetweenRows>(
+                     {{"unknown", part::BetweenRows::kUnknown},
+                      {"linear", part::BetweenRows::kLinear}})
+               : part::BetweenRows::kUnknown;
+}
+
 double read_largest_imbalance(StrictTable& table, bool has_acceleration) {
   const auto value = table.find("largest_imbalance");
   if (!value) return kUsualImbalance;
@@ -158,6 +166,7 @@ part::LoadSeries read_history(StrictTable& table,
   series.instants = instants_of(
       loads, series.seats, frame,
       gravity ? gravity->vector(Dimension::kAcceleration) : Vector3d::Zero());
+  series.between = read_interpolation(table);
   series.has_acceleration = loads.has_acceleration();
   series.largest_imbalance =
       read_largest_imbalance(table, series.has_acceleration);

@@ -216,9 +216,9 @@ constexpr Key kCase[] = {"name",
                          "angular_velocity",
                          "angular_acceleration",
                          "probes"};
-constexpr Key kHistory[] = {"name",  "file",       "frame",
-                            "pins",  "faces",      "gravity",
-                            "fixed", "foundation", "largest_imbalance"};
+constexpr Key kHistory[] = {
+    "name",    "file",  "frame",      "pins",          "faces",
+    "gravity", "fixed", "foundation", "interpolation", "largest_imbalance"};
 constexpr Key kHistoryPins[] = {"group", "about"};
 constexpr Key kFoundation[] = {"normal", "tangential"};
 constexpr Key kProbes[] = {"name", "at", "quantity", "reference"};

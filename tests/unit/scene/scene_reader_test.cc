@@ -210,6 +210,13 @@ TEST(SceneReader, ReadsSeatsOfForces) {
   EXPECT_EQ(seat("hose").group, "bore_hose");
 }
 
+TEST(SceneReader, ReadsHistories) {
+  const auto part = read_scene(kScenes / "part_alone.toml").parts.at(0);
+  ASSERT_EQ(part.series.size(), 2u);
+  EXPECT_EQ(part.series[0].between, part::BetweenRows::kUnknown);
+  EXPECT_EQ(part.series[1].between, part::BetweenRows::kLinear);
+}
+
 TEST(SceneReader, ReadsCases) {
   const Scene scene = read_scene(kScenes / "part_alone.toml");
   EXPECT_FALSE(scene.has_mechanism);

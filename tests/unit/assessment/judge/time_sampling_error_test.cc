@@ -47,6 +47,16 @@ TEST(TimeSamplingError, AJumpWithBothSidesIsNone) {
   EXPECT_LT(time_sampling_error(at(times), values(times, drop)), 0.01);
 }
 
+TEST(TimeSamplingError, OfLinearRowsIsNone) {
+  const std::vector<double> times{0.0, 1.0, 2.0};
+  const Eigen::VectorXd peak = Eigen::Vector3d(0.0, 40.0, 40.0);
+  loads::LoadHistory history = at(times);
+  history.rows = part::BetweenRows::kUnknown;
+  EXPECT_EQ(time_sampling_error(history, peak), 40.0);
+  history.rows = part::BetweenRows::kLinear;
+  EXPECT_EQ(time_sampling_error(history, peak), 0.0);
+}
+
 TEST(TimeSamplingError, AJumpBetweenInstantsIs) {
   const std::vector<double> times = uniform(40);
   EXPECT_GT(time_sampling_error(at(times), values(times,
