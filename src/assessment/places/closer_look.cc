@@ -30,16 +30,19 @@ struct FinerFields {
   std::optional<stress::JoinedStress> wide = std::nullopt;
 };
 
-/// From the instant that was solved for to the worst one of each point.
+/// From the instants that were solved for to the worst one of each point.
 struct Rise {
   MatrixXd added;          ///< points of kFineLattice × cells [Pa]
+  Eigen::MatrixXi to;      ///< that worst instant, index
   Eigen::VectorXd factor;  ///< of each cell's largest, >= 1 [1]
 };
 
-/// Stress of some cells, and what is sure of its error without a second layer.
+/// Stress of some cells.
 struct JudgedStress {
   CloserStress stress;
-  double least_error{};
+  double least_error{};  ///< sure without a second layer [Pa]
+  double rise{};         ///< of the value, to another instant [Pa]
+  int rises_to{};        ///< that instant, index
 };
 
 /// Differences by degree, layer and cells, each by its largest in the cell
@@ -88,12 +91,57 @@ JudgedStress judge(mesh::CellShape shape, const FinerFields& fields,
     // What it rises by at another instant is not solved for.
     estimate.low = peak - error - rise.added(point, c);
     judged.least_error = sure;
+    judged.rise = rise.added(point, c);
+    judged.rises_to = rise.to(point, c);
     judged.stress.at = {static_cast<int>(c), static_cast<int>(point)};
   }
   return judged;
 }
 
-/// A look at some cells.
+/// What the solved stress rises by, point by point: loads that travel stress
+/// one end of a cell now and the other later.
+/// @param then  largest of the instants that are looked at, points of the
+///   history × cells of the centre [Pa].
+template <int dim>
+Rise rise_above(const SolvedSet<dim>& solved, const std::vector<int>& centre,
+                const MatrixXd& then) {
+  const stress::StressHistory& history = solved.history;
+  const auto cells = static_cast<Index>(centre.size());
+  const auto fine = elasticity::lattice<dim>(solved.mesh.shape, kFineLattice);
+  const auto usual =
+      elasticity::lattice<dim>(solved.mesh.shape, history.subdivisions);
+  Rise result{MatrixXd::Zero(fine.cols(), cells),
+              Eigen::MatrixXi::Zero(fine.cols(), cells),
+              Eigen::VectorXd::Ones(cells)};
+  if (solved.basis.coefficients.cols() < 2) return result;
+  const MatrixXd worst = history.worst(Eigen::all, centre);
+  for (Index k = 0; k < cells; ++k) {
+    const double now = then.col(k).maxCoeff();
+    if (now > 0.0) {
+      result.factor[k] = std::max(1.0, worst.col(k).maxCoeff() / now);
+    }
+  }
+  const MatrixXd rise = (worst - then).cwiseMax(0.0);
+  for (Index i = 0; i < fine.cols(); ++i) {
+    // Linear between the points along each of the cell's directions.
+    const Eigen::RowVectorXd weights =
+        (1.0 -
+         history.subdivisions * (usual.colwise() - fine.col(i)).array().abs())
+            .max(0.0)
+            .colwise()
+            .prod();
+    result.added.row(i) = weights * rise / weights.sum();
+    for (Index k = 0; k < cells; ++k) {
+      Index most = 0;
+      rise.col(k).cwiseProduct(weights.transpose()).maxCoeff(&most);
+      result.to(i, k) =
+          history.worst_instant(most, centre[static_cast<std::size_t>(k)]);
+    }
+  }
+  return result;
+}
+
+/// A look at some cells at one instant.
 template <int dim>
 class Look {
  public:
@@ -103,35 +151,45 @@ class Look {
         centre_(centre),
         instant_(instant),
         field_(field_in_centre()),
-        rise_(rise()) {}
+        then_(stress::stress_history<dim>(field_, solved.job.part.material,
+                                          solved.history.subdivisions)
+                  .worst),
+        shape_error_(shape_error()) {}
 
+  int instant() const { return instant_; }
+  /// Stress as it was solved, points of the history × cells [Pa].
+  const MatrixXd& then() const { return then_; }
   /// Error of the surface's shape [Pa].
-  double shape() const { return rise_.factor.maxCoeff() * shape_error(); }
+  double shape(const Rise& rise) const {
+    return rise.factor.maxCoeff() * shape_error_;
+  }
 
-  std::optional<CloserStress> stress(double pollution, double shape,
-                                     const WorthOf& worth_of) const {
-    const MatrixXd counts = counting();
-    FinerFields fields{solve(1, 1), solve(1, 2)};
-    const auto judged = [&] {
-      JudgedStress all = judge<dim>(solved_.mesh.shape, fields, rise_, counts);
-      const double off = pollution * all.stress.stress.value + shape;
-      all.stress.at = on_lattice(all.stress.at);
-      all.stress.stress.low -= off;
-      all.stress.stress.high += off;
-      all.least_error += off;
-      return all;
-    };
-    const JudgedStress known = judged();
+  /// @return false where that was worth nothing.
+  bool solve(double pollution, const Rise& rise, const WorthOf& worth_of) {
+    pollution_ = pollution;
+    fields_ = {solved_nearby(1, 1), solved_nearby(1, 2)};
+    const JudgedStress known = judged(rise);
     const Worth worth =
-        worth_of({known.least_error, shape, known.stress.stress});
-    if (worth == Worth::kNothing) return std::nullopt;
-    if (worth == Worth::kEnough) return known.stress;
-    fields.wide = solve(2, 1);
-    return judged().stress;
+        worth_of({known.least_error, shape(rise), known.stress.stress});
+    if (worth == Worth::kMore) fields_.wide = solved_nearby(2, 1);
+    return worth != Worth::kNothing;
+  }
+
+  /// @pre solve().
+  JudgedStress judged(const Rise& rise) const {
+    JudgedStress all =
+        judge<dim>(solved_.mesh.shape, fields_, rise, counting());
+    const double off = pollution_ * all.stress.stress.value + shape(rise);
+    all.stress.at = on_lattice(all.stress.at);
+    all.stress.instant = instant_;
+    all.stress.stress.low -= off;
+    all.stress.stress.high += off;
+    all.least_error += off;
+    return all;
   }
 
  private:
-  stress::JoinedStress solve(int layers, int more) const {
+  stress::JoinedStress solved_nearby(int layers, int more) const {
     const auto enriched =
         solve_nearby<dim>(solved_.job, solved_.set, solved_.mesh, solved_.basis,
                           {centre_, layers, instant_, solved_.degree + more});
@@ -166,41 +224,6 @@ class Look {
     part.columns = basis.columns * basis.coefficients.col(instant_);
     part.coefficients = MatrixXd::Ones(1, 1);
     return part;
-  }
-
-  /// Of the solved stress, point by point: loads that travel stress one end of
-  /// a cell now and the other later.
-  Rise rise() const {
-    const auto cells = static_cast<Index>(centre_.size());
-    const auto shape = solved_.mesh.shape;
-    const auto fine = elasticity::lattice<dim>(shape, kFineLattice);
-    Rise result{MatrixXd::Zero(fine.cols(), cells),
-                Eigen::VectorXd::Ones(cells)};
-    if (solved_.basis.coefficients.cols() < 2) return result;
-    const auto& history = solved_.history;
-    const auto usual = elasticity::lattice<dim>(shape, history.subdivisions);
-    const auto then = stress::stress_history<dim>(
-        field_, solved_.job.part.material, history.subdivisions);
-    MatrixXd worst(usual.cols(), cells);
-    for (Index k = 0; k < cells; ++k) {
-      worst.col(k) = history.worst.col(centre_[static_cast<std::size_t>(k)]);
-      const double now = then.worst.col(k).maxCoeff();
-      if (now > 0.0) {
-        result.factor[k] = std::max(1.0, worst.col(k).maxCoeff() / now);
-      }
-    }
-    const MatrixXd rise = (worst - then.worst).cwiseMax(0.0);
-    for (Index i = 0; i < fine.cols(); ++i) {
-      // Linear between the points along each of the cell's directions.
-      const Eigen::RowVectorXd weights =
-          (1.0 -
-           history.subdivisions * (usual.colwise() - fine.col(i)).array().abs())
-              .max(0.0)
-              .colwise()
-              .prod();
-      result.added.row(i) = weights * rise / weights.sum();
-    }
-    return result;
   }
 
   /// 1 at the points of the fine lattice that count, 0 at those beside points
@@ -263,8 +286,27 @@ class Look {
   const std::vector<int>& centre_;
   int instant_;
   elasticity::DisplacementBasis<dim> field_;  ///< of field_in_centre()
-  Rise rise_;                                 ///< of rise()
+  MatrixXd then_;
+  double shape_error_;  ///< at the instant [Pa]
+  double pollution_{};  ///< of a value [1]
+  FinerFields fields_;
 };
+
+/// The largest of looks at one centre.
+template <int dim>
+JudgedStress joined(const std::vector<Look<dim>>& looks, const Rise& rise) {
+  std::vector<JudgedStress> all;
+  std::vector<PlaceEstimate> estimates;
+  for (const Look<dim>& look : looks) {
+    all.push_back(look.judged(rise));
+    estimates.push_back(all.back().stress.stress);
+  }
+  const LargestPlace largest = largest_place(estimates);
+  JudgedStress result = all[largest.place];
+  result.stress.stress.low = largest.low;
+  result.stress.stress.high = largest.high;
+  return result;
+}
 
 }  // namespace
 
@@ -274,11 +316,32 @@ std::optional<CloserStress> look_closer(const SolvedSet<dim>& solved,
                                         const std::vector<int>& centre,
                                         double pollution,
                                         const WorthOf& worth_of) {
-  const Look<dim> look(solved, centre, place.instant);
-  const double shape = look.shape();
+  constexpr std::size_t kMostLooks = 3;
+  constexpr double kMuch = 0.2;  // of the tolerance
+  std::vector<Look<dim>> looks;
+  looks.emplace_back(solved, centre, place.instant);
+  MatrixXd then = looks.front().then();
+  Rise rise = rise_above<dim>(solved, centre, then);
+  const double shape = looks.front().shape(rise);
   const KnownOfPlace known{pollution * place.high + shape, shape, std::nullopt};
-  if (worth_of(known) == Worth::kNothing) return std::nullopt;
-  return look.stress(pollution, shape, worth_of);
+  if (worth_of(known) == Worth::kNothing ||
+      !looks.front().solve(pollution, rise, worth_of)) {
+    return std::nullopt;
+  }
+  for (;;) {
+    const JudgedStress closer = joined<dim>(looks, rise);
+    const double least =
+        kMuch * solved.job.tolerance * closer.stress.stress.value;
+    if (closer.rise <= least || looks.size() == kMostLooks) {
+      return closer.stress;
+    }
+    Look<dim> next(solved, centre, closer.rises_to);
+    then = then.cwiseMax(next.then());
+    const Rise lower = rise_above<dim>(solved, centre, then);
+    if (!next.solve(pollution, lower, worth_of)) return closer.stress;
+    looks.push_back(std::move(next));
+    rise = lower;
+  }
 }
 
 template std::optional<CloserStress> look_closer<2>(const SolvedSet<2>&,

@@ -29,6 +29,7 @@ struct SolvedSet {
 struct CloserStress {
   PlaceEstimate stress;
   stress::FieldPoint at;  ///< of the value, on the history's lattice
+  int instant{};          ///< of the value's solution
 };
 
 /// What is known of a place before its dearest solution.
@@ -54,6 +55,10 @@ using WorthOf = std::function<Worth(const KnownOfPlace&)>;
 /// cells that meet. What degree, layer and cells differ by is its error, with
 /// that of the shape of the surface and what may come from farther away. Where
 /// the second layer is not worth it, it counts as far off as the degree.
+///
+/// It does so at the place's instant. What other points rise by to their own
+/// worst instants is added from the given solution and, for it is not solved
+/// for, in the lower end; where that is much, their instants are looked at too.
 /// @param centre  cells to look at, ascending.
 /// @param pollution  what may come from outside, of the value [1].
 /// @return nothing where that was worth nothing.

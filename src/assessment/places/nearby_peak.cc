@@ -246,7 +246,7 @@ class PeakSearch {
             stress::Convergence::kConverged};
     peak.set = highest.set;
     peak.at = highest.closer.at;
-    peak.instant = highest.place.instant;
+    peak.instant = highest.closer.instant;
     peak.jump = highest.place.high - highest.place.low;
     // Places that are left may be as far off as the others were.
     const auto rest = highest_open();
