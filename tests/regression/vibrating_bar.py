@@ -237,6 +237,64 @@ def check_welded(clevis, expect):
     expect(f"welded: band {low:.2f} to {high:.2f}", low <= 2.0 * still <= high, True)
 
 
+BED = 1e12  # [N/m^3]
+
+
+def bedded_peak(ramp, end, steps=100):
+    """Largest stress of the bar on a bed, its tip pulled within `ramp` [s] from
+    time 0 to `end` [MPa]: by d'Alembert's waves f(t + x/c) + g(t - x/c), `steps`
+    times per transit."""
+    speed = math.sqrt(MODULUS / DENSITY)
+    impedance = MODULUS * AREA / speed
+    rate, step = BED * AREA / impedance, LENGTH / speed / steps
+    count, decay = int(end / step), math.exp(-rate * step)
+    f, g, u = [], [], 0.0  # rates of f and g at the bed, its displacement
+    for i in range(count + steps):
+        time = (i + 0.5) * step - LENGTH / speed
+        share = 0.0 if time < 0.0 else 1.0 if time >= ramp else time / ramp
+        f.append(share * PULL / impedance + (g[i - 2 * steps] if i >= 2 * steps else 0.0))
+        after = u * decay + 2.0 * f[i] / rate * (1.0 - decay)
+        g.append((after - u) / step - f[i])
+        u = after
+    return impedance / AREA / 1e6 * max(
+        abs(f[i + j] - g[i - j]) for j in range(steps + 1) for i in range(j, count - j))
+
+
+def check_bedded(clevis, expect):
+    """On a bed waves thrown back grow sharper and sharper: after a step the mesh
+    cannot follow, and the band says so."""
+    for ramp in (20e-6, 5e-6, 0.0):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            write_scene(folder, False)
+            scene = folder / "scene.toml"
+            scene.write_text(f"""schema = 1
+name = "bench"
+{support.steel(ratio=0.0)}[[part]]
+name = "bar"
+mesh = "bar.msh"
+length_unit = "mm"
+material = "steel"
+[[part.history]]
+name = "pull"
+file = "pull.csv"
+faces = {{ tip = "x1" }}
+foundation = {{ x0 = "{BED} N/m^3" }}
+interpolation = "linear"
+""")
+            rows = ((0.0, 0), (0.3, 0), (0.3 + 1e3 * ramp, 1), (2.0, 1))
+            (folder / "pull.csv").write_text("time [ms],tip.force_x [N]\n" + "".join(
+                f"{time:.9g},{share * PULL}\n" for time, share in rows))
+            found = support.check(clevis, scene).part["vibration"]
+        exact = bedded_peak(ramp, 1.7e-3)
+        low, high = found["band_MPa"]
+        what = f"bed, ramp of {1e6 * ramp:g} us"
+        if ramp == 20e-6:
+            expect(f"{what}: with vibration", found["peak_MPa"], exact)
+        expect(f"{what}: band {low:.2f} to {high:.2f} of {exact:.2f}",
+               low <= exact <= high, True)
+
+
 def check_held_history(clevis, expect):
     """The same by a file of loads on a part that supports hold; of two files the
     one that swings the part more counts. Between few rows that the loads connect
@@ -291,6 +349,7 @@ def main():
     check_pulls(sys.argv[1], expect)
     check_welded(sys.argv[1], expect)
     check_held_history(sys.argv[1], expect)
+    check_bedded(sys.argv[1], expect)
     return len(faults) > 0
 
 

@@ -32,6 +32,8 @@ struct VibratingAnswer {
   /// and twice what the shapes cannot follow, for two may meet; over the
   /// peak [1].
   double front_error{};
+  /// Of what waves make as short as that spread, over the peak [1].
+  double spread_error{};
   std::string group;
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]
   int shapes{};

@@ -65,6 +65,7 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   const double ratio = result.peak / high.still();
   result.ratio = ratio;
   result.degree_error = change(low_ratio, ratio);
+  result.shape_error += found.spread_error;
   result.sampling_error = found.sampling_error;
   result.at = found.at;
   result.group = found.group;
