@@ -4,7 +4,10 @@ import { DASHES, SERIES } from "./colour.js";
 import { h } from "./dom.js";
 import { number } from "./format.js";
 
+const LIMIT = "#8c1d00";  // as in the stylesheet
+
 /** @param series  [{ label, values }], over `times` [s]
+ *  @param limits  [{ label, value }]: level lines
  *  @param bands  [{ series, low, high }]: in which the largest value of series
  *    number `series` lies, over all times */
 export class Chart {
@@ -15,8 +18,11 @@ export class Chart {
     this.holder = h("div", { class: "plot" });
     this.element = h("figure", { class: "chart" },
       h("figcaption", {}, `${title} [${unit}] over time [s]`), this.holder);
-    const all = [...series, ...limits.map((limit) => ({
-      label: limit.label, values: times.map(() => limit.value) }))];
+    const all = [...series.map((one, k) => ({ ...one,
+      stroke: SERIES[k % SERIES.length],
+      dash: DASHES[Math.floor(k / SERIES.length) % DASHES.length || k % 4] })),
+    ...limits.map(({ label, value }) => ({
+      label, values: times.map(() => value), stroke: LIMIT, dash: [6, 4] }))];
     this.plot = new uPlot({
       width: 420, height: 220,
       scales: { x: { time: false },
@@ -28,9 +34,8 @@ export class Chart {
         stroke: "#222", size: axis ? 64 : 34,
         values: (_, splits) => splits.map((value) => number(value, 6)) })),
       series: [{ label: "t [s]", value: (_, t) => number(t, 6) },
-        ...all.map(({ label }, k) => ({
-          label, width: 1.6, stroke: SERIES[k % SERIES.length],
-          dash: DASHES[Math.floor(k / SERIES.length) % DASHES.length || k % 4],
+        ...all.map(({ label, stroke, dash }) => ({
+          label, width: 1.6, stroke, dash,
           points: { show: times.length === 1 },
           value: (_, value) => number(value) }))],
       hooks: { drawAxes: [(plot) => this.#draw_bands(plot)],

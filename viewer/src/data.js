@@ -168,6 +168,12 @@ export class Part {
   }
 }
 
+/** Yield strength over the safety factor wanted [MPa], or null. */
+export function stressLimit(part) {
+  const factor = part.result.limits?.safety_factor;
+  return factor ? part.definition.material.yield_strength_MPa / factor : null;
+}
+
 /** The moving part that the verdict hangs on: of those with the worst verdict
  * the one with the least safety over what is wanted. */
 export function decisivePart(parts) {

@@ -1,5 +1,6 @@
 // Which charts a result has.
 import { Chart } from "./charts.js";
+import { stressLimit } from "./data.js";
 
 const norm = (array, at) =>
   Math.hypot(array[at], array[at + 1], array[at + 2]);
@@ -17,6 +18,20 @@ function bandOf(part, series) {
   return [{ series, low: peak.band_MPa[0], high: peak.band_MPa[1] }];
 }
 
+/** A level line per limit that the parts' stress comes near to: one far above
+ * would press the curves flat. */
+function limitsOf(parts) {
+  const far = 4 * Math.max(...parts.map(({ peak }) => peak.band_MPa[1]));
+  const names = new Map();
+  for (const part of parts) {
+    const limit = stressLimit(part);
+    if (limit === null || limit > far) continue;
+    names.set(limit, [...names.get(limit) ?? [], part.name]);
+  }
+  return [...names].map(([value, of]) => ({
+    value, label: of.length === parts.length ? "limit" : `limit of ${of.join(", ")}` }));
+}
+
 /** Peak stress of the parts, each at its own times, on one axis of times. */
 function peaks(parts, onTime) {
   const moving = parts.filter((part) => part.is_motion && part.times.length > 1);
@@ -30,7 +45,7 @@ function peaks(parts, onTime) {
   });
   const bands = moving.flatMap((part, k) => bandOf(part, k));
   return [new Chart(`Peak von Mises stress${bands.length > 0 ? ", bands shaded" : ""}`,
-                    "MPa", times, series, { onTime, bands })];
+                    "MPa", times, series, { onTime, bands, limits: limitsOf(moving) })];
 }
 
 export function charts({ motion, parts }, onTime) {
@@ -40,7 +55,7 @@ export function charts({ motion, parts }, onTime) {
     list.push(new Chart(`Peak von Mises stress of ${part.name} in the blow`,
       "MPa", part.times, [{ label: part.name,
                             values: part.frames.peak_von_mises_MPa }],
-      { bands: bandOf(part, 0) }));
+      { bands: bandOf(part, 0), limits: limitsOf([part]) }));
   }
   if (times.length < 2) return list;
   const add = (title, unit, series) => {

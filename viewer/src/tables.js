@@ -1,6 +1,7 @@
 // The result as tables.
 import { h, table } from "./dom.js";
 import { bandBar, barLegend, convergence } from "./figures.js";
+import { stressLimit } from "./data.js";
 import { band, number, vector, withUnit } from "./format.js";
 
 const WORDS = { pass: "passes", fail: "fails", not_judged: "not judged",
@@ -11,11 +12,8 @@ export const verdictWord = (verdict) => h("strong",
 
 /** One line per part: verdict, peak in its band beside the limit, why. */
 export function verdicts(data, onPart) {
-  const strength = (part) => part.definition.material.yield_strength_MPa;
-  const limit = (part) => part.result.limits?.safety_factor
-    ? strength(part) / part.result.limits.safety_factor : null;
   const most = 1.05 * Math.max(...data.parts.map((part) =>
-    Math.max(part.peak.band_MPa[1], limit(part) ?? 0)));
+    Math.max(part.peak.band_MPa[1], stressLimit(part) ?? 0)));
   const rows = data.parts.map((part) => {
     const { peak, result } = part;
     return [
@@ -25,7 +23,7 @@ export function verdicts(data, onPart) {
       h("span", { class: "keep" }, `${number(peak.value_MPa)} MPa in ` +
         band(peak.band_MPa), bandBar({
         value: peak.value_MPa, low: peak.band_MPa[0], high: peak.band_MPa[1],
-        limit: limit(part), most, unit: "MPa" })),
+        limit: stressLimit(part), most, unit: "MPa" })),
       h("span", { class: "keep" }, `${peak.group}, ${peak.case}`),
       number(result.safety_factor),
       result.why || result.stopped_because];
@@ -36,7 +34,7 @@ export function verdicts(data, onPart) {
   }
   return [table("Verdict by part: peak von Mises stress, its band and its limit",
     ["Part", "Verdict", "Peak in its band", "Where and when", "Safety", "Why"], rows),
-    barLegend(data.parts.some(limit))];
+    barLegend(data.parts.some(stressLimit))];
 }
 
 function pairs(caption, entries) {

@@ -172,6 +172,27 @@ async function tryReport(file, folder) {
     for (const strip of seen.strips) assert.ok(strip.inside && strip.isOnScale, JSON.stringify(strip));
   });
 
+  await check("limits are level lines in the chart of peaks", async () => {
+    const { wanted, lines } = await page.evaluate(() => {
+      const { data, plots } = globalThis.clevisReport;
+      const moving = data.parts.filter((part) => part.is_motion && part.times.length > 1);
+      const far = 4 * Math.max(...moving.map(({ peak }) => peak.band_MPa[1]));
+      const limits = moving.filter(({ result }) => result.limits?.safety_factor)
+        .map(({ result, definition }) =>
+          definition.material.yield_strength_MPa / result.limits.safety_factor);
+      const chart = plots.find(({ title }) => title.startsWith("Peak von Mises") &&
+        !title.includes("blow"));
+      const { series = [], data: values = [] } = chart?.plot ?? {};
+      return { wanted: [...new Set(limits.filter((limit) => limit <= far))],
+               lines: values.filter((_, k) => series[k].label.startsWith("limit"))
+                 .map((all) => [Math.min(...all), Math.max(...all)]) };
+    });
+    assert.equal(lines.length, wanted.length);
+    for (const limit of wanted) {
+      assert.ok(lines.some(([low, high]) => low === limit && high === limit), limit);
+    }
+  });
+
   await check("blows are told with their stress", async () => {
     const shown = await page.evaluate(() =>
       [...document.querySelectorAll("table")].map((table) => ({
