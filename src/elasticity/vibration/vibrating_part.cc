@@ -4,12 +4,12 @@
 #include <cmath>
 #include <memory>
 
-#include <Eigen/SparseCore>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/messages/errors.h"
 #include "dynamics/systems/held_system.h"
+#include "elasticity/algebra/symmetric_product.h"
 #include "elasticity/assembly/mass_matrix.h"
 #include "elasticity/assembly/stiffness.h"
 #include "elasticity/assembly/supports.h"
@@ -31,10 +31,9 @@ using Eigen::MatrixXd;
 /// Keeps the matrix alive.
 BlockOperator product_with(std::shared_ptr<const UpperTriangle> upper) {
   return [upper](const MatrixXd& x) {
-    const Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>> matrix(
-        upper->rows(), upper->rows(), static_cast<Index>(upper->value.size()),
-        upper->row_start.data(), upper->column.data(), upper->value.data());
-    return MatrixXd(matrix.selfadjointView<Eigen::Upper>() * x);
+    return symmetric_product({1, upper->rows(), upper->row_start.data(),
+                              upper->column.data(), upper->value.data()},
+                             x);
   };
 }
 
