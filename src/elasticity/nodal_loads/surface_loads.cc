@@ -71,13 +71,17 @@ class TractionHistory {
           trace.quadrature.weights.segment(begin, n).asDiagonal() *
           values_.middleRows(begin, n);
       const MatrixXd nodal = transposed_product(*face.values, weighted);
-      for (std::size_t k = 0; k < face.nodes.size(); ++k) {
-        const Index at = std::ranges::lower_bound(result.nodes, face.nodes[k]) -
-                         result.nodes.begin();
-        for (Index i = 0; i < instants; ++i) {
-          for (Index a = 0; a < dim; ++a) {
-            result.values(dim * at + a, i) +=
-                nodal(static_cast<Index>(k), dim * i + a);
+      std::vector<Index> rows;
+      for (const int node : face.nodes) {
+        rows.push_back(dim * (std::ranges::lower_bound(result.nodes, node) -
+                              result.nodes.begin()));
+      }
+      for (Index i = 0; i < instants; ++i) {
+        double* const to = result.values.col(i).data();
+        for (Index a = 0; a < dim; ++a) {
+          const double* const from = nodal.col(dim * i + a).data();
+          for (std::size_t k = 0; k < rows.size(); ++k) {
+            to[rows[k] + a] += from[k];
           }
         }
       }

@@ -15,13 +15,14 @@ Wrench resultant(const GroupQuadrature& quadrature,
                  const Eigen::Matrix3Xd& tractions, const Vector3d& about) {
   assert(quadrature.points.cols() == tractions.cols() &&
          quadrature.weights.size() == tractions.cols());
+  // Of Σ r fᵀ the moment Σ r × f is the skew part.
+  const Matrix3Xd forces = tractions * quadrature.weights.asDiagonal();
+  const Matrix3d moments =
+      (quadrature.points.colwise() - about) * forces.transpose();
   Wrench sum;
-  for (Index q = 0; q < tractions.cols(); ++q) {
-    const Vector3d force = quadrature.weights[q] * tractions.col(q);
-    const Vector3d arm = quadrature.points.col(q) - about;
-    sum.force += force;
-    sum.moment += arm.cross(force);
-  }
+  sum.force = forces.rowwise().sum();
+  sum.moment = {moments(1, 2) - moments(2, 1), moments(2, 0) - moments(0, 2),
+                moments(0, 1) - moments(1, 0)};
   return sum;
 }
 
@@ -55,9 +56,7 @@ LinearTraction DiscreteBalance::missing(const Wrench& wrench,
 void DiscreteBalance::correct(const Wrench& wrench,
                               Matrix3Xd& tractions) const {
   const LinearTraction rest = missing(wrench, tractions);
-  for (Index q = 0; q < tractions.cols(); ++q) {
-    tractions.col(q) += rest.traction(quadrature_->points.col(q));
-  }
+  tractions += rest.tractions(quadrature_->points);
 }
 
 }  // namespace clevis::loads

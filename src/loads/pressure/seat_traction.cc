@@ -134,4 +134,11 @@ Vector3d LinearTraction::traction(const Vector3d& p_LQ) const {
   return mean_ + slope_.cross(p_LQ - centroid_);
 }
 
+Matrix3Xd LinearTraction::tractions(const Matrix3Xd& points) const {
+  Matrix3d slope;
+  slope << 0.0, -slope_.z(), slope_.y(), slope_.z(), 0.0, -slope_.x(),
+      -slope_.y(), slope_.x(), 0.0;
+  return (slope * (points.colwise() - centroid_)).colwise() + mean_;
+}
+
 }  // namespace clevis::loads

@@ -92,6 +92,8 @@ class LinearTraction {
 
   /// Traction at a point p_LQ [m], in L [Pa].
   Eigen::Vector3d traction(const Eigen::Vector3d& p_LQ) const;
+  /// At many, one a column.
+  Eigen::Matrix3Xd tractions(const Eigen::Matrix3Xd& points) const;
 
  private:
   Eigen::Vector3d centroid_, mean_, slope_;
