@@ -9,6 +9,11 @@ extern "C" void dgemm_(const char* transpose_a, const char* transpose_b,
                        const double* alpha, const double* a, const int* lda,
                        const double* b, const int* ldb, const double* beta,
                        double* c, const int* ldc);
+extern "C" void sgemm_(const char* transpose_a, const char* transpose_b,
+                       const int* rows, const int* columns, const int* inner,
+                       const float* alpha, const float* a, const int* lda,
+                       const float* b, const int* ldb, const float* beta,
+                       float* c, const int* ldc);
 extern "C" void dgemv_(const char* transpose, const int* rows,
                        const int* columns, const double* alpha, const double* a,
                        const int* lda, const double* x, const int* stride_x,
@@ -48,6 +53,24 @@ Eigen::MatrixXd multiply(char transpose, const Eigen::MatrixXd& a,
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   assert(a.cols() == b.rows());
   return multiply('N', a, b);
+}
+
+Eigen::MatrixXf product(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b) {
+  assert(a.cols() == b.rows());
+  const auto rows = static_cast<int>(a.rows());
+  const auto inner = static_cast<int>(b.rows());
+  const auto columns = static_cast<int>(b.cols());
+  Eigen::MatrixXf result(rows, columns);
+  if (rows == 0 || columns == 0 || inner == 0) {
+    result.setZero();
+    return result;
+  }
+  const float one = 1.0F;
+  const float zero = 0.0F;
+  const char plain = 'N';
+  sgemm_(&plain, &plain, &rows, &columns, &inner, &one, a.data(), &rows,
+         b.data(), &inner, &zero, result.data(), &rows);
+  return result;
 }
 
 Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a,

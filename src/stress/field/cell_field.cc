@@ -1,5 +1,6 @@
 #include "stress/field/cell_field.h"
 
+#include <cmath>
 #include <vector>
 
 #include "elasticity/algebra/dense_product.h"
@@ -22,6 +23,28 @@ ArrayXXd von_mises_squared(const MatrixXd& stress, Index n) {
                   (s(2) - s(0)).square()) +
            3.0 * (s(3).square() + s(4).square() + s(5).square());
   }
+}
+
+template <int dim>
+MatrixXd deviator(const MatrixXd& stress, Index n) {
+  const double root = std::sqrt(3.0);
+  const auto s = [&](int k) {
+    return stress.middleRows(k * n, n);
+  };
+  MatrixXd result(kDeviatorComponents<dim> * n, stress.cols());
+  const auto put = [&](int k) {
+    return result.middleRows(k * n, n);
+  };
+  if constexpr (dim == 2) {
+    put(0) = s(0) - 0.5 * s(1);
+    put(1) = 0.5 * root * s(1);
+    put(2) = root * s(2);
+  } else {
+    put(0) = s(0) - 0.5 * (s(1) + s(2));
+    put(1) = 0.5 * root * (s(1) - s(2));
+    for (int k = 2; k < 5; ++k) put(k) = root * s(k + 1);
+  }
+  return result;
 }
 
 namespace {
@@ -154,6 +177,8 @@ MatrixXd CellField<dim>::gradients(std::size_t cell,
 
 template ArrayXXd von_mises_squared<2>(const MatrixXd&, Index);
 template ArrayXXd von_mises_squared<3>(const MatrixXd&, Index);
+template MatrixXd deviator<2>(const MatrixXd&, Index);
+template MatrixXd deviator<3>(const MatrixXd&, Index);
 template class CellField<2>;
 template class CellField<3>;
 

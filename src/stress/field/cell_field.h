@@ -19,6 +19,17 @@ template <int dim>
 Eigen::ArrayXXd von_mises_squared(const Eigen::MatrixXd& stress,
                                   Eigen::Index n);
 
+/// What von Mises is the norm of: of a deviator that has five components in 3-D
+/// and three in 2-D, the sum of whose squares is its square. Linear in stress,
+/// and fewer components to combine.
+template <int dim>
+inline constexpr int kDeviatorComponents = dim == 2 ? 3 : 5;
+
+/// Blocks of `n` rows, one per component [Pa].
+/// @param stress  blocks as CellField gives them.
+template <int dim>
+Eigen::MatrixXd deviator(const Eigen::MatrixXd& stress, Eigen::Index n);
+
 /// Stress and displacement at the same reference points of any cell, for many
 /// displacement vectors at once.
 template <int dim>

@@ -45,45 +45,156 @@ Sampling<dim> sample(const elasticity::ReferencePoints<dim>& lattice,
   return sampling;
 }
 
-/// The largest value of each row and the column it stands in.
-struct WorstColumns {
-  Eigen::ArrayXd value, column;
+template <typename Real>
+using MatrixOf = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+template <typename Real>
+using ArrayOf = Eigen::Array<Real, Eigen::Dynamic, 1>;
+
+/// Squares of von Mises [Pa²] in one cell.
+template <typename Real>
+struct CellPeaks {
+  ArrayOf<Real> value;    ///< largest of each point
+  ArrayOf<Real> instant;  ///< that it stands in
 };
-WorstColumns worst_columns(const ArrayXXd& values) {
-  const Index n = values.rows();
-  WorstColumns worst{Eigen::ArrayXd::Constant(n, -1.0),
-                     Eigen::ArrayXd::Zero(n)};
-  double* value = worst.value.data();
-  double* column = worst.column.data();
-  for (Index i = 0; i < values.cols(); ++i) {  // down the columns: contiguous
-    const double* at = values.col(i).data();
-    const auto here = static_cast<double>(i);
-    for (Index q = 0; q < n; ++q) {
-      const bool higher = at[q] > value[q];
-      value[q] = higher ? at[q] : value[q];
-      column[q] = higher ? here : column[q];
+
+/// Instants in blocks whose stresses stay in the cache.
+template <typename Real>
+class Instants {
+ public:
+  explicit Instants(const MatrixXd& coefficients)
+      : peak_(Eigen::VectorXd::Zero(coefficients.cols())) {
+    constexpr Index kBlock = 64;
+    for (Index begin = 0; begin < coefficients.cols(); begin += kBlock) {
+      const Index count = std::min(kBlock, coefficients.cols() - begin);
+      blocks_.push_back(
+          coefficients.middleCols(begin, count).template cast<Real>());
     }
   }
-  return worst;
-}
+
+  /// @param deviator  blocks of `points` rows.
+  CellPeaks<Real> take(const MatrixXd& deviator, Index points) {
+    const MatrixOf<Real> columns = deviator.template cast<Real>();
+    CellPeaks<Real> worst{ArrayOf<Real>::Constant(points, Real{-1}),
+                          ArrayOf<Real>::Zero(points)};
+    ArrayOf<Real> squared(points);
+    Real* value = worst.value.data();
+    Real* instant = worst.instant.data();
+    Index at = 0;
+    for (const MatrixOf<Real>& block : blocks_) {
+      const MatrixOf<Real> here = elasticity::product(columns, block);
+      for (Index i = 0; i < block.cols(); ++i, ++at) {
+        squared = here.col(i).head(points).array().square();
+        for (Index row = points; row < here.rows(); row += points) {
+          squared += here.col(i).segment(row, points).array().square();
+        }
+        const Real* mises = squared.data();
+        const auto now = static_cast<Real>(at);
+        for (Index q = 0; q < points; ++q) {
+          const bool higher = mises[q] > value[q];
+          value[q] = higher ? mises[q] : value[q];
+          instant[q] = higher ? now : instant[q];
+        }
+        peak_[at] =
+            std::max(peak_[at], static_cast<double>(squared.maxCoeff()));
+      }
+    }
+    return worst;
+  }
+
+  /// Of each instant, of all cells taken.
+  const Eigen::VectorXd& peak() const { return peak_; }
+
+ private:
+  std::vector<MatrixOf<Real>> blocks_;
+  Eigen::VectorXd peak_;
+};
+
+/// Largest of each point in one cell: von Mises squared [Pa²], and when.
+struct PointPeaks {
+  Eigen::VectorXd value;
+  Eigen::VectorXi instant;
+};
+
+/// All instants.
+class EveryInstant {
+ public:
+  explicit EveryInstant(const MatrixXd& coefficients)
+      : instants_(coefficients) {}
+
+  PointPeaks take(const MatrixXd& deviator, Index points) {
+    const auto worst = instants_.take(deviator, points);
+    return {worst.value.matrix(), worst.instant.cast<int>().matrix()};
+  }
+  Eigen::VectorXd peak() const { return instants_.peak().cwiseSqrt(); }
+  double rounding() const { return 0.0; }
+
+ private:
+  Instants<double> instants_;
+};
+
+/// Many instants: floats find when each point is stressed most, doubles say how
+/// much. What floats are off there, all of them may be.
+class ManyInstants {
+ public:
+  explicit ManyInstants(const MatrixXd& coefficients)
+      : coefficients_(coefficients),
+        instants_(coefficients),
+        exact_(Eigen::VectorXd::Zero(coefficients.cols())) {}
+
+  PointPeaks take(const MatrixXd& deviator, Index points) {
+    const auto rough = instants_.take(deviator, points);
+    PointPeaks worst{Eigen::VectorXd::Zero(points),
+                     rough.instant.cast<int>().matrix()};
+    for (Index q = 0; q < points; ++q) {
+      const auto at = coefficients_.col(worst.instant[q]);
+      for (Index row = q; row < deviator.rows(); row += points) {
+        const double component = deviator.row(row).dot(at);
+        worst.value[q] += component * component;
+      }
+      const double mises = std::sqrt(worst.value[q]);
+      double& exact = exact_[worst.instant[q]];
+      exact = std::max(exact, mises);
+      const double found = std::sqrt(static_cast<double>(rough.value[q]));
+      off_ = std::max(off_, std::abs(mises - found));
+    }
+    return worst;
+  }
+  /// The largest is that of the points, to the last bit.
+  Eigen::VectorXd peak() const {
+    return instants_.peak()
+        .cwiseSqrt()
+        .cwiseMin(exact_.maxCoeff())
+        .cwiseMax(exact_);
+  }
+  double rounding() const { return off_; }
+
+ private:
+  const MatrixXd& coefficients_;
+  Instants<float> instants_;
+  Eigen::VectorXd exact_;  ///< of points at their worst instants [Pa]
+  double off_ = 0.0;       ///< [Pa]
+};
+
+/// From so many on the products with them are most of the work.
+constexpr Index kMany = 64;
 
 }  // namespace
 
-template <int dim>
-StressHistory stress_history(const elasticity::DisplacementBasis<dim>& basis,
-                             const part::Material& material, int subdivisions) {
+namespace {
+
+template <int dim, class Peaks>
+StressHistory history_of(const elasticity::DisplacementBasis<dim>& basis,
+                         const part::Material& material, int subdivisions) {
   const auto& discretization = basis.discretization;
   const auto points =
       elasticity::lattice<dim>(discretization.shape, subdivisions);
   const auto sampling = sample<dim>(points, basis.is_mirrored);
   const CellField<dim> cell_field(discretization, material, sampling.points);
   const Index n = points.cols();
-  const Index instants = basis.coefficients.cols();
   StressHistory result;
   result.subdivisions = subdivisions;
   result.worst.resize(n, discretization.cells());
   result.worst_instant.resize(n, discretization.cells());
-  result.peak = Eigen::VectorXd::Zero(instants);
   double largest = -1.0;
   double largest_of_half = 0.0;
   const auto on_half_lattice = [&](Index q) {
@@ -93,18 +204,18 @@ StressHistory stress_history(const elasticity::DisplacementBasis<dim>& basis,
     }
     return true;
   };
+  Peaks peaks(basis.coefficients);
   for (int c = 0; c < discretization.cells(); ++c) {
-    const ArrayXXd squared = von_mises_squared<dim>(
-        elasticity::product(
+    const PointPeaks worst = peaks.take(
+        deviator<dim>(
             cell_field.stress(static_cast<std::size_t>(c), basis.columns),
-            basis.coefficients),
+            sampling.points.cols()),
         sampling.points.cols());
-    const WorstColumns worst = worst_columns(squared);
     auto when = result.worst_instant.col(c);
     for (Index q = 0; q < n; ++q) {
       const Index at = sampling.source[static_cast<std::size_t>(q)];
       result.worst(q, c) = worst.value[at];
-      when[q] = static_cast<int>(worst.column[at]);
+      when[q] = worst.instant[at];
     }
     for (Index q = 0; q < n; ++q) {
       if (result.worst(q, c) > largest_of_half && on_half_lattice(q)) {
@@ -116,16 +227,25 @@ StressHistory stress_history(const elasticity::DisplacementBasis<dim>& basis,
         result.peak_instant = when[q];
       }
     }
-    result.peak =
-        result.peak.cwiseMax(squared.colwise().maxCoeff().matrix().transpose());
   }
   if (subdivisions > 1) {
     result.sampling_error =
         (std::sqrt(largest) - std::sqrt(largest_of_half)) / 3.0;
   }
+  result.sampling_error += peaks.rounding();
   result.worst = result.worst.cwiseSqrt();
-  result.peak = result.peak.cwiseSqrt();
+  result.peak = peaks.peak();
   return result;
+}
+
+}  // namespace
+
+template <int dim>
+StressHistory stress_history(const elasticity::DisplacementBasis<dim>& basis,
+                             const part::Material& material, int subdivisions) {
+  return basis.coefficients.cols() < kMany
+             ? history_of<dim, EveryInstant>(basis, material, subdivisions)
+             : history_of<dim, ManyInstants>(basis, material, subdivisions);
 }
 
 template <int dim>

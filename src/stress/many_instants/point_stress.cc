@@ -16,7 +16,7 @@ PointStress<dim>::PointStress(
     const part::Material& material, int subdivisions,
     const std::vector<FieldPoint>& points, const MatrixXd& columns)
     : points_(static_cast<Index>(points.size())),
-      stress_(kStressComponents<dim> * points_, columns.cols()) {
+      deviator_(kDeviatorComponents<dim> * points_, columns.cols()) {
   const auto lattice =
       elasticity::lattice<dim>(discretization.shape, subdivisions);
   const CellField<dim> cell_field(discretization, material, lattice);
@@ -26,10 +26,13 @@ PointStress<dim>::PointStress(
     const FieldPoint& at = points[static_cast<std::size_t>(p)];
     if (at.cell != cell) {
       cell = at.cell;
-      of_cell = cell_field.stress(static_cast<std::size_t>(cell), columns);
+      of_cell = deviator<dim>(
+          cell_field.stress(static_cast<std::size_t>(cell), columns),
+          lattice.cols());
     }
-    for (Index k = 0; k < kStressComponents<dim>; ++k) {
-      stress_.row(k * points_ + p) = of_cell.row(k * lattice.cols() + at.point);
+    for (Index k = 0; k < kDeviatorComponents<dim>; ++k) {
+      deviator_.row(k * points_ + p) =
+          of_cell.row(k * lattice.cols() + at.point);
     }
   }
 }
@@ -40,12 +43,14 @@ MatrixXd PointStress<dim>::von_mises(const MatrixXd& coefficients) const {
   MatrixXd result(points_, coefficients.cols());
   for (Index begin = 0; begin < coefficients.cols(); begin += kBlock) {
     const Index count = std::min(kBlock, coefficients.cols() - begin);
-    result.middleCols(begin, count) =
-        von_mises_squared<dim>(
-            elasticity::product(stress_, coefficients.middleCols(begin, count)),
-            points_)
-            .sqrt()
-            .matrix();
+    const MatrixXd here =
+        elasticity::product(deviator_, coefficients.middleCols(begin, count));
+    auto to = result.middleCols(begin, count).array();
+    to = here.topRows(points_).array().square();
+    for (Index k = 1; k < kDeviatorComponents<dim>; ++k) {
+      to += here.middleRows(k * points_, points_).array().square();
+    }
+    to = to.sqrt().eval();
   }
   return result;
 }

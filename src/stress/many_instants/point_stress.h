@@ -28,7 +28,7 @@ class PointStress {
 
  private:
   Eigen::Index points_;
-  Eigen::MatrixXd stress_;  ///< blocks of points per component, × columns [Pa]
+  Eigen::MatrixXd deviator_;  ///< of stress, × columns [Pa]
 };
 
 }  // namespace clevis::stress
