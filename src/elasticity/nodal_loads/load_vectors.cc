@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -65,8 +66,13 @@ MatrixXd spanning_columns(const MatrixXd& values, double tolerance) {
     Eigen::VectorXd q = rest.col(next);
     for (const auto& other : columns) q -= other.dot(q) * other;
     q.normalize();
-    rest -= q * (q.transpose() * rest).eval();
-    norms = rest.colwise().squaredNorm();
+    // Rests that are small enough only fall, and need no more looking after.
+    for (Index i = 0; i < rest.cols(); ++i) {
+      if (norms[i] <= enough) continue;
+      auto column = rest.col(i);
+      column -= q.dot(column) * q;
+      norms[i] = column.squaredNorm();
+    }
     norms[next] = 0.0;
     columns.push_back(std::move(q));
   }
@@ -82,10 +88,10 @@ class Columns {
  public:
   Columns(Index dofs, Index instants) : dofs_(dofs), instants_(instants) {}
 
-  void append(const MatrixXd& columns, const MatrixXd& coefficients) {
-    columns_.push_back(columns);
-    coefficients_.push_back(coefficients);
+  void append(MatrixXd columns, MatrixXd coefficients) {
     count_ += columns.cols();
+    columns_.push_back(std::move(columns));
+    coefficients_.push_back(std::move(coefficients));
   }
 
   LoadBasis join() const {
@@ -117,7 +123,8 @@ void append_surface(const SurfaceLoads& surface, Index dofs, Columns& columns) {
     scattered.middleRows<dim>(dim * surface.nodes[k]) =
         basis.middleRows<dim>(dim * static_cast<Index>(k));
   }
-  columns.append(scattered, transposed_product(basis, surface.values));
+  columns.append(std::move(scattered),
+                 transposed_product(basis, surface.values));
 }
 
 /// −ρ (a + α×p + ω×(ω×p)) is linear in p: a column per power of p and
@@ -146,7 +153,7 @@ void append_body(const Discretization<dim>& discretization,
     for (Index node = 0; node < moments.rows(); ++node) {
       column(dim * node + row % dim) = -density * moments(node, row / dim);
     }
-    columns.append(column, field.row(row));
+    columns.append(std::move(column), field.row(row));
   }
 }
 
