@@ -21,10 +21,13 @@ struct StressHistory {
   int subdivisions{};
   Eigen::MatrixXd worst;          ///< over the instants, points × cells [Pa]
   Eigen::MatrixXi worst_instant;  ///< index, points × cells
-  Eigen::VectorXd peak;           ///< over the points, per instant [Pa]
-  FieldPoint peak_at;             ///< of the largest peak
+  /// Over the points, per instant [Pa]; of many instants to the seven digits of
+  /// floats, the largest to the last.
+  Eigen::VectorXd peak;
+  FieldPoint peak_at;  ///< of the largest peak
   /// How much a peak between the lattice points may be higher: a third of
-  /// what the peak gains from every second point to all [Pa].
+  /// what the peak gains from every second point to all, and what floats are
+  /// off [Pa].
   double sampling_error{};
   int peak_instant{};
 
