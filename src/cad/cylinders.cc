@@ -92,6 +92,25 @@ bool are_coaxial(const Cylinder& cylinder, const Vector3d& point,
          from_axis.norm() <= 2.0 * kSame * cylinder.radius;
 }
 
+std::vector<std::vector<Cylinder>> by_axis(
+    const std::vector<Cylinder>& cylinders) {
+  std::vector<std::vector<Cylinder>> found;
+  for (const Cylinder& cylinder : cylinders) {
+    const auto same = std::ranges::find_if(found, [&](const auto& pieces) {
+      const Cylinder& first = pieces.front();
+      return first.hollow == cylinder.hollow &&
+             std::abs(first.radius - cylinder.radius) <= kSame * first.radius &&
+             are_coaxial(first, cylinder.point, cylinder.axis);
+    });
+    if (same == found.end()) {
+      found.push_back({cylinder});
+    } else {
+      same->push_back(cylinder);
+    }
+  }
+  return found;
+}
+
 std::string text_of(const Cylinder& cylinder) {
   const Vector3d p = 1e3 * cylinder.point;
   // Adding zero turns -0 into 0.

@@ -30,6 +30,11 @@ std::vector<Cylinder> cylinders_of(const Solid& solid);
 bool are_coaxial(const Cylinder& cylinder, const Eigen::Vector3d& point,
                  const Eigen::Vector3d& axis);
 
+/// Pieces of one diameter on one axis together, whatever lies between them:
+/// both ears of a fork.
+std::vector<std::vector<Cylinder>> by_axis(
+    const std::vector<Cylinder>& cylinders);
+
 /// "bore, diameter 16 mm, 9 mm long, middle (40, 0, -13.5) mm, face 16".
 std::string text_of(const Cylinder& cylinder);
 

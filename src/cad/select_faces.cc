@@ -74,26 +74,6 @@ struct FacesOf {
   std::vector<int> operator()(const std::vector<FaceSelector>& all) const;
 };
 
-/// Pieces of one cylinder together, whatever lies between them.
-std::vector<std::vector<Cylinder>> by_axis(
-    const std::vector<Cylinder>& cylinders) {
-  std::vector<std::vector<Cylinder>> found;
-  for (const Cylinder& cylinder : cylinders) {
-    const auto same = std::ranges::find_if(found, [&](const auto& pieces) {
-      const Cylinder& first = pieces.front();
-      return first.hollow == cylinder.hollow &&
-             std::abs(first.radius - cylinder.radius) <= kSame * first.radius &&
-             are_coaxial(first, cylinder.point, cylinder.axis);
-    });
-    if (same == found.end()) {
-      found.push_back({cylinder});
-    } else {
-      same->push_back(cylinder);
-    }
-  }
-  return found;
-}
-
 bool has_diameter(const Cylinder& cylinder, double diameter) {
   return std::abs(2 * cylinder.radius - diameter) <= kSame * diameter;
 }
