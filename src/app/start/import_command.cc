@@ -3,69 +3,25 @@
 #include <iostream>
 #include <memory>
 #include <string>
-#include <system_error>
-#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "app/companions/model_importer.h"
 #include "app/start/new_folder.h"
-#include "app/start/templates.h"
 #include "multibody/scene_text.h"
-#include "report/text/atomic_file.h"
-#include "scene/scene.h"
 
 namespace clevis::app {
-
-namespace {
-
-namespace fs = std::filesystem;
-
-/// The files of a new scene, and its folder if that is new too.
-class NewScene {
- public:
-  explicit NewScene(fs::path folder)
-      : folder_(std::move(folder)), is_made_(!fs::exists(folder_)) {}
-
-  fs::path scene() const { return folder_ / "scene.toml"; }
-
-  void write(const std::string& text) const {
-    report::write_file(scene(), "#:schema ./scene.schema.json\n" + text);
-    report::write_file(schema(), scene_schema());
-  }
-
-  void remove() const {
-    std::error_code ignored;
-    fs::remove(scene(), ignored);
-    fs::remove(schema(), ignored);
-    if (is_made_) fs::remove(folder_, ignored);
-  }
-
- private:
-  fs::path schema() const { return folder_ / "scene.schema.json"; }
-
-  fs::path folder_;
-  bool is_made_;
-};
-
-}  // namespace
 
 ExitCode import_command(const ImportOptions& options) {
   const std::filesystem::path folder =
       options.out.empty() ? options.file.stem() : options.out;
-  require_new_folder(folder);
+  NewScene files(folder);
   const multibody::SceneText made =
       multibody::scene_text(run_importer(options.file), options.file.string());
-  const NewScene files(folder);
-  files.write(made.text);
-  const fs::path scene = files.scene();
-  try {
-    scene::read_scene(scene);  // refuses what only clevis asks of a scene
-  } catch (...) {
-    files.remove();
-    throw;
-  }
+  files.write_scene(made.text);
+  files.require_readable();  // what only clevis asks of a scene
+  const std::filesystem::path scene = files.scene();
   std::cout << fmt::format("{}: {} bodies, {} joints, {} forces\n",
                            scene.string(), made.bodies, made.joints,
                            made.forces);

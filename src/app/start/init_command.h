@@ -12,11 +12,14 @@ namespace clevis::app {
 struct InitOptions {
   std::filesystem::path folder;
   std::string template_word = "part";
+  std::filesystem::path geometry;  ///< a solid instead of a template
 };
 
 /// Writes a commented scene that runs, its geometry and the schema for editors
 /// into a new folder.
-/// @throws Error I005 if the folder is there and holds anything, I002.
+/// @throws Error I005 if the folder is there and holds anything, I002; U001 if
+/// it
+///   is called as a CAD file; as geometry_scene().
 ExitCode init_command(const InitOptions& options);
 
 /// Declares the options of `clevis init`. @return what runs it.

@@ -1,8 +1,12 @@
 #include "app/start/new_folder.h"
 
 #include <system_error>
+#include <utility>
 
+#include "app/start/templates.h"
 #include "base/messages/errors.h"
+#include "report/text/atomic_file.h"
+#include "scene/scene.h"
 
 namespace clevis::app {
 
@@ -14,6 +18,39 @@ void require_new_folder(const fs::path& folder) {
   if (fs::is_directory(folder, error) && fs::is_empty(folder, error)) return;
   throw Error("I005", folder.string(), "is there and not an empty folder",
               "Give the name of a new folder; nothing is overwritten.");
+}
+
+NewScene::NewScene(fs::path folder)
+    : folder_(std::move(folder)), is_made_(!fs::exists(folder_)) {
+  require_new_folder(folder_);
+}
+
+void NewScene::write(const std::string& name, std::string_view content) {
+  report::write_file(folder_ / name, content);
+  files_.push_back(folder_ / name);
+}
+
+void NewScene::write_scene(std::string_view text) {
+  constexpr std::string_view kSchemaLine = "#:schema ./scene.schema.json\n";
+  write("scene.toml",
+        (text.starts_with(kSchemaLine) ? "" : std::string(kSchemaLine)) +
+            std::string(text));
+  write("scene.schema.json", scene_schema());
+}
+
+void NewScene::require_readable() const {
+  try {
+    scene::read_scene(scene());
+  } catch (...) {
+    remove();
+    throw;
+  }
+}
+
+void NewScene::remove() const {
+  std::error_code ignored;
+  for (const fs::path& file : files_) fs::remove(file, ignored);
+  if (is_made_) fs::remove(folder_, ignored);
 }
 
 }  // namespace clevis::app

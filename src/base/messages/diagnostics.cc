@@ -257,8 +257,9 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "found where, in millimetres of the file's frame."},
     {"M017", kMeshInvalid, "faces not found, or several that might be meant",
      "No face of the solid, or faces of more than one cylinder or plane, fit "
-     "what a joint or a selector asks for. `clevis faces FILE` lists all "
-     "faces. Give a diameter, a point nearby (`near`) or another selector."},
+     "what a joint or a selector asks for, or `clevis init --geometry` finds "
+     "nothing to hold and pull a part by. `clevis faces FILE` lists all faces. "
+     "Give a diameter, a point nearby (`near`) or another selector."},
     {"R001", kRegression, "regression against the baseline",
      "At least one quantity moved by more than its tolerance."},
     {"R002", kUsage, "result and baseline do not match",
