@@ -29,7 +29,7 @@ constexpr const char* kAbout =
 Examples:
   clevis init link                              # a scene to start from
   clevis check --mesh --report link/scene.toml  # does it hold? with a page to look at
-  clevis faces FILE.step                        # the bores of a part of your own
+  clevis init part --geometry FILE.step         # a scene of a part of your own
 )";
 
 constexpr const char* kExitCodes =

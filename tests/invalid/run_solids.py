@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Hostile and unfit CAD files: each is refused with its code, a place and what
 to do, clevis itself never crashes or hangs, and nothing in a file is ever run.
+`clevis init --geometry` refuses as `clevis faces` does and leaves nothing behind.
 
     run_solids.py CLEVIS SOURCE_DIR [COUNT [SEED]]
 
@@ -117,6 +118,13 @@ def main():
             done = run("faces", case, cwd=folder)
             passed = done.returncode == 0 and "" in codes
             found = [] if passed else list(faults(done, codes, folder))
+            if not passed:
+                made = run("init", "made", "--geometry", case, cwd=folder)
+                if (made.returncode, made.stderr) != (done.returncode, done.stderr):
+                    found.append(f"init --geometry refuses it otherwise: {made.stderr}")
+                if (folder / "made").exists():
+                    found.append("init --geometry leaves a folder behind")
+                found += [f"init: {text}" for text in faults(made, codes, folder)]
             print(f"{'FAILED' if found else 'ok':7}{case:28}exit {done.returncode:2}  "
                   + (done.stderr.splitlines() or [""])[0][:100])
             for text in found:

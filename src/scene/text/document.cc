@@ -169,10 +169,9 @@ void refuse_other_kinds(const std::filesystem::path& file) {
   if (part::is_solid_file(file)) {
     throw refuse(
         "a CAD file",
-        fmt::format("Give a scene (TOML) whose [[part]] has geometry = {:?}: "
-                    "`clevis init NAME` writes one to start from, `clevis "
-                    "faces {}` lists the bores.",
-                    name, file.string()));
+        fmt::format("Make a scene of it: clevis init NAME --geometry {}; or "
+                    "give one (TOML) whose [[part]] has geometry = {:?}.",
+                    file.string(), name));
   }
   if (extension == ".geo" || extension == ".msh") {
     throw refuse(
