@@ -196,8 +196,9 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(
   found.shapes = static_cast<int>(hertz.size());
   found.lowest = hertz.minCoeff();
   found.highest = hertz.maxCoeff();
-  const double front =
-      std::max(kFront / shapes.squares.cwiseSqrt().maxCoeff(), mesh_front_);
+  const double shape_front = kFront / shapes.squares.cwiseSqrt().maxCoeff();
+  const double front = std::max(shape_front, mesh_front_);
+  found.mesh_spreads_more = mesh_front_ >= shape_front;
   const auto answer_at = [&](const VectorXd& times, double spread) {
     return dynamics::answer_to(path, shapes.participation, shapes.squares,
                                job_.part.damping, times, spread);

@@ -34,6 +34,7 @@ struct VibratingAnswer {
   double front_error{};
   /// Of what waves make as short as that spread, over the peak [1].
   double spread_error{};
+  bool mesh_spreads_more{};  ///< than so many shapes do
   std::string group;
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in L [m]
   int shapes{};

@@ -49,8 +49,11 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
           std::max(change(before, more.peak.value), more.front_error);
       result.shape_error = std::max(kSpread, moved);
       before = more.peak.value;
+      const double settled = 0.3 * job.tolerance;
+      const bool is_sharp =
+          more.mesh_spreads_more || more.spread_error < settled;
       if (count >= kMost || more.shapes < count ||
-          moved < 0.3 * job.tolerance) {
+          (moved < settled && is_sharp)) {
         break;
       }
     }
@@ -65,7 +68,8 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   const double ratio = result.peak / high.still();
   result.ratio = ratio;
   result.degree_error = change(low_ratio, ratio);
-  result.shape_error += found.spread_error;
+  // The spread is less with more shapes: both tell what these would change.
+  result.shape_error = std::max(result.shape_error, found.spread_error);
   result.sampling_error = found.sampling_error;
   result.at = found.at;
   result.group = found.group;
