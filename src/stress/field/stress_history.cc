@@ -132,8 +132,8 @@ class EveryInstant {
   Instants<double> instants_;
 };
 
-/// Many instants: floats find when each point is stressed most, doubles say how
-/// much. What floats are off there, all of them may be.
+/// Many instants: floats find about when each point is stressed most, doubles
+/// say when and how much. What floats are off there, all of them may be.
 class ManyInstants {
  public:
   explicit ManyInstants(const MatrixXd& coefficients)
@@ -143,19 +143,36 @@ class ManyInstants {
 
   PointPeaks take(const MatrixXd& deviator, Index points) {
     const auto rough = instants_.take(deviator, points);
-    PointPeaks worst{Eigen::VectorXd::Zero(points),
-                     rough.instant.cast<int>().matrix()};
+    const MatrixXd rows = deviator.transpose();
+    PointPeaks worst{Eigen::VectorXd(points), Eigen::VectorXi(points)};
     for (Index q = 0; q < points; ++q) {
-      const auto at = coefficients_.col(worst.instant[q]);
-      for (Index row = q; row < deviator.rows(); row += points) {
-        const double component = deviator.row(row).dot(at);
-        worst.value[q] += component * component;
-      }
-      const double mises = std::sqrt(worst.value[q]);
-      double& exact = exact_[worst.instant[q]];
-      exact = std::max(exact, mises);
+      const auto squared = [&](Index instant) {
+        double sum = 0.0;
+        for (Index row = q; row < rows.cols(); row += points) {
+          const double component =
+              rows.col(row).dot(coefficients_.col(instant));
+          sum += component * component;
+        }
+        return sum;
+      };
+      auto instant = static_cast<Index>(rough.instant[q]);
+      double value = squared(instant);
       const double found = std::sqrt(static_cast<double>(rough.value[q]));
-      off_ = std::max(off_, std::abs(mises - found));
+      off_ = std::max(off_, std::abs(std::sqrt(value) - found));
+      // Floats do not tell instants near the top apart.
+      for (const Index step : {-1, 1}) {
+        for (Index next = instant + step;
+             next >= 0 && next < coefficients_.cols(); next += step) {
+          const double there = squared(next);
+          if (!(there > value)) break;
+          value = there;
+          instant = next;
+        }
+      }
+      double& exact = exact_[instant];
+      exact = std::max(exact, std::sqrt(value));
+      worst.value[q] = value;
+      worst.instant[q] = static_cast<int>(instant);
     }
     return worst;
   }
