@@ -14,8 +14,37 @@ using Eigen::MatrixXd;
 using Four = double
     __attribute__((vector_size(32), aligned(alignof(double)), may_alias));
 
-/// to += A from, each with `vectors` of `Lanes` a row. Inlined, so that each
-/// instruction set below has its own.
+/// to += A from, each with `vectors` of `Lanes` a row, numbers in the order in
+/// which Eigen adds them up. Inlined, so that each instruction set below has
+/// its own.
+template <int vectors, class Lanes>
+[[gnu::always_inline]] inline void add_scalar_product(
+    const BlockRows& matrix, const Lanes* __restrict from,
+    Lanes* __restrict to) {
+  for (int i = 0; i < matrix.rows; ++i) {
+    const Lanes* own = from + static_cast<std::ptrdiff_t>(i) * vectors;
+    Lanes* sum_at = to + static_cast<std::ptrdiff_t>(i) * vectors;
+    Lanes sum[vectors];
+    for (int v = 0; v < vectors; ++v) sum[v] = Lanes{};
+    for (int k = matrix.row_start[i]; k < matrix.row_start[i + 1]; ++k) {
+      const int j = matrix.column[k];
+      const double entry = matrix.entries[k];
+      if (j == i) {
+        for (int v = 0; v < vectors; ++v) sum_at[v] += entry * own[v];
+        continue;
+      }
+      const Lanes* other = from + static_cast<std::ptrdiff_t>(j) * vectors;
+      Lanes* mirrored = to + static_cast<std::ptrdiff_t>(j) * vectors;
+      for (int v = 0; v < vectors; ++v) {
+        sum[v] += entry * other[v];
+        mirrored[v] += entry * own[v];
+      }
+    }
+    for (int v = 0; v < vectors; ++v) sum_at[v] += sum[v];
+  }
+}
+
+/// Likewise of blocks.
 template <int size, int vectors, class Lanes>
 [[gnu::always_inline]] inline void add_product(const BlockRows& matrix,
                                                const Lanes* __restrict from,
@@ -69,13 +98,13 @@ CLEVIS_CLONES void add_eight(const BlockRows& matrix, const double* x,
                              double* y) {
   const auto* from = reinterpret_cast<const Four*>(x);
   auto* to = reinterpret_cast<Four*>(y);
-  if (matrix.size == 1) return add_product<1, 2>(matrix, from, to);
+  if (matrix.size == 1) return add_scalar_product<2>(matrix, from, to);
   if (matrix.size == 2) return add_product<2, 2>(matrix, from, to);
   add_product<3, 2>(matrix, from, to);
 }
 
 void add_one(const BlockRows& matrix, const double* from, double* to) {
-  if (matrix.size == 1) return add_product<1, 1>(matrix, from, to);
+  if (matrix.size == 1) return add_scalar_product<1>(matrix, from, to);
   if (matrix.size == 2) return add_product<2, 1>(matrix, from, to);
   add_product<3, 1>(matrix, from, to);
 }

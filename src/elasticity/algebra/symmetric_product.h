@@ -15,7 +15,8 @@ struct BlockRows {
 };
 
 /// A X, a few columns at a time, which stay in the cache. The same bits for a
-/// column whatever stands beside it, and on every processor.
+/// column whatever stands beside it, and on every processor; of numbers (blocks
+/// of size 1) Eigen's.
 Eigen::MatrixXd symmetric_product(const BlockRows& matrix,
                                   const Eigen::MatrixXd& x);
 

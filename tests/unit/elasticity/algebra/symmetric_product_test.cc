@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <gtest/gtest.h>
 
 namespace {
@@ -42,6 +43,20 @@ struct Sample {
   std::vector<double> entries;
   MatrixXd whole;
 };
+
+// How many shapes a part's vibration takes may hang on the last bit: where the
+// shapes that its loads excite are few, round-off makes the next ones.
+TEST(SymmetricProduct, OfNumbersHasTheBitsOfEigens) {
+  const Sample sample(1);
+  const Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>> sparse(
+      kRows, kRows, static_cast<Index>(sample.entries.size()),
+      sample.row_start.data(), sample.column.data(), sample.entries.data());
+  for (const Index columns : {1, 2, 3, 8, 11}) {
+    const MatrixXd x = MatrixXd::Random(kRows, columns);
+    const MatrixXd wanted = sparse.selfadjointView<Eigen::Upper>() * x;
+    EXPECT_EQ(elasticity::symmetric_product(sample.blocks, x), wanted);
+  }
+}
 
 // A dense product of the whole matrix: of blocks of each size, and of columns
 // that fill a group, leave some over, or are few.
