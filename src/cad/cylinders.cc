@@ -14,7 +14,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSame = 1e-3;  // of the radius: lengths that are meant equal
-constexpr double kSameDirection = 1e-3;  // [rad]
 
 Cylinder cylinder_of(const Face& face) {
   const double middle = (face.low + face.high) / 2;
@@ -85,10 +84,14 @@ std::vector<Cylinder> cylinders_of(const Solid& solid) {
   return found;
 }
 
+bool are_parallel(const Vector3d& a, const Vector3d& b) {
+  return a.cross(b).norm() <= kSameDirection;
+}
+
 bool are_coaxial(const Cylinder& cylinder, const Vector3d& point,
                  const Vector3d& axis) {
   const Vector3d from_axis = (point - cylinder.point).cross(cylinder.axis);
-  return cylinder.axis.cross(axis).norm() <= kSameDirection &&
+  return are_parallel(cylinder.axis, axis) &&
          from_axis.norm() <= 2.0 * kSame * cylinder.radius;
 }
 

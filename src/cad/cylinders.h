@@ -26,6 +26,12 @@ struct Cylinder {
 /// All cylinders of a solid.
 std::vector<Cylinder> cylinders_of(const Solid& solid);
 
+/// Directions that differ by less are one [rad].
+inline constexpr double kSameDirection = 1e-3;
+
+/// Whether unit vectors lie on one line, whatever their senses.
+bool are_parallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
 /// Whether both have one axis, to a thousandth of the radius over the length.
 bool are_coaxial(const Cylinder& cylinder, const Eigen::Vector3d& point,
                  const Eigen::Vector3d& axis);

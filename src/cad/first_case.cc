@@ -15,12 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSameDirection = 1e-3;  // [rad]
-
-bool are_parallel(const Vector3d& a, const Vector3d& b) {
-  return a.cross(b).norm() <= kSameDirection;
-}
-
 Vector3d across(const Vector3d& v, const Vector3d& axis) {
   return v - v.dot(axis) * axis;
 }

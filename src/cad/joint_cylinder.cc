@@ -126,7 +126,6 @@ std::string text_of(const Miss& miss) {
   const auto add = [&](const std::string& text) {
     off += (off.empty() ? "" : ", ") + text;
   };
-  constexpr double kSameDirection = 1e-3;  // [rad], as are_coaxial
   if (miss.tilt > kSameDirection) {
     add(fmt::format("its axis turned by {:.3g} deg", degrees(miss.tilt)));
   }

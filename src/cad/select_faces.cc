@@ -17,8 +17,7 @@ namespace {
 using Eigen::Vector3d;
 using part::FaceSelector;
 
-constexpr double kSame = 1e-3;           // of lengths, relative
-constexpr double kSameDirection = 1e-3;  // [rad]
+constexpr double kSame = 1e-3;  // of lengths, relative
 
 /// Calls that collect the points of a selector.
 struct PointsOf {
@@ -115,8 +114,7 @@ std::vector<int> FacesOf::operator()(
     if (wanted.diameter && !has_diameter(cylinder, *wanted.diameter)) {
       continue;
     }
-    if (wanted.axis &&
-        cylinder.axis.cross(*wanted.axis).norm() > kSameDirection) {
+    if (wanted.axis && !are_parallel(cylinder.axis, *wanted.axis)) {
       continue;
     }
     found.push_back(cylinder);

@@ -69,11 +69,10 @@ struct TomlOf {
 
 }  // namespace
 
-std::string components(const Vector3d& direction) {
+std::string components(const Vector3d& v) {
   constexpr double kFinest = 1e-9;
-  return fmt::format("{}, {}, {}", number(direction.x(), kFinest),
-                     number(direction.y(), kFinest),
-                     number(direction.z(), kFinest));
+  return fmt::format("{}, {}, {}", number(v.x(), kFinest),
+                     number(v.y(), kFinest), number(v.z(), kFinest));
 }
 
 SelectorChoice choice_of(const PinBore& bore) {

@@ -37,8 +37,7 @@ std::optional<part::FaceSelector> chosen(
 /// As a scene has it: { cylinder = { diameter = "16 mm" } }.
 std::string toml_text(const part::FaceSelector& selector);
 
-/// Components of a unit vector with nine digits, as joints need them:
-/// "1, 0, 0".
-std::string components(const Eigen::Vector3d& direction);
+/// Components with nine digits, as joints need them: "1, 0, 0".
+std::string components(const Eigen::Vector3d& v);
 
 }  // namespace clevis::cad

@@ -20,6 +20,7 @@
 #include "base/messages/errors.h"
 #include "cad/face_groups.h"
 #include "cad/select_faces.h"
+#include "cad/selector_choice.h"
 #include "report/text/json_text.h"
 #include "report/text/terminal.h"
 #include "report/text/text_table.h"
@@ -96,17 +97,14 @@ Found find(const Asked& asked, bool facets) {
 }
 
 /// What rounds to zero is 0, without a sign.
-std::string number(double value, int digits = 6) {
-  const double finest = std::pow(10.0, digits);
-  return fmt::format("{:.{}g}", std::round(finest * value) / finest + 0.0,
-                     digits);
+std::string number(double value) {
+  constexpr double kFinest = 1e6;
+  return fmt::format("{:.6g}", std::round(kFinest * value) / kFinest + 0.0);
 }
 
 /// Nine digits: a mechanism whose joints are copied from here closes.
 std::string vector(const Vector3d& v) {
-  constexpr int kDigits = 9;
-  return fmt::format("({}, {}, {})", number(v.x(), kDigits),
-                     number(v.y(), kDigits), number(v.z(), kDigits));
+  return "(" + cad::components(v) + ")";
 }
 
 std::string type_of(const cad::Face& face) {

@@ -18,8 +18,7 @@ struct InitOptions {
 /// Writes a commented scene that runs, its geometry and the schema for editors
 /// into a new folder.
 /// @throws Error I005 if the folder is there and holds anything, I002; U001 if
-/// it
-///   is called as a CAD file; as geometry_scene().
+///   it is called as a CAD file; those of geometry_scene().
 ExitCode init_command(const InitOptions& options);
 
 /// Declares the options of `clevis init`. @return what runs it.

@@ -156,7 +156,6 @@ class Look {
                   .worst),
         shape_error_(shape_error()) {}
 
-  int instant() const { return instant_; }
   /// Stress as it was solved, points of the history × cells [Pa].
   const MatrixXd& then() const { return then_; }
   /// Error of the surface's shape [Pa].

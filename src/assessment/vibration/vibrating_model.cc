@@ -188,8 +188,9 @@ elasticity::DisplacementBasis<dim> VibratingModel<dim>::basis_of(
 }
 
 template <int dim>
-VibratingAnswer<dim> VibratingModel<dim>::answer(
-    int count, const dynamics::LoadPath& path) {
+VibratingAnswer<dim> VibratingModel<dim>::answer(int count,
+                                                 const dynamics::LoadPath& path,
+                                                 Fronts fronts) {
   const auto shapes = part_.shapes(count);
   const VectorXd hertz = shapes.squares.cwiseSqrt() / (2.0 * std::numbers::pi);
   VibratingAnswer<dim> found;
@@ -235,16 +236,19 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(
       (1.0 - stresses(Eigen::all, Eigen::seqN(Index{0}, second, 2)).maxCoeff() /
                  found.peak.value) /
       3.0;
-  const auto peak_at = [&](double spread) {
-    return near.von_mises(coefficients_of(answer_at(times, spread))).maxCoeff();
-  };
-  if (cut(front) > 0.0) {
-    found.front_error =
-        std::abs(peak_at(0.0) / found.peak.value - 1.0) +
-        2.0 * cut(kUnspread * front) * still_.value / found.peak.value;
+  if (fronts == Fronts::kJudged) {
+    const auto peak_at = [&](double spread) {
+      const MatrixXd coefficients = coefficients_of(answer_at(times, spread));
+      return near.von_mises(coefficients).maxCoeff();
+    };
+    if (cut(front) > 0.0) {
+      found.front_error =
+          std::abs(peak_at(0.0) / found.peak.value - 1.0) +
+          2.0 * cut(kUnspread * front) * still_.value / found.peak.value;
+    }
+    found.spread_error = error_of_spread(found.peak.value, peak_at(2.0 * front),
+                                         peak_at(4.0 * front));
   }
-  found.spread_error = error_of_spread(found.peak.value, peak_at(2.0 * front),
-                                       peak_at(4.0 * front));
   found.time = moving.time[time];
   found.at =
       stress::position<dim>(discretization, found.peak.at, kSubdivisions<dim>);

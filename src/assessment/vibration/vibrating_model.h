@@ -42,6 +42,8 @@ struct VibratingAnswer {
   elasticity::DisplacementBasis<dim> basis;  ///< of all times
 };
 
+enum class Fronts { kTaken, kJudged };
+
 /// A part under the loads of its motion at one degree.
 template <int dim>
 class VibratingModel {
@@ -51,8 +53,11 @@ class VibratingModel {
   VibratingModel(const PartJob& job, const mesh::PartMesh<dim>& mesh,
                  const LoadSet& set, int degree, const VibrationTimes& times);
 
-  /// @param path  that of the loads, or thinned.
-  VibratingAnswer<dim> answer(int shapes, const dynamics::LoadPath& path);
+  /// @param path    that of the loads, or thinned.
+  /// @param fronts  whether the errors of front and spread are wanted, two or
+  ///   three answers more.
+  VibratingAnswer<dim> answer(int shapes, const dynamics::LoadPath& path,
+                              Fronts fronts);
 
   /// Of the quasi-static answer.
   const dynamics::LoadPath& path() const { return path_; }

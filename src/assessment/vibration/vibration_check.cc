@@ -41,15 +41,15 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   double low_ratio = 0.0;
   {
     VibratingModel<dim> low(job, mesh, set, highest - 1, times);
-    double before = low.answer(count, low.path()).peak.value;
+    const double settled = 0.3 * job.tolerance;
+    double before = low.answer(count, low.path(), Fronts::kTaken).peak.value;
     for (;;) {
       count *= 2;
-      const auto more = low.answer(count, low.path());
+      const auto more = low.answer(count, low.path(), Fronts::kJudged);
       const double moved =
           std::max(change(before, more.peak.value), more.front_error);
       result.shape_error = std::max(kSpread, moved);
       before = more.peak.value;
-      const double settled = 0.3 * job.tolerance;
       const bool is_sharp =
           more.mesh_spreads_more || more.spread_error < settled;
       if (count >= kMost || more.shapes < count ||
@@ -59,11 +59,14 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
     }
     low_ratio = before / low.still();
     result.path_error =
-        change(low.answer(count, thinned(low.path())).peak.value, before) / 3.0;
+        change(
+            low.answer(count, thinned(low.path()), Fronts::kTaken).peak.value,
+            before) /
+        3.0;
   }
   VibratingModel<dim> high(job, mesh, set, highest, times);
   if (!(high.still() > 0.0)) return {};  // the zones are all that is loaded
-  auto found = high.answer(count, high.path());
+  auto found = high.answer(count, high.path(), Fronts::kJudged);
   result.peak = found.peak.value;
   const double ratio = result.peak / high.still();
   result.ratio = ratio;

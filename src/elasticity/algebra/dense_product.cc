@@ -1,6 +1,7 @@
 #include "elasticity/algebra/dense_product.h"
 
 #include <cassert>
+#include <type_traits>
 
 // The Fortran entry point: the C one, cblas_dgemm, is also defined by GSL's
 // plain reference library, which deal.II brings along and which wins.
@@ -22,29 +23,39 @@ extern "C" void dgemv_(const char* transpose, const int* rows,
 namespace clevis::elasticity {
 namespace {
 
-Eigen::MatrixXd multiply(char transpose, const Eigen::MatrixXd& a,
-                         const Eigen::MatrixXd& b) {
+constexpr auto gemm(double) {
+  return dgemm_;
+}
+constexpr auto gemm(float) {
+  return sgemm_;
+}
+
+template <typename Matrix>
+Matrix multiply(char transpose, const Matrix& a, const Matrix& b) {
+  using Real = typename Matrix::Scalar;
   const auto rows = static_cast<int>(transpose == 'T' ? a.cols() : a.rows());
   const auto inner = static_cast<int>(b.rows());
   const auto columns = static_cast<int>(b.cols());
-  Eigen::MatrixXd result(rows, columns);
+  Matrix result(rows, columns);
   if (rows == 0 || columns == 0 || inner == 0) {
     result.setZero();
     return result;
   }
   const auto lda = static_cast<int>(a.rows());
-  const double one = 1.0;
-  const double zero = 0.0;
+  const Real one{1};
+  const Real zero{0};
   const char plain = 'N';
-  if (columns == 1) {  // dgemm would copy all of A first
-    const int next = 1;
-    const auto a_columns = static_cast<int>(a.cols());
-    dgemv_(&transpose, &lda, &a_columns, &one, a.data(), &lda, b.data(), &next,
-           &zero, result.data(), &next);
-    return result;
+  if constexpr (std::is_same_v<Real, double>) {
+    if (columns == 1) {  // dgemm would copy all of A first
+      const int next = 1;
+      const auto a_columns = static_cast<int>(a.cols());
+      dgemv_(&transpose, &lda, &a_columns, &one, a.data(), &lda, b.data(),
+             &next, &zero, result.data(), &next);
+      return result;
+    }
   }
-  dgemm_(&transpose, &plain, &rows, &columns, &inner, &one, a.data(), &lda,
-         b.data(), &inner, &zero, result.data(), &rows);
+  gemm(Real{})(&transpose, &plain, &rows, &columns, &inner, &one, a.data(),
+               &lda, b.data(), &inner, &zero, result.data(), &rows);
   return result;
 }
 
@@ -57,20 +68,7 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 Eigen::MatrixXf product(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b) {
   assert(a.cols() == b.rows());
-  const auto rows = static_cast<int>(a.rows());
-  const auto inner = static_cast<int>(b.rows());
-  const auto columns = static_cast<int>(b.cols());
-  Eigen::MatrixXf result(rows, columns);
-  if (rows == 0 || columns == 0 || inner == 0) {
-    result.setZero();
-    return result;
-  }
-  const float one = 1.0F;
-  const float zero = 0.0F;
-  const char plain = 'N';
-  sgemm_(&plain, &plain, &rows, &columns, &inner, &one, a.data(), &rows,
-         b.data(), &inner, &zero, result.data(), &rows);
-  return result;
+  return multiply('N', a, b);
 }
 
 Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a,

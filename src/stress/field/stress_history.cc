@@ -195,10 +195,6 @@ class ManyInstants {
 /// From so many on the products with them are most of the work.
 constexpr Index kMany = 64;
 
-}  // namespace
-
-namespace {
-
 template <int dim, class Peaks>
 StressHistory history_of(const elasticity::DisplacementBasis<dim>& basis,
                          const part::Material& material, int subdivisions) {
