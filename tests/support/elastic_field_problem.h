@@ -46,7 +46,7 @@ void add_traction(const elasticity::Discretization<dim>& discretization,
     const auto c = static_cast<std::size_t>(cell);
     const auto at = elasticity::cell_geometry<dim>(
         discretization.cell_points[c],
-        elasticity::tabulate_geometry<dim>(
+        elasticity::CellInterpolation<dim>(
             discretization.shape, discretization.geometry_degree, rule.points));
     for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
       const Eigen::Matrix<double, dim, 1> area =
@@ -78,7 +78,7 @@ void add_body_force(const elasticity::Discretization<dim>& discretization,
   const auto rule = elasticity::gauss<dim>(discretization.shape, points);
   const auto displacement = elasticity::tabulate_displacement<dim>(
       discretization.shape, discretization.degree, rule.points);
-  const auto geometry = elasticity::tabulate_geometry<dim>(
+  const elasticity::CellInterpolation<dim> geometry(
       discretization.shape, discretization.geometry_degree, rule.points);
   for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
     const auto at =

@@ -33,9 +33,8 @@ InitialStress::InitialStress(const Discretization<3>& discretization,
       displacement_(tabulate_displacement<3>(
           discretization.shape, discretization.displacement_degree(),
           rule_.points)),
-      geometry_(tabulate_geometry<3>(discretization.shape,
-                                     discretization.mapping_degree(),
-                                     rule_.points)) {}
+      geometry_(discretization.shape, discretization.mapping_degree(),
+                rule_.points) {}
 
 InitialStress::Cell InitialStress::cell(std::size_t c) const {
   const auto at = cell_geometry<3>(discretization_.cell_points[c], geometry_);

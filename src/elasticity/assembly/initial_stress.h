@@ -47,7 +47,8 @@ class InitialStress {
   LameConstants<3> lame_;
   Eigen::MatrixXd columns_;
   Quadrature<3> rule_;
-  Tabulation displacement_, geometry_;
+  Tabulation displacement_;
+  CellInterpolation<3> geometry_;
 };
 
 /// A matrix of the nodes times displacements (dofs × columns), component by

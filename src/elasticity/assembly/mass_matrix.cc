@@ -47,7 +47,7 @@ MassMatrix assemble_mass(const Discretization<dim>& discretization,
   const auto rule = mass_quadrature(discretization);
   const auto displacement = tabulate_displacement<dim>(
       discretization.shape, discretization.displacement_degree(), rule.points);
-  const auto geometry = tabulate_geometry<dim>(
+  const CellInterpolation<dim> geometry(
       discretization.shape, discretization.mapping_degree(), rule.points);
   for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
     const auto cell =

@@ -107,7 +107,7 @@ Eigen::MatrixXd StiffnessMatrix<dim>::multiply(const Eigen::MatrixXd& x) const {
 template <int dim>
 bool folds(const Discretization<dim>& discretization) {
   const auto rule = stiffness_quadrature(discretization);
-  const auto geometry = tabulate_geometry<dim>(
+  const CellInterpolation<dim> geometry(
       discretization.shape, discretization.mapping_degree(), rule.points);
   return std::ranges::any_of(
       discretization.cell_points, [&](const auto& points) {
@@ -128,7 +128,7 @@ StiffnessMatrix<dim> assemble_stiffness(
                       StiffnessMatrix<dim>::Block::Zero());
   const auto lame = lame_constants<dim>(material);
   const auto rule = stiffness_quadrature(discretization);
-  const auto geometry = tabulate_geometry<dim>(
+  const CellInterpolation<dim> geometry(
       discretization.shape, discretization.mapping_degree(), rule.points);
   GradientIntegrator<dim> integrator(discretization, rule);
   for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {

@@ -185,21 +185,18 @@ std::vector<int> group_nodes(const Discretization<dim>& discretization,
 template <int dim>
 CellGeometry<dim> cell_geometry(
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& cell_points,
-    const Tabulation& geometry) {
-  const auto n = geometry.values.rows();
+    const CellInterpolation<dim>& geometry) {
+  const Eigen::Index n = geometry.points();
   CellGeometry<dim> result;
   const Eigen::MatrixXd nodes = cell_points.transpose();
-  result.points = product(geometry.values, nodes).transpose();
+  result.points = geometry.values(nodes).transpose();
   result.inverse_jacobian.resize(static_cast<std::size_t>(n));
   result.determinant.resize(n);
-  std::array<Eigen::MatrixXd, dim> columns;  // points × dim
-  for (std::size_t d = 0; d < dim; ++d) {
-    columns[d] = product(geometry.gradients[d], nodes);
-  }
+  const Eigen::MatrixXd tangents = geometry.gradients(nodes);
   for (Eigen::Index q = 0; q < n; ++q) {
     Eigen::Matrix<double, dim, dim> jacobian;
-    for (std::size_t d = 0; d < dim; ++d) {
-      jacobian.col(static_cast<Eigen::Index>(d)) = columns[d].row(q);
+    for (Eigen::Index d = 0; d < dim; ++d) {
+      jacobian.col(d) = tangents.row(d * n + q);
     }
     result.determinant[q] = jacobian.determinant();
     result.inverse_jacobian[static_cast<std::size_t>(q)] = jacobian.inverse();
@@ -242,7 +239,8 @@ std::vector<Eigen::MatrixXd> physical_gradients(
   template Discretization<dim> discretize<dim>(const PartMesh<dim>&, int);     \
   template std::vector<int> group_nodes<dim>(const Discretization<dim>&, int); \
   template CellGeometry<dim> cell_geometry<dim>(                               \
-      const Eigen::Matrix<double, dim, Eigen::Dynamic>&, const Tabulation&);   \
+      const Eigen::Matrix<double, dim, Eigen::Dynamic>&,                       \
+      const CellInterpolation<dim>&);                                          \
   template std::vector<Eigen::MatrixXd> physical_gradients<dim>(               \
       const CellGeometry<dim>&, const Tabulation&);
 CLEVIS_INSTANTIATE(2)

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "elasticity/fe_space/cell_interpolation.h"
 #include "elasticity/fe_space/tabulation.h"
 #include "mesh/cells/part_mesh.h"
 
@@ -63,7 +64,7 @@ template <int dim>
 std::vector<int> group_nodes(const Discretization<dim>& discretization,
                              int group);
 
-/// Jacobian data of one cell at tabulated points.
+/// Jacobian data of one cell at fixed points.
 template <int dim>
 struct CellGeometry {
   Eigen::Matrix<double, dim, Eigen::Dynamic> points;  ///< physical [m]
@@ -74,7 +75,7 @@ struct CellGeometry {
 template <int dim>
 CellGeometry<dim> cell_geometry(
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& cell_points,
-    const Tabulation& geometry);
+    const CellInterpolation<dim>& geometry);
 
 /// Physical gradients of the displacement basis: per direction, points ×
 /// functions [1/m].

@@ -24,7 +24,7 @@ Vector3d in_space(const Eigen::Matrix<double, dim, 1>& x, double z) {
 template <int dim>
 void tabulate(const Discretization<dim>& discretization,
               FaceTable<dim>& table) {
-  table.geometry = tabulate_geometry<dim>(
+  table.geometry = CellInterpolation<dim>(
       discretization.shape, discretization.mapping_degree(), table.rule.points);
   const MatrixXd values =
       tabulate_displacement<dim>(discretization.shape,

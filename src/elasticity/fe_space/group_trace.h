@@ -16,7 +16,7 @@ namespace clevis::elasticity {
 template <int dim>
 struct FaceTable {
   FaceQuadrature<dim> rule;
-  Tabulation geometry;
+  CellInterpolation<dim> geometry;
   std::vector<std::size_t> functions;
   Eigen::MatrixXd values;  ///< points × functions
 };

@@ -158,6 +158,16 @@ Tabulation tabulate_geometry(CellShape shape, Degree degree,
 }
 
 template <int dim>
+std::vector<int> displacement_places(CellShape shape, Degree degree) {
+  const auto order =
+      shape == CellShape::kTensor
+          ? displacement_order<dim>(degree)
+          : identity(static_cast<unsigned>(
+                mesh::simplex_lattice<dim>(degree.plane).size()));
+  return {order.begin(), order.end()};
+}
+
+template <int dim>
 ReferencePoints<dim> displacement_support_points(CellShape shape,
                                                  Degree degree) {
   const auto points = geometry_support_points<dim>(shape, degree);
@@ -230,6 +240,7 @@ ReferencePoints<dim> lattice(CellShape shape, int subdivisions) {
                                                  const ReferencePoints<dim>&); \
   template Tabulation tabulate_geometry<dim>(CellShape, Degree,                \
                                              const ReferencePoints<dim>&);     \
+  template std::vector<int> displacement_places<dim>(CellShape, Degree);       \
   template ReferencePoints<dim> displacement_support_points<dim>(CellShape,    \
                                                                  Degree);      \
   template ReferencePoints<dim> geometry_support_points<dim>(CellShape,        \

@@ -20,6 +20,11 @@ template <int dim>
 Tabulation tabulate_geometry(mesh::CellShape shape, Degree degree,
                              const ReferencePoints<dim>& points);
 
+/// Where each function of the displacement basis stands in the basis of
+/// tabulate_geometry of the same degree.
+template <int dim>
+std::vector<int> displacement_places(mesh::CellShape shape, Degree degree);
+
 /// Points at which the displacement basis is nodal, in its numbering; in
 /// reference coordinates.
 template <int dim>

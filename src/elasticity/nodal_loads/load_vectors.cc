@@ -31,7 +31,7 @@ MatrixXd node_moments(const Discretization<dim>& discretization) {
   const auto rule = gauss<dim>(discretization.shape, points);
   const auto displacement = tabulate_displacement<dim>(
       discretization.shape, discretization.displacement_degree(), rule.points);
-  const auto geometry = tabulate_geometry<dim>(
+  const CellInterpolation<dim> geometry(
       discretization.shape, discretization.mapping_degree(), rule.points);
   MatrixXd moments = MatrixXd::Zero(discretization.nodes, 4);
   MatrixXd factor(rule.weights.size(), 4);

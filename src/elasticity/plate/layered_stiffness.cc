@@ -96,8 +96,8 @@ PlaneIntegrals plane_integrals(const Discretization<2>& plane,
   const auto rule = stiffness_quadrature(plane);
   const auto displacement = tabulate_displacement<2>(
       plane.shape, plane.displacement_degree(), rule.points);
-  const auto geometry =
-      tabulate_geometry<2>(plane.shape, plane.mapping_degree(), rule.points);
+  const CellInterpolation<2> geometry(plane.shape, plane.mapping_degree(),
+                                      rule.points);
   for (std::size_t c = 0; c < plane.cell_nodes.size(); ++c) {
     const auto at = cell_geometry<2>(plane.cell_points[c], geometry);
     require_positive(at.determinant, c, plane.geometry_degree, place);

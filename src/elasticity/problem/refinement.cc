@@ -64,7 +64,7 @@ MatrixXd forces_by_strain(const Discretization<dim>& discretization,
   const auto rule = stiffness_quadrature(discretization);
   const auto displacement = tabulate_displacement<dim>(
       discretization.shape, discretization.displacement_degree(), rule.points);
-  const auto geometry = tabulate_geometry<dim>(
+  const CellInterpolation<dim> geometry(
       discretization.shape, discretization.mapping_degree(), rule.points);
   const Index points = rule.weights.size();
   MatrixXd forces = MatrixXd::Zero(columns.rows(), columns.cols());

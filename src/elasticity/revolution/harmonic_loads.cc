@@ -329,8 +329,8 @@ MatrixXd node_moments(const Discretization<2>& meridian) {
   const auto rule = gauss<2>(meridian.shape, meridian.degree + 3);
   const auto displacement =
       tabulate_displacement<2>(meridian.shape, meridian.degree, rule.points);
-  const auto geometry = tabulate_geometry<2>(
-      meridian.shape, meridian.geometry_degree, rule.points);
+  const CellInterpolation<2> geometry(meridian.shape, meridian.geometry_degree,
+                                      rule.points);
   MatrixXd moments = MatrixXd::Zero(meridian.nodes, 3);
   for (std::size_t c = 0; c < meridian.cell_nodes.size(); ++c) {
     const auto at = cell_geometry<2>(meridian.cell_points[c], geometry);

@@ -98,8 +98,8 @@ MeridianStiffness::MeridianStiffness(const Discretization<2>& meridian,
   const auto rule = gauss<2>(meridian.shape, points);
   const auto displacement =
       tabulate_displacement<2>(meridian.shape, meridian.degree, rule.points);
-  const auto geometry = tabulate_geometry<2>(
-      meridian.shape, meridian.geometry_degree, rule.points);
+  const CellInterpolation<2> geometry(meridian.shape, meridian.geometry_degree,
+                                      rule.points);
   const Matrix3d mix = mix_components();
   for (std::size_t c = 0; c < meridian.cell_nodes.size(); ++c) {
     const auto cell = cell_geometry<2>(meridian.cell_points[c], geometry);

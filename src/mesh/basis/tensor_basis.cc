@@ -87,39 +87,52 @@ LagrangeBasis lagrange(const VectorXd& nodes, const VectorXd& points) {
 
 namespace {
 
-/// For each of `right` slices, target (left × out) = source (left × in)
-/// basisᵀ, all column-major. Most of the time of reading a mesh goes here.
-__attribute__((target_clones("avx2", "default"))) void contract(
-    const double* __restrict source, const MatrixXd& basis,
-    double* __restrict target, Index left, Index right) {
+/// Weighted sums of `in` rows of `left` numbers; `count` neighbours of a row at
+/// a time, so that they stay in registers.
+template <int count>
+inline __attribute__((always_inline)) void combine(
+    const double* __restrict from, const double* __restrict weights, Index in,
+    Index left, Index stride, double* __restrict to) {
+  double sum[count] = {};
+  for (Index i = 0; i < in; ++i) {
+    const double weight = weights[i * stride];
+    for (int l = 0; l < count; ++l) sum[l] += weight * from[i * left + l];
+  }
+  for (int l = 0; l < count; ++l) to[l] = sum[l];
+}
+
+}  // namespace
+
+__attribute__((target_clones("arch=x86-64-v3", "default"))) void contract(
+    const double* source, const MatrixXd& basis, double* target, Index left,
+    Index right) {
   const Index in = basis.cols(), out = basis.rows();
-  const double* __restrict weights = basis.data();
+  const double* weights = basis.data();
   for (Index r = 0; r < right; ++r, source += left * in) {
     for (Index o = 0; o < out; ++o, target += left) {
-      if (left == 3) {  // too short for the vector loop below
-        double x = 0.0, y = 0.0, z = 0.0;
-        for (Index i = 0; i < in; ++i) {
-          const double weight = weights[o + i * out];
-          x += weight * source[3 * i];
-          y += weight * source[3 * i + 1];
-          z += weight * source[3 * i + 2];
-        }
-        target[0] = x;
-        target[1] = y;
-        target[2] = z;
-        continue;
+      Index l = 0;
+      for (; l + 16 <= left; l += 16) {
+        combine<16>(source + l, weights + o, in, left, out, target + l);
       }
-      for (Index l = 0; l < left; ++l) target[l] = 0.0;
-      for (Index i = 0; i < in; ++i) {
-        const double weight = weights[o + i * out];
-        const double* __restrict from = source + i * left;
-        for (Index l = 0; l < left; ++l) target[l] += weight * from[l];
+      for (; l + 4 <= left; l += 4) {
+        combine<4>(source + l, weights + o, in, left, out, target + l);
+      }
+      switch (left - l) {
+        case 3:
+          combine<3>(source + l, weights + o, in, left, out, target + l);
+          break;
+        case 2:
+          combine<2>(source + l, weights + o, in, left, out, target + l);
+          break;
+        case 1:
+          combine<1>(source + l, weights + o, in, left, out, target + l);
+          break;
+        default:
+          break;
       }
     }
   }
 }
-
-}  // namespace
 
 template <int dim>
 Eigen::Matrix<double, dim, Eigen::Dynamic> interpolate(

@@ -25,6 +25,12 @@ struct LagrangeBasis {
 LagrangeBasis lagrange(const Eigen::VectorXd& nodes,
                        const Eigen::VectorXd& points);
 
+/// One direction of a tensor, from nodes to points: for each of `right` slices,
+/// target (left × points) = source (left × nodes) basisᵀ, all column-major.
+/// @param basis  points × nodes.
+void contract(const double* source, const Eigen::MatrixXd& basis,
+              double* target, Eigen::Index left, Eigen::Index right);
+
 /// Σ_ij… A0(p0,i) A1(p1,j)… X(:, i,j,…): a tensor-product polynomial with the
 /// nodal values X (first index fastest) at a tensor grid of points, by one
 /// small matrix product per direction.

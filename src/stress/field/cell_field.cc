@@ -1,9 +1,6 @@
 #include "stress/field/cell_field.h"
 
 #include <cmath>
-#include <vector>
-
-#include "elasticity/algebra/dense_product.h"
 
 namespace clevis::stress {
 
@@ -47,49 +44,32 @@ MatrixXd deviator(const MatrixXd& stress, Index n) {
   return result;
 }
 
-namespace {
-
-/// Gradients of all directions, one below the other.
-MatrixXd stacked(const std::vector<MatrixXd>& gradients) {
-  const Index n = gradients.front().rows();
-  MatrixXd result(static_cast<Index>(gradients.size()) * n,
-                  gradients.front().cols());
-  for (std::size_t d = 0; d < gradients.size(); ++d) {
-    result.middleRows(static_cast<Index>(d) * n, n) = gradients[d];
-  }
-  return result;
-}
-
-}  // namespace
-
 template <int dim>
 CellField<dim>::CellField(const elasticity::Discretization<dim>& discretization,
                           const part::Material& material,
                           const elasticity::ReferencePoints<dim>& points)
     : discretization_(discretization),
       lame_(elasticity::lame_constants<dim>(material)),
-      displacement_(elasticity::tabulate_displacement<dim>(
-          discretization.shape, discretization.displacement_degree(), points)),
-      geometry_(elasticity::tabulate_geometry<dim>(
-          discretization.shape, discretization.mapping_degree(), points)),
-      slopes_(stacked(displacement_.gradients)) {
+      places_(elasticity::displacement_places<dim>(
+          discretization.shape, discretization.displacement_degree())),
+      displacement_(discretization.shape, discretization.displacement_degree(),
+                    points),
+      geometry_(discretization.shape, discretization.mapping_degree(), points) {
   if (!discretization.is_revolved) return;
   constexpr double kBeside = 1e-6;
   elasticity::ReferencePoints<dim> beside = points;
   beside.template topRows<2>() =
       points.template topRows<2>().cwiseMax(kBeside).cwiseMin(1.0 - kBeside);
-  slopes_beside_ = stacked(
-      elasticity::tabulate_displacement<dim>(
-          discretization.shape, discretization.displacement_degree(), beside)
-          .gradients);
-  geometry_beside_ = elasticity::tabulate_geometry<dim>(
-      discretization.shape, discretization.mapping_degree(), beside);
+  displacement_beside_ = {discretization.shape,
+                          discretization.displacement_degree(), beside};
+  geometry_beside_ = {discretization.shape, discretization.mapping_degree(),
+                      beside};
 }
 
 template <int dim>
 MatrixXd CellField<dim>::stress(std::size_t cell,
                                 const MatrixXd& columns) const {
-  const auto n = displacement_.values.rows();
+  const Index n = displacement_.points();
   const auto rank = columns.cols();
   const MatrixXd slopes = gradients(cell, columns);
   // slopes: row block d, column block a holds ∂u_a/∂x_d.
@@ -113,13 +93,13 @@ MatrixXd CellField<dim>::stress(std::size_t cell,
 
 template <int dim>
 MatrixXd CellField<dim>::positions(std::size_t cell) const {
-  return geometry_.values * discretization_.cell_points[cell].transpose();
+  return geometry_.values(discretization_.cell_points[cell].transpose());
 }
 
 template <int dim>
 MatrixXd CellField<dim>::displacement(std::size_t cell,
                                       const MatrixXd& columns) const {
-  return elasticity::product(displacement_.values, nodal_values(cell, columns));
+  return displacement_.values(nodal_values(cell, columns));
 }
 
 template <int dim>
@@ -129,8 +109,7 @@ MatrixXd CellField<dim>::nodal_values(std::size_t cell,
   MatrixXd values(static_cast<Index>(nodes.size()), dim * columns.cols());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (int a = 0; a < dim; ++a) {
-      values.row(static_cast<Index>(i))
-          .segment(a * columns.cols(), columns.cols()) =
+      values.row(places_[i]).segment(a * columns.cols(), columns.cols()) =
           columns.row(dim * nodes[i] + a);
     }
   }
@@ -149,9 +128,10 @@ MatrixXd CellField<dim>::gradients(std::size_t cell,
   if (touches_axis) {
     at = elasticity::cell_geometry<dim>(points, geometry_beside_);
   }
-  const auto n = displacement_.values.rows();
-  const MatrixXd reference = elasticity::product(
-      touches_axis ? slopes_beside_ : slopes_, nodal_values(cell, columns));
+  const Index n = displacement_.points();
+  const MatrixXd reference =
+      (touches_axis ? displacement_beside_ : displacement_)
+          .gradients(nodal_values(cell, columns));
   // ∂u/∂x_d = Σ_k ∂u/∂ξ_k ∂ξ_k/∂x_d, point by point: of the result and not of
   // the basis functions, which are many more.
   MatrixXd slopes(dim * n, reference.cols());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "elasticity/assembly/stiffness.h"
@@ -61,12 +63,11 @@ class CellField {
 
   const elasticity::Discretization<dim>& discretization_;
   elasticity::LameConstants<dim> lame_;
-  elasticity::Tabulation displacement_, geometry_;
-  Eigen::MatrixXd slopes_;  ///< reference gradients, direction below direction
+  std::vector<int> places_;  ///< of a cell's nodes among those interpolated
+  elasticity::CellInterpolation<dim> displacement_, geometry_;
   /// A millionth of a cell inside its edges, where slopes of revolved cells are
   /// taken that touch their axis: on it their directions coincide.
-  elasticity::Tabulation geometry_beside_;
-  Eigen::MatrixXd slopes_beside_;
+  elasticity::CellInterpolation<dim> displacement_beside_, geometry_beside_;
 };
 
 }  // namespace clevis::stress

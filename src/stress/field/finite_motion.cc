@@ -18,7 +18,7 @@ using Eigen::MatrixXd;
 template <int dim>
 MatrixXd middle_slopes(const elasticity::DisplacementBasis<dim>& basis,
                        const elasticity::Tabulation& displacement,
-                       const elasticity::Tabulation& geometry,
+                       const elasticity::CellInterpolation<dim>& geometry,
                        std::size_t cell) {
   const auto& discretization = basis.discretization;
   const auto at = elasticity::cell_geometry<dim>(
@@ -63,7 +63,7 @@ FieldMotion field_motion(const elasticity::DisplacementBasis<dim>& basis) {
   const elasticity::ReferencePoints<dim> middle = points.rowwise().mean();
   const auto displacement = elasticity::tabulate_displacement<dim>(
       discretization.shape, discretization.displacement_degree(), middle);
-  const auto geometry = elasticity::tabulate_geometry<dim>(
+  const elasticity::CellInterpolation<dim> geometry(
       discretization.shape, discretization.mapping_degree(), middle);
   using Slope = Eigen::Matrix<double, dim, dim, Eigen::RowMajor>;
   FieldMotion motion;

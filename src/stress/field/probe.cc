@@ -65,7 +65,7 @@ bool invert(const elasticity::Discretization<dim>& discretization,
     const elasticity::ReferencePoints<dim> here = xi;
     const auto at = elasticity::cell_geometry<dim>(
         points,
-        elasticity::tabulate_geometry<dim>(
+        elasticity::CellInterpolation<dim>(
             discretization.shape, discretization.mapping_degree(), here));
     const Point<dim> gap = x - at.points.col(0);
     if (gap.norm() <= close) return true;

@@ -31,9 +31,8 @@ class NodalForces {
       : discretization_(discretization),
         rule_(elasticity::stiffness_quadrature<dim>(discretization)),
         field_(discretization, material, rule_.points),
-        geometry_(elasticity::tabulate_geometry<dim>(
-            discretization.shape, discretization.mapping_degree(),
-            rule_.points)),
+        geometry_(discretization.shape, discretization.mapping_degree(),
+                  rule_.points),
         displacement_(elasticity::tabulate_displacement<dim>(
             discretization.shape, discretization.displacement_degree(),
             rule_.points)) {}
@@ -65,7 +64,8 @@ class NodalForces {
   const elasticity::Discretization<dim>& discretization_;
   elasticity::Quadrature<dim> rule_;
   CellField<dim> field_;
-  elasticity::Tabulation geometry_, displacement_;
+  elasticity::CellInterpolation<dim> geometry_;
+  elasticity::Tabulation displacement_;
 };
 
 /// ∫ σ ∇N dV of nodes less their loads, per node and basis column; loads are

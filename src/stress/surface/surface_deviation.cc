@@ -17,7 +17,7 @@ std::vector<double> face_areas(const mesh::PartMesh<3>& mesh) {
   constexpr int kGauss = 2;
   struct Reference {
     elasticity::FaceQuadrature<3> gauss;
-    elasticity::Tabulation geometry;
+    elasticity::CellInterpolation<3> geometry;
   };
   std::map<int, Reference> known;  // by the face's place in its cell
   std::vector<double> areas;
@@ -26,7 +26,7 @@ std::vector<double> face_areas(const mesh::PartMesh<3>& mesh) {
     auto& [gauss, geometry] = at->second;
     if (is_new) {
       gauss = elasticity::face_gauss<3>(mesh.shape, face.face, kGauss);
-      geometry = elasticity::tabulate_geometry<3>(mesh.shape, mesh.degree,
+      geometry = elasticity::CellInterpolation<3>(mesh.shape, mesh.degree,
                                                   gauss.points);
     }
     const auto cell = elasticity::cell_geometry<3>(
@@ -100,8 +100,8 @@ double energy_between(const mesh::PartMesh<3>& mesh,
   constexpr int kGauss = 2;
   const Eigen::VectorXd density = stress.colwise().squaredNorm();
   const auto gauss = elasticity::gauss<3>(mesh.shape, kGauss);
-  const auto geometry =
-      elasticity::tabulate_geometry<3>(mesh.shape, mesh.degree, gauss.points);
+  const elasticity::CellInterpolation<3> geometry(mesh.shape, mesh.degree,
+                                                  gauss.points);
   double whole = 0.0;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const auto cell =

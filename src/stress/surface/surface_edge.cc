@@ -82,7 +82,7 @@ class EdgeSides {
  private:
   struct Reference {
     EdgePoints points;
-    elasticity::Tabulation geometry;
+    elasticity::CellInterpolation<3> geometry;
     Vector3d outward, along;
   };
 
@@ -97,7 +97,7 @@ class EdgeSides {
       }
       at->second = {
           points,
-          elasticity::tabulate_geometry<3>(mesh_.shape, mesh_.degree, points),
+          elasticity::CellInterpolation<3>(mesh_.shape, mesh_.degree, points),
           elasticity::face_gauss<3>(mesh_.shape, face, 1).outward, b - a};
     }
     return at->second;

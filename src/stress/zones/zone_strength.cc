@@ -18,9 +18,8 @@ class StrainEnergy {
         rule_(elasticity::gauss<dim>(discretization_.shape,
                                      {discretization_.degree + 1,
                                       discretization_.thickness_degree + 1})),
-        geometry_(elasticity::tabulate_geometry<dim>(
-            discretization_.shape, discretization_.mapping_degree(),
-            rule_.points)),
+        geometry_(discretization_.shape, discretization_.mapping_degree(),
+                  rule_.points),
         field_(discretization_, material, rule_.points),
         nu_(material.poissons_ratio),
         u_(basis.columns * basis.coefficients.col(instant)) {}
@@ -54,7 +53,7 @@ class StrainEnergy {
 
   const elasticity::Discretization<dim>& discretization_;
   elasticity::Quadrature<dim> rule_;
-  elasticity::Tabulation geometry_;
+  elasticity::CellInterpolation<dim> geometry_;
   CellField<dim> field_;
   double nu_;
   Eigen::MatrixXd u_;

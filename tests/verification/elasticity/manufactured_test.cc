@@ -88,7 +88,7 @@ Errors errors_of(const elasticity::DisplacementBasis<dim>& basis,
       elasticity::gauss<dim>(discretization.shape, discretization.degree + 4);
   const auto displacement = elasticity::tabulate_displacement<dim>(
       discretization.shape, discretization.degree, rule.points);
-  const auto geometry = elasticity::tabulate_geometry<dim>(
+  const elasticity::CellInterpolation<dim> geometry(
       discretization.shape, discretization.geometry_degree, rule.points);
   Eigen::Array3d error = Eigen::Array3d::Zero();  // u², σ², 2 (U − U_h)
   Eigen::Array3d scale = Eigen::Array3d::Zero();
