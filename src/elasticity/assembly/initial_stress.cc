@@ -19,27 +19,26 @@ constexpr std::array<std::pair<int, int>, 6> kComponents = {
 
 }  // namespace
 
-struct InitialStress::Cell {
-  std::vector<MatrixXd> gradients;  ///< per direction, points × nodes
-  VectorXd weights;
-};
-
 InitialStress::InitialStress(const Discretization<3>& discretization,
                              const part::Material& material, MatrixXd columns)
     : discretization_(discretization),
       lame_(lame_constants<3>(material)),
       columns_(std::move(columns)),
       rule_(stiffness_quadrature(discretization)),
-      displacement_(tabulate_displacement<3>(
-          discretization.shape, discretization.displacement_degree(),
-          rule_.points)),
+      places_(displacement_places<3>(discretization.shape,
+                                     discretization.displacement_degree())),
+      displacement_(discretization.shape, discretization.displacement_degree(),
+                    rule_.points),
       geometry_(discretization.shape, discretization.mapping_degree(),
-                rule_.points) {}
+                rule_.points),
+      functions_(tabulate_displacement<3>(discretization.shape,
+                                          discretization.displacement_degree(),
+                                          rule_.points)) {}
 
 InitialStress::Cell InitialStress::cell(std::size_t c) const {
-  const auto at = cell_geometry<3>(discretization_.cell_points[c], geometry_);
-  return {physical_gradients<3>(at, displacement_),
-          rule_.weights.cwiseProduct(at.determinant)};
+  auto at = cell_geometry<3>(discretization_.cell_points[c], geometry_);
+  VectorXd weights = rule_.weights.cwiseProduct(at.determinant);
+  return {std::move(at), std::move(weights)};
 }
 
 /// Row block d holds ∂u/∂x_d at the points, column block a component a.
@@ -50,17 +49,11 @@ MatrixXd InitialStress::slopes(const Cell& cell, std::size_t c,
   MatrixXd nodal(static_cast<Index>(nodes.size()), 3 * rank);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (int a = 0; a < 3; ++a) {
-      nodal.row(static_cast<Index>(i)).segment(a * rank, rank) =
+      nodal.row(places_[i]).segment(a * rank, rank) =
           columns.row(3 * nodes[i] + a);
     }
   }
-  const Index n = cell.weights.size();
-  MatrixXd result(3 * n, 3 * rank);
-  for (Index d = 0; d < 3; ++d) {
-    result.middleRows(d * n, n) =
-        product(cell.gradients[static_cast<std::size_t>(d)], nodal);
-  }
-  return result;
+  return physical_slopes<3>(cell.geometry, displacement_.gradients(nodal));
 }
 
 /// Row block k holds component k at the points.
@@ -92,8 +85,8 @@ MassMatrix InitialStress::stiffness(const NodePairs& pattern,
     const Cell here = cell(c);
     const VectorXd sigma = stress(here, c, displacement);
     const Index n = here.weights.size();
-    MatrixXd element =
-        MatrixXd::Zero(here.gradients[0].cols(), here.gradients[0].cols());
+    const auto gradients = physical_gradients<3>(here.geometry, functions_);
+    MatrixXd element = MatrixXd::Zero(gradients[0].cols(), gradients[0].cols());
     for (std::size_t i = 0; i < 3; ++i) {
       // Σ_j σ_ij ∂N/∂x_j, weighted.
       MatrixXd flux = MatrixXd::Zero(n, element.cols());
@@ -105,9 +98,9 @@ MassMatrix InitialStress::stiffness(const NodePairs& pattern,
         flux += sigma.segment(static_cast<Index>(k) * n, n)
                     .cwiseProduct(here.weights)
                     .asDiagonal() *
-                here.gradients[j];
+                gradients[j];
       }
-      element += transposed_product(here.gradients[i], flux);
+      element += transposed_product(gradients[i], flux);
     }
     add_element(discretization_.cell_nodes[c], element, matrix);
   }
@@ -119,9 +112,9 @@ MassMatrix InitialStress::unit_stiffness(const NodePairs& pattern) const {
                     std::vector<double>(pattern.column.size(), 0.0)};
   for (std::size_t c = 0; c < discretization_.cell_nodes.size(); ++c) {
     const Cell here = cell(c);
-    MatrixXd element =
-        MatrixXd::Zero(here.gradients[0].cols(), here.gradients[0].cols());
-    for (const MatrixXd& gradient : here.gradients) {
+    const auto gradients = physical_gradients<3>(here.geometry, functions_);
+    MatrixXd element = MatrixXd::Zero(gradients[0].cols(), gradients[0].cols());
+    for (const MatrixXd& gradient : gradients) {
       element +=
           transposed_product(gradient, here.weights.asDiagonal() * gradient);
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "elasticity/assembly/mass_matrix.h"
@@ -36,7 +38,10 @@ class InitialStress {
                         Eigen::Index first) const;
 
  private:
-  struct Cell;
+  struct Cell {
+    CellGeometry<3> geometry;
+    Eigen::VectorXd weights;
+  };
   Cell cell(std::size_t c) const;
   Eigen::MatrixXd slopes(const Cell& cell, std::size_t c,
                          const Eigen::MatrixXd& columns) const;
@@ -47,8 +52,9 @@ class InitialStress {
   LameConstants<3> lame_;
   Eigen::MatrixXd columns_;
   Quadrature<3> rule_;
-  Tabulation displacement_;
-  CellInterpolation<3> geometry_;
+  std::vector<int> places_;  ///< of a cell's nodes among those interpolated
+  CellInterpolation<3> displacement_, geometry_;
+  Tabulation functions_;  ///< of the displacement
 };
 
 /// A matrix of the nodes times displacements (dofs × columns), component by

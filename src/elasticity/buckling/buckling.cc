@@ -94,6 +94,17 @@ class StressedPart {
     return holds_.empty() ? u : holds_[hold].project(u);
   }
 
+  /// Rotations of a free part as a whole, dofs × 3; of a held one none.
+  MatrixXd rotations() const {
+    return holds_.empty() ? MatrixXd(part_.dofs(), 0)
+                          : holds_[0].rigid().rightCols<3>();
+  }
+  /// Of rotations(): what of displacements the hold takes out.
+  MatrixXd broken_rotations(const MatrixXd& u, std::size_t hold) const {
+    return holds_.empty() ? MatrixXd(0, u.cols())
+                          : holds_[hold].broken(u).bottomRows<3>();
+  }
+
   /// Y of a displacement, whatever rigid motion is in it: Fᵀ φ = F⁻¹ K φ.
   MatrixXd unknowns(const MatrixXd& u) const {
     return coordinates_->of_loads(forces_by_strain(part_, material_, u));
@@ -127,12 +138,12 @@ class StressedPart {
 
 /// Unknowns that yield most to stress of 1 Pa in all directions: what bends or
 /// twists easily, whatever the loads.
-MatrixXd yielding_shapes(const StressedPart& part, std::size_t hold) {
+MatrixXd yielding_shapes(const StressedPart& part) {
   constexpr int kSteps = 3;
   constexpr Index kShapes = 8;
   const MassMatrix unit = part.stress().unit_stiffness(part.pairs());
   dynamics::BlockKrylov space(
-      part.answer_to(unit, 1.0, hold),
+      part.answer_to(unit, 1.0, 0),
       start_block(part.equations(), std::min(kBlock, part.equations())), {});
   for (int step = 0; step < kSteps && !space.is_closed(); ++step) {
     space.extend();
@@ -142,31 +153,37 @@ MatrixXd yielding_shapes(const StressedPart& part, std::size_t hold) {
   return space.basis() * ritz.vectors.leftCols(n);
 }
 
-/// Shapes that are tried with the stresses of every instant.
+/// Shapes that are tried with the stresses of every instant and every hold. The
+/// holds' differ by rotations of the whole part, which are among them.
 class TrialSpace {
  public:
-  TrialSpace(const StressedPart& part, std::size_t hold,
-             const MatrixXd& unknowns)
-      : part_(part), hold_(hold), forms_(0, part.coefficients().rows()) {
+  TrialSpace(const StressedPart& part, const MatrixXd& unknowns)
+      : part_(part),
+        shapes_(part.rotations()),
+        forms_(0, part.coefficients().rows()) {
     add(unknowns);
   }
   void add(const MatrixXd& unknowns) {
-    const Index before = unknowns_.cols();
+    const Index before = unknowns_.cols() > 0 ? shapes_.cols() : 0;
     append(unknowns, unknowns_);
-    append(part_.shapes(unknowns, hold_), shapes_);
+    append(part_.shapes(unknowns, 0), shapes_);
     const MatrixXd more = part_.stress().forms(shapes_, before);
     forms_.conservativeResize(forms_.rows() + more.rows(), Eigen::NoChange);
     forms_.bottomRows(more.rows()) = more;
     orthonormalise();
   }
-  /// Largest 1/λ of an instant in the space, and its shapes.
-  double yield(Index instant) const {
-    return solved(instant).eigenvalues().tail<1>()[0];
+  /// Largest 1/λ of an instant in the space.
+  double yield(Index instant, std::size_t hold) const {
+    return solved(instant, hold, Eigen::EigenvaluesOnly)
+        .eigenvalues()
+        .tail<1>()[0];
   }
-  MatrixXd best(Index instant, Index count) const {
+  /// Unknowns of the shapes with the largest.
+  MatrixXd best(Index instant, std::size_t hold, Index count) const {
     return unknowns_ * to_orthonormal_ *
-           solved(instant).eigenvectors().rightCols(
-               std::min(count, to_orthonormal_.cols()));
+           solved(instant, hold, Eigen::ComputeEigenvectors)
+               .eigenvectors()
+               .rightCols(std::min(count, to_orthonormal_.cols()));
   }
 
  private:
@@ -184,23 +201,35 @@ class TrialSpace {
     to_orthonormal_ =
         scale.asDiagonal() * metric.eigenvectors().rightCols(kept) *
         metric.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+    of_hold_.clear();
+    for (std::size_t hold = 0; hold < part_.holds(); ++hold) {
+      const MatrixXd rotations =
+          part_.broken_rotations(shapes_.rightCols(unknowns_.cols()), hold);
+      MatrixXd shapes(shapes_.cols(), kept);
+      shapes << -rotations * to_orthonormal_, to_orthonormal_;
+      of_hold_.push_back(std::move(shapes));
+    }
   }
-  Eigen::SelfAdjointEigenSolver<MatrixXd> solved(Index instant) const {
+  Eigen::SelfAdjointEigenSolver<MatrixXd> solved(
+      Index instant, std::size_t hold, Eigen::DecompositionOptions what) const {
     const VectorXd entries = forms_ * part_.coefficients().col(instant);
-    const Index m = unknowns_.cols();
+    const Index m = shapes_.cols();
     MatrixXd form(m, m);
     Index pair = 0;
     for (Index b = 0; b < m; ++b) {
       for (Index a = 0; a <= b; ++a) form(a, b) = form(b, a) = entries[pair++];
     }
+    const MatrixXd& shapes = of_hold_[hold];
     return Eigen::SelfAdjointEigenSolver<MatrixXd>(
-        -to_orthonormal_.transpose() * form * to_orthonormal_);
+        -shapes.transpose() * form * shapes, what);
   }
 
   const StressedPart& part_;
-  std::size_t hold_;
-  MatrixXd unknowns_, shapes_, to_orthonormal_;
-  MatrixXd forms_;  ///< of the unknowns' shapes, a column per load column
+  MatrixXd unknowns_, to_orthonormal_;
+  MatrixXd shapes_;  ///< rotations, then those of the unknowns with one hold
+  MatrixXd forms_;   ///< of the shapes, a column per load column
+  /// Of each hold its orthonormal shapes, of shapes_.
+  std::vector<MatrixXd> of_hold_;
 };
 
 /// The largest 1/λ of one instant.
@@ -299,16 +328,15 @@ BucklingMode lowest_near(const StressedPart& part, const VectorXd& shape) {
 }
 
 /// The largest 1/λ of all instants with one hold.
-/// @param yielding  shapes that are tried at first; serve all holds.
+/// @param space  takes in what is found.
 BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
-                         const MatrixXd& yielding) {
+                         TrialSpace& space) {
   constexpr double kGain = 1.0 + 1e-3;
   // By trial factors are too high, of shapes near the right ones little.
   const double far_above = 0.1 / part.highest();
   constexpr int kFewest = 2;
   BucklingMode best = none_below(part.highest());
   best.hold = hold;
-  TrialSpace space(part, hold, yielding);
   std::set<Index> solved;
   double largest = 0.0;
   while (true) {
@@ -316,7 +344,7 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
     double expected = -1.0;
     for (Index i = 0; i < part.instants(); ++i) {
       if (solved.contains(i)) continue;
-      const double yield = space.yield(i);
+      const double yield = space.yield(i, hold);
       if (next < 0 || yield > expected) {
         next = i;
         expected = yield;
@@ -329,10 +357,12 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
         (!must && expected <= std::max(kGain * largest, far_above))) {
       break;
     }
-    const Yield yield =
-        largest_yield(part, hold, next, space.best(next, kBlock), kFewest);
+    const Yield yield = largest_yield(part, hold, next,
+                                      space.best(next, hold, kBlock), kFewest);
     solved.insert(next);
-    if (std::ssize(solved) < part.instants()) space.add(yield.shapes);
+    const bool is_last =
+        std::ssize(solved) == part.instants() && hold + 1 == part.holds();
+    if (!is_last) space.add(yield.shapes);
     if (yield.value > largest) {
       largest = yield.value;
       take(part, yield, next, best);
@@ -351,10 +381,10 @@ BucklingMode lowest_buckling(const BucklingProblem& problem) {
     return lowest_near(part,
                        carried_over(*problem.known, problem.discretization));
   }
-  const MatrixXd yielding = yielding_shapes(part, 0);
-  BucklingMode lowest = lowest_with(part, 0, yielding);
+  TrialSpace space(part, yielding_shapes(part));
+  BucklingMode lowest = lowest_with(part, 0, space);
   for (std::size_t hold = 1; hold < part.holds(); ++hold) {
-    BucklingMode mode = lowest_with(part, hold, yielding);
+    BucklingMode mode = lowest_with(part, hold, space);
     if (mode.factor < lowest.factor) lowest = std::move(mode);
   }
   return lowest;

@@ -102,8 +102,12 @@ PinHold::PinHold(const Discretization<3>& discretization,
   conditions_ = product(rows, rigid_).fullPivLu().solve(rows);
 }
 
+MatrixXd PinHold::broken(const MatrixXd& u) const {
+  return product(conditions_, u);
+}
+
 MatrixXd PinHold::project(const MatrixXd& u) const {
-  return u - product(rigid_, product(conditions_, u));
+  return u - product(rigid_, broken(u));
 }
 
 MatrixXd PinHold::balance(const MatrixXd& f) const {

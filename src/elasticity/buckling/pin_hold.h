@@ -20,8 +20,13 @@ class PinHold {
   PinHold(const Discretization<3>& discretization,
           const std::vector<std::string>& groups);
 
-  /// P u: the rigid motion taken out that breaks the conditions; u are
-  /// displacements, dofs × columns [m].
+  /// Rigid motions about the nodes' mean, the same for every hold: three
+  /// translations, three rotations, dofs × 6.
+  const Eigen::MatrixXd& rigid() const { return rigid_; }
+  /// Of rigid(), 6 × columns: what of displacements u (dofs × columns [m])
+  /// breaks the conditions.
+  Eigen::MatrixXd broken(const Eigen::MatrixXd& u) const;
+  /// P u = u less rigid() broken(u).
   Eigen::MatrixXd project(const Eigen::MatrixXd& u) const;
   /// Pᵀ f: forces with the conditions' reactions, in balance, dofs × columns
   /// [N].

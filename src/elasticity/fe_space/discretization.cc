@@ -205,6 +205,32 @@ CellGeometry<dim> cell_geometry(
 }
 
 template <int dim>
+Eigen::MatrixXd physical_slopes(const CellGeometry<dim>& geometry,
+                                const Eigen::MatrixXd& reference) {
+  const auto n = static_cast<Eigen::Index>(geometry.inverse_jacobian.size());
+  Eigen::MatrixXd slopes(dim * n, reference.cols());
+  // ∂u/∂x_d = Σ_k ∂u/∂ξ_k ∂ξ_k/∂x_d
+  for (int d = 0; d < dim; ++d) {
+    Eigen::Array<double, Eigen::Dynamic, dim> factor(n, dim);
+    for (Eigen::Index q = 0; q < n; ++q) {
+      factor.row(q) = geometry.inverse_jacobian[static_cast<std::size_t>(q)]
+                          .col(d)
+                          .transpose()
+                          .array();
+    }
+    for (Eigen::Index column = 0; column < reference.cols(); ++column) {
+      auto slope = slopes.col(column).segment(d * n, n).array();
+      slope = factor.col(0) * reference.col(column).head(n).array();
+      for (int k = 1; k < dim; ++k) {
+        slope +=
+            factor.col(k) * reference.col(column).segment(k * n, n).array();
+      }
+    }
+  }
+  return slopes;
+}
+
+template <int dim>
 std::vector<Eigen::MatrixXd> physical_gradients(
     const CellGeometry<dim>& geometry, const Tabulation& displacement) {
   const auto n = displacement.values.rows();
@@ -241,6 +267,8 @@ std::vector<Eigen::MatrixXd> physical_gradients(
   template CellGeometry<dim> cell_geometry<dim>(                               \
       const Eigen::Matrix<double, dim, Eigen::Dynamic>&,                       \
       const CellInterpolation<dim>&);                                          \
+  template Eigen::MatrixXd physical_slopes<dim>(const CellGeometry<dim>&,      \
+                                                const Eigen::MatrixXd&);       \
   template std::vector<Eigen::MatrixXd> physical_gradients<dim>(               \
       const CellGeometry<dim>&, const Tabulation&);
 CLEVIS_INSTANTIATE(2)

@@ -77,6 +77,12 @@ CellGeometry<dim> cell_geometry(
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& cell_points,
     const CellInterpolation<dim>& geometry);
 
+/// Derivatives of columns by place [1/m] from those by reference coordinates:
+/// (dim·points) × columns, direction below direction.
+template <int dim>
+Eigen::MatrixXd physical_slopes(const CellGeometry<dim>& geometry,
+                                const Eigen::MatrixXd& reference);
+
 /// Physical gradients of the displacement basis: per direction, points ×
 /// functions [1/m].
 template <int dim>

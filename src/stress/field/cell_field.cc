@@ -128,31 +128,10 @@ MatrixXd CellField<dim>::gradients(std::size_t cell,
   if (touches_axis) {
     at = elasticity::cell_geometry<dim>(points, geometry_beside_);
   }
-  const Index n = displacement_.points();
-  const MatrixXd reference =
-      (touches_axis ? displacement_beside_ : displacement_)
-          .gradients(nodal_values(cell, columns));
-  // ∂u/∂x_d = Σ_k ∂u/∂ξ_k ∂ξ_k/∂x_d, point by point: of the result and not of
-  // the basis functions, which are many more.
-  MatrixXd slopes(dim * n, reference.cols());
-  for (int d = 0; d < dim; ++d) {
-    Eigen::Array<double, Eigen::Dynamic, dim> factor(n, dim);
-    for (Index q = 0; q < n; ++q) {
-      factor.row(q) = at.inverse_jacobian[static_cast<std::size_t>(q)]
-                          .col(d)
-                          .transpose()
-                          .array();
-    }
-    for (Index column = 0; column < reference.cols(); ++column) {
-      auto slope = slopes.col(column).segment(d * n, n).array();
-      slope = factor.col(0) * reference.col(column).head(n).array();
-      for (int k = 1; k < dim; ++k) {
-        slope +=
-            factor.col(k) * reference.col(column).segment(k * n, n).array();
-      }
-    }
-  }
-  return slopes;
+  // Of the result and not of the basis functions, which are many more.
+  return elasticity::physical_slopes<dim>(
+      at, (touches_axis ? displacement_beside_ : displacement_)
+              .gradients(nodal_values(cell, columns)));
 }
 
 template ArrayXXd von_mises_squared<2>(const MatrixXd&, Index);
