@@ -103,7 +103,9 @@ inline __attribute__((always_inline)) void combine(
 
 }  // namespace
 
-__attribute__((target_clones("arch=x86-64-v3", "default"))) void contract(
+// Without fused products: masses and the motion that follows from them have the
+// same bits on every processor.
+__attribute__((target_clones("avx2", "default"))) void contract(
     const double* source, const MatrixXd& basis, double* target, Index left,
     Index right) {
   const Index in = basis.cols(), out = basis.rows();
