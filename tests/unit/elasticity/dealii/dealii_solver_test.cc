@@ -197,7 +197,7 @@ double coarse_level_error(const Discretization<3>& part,
   DealiiSolver<3> solver(part, material, none, held, "bar", false,
                          most_factored);
   const MatrixXd found = solver.solve(stiffness.multiply(truth));
-  EXPECT_LT(solver.report().iterations, 80);
+  EXPECT_LT(solver.report().iterations, 25);
   return distance(found, truth);
 }
 
