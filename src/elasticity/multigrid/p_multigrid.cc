@@ -10,12 +10,21 @@
 #include "base/values/stopwatch.h"
 #include "elasticity/algebra/sparse_cholesky.h"
 #include "elasticity/assembly/equations.h"
+#include "elasticity/multigrid/large_part.h"
 #include "mesh/basis/tensor_basis.h"
 
 namespace clevis::elasticity {
 namespace {
 
 constexpr int kLanes = lanes::kLanes<float>;
+
+/// Stretched cells leave small eigenvalues that no coarser degree has: there
+/// twice the steps halve the cycles.
+int smoothing_steps(const Discretization<3>& discretization) {
+  constexpr int kSteps = 4;
+  constexpr double kStretched = 1.5;
+  return cell_aspect(discretization) > kStretched ? 2 * kSteps : kSteps;
+}
 
 /// Inverses of the diagonal blocks, held components left out.
 std::vector<float> inverse_blocks(
@@ -204,7 +213,9 @@ PMultigrid::PMultigrid(const Discretization<3>& discretization,
                        const std::string& place)
     : schedule_(schedule),
       team_(team),
-      smoothing_steps_(options.smoothing_steps),
+      smoothing_steps_(options.smoothing_steps > 0
+                           ? options.smoothing_steps
+                           : smoothing_steps(discretization)),
       coarsest_(std::make_unique<Coarsest>()) {
   const int coarse = options.coarse_degree > 0 ? options.coarse_degree
                                                : coarse_degree(discretization);

@@ -11,7 +11,7 @@ namespace clevis::elasticity {
 
 struct MultigridOptions {
   int threads = machine_threads();
-  int smoothing_steps = 4;   ///< before and after the coarse correction
+  int smoothing_steps = 0;   ///< on either side of a level below; 0: by cells
   int coarse_degree = 0;     ///< of the direct solve: 1 or 2; 0: by size
   double tolerance = 1e-10;  ///< of ‖f − K u‖ / ‖f‖, each column
   int max_iterations = 500;

@@ -135,6 +135,24 @@ TEST(MultigridSolver, IterationsStayFewOnSlenderBodies) {
   }
 }
 
+TEST(MultigridSolver, StretchedCellsTakeHalfTheCycles) {
+  const auto part =
+      discretize<3>(bar({0.32, 0.02, 0.02}, {16, 4, 4}), 3);  // cells of 4:1
+  const auto iterations = [&](int smoothing_steps) {
+    MultigridOptions options;
+    options.tolerance = 1e-8;
+    options.smoothing_steps = smoothing_steps;
+    MultigridSolver solver(part, material(0.3), clamp(part), "part P", options);
+    MatrixXd loads = MatrixXd::Zero(part.dofs(), 1);
+    for (Eigen::Index n = 0; n < part.nodes; ++n) loads(3 * n + 1, 0) = 1.0;
+    solver.solve(loads);
+    return solver.report().iterations;
+  };
+  constexpr int kOfCubes = 4;
+  EXPECT_LE(iterations(0), 16);
+  EXPECT_GE(iterations(kOfCubes), 3 * iterations(0) / 2);
+}
+
 TEST(LargePart, SolvesAsTheFactorDoes) {
   // A free eye, folded at its mirrors, by both ways.
   const auto eye = support::eye_problem(5, 3);
