@@ -204,6 +204,25 @@ CellGeometry<dim> cell_geometry(
   return result;
 }
 
+namespace {
+
+/// ∂ξ_k/∂x_d at the points: points × k [1/m].
+template <int dim>
+Eigen::Array<double, Eigen::Dynamic, dim> rates_of_reference(
+    const CellGeometry<dim>& geometry, Eigen::Index d) {
+  const auto n = static_cast<Eigen::Index>(geometry.inverse_jacobian.size());
+  Eigen::Array<double, Eigen::Dynamic, dim> rates(n, dim);
+  for (Eigen::Index q = 0; q < n; ++q) {
+    rates.row(q) = geometry.inverse_jacobian[static_cast<std::size_t>(q)]
+                       .col(d)
+                       .transpose()
+                       .array();
+  }
+  return rates;
+}
+
+}  // namespace
+
 template <int dim>
 Eigen::MatrixXd physical_slopes(const CellGeometry<dim>& geometry,
                                 const Eigen::MatrixXd& reference) {
@@ -211,13 +230,7 @@ Eigen::MatrixXd physical_slopes(const CellGeometry<dim>& geometry,
   Eigen::MatrixXd slopes(dim * n, reference.cols());
   // ∂u/∂x_d = Σ_k ∂u/∂ξ_k ∂ξ_k/∂x_d
   for (int d = 0; d < dim; ++d) {
-    Eigen::Array<double, Eigen::Dynamic, dim> factor(n, dim);
-    for (Eigen::Index q = 0; q < n; ++q) {
-      factor.row(q) = geometry.inverse_jacobian[static_cast<std::size_t>(q)]
-                          .col(d)
-                          .transpose()
-                          .array();
-    }
+    const auto factor = rates_of_reference<dim>(geometry, d);
     for (Eigen::Index column = 0; column < reference.cols(); ++column) {
       auto slope = slopes.col(column).segment(d * n, n).array();
       slope = factor.col(0) * reference.col(column).head(n).array();
@@ -238,13 +251,8 @@ std::vector<Eigen::MatrixXd> physical_gradients(
   std::vector<Eigen::MatrixXd> result(dim, Eigen::MatrixXd(n, functions));
   // ∂N/∂x_d = Σ_k ∂N/∂ξ_k ∂ξ_k/∂x_d
   for (std::size_t d = 0; d < dim; ++d) {
-    Eigen::Array<double, Eigen::Dynamic, dim> factor(n, dim);
-    for (Eigen::Index q = 0; q < n; ++q) {
-      factor.row(q) = geometry.inverse_jacobian[static_cast<std::size_t>(q)]
-                          .col(static_cast<Eigen::Index>(d))
-                          .transpose()
-                          .array();
-    }
+    const auto factor =
+        rates_of_reference<dim>(geometry, static_cast<Eigen::Index>(d));
     const auto term = [&](std::size_t k, Eigen::Index i) {
       return factor.col(static_cast<Eigen::Index>(k)) *
              displacement.gradients[k].col(i).array();
