@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mechanism/events/touch_at_start.h"
 #include "mechanism/forces/element_modes.h"
 #include "mechanism/integration/initial_state.h"
 #include "mechanism/reactions/power_balance.h"
@@ -38,6 +39,9 @@ void DynamicRun::start() {
   projection_.project(0.0, y_);
   communicate(0.0);
   stick_slip_.choose_modes(0.0, y_);
+  if (choose_modes_of_touching(equations_, 0.0, y_)) {
+    stick_slip_.resolve_modes(0.0, y_);
+  }
   projection_.project(0.0, y_);
   equations_.accept(0.0, y_);
   equations_.solve(0.0, y_);

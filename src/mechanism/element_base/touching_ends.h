@@ -8,7 +8,8 @@ namespace clevis::mechanism {
 /// contact. `now`: its response to the state at hand.
 class TouchingEnds {
  public:
-  virtual bool presses() const { return false; }
+  /// Whether end 0 or 1 is one.
+  virtual bool presses(int /*end*/) const { return false; }
   /// A unit force that pushes a and b apart at a pressing end.
   virtual PlacedJoint::Levers apart(int end,
                                     const ElementResponse& now) const = 0;

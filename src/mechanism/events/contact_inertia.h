@@ -13,6 +13,10 @@ struct ContactInertia {
   double force{};  ///< of all else that presses them together [N] or [N m]
 };
 
+/// Acceleration apart of the bodies at a contact or an end of a stop, as of the
+/// last solve() [m/s²] or [rad/s²].
+double opening_acceleration(EquationsOfMotion& equations, std::size_t element,
+                            int end);
 /// Of a contact or an end of a stop, as of the last solve().
 ContactInertia contact_inertia(EquationsOfMotion& equations,
                                std::size_t element, int end);

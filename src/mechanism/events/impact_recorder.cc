@@ -100,7 +100,10 @@ void ImpactRecorder::pass(double t, const Eigen::VectorXd& y,
   const std::vector<int> now = modes(equations_.forces());
   bool evaluated = false;
   for (std::size_t event = 0; event < now.size(); ++event) {
-    if (!equations_.forces().element(event / 2).presses()) continue;
+    if (!equations_.forces().element(event / 2).presses(
+            static_cast<int>(event % 2))) {
+      continue;
+    }
     const bool pressed = before[event] == kPressing;
     const bool presses = now[event] == kPressing;
     if (pressed == presses) continue;

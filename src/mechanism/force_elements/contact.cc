@@ -31,7 +31,7 @@ class Contact final : public ActingElement {
     line.frame_a.R_LJ = line.frame_a.R_LJ * with_z_along(contact.normal_L);
   }
 
-  bool presses() const override { return true; }
+  bool presses(int end) const override { return end == 0; }
   bool may_switch() const override { return true; }
   void choose_modes(const ElementResponse& now) override;
   double event_value(int end, const ElementResponse& now) const override;

@@ -15,7 +15,7 @@ class Stop final : public LineForce {
       : LineForce(definition, frame), law_(law) {}
 
   bool has_smooth_effort() const override { return true; }
-  bool presses() const override { return true; }
+  bool presses(int end) const override { return has_end(index(end)); }
   bool may_switch() const override { return true; }
 
   void choose_modes(const ElementResponse& now) override {

@@ -177,6 +177,62 @@ TEST(Impact, RestingContactIsNone) {
   EXPECT_TRUE(simulate(m, settings(0.2)).impacts.empty());
 }
 
+/// A mass of 1 kg at a stop's lower end within round-off.
+MechanismDefinition at_the_stop(double position, double rate, double force) {
+  MechanismDefinition m = sliders({1.0});
+  m.elements = {
+      on_joint(0, StopLaw{.lower = 0.16,
+                          .upper = {},
+                          .contact = {.stiffness = 1e6, .damping = 100.0}}),
+      on_joint(0, TableLaw{.times = {0.0}, .efforts = {force}})};
+  m.initial_joints = {start(0, position, rate)};
+  return m;
+}
+
+const double kAtTheStop[] = {0.16, std::nextafter(0.16, 0.0),
+                             std::nextafter(0.16, 1.0), 0.16 - 1e-14,
+                             0.16 + 1e-14};
+
+// The sign of a depth that is round-off decides nothing.
+TEST(Impact, WhatRestsAtAStopAtFirstIsNone) {
+  for (const double position : kAtTheStop) {
+    for (const double force : {-10.0, 10.0}) {
+      const Motion motion =
+          simulate(at_the_stop(position, 0.0, force), settings(0.1));
+      EXPECT_TRUE(motion.impacts.empty()) << position - 0.16 << " " << force;
+      EXPECT_TRUE(motion.events.empty()) << position - 0.16 << " " << force;
+    }
+  }
+}
+
+TEST(Impact, OfTheFirstInstant) {
+  for (const double position : kAtTheStop) {
+    const Motion motion =
+        simulate(at_the_stop(position, -1.0, 0.0), settings(0.1));
+    ASSERT_EQ(motion.impacts.size(), 1u) << position - 0.16;
+    EXPECT_NEAR(motion.impacts[0].t, 0.0, 1e-12);
+    EXPECT_NEAR(motion.impacts[0].approach_speed, 1.0, 1e-12);
+  }
+}
+
+// Sliding that turns round passes Stribeck's zone, another piece of the
+// contact's law; nothing is struck.
+TEST(Impact, SlidingThatTurnsRoundIsNone) {
+  MechanismDefinition m = sliders({1.0});
+  ContactElement sole;
+  sole.name = "sole";
+  sole.center.body = 0;
+  sole.radius = 0.02;
+  sole.plane.p_L = {0.0, -0.019, 0.0};
+  sole.law = {.stiffness = 1e4};
+  sole.static_friction = 0.4;
+  sole.kinetic_friction = 0.1;
+  sole.critical_speed = 0.01;
+  m.elements = {on_joint(0, SpringLaw{.stiffness = 100.0}), sole};
+  m.initial_joints = {start(0, 0.3, 0.0)};
+  EXPECT_TRUE(simulate(m, settings(1.0)).impacts.empty());
+}
+
 // A magnet F0 (1 − s/l) moves a mass by s: ½ m v² = F0 s (1 − s/(2 l)); beyond
 // its range it coasts. Behind the first point the force is F0.
 TEST(PositionTable, MagnetPullsAMass) {
