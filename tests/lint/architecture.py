@@ -201,7 +201,7 @@ PUBLIC = {
                 " integrators/switching_integrator",
     "mechanism": "definition/definition definition/drive_names definition/motion"
                  " force_elements/force_element joints/joint_types"
-                 " reactions/other_sharings simulate structure/structure",
+                 " mass_matrix/neighbour_inertia reactions/other_sharings simulate structure/structure",
     "machine": "bearings/bearing bearings/bearing_history bearings/bearing_life"
                " devices/ejector devices/slide_lever_closed_form"
                " transmissions/transmission",
@@ -218,7 +218,7 @@ PUBLIC = {
     "dynamics": "load_vibration/load_answer load_vibration/load_path"
                 " load_vibration/response_spectrum"
                 " load_vibration/load_shapes strike/strike strike/strike_steps"
-                " systems/block_krylov systems/eigenmodes systems/held_system systems/linear_system",
+                " systems/block_krylov systems/eigenmodes systems/held_system systems/linear_system systems/weighed_system",
     "beam": "estimates/beam_estimate estimates/ejector estimates/struck_part",
     "elasticity": "algebra/dense_product algebra/principal_columns algebra/rank_team assembly/stiffness assembly/supports"
                   " buckling/buckling dealii/dealii_service direct/dissection fe_space/discretization fe_space/group_trace"

@@ -28,7 +28,7 @@ double first_period_of(const PartJob& job, const LoadSet& set) {
          .foundations = set.foundations},
         job.mesh.shape == mesh::CellShape::kSimplex ? 1 : 2);
   } catch (const Error&) {
-    return longest_period(job);  // supports that hold it in a plane alone
+    return longest_period(job, set);  // supports that hold it in a plane alone
   }
 }
 
@@ -123,7 +123,7 @@ std::vector<VibrationWindow> judge_load_pace(const PartJob& job,
   const bool has_impacts =
       &set == &job.load_sets.front() && !job.impact_loads.empty();
   const dynamics::LoadPath components = load_components(job, set);
-  const bool slow = is_slow(job, components);
+  const bool slow = is_slow(job, set, components);
   if (slow && !has_impacts) return {};
   const double first = first_period_of(job, set);
   result.first_period = std::max(result.first_period.value_or(0.0), first);

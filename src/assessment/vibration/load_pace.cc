@@ -51,6 +51,21 @@ VectorXd falling(double longest, double shortest, double step) {
   return periods;
 }
 
+/// Of the mechanism, at an end of a bar about its own mass there [kg].
+double added_mass(const LoadSet& set, double width) {
+  // A quarter of a clamped bar's mass moves with its end.
+  constexpr double kAtTheEnd = 4.2, kGyration = 3.5;  // of the width: 1/√12
+  if (!set.history.hold || !set.fixed.empty()) return 0.0;
+  const MatrixXd weighed = set.history.hold().weighed;
+  double sum = 0.0;
+  for (Index row = 0; row < weighed.rows(); ++row) {
+    const bool turns = row % 6 >= 3;
+    const double lever = turns ? kGyration / width : 1.0;
+    sum += (lever * weighed.row(row)).squaredNorm();
+  }
+  return kAtTheEnd * sum;
+}
+
 // Of the first period or that of waves: shorter ones hold little of a load.
 constexpr double kShortest = 0.02;
 
@@ -102,22 +117,25 @@ double period_of_waves(const PartJob& job) {
                    job.part.material.youngs_modulus);
 }
 
-double longest_period(const PartJob& job) {
+double longest_period(const PartJob& job, const LoadSet& set) {
   constexpr double kSure = 4.0;  // held at one end: 3.1
   const Eigen::Vector3d sides = job.sides();
   // A free bar of the mean thickness bends in half the waves' period times
   // length over thickness.
   const double thickness =
       job.mass.mass / job.part.material.density / (sides[1] * sides[2]);
-  return kSure * period_of_waves(job) * std::max(1.0, sides[2] / thickness);
+  return kSure * period_of_waves(job) * std::max(1.0, sides[2] / thickness) *
+         std::sqrt(1.0 + added_mass(set, sides[1]) / job.mass.mass);
 }
 
-bool is_slow(const PartJob& job, const dynamics::LoadPath& components) {
+bool is_slow(const PartJob& job, const LoadSet& set,
+             const dynamics::LoadPath& components) {
   constexpr double kStep = 0.9;
-  const auto spectrum = response_spectrum(
-      components,
-      falling(longest_period(job), kShortest * period_of_waves(job), kStep),
-      job.part.damping, kPaceCounts);
+  const auto spectrum =
+      response_spectrum(components,
+                        falling(longest_period(job, set),
+                                kShortest * period_of_waves(job), kStep),
+                        job.part.damping, kPaceCounts);
   return spectrum.amplification <= kPaceCounts;
 }
 

@@ -25,12 +25,14 @@ dynamics::LoadPath::Between between_instants(const LoadSet& set);
 dynamics::LoadPath load_components(const PartJob& job, const LoadSet& set);
 
 /// Longer than a body of the part's size and material vibrates, free or held at
-/// one end: by its mean thickness [s].
-double longest_period(const PartJob& job);
+/// one end, with what the mechanism adds to its mass: by its mean thickness
+/// [s].
+double longest_period(const PartJob& job, const LoadSet& set);
 
 /// Whether the loads change so slowly that no vibration a body of the part's
 /// size and material can have is excited: a test without its modes.
-bool is_slow(const PartJob& job, const dynamics::LoadPath& components);
+bool is_slow(const PartJob& job, const LoadSet& set,
+             const dynamics::LoadPath& components);
 
 /// Of oscillators with the part's first period and shorter ones.
 /// @param first  period [s].

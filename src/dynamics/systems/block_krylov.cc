@@ -78,14 +78,15 @@ MatrixXd BlockKrylov::append(const MatrixXd& block, double scale) {
     if (!(square > kNothing * kNothing * scale)) break;
     MatrixXd column = rest.col(at) / std::sqrt(square);
     MatrixXd image = weighted_rest.col(at) / std::sqrt(square);
-    if (k > 0 || system_.admitted) {
+    // Once more against the space and the columns before: what is small
+    // carries the round-off of what was large. Again where little is left.
+    constexpr double kMuch = 0.5;
+    for (double norm = 0.0; (k > 0 || system_.admitted) && norm < kMuch;) {
       if (system_.admitted) column = system_.admitted(column);
-      // Once more against the space and the columns before: what is small
-      // carries the round-off of what was large.
       orthogonalise(column, nullptr);
       if (k > 0) column -= columns * (weighted_.transpose() * column);
       image = system_.product(column);
-      const double norm = std::sqrt(column.cwiseProduct(image).sum());
+      norm = std::sqrt(column.cwiseProduct(image).sum());
       column /= norm;
       image /= norm;
     }

@@ -19,6 +19,40 @@ MatrixXd normalised(const MatrixXd& constraints) {
   return constraints.colwise().normalized();
 }
 
+/// (K + s M)⁻¹ in the space that constraints leave. The rigid motions in
+/// (K + s M)⁻¹, as large as 1/s, are unknowns of their own beside the
+/// multipliers: what redundant constraints ask of the elastic part would be
+/// round-off of them.
+BlockOperator constrained(const LinearSystem& free, double shift,
+                          const MatrixXd& c, const MatrixXd& rigid) {
+  const BlockOperator elastic =
+      [solve = free.factor(shift), rigid,
+       weighted = free.mass(rigid)](const MatrixXd& b) -> MatrixXd {
+    const MatrixXd x = solve(b - weighted * (rigid.transpose() * b));
+    return x - rigid * (weighted.transpose() * x);
+  };
+  const MatrixXd answers = elastic(c);
+  const MatrixXd moved = c.transpose() * rigid;
+  const MatrixXd give = c.transpose() * answers;
+  const double unit = give.diagonal().mean();
+  const Index held = c.cols(), all = held + rigid.cols();
+  MatrixXd balance(all, all);
+  balance << give / unit, -moved, moved.transpose(),
+      shift * unit * MatrixXd::Identity(rigid.cols(), rigid.cols());
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> between;
+  between.setThreshold(kFree);
+  between.compute(balance);
+  return [elastic, answers, between, c, rigid, unit,
+          held](const MatrixXd& b) -> MatrixXd {
+    const MatrixXd x = elastic(b);
+    MatrixXd asked(held + rigid.cols(), b.cols());
+    asked << c.transpose() * x, unit * (rigid.transpose() * b);
+    const MatrixXd found = between.solve(asked);
+    return x - answers * (found.topRows(held) / unit) +
+           rigid * found.bottomRows(rigid.cols());
+  };
+}
+
 }  // namespace
 
 LinearSystem held_system(const LinearSystem& free,
@@ -36,20 +70,8 @@ LinearSystem held_system(const LinearSystem& free,
   system.admitted = [own, c](const MatrixXd& x) -> MatrixXd {
     return x - c * own.solve(c.transpose() * x);
   };
-  system.factor = [factor = free.factor, c](double shift) -> BlockOperator {
-    const BlockOperator solve = factor(shift);
-    const MatrixXd answers = solve(c);
-    Eigen::CompleteOrthogonalDecomposition<MatrixXd> between;
-    between.setThreshold(kFree);
-    between.compute(c.transpose() * answers);
-    return [solve, answers, between, c](const MatrixXd& b) -> MatrixXd {
-      MatrixXd x = solve(b);
-      // Twice: the rigid motions in A⁻¹ B are large beside what is left.
-      for (int pass = 0; pass < 2; ++pass) {
-        x -= answers * between.solve(c.transpose() * x);
-      }
-      return x;
-    };
+  system.factor = [free, c, rigid](double shift) {
+    return constrained(free, shift, c, rigid);
   };
   return system;
 }

@@ -86,8 +86,9 @@ Matrix3Xd SlidingTractions::at(std::size_t instant,
   Matrix3Xd tractions = Matrix3Xd::Zero(3, n);
   if (seat_.kind == loads::SeatKind::kBearing) {
     tractions = bearing(instant).tractions(quadrature.points, outward);
-  } else if (wrench.force.norm() > kNegligible * largest_force_ ||
-             wrench.moment.norm() > kNegligible * largest_moment_) {
+  } else if (seat_.kind != loads::SeatKind::kMean &&
+             (wrench.force.norm() > kNegligible * largest_force_ ||
+              wrench.moment.norm() > kNegligible * largest_moment_)) {
     const auto pressure =
         loads::wall_pressure(quadrature, outward, wrench, seat_.p_LS);
     if (!pressure) {

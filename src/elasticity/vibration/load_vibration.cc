@@ -24,8 +24,8 @@ LoadVibration<dim>::LoadVibration(const ElasticProblem<dim>& problem,
     : statics_(solve(problem, degree)), part_(vibrating_part(problem, degree)) {
   const auto& system = part_.system;
   MatrixXd answers = restrict_rows(statics_.columns, part_.numbers);
-  if (part_.ground.cols() > 0) {
-    answers = dynamics::moved_to_constraints(part_.free, part_.ground, answers);
+  if (part_.held.cols() > 0) {
+    answers = dynamics::moved_to_constraints(part_.free, part_.held, answers);
   }
   weighted_ = system.mass(answers);
   if (system.rigid.cols() > 0) {

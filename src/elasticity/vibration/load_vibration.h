@@ -19,8 +19,8 @@ class LoadVibration {
  public:
   /// @param problem  its supports hold the part, or it floats: then the loads
   ///   are in balance with its inertia at every instant, and it vibrates
-  ///   without rigid motion, its seats at rest in the mean where the ground
-  ///   holds them.
+  ///   without rigid motion, its seats held and weighed in the mean by the
+  ///   mechanism.
   /// @param degree   of the displacement, 1…4 (simplices 1…2).
   /// @param driving  instants whose loads the vibration comes from.
   /// @throws Error as solve() and vibrating_part().

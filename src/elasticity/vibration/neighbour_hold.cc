@@ -1,45 +1,91 @@
-#include "elasticity/vibration/ground_hold.h"
+#include "elasticity/vibration/neighbour_hold.h"
 
+#include <array>
 #include <cstddef>
 #include <utility>
+
+#include <Eigen/SVD>
 
 #include "elasticity/nodal_loads/load_vectors.h"
 
 namespace clevis::elasticity {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr Index kWrench = 6;
+
+/// Components of a seat's wrench that act on a part of this dimension.
+template <int dim>
+constexpr auto kActing = [] {
+  if constexpr (dim == 2) {
+    return std::array<Index, 3>{0, 1, 5};
+  } else {
+    return std::array<Index, 6>{0, 1, 2, 3, 4, 5};
+  }
+}();
 
 template <int dim>
-Eigen::MatrixXd ground_hold(const Discretization<dim>& discretization,
-                            const loads::LoadHistory& history,
-                            const std::string& part_name) {
-  constexpr double kInPlane = 0.5;
-  loads::LoadHistory unit;
-  for (const loads::Seat& seat : history.seats) {
-    if (seat.grounded.cols() == 0) continue;
-    unit.seats.push_back(seat);
-    unit.seats.back().kind = loads::SeatKind::kTraction;
+MatrixXd acting_rows(const MatrixXd& wrenches) {
+  const Index seats = wrenches.rows() / kWrench;
+  const auto width = static_cast<Index>(kActing<dim>.size());
+  MatrixXd rows(width * seats, wrenches.cols());
+  for (Index s = 0; s < seats; ++s) {
+    for (Index k = 0; k < width; ++k) {
+      rows.row(width * s + k) =
+          wrenches.row(kWrench * s + kActing<dim>[static_cast<std::size_t>(k)]);
+    }
   }
+  return rows;
+}
+
+/// A with A Aᵀ the same and columns that are orthogonal, none of round-off.
+MatrixXd principal(const MatrixXd& columns) {
+  constexpr double kRoundOff = 1e-9;
+  if (columns.size() == 0) return MatrixXd(columns.rows(), 0);
+  Eigen::JacobiSVD<MatrixXd> svd(columns, Eigen::ComputeThinU);
+  svd.setThreshold(kRoundOff);
+  const Index rank = svd.rank();
+  return svd.matrixU().leftCols(rank) *
+         svd.singularValues().head(rank).asDiagonal();
+}
+
+}  // namespace
+
+template <int dim>
+NeighbourHold neighbour_hold(const Discretization<dim>& discretization,
+                             const loads::LoadHistory& history,
+                             const std::string& part_name) {
+  const MatrixXd none(discretization.dofs(), 0);
+  if (!history.hold) return {none, none};
+  const loads::SeatHold hold = history.hold();
+  const MatrixXd held = principal(acting_rows<dim>(hold.held));
+  const MatrixXd weighed = principal(acting_rows<dim>(hold.weighed));
+  if (held.cols() + weighed.cols() == 0) return {none, none};
+  loads::LoadHistory unit;
+  unit.seats = history.seats;
+  for (loads::Seat& seat : unit.seats) seat.kind = loads::SeatKind::kMean;
   for (std::size_t s = 0; s < unit.seats.size(); ++s) {
-    for (auto wrench : unit.seats[s].grounded.colwise()) {
-      Eigen::Matrix<double, 6, 1> acting = wrench;
-      if constexpr (dim == 2) {
-        acting.segment<3>(2).setZero();
-        if (acting.norm() < kInPlane) continue;
-      }
+    for (const Index component : kActing<dim>) {
       loads::InstantLoad instant;
       instant.wrenches.resize(unit.seats.size());
-      instant.wrenches[s] = {acting.head<3>(), acting.tail<3>()};
+      loads::Wrench& wrench = instant.wrenches[s];
+      (component < 3 ? wrench.force[component] : wrench.moment[component - 3]) =
+          1.0;
+      instant.zones = hold.zones;
       unit.instants.push_back(std::move(instant));
     }
   }
-  if (unit.instants.empty()) return {discretization.dofs(), 0};
-  return assemble_loads(discretization, unit, 0.0, part_name);
+  const MatrixXd means = assemble_loads(discretization, unit, 0.0, part_name);
+  return {means * held, means * weighed};
 }
 
-template Eigen::MatrixXd ground_hold<2>(const Discretization<2>&,
-                                        const loads::LoadHistory&,
-                                        const std::string&);
-template Eigen::MatrixXd ground_hold<3>(const Discretization<3>&,
-                                        const loads::LoadHistory&,
-                                        const std::string&);
+template NeighbourHold neighbour_hold<2>(const Discretization<2>&,
+                                         const loads::LoadHistory&,
+                                         const std::string&);
+template NeighbourHold neighbour_hold<3>(const Discretization<3>&,
+                                         const loads::LoadHistory&,
+                                         const std::string&);
 
 }  // namespace clevis::elasticity

@@ -9,15 +9,20 @@
 
 namespace clevis::elasticity {
 
-/// Nodal forces with which the ground holds the seats of a part, one column per
-/// direction that it holds: of unit size, spread over the seat's group as a
-/// linear traction. Their products with displacements are the seats' mean
-/// motions along these directions. In a plane those that act in it.
-/// @return dofs × directions; none: the part is free.
+/// loads::SeatHold as nodal forces, dofs × columns, each wrench spread over its
+/// seat's group, or the zone that its counterpart touches, as a linear
+/// traction: their products with displacements are the seats' mean motions. In
+/// a plane those that act in it.
+struct NeighbourHold {
+  Eigen::MatrixXd held;     ///< [1], independent
+  Eigen::MatrixXd weighed;  ///< [√kg], as few as their masses need
+};
+
+/// Nothing: the part is free.
 /// @throws Error see surface_loads.
 template <int dim>
-Eigen::MatrixXd ground_hold(const Discretization<dim>& discretization,
-                            const loads::LoadHistory& history,
-                            const std::string& part_name);
+NeighbourHold neighbour_hold(const Discretization<dim>& discretization,
+                             const loads::LoadHistory& history,
+                             const std::string& part_name);
 
 }  // namespace clevis::elasticity

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/messages/errors.h"
 #include "dynamics/systems/held_system.h"
+#include "dynamics/systems/weighed_system.h"
 #include "elasticity/algebra/symmetric_product.h"
 #include "elasticity/assembly/mass_matrix.h"
 #include "elasticity/assembly/stiffness.h"
@@ -19,7 +21,7 @@
 #include "elasticity/direct/memory_forecast.h"
 #include "elasticity/fe_space/group_trace.h"
 #include "elasticity/problem/elastic_problem.h"
-#include "elasticity/vibration/ground_hold.h"
+#include "elasticity/vibration/neighbour_hold.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -111,12 +113,16 @@ VibratingPart<dim> vibrating_part(const ElasticProblem<dim>& problem,
   part.system.low_square = low_square(problem.material, size);
   if (held.empty() && bed.empty()) {
     part.system.rigid = rigid_modes<dim>(positions, 0.5 * (low + high), size);
-    part.ground =
-        ground_hold(part.discretization, problem.history, problem.name);
+    NeighbourHold hold =
+        neighbour_hold(part.discretization, problem.history, problem.name);
+    part.held = std::move(hold.held);
+    if (hold.weighed.cols() > 0) {
+      part.system = dynamics::weighed_system(part.system, hold.weighed);
+    }
   }
   part.free = part.system;
-  if (part.ground.cols() > 0) {
-    part.system = dynamics::held_system(part.free, part.ground);
+  if (part.held.cols() > 0) {
+    part.system = dynamics::held_system(part.free, part.held);
   }
   return part;
 }

@@ -19,16 +19,15 @@ template <int dim>
 struct VibratingPart {
   Discretization<dim> discretization;
   EquationNumbers numbers;
-  /// Of a part without supports what the ground holds by joints and drives is
-  /// held in the mean (ground_hold.h).
+  /// Of a part without supports the mechanism holds seats in the mean and adds
+  /// mass to them (neighbour_hold.h).
   dynamics::LinearSystem system;
-  dynamics::LinearSystem free;  ///< the same without that
-  Eigen::MatrixXd ground;       ///< equations × held directions
+  dynamics::LinearSystem free;  ///< the same without what holds
+  Eigen::MatrixXd held;         ///< equations × held directions
   double mass{};                ///< of the discrete part [kg]
 };
 
-/// @param problem  of its loads only the seats that the ground holds are asked
-///   for.
+/// @param problem  of its loads only what the mechanism holds is asked for.
 /// @param degree   of the displacement, 1…4 (simplices 1…2).
 /// @throws Error F001, F002, F004, M005.
 template <int dim>

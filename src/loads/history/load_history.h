@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ enum class SeatKind {
   kBearing,   ///< BearingTraction: cylinder pressed by a pin (bore) or by its
               ///< guide (piston)
   kTraction,  ///< LinearTraction: face under a drive's effort, welded face
+  kMean,      ///< the same on walls of slides, too: pulls as it presses
 };
 
 /// A group of the part's surface where the mechanism acts.
@@ -27,9 +29,6 @@ struct Seat {
   Eigen::Vector3d p_LS = Eigen::Vector3d::Zero();  ///< [m]
   /// Of a slide whose counterpart does not touch the whole group.
   std::optional<SlideWall> slide = std::nullopt;
-  /// In which the ground holds it by a joint or a drive, whatever the part
-  /// does: unit forces above unit moments about p_LS, in L; a column each.
-  Eigen::Matrix<double, 6, Eigen::Dynamic> grounded = {};
 };
 
 /// Force and moment on the part, in L; the moment about the seat's p_LS.
@@ -70,10 +69,24 @@ struct InstantLoad {
   Wrench relief = {};
 };
 
+/// What the rest of the mechanism does to a part that vibrates, at an instant:
+/// directions in which it does not give way at the seats, and the masses that
+/// it adds. Columns of wrenches, force [1], [√kg] above moment about p_LS [m],
+/// [m √kg], seat by seat, in L; w wᵀ is an added mass.
+struct SeatHold {
+  double time{};  ///< of the instant [s]
+  Eigen::MatrixXd held = {};
+  Eigen::MatrixXd weighed = {};
+  std::vector<ContactZone> zones = {};  ///< as of the instant's load
+};
+
 /// Loads of a part over the motion, or its cases that share their supports.
 struct LoadHistory {
   std::vector<Seat> seats;
   std::vector<InstantLoad> instants;
+  /// Of the part in its mechanism, when its loads are largest; empty: it is
+  /// free.
+  std::function<SeatHold()> hold = {};
   /// Of rows of a file; nothing: a motion, or cases.
   std::optional<part::BetweenRows> rows = std::nullopt;
   /// Possible excess of loads between instants over those at the instants,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -13,6 +14,7 @@
 #include "loads/seats/force_seats.h"
 #include "loads/seats/part_seats.h"
 #include "loads/seats/seat_fit.h"
+#include "loads/seats/seat_hold.h"
 #include "loads/seats/seat_spans.h"
 #include "loads/seats/slide_zone.h"
 
@@ -132,6 +134,18 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
   act_on_axes(context, by_joint, mass, history);
   set_contact_zones(context, motion, spans, by_joint, history);
   history.slide_excess = std::pow(longest_slide_step(history), 2);
+  if (!history.instants.empty()) {
+    const std::size_t hardest = hardest_instant(history.instants);
+    history.hold =
+        [shared =
+             std::make_shared<const mechanism::MechanismDefinition>(definition),
+         at = motion.instants[hardest], body, seats = history.seats,
+         zones = history.instants[hardest].zones] {
+          SeatHold hold = seat_hold(*shared, at, body, seats);
+          hold.zones = zones;
+          return hold;
+        };
+  }
   return history;
 }
 

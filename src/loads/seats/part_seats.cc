@@ -36,38 +36,6 @@ BodyJoint body_joint(const SeatContext& context, const std::string& name,
               "Name a joint that connects this body, or delete the entry.");
 }
 
-/// Of a joint between the body and the ground whose point stays on both: axes
-/// of its frame there. What slides is held elsewhere at each instant.
-Eigen::Matrix<double, 6, Eigen::Dynamic> grounded(const BodyJoint& joint) {
-  using Kind = mechanism::JointRow::Kind;
-  const mechanism::JointDefinition& definition = *joint.definition;
-  const auto& type = mechanism::traits(definition.type);
-  Eigen::Matrix<double, 6, Eigen::Dynamic> held(6, 0);
-  const bool at_ground = definition.body_a == mechanism::kGround ||
-                         definition.body_b == mechanism::kGround;
-  const auto holds = [&](Kind kind) {
-    return std::ranges::count(type.rows, kind, &mechanism::JointRow::kind);
-  };
-  if (!at_ground || holds(Kind::kTranslation) < 3) return held;
-  for (const mechanism::JointRow& row : type.rows) {
-    if (row.kind != Kind::kTranslation && row.kind != Kind::kRotation) continue;
-    held.conservativeResize(Eigen::NoChange, held.cols() + 1);
-    held.rightCols<1>().setZero();
-    held.rightCols<1>().segment<3>(row.kind == Kind::kTranslation ? 0 : 3) =
-        joint.frame->R_LJ.col(row.axis);
-  }
-  return held;
-}
-
-/// Of the seat of a drive that turns the body against the ground.
-Eigen::Matrix<double, 6, Eigen::Dynamic> grounded(const DrivenSeat& driven) {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> held(6, 0);
-  if (!driven.turns || grounded(driven.joint).cols() == 0) return held;
-  held.resize(Eigen::NoChange, 1);
-  held << Vector3d::Zero(), driven.joint.frame->R_LJ.col(2);
-  return held;
-}
-
 /// Seat of a joint: a pin's cylinder, a slide's wall, or for joints that
 /// hold as welds do a face.
 Seat joint_seat(const SeatContext& context, const part::Seat& wanted,
@@ -76,7 +44,6 @@ Seat joint_seat(const SeatContext& context, const part::Seat& wanted,
   const GroupGeometry& group = find_group(context.groups, wanted.group, place);
   const auto& type = mechanism::traits(joint.definition->type);
   Seat seat{.name = wanted.joint, .group = wanted.group};
-  seat.grounded = grounded(joint);
   if (type.slides()) seat.slide = slide_wall(context, wanted, joint);
   if (!group.is_cylinder && !type.needs_cylinder) {
     seat.kind = SeatKind::kTraction;
@@ -159,7 +126,6 @@ std::vector<DrivenSeat> driven_seats(const SeatContext& context) {
                    .group = wanted.group,
                    .kind = SeatKind::kTraction,
                    .p_LS = face.centroid};
-    driven.seat.grounded = grounded(driven);
     driven.pressurized = pressurized_groups(context, wanted.pressurized, place);
     seats.push_back(std::move(driven));
   }

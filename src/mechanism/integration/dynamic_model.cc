@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mechanism/dynamic_state/centre_frame.h"
+#include "mechanism/mass_matrix/centre_frame.h"
 
 namespace clevis::mechanism {
 namespace {

@@ -1,4 +1,4 @@
-#include "mechanism/dynamic_state/centre_frame.h"
+#include "mechanism/mass_matrix/centre_frame.h"
 
 #include <vector>
 

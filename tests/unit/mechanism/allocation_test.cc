@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/dynamic_state/centre_frame.h"
 #include "mechanism/events/stick_slip.h"
 #include "mechanism/integration/initial_state.h"
 #include "mechanism/integration/motion_integrator.h"
+#include "mechanism/mass_matrix/centre_frame.h"
 #include "support/benchmark_mechanisms.h"
 #include "support/reference_motions.h"
 

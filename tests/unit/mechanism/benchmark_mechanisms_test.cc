@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/dynamic_state/centre_frame.h"
 #include "mechanism/equations_of_motion/projection.h"
 #include "mechanism/integration/initial_state.h"
 #include "mechanism/joints/joint_types.h"
+#include "mechanism/mass_matrix/centre_frame.h"
 #include "mechanism/simulate.h"
 #include "mechanism/structure/structure.h"
 

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/dynamic_state/centre_frame.h"
 #include "mechanism/events/stick_slip.h"
 #include "mechanism/forces/element_modes.h"
+#include "mechanism/mass_matrix/centre_frame.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 

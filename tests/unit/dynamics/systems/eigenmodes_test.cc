@@ -12,6 +12,7 @@
 
 #include "dynamics/load_vibration/load_shapes.h"
 #include "dynamics/systems/held_system.h"
+#include "dynamics/systems/weighed_system.h"
 #include "support/dense_system.h"
 
 namespace clevis {
@@ -136,6 +137,29 @@ TEST(HeldSystem, ShapesKeepToTheConstraints) {
   EXPECT_LT((constraints.transpose() * shapes.columns).norm(),
             1e-9 * shapes.columns.norm());
   EXPECT_NEAR(std::pow(shapes.squares[0], 0.25), 1.875104069, 1e-6);
+}
+
+// A mass at the tip: 1 + cos β cosh β + μ β (cos β sinh β − sin β cosh β) = 0,
+// and the shapes are orthogonal with it. Heavy ones take all of the motion.
+TEST(WeighedSystem, CantileverWithAMassAtItsTip) {
+  MatrixXd constraints = MatrixXd::Zero(42, 2);
+  constraints(0, 0) = constraints(1, 1) = 1.0;
+  const auto lowest = [&](double mass) {
+    MatrixXd weight = MatrixXd::Zero(42, 1);
+    weight(40, 0) = std::sqrt(mass);
+    const auto free = dynamics::weighed_system(free_beam(), weight);
+    const auto held = dynamics::held_system(free, constraints);
+    const auto modes = dynamics::lowest_modes(held, 2, "test");
+    EXPECT_EQ(modes.rigid, 0);
+    EXPECT_LT((modes.shapes.transpose() * held.mass(modes.shapes) -
+               MatrixXd::Identity(2, 2))
+                  .norm(),
+              1e-10);
+    return modes.squares.array().pow(0.25).eval();
+  };
+  EXPECT_NEAR(lowest(1.0)[0], 1.247917410, 1e-6);
+  EXPECT_NEAR(lowest(1.0)[1], 4.031139437, 1e-5);
+  EXPECT_NEAR(lowest(30.0)[0], 0.561241873, 1e-6);
 }
 
 }  // namespace clevis

@@ -9,6 +9,7 @@
 
 #include "base/messages/errors.h"
 #include "loads/seats/part_seats.h"
+#include "loads/seats/seat_hold.h"
 
 namespace clevis::loads {
 namespace {
@@ -232,26 +233,47 @@ TEST(SeatFit, ShiftedMeshIsNamed) {
       << plate.refusal();
 }
 
-// A pin of the ground holds its place and its axis, a ball its place; a pin of
-// another body and a slide hold nothing against the ground.
-TEST(JointSeats, TellWhatTheGroundHolds) {
-  const auto held = [](const Plate& plate) {
-    return joint_seats(plate.context()).front().seat.grounded;
+// A pin of the ground holds its place and its axis, a ball its place, a slide
+// all but its way and turn; another body is held and weighs what it does.
+TEST(SeatHold, IsWhatTheMechanismDoesAtTheSeats) {
+  const auto hold = [](Plate plate) {
+    plate.definition.joints.resize(1);
+    plate.part.seats.resize(1);
+    mechanism::Instant instant;
+    instant.t = 0.7;
+    instant.bodies.resize(plate.definition.bodies.size());
+    std::vector<Seat> seats;
+    for (const JointSeat& seat : joint_seats(plate.context())) {
+      seats.push_back(seat.seat);
+    }
+    return seat_hold(plate.definition, instant, 0, seats);
   };
   Plate plate;
   plate.definition.joints[0].frame_b.R_LJ =
       Eigen::AngleAxisd(0.3, Vector3d::UnitZ()).toRotationMatrix();
-  const Eigen::MatrixXd pin = held(plate);
-  ASSERT_EQ(pin.cols(), 5);
+  const SeatHold pin = hold(plate);
+  EXPECT_EQ(pin.time, 0.7);
+  ASSERT_EQ(pin.held.cols(), 5);
   Eigen::MatrixXd exact = Eigen::MatrixXd::Identity(6, 6);
   exact(5, 5) = 0.0;  // turns freely
-  EXPECT_LT((pin * pin.transpose() - exact).norm(), 1e-12);
-  EXPECT_EQ(held(Plate(JointType::kSpherical)).cols(), 3);
-  EXPECT_EQ(held(Plate(JointType::kCylindrical)).cols(), 0);
+  EXPECT_LT(
+      (pin.held * pin.held.transpose() - exact).topLeftCorner(3, 3).norm(),
+      1e-9);
+  EXPECT_LT(pin.held.row(5).norm(), 1e-9);
+  EXPECT_EQ(hold(Plate(JointType::kSpherical)).held.cols(), 3);
+  EXPECT_EQ(hold(Plate(JointType::kCylindrical)).held.cols(), 4);
 
   plate.definition.bodies.resize(2);
+  plate.definition.bodies[1].mass_properties.mass = 2.0;
+  plate.definition.bodies[1].mass_properties.inertia_LCm =
+      1e9 * Eigen::Matrix3d::Identity();
   plate.definition.joints[0].body_a = 1;
-  EXPECT_EQ(held(plate).cols(), 0);
+  const SeatHold other = hold(plate);
+  EXPECT_EQ(other.held.cols(), 0);
+  const Eigen::MatrixXd mass = other.weighed * other.weighed.transpose();
+  EXPECT_LT(
+      (mass.topLeftCorner(3, 3) - 2.0 * Eigen::Matrix3d::Identity()).norm(),
+      1e-6);
 }
 
 }  // namespace

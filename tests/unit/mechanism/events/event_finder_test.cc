@@ -9,7 +9,7 @@
 
 #include "base/messages/errors.h"
 #include "mechanism/constraints/closed_joints.h"
-#include "mechanism/dynamic_state/centre_frame.h"
+#include "mechanism/mass_matrix/centre_frame.h"
 #include "support/reference_motions.h"
 
 namespace clevis::mechanism {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/dynamic_state/centre_frame.h"
+#include "mechanism/mass_matrix/centre_frame.h"
 #include "support/reference_motions.h"
 
 namespace clevis::mechanism {

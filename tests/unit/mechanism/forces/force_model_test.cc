@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/dynamic_state/centre_frame.h"
 #include "mechanism/forces/element_modes.h"
+#include "mechanism/mass_matrix/centre_frame.h"
 #include "support/reference_motions.h"
 
 namespace clevis::mechanism {

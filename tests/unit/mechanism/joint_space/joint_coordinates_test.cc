@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "mechanism/dynamic_motion/dynamic_motion.h"
-#include "mechanism/dynamic_state/centre_frame.h"
 #include "mechanism/integration/initial_state.h"
 #include "mechanism/integration/motion_integrator.h"
+#include "mechanism/mass_matrix/centre_frame.h"
 #include "mechanism/simulate.h"
 #include "support/reference_motions.h"
 

@@ -1,0 +1,71 @@
+#include "loads/seats/seat_hold.h"
+
+#include <algorithm>
+
+#include <Eigen/Geometry>
+
+#include "mechanism/mass_matrix/neighbour_inertia.h"
+
+namespace clevis::loads {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+constexpr Index kWrench = 6;
+
+/// Wrenches by place as wrenches by seat, moments about the seats' points.
+MatrixXd by_seat(const MatrixXd& by_place, const std::vector<Index>& seat_of,
+                 const std::vector<Seat>& seats) {
+  MatrixXd all = MatrixXd::Zero(kWrench * static_cast<Index>(seats.size()),
+                                by_place.cols());
+  for (std::size_t k = 0; k < seat_of.size(); ++k) {
+    const Vector3d& p = seats[static_cast<std::size_t>(seat_of[k])].p_LS;
+    for (Index column = 0; column < by_place.cols(); ++column) {
+      const auto given = by_place.col(column).segment<kWrench>(
+          kWrench * static_cast<Index>(k));
+      const Vector3d force = given.head<3>();
+      auto moved = all.col(column).segment<kWrench>(kWrench * seat_of[k]);
+      moved.head<3>() += force;
+      moved.tail<3>() += given.tail<3>() - p.cross(force);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+SeatHold seat_hold(const mechanism::MechanismDefinition& definition,
+                   const mechanism::Instant& instant, mechanism::BodyIndex body,
+                   const std::vector<Seat>& seats) {
+  const auto found = mechanism::neighbour_inertia(definition, instant, body);
+  std::vector<Index> seat_of;
+  for (const auto& place : found.places) {
+    const std::string& joint =
+        definition.joints[static_cast<std::size_t>(place.joint)].name;
+    const auto named = [&](const std::string& name) {
+      return std::ranges::find(seats, name, &Seat::name);
+    };
+    const auto of_joint = named(joint);
+    const auto of_drive =
+        place.is_drive ? named("drive " + joint) : seats.end();
+    seat_of.push_back((of_drive != seats.end() ? of_drive : of_joint) -
+                      seats.begin());
+  }
+  return {.time = instant.t,
+          .held = by_seat(found.held, seat_of, seats),
+          .weighed = by_seat(found.weighed, seat_of, seats)};
+}
+
+std::size_t hardest_instant(const std::vector<InstantLoad>& instants) {
+  const auto size = [](const InstantLoad& load) {
+    double sum = 0.0;
+    for (const Wrench& wrench : load.wrenches) sum += wrench.force.norm();
+    return sum;
+  };
+  const auto hardest = std::ranges::max_element(instants, {}, size);
+  return static_cast<std::size_t>(hardest - instants.begin());
+}
+
+}  // namespace clevis::loads

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "loads/history/load_history.h"
+#include "mechanism/definition/definition.h"
+#include "mechanism/definition/motion.h"
+
+namespace clevis::loads {
+
+/// What the rest of the mechanism holds and weighs at a part's seats at an
+/// instant of its motion.
+/// @param seats  of the part's history: joints by their names, drives by
+/// theirs.
+SeatHold seat_hold(const mechanism::MechanismDefinition& definition,
+                   const mechanism::Instant& instant, mechanism::BodyIndex body,
+                   const std::vector<Seat>& seats);
+
+/// Index of the instant at which the seats' forces are largest. @pre any.
+std::size_t hardest_instant(const std::vector<InstantLoad>& instants);
+
+}  // namespace clevis::loads

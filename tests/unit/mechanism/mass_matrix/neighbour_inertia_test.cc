@@ -1,0 +1,126 @@
+// What a mechanism holds and weighs at the joints of one of its bodies, against
+// effective masses by hand.
+#include "mechanism/mass_matrix/neighbour_inertia.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "mechanism/simulate.h"
+#include "support/free_linkages.h"
+
+namespace clevis::mechanism {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using testing::pin;
+using testing::uniform_bar;
+
+constexpr double kRoundOff = 1e-9;
+
+Instant placed(const MechanismDefinition& m) {
+  Instant instant;
+  for (const BodyDefinition& body : m.bodies) {
+    instant.bodies.push_back({.pose = body.placement});
+  }
+  return instant;
+}
+
+/// Added mass of a motion of the places: none, if it is held.
+double mass_of(const MatrixXd& weighed, const Eigen::VectorXd& motion) {
+  return (weighed.transpose() * motion).squaredNorm();
+}
+
+/// The motion of a place alone, of Lo.
+Eigen::VectorXd motion(const NeighbourInertia& found, int place,
+                       const Vector3d& v) {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(found.held.rows());
+  all.segment<3>(6 * place) = v;
+  return all;
+}
+
+/// Two level bars of 1 m end to end, the first on the ground's pin at O.
+MechanismDefinition two_bars(double second) {
+  MechanismDefinition m;
+  m.bodies = {uniform_bar("first", Vector3d::Zero(), 0.0, 1.0),
+              uniform_bar("second", {1.0, 0.0, 0.0}, 0.0, 1.0)};
+  m.bodies[1].mass_properties.mass *= second;
+  m.bodies[1].mass_properties.inertia_LCm *= second;
+  m.joints = {pin("O", kGround, 0, 0.0, 0.0), pin("A", 0, 1, 1.0, 0.0)};
+  m.dimension = SpaceDimension::kPlanar;
+  return m;
+}
+
+// A uniform bar that is pushed at its end weighs all along itself, a quarter
+// across.
+TEST(NeighbourInertia, OfAFreeBarAtItsEnd) {
+  const MechanismDefinition m = two_bars(3.0);
+  const double mass = m.bodies[1].mass_properties.mass;
+  const NeighbourInertia found = neighbour_inertia(m, placed(m), 0);
+  ASSERT_EQ(found.places.size(), 2U);
+  EXPECT_EQ(found.places[0].joint, 0);
+  EXPECT_EQ(found.places[1].joint, 1);
+  EXPECT_EQ(found.held.cols(), 5);  // the ground's pin
+  EXPECT_LT(found.held.bottomRows(6).norm(), kRoundOff);
+  EXPECT_NEAR(mass_of(found.weighed, motion(found, 1, {1.0, 0.0, 0.0})), mass,
+              kRoundOff * mass);
+  EXPECT_NEAR(mass_of(found.weighed, motion(found, 1, {0.0, 1.0, 0.0})),
+              0.25 * mass, 1e-3 * mass);
+  EXPECT_LT(mass_of(found.weighed, motion(found, 0, {1.0, 1.0, 0.0})),
+            kRoundOff);
+}
+
+// Of the second bar: the first turns about O, a third of its mass moves across
+// with its end, none gives way along it.
+TEST(NeighbourInertia, OfABarOnThePinOfTheGround) {
+  const MechanismDefinition m = two_bars(1.0);
+  const double mass = m.bodies[0].mass_properties.mass;
+  const NeighbourInertia found = neighbour_inertia(m, placed(m), 1);
+  ASSERT_EQ(found.places.size(), 1U);
+  EXPECT_EQ(found.held.cols(), 4);
+  EXPECT_EQ(found.weighed.cols(), 1);
+  EXPECT_NEAR(mass_of(found.weighed, motion(found, 0, {0.0, 1.0, 0.0})),
+              mass / 3.0, 1e-3 * mass);
+  EXPECT_GT((found.held.transpose() * motion(found, 0, {1.0, 0.0, 0.0})).norm(),
+            0.99);
+}
+
+// A drive holds what it turns, whoever asks.
+TEST(NeighbourInertia, DrivesHold) {
+  MechanismDefinition m = two_bars(1.0);
+  DriveDefinition drive;
+  drive.joint = 0;
+  m.drives = {drive};
+  const NeighbourInertia second = neighbour_inertia(m, placed(m), 1);
+  EXPECT_EQ(second.held.cols(), 5);
+  EXPECT_EQ(second.weighed.cols(), 0);
+  const NeighbourInertia first = neighbour_inertia(m, placed(m), 0);
+  ASSERT_EQ(first.places.size(), 3U);
+  EXPECT_TRUE(first.places[2].is_drive);
+  EXPECT_EQ(first.held.cols(), 6);
+}
+
+// A welded body adds all of its mass, and its inertia about the weld.
+TEST(NeighbourInertia, OfAWeldedBody) {
+  MechanismDefinition m = two_bars(2.0);
+  m.dimension = SpaceDimension::kSpatial;
+  m.joints[1].type = JointType::kWeld;
+  const auto& given = m.bodies[1].mass_properties;
+  const NeighbourInertia found = neighbour_inertia(m, placed(m), 0);
+  EXPECT_EQ(found.held.cols(), 5);
+  EXPECT_EQ(found.weighed.cols(), 6);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(mass_of(found.weighed, motion(found, 1, Vector3d::Unit(k))),
+                given.mass, kRoundOff * given.mass);
+  }
+  // A turn of Lo about z moves the centre, at 1.5 m, across.
+  Eigen::VectorXd turn = Eigen::VectorXd::Zero(12);
+  turn[11] = 1.0;
+  EXPECT_NEAR(mass_of(found.weighed, turn),
+              given.inertia_LCm(2, 2) + given.mass * 1.5 * 1.5,
+              1e-3 * given.mass);
+}
+
+}  // namespace
+}  // namespace clevis::mechanism
