@@ -213,7 +213,7 @@ PUBLIC = {
             " gmsh/gmsh_element quality/mass_properties reading/mesh_reader",
     "loads": "history/balance history/load_history history/motion_instants history/strike"
              " parts/case_loads parts/held_pins parts/part_loads parts/series_loads"
-             " pressure/discrete_balance pressure/seat_traction"
+             " pressure/discrete_balance pressure/seat_traction pressure/surface_shear"
              " pressure/wall_pressure seats/part_seats seats/seat_spans",
     "dynamics": "load_vibration/load_answer load_vibration/load_path"
                 " load_vibration/response_spectrum"

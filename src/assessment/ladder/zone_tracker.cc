@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assessment/job/part_zones.h"
 #include "assessment/judge/time_sampling_error.h"
 #include "stress/zones/zone_mask.h"
 #include "stress/zones/zone_strength.h"
@@ -26,8 +27,7 @@ ZoneTracker<dim>::ZoneTracker(const PartJob& job,
     : job_(job), mesh_(mesh) {
   for (const LoadSet& set : job.load_sets) {
     Set& own = sets_.emplace_back();
-    for (auto& zone :
-         stress::singular_zones<dim>(mesh, job.part.material, set.fixed)) {
+    for (auto& zone : part_zones<dim>(job, mesh, set)) {
       own.zones.push_back({std::move(zone), {}, {}, false});
     }
   }
@@ -100,7 +100,7 @@ void ZoneTracker<dim>::measure(const Level<dim>& level, double outside_peak) {
       if (zone.rings.empty()) {
         const double growth =
             std::pow(kFinest / kReached, zone.zone.exponent - 1.0);
-        zone.governs = inside[z] * growth > outside_peak;
+        zone.governs = inside[z] * growth + zone.zone.rise > outside_peak;
         continue;
       }
       const auto strength = stress::zone_strength<dim>(
@@ -209,6 +209,7 @@ std::vector<ZoneResult> ZoneTracker<dim>::results() const {
   std::vector<ZoneResult> results;
   for (const Set& set : sets_) {
     for (const Zone& zone : set.zones) {
+      if (!is_told(zone)) continue;
       results.push_back({zone.zone.name, zone.zone.exponent, zone.exponent,
                          zone.zone.at, zone.zone.radius, zone.governs, false,
                          zone.zone.edge_of});
@@ -220,14 +221,18 @@ std::vector<ZoneResult> ZoneTracker<dim>::results() const {
 template <int dim>
 std::optional<Eigen::MatrixXd> ZoneTracker<dim>::marks(std::size_t set) const {
   if (sets_[set].zone_of.size() == 0) return std::nullopt;
-  int before = 0;
-  for (std::size_t s = 0; s < set; ++s) {
-    before += static_cast<int>(sets_[s].zones.size());
+  std::vector<double> numbers;  // of the set's zones
+  double told = 0.0;
+  for (std::size_t s = 0; s <= set; ++s) {
+    numbers.clear();
+    for (const Zone& zone : sets_[s].zones) {
+      numbers.push_back(is_told(zone) ? ++told : 0.0);
+    }
   }
   return sets_[set]
       .zone_of
-      .unaryExpr([before](int zone) {
-        return zone < 0 ? 0.0 : static_cast<double>(before + zone + 1);
+      .unaryExpr([&numbers](int zone) {
+        return zone < 0 ? 0.0 : numbers[static_cast<std::size_t>(zone)];
       })
       .eval();
 }

@@ -77,6 +77,10 @@ class ZoneTracker {
     std::vector<Eigen::VectorXd> energies;         // per set
   };
 
+  /// Ends of shear are told where they govern: most surfaces have some.
+  static bool is_told(const Zone& zone) {
+    return zone.governs || !(zone.zone.rise > 0.0);
+  }
   void grade(const mesh::PartMesh<dim>& mesh);
   void measure(const Level<dim>& level, double outside_peak);
   OutsidePeak peak_of(const Taken& taken, bool without_all) const;

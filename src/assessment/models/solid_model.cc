@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "assessment/job/part_zones.h"
 #include "elasticity/direct/dissection.h"
 #include "elasticity/solid/solid_solve.h"
 
@@ -84,7 +85,7 @@ AnyFeModel solid_model(const PartShape& shape, const ModelSettings&) {
     leave_out_what_takes_minutes(model);
   }
   model.zones = [&job](const LoadSet& set) {
-    return stress::singular_zones<3>(job.mesh, job.part.material, set.fixed);
+    return part_zones<3>(job, job.mesh, set);
   };
   return model;
 }

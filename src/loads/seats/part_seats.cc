@@ -137,6 +137,20 @@ void require_seats(const SeatContext& context) {
   const auto on_body = [&](const mechanism::JointDefinition& joint) {
     return joint.body_a == context.body || joint.body_b == context.body;
   };
+  for (const auto& coupling : definition.couplings) {
+    for (const int index : {coupling.joint_1, coupling.joint_2}) {
+      const auto& joint = definition.joints[static_cast<std::size_t>(index)];
+      if (!on_body(joint)) continue;
+      throw Error(
+          "L004", context.place("seats"),
+          fmt::format("coupling \"{}\" acts on the part by joint \"{}\", and "
+                      "its tooth force is not resolved: no face takes it",
+                      coupling.name, joint.name),
+          "Give the toothed wheel a body of its own with that joint, welded to "
+          "the part: pins = { WELD = \"face\" }; or check the part by a "
+          "[[part.history]] with the forces on its teeth.");
+    }
+  }
   std::string missing;
   for (const auto& joint : definition.joints) {
     if (on_body(joint) &&

@@ -70,8 +70,9 @@ void add_probes(TextTable& table, const PartResult& part) {
 
 void add_zones(TextTable& table, const PartResult& part) {
   for (const auto& zone : part.singular_zones) {
-    std::string line = fmt::format("singular zone: {}, stress ~ r^{:.4f}",
-                                   zone.name, zone.exponent - 1.0);
+    std::string line = fmt::format("singular zone: {}, stress ~ ", zone.name);
+    line += zone.exponent < 1.0 ? fmt::format("r^{:.4f}", zone.exponent - 1.0)
+                                : std::string("ln r");
     if (zone.exponent_measured) {
       line += fmt::format(" (measured {:.4f})", *zone.exponent_measured - 1.0);
     }

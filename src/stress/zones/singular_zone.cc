@@ -240,7 +240,42 @@ struct Candidate {
   double exponent{};
   std::string kind;     // "edge of root", "notch"
   std::string edge_of;  // the group that holds one side; empty: none or both
+  double rise{};        // see SingularZone
 };
+
+/// By which the stress where shear ends rises beyond what cells show, over the
+/// shear. On a smooth surface it goes like the logarithm of the distance,
+/// steepest along the shear; what is below a thousandth of a zone's radius, a
+/// micrometre or so, is no longer elastic. At an edge whose other face has no
+/// shear it is bounded.
+double rise_of_shear(double angle) {
+  constexpr double kBlunt = 0.75 * kPi;
+  constexpr double kPerFold = 1.10;  // √3 · 2/π
+  constexpr double kFolds = 4.6;     // from a tenth of the radius
+  constexpr double kEdge = 0.5 * kPi;
+  return angle < kBlunt ? kEdge : kPerFold * kFolds;
+}
+
+/// Where shear on a face ends: its candidate, or nothing.
+template <int dim>
+std::optional<Candidate> end_of_shear(const mesh::PartMesh<dim>& mesh,
+                                      const BoundaryCorner& corner,
+                                      const SurfaceShear& shear) {
+  if (corner.sides[0].group == corner.sides[1].group) return std::nullopt;
+  std::string on;
+  double largest = 0.0;
+  for (const CornerSide& side : corner.sides) {
+    if (side.group < 0) continue;
+    const auto& name = mesh.groups[static_cast<std::size_t>(side.group)].name;
+    const auto found = shear.find(name);
+    if (found == shear.end() || !(found->second > largest)) continue;
+    on = name;
+    largest = found->second;
+  }
+  if (on.empty()) return std::nullopt;
+  return Candidate{corner, 1.0, "end of the shear on " + on, "",
+                   rise_of_shear(corner.angle) * largest};
+}
 
 /// Names of the groups on both sides that hold something.
 std::string kind_of(double angle, const std::string& first,
@@ -284,7 +319,8 @@ std::vector<HeldCorner> held_corners(const mesh::PartMesh<dim>& mesh,
 template <int dim>
 std::vector<Candidate> candidates(const mesh::PartMesh<dim>& mesh,
                                   const part::Material& material,
-                                  const part::Supports& fixed) {
+                                  const part::Supports& fixed,
+                                  const SurfaceShear& shear) {
   const double nu = material.poissons_ratio;
   Exponents exponents(
       dim == 2 ? kolosov_plane_stress(nu) : kolosov_plane_strain(nu), dim == 3);
@@ -294,7 +330,12 @@ std::vector<Candidate> candidates(const mesh::PartMesh<dim>& mesh,
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const auto& [corner, held, name, kink] = corners[k];
     const double exponent = exponents.smallest(corners[k], is_facet[k]);
-    if (exponent > kSmoothExponent) continue;
+    if (exponent > kSmoothExponent) {
+      if (auto end = end_of_shear<dim>(mesh, corner, shear)) {
+        result.push_back(std::move(*end));
+      }
+      continue;
+    }
     result.push_back(
         {corner, exponent, kind_of(corner.angle, name[0], name[1]),
          name[0].empty() || name[1].empty() ? name[0] + name[1] : ""});
@@ -353,6 +394,7 @@ SingularZone make_zone(const mesh::PartMesh<dim>& mesh,
   for (const Candidate* member : members) {
     const BoundaryCorner& corner = member->corner;
     zone.exponent = std::min(zone.exponent, member->exponent);
+    zone.rise = std::max(zone.rise, member->rise);
     zone.edges.emplace_back(position(mesh, corner.vertices[0]),
                             position(mesh, corner.vertices[1]));
     zone.vertices.insert(zone.vertices.end(), corner.vertices.begin(),
@@ -400,8 +442,9 @@ bool goes_round(const BoundaryCorner& corner, const mesh::Revolution& turned) {
 template <int dim>
 std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
                                          const part::Material& material,
-                                         const part::Supports& fixed) {
-  const auto all = candidates<dim>(mesh, material, fixed);
+                                         const part::Supports& fixed,
+                                         const SurfaceShear& shear) {
+  const auto all = candidates<dim>(mesh, material, fixed, shear);
   const auto root = connected(all);
   std::map<std::size_t, std::vector<const Candidate*>> chains;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -449,9 +492,11 @@ double distance(const SingularZone& zone, const Vector3d& point) {
 
 template std::vector<SingularZone> singular_zones<2>(const mesh::PartMesh<2>&,
                                                      const part::Material&,
-                                                     const part::Supports&);
+                                                     const part::Supports&,
+                                                     const SurfaceShear&);
 template std::vector<SingularZone> singular_zones<3>(const mesh::PartMesh<3>&,
                                                      const part::Material&,
-                                                     const part::Supports&);
+                                                     const part::Supports&,
+                                                     const SurfaceShear&);
 
 }  // namespace clevis::stress

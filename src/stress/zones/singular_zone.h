@@ -15,23 +15,30 @@
 
 namespace clevis::stress {
 
-/// A re-entrant corner, a crack or the end of a support: a vertex of a plane
-/// mesh or a chain of edges of a solid one where the stress of the model has
-/// no bound.
+/// A re-entrant corner, a crack, the end of a support or of a surface's shear:
+/// a vertex of a plane mesh or a chain of edges of a solid one where the stress
+/// of the model has no bound.
 struct SingularZone {
   std::string name;  ///< "edge of root at (0, 10, 2) mm", "notch at …"
   std::string edge_of = {};  ///< the held group whose edge it is; empty: none
-  /// Smallest Williams exponent λ: stress goes like distance^(λ − 1) [1].
+  /// Smallest Williams exponent λ: stress goes like distance^(λ − 1); 1: like
+  /// the distance's logarithm [1].
   double exponent{};
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< vertex, mid-edge, L [m]
-  double radius{};                 ///< of what is left out around it [m]
-  double reach{};                  ///< of the cells at its edges [m]
+  double radius{};  ///< of what is left out around it [m]
+  double reach{};   ///< of the cells at its edges [m]
+  /// By which shear that ends here may raise the stress beyond what cells show,
+  /// as that of a surface load [Pa].
+  double rise{};
   std::vector<unsigned> vertices;  ///< of the mesh
   /// Its edges by their ends in L (both ends the vertex in 2-D) [m].
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> edges;
 };
 
-/// Zones of a part from its shape and supports.
+/// Shear by group [Pa].
+using SurfaceShear = std::map<std::string, double>;
+
+/// Zones of a part from its shape, supports and the shear on its surface.
 ///
 /// At every boundary vertex (dim = 2: plane stress) or surface edge (dim = 3:
 /// plane strain and antiplane shear across the edge) the angle of the
@@ -45,10 +52,12 @@ struct SingularZone {
 /// the way through the material from the zone along the bisector of its angle,
 /// however large the cells: what lies farther away has to be resolved. It ends
 /// half way to a bore or round that the zone does not touch.
+/// @param shear  on groups, of solids [Pa]; it ends at their edges.
 template <int dim>
 std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
                                          const part::Material& material,
-                                         const part::Supports& fixed);
+                                         const part::Supports& fixed,
+                                         const SurfaceShear& shear = {});
 
 inline constexpr double kSmoothExponent = 0.97;
 inline constexpr double kFacetKink = 52.0;  ///< over straight [degrees]

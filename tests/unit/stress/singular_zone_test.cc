@@ -202,6 +202,30 @@ TEST(SingularZone, SupportThatEndsOnAStraightSideIsSingular) {
   EXPECT_NEAR(rolling[0].at.x(), 0.01, 1e-12);
 }
 
+// Shear on a half of a side: on the smooth side its end rises like ln r, at the
+// block's edges it is bounded; where both halves have some, all is as smooth.
+TEST(SingularZone, EndOfShear) {
+  auto mesh = block({4, 4, 4});
+  mesh.groups.push_back({"half", {}});
+  for (auto& face : mesh.boundary) {
+    if (face.group == 2 && face.cell % 4 < 2) face.group = 6;
+  }
+  const auto zones = singular_zones<3>(mesh, kSteel, {}, {{"half", 3e6}});
+  ASSERT_EQ(zones.size(), 1u);
+  EXPECT_EQ(zones[0].name.substr(0, 23), "end of the shear on hal");
+  EXPECT_EQ(zones[0].exponent, 1.0);
+  EXPECT_EQ(zones[0].edges.size(), 12u);
+  EXPECT_NEAR(distance(zones[0], Vector3d(0.01, 0.0, 0.01)), 0.0, 1e-12);
+  // √3 2/π a fold, from a tenth of the radius to a thousandth
+  EXPECT_NEAR(zones[0].rise, 3e6 * std::sqrt(3.0) * 2.0 / pi * std::log(100.0),
+              1e5);
+  const auto edges =
+      singular_zones<3>(block({3, 3, 3}), kSteel, {}, {{"x0", 3e6}});
+  ASSERT_EQ(edges.size(), 1u);
+  EXPECT_NEAR(edges[0].rise, 3e6 * pi / 2.0, 1.0);
+  EXPECT_TRUE(singular_zones<3>(mesh, kSteel, {}, {}).empty());
+}
+
 TEST(SingularZone, ClampedBlockHasOneClosedEdge) {
   const auto zones =
       singular_zones<3>(block({3, 3, 3}), kSteel, {{"x0", {true, true, true}}});
