@@ -233,6 +233,28 @@ TEST(SeatFit, ShiftedMeshIsNamed) {
       << plate.refusal();
 }
 
+// No face can take a tooth force that is not resolved.
+TEST(JointSeats, RefuseACoupling) {
+  Plate plate;
+  plate.definition.bodies.resize(2);
+  mechanism::JointDefinition axle = plate.definition.joints[0];
+  axle.name = "axle";
+  axle.body_b = 1;
+  plate.definition.joints.push_back(axle);
+  plate.definition.couplings = {
+      {.name = "gear", .joint_1 = 3, .joint_2 = 0, .ratio = 2.0}};
+  try {
+    require_seats(plate.context());
+    ADD_FAILURE() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), "L004");
+    EXPECT_TRUE(contains(error.problem(), "coupling \"gear\""));
+    EXPECT_TRUE(contains(error.problem(), "joint \"A\""));
+  }
+  plate.definition.couplings[0].joint_2 = 3;
+  EXPECT_NO_THROW(require_seats(plate.context()));
+}
+
 // A pin of the ground holds its place and its axis, a ball its place, a slide
 // all but its way and turn; another body is held and weighs what it does.
 TEST(SeatHold, IsWhatTheMechanismDoesAtTheSeats) {
