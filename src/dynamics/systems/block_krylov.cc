@@ -64,6 +64,30 @@ MatrixXd BlockKrylov::orthogonalise(MatrixXd& block, double* scale) const {
   return components;
 }
 
+/// Once more against the space and the columns before: what is small carries
+/// the round-off of what was large. Again where little is left of it.
+/// @param image  M column, made anew.
+/// @return whether anything is left but round-off.
+bool BlockKrylov::settle(const MatrixXd& columns, MatrixXd& column,
+                         MatrixXd& image) const {
+  constexpr int kMost = 4;
+  constexpr double kMuch = 0.5;
+  if (columns.cols() == 0 && !system_.admitted) return true;
+  for (int pass = 0; pass < kMost; ++pass) {
+    if (system_.admitted) column = system_.admitted(column);
+    orthogonalise(column, nullptr);
+    if (columns.cols() > 0)
+      column -= columns * (weighted_.transpose() * column);
+    image = system_.product(column);
+    const double norm = std::sqrt(column.cwiseProduct(image).sum());
+    if (!(norm > 0.0)) return false;
+    column /= norm;
+    image /= norm;
+    if (norm > kMuch) return true;
+  }
+  return false;
+}
+
 MatrixXd BlockKrylov::append(const MatrixXd& block, double scale) {
   // Gram-Schmidt with pivots: the largest rest is next.
   MatrixXd rest = block;
@@ -78,18 +102,7 @@ MatrixXd BlockKrylov::append(const MatrixXd& block, double scale) {
     if (!(square > kNothing * kNothing * scale)) break;
     MatrixXd column = rest.col(at) / std::sqrt(square);
     MatrixXd image = weighted_rest.col(at) / std::sqrt(square);
-    // Once more against the space and the columns before: what is small
-    // carries the round-off of what was large. Again where little is left.
-    constexpr double kMuch = 0.5;
-    for (double norm = 0.0; (k > 0 || system_.admitted) && norm < kMuch;) {
-      if (system_.admitted) column = system_.admitted(column);
-      orthogonalise(column, nullptr);
-      if (k > 0) column -= columns * (weighted_.transpose() * column);
-      image = system_.product(column);
-      norm = std::sqrt(column.cwiseProduct(image).sum());
-      column /= norm;
-      image /= norm;
-    }
+    if (!settle(columns, column, image)) break;
     triangle.conservativeResize(k + 1, Eigen::NoChange);
     triangle.row(k) = image.transpose() * rest;
     rest -= column * triangle.row(k);

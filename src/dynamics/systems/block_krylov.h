@@ -60,6 +60,8 @@ class BlockKrylov {
   /// Takes out of `block` what lies in the space; returns the components.
   /// @param scale  gets the largest square of a column in M, before; or null.
   Eigen::MatrixXd orthogonalise(Eigen::MatrixXd& block, double* scale) const;
+  bool settle(const Eigen::MatrixXd& columns, Eigen::MatrixXd& column,
+              Eigen::MatrixXd& image) const;
   /// M-orthonormal columns that span the block's, which are the next of the
   /// space.
   /// @param scale  square of what the block was before it was orthogonalised:
