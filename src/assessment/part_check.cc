@@ -19,6 +19,7 @@
 #include "assessment/notes/case_notes.h"
 #include "assessment/notes/facet_doubt.h"
 #include "assessment/notes/part_notes.h"
+#include "assessment/notes/shear_doubt.h"
 #include "assessment/stability/buckling_check.h"
 #include "assessment/stability/sharing_check.h"
 #include "assessment/vibration/vibration_check.h"
@@ -182,6 +183,7 @@ PartAssessment check_part(const PartJob& given) {
     assessment.result.seconds.total = watch.lap();
     return assessment;
   }
+  add_shear_doubt(job, assessment.fields, assessment.result);
   PartResult& result = assessment.result;
   result.name = job.part.name;
   result.notes.insert(result.notes.end(), job.notes.begin(), job.notes.end());

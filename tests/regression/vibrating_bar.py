@@ -292,6 +292,48 @@ def check_weighed(clevis, expect, block=0.3):
     expect(f"weighed: band {low:.2f} to {high:.2f}", low <= exact <= high, True)
 
 
+def check_redundant(clevis, expect):
+    """Welded to the ground at both ends and pushed across: what shares its reactions
+    as if it were rigid has no vibration; with its own stiffness it has twice the
+    stress at rest."""
+    found = {}
+    for links in ("rigid", "elastic"):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            scene = write_scene(folder, False, speed=0, upper=1, damping=0.02)
+            text = scene.read_text()
+            joint, initial = text.index('[[joint]]'), text.index('[[initial]]')
+            end = text.index('[simulation]')
+            weld = "".join(f'''[[joint]]
+name = "weld_{face}"
+type = "weld"
+between = ["ground", "bar"]
+point = ["{x} mm", "0 mm", "0 mm"]
+''' for face, x in (("x0", 0), ("x1", 200)))
+            push = '''[[force]]
+name = "push"
+type = "table"
+between = ["ground", "bar"]
+from = ["100 mm", "500 mm", "0 mm"]
+to = ["100 mm", "5 mm", "0 mm"]
+axis = [0, 1, 0]
+times = ["0 ms", "0.05 ms", "0.05 ms"]
+efforts = ["0 N", "0 N", "-200 N"]
+'''
+            text = text[:joint] + weld + push + text[end:]
+            text = (text.replace('duration = "0.5 ms"', 'duration = "4 ms"')
+                    .replace('tolerance = 1e-9', f'tolerance = 1e-9\nlinks = "{links}"')
+                    .replace('slide = { group = "y0", length = "200 mm" }',
+                             'weld_x0 = "x0", weld_x1 = "x1"')
+                    .replace('stop = { face = "x1" }', 'push = { face = "y1" }'))
+            scene.write_text(text)
+            found[links] = support.check(clevis, scene)
+    rigid, elastic = found["rigid"].part["vibration"], found["elastic"].part["vibration"]
+    expect("redundant, shared as rigid: F008", "F008" in str(rigid), True)
+    expect("redundant, elastic: between 1.7 and 2.1 times at rest",
+           1.7 < elastic["ratio"] < 2.1, True)
+
+
 BED = 1e12  # [N/m^3]
 
 
@@ -404,6 +446,7 @@ def main():
     check_pulls(sys.argv[1], expect)
     check_welded(sys.argv[1], expect)
     check_weighed(sys.argv[1], expect)
+    check_redundant(sys.argv[1], expect)
     check_held_history(sys.argv[1], expect)
     check_bedded(sys.argv[1], expect)
     return len(faults) > 0

@@ -18,7 +18,7 @@ std::vector<stress::SingularZone> part_zones(const PartJob& job,
     const double stiffness = std::max(bed.normal, bed.tangential);
     if (modulus < stiffness * job.sides()[0]) held[group] = {true, true, true};
   }
-  stress::SurfaceShear shear;
+  loads::SurfaceShear shear;
   // In a plane the sequence of degrees tells what the ends of shear are worth.
   if (dim == 3) shear = loads::surface_shear(set.history, job.groups);
   return stress::singular_zones<dim>(mesh, job.part.material, held, shear);

@@ -1,5 +1,6 @@
 #include "elasticity/vibration/load_vibration.h"
 
+#include "base/messages/errors.h"
 #include "dynamics/systems/block_krylov.h"
 #include "dynamics/systems/held_system.h"
 #include "elasticity/algebra/dense_product.h"
@@ -15,6 +16,30 @@ using Eigen::MatrixXd;
 
 constexpr double kSame = 0.02;  // of the energy norm
 constexpr Index kMost = 12;
+
+/// Reactions that equilibrium leaves open are shared by the joints' compliance;
+/// the part's own would share them otherwise. Its answers then bend it where
+/// the mechanism holds it.
+/// @param answers  without rigid motion.
+/// @throws Error F008.
+void require_held(const dynamics::LinearSystem& system, const MatrixXd& answers,
+                  const std::string& place) {
+  constexpr double kMuch = 0.1;  // of the energy norm
+  const double shift = system.least_shift();
+  const auto forces = [&](const MatrixXd& x) -> MatrixXd {
+    return system.stiffness(x) + shift * system.mass(x);
+  };
+  const auto energy = [&](const MatrixXd& x) {
+    return x.cwiseProduct(forces(x)).sum();
+  };
+  const MatrixXd held = system.factor(shift)(forces(answers));
+  if (energy(answers - held) < kMuch * kMuch * energy(answers)) return;
+  throw Error("F008", place,
+              "its joints hold it more than balance needs, and its reactions "
+              "are shared as if it were rigid: no vibration goes with them",
+              "Say links = \"elastic\" in [simulation], so that its own "
+              "stiffness shares them, or free one of the joints.");
+}
 
 }  // namespace
 
@@ -41,8 +66,11 @@ LoadVibration<dim>::LoadVibration(const ElasticProblem<dim>& problem,
       principal_columns(0.5 * (gram + gram.transpose()), at, kSame, kMost)
           .combinations;
   driving_loads_ = combinations.cols();
-  space_ = std::make_unique<dynamics::LoadShapes>(
-      system, product(answers, combinations));
+  const MatrixXd start = product(answers, combinations);
+  if (part_.held.cols() > 0) {
+    require_held(system, start, "part " + problem.name);
+  }
+  space_ = std::make_unique<dynamics::LoadShapes>(system, start);
 }
 
 template <int dim>

@@ -11,15 +11,6 @@ using Eigen::Vector3d;
 
 constexpr double kPi = std::numbers::pi;
 
-/// Of force and moment that a pin's wall takes as even shear: along its axis
-/// and about it.
-double of_bearing(const part::Bore& bore, const Wrench& wrench) {
-  const double wall = 2.0 * kPi * bore.radius * bore.length;
-  return std::hypot(wrench.force.dot(bore.axis_L),
-                    wrench.moment.dot(bore.axis_L) / bore.radius) /
-         wall;
-}
-
 /// Unit normal of a flat group; zero of others.
 Vector3d flat_normal(const GroupGeometry& group) {
   constexpr double kFlat = 0.999;  // of the area
@@ -28,56 +19,79 @@ Vector3d flat_normal(const GroupGeometry& group) {
              : group.area_vector.normalized();
 }
 
-/// What of an even traction does not press on a group.
-Vector3d along_face(const GroupGeometry& group, const Vector3d& traction) {
-  const Vector3d n = flat_normal(group);
-  return traction - n.dot(traction) * n;
+/// Shear of one load.
+struct Shear {
+  Vector3d even = Vector3d::Zero();
+  double turning{};
+};
+
+/// A pin's wall takes force along and moment about its axis evenly.
+Shear of_bearing(const part::Bore& bore, const Wrench& wrench) {
+  const double wall = 2.0 * kPi * bore.radius * bore.length;
+  const Vector3d& axis = bore.axis_L;
+  return {wrench.force.dot(axis) / wall * axis,
+          std::abs(wrench.moment.dot(axis)) / (bore.radius * wall)};
 }
 
-double of_face(const GroupGeometry& group, const Wrench& wrench) {
+/// @param force  on a group as an even traction [N].
+Shear of_face(const GroupGeometry& group, const Vector3d& force,
+              const Vector3d& moment) {
   const Vector3d n = flat_normal(group);
   const double turning =
-      n.isZero(0.0) ? wrench.moment.norm() : std::abs(wrench.moment.dot(n));
-  return along_face(group, wrench.force).norm() / group.area +
-         2.0 * turning / (group.area * std::sqrt(group.area / kPi));
+      n.isZero(0.0) ? moment.norm() : std::abs(moment.dot(n));
+  return {(force - n.dot(force) * n) / group.area,
+          2.0 * turning / (group.area * std::sqrt(group.area / kPi))};
 }
 
 }  // namespace
 
-std::map<std::string, double> surface_shear(
-    const LoadHistory& history, const std::vector<GroupGeometry>& groups) {
-  std::map<std::string, double> largest;
+SurfaceShear surface_shear(const LoadHistory& history,
+                           const std::vector<GroupGeometry>& groups) {
+  const auto instants = static_cast<Eigen::Index>(history.instants.size());
+  SurfaceShear found;
   double pressure = 0.0;  // largest of a group, even
-  const auto put = [&](const std::string& name, const auto& shear_on) {
-    const auto group = std::ranges::find(groups, name, &GroupGeometry::name);
-    if (group == groups.end()) return;
-    double& most = largest[name];
-    most = std::max(most, shear_on(*group));
+  const auto put = [&](Eigen::Index instant, const GroupGeometry& group,
+                       const Shear& shear) {
+    GroupShear& at = found[group.name];
+    if (at.turning.size() == 0) {
+      at.even.setZero(3, instants);
+      at.turning.setZero(instants);
+    }
+    at.even.col(instant) += shear.even;
+    at.turning[instant] += shear.turning;
   };
-  for (const InstantLoad& instant : history.instants) {
+  const auto known = [&groups](const std::string& name) {
+    const auto group = std::ranges::find(groups, name, &GroupGeometry::name);
+    return group == groups.end() ? nullptr : &*group;
+  };
+  for (Eigen::Index i = 0; i < instants; ++i) {
+    const InstantLoad& instant = history.instants[static_cast<std::size_t>(i)];
     for (std::size_t s = 0; s < history.seats.size(); ++s) {
       const Seat& seat = history.seats[s];
-      if (seat.slide) continue;
-      put(seat.group, [&](const GroupGeometry& group) {
-        const Wrench& wrench = instant.wrenches[s];
-        pressure = std::max(pressure, wrench.force.norm() / group.area);
-        return seat.kind == SeatKind::kBearing && group.is_cylinder
-                   ? of_bearing(group.cylinder, wrench)
-                   : of_face(group, wrench);
-      });
+      const GroupGeometry* group = known(seat.group);
+      if (seat.slide || group == nullptr) continue;
+      const Wrench& wrench = instant.wrenches[s];
+      pressure = std::max(pressure, wrench.force.norm() / group->area);
+      put(i, *group,
+          seat.kind == SeatKind::kBearing && group->is_cylinder
+              ? of_bearing(group->cylinder, wrench)
+              : of_face(*group, wrench.force, wrench.moment));
     }
     for (const SurfaceLoad& load : instant.surface_loads) {
-      put(load.group, [&](const GroupGeometry& group) {
-        pressure = std::max(pressure, load.total / group.area);
-        return along_face(group, load.traction).norm();
-      });
+      const GroupGeometry* group = known(load.group);
+      if (group == nullptr) continue;
+      pressure = std::max(pressure, load.total / group->area);
+      put(i, *group,
+          of_face(*group, group->area * load.traction, Vector3d::Zero()));
     }
   }
   constexpr double kCounts = 1e-3;  // less raises no stress by a percent
-  std::erase_if(largest, [&](const auto& shear) {
-    return shear.second < kCounts * pressure;
+  std::erase_if(found, [&](const auto& entry) {
+    const GroupShear& shear = entry.second;
+    return (shear.even.colwise().norm().transpose() + shear.turning)
+               .maxCoeff() < kCounts * pressure;
   });
-  return largest;
+  return found;
 }
 
 }  // namespace clevis::loads

@@ -4,15 +4,27 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "loads/history/group_geometry.h"
 #include "loads/history/load_history.h"
 
 namespace clevis::loads {
 
-/// Largest shear that seats and surface loads put on each group over all
-/// instants [Pa]; where it ends the stress has no bound. Of moments about a
-/// face's normal that at the rim of a circle of its area. Slides press only.
-std::map<std::string, double> surface_shear(
-    const LoadHistory& history, const std::vector<GroupGeometry>& groups);
+/// Shear on a group at every instant.
+struct GroupShear {
+  /// The even part: of a force along a face, or along a pin's axis, in L [Pa].
+  Eigen::Matrix3Xd even;
+  /// The rest, round a pin or a face's normal: there at the rim of a circle of
+  /// its area [Pa].
+  Eigen::VectorXd turning;
+};
+/// By group.
+using SurfaceShear = std::map<std::string, GroupShear>;
+
+/// What seats and surface loads do not press with, where that is more than a
+/// thousandth of the largest mean pressure on a group. Slides press only.
+SurfaceShear surface_shear(const LoadHistory& history,
+                           const std::vector<GroupGeometry>& groups);
 
 }  // namespace clevis::loads

@@ -243,38 +243,58 @@ struct Candidate {
   double rise{};        // see SingularZone
 };
 
-/// By which the stress where shear ends rises beyond what cells show, over the
-/// shear. On a smooth surface it goes like the logarithm of the distance,
-/// steepest along the shear; what is below a thousandth of a zone's radius, a
-/// micrometre or so, is no longer elastic. At an edge whose other face has no
-/// shear it is bounded.
-double rise_of_shear(double angle) {
-  constexpr double kBlunt = 0.75 * kPi;
-  constexpr double kPerFold = 1.10;  // √3 · 2/π
-  constexpr double kFolds = 4.6;     // from a tenth of the radius
-  constexpr double kEdge = 0.5 * kPi;
-  return angle < kBlunt ? kEdge : kPerFold * kFolds;
+// Below this angle of the material shear that ends leaves a bounded stress.
+constexpr double kBluntEdge = 0.75 * kPi;
+
+/// Shear on both sides of a corner; null where there is none.
+template <int dim>
+std::array<const loads::GroupShear*, 2> shear_beside(
+    const mesh::PartMesh<dim>& mesh, const BoundaryCorner& corner,
+    const loads::SurfaceShear& shear) {
+  std::array<const loads::GroupShear*, 2> beside{};
+  if (corner.sides[0].group == corner.sides[1].group) return beside;
+  for (std::size_t s = 0; s < 2; ++s) {
+    const int group = corner.sides[s].group;
+    if (group < 0) continue;
+    const auto found =
+        shear.find(mesh.groups[static_cast<std::size_t>(group)].name);
+    if (found != shear.end()) beside[s] = &found->second;
+  }
+  return beside;
 }
 
-/// Where shear on a face ends: its candidate, or nothing.
+/// Largest jump of the shear over a smooth edge, of all instants [Pa].
+double jump_of(const std::array<const loads::GroupShear*, 2>& beside) {
+  const loads::GroupShear& first = beside[0] ? *beside[0] : *beside[1];
+  if (!beside[0] || !beside[1]) {
+    return (first.even.colwise().norm().transpose() + first.turning).maxCoeff();
+  }
+  return ((first.even - beside[1]->even).colwise().norm().transpose() +
+          first.turning + beside[1]->turning)
+      .maxCoeff();
+}
+
+/// Where shear ends on a smooth or re-entrant surface: its candidate, or
+/// nothing. The stress goes like the logarithm of the distance, steepest along
+/// the shear; what is below a thousandth of a zone's radius, a micrometre or
+/// so, is no longer elastic.
 template <int dim>
 std::optional<Candidate> end_of_shear(const mesh::PartMesh<dim>& mesh,
                                       const BoundaryCorner& corner,
-                                      const SurfaceShear& shear) {
-  if (corner.sides[0].group == corner.sides[1].group) return std::nullopt;
-  std::string on;
-  double largest = 0.0;
-  for (const CornerSide& side : corner.sides) {
-    if (side.group < 0) continue;
-    const auto& name = mesh.groups[static_cast<std::size_t>(side.group)].name;
-    const auto found = shear.find(name);
-    if (found == shear.end() || !(found->second > largest)) continue;
-    on = name;
-    largest = found->second;
-  }
-  if (on.empty()) return std::nullopt;
-  return Candidate{corner, 1.0, "end of the shear on " + on, "",
-                   rise_of_shear(corner.angle) * largest};
+                                      const loads::SurfaceShear& shear) {
+  constexpr double kPerFold = 1.10;  // √3 · 2/π
+  constexpr double kFolds = 4.6;     // from a tenth of the radius
+  if (corner.angle < kBluntEdge) return std::nullopt;
+  const auto beside = shear_beside<dim>(mesh, corner, shear);
+  if (!beside[0] && !beside[1]) return std::nullopt;
+  const double jump = jump_of(beside);
+  if (!(jump > 0.0)) return std::nullopt;
+  const auto side = static_cast<std::size_t>(beside[0] == nullptr);
+  return Candidate{
+      corner, 1.0,
+      "end of the shear on " +
+          mesh.groups[static_cast<std::size_t>(corner.sides[side].group)].name,
+      "", kPerFold * kFolds * jump};
 }
 
 /// Names of the groups on both sides that hold something.
@@ -320,7 +340,7 @@ template <int dim>
 std::vector<Candidate> candidates(const mesh::PartMesh<dim>& mesh,
                                   const part::Material& material,
                                   const part::Supports& fixed,
-                                  const SurfaceShear& shear) {
+                                  const loads::SurfaceShear& shear) {
   const double nu = material.poissons_ratio;
   Exponents exponents(
       dim == 2 ? kolosov_plane_stress(nu) : kolosov_plane_strain(nu), dim == 3);
@@ -443,7 +463,7 @@ template <int dim>
 std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
                                          const part::Material& material,
                                          const part::Supports& fixed,
-                                         const SurfaceShear& shear) {
+                                         const loads::SurfaceShear& shear) {
   const auto all = candidates<dim>(mesh, material, fixed, shear);
   const auto root = connected(all);
   std::map<std::size_t, std::vector<const Candidate*>> chains;
@@ -477,6 +497,37 @@ double facet_kink(const mesh::PartMesh<3>& mesh, const part::Supports& fixed,
   return largest;
 }
 
+double rise_at_edges(const mesh::PartMesh<3>& mesh,
+                     const loads::SurfaceShear& shear, const Vector3d& at) {
+  double largest = 0.0;
+  if (shear.empty()) return largest;
+  for (const BoundaryCorner& corner : boundary_corners<3>(mesh)) {
+    const Vector3d arm = at - corner.at;
+    const double half = 0.5 * (position(mesh, corner.vertices[0]) -
+                               position(mesh, corner.vertices[1]))
+                                  .norm();
+    const double along = std::abs(corner.axis.dot(arm));
+    const double across = (arm - corner.axis.dot(arm) * corner.axis).norm();
+    if (corner.angle >= kBluntEdge || across > corner.reach ||
+        along > half + corner.reach) {
+      continue;
+    }
+    const auto beside = shear_beside<3>(mesh, corner, shear);
+    if (!beside[0] && !beside[1]) continue;
+    // What points to the edge has to meet its like on the other face.
+    Eigen::VectorXd rest;
+    for (std::size_t s = 0; s < 2; ++s) {
+      if (!beside[s]) continue;
+      const Eigen::VectorXd towards = (s == 0 ? 1.0 : -1.0) *
+                                      beside[s]->even.transpose() *
+                                      corner.sides[s].direction;
+      rest = rest.size() == 0 ? towards : Eigen::VectorXd(rest + towards);
+    }
+    largest = std::max(largest, rest.lpNorm<Eigen::Infinity>());
+  }
+  return 0.5 * kPi * largest;
+}
+
 double distance(const SingularZone& zone, const Vector3d& point) {
   double nearest = std::numeric_limits<double>::max();
   for (const auto& [from, to] : zone.edges) {
@@ -490,13 +541,11 @@ double distance(const SingularZone& zone, const Vector3d& point) {
   return nearest;
 }
 
-template std::vector<SingularZone> singular_zones<2>(const mesh::PartMesh<2>&,
-                                                     const part::Material&,
-                                                     const part::Supports&,
-                                                     const SurfaceShear&);
-template std::vector<SingularZone> singular_zones<3>(const mesh::PartMesh<3>&,
-                                                     const part::Material&,
-                                                     const part::Supports&,
-                                                     const SurfaceShear&);
+template std::vector<SingularZone> singular_zones<2>(
+    const mesh::PartMesh<2>&, const part::Material&, const part::Supports&,
+    const loads::SurfaceShear&);
+template std::vector<SingularZone> singular_zones<3>(
+    const mesh::PartMesh<3>&, const part::Material&, const part::Supports&,
+    const loads::SurfaceShear&);
 
 }  // namespace clevis::stress

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "loads/pressure/surface_shear.h"
 #include "mesh/cells/part_mesh.h"
 #include "mesh/derived/revolution.h"
 #include "part/material.h"
@@ -35,9 +36,6 @@ struct SingularZone {
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> edges;
 };
 
-/// Shear by group [Pa].
-using SurfaceShear = std::map<std::string, double>;
-
 /// Zones of a part from its shape, supports and the shear on its surface.
 ///
 /// At every boundary vertex (dim = 2: plane stress) or surface edge (dim = 3:
@@ -52,12 +50,20 @@ using SurfaceShear = std::map<std::string, double>;
 /// the way through the material from the zone along the bisector of its angle,
 /// however large the cells: what lies farther away has to be resolved. It ends
 /// half way to a bore or round that the zone does not touch.
-/// @param shear  on groups, of solids [Pa]; it ends at their edges.
+/// @param shear  on groups, of solids: it ends at their edges, without bound
+///   where the surface is smooth there.
 template <int dim>
 std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
                                          const part::Material& material,
                                          const part::Supports& fixed,
-                                         const SurfaceShear& shear = {});
+                                         const loads::SurfaceShear& shear = {});
+
+/// By how much shear that ends at an edge of the part, where the stress is
+/// bounded but steep, may change the stress at a point within the cells at that
+/// edge: π/2 of what does not meet its like on the other face [Pa].
+double rise_at_edges(const mesh::PartMesh<3>& mesh,
+                     const loads::SurfaceShear& shear,
+                     const Eigen::Vector3d& at);
 
 inline constexpr double kSmoothExponent = 0.97;
 inline constexpr double kFacetKink = 52.0;  ///< over straight [degrees]

@@ -202,28 +202,55 @@ TEST(SingularZone, SupportThatEndsOnAStraightSideIsSingular) {
   EXPECT_NEAR(rolling[0].at.x(), 0.01, 1e-12);
 }
 
-// Shear on a half of a side: on the smooth side its end rises like ln r, at the
-// block's edges it is bounded; where both halves have some, all is as smooth.
+loads::GroupShear even(const Vector3d& shear) {
+  return {shear, Eigen::VectorXd::Zero(1)};
+}
+
+// Shear on a half of a side: on the smooth side its end rises like ln r; where
+// both halves have the same nothing ends.
 TEST(SingularZone, EndOfShear) {
   auto mesh = block({4, 4, 4});
   mesh.groups.push_back({"half", {}});
   for (auto& face : mesh.boundary) {
     if (face.group == 2 && face.cell % 4 < 2) face.group = 6;
   }
-  const auto zones = singular_zones<3>(mesh, kSteel, {}, {{"half", 3e6}});
+  const Vector3d shear(0.0, 0.0, 3e6);
+  const auto zones =
+      singular_zones<3>(mesh, kSteel, {}, {{"half", even(shear)}});
   ASSERT_EQ(zones.size(), 1u);
-  EXPECT_EQ(zones[0].name.substr(0, 23), "end of the shear on hal");
+  EXPECT_EQ(zones[0].name.substr(0, 24), "end of the shear on half");
   EXPECT_EQ(zones[0].exponent, 1.0);
-  EXPECT_EQ(zones[0].edges.size(), 12u);
+  EXPECT_EQ(zones[0].edges.size(), 4u);
   EXPECT_NEAR(distance(zones[0], Vector3d(0.01, 0.0, 0.01)), 0.0, 1e-12);
   // √3 2/π a fold, from a tenth of the radius to a thousandth
-  EXPECT_NEAR(zones[0].rise, 3e6 * std::sqrt(3.0) * 2.0 / pi * std::log(100.0),
-              1e5);
-  const auto edges =
-      singular_zones<3>(block({3, 3, 3}), kSteel, {}, {{"x0", 3e6}});
-  ASSERT_EQ(edges.size(), 1u);
-  EXPECT_NEAR(edges[0].rise, 3e6 * pi / 2.0, 1.0);
+  const double rise = std::sqrt(3.0) * 2.0 / pi * std::log(100.0);
+  EXPECT_NEAR(zones[0].rise, 3e6 * rise, 1e5);
+  EXPECT_TRUE(singular_zones<3>(mesh, kSteel, {},
+                                {{"half", even(shear)}, {"y0", even(shear)}})
+                  .empty());
+  const auto opposite = singular_zones<3>(
+      mesh, kSteel, {}, {{"half", even(shear)}, {"y0", even(-shear)}});
+  ASSERT_EQ(opposite.size(), 1u);
+  EXPECT_NEAR(opposite[0].rise, 6e6 * rise, 2e5);
   EXPECT_TRUE(singular_zones<3>(mesh, kSteel, {}, {}).empty());
+}
+
+// At an edge it is bounded: what points to the edge counts, unless the other
+// face has as much.
+TEST(SingularZone, ShearThatEndsAtAnEdge) {
+  const auto mesh = block({3, 3, 3});
+  const Vector3d y(0.0, 3e6, 0.0), x(3e6, 0.0, 0.0), at(0.0, 0.0, 0.01);
+  EXPECT_TRUE(singular_zones<3>(mesh, kSteel, {}, {{"x0", even(y)}}).empty());
+  EXPECT_NEAR(rise_at_edges(mesh, {{"x0", even(y)}}, at), 3e6 * pi / 2.0, 1.0);
+  EXPECT_NEAR(rise_at_edges(mesh, {{"x0", even(y)}, {"y0", even(x)}}, at), 0.0,
+              1.0);
+  EXPECT_NEAR(rise_at_edges(mesh, {{"x0", even(y)}, {"y0", even(-x)}}, at),
+              3e6 * pi, 1.0);
+  // along the edge, and far from any
+  EXPECT_NEAR(rise_at_edges(mesh, {{"x0", even(Vector3d(0.0, 0.0, 3e6))}}, at),
+              0.0, 1.0);
+  EXPECT_EQ(rise_at_edges(mesh, {{"x0", even(y)}}, Vector3d(0.01, 0.01, 0.01)),
+            0.0);
 }
 
 TEST(SingularZone, ClampedBlockHasOneClosedEdge) {
