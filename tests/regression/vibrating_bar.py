@@ -302,8 +302,7 @@ def check_redundant(clevis, expect):
             folder = Path(name)
             scene = write_scene(folder, False, speed=0, upper=1, damping=0.02)
             text = scene.read_text()
-            joint, initial = text.index('[[joint]]'), text.index('[[initial]]')
-            end = text.index('[simulation]')
+            joint, end = text.index('[[joint]]'), text.index('[simulation]')
             weld = "".join(f'''[[joint]]
 name = "weld_{face}"
 type = "weld"

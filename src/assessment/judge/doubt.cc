@@ -27,6 +27,17 @@ constexpr std::array kSources{
 
 }  // namespace
 
+void widen_for_cells(PeakStress& peak, double amount, double tolerance) {
+  peak.band_low = std::max(0.0, peak.band_low - amount);
+  peak.band_high += amount;
+  peak.discretization_error += amount;
+  peak.shares.mesh += amount;
+  if (peak.verdict == PeakVerdict::kConverged &&
+      peak.discretization_error + peak.model_error > tolerance * peak.value) {
+    peak.verdict = PeakVerdict::kNotConverged;
+  }
+}
+
 std::string doubt_text(const PeakStress& peak) {
   std::string text;
   for (const Source& source : kSources) {

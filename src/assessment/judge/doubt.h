@@ -11,6 +11,11 @@ namespace clevis::assessment {
 /// any; of the peak.
 std::string doubt_text(const PeakStress& peak);
 
+/// Widens the band both ways by what cells may not show, which counts as the
+/// mesh's; beyond the tolerance the peak has not converged.
+/// @param amount  [Pa].
+void widen_for_cells(PeakStress& peak, double amount, double tolerance);
+
 /// Remedy for the largest of them: "give more instants" …
 std::string doubt_remedy(const part::PartDefinition& part,
                          const ErrorShares& shares);

@@ -63,16 +63,7 @@ double widen(const PartJob& job, const Eigen::Matrix3d& stress,
   }
   const double error = kOfKink * kink;
   if (error < kSmall) return 0.0;
-  const double amount = error * peak.value;
-  peak.band_low = std::max(0.0, peak.band_low - amount);
-  peak.band_high += amount;
-  peak.discretization_error += amount;
-  peak.shares.mesh += amount;
-  if (peak.verdict == PeakVerdict::kConverged &&
-      peak.discretization_error + peak.model_error >
-          job.tolerance * peak.value) {
-    peak.verdict = PeakVerdict::kNotConverged;
-  }
+  widen_for_cells(peak, error * peak.value, job.tolerance);
   return error;
 }
 

@@ -24,15 +24,7 @@ double widen(const PartJob& job, PeakStress& peak) {
             job.mesh, loads::surface_shear(set.history, job.groups), peak.at));
   }
   if (amount < kSmall * peak.value) return 0.0;
-  peak.band_low = std::max(0.0, peak.band_low - amount);
-  peak.band_high += amount;
-  peak.discretization_error += amount;
-  peak.shares.mesh += amount;
-  if (peak.verdict == PeakVerdict::kConverged &&
-      peak.discretization_error + peak.model_error >
-          job.tolerance * peak.value) {
-    peak.verdict = PeakVerdict::kNotConverged;
-  }
+  widen_for_cells(peak, amount, job.tolerance);
   return amount;
 }
 

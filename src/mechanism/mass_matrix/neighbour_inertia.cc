@@ -1,7 +1,6 @@
 #include "mechanism/mass_matrix/neighbour_inertia.h"
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
 
 #include <Eigen/Geometry>
@@ -18,7 +17,6 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
-using Eigen::VectorXd;
 
 constexpr std::size_t kMostBodies = 100;
 constexpr Index kTwist = 6;
