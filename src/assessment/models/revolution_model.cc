@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "assessment/job/part_zones.h"
 #include "elasticity/revolution/revolution_solve.h"
 #include "stress/field/stress_history.h"
 
@@ -73,7 +74,7 @@ AnyFeModel revolution_model(const PartShape& shape, const ModelSettings&) {
     return solve(solid, problem, degree, *progress);
   };
   model.zones = [&job = shape.job()](const LoadSet& set) {
-    return stress::singular_zones<3>(job.mesh, job.part.material, set.fixed);
+    return part_zones<3>(job, job.mesh, set);
   };
   model.first_degree = 2;
   model.highest_degree = kRevolution.highest_degree;
