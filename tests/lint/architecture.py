@@ -134,6 +134,7 @@ ROOMS = {
         "field": "stress and displacement in cells, over time, at probes, on surfaces",
         "many_instants": "thousands of instants of a field: by few columns, at few points",
         "sections": "mean stress in plane sections, and of what a held face carries",
+        "corners": "edges and corners of a part: angle, support beside them, exponent, and which are facets",
         "zones": "places where linear elasticity has no finite stress, and how far they reach",
         "peaks": "the largest stress, its band, and what shows that cells are too coarse",
         "surface": "what faces of cells make of curved surfaces",
@@ -213,7 +214,7 @@ PUBLIC = {
             " gmsh/gmsh_element quality/mass_properties reading/mesh_reader",
     "loads": "history/balance history/load_history history/motion_instants history/strike"
              " parts/case_loads parts/held_pins parts/part_loads parts/series_loads"
-             " pressure/discrete_balance pressure/seat_traction pressure/surface_shear"
+             " pressure/discrete_balance pressure/face_pressure pressure/seat_traction pressure/surface_shear"
              " pressure/wall_pressure seats/part_seats seats/seat_spans",
     "dynamics": "load_vibration/load_answer load_vibration/load_path"
                 " load_vibration/response_spectrum"
@@ -231,7 +232,7 @@ PUBLIC = {
     "stress": "field/deflection field/finite_motion"
               " many_instants/field_reduction many_instants/point_stress field/point_history field/probe field/stress_history field/surface_mesh peaks/energy_error peaks/local_peak peaks/lattice_maximum peaks/meeting_points"
               " peaks/peak_band peaks/peak_zoom peaks/slow_sequence surface/surface_deviation surface/surface_kink"
-              " sections/support_face zones/singular_zone zones/zone_mask zones/zone_strength output/field_output",
+              " sections/support_face corners/facet zones/end_of_shear zones/singular_zone zones/zone_mask zones/zone_strength output/field_output",
     "assessment": "impact/impact_check job/model_traits job/part_job"
                   " job/part_result models/level models/model_list part_check",
     "report": "check/check_inputs check/check_table check/result_files check/result_json"

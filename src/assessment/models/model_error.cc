@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assessment/job/part_zones.h"
 #include "elasticity/plate/layered_solve.h"
 #include "elasticity/solid/solid_solve.h"
 #include "stress/field/stress_history.h"
@@ -132,7 +133,7 @@ template <int dim>
 std::vector<stress::SingularZone> plate_zones(const PartJob& job,
                                               const mesh::PartMesh<2>& plate,
                                               const LoadSet& set) {
-  auto zones = stress::singular_zones<2>(plate, job.part.material, set.fixed);
+  auto zones = part_zones<2>(job, plate, set);
   if constexpr (dim == 3) {
     const Eigen::Vector3d half(0.0, 0.0, 0.5 * plate.thickness);
     for (auto& zone : zones) {

@@ -9,8 +9,8 @@
 #include "assessment/job/model_traits.h"
 #include "assessment/judge/doubt.h"
 #include "mesh/derived/revolution.h"
+#include "stress/corners/facet.h"
 #include "stress/field/stress_history.h"
-#include "stress/zones/singular_zone.h"
 
 namespace clevis::assessment {
 namespace {

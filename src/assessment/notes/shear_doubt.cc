@@ -7,7 +7,7 @@
 #include "assessment/job/model_traits.h"
 #include "assessment/judge/doubt.h"
 #include "loads/pressure/surface_shear.h"
-#include "stress/zones/singular_zone.h"
+#include "stress/zones/end_of_shear.h"
 
 namespace clevis::assessment {
 namespace {

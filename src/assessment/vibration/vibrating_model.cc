@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "assessment/job/part_zones.h"
 #include "assessment/vibration/load_pace.h"
 #include "loads/history/motion_instants.h"
 #include "stress/field/stress_history.h"
@@ -85,6 +86,19 @@ double error_of_spread(double peak, double twice, double fourfold) {
   return more * last / peak;
 }
 
+/// Zones whose stress grows by a power of the distance: those where shear ends
+/// are a matter of the peak at rest.
+template <int dim>
+std::vector<stress::SingularZone> steep_zones(const PartJob& job,
+                                              const mesh::PartMesh<dim>& mesh,
+                                              const LoadSet& set) {
+  auto zones = part_zones<dim>(job, mesh, set);
+  std::erase_if(zones, [](const stress::SingularZone& zone) {
+    return zone.exponent > stress::kSmoothExponent;
+  });
+  return zones;
+}
+
 }  // namespace
 
 template <int dim>
@@ -105,7 +119,7 @@ VibratingModel<dim>::VibratingModel(const PartJob& job,
       mesh_front_(kNodes * node_spacing(mesh, degree) *
                   std::sqrt(job.part.material.density /
                             job.part.material.youngs_modulus)),
-      zones_(stress::singular_zones<dim>(mesh, job.part.material, set.fixed)),
+      zones_(steep_zones<dim>(job, mesh, set)),
       path_(make_path()),
       still_(peak_of(part_.statics())) {}
 

@@ -12,6 +12,7 @@
 #include "elasticity/nodal_loads/sliding_tractions.h"
 #include "elasticity/nodal_loads/zone_trace.h"
 #include "loads/pressure/discrete_balance.h"
+#include "loads/pressure/face_pressure.h"
 #include "loads/pressure/seat_traction.h"
 
 namespace clevis::elasticity {
@@ -169,10 +170,14 @@ SurfaceLoads seat_loads(const Discretization<dim>& discretization,
   const loads::DiscreteBalance balance(trace.quadrature, seat.p_LS);
   for (std::size_t i = 0; i < history.instants.size(); ++i) {
     const loads::Wrench& wrench = history.instants[i].wrenches[seat_index];
-    Matrix3Xd tractions =
-        wall ? loads::BearingTraction(*cylinder, wrench, moments)
-                   .tractions(*wall)
-             : Matrix3Xd(Matrix3Xd::Zero(3, n));
+    Matrix3Xd tractions = Matrix3Xd::Zero(3, n);
+    if (wall) {
+      tractions =
+          loads::BearingTraction(*cylinder, wrench, moments).tractions(*wall);
+    } else if (seat.kind == loads::SeatKind::kPressure) {
+      tractions =
+          loads::face_pressure(trace.quadrature, trace.outward, wrench.force);
+    }
     balance.correct(wrench, tractions);
     history_here.set(i, tractions);
   }

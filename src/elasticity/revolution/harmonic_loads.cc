@@ -19,6 +19,7 @@
 #include "elasticity/nodal_loads/sliding_tractions.h"
 #include "elasticity/nodal_loads/zone_trace.h"
 #include "loads/pressure/discrete_balance.h"
+#include "loads/pressure/face_pressure.h"
 #include "loads/pressure/seat_traction.h"
 
 namespace clevis::elasticity {
@@ -133,6 +134,9 @@ class Assembly {
       if (bears) {
         add_bearing({*cylinder, wrench, wall}, cylinder->radius, trace, i,
                     tractions);
+      } else if (seat.kind == loads::SeatKind::kPressure) {
+        tractions =
+            loads::face_pressure(trace.ring, trace.outward, wrench.force);
       }
       add_tractions(trace, wrench, seat.p_LS, tractions, i);
     }

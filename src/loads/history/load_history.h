@@ -16,7 +16,9 @@ namespace clevis::loads {
 enum class SeatKind {
   kBearing,   ///< BearingTraction: cylinder pressed by a pin (bore) or by its
               ///< guide (piston)
-  kTraction,  ///< LinearTraction: face under a drive's effort, welded face
+  kTraction,  ///< LinearTraction: welded face
+  kPressure,  ///< face under a drive's effort or a force: an even pressure for
+              ///< what acts along its mean normal, LinearTraction for the rest
   kMean,      ///< the same on walls of slides, too: pulls as it presses
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -77,6 +78,20 @@ RigidAcceleration rigid_acceleration(const mechanism::BodyState& state,
           .omega = R_LW * state.w_WL};
 }
 
+/// Asked for first when it is needed, worked out once; copies share it.
+std::function<SeatHold()> found_once(std::function<SeatHold()> find) {
+  struct Found {
+    std::once_flag once;
+    SeatHold hold;
+  };
+  return [found = std::make_shared<Found>(), find = std::move(find)] {
+    std::call_once(found->once, [&] {
+      found->hold = find();
+    });
+    return found->hold;
+  };
+}
+
 }  // namespace
 
 mechanism::Motion loading_motion(mechanism::Motion motion) {
@@ -136,7 +151,7 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
   history.slide_excess = std::pow(longest_slide_step(history), 2);
   if (!history.instants.empty()) {
     const std::size_t hardest = hardest_instant(history.instants);
-    history.hold =
+    history.hold = found_once(
         [shared =
              std::make_shared<const mechanism::MechanismDefinition>(definition),
          at = motion.instants[hardest], body, seats = history.seats,
@@ -144,7 +159,7 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
           SeatHold hold = seat_hold(*shared, at, body, seats);
           hold.zones = zones;
           return hold;
-        };
+        });
   }
   return history;
 }

@@ -4,21 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "loads/pressure/face_pressure.h"
+
 namespace clevis::loads {
 namespace {
 
 using Eigen::Vector3d;
 
 constexpr double kPi = std::numbers::pi;
-
-/// Mean normal of a group; zero of one that closes round, as a wall does. A
-/// dome presses along it.
-Vector3d mean_normal(const GroupGeometry& group) {
-  constexpr double kOpen = 0.3;  // of the area
-  return group.area_vector.norm() < kOpen * group.area
-             ? Vector3d(Vector3d::Zero())
-             : group.area_vector.normalized();
-}
 
 /// Shear of one load.
 struct Shear {
@@ -37,7 +30,7 @@ Shear of_bearing(const part::Bore& bore, const Wrench& wrench) {
 /// @param force  on a group as an even traction [N].
 Shear of_face(const GroupGeometry& group, const Vector3d& force,
               const Vector3d& moment) {
-  const Vector3d n = mean_normal(group);
+  const Vector3d n = mean_normal(group.area_vector, group.area);
   const double turning =
       n.isZero(0.0) ? moment.norm() : std::abs(moment.dot(n));
   return {(force - n.dot(force) * n) / group.area,

@@ -62,7 +62,7 @@ ForceSeat force_seat(const SeatContext& context,
   result.area = group.area;
   result.seat = {.name = "force " + wanted.force,
                  .group = wanted.group,
-                 .kind = SeatKind::kTraction,
+                 .kind = SeatKind::kPressure,
                  .p_LS = group.centroid};
   const ForceElement& element = context.definition.elements[result.index];
   const ElementLine* line = line_of(element);

@@ -124,7 +124,7 @@ std::vector<DrivenSeat> driven_seats(const SeatContext& context) {
     driven.area = face.area;
     driven.seat = {.name = "drive " + wanted.drive,
                    .group = wanted.group,
-                   .kind = SeatKind::kTraction,
+                   .kind = SeatKind::kPressure,
                    .p_LS = face.centroid};
     driven.pressurized = pressurized_groups(context, wanted.pressurized, place);
     seats.push_back(std::move(driven));

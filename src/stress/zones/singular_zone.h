@@ -10,7 +10,6 @@
 
 #include "loads/pressure/surface_shear.h"
 #include "mesh/cells/part_mesh.h"
-#include "mesh/derived/revolution.h"
 #include "part/material.h"
 #include "part/supports.h"
 
@@ -58,29 +57,8 @@ std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
                                          const part::Supports& fixed,
                                          const loads::SurfaceShear& shear = {});
 
-/// By how much shear that ends at an edge of the part, where the stress is
-/// bounded but steep, may change the stress at a point within the cells at that
-/// edge: π/2 of what does not meet its like on the other face [Pa].
-double rise_at_edges(const mesh::PartMesh<3>& mesh,
-                     const loads::SurfaceShear& shear,
-                     const Eigen::Vector3d& at);
-
 inline constexpr double kSmoothExponent = 0.97;
-inline constexpr double kFacetKink = 52.0;  ///< over straight [degrees]
 inline constexpr double kRadiusOfWall = 0.1;
-
-/// Largest kink of a facet of a curve beside a point, within a facet of it;
-/// 0: there is none [rad]. Between facets that kink by δ the stress of the
-/// surface behind them is (2δ/π) ln(2 sin(πs/ℓ)) of itself off at the way s
-/// along a facet ℓ: theory.md.
-/// @param stress  there, in L [Pa]: a kink counts as far as it flows across
-///   the kink's edge or shears along it, over its von Mises stress; zero: as a
-///   whole.
-/// @param turned  of a model that turns a section: round its axis the facets
-///   are round; null: of none.
-double facet_kink(const mesh::PartMesh<3>& mesh, const part::Supports& fixed,
-                  const Eigen::Vector3d& at, const Eigen::Matrix3d& stress,
-                  const mesh::Revolution* turned = nullptr);
 
 /// Distance of a point from a zone's edges [m].
 double distance(const SingularZone& zone, const Eigen::Vector3d& point);

@@ -1,4 +1,4 @@
-#include "stress/zones/round_surfaces.h"
+#include "stress/corners/round_surfaces.h"
 
 #include <algorithm>
 #include <cmath>

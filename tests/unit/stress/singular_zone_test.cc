@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/reading/mesh_reader.h"
-#include "stress/zones/boundary_corner.h"
+#include "stress/corners/boundary_corner.h"
 #include "support/annulus_mesh.h"
 #include "support/corner_mesh.h"
 #include "support/source_dir.h"
@@ -142,28 +142,6 @@ TEST(SingularZone, CoarseHoleHasNone) {
   EXPECT_TRUE(singular_zones<2>(ring, kSteel, {}).empty());
 }
 
-TEST(SingularZone, FacetsOfACurveTellTheirKink) {
-  const auto ring = support::ring_mesh<3>(
-      {.inner = 0.005, .outer = 0.02, .radial = 3, .angular = 32, .degree = 1});
-  const double kink = 2.0 * pi / 32.0;
-  const Eigen::Matrix3d any = Eigen::Matrix3d::Zero();
-  const Eigen::Vector3d inside(0.005, 0.0, 0.005);
-  EXPECT_NEAR(facet_kink(ring, {}, inside, any), kink, 1e-9);
-  EXPECT_EQ(facet_kink(ring, {}, {0.0095, 0.0, 0.005}, any), 0.0);
-  // Hoop stress flows across the kinks, tension along the bore does not.
-  Eigen::Matrix3d hoop = any, axial = any;
-  hoop(1, 1) = 100e6;
-  axial(2, 2) = 100e6;
-  EXPECT_NEAR(facet_kink(ring, {}, inside, hoop), kink, 0.05 * kink);
-  EXPECT_NEAR(facet_kink(ring, {}, inside, axial), 0.0, 1e-9);
-  // A section that is turned has none round its axis.
-  mesh::Revolution turned;
-  turned.origin.setZero();
-  turned.axes << Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX(),
-      Eigen::Vector3d::UnitY();
-  EXPECT_EQ(facet_kink(ring, {}, inside, hoop, &turned), 0.0);
-}
-
 TEST(SingularZone, ClampHasItsTwoEnds) {
   const auto zones =
       singular_zones<2>(square(3), kSteel, {{"x0", {true, true, false}}});
@@ -200,57 +178,6 @@ TEST(SingularZone, SupportThatEndsOnAStraightSideIsSingular) {
   ASSERT_EQ(rolling.size(), 1u);
   EXPECT_NEAR(rolling[0].exponent, 0.5, 1e-6);
   EXPECT_NEAR(rolling[0].at.x(), 0.01, 1e-12);
-}
-
-loads::GroupShear even(const Vector3d& shear) {
-  return {shear, Eigen::VectorXd::Zero(1)};
-}
-
-// Shear on a half of a side: on the smooth side its end rises like ln r; where
-// both halves have the same nothing ends.
-TEST(SingularZone, EndOfShear) {
-  auto mesh = block({4, 4, 4});
-  mesh.groups.push_back({"half", {}});
-  for (auto& face : mesh.boundary) {
-    if (face.group == 2 && face.cell % 4 < 2) face.group = 6;
-  }
-  const Vector3d shear(0.0, 0.0, 3e6);
-  const auto zones =
-      singular_zones<3>(mesh, kSteel, {}, {{"half", even(shear)}});
-  ASSERT_EQ(zones.size(), 1u);
-  EXPECT_EQ(zones[0].name.substr(0, 24), "end of the shear on half");
-  EXPECT_EQ(zones[0].exponent, 1.0);
-  EXPECT_EQ(zones[0].edges.size(), 4u);
-  EXPECT_NEAR(distance(zones[0], Vector3d(0.01, 0.0, 0.01)), 0.0, 1e-12);
-  // √3 2/π a fold, from a tenth of the radius to a thousandth
-  const double rise = std::sqrt(3.0) * 2.0 / pi * std::log(100.0);
-  EXPECT_NEAR(zones[0].rise, 3e6 * rise, 1e5);
-  EXPECT_TRUE(singular_zones<3>(mesh, kSteel, {},
-                                {{"half", even(shear)}, {"y0", even(shear)}})
-                  .empty());
-  const auto opposite = singular_zones<3>(
-      mesh, kSteel, {}, {{"half", even(shear)}, {"y0", even(-shear)}});
-  ASSERT_EQ(opposite.size(), 1u);
-  EXPECT_NEAR(opposite[0].rise, 6e6 * rise, 2e5);
-  EXPECT_TRUE(singular_zones<3>(mesh, kSteel, {}, {}).empty());
-}
-
-// At an edge it is bounded: what points to the edge counts, unless the other
-// face has as much.
-TEST(SingularZone, ShearThatEndsAtAnEdge) {
-  const auto mesh = block({3, 3, 3});
-  const Vector3d y(0.0, 3e6, 0.0), x(3e6, 0.0, 0.0), at(0.0, 0.0, 0.01);
-  EXPECT_TRUE(singular_zones<3>(mesh, kSteel, {}, {{"x0", even(y)}}).empty());
-  EXPECT_NEAR(rise_at_edges(mesh, {{"x0", even(y)}}, at), 3e6 * pi / 2.0, 1.0);
-  EXPECT_NEAR(rise_at_edges(mesh, {{"x0", even(y)}, {"y0", even(x)}}, at), 0.0,
-              1.0);
-  EXPECT_NEAR(rise_at_edges(mesh, {{"x0", even(y)}, {"y0", even(-x)}}, at),
-              3e6 * pi, 1.0);
-  // along the edge, and far from any
-  EXPECT_NEAR(rise_at_edges(mesh, {{"x0", even(Vector3d(0.0, 0.0, 3e6))}}, at),
-              0.0, 1.0);
-  EXPECT_EQ(rise_at_edges(mesh, {{"x0", even(y)}}, Vector3d(0.01, 0.01, 0.01)),
-            0.0);
 }
 
 TEST(SingularZone, ClampedBlockHasOneClosedEdge) {

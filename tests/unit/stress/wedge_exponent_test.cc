@@ -2,7 +2,7 @@
 // the three classical wedges, solved here by another way (bisection on the
 // real axis).
 
-#include "stress/zones/wedge_exponent.h"
+#include "stress/corners/wedge_exponent.h"
 
 #include <cmath>
 #include <functional>

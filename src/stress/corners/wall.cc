@@ -1,4 +1,4 @@
-#include "stress/zones/wall.h"
+#include "stress/corners/wall.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mesh/cells/part_mesh.h"
-#include "stress/zones/boundary_corner.h"
+#include "stress/corners/boundary_corner.h"
 
 namespace clevis::stress {
 

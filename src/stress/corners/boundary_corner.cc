@@ -1,4 +1,4 @@
-#include "stress/zones/boundary_corner.h"
+#include "stress/corners/boundary_corner.h"
 
 #include <algorithm>
 #include <cmath>

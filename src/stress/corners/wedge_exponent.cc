@@ -1,4 +1,4 @@
-#include "stress/zones/wedge_exponent.h"
+#include "stress/corners/wedge_exponent.h"
 
 #include <cmath>
 #include <complex>
