@@ -24,6 +24,7 @@
 #include <gp_Torus.hxx>
 
 #include "base/messages/errors.h"
+#include "mesher/fitted_surface.h"
 
 namespace clevis::mesher {
 namespace {
@@ -31,6 +32,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kMillimetre = 1e-3;  // [m]
+constexpr double kIntegral = 1e-5;    // error of areas and volumes [1]
 
 Vector3d metres(const gp_Pnt& p) {
   return kMillimetre * Vector3d(p.X(), p.Y(), p.Z());
@@ -39,11 +41,6 @@ Vector3d metres(const gp_Pnt& p) {
 Vector3d unit(const gp_Dir& d) {
   return {d.X(), d.Y(), d.Z()};
 }
-
-/// Bounds of a face's parameters.
-struct Patch {
-  double u0{}, u1{}, v0{}, v1{};
-};
 
 void set_axis(const gp_Ax1& axis, cad::Face& face) {
   face.axis_point = metres(axis.Location());
@@ -94,6 +91,7 @@ void set_surface(const BRepAdaptor_Surface& surface, const Patch& patch,
       face.angle = turn;
       break;
     default:
+      fit_surface(surface, patch, face);
       break;
   }
 }
@@ -125,7 +123,7 @@ cad::Face described(const TopoDS_Face& shape, int number) {
   cad::Face face;
   face.number = number;
   GProp_GProps area;
-  BRepGProp::SurfaceProperties(shape, area);
+  BRepGProp::SurfaceProperties(shape, area, kIntegral);
   face.area = kMillimetre * kMillimetre * area.Mass();
   face.centre = metres(area.CentreOfMass());
   const BRepAdaptor_Surface surface(shape);
@@ -189,7 +187,7 @@ cad::Solid describe(const TopoDS_Solid& solid,
   cad::Solid result;
   set_box(solid, file, result);
   GProp_GProps volume;
-  BRepGProp::VolumeProperties(solid, volume);
+  BRepGProp::VolumeProperties(solid, volume, kIntegral);
   result.volume = std::pow(kMillimetre, 3) * volume.Mass();
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(solid, TopAbs_FACE, faces);

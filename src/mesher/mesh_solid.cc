@@ -4,10 +4,13 @@
 #include <string>
 #include <vector>
 
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <fmt/format.h>
 #include <gmsh.h>
+#include <gp_Pnt.hxx>
 
 #include "base/messages/errors.h"
 #include "mesher/mesh_sizes.h"
@@ -51,24 +54,28 @@ class Gmsh {
 };
 
 /// gmsh's tag of each face; they are told by area and centre.
-std::vector<int> surface_tags(const cad::Solid& solid,
+std::vector<int> surface_tags(const TopoDS_Solid& solid, double size,
                               const cad::Request& request) {
   gmsh::vectorpair surfaces;
   gmsh::model::getEntities(surfaces, 2);
-  const double size = (solid.high - solid.low).norm();
-  std::vector<int> tags(solid.faces.size(), 0);
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  std::vector<GProp_GProps> wanted(static_cast<std::size_t>(faces.Extent()));
+  for (std::size_t f = 0; f < wanted.size(); ++f) {
+    // As gmsh integrates them: on splines that is not exact.
+    BRepGProp::SurfaceProperties(faces(static_cast<int>(f) + 1), wanted[f]);
+  }
+  std::vector<int> tags(wanted.size(), 0);
   for (const auto& [dim, tag] : surfaces) {
-    Vector3d centre;
-    double area{};
-    gmsh::model::occ::getCenterOfMass(dim, tag, centre.x(), centre.y(),
-                                      centre.z());
+    double x{}, y{}, z{}, area{};
+    gmsh::model::occ::getCenterOfMass(dim, tag, x, y, z);
     gmsh::model::occ::getMass(dim, tag, area);
+    const gp_Pnt centre(x, y, z);
     for (std::size_t f = 0; f < tags.size(); ++f) {
-      const cad::Face& face = solid.faces[f];
+      const double face = wanted[f].Mass();
       const bool same =
-          (kMillimetre * centre - face.centre).norm() < 1e-7 * size &&
-          std::abs(1e-6 * area - face.area) <
-              1e-7 * face.area + 1e-14 * size * size;
+          centre.Distance(wanted[f].CentreOfMass()) < 1e-7 * size &&
+          std::abs(area - face) < 1e-7 * face + 1e-14 * size * size;
       if (same && tags[f] == 0) {
         tags[f] = tag;
         break;
@@ -189,7 +196,8 @@ void mesh_solid(const TopoDS_Solid& solid, const cad::Solid& described,
       gmsh::model::occ::importShapesNativePointer(&solid, imported, true);
     }
     gmsh::model::occ::synchronize();
-    const std::vector<int> tags = surface_tags(described, request);
+    const double size = (described.high - described.low).norm() / kMillimetre;
+    const std::vector<int> tags = surface_tags(solid, size, request);
     add_groups(request, tags);
     set_sizes(tags, sizes);
     generate();

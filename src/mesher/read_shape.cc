@@ -7,6 +7,7 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
@@ -88,7 +89,7 @@ TopoDS_Shape sewn(const TopoDS_Shape& surfaces) {
   sewing.Add(surfaces);
   sewing.Perform();
   TopExp_Explorer shell(sewing.SewedShape(), TopAbs_SHELL);
-  if (!shell.More() || !shell.Current().Closed()) return surfaces;
+  if (!shell.More() || !BRep_Tool::IsClosed(shell.Current())) return surfaces;
   return BRepBuilderAPI_MakeSolid(TopoDS::Shell(shell.Current())).Solid();
 }
 
