@@ -29,7 +29,7 @@ DefineConstant[
 n_wall = 3;    // cells from the eye's bore outwards
 n_fillet = 2;  // cells along a fillet; fewer do not determine its cylinder
 n_boss = 5;    // cells along half of the free boss
-n_tube = 7;    // cells along the tube
+n_tube = 8;    // cells along the tube
 tube_progression = 1.5;
 
 // ---- mesh layout ----------------------------------------------------------
