@@ -119,11 +119,21 @@ void set_side(const BRepAdaptor_Surface& surface, const Patch& patch,
   face.hollow = face.radius > 0.0 && from_axis.dot(face.normal) < 0.0;
 }
 
+/// Plane, cylinder, cone, sphere or torus: OpenCASCADE integrates over it
+/// exactly.
+bool is_elementary(const TopoDS_Shape& face) {
+  return BRepAdaptor_Surface(TopoDS::Face(face)).GetType() <= GeomAbs_Torus;
+}
+
 cad::Face described(const TopoDS_Face& shape, int number) {
   cad::Face face;
   face.number = number;
   GProp_GProps area;
-  BRepGProp::SurfaceProperties(shape, area, kIntegral);
+  if (is_elementary(shape)) {
+    BRepGProp::SurfaceProperties(shape, area);
+  } else {
+    BRepGProp::SurfaceProperties(shape, area, kIntegral);
+  }
   face.area = kMillimetre * kMillimetre * area.Mass();
   face.centre = metres(area.CentreOfMass());
   const BRepAdaptor_Surface surface(shape);
@@ -186,11 +196,19 @@ cad::Solid describe(const TopoDS_Solid& solid,
                     const std::string& file) {
   cad::Solid result;
   set_box(solid, file, result);
-  GProp_GProps volume;
-  BRepGProp::VolumeProperties(solid, volume, kIntegral);
-  result.volume = std::pow(kMillimetre, 3) * volume.Mass();
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  bool all_elementary = true;
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    all_elementary = all_elementary && is_elementary(faces(i));
+  }
+  GProp_GProps volume;
+  if (all_elementary) {
+    BRepGProp::VolumeProperties(solid, volume);
+  } else {
+    BRepGProp::VolumeProperties(solid, volume, kIntegral);
+  }
+  result.volume = std::pow(kMillimetre, 3) * volume.Mass();
   for (int i = 1; i <= faces.Extent(); ++i) {
     result.faces.push_back(described(TopoDS::Face(faces(i)), i));
   }

@@ -82,7 +82,7 @@ def round_trip(folder):
                           "--part", "DCE", out=folder / "whole", exits=(0, 1))
     table = (folder / "whole/DCE_loads.csv").read_text()
     mesh = SOURCE / "meshes/landing_gear/link_dce.msh"
-    pins = 'pins = { D = "bore_D", C = "bore_C", E = "bore_E" }\n'
+    pins = 'pins = { D = "bore_D", E = "bore_E", C = "bore_C" }\n'
     wanted = whole.part
     for frame, text in (("part", table), ("world", in_world(table))):
         found = check(folder, mesh, pins + f'frame = "{frame}"', text).part

@@ -48,10 +48,9 @@ Climbed<dim> climb(const mesh::PartMesh<dim>& mesh,
                                                 part.name,
                                                 elasticity::LinearSolver::kAuto,
                                                 request.foundations};
-  const int highest = mesh.shape == mesh::CellShape::kTensor ? 4 : 2;
+  constexpr int kFirst = 2, kHighest = 4;  // degree 1 locks
   Climbed<dim> result;
-  const int first = highest > 2 ? 2 : 1;  // degree 1 locks
-  for (int degree = first; degree <= highest; ++degree) {
+  for (int degree = kFirst; degree <= kHighest; ++degree) {
     auto modes = elasticity::eigenmodes<dim>(problem, degree, request.count);
     const Eigen::Index n = modes.frequencies.size();
     result.change = Eigen::VectorXd::Zero(n);

@@ -29,6 +29,7 @@ std::vector<loads::GroupGeometry> group_geometry(
     geometry.area_vector = faces.area_vector;
     geometry.area_moment = faces.area_moment;
     geometry.normal_square = faces.normal_square;
+    geometry.second_moment = faces.second_moment;
     geometry.points = mesh::face_corners(mesh, static_cast<int>(g));
     groups.push_back(std::move(geometry));
   }

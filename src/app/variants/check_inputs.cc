@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "app/scenes/geometry_stamp.h"
 #include "base/bytes/fingerprint.h"
 
 namespace clevis::app {
@@ -18,6 +19,17 @@ std::string file_fingerprint(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> geometry_fingerprints(
+    const scene::Scene& scene) {
+  std::vector<std::pair<std::string, std::string>> found;
+  for (std::size_t p = 0; p < scene.parts.size(); ++p) {
+    const part::PartDefinition& part = scene.parts[p];
+    if (part.geometry.empty()) continue;
+    found.emplace_back(part.name, geometry_stamp(part, scene.inputs[p]));
+  }
+  return found;
+}
+
 report::CheckInputs check_inputs(const Options& options,
                                  const scene::Scene& scene) {
   report::CheckInputs inputs;
@@ -32,6 +44,7 @@ report::CheckInputs check_inputs(const Options& options,
   inputs.engine = options.engine;
   inputs.max_dofs = options.max_dofs;
   inputs.parts = options.parts;
+  inputs.geometries = geometry_fingerprints(scene);
   for (const part::PartDefinition& part : scene.parts) {
     inputs.meshes.emplace_back(part.name, file_fingerprint(part.mesh));
   }

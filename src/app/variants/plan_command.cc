@@ -10,6 +10,7 @@
 
 #include "app/request/output_folder.h"
 #include "app/scenes/geometry_constants.h"
+#include "app/variants/check_inputs.h"
 #include "app/variants/shell_word.h"
 #include "base/bytes/fingerprint.h"
 #include "base/messages/errors.h"
@@ -32,16 +33,18 @@ std::vector<scene::Variant> wanted_variants(const PlanOptions& options,
 }
 
 /// Refuses a variant as its check would.
-void require_readable(const PlanOptions& options,
+scene::Scene readable(const PlanOptions& options,
                       const scene::Variant& variant) {
-  const scene::Scene scene = scene::read_scene(options.scene, variant.settings);
+  scene::Scene scene = scene::read_scene(options.scene, variant.settings);
   for (std::size_t p = 0; p < scene.parts.size(); ++p) {
     require_constants(scene.parts[p].geometry, scene.inputs[p].parameters);
   }
+  return scene;
 }
 
 report::PlannedVariant planned(const PlanOptions& options,
                                const scene::Variant& variant) {
+  const scene::Scene scene = readable(options, variant);
   report::PlannedVariant result;
   result.name = variant.name;
   for (const scene::Setting& setting : variant.settings) {
@@ -53,6 +56,7 @@ report::PlannedVariant planned(const PlanOptions& options,
   result.inputs.model = options.model;
   result.inputs.engine = "auto";
   result.inputs.parts = options.parts;
+  result.inputs.geometries = geometry_fingerprints(scene);
   return result;
 }
 
@@ -94,7 +98,6 @@ ExitCode plan_command(const PlanOptions& options) {
   report::Plan plan{scene.name, options.scene, {}};
   std::string commands;
   for (const scene::Variant& variant : variants) {
-    require_readable(options, variant);
     plan.variants.push_back(planned(options, variant));
     commands += command_line(options, variant, folder);
   }

@@ -9,6 +9,7 @@
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
 #include "elasticity/problem/elastic_problem.h"
+#include "loads/seats/holding_groups.h"
 #include "stress/field/deflection.h"
 #include "stress/peaks/peak_zoom.h"
 #include "stress/sections/support_face.h"
@@ -98,13 +99,7 @@ void note_held(const PartJob& job, const LoadSet& set,
 }  // namespace
 
 std::vector<std::string> reference_groups(const LoadSet& set) {
-  std::vector<std::string> groups;
-  for (const auto& seat : set.history.seats) {
-    if (seat.kind == loads::SeatKind::kBearing && groups.size() < 2) {
-      groups.push_back(seat.group);
-    }
-  }
-  return groups;
+  return loads::holding_groups(set.history).front();
 }
 
 template <int dim>

@@ -33,7 +33,8 @@ struct Level {
   const stress::StressHistory& history() const { return histories[set]; }
 };
 
-/// Surfaces of the first two seats, which deflections refer to.
+/// Surfaces of the seats that hold the part, which deflections refer to: two at
+/// the most.
 std::vector<std::string> reference_groups(const LoadSet& set);
 
 /// Solves load sets of a part with one degree of a model; displacements

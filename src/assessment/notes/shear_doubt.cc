@@ -1,6 +1,7 @@
 #include "assessment/notes/shear_doubt.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -14,18 +15,38 @@ namespace {
 
 constexpr double kSmall = 1e-3;  // of the peak: not told
 
-/// @return by how much [Pa].
-double widen(const PartJob& job, PeakStress& peak) {
-  double amount = 0.0;
+std::vector<stress::SharpEnd> ends_of(const PartJob& job, double peak) {
+  std::vector<stress::SharpEnd> ends;
   for (const LoadSet& set : job.load_sets) {
-    amount = std::max(
-        amount,
-        stress::rise_at_edges(
-            job.mesh, loads::surface_shear(set.history, job.groups), peak.at));
+    const auto found = stress::sharp_ends(
+        job.mesh, loads::surface_shear(set.history, job.groups));
+    ends.insert(ends.end(), found.begin(), found.end());
   }
+  std::erase_if(ends, [&](const stress::SharpEnd& end) {
+    return std::max(end.rise[0], end.rise[1]) < kSmall * peak;
+  });
+  return ends;
+}
+
+/// @return by how much, where the peak stands at an edge [Pa].
+double widen(const PartJob& job, const std::vector<stress::SharpEnd>& ends,
+             PeakStress& peak) {
+  const double amount = stress::rise_beside(ends, peak.at);
   if (amount < kSmall * peak.value) return 0.0;
   widen_for_cells(peak, amount, job.tolerance);
   return amount;
+}
+
+/// Raises the band to what the load alone may make at the corners of its face.
+/// @return by how much [Pa].
+double raise(const PartJob& job, const std::vector<stress::SharpEnd>& ends,
+             PeakStress& peak) {
+  const double more = stress::stress_at_corners(ends) - peak.band_high;
+  if (more < kSmall * peak.value) return 0.0;
+  const double low = peak.band_low;
+  widen_for_cells(peak, more, job.tolerance);
+  peak.band_low = low;
+  return more;
 }
 
 }  // namespace
@@ -39,23 +60,36 @@ void add_shear_doubt(const PartJob& job, const PartFields& fields,
   }
   const bool was_converged =
       judged_peak(result).verdict == PeakVerdict::kConverged;
-  double amount = widen(job, result.peak);
+  PeakStress& judged = result.peak_outside ? *result.peak_outside : result.peak;
+  const auto ends = ends_of(job, judged.value);
+  double amount = widen(job, ends, result.peak);
   if (result.peak_outside) {
-    amount = std::max(amount, widen(job, *result.peak_outside));
+    amount = std::max(amount, widen(job, ends, *result.peak_outside));
   }
-  if (amount == 0.0) return;
+  const double more = raise(job, ends, judged);
+  if (amount == 0.0 && more == 0.0) return;
   if (was_converged &&
       judged_peak(result).verdict == PeakVerdict::kNotConverged) {
-    result.stopped_because = fmt::format(
-        "shear of a load that ends at the edge beside the peak: {}, {:.3g} % "
-        "wanted",
-        doubt_text(judged_peak(result)), 100.0 * job.tolerance);
+    result.stopped_because =
+        fmt::format("shear of a load that ends at an edge: {}, {:.3g} % wanted",
+                    doubt_text(judged_peak(result)), 100.0 * job.tolerance);
   }
-  result.notes.push_back(fmt::format(
-      "the peak stands at an edge where shear of a load ends: by up to {:.3g} "
-      "MPa it may be more or less, which is in the band; a load that fades "
-      "out, or a round at the edge, has no such doubt",
-      amount * 1e-6));
+  if (amount > 0.0) {
+    result.notes.push_back(fmt::format(
+        "the peak stands at an edge where shear of a load ends: by up to "
+        "{:.3g} "
+        "MPa it may be more or less, which is in the band; a load that fades "
+        "out, or a round at the edge, has no such doubt",
+        amount * 1e-6));
+  }
+  if (more > 0.0) {
+    result.notes.push_back(fmt::format(
+        "at an edge where shear of a load ends the stress may exceed the "
+        "peak's "
+        "band by {:.3g} MPa, which is in the band now; a load that fades out, "
+        "or a round at the edge, has no such doubt",
+        more * 1e-6));
+  }
 }
 
 }  // namespace clevis::assessment

@@ -15,6 +15,7 @@
 #include "base/values/stopwatch.h"
 #include "elasticity/buckling/buckling.h"
 #include "elasticity/plate/plate_layer.h"
+#include "loads/seats/holding_groups.h"
 #include "part/buckling_limit.h"
 
 namespace clevis::assessment {
@@ -124,25 +125,6 @@ class BucklingModel {
   PartShape shape_;
   bool is_compact_;
 };
-
-/// Each way in which two pins of a free part may hold it.
-std::vector<std::vector<std::string>> holds_of(const LoadSet& set) {
-  std::vector<std::string> groups;
-  for (const auto& seat : set.history.seats) {
-    if (seat.kind == loads::SeatKind::kBearing &&
-        std::ranges::find(groups, seat.group) == groups.end()) {
-      groups.push_back(seat.group);
-    }
-  }
-  if (groups.size() < 2) return {groups};
-  std::vector<std::vector<std::string>> pairs;
-  for (std::size_t a = 0; a < groups.size(); ++a) {
-    for (std::size_t b = a + 1; b < groups.size(); ++b) {
-      pairs.push_back({groups[a], groups[b]});
-    }
-  }
-  return pairs;
-}
 
 /// Loads that may buckle the part.
 struct Candidate {
@@ -293,7 +275,7 @@ std::vector<Candidate> checked_loads(const PartJob& job) {
   std::vector<Candidate> candidates;
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const LoadSet& set = job.load_sets[s];
-    candidates.push_back({s, set.history, holds_of(set)});
+    candidates.push_back({s, set.history, loads::holding_groups(set.history)});
   }
   return candidates;
 }
@@ -306,9 +288,29 @@ std::vector<Candidate> other_sharings(const PartJob& job) {
     if (sharing.others.empty()) continue;
     candidates.push_back({sharing.set,
                           {set.history.seats, heaviest_of_others(job, sharing)},
-                          holds_of(set)});
+                          loads::holding_groups(set.history)});
   }
   return candidates;
+}
+
+/// Pressure counts as a dead load. A fluid's turns with its face: a ring, or a
+/// long tube, buckles under three quarters of it ([TimoshenkoGere]).
+void lower_for_fluids(const PartJob& job, BucklingResult& result) {
+  constexpr double kFollowing = 0.75;
+  const auto presses = [](const loads::InstantLoad& instant) {
+    return std::ranges::any_of(instant.surface_loads, [](const auto& load) {
+      return load.pressure > 0.0;
+    });
+  };
+  if (std::ranges::none_of(job.load_sets, [&](const LoadSet& set) {
+        return std::ranges::any_of(set.history.instants, presses);
+      })) {
+    return;
+  }
+  result.band_low *= kFollowing;
+  result.remark =
+      "pressure keeps its direction; a fluid's turns with its face, and may "
+      "need a quarter less, which is in the band";
 }
 
 }  // namespace
@@ -324,6 +326,7 @@ BucklingCheck check_buckling(const PartJob& job) {
     const auto of_others = climb(job, model, std::move(others)).result;
     check.result.band_low = std::min(check.result.band_low, of_others.band_low);
   }
+  if (check.shape) lower_for_fluids(job, check.result);
   check.seconds = watch.lap();
   return check;
 }

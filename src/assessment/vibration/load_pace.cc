@@ -73,7 +73,14 @@ constexpr double kShortest = 0.02;
 
 LoadSet motion_loads(const LoadSet& set) {
   LoadSet motion = set;
-  motion.history.instants.resize(loads::motion_length(set.history));
+  auto& all = motion.history.instants;
+  all.resize(loads::motion_length(set.history));
+  all.insert(all.end(), set.history.repeats.begin(), set.history.repeats.end());
+  std::ranges::stable_sort(all, {}, &loads::InstantLoad::time);
+  std::erase_if(all, [&](const loads::InstantLoad& load) {
+    return load.time > set.history.followed_until;
+  });
+  motion.history.repeats.clear();
   return motion;
 }
 
@@ -82,10 +89,10 @@ dynamics::LoadPath::Between between_instants(const LoadSet& set) {
                           : dynamics::LoadPath::Between::kCubic;
 }
 
-dynamics::LoadPath load_components(const PartJob& job, const LoadSet& set) {
-  constexpr double kNothing = 1e-3;
-  const auto& instants = set.history.instants;
-  const auto length = static_cast<Index>(loads::motion_length(set.history));
+dynamics::LoadPath load_components(const PartJob& job, const LoadSet& motion) {
+  constexpr double kNothing = 1e-3, kRoundOff = 1e-9;
+  const auto& instants = motion.history.instants;
+  const auto length = static_cast<Index>(instants.size());
   if (length < 2) return {VectorXd(0), MatrixXd(0, 0), 0.0};
   const double size = job.sides()[2];
   const double mass = job.mass.mass;
@@ -97,9 +104,14 @@ dynamics::LoadPath load_components(const PartJob& job, const LoadSet& set) {
     time[i] = instant.time;
   }
   const VectorXd largest = forces.rowwise().lpNorm<Eigen::Infinity>();
+  // What stands still excites nothing, however large beside what changes.
+  const VectorXd change =
+      forces.rowwise().maxCoeff() - forces.rowwise().minCoeff();
+  const double least =
+      std::max(kNothing * change.maxCoeff(), kRoundOff * largest.maxCoeff());
   std::vector<Index> counting;
-  for (Index k = 0; k < largest.size(); ++k) {
-    if (largest[k] > kNothing * largest.maxCoeff()) counting.push_back(k);
+  for (Index k = 0; k < change.size(); ++k) {
+    if (change[k] > least) counting.push_back(k);
   }
   MatrixXd components(static_cast<Index>(counting.size()), length);
   for (Index k = 0; k < components.rows(); ++k) {
@@ -107,8 +119,8 @@ dynamics::LoadPath load_components(const PartJob& job, const LoadSet& set) {
     components.row(k) = forces.row(row) / largest[row];
   }
   return {time, components,
-          loads::kEventSides * loads::motion_duration(set.history),
-          between_instants(set)};
+          loads::kEventSides * loads::motion_duration(motion.history),
+          between_instants(motion)};
 }
 
 double period_of_waves(const PartJob& job) {

@@ -12,7 +12,8 @@ namespace clevis::assessment {
 /// the part is computed with its vibration [1].
 inline constexpr double kPaceCounts = 1.02;
 
-/// The loads over a motion or a load history, without the cases behind them.
+/// The loads over a motion or a load history as far as they are followed, with
+/// those that repeat others, without the cases behind them.
 LoadSet motion_loads(const LoadSet& set);
 
 /// How loads go on from one instant to the next.
@@ -21,8 +22,10 @@ dynamics::LoadPath::Between between_instants(const LoadSet& set);
 /// Components of the forces and moments on the part's surface and of those of
 /// its inertia over the motion, each over its largest. Each counts by itself,
 /// for a small force across a part may stress it more than a large one along
-/// it; below a thousandth of the largest none does.
-dynamics::LoadPath load_components(const PartJob& job, const LoadSet& set);
+/// it; one that changes by less than a thousandth of the largest change does
+/// not.
+/// @param motion  of motion_loads.
+dynamics::LoadPath load_components(const PartJob& job, const LoadSet& motion);
 
 /// Longer than a body of the part's size and material vibrates, free or held at
 /// one end, with what the mechanism adds to its mass: by its mean thickness

@@ -16,6 +16,7 @@
 #include "assessment/vibration/vibrating_model.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
+#include "loads/history/motion_instants.h"
 #include "stress/field/deflection.h"
 
 namespace clevis::assessment {
@@ -144,6 +145,14 @@ std::optional<VibrationResult> vibration_of(const PartJob& job,
   PartJob moving = job;
   moving.load_sets = {motion_loads(given)};
   const LoadSet& set = moving.load_sets.front();
+  const auto last = loads::motion_length(given.history) - 1;
+  if (given.history.followed_until < given.history.instants[last].time) {
+    result.notes.push_back(fmt::format(
+        "vibration is followed up to t = {:.6g} s: behind it the loads, which "
+        "repeat earlier ones, change too often; a shorter duration or a larger "
+        "`instants` leaves nothing out",
+        given.history.followed_until));
+  }
   times.swing =
       swing_windows(times.driven, result.first_period.value(), job.part.damping,
                     set.history.instants.back().time);

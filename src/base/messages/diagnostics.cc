@@ -40,6 +40,11 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "A [[coupling]] acts on the angle of the bearing's joint. Couplings pass "
      "torques on, not the force between the teeth, which presses the shafts "
      "apart: the bearing carries more than is told and cannot pass."},
+    {"B008", kNotJudged, "turning between instants is not followed",
+     "The way that the joint turns is summed from its speed at the instants, "
+     "and its angle says something else: it turns back, or whole turns on, "
+     "between two. Life and way are not judged; give more `instants` in "
+     "[simulation]."},
     {"F001", kModelInvalid, "free rigid mode",
      "The supports of a case leave the part free to move as a rigid body, and "
      "a linear solver would return a meaningless displacement. Hold the named "

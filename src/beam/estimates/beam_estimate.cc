@@ -15,6 +15,7 @@
 #include "beam/sections/pin_line.h"
 #include "beam/theory/formulas.h"
 #include "loads/history/balance.h"
+#include "loads/seats/holding_groups.h"
 
 namespace clevis::beam {
 
@@ -96,14 +97,37 @@ void add_span_stresses(const Span& span, const loads::LoadHistory& history,
   neutral.add_to(stresses);
 }
 
+/// Length of the strut hinged at both ends that buckles as the span does: its
+/// own; of a line that one seat alone holds, twice the way from there to its
+/// farthest end [m].
+double strut_length(const PinLine& line, const Span& span,
+                    const loads::LoadHistory& history,
+                    const loads::HoldingGroups& hold) {
+  const auto place = [&](std::size_t seat) -> const Eigen::Vector3d& {
+    return history.seats[seat].p_LS;
+  };
+  const double own = (place(span.to) - place(span.from)).norm();
+  if (hold.size() != 1) return own;
+  const auto held = std::ranges::find(line.seats, hold[0], [&](std::size_t i) {
+    return history.seats[i].group;
+  });
+  if (held == line.seats.end()) return own;
+  double farthest = 0.0;
+  for (const std::size_t seat : line.seats) {
+    farthest = std::max(farthest, (place(seat) - place(*held)).norm());
+  }
+  return 2.0 * farthest;
+}
+
 // Keeps the span of the smallest safety. The ends of a span are thick bosses:
 // only its middle half counts.
 void add_buckling(const PinLine& line, const Span& span,
-                  const loads::LoadHistory& history, double youngs_modulus,
+                  const loads::LoadHistory& history,
+                  const loads::HoldingGroups& hold, double youngs_modulus,
                   std::optional<double> buckling_length,
                   BeamEstimate& estimate) {
   const std::size_t n = span.stations.size();
-  double compression = 0.0, tension = 0.0;
+  double compression = 0.0, largest = 0.0;
   double second_moment = std::numeric_limits<double>::infinity();
   for (std::size_t k = n / 4; k < n - n / 4; ++k) {
     const Station& station = span.stations[k];
@@ -111,17 +135,15 @@ void add_buckling(const PinLine& line, const Span& span,
     for (const loads::InstantLoad& instant : history.instants) {
       const loads::Wrench w =
           section_force(history, instant, span.beyond[k], station);
-      const double axial = w.force.dot(line.direction);
-      compression = std::max(compression, -axial);
-      tension = std::max(tension, axial);
+      compression = std::max(compression, -w.force.dot(line.direction));
+      largest = std::max(largest, w.force.norm());
     }
   }
-  // Round-off of a span that is only pulled is no compression.
-  if (compression <= 1e-9 * tension || compression == 0.0) return;
-  const double own_length =
-      (history.seats[span.to].p_LS - history.seats[span.from].p_LS).norm();
-  const double load = euler_load(youngs_modulus, second_moment,
-                                 buckling_length.value_or(own_length));
+  // Round-off of a span that is pulled or bent is no compression.
+  if (compression <= 1e-9 * largest) return;
+  const double load = euler_load(
+      youngs_modulus, second_moment,
+      buckling_length.value_or(strut_length(line, span, history, hold)));
   const double safety = load / compression;
   if (!estimate.buckling || safety < estimate.buckling->safety) {
     estimate.buckling = {load, safety};
@@ -189,15 +211,16 @@ BeamEstimate estimate(const PartModel& model, const part::Material& material,
                       std::optional<double> buckling_length) {
   BeamEstimate estimate;
   if (is_self_balanced(history, mass)) {
+    const auto hold = loads::holding_groups(history).front();
     for (const PinLine& line : pin_lines(model, mass, groups, history)) {
       for (const Span& span : line.spans) {
         add_span_stresses(span, history, estimate.stresses);
-        add_buckling(line, span, history, material.youngs_modulus,
+        add_buckling(line, span, history, hold, material.youngs_modulus,
                      buckling_length, estimate);
       }
-      estimate.deflection =
-          std::max(estimate.deflection,
-                   beam_deflection(line, history, material.youngs_modulus));
+      estimate.deflection = std::max(
+          estimate.deflection,
+          beam_deflection(line, history, hold, material.youngs_modulus));
     }
   }
   for (std::size_t i = 0; i < history.seats.size(); ++i) {

@@ -1,8 +1,8 @@
 #include "beam/estimates/deflection.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
 
 namespace clevis::beam {
 
@@ -59,13 +59,13 @@ struct AxisDisplacement {
   double s{};
   double along{};                      // [m]
   Vector3d across = Vector3d::Zero();  // [m]
+  Vector3d slope = Vector3d::Zero();   // of across [1]
 };
 
 // along' = ε, across'' = −curvature; exact where both are linear.
 std::vector<AxisDisplacement> integrate(
     const std::vector<AxisStrain>& strains) {
-  std::vector<AxisDisplacement> axis{{strains.front().s, 0.0, {0, 0, 0}}};
-  Vector3d slope = Vector3d::Zero();
+  std::vector<AxisDisplacement> axis{{.s = strains.front().s}};
   for (std::size_t k = 1; k < strains.size(); ++k) {
     const AxisStrain& a = strains[k - 1];
     const AxisStrain& b = strains[k];
@@ -73,8 +73,9 @@ std::vector<AxisDisplacement> integrate(
     AxisDisplacement next = axis.back();
     next.s = b.s;
     next.along += 0.5 * h * (a.axial + b.axial);
-    next.across += h * slope - h * h / 6.0 * (2.0 * a.curvature + b.curvature);
-    slope -= 0.5 * h * (a.curvature + b.curvature);
+    next.across +=
+        h * next.slope - h * h / 6.0 * (2.0 * a.curvature + b.curvature);
+    next.slope -= 0.5 * h * (a.curvature + b.curvature);
     axis.push_back(next);
   }
   return axis;
@@ -87,36 +88,59 @@ const AxisDisplacement& at_position(const std::vector<AxisDisplacement>& axis,
   });
 }
 
-// Bearing seats first, in the order of the history.
-std::array<std::size_t, 2> reference_seats(const PinLine& line,
-                                           const loads::LoadHistory& history) {
+/// What the axis does not move against: a point, and another or the slope
+/// there.
+struct Reference {
+  double at{};  ///< along the axis [m]
+  std::optional<double> guided;
+};
+
+/// By the groups that hold the part; where the line does not pass through them,
+/// by the line's first seats, bearing ones before others.
+Reference reference_of(const PinLine& line, const loads::LoadHistory& history,
+                       const loads::HoldingGroups& hold) {
+  const auto position = [&](std::size_t seat) {
+    return history.seats[seat].p_LS.dot(line.direction);
+  };
+  std::vector<double> at;
+  for (const std::string& group : hold) {
+    const auto seat = std::ranges::find(line.seats, group, [&](std::size_t i) {
+      return history.seats[i].group;
+    });
+    if (seat != line.seats.end()) at.push_back(position(*seat));
+  }
+  if (hold.size() == 1 && at.size() == 1) return {at[0], std::nullopt};
+  if (at.size() == 2) return {at[0], at[1]};
   std::vector<std::size_t> seats = line.seats;
   std::ranges::sort(seats, {}, [&](std::size_t i) {
     const bool face = history.seats[i].kind != loads::SeatKind::kBearing;
     return std::pair(face, i);
   });
-  return {seats[0], seats[1]};
+  return {position(seats[0]), position(seats[1])};
 }
 
 }  // namespace
 
 double beam_deflection(const PinLine& line, const loads::LoadHistory& history,
+                       const loads::HoldingGroups& hold,
                        double youngs_modulus) {
   std::size_t count = 0;
   for (const Span& span : line.spans) count += span.stations.size();
   if (count < 2) return 0.0;
-  const auto [first, second] = reference_seats(line, history);
-  const double s_1 = history.seats[first].p_LS.dot(line.direction);
-  const double s_2 = history.seats[second].p_LS.dot(line.direction);
+  const Reference reference = reference_of(line, history, hold);
+  const double s_1 = reference.at;
   double largest = 0.0;
   for (const loads::InstantLoad& instant : history.instants) {
     const std::vector<AxisDisplacement> axis =
         integrate(axis_strains(line, history, instant, youngs_modulus));
     const AxisDisplacement& held = at_position(axis, s_1);
-    const AxisDisplacement& guided = at_position(axis, s_2);
-    const Vector3d tilt =
-        s_2 == s_1 ? Vector3d(Vector3d::Zero())
-                   : Vector3d((guided.across - held.across) / (s_2 - s_1));
+    Vector3d tilt = held.slope;
+    if (reference.guided) {
+      const double s_2 = *reference.guided;
+      const AxisDisplacement& guided = at_position(axis, s_2);
+      tilt = s_2 == s_1 ? Vector3d(Vector3d::Zero())
+                        : Vector3d((guided.across - held.across) / (s_2 - s_1));
+    }
     for (const AxisDisplacement& d : axis) {
       const Vector3d across = d.across - held.across - (d.s - s_1) * tilt;
       largest =

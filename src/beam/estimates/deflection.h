@@ -2,6 +2,7 @@
 
 #include "beam/sections/pin_line.h"
 #include "loads/history/load_history.h"
+#include "loads/seats/holding_groups.h"
 
 namespace clevis::beam {
 
@@ -10,10 +11,12 @@ namespace clevis::beam {
 ///
 /// Elongation ∫ N/(EA) ds and the double integral of M/(EI), both taken as
 /// linear between stations and extended linearly to the outer seats. The
-/// rigid motion is chosen so that the first bearing seat of the line (in the
-/// order of the history's seats) rests and the second stays on the line.
+/// rigid motion is chosen so that the first seat that holds the part rests and
+/// the second stays on the line, or the slope at a single one.
 /// Left out: shear deformation, the seats' own compliance.
+/// @param hold  one of loads::holding_groups; of a line that does not pass
+///   through it, its first bearing seats.
 double beam_deflection(const PinLine& line, const loads::LoadHistory& history,
-                       double youngs_modulus);
+                       const loads::HoldingGroups& hold, double youngs_modulus);
 
 }  // namespace clevis::beam

@@ -1,6 +1,7 @@
 #include "elasticity/buckling/pin_hold.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -67,7 +68,12 @@ MeanMotion mean_motion(const Eigen::Matrix3Xd& positions,
 /// Six conditions, not scaled.
 MatrixXd conditions(const Discretization<3>& discretization,
                     const Eigen::Matrix3Xd& positions,
-                    const std::vector<std::string>& groups) {
+                    const std::vector<std::string>& given) {
+  std::vector<std::string> groups;
+  std::ranges::copy_if(given, std::back_inserter(groups),
+                       [&](const std::string& name) {
+                         return has_faces(discretization, name);
+                       });
   if (groups.empty()) {
     return mean_motion(positions, node_volumes<3>(discretization)).rows;
   }

@@ -16,7 +16,8 @@ namespace clevis::elasticity {
 /// on rigid motions, so that loads in balance leave them without reaction.
 class PinHold {
  public:
-  /// @param groups  two at the most.
+  /// @param groups  two at the most; those without faces, as the sides of a
+  ///   layer over a plane mesh, do not count.
   PinHold(const Discretization<3>& discretization,
           const std::vector<std::string>& groups);
 

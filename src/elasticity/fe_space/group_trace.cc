@@ -1,5 +1,6 @@
 #include "elasticity/fe_space/group_trace.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <Eigen/LU>
@@ -129,6 +130,18 @@ GroupTrace group_trace(const Discretization<dim>& discretization, int group,
   return builder.finish();
 }
 
+template <int dim>
+bool has_faces(const Discretization<dim>& discretization,
+               const std::string& group) {
+  const auto found = std::ranges::find(discretization.groups, group,
+                                       &mesh::SurfaceGroup::name);
+  return found != discretization.groups.end() &&
+         !discretization
+              .group_faces[static_cast<std::size_t>(
+                  found - discretization.groups.begin())]
+              .empty();
+}
+
 #define CLEVIS_INSTANTIATE(dim)                                               \
   template WeightedSurface weighted_surface<dim>(const Discretization<dim>&,  \
                                                  int, const FaceTable<dim>&); \
@@ -136,7 +149,8 @@ GroupTrace group_trace(const Discretization<dim>& discretization, int group,
       const Discretization<dim>&, int, FaceTables<dim>&);                     \
   template class TraceBuilder<dim>;                                           \
   template GroupTrace group_trace<dim>(const Discretization<dim>&, int,       \
-                                       FaceTables<dim>&);
+                                       FaceTables<dim>&);                     \
+  template bool has_faces<dim>(const Discretization<dim>&, const std::string&);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)
 #undef CLEVIS_INSTANTIATE

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -31,6 +32,11 @@ struct GroupTrace {
   };
   std::vector<Face> faces;
 };
+
+/// Whether a surface group of the part has faces on this mesh.
+template <int dim>
+bool has_faces(const Discretization<dim>& discretization,
+               const std::string& group);
 
 /// One table per local face, made on demand; outlives the traces.
 template <int dim>

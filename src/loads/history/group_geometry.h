@@ -21,6 +21,8 @@ struct GroupGeometry {
   /// ∫ n nᵀ dA [m²]: of rank one where the group is flat, or walls that face
   /// each other.
   Eigen::Matrix3d normal_square = Eigen::Matrix3d::Zero();
+  /// ∫ (|r|² 1 − r rᵀ) dA about the centroid [m⁴]; zero: not known.
+  Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();
   Eigen::Matrix3Xd points = {};  ///< of its faces, which they span [m]
 };
 

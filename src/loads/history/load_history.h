@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -86,6 +87,11 @@ struct SeatHold {
 struct LoadHistory {
   std::vector<Seat> seats;
   std::vector<InstantLoad> instants;
+  /// Between them, of loads that stand between those of instants of another
+  /// time: they excite vibration, and stress at rest no more. Rising.
+  std::vector<InstantLoad> repeats = {};
+  /// Up to there instants and repeats follow the loads [s].
+  double followed_until = std::numeric_limits<double>::infinity();
   /// Of the part in its mechanism, when its loads are largest; empty: it is
   /// free.
   std::function<SeatHold()> hold = {};

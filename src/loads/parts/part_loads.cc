@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -92,6 +94,30 @@ std::function<SeatHold()> found_once(std::function<SeatHold()> find) {
   };
 }
 
+/// All instants in the order of time; nothing if none repeats another.
+std::optional<mechanism::Motion> with_repeats(const mechanism::Motion& motion) {
+  if (motion.repeats.empty()) return std::nullopt;
+  mechanism::Motion whole = motion;
+  whole.instants.clear();
+  std::ranges::merge(motion.instants, motion.repeats,
+                     std::back_inserter(whole.instants), {},
+                     &mechanism::Instant::t, &mechanism::Instant::t);
+  return whole;
+}
+
+/// Of a history of all instants of a motion.
+void set_repeats_apart(const mechanism::Motion& motion, LoadHistory& history) {
+  if (motion.repeats.empty()) return;
+  const auto repeats = std::ranges::stable_partition(
+      history.instants, [&](const InstantLoad& load) {
+        return !std::ranges::binary_search(motion.repeats, load.time, {},
+                                           &mechanism::Instant::t);
+      });
+  history.repeats.assign(std::make_move_iterator(repeats.begin()),
+                         std::make_move_iterator(repeats.end()));
+  history.instants.erase(repeats.begin(), repeats.end());
+}
+
 }  // namespace
 
 mechanism::Motion loading_motion(mechanism::Motion motion) {
@@ -102,12 +128,14 @@ mechanism::Motion loading_motion(mechanism::Motion motion) {
 }
 
 LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
-                       const mechanism::Motion& motion,
+                       const mechanism::Motion& given,
                        mechanism::BodyIndex body,
                        const part::PartDefinition& part,
                        const std::vector<GroupGeometry>& groups,
                        const part::MassProperties& mass,
                        const SeatSpans& spans) {
+  const std::optional<mechanism::Motion> whole = with_repeats(given);
+  const mechanism::Motion& motion = whole ? *whole : given;
   const SeatContext context{definition, body, part, groups,
                             part_size(groups, mass)};
   require_seats(context);
@@ -143,18 +171,20 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
     constexpr double kSeen = 1e-12;  // what was searched is no longer unknown
     history.unseen =
         std::max(motion.search->bodies[static_cast<std::size_t>(body)], kSeen);
+    history.followed_until = motion.search->followed_until;
   }
   require_balance(history, mass, context.size, context.place("loads"));
   history.notes = off_middle_notes(context, by_joint);
   act_on_axes(context, by_joint, mass, history);
   set_contact_zones(context, motion, spans, by_joint, history);
+  set_repeats_apart(given, history);
   history.slide_excess = std::pow(longest_slide_step(history), 2);
   if (!history.instants.empty()) {
     const std::size_t hardest = hardest_instant(history.instants);
     history.hold = found_once(
         [shared =
              std::make_shared<const mechanism::MechanismDefinition>(definition),
-         at = motion.instants[hardest], body, seats = history.seats,
+         at = given.instants[hardest], body, seats = history.seats,
          zones = history.instants[hardest].zones] {
           SeatHold hold = seat_hold(*shared, at, body, seats);
           hold.zones = zones;

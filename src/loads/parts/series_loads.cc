@@ -112,7 +112,7 @@ void balance(const LoadSeries& series, const part::MassProperties& mass,
                     "`foundation` if something holds it.",
                     100.0 * series.largest_imbalance));
   }
-  double fastest = 0.0;
+  double fastest = 0.0, spun_up = 0.0;
   for (std::size_t i = 0; i < history.instants.size(); ++i) {
     const RigidAcceleration more = relieving_acceleration(rests[i].left, mass);
     RigidAcceleration& rigid = history.instants[i].rigid;
@@ -121,6 +121,7 @@ void balance(const LoadSeries& series, const part::MassProperties& mass,
     history.instants[i].relief = rests[i].left;
     const Vector3d force = inertia_load(rigid, mass).force;
     fastest = std::max(fastest, force.norm() / mass.mass);
+    spun_up = std::max(spun_up, rigid.alpha.norm());
   }
   if (series.has_acceleration) {
     history.notes.push_back(fmt::format(
@@ -131,8 +132,8 @@ void balance(const LoadSeries& series, const part::MassProperties& mass,
     history.notes.push_back(
         fmt::format("history {}: its file has no accelerations; those that "
                     "balance its loads reach {:.4g} m/s^2 at the centre of "
-                    "mass",
-                    series.name, fastest));
+                    "mass and {:.4g} rad/s^2",
+                    series.name, fastest, spun_up));
   }
 }
 

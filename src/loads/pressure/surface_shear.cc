@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
+
 #include "loads/pressure/face_pressure.h"
 
 namespace clevis::loads {
@@ -17,6 +19,7 @@ constexpr double kPi = std::numbers::pi;
 struct Shear {
   Vector3d even = Vector3d::Zero();
   double turning{};
+  Vector3d spin = Vector3d::Zero();
 };
 
 /// A pin's wall takes force along and moment about its axis evenly.
@@ -28,16 +31,30 @@ Shear of_bearing(const part::Bore& bore, const Wrench& wrench) {
 }
 
 /// @param force  on a group as an even traction [N].
+/// @param moment  about its centroid [N m].
 Shear of_face(const GroupGeometry& group, const Vector3d& force,
               const Vector3d& moment) {
   const Vector3d n = mean_normal(group.area_vector, group.area);
-  const double turning =
-      n.isZero(0.0) ? moment.norm() : std::abs(moment.dot(n));
+  const Vector3d turns = n.isZero(0.0) ? moment : Vector3d(n.dot(moment) * n);
+  const double known = n.dot(group.second_moment * n);
+  // Of a circle; a square has 5 % more.
+  const double second_moment =
+      known > 0.0 ? known : group.area * group.area / (2.0 * kPi);
   return {(force - n.dot(force) * n) / group.area,
-          2.0 * turning / (group.area * std::sqrt(group.area / kPi))};
+          2.0 * turns.norm() / (group.area * std::sqrt(group.area / kPi)),
+          turns / second_moment};
 }
 
 }  // namespace
+
+Eigen::Matrix3Xd GroupShear::at(const Vector3d& point) const {
+  const Vector3d arm = point - centre;
+  Eigen::Matrix3Xd all = even;
+  for (Eigen::Index i = 0; i < spin.cols(); ++i) {
+    all.col(i) += spin.col(i).cross(arm);
+  }
+  return all;
+}
 
 SurfaceShear surface_shear(const LoadHistory& history,
                            const std::vector<GroupGeometry>& groups) {
@@ -50,9 +67,12 @@ SurfaceShear surface_shear(const LoadHistory& history,
     if (at.turning.size() == 0) {
       at.even.setZero(3, instants);
       at.turning.setZero(instants);
+      at.spin.setZero(3, instants);
+      at.centre = group.centroid;
     }
     at.even.col(instant) += shear.even;
     at.turning[instant] += shear.turning;
+    at.spin.col(instant) += shear.spin;
   };
   const auto known = [&groups](const std::string& name) {
     const auto group = std::ranges::find(groups, name, &GroupGeometry::name);

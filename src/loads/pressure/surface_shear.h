@@ -18,6 +18,13 @@ struct GroupShear {
   /// The rest, round a pin or a face's normal: there at the rim of a circle of
   /// its area [Pa].
   Eigen::VectorXd turning;
+  /// That of a face: spin × (point − centre), L [Pa/m]; zero of a pin, whose
+  /// goes along its edges.
+  Eigen::Matrix3Xd spin = {};
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< [m]
+
+  /// Of all instants, at a point [Pa].
+  Eigen::Matrix3Xd at(const Eigen::Vector3d& point) const;
 };
 /// By group.
 using SurfaceShear = std::map<std::string, GroupShear>;

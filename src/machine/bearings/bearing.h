@@ -42,6 +42,9 @@ struct BearingInstant {
   double tilt{};       ///< moment across the axis [N m]
   double speed{};      ///< of the inner against the outer ring [rad/s]
   bool unique = true;  ///< false where redundancy leaves the load open
+  /// Of the inner against the outer ring, within a turn; nothing: not known
+  /// [rad].
+  std::optional<double> angle = std::nullopt;
 };
 
 /// A remark by its code in the catalogue of diagnostics.

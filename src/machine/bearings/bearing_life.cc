@@ -34,6 +34,20 @@ double revolutions(const BearingDefinition& bearing, double mean_load) {
                              life_exponent(bearing.kind));
 }
 
+/// What speed times time misses of the angle from instant to instant, in all:
+/// more than round-off where the joint turns back, or on, between two [rad].
+double missed_turn(std::span<const BearingInstant> history) {
+  double missed = 0.0;
+  for (std::size_t i = 1; i < history.size(); ++i) {
+    const BearingInstant &from = history[i - 1], &to = history[i];
+    if (!from.angle || !to.angle) continue;
+    const double by_speed = 0.5 * (from.speed + to.speed) * (to.t - from.t);
+    missed +=
+        std::abs(std::remainder(*to.angle - *from.angle - by_speed, kTurn));
+  }
+  return missed;
+}
+
 /// Between the extremes of the angle that the speed integrates to.
 double swing(std::span<const BearingInstant> history) {
   double angle = 0.0, least = 0.0, most = 0.0;
@@ -76,6 +90,10 @@ void take_life(const BearingDefinition& bearing,
   result.mean_speed = fine.travel / result.duration;
   result.mean_load = fine.mean;
   result.travel_error = relative_change(fine.travel, coarse.travel);
+  if (turns(fine.travel)) {
+    result.travel_error =
+        std::max(result.travel_error, missed_turn(history) / fine.travel);
+  }
   result.mean_load_error = relative_change(fine.mean, coarse.mean);
   if (!turns(fine.travel) || !(fine.mean > 0.0)) return;
   const double life = revolutions(bearing, fine.mean);
@@ -121,6 +139,13 @@ void warn(const BearingDefinition& bearing,
                             "maker",
                             result.peak_load, range));
   }
+  constexpr double kFollowed = 0.05;
+  if (turns(result.travel) && result.travel_error > kFollowed) {
+    add("B008", fmt::format("speed times time misses {:.3g} % of the way that "
+                            "the joint turns: it turns back between instants. "
+                            "Give more `instants`",
+                            100.0 * result.travel_error));
+  }
   const double offset = load > 0.0 ? result.peak_tilt / load : 0.0;
   if (offset > 0.5 * bearing.width && offset > kVanishing) {
     add("B005", fmt::format("moment up to {:.6g} N m across the axis, as if "
@@ -152,7 +177,9 @@ void decide(BearingResult& result) {
                     *result.static_safety, result.static_safety_wanted);
     return;
   }
+  const bool is_followed = !warned(result, "B008");
   const bool life_fails = result.life_wanted && result.life_seconds &&
+                          is_followed &&
                           *result.life_seconds < *result.life_wanted;
   if (life_fails) {
     result.verdict = part::Verdict::kFail;
@@ -168,6 +195,8 @@ void decide(BearingResult& result) {
     result.why = "moment across the axis (B005)";
   } else if (warned(result, "B007")) {
     result.why = "force of teeth left out (B007)";
+  } else if (result.life_wanted && !is_followed) {
+    result.why = "turning not followed from instant to instant (B008)";
   } else if (result.life_wanted && warned(result, "B004")) {
     result.why = "load beyond the range of the life formula (B004)";
   } else {

@@ -1,5 +1,7 @@
 #include "mechanism/driven_search/driven_run.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -10,6 +12,21 @@
 #include "mechanism/sampling/slide_times.h"
 
 namespace clevis::mechanism {
+namespace {
+
+/// Takes the instants at some times out of a motion.
+void set_repeats_apart(const std::vector<double>& times, Motion& motion) {
+  if (times.empty()) return;
+  const auto repeats =
+      std::ranges::stable_partition(motion.instants, [&](const Instant& at) {
+        return !std::ranges::binary_search(times, at.t);
+      });
+  motion.repeats.assign(std::make_move_iterator(repeats.begin()),
+                        std::make_move_iterator(repeats.end()));
+  motion.instants.erase(repeats.begin(), repeats.end());
+}
+
+}  // namespace
 
 Motion run_driven(const MechanismDefinition& definition,
                   const SimulationSettings& settings) {
@@ -30,6 +47,7 @@ Motion run_driven(const MechanismDefinition& definition,
     instants.set_line_angles(start, 0.0);
     motion = driven.run_at(times);
   }
+  set_repeats_apart(found.repeats, motion);
   motion.events = std::move(found.events);
   motion.search = std::move(found.search);
   return motion;

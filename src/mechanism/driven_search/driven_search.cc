@@ -106,18 +106,20 @@ DrivenSearch::Found DrivenSearch::run() {
   loads.choose(kMostAdded);
 
   Found found;
+  found.search = {.looks = trajectory_.count(),
+                  .ended = !enough,
+                  .ended_at = enough ? duration : loads.ended_at(),
+                  .bodies = loads.unseen()};
+  found.search.followed_until = loads.follow(kMostAdded);
   for (const auto& look : trajectory_.looks()) {
-    if (look.is_instant) instants.push_back(look.t);
+    if (look.is_instant || look.follows) instants.push_back(look.t);
+    if (look.follows && !look.is_instant) found.repeats.push_back(look.t);
   }
   std::ranges::sort(instants);
   instants.erase(std::unique(instants.begin(), instants.end()), instants.end());
   found.positions = positions_at(instants);
   found.times = std::move(instants);
   found.events = events.events();
-  found.search = {.looks = trajectory_.count(),
-                  .ended = !enough,
-                  .ended_at = enough ? duration : loads.ended_at(),
-                  .bodies = loads.unseen()};
   if (!enough) {  // nothing is known of what was not looked at
     for (double& unseen : found.search.bodies) unseen = std::max(unseen, 1.0);
   }

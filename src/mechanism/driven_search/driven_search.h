@@ -20,7 +20,8 @@ class DrivenSearch {
                const SimulationSettings& settings, DrivenMotion& motion);
 
   struct Found {
-    std::vector<double> times;  ///< of instants, the uniform ones among them
+    std::vector<double> times;    ///< of instants, the uniform ones among them
+    std::vector<double> repeats;  ///< Motion::repeats, among the times
     /// At those times; none if one is singular or a change point was passed.
     std::vector<Configuration> positions;
     std::vector<MotionEvent> events;

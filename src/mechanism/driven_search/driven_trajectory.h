@@ -28,6 +28,7 @@ class DrivenTrajectory {
     bool breaks = false;        ///< loads jump between it and the next
     bool bends = false;         ///< loads may bend there
     bool repeats = false;       ///< loads between instants of another time
+    bool follows = false;       ///< see LoadTrajectory::follow
     bool is_new = true;         ///< not yet compared with its neighbours
   };
   using Looks = std::list<Look>;

@@ -366,7 +366,8 @@ bool LoadTrajectory::is_closed(At left, At right) const {
   return left->breaks || beside_(left->t) || beside_(right->t);
 }
 
-LoadTrajectory::Gap LoadTrajectory::gap(At left, At right) const {
+LoadTrajectory::Gap LoadTrajectory::gap(At left, At right,
+                                        bool repeats_count) const {
   Gap result{.left = left, .right = right, .worst = trajectory_.looks().end()};
   if (is_closed(left, right)) return result;
   const VectorXd levels = this->levels(left, right);
@@ -386,7 +387,7 @@ LoadTrajectory::Gap LoadTrajectory::gap(At left, At right) const {
     return result;
   }
   for (At i = std::next(left); i != right; ++i) {
-    if (!i->repeats) judge(i->loads, i->t, i);
+    if (repeats_count || !i->repeats) judge(i->loads, i->t, i);
   }
   return result;
 }
@@ -455,6 +456,35 @@ void LoadTrajectory::choose(std::size_t most) {
     gaps.push(gap(top.left, top.worst));
     gaps.push(gap(top.worst, top.right));
   }
+}
+
+double LoadTrajectory::follow(std::size_t most) {
+  const std::vector<At> chosen = instants();
+  std::size_t added = 0;
+  for (std::size_t i = 0; i + 1 < chosen.size(); ++i) {
+    std::vector<At> ends{chosen[i + 1]};  // rising from the last
+    At left = chosen[i];
+    while (!ends.empty()) {
+      Gap here = gap(left, ends.back(), true);
+      if (here.defect > kOffLine && here.worst == trajectory_.looks().end()) {
+        const auto look =
+            trajectory_.look(left, 0.5 * (left->t + ends.back()->t));
+        if (look) here.worst = *look;
+      }
+      const bool is_line =
+          here.worst == trajectory_.looks().end() || !(here.defect > kOffLine);
+      if (is_line) {
+        left = ends.back();
+        ends.pop_back();
+        continue;
+      }
+      if (added == most) return left->t;
+      here.worst->follows = true;
+      ends.push_back(here.worst);
+      ++added;
+    }
+  }
+  return trajectory_.duration();
 }
 
 std::vector<double> LoadTrajectory::unseen() {

@@ -26,6 +26,11 @@ class LoadTrajectory {
   /// off the lines between instants.
   /// @param most  of the latter.
   void choose(std::size_t most);
+  /// Chooses more looks, in the order of time, until the loads between chosen
+  /// ones and instants lie on lines also where they repeat those of another
+  /// time: what vibrates feels them again.
+  /// @param most  looks. @return the time up to which they do [s].
+  double follow(std::size_t most);
   /// By body: how much more than at the instants its loads may be between
   /// them, over the largest of their kind [1].
   std::vector<double> unseen();
@@ -54,7 +59,7 @@ class LoadTrajectory {
                            At right) const;
   std::optional<Eigen::VectorXd> middle_by_cubic(At left, At right) const;
   bool is_closed(At left, At right) const;
-  Gap gap(At left, At right) const;
+  Gap gap(At left, At right, bool repeats_count = false) const;
   std::vector<At> instants();
   bool is_covered(const DrivenTrajectory::Look& look,
                   const std::vector<At>& instants) const;

@@ -25,6 +25,7 @@ ordered_json inputs_json(const CheckInputs& inputs) {
                     {"model", inputs.model},
                     {"engine", inputs.engine},
                     {"parts", inputs.parts},
+                    {"geometries", table_json(inputs.geometries)},
                     {"meshes", table_json(inputs.meshes)}};
   if (inputs.max_dofs) json["max_dofs"] = *inputs.max_dofs;
   return json;

@@ -21,6 +21,9 @@ struct CheckInputs {
   std::string engine;                ///< --engine
   std::optional<int> max_dofs = {};  ///< --max-dofs; none: what memory holds
   std::vector<std::string> parts;    ///< --part; empty: all
+  /// Part and fingerprint of its geometry with what the part gives to it, of
+  /// those that have one, in the order of the scene.
+  std::vector<std::pair<std::string, std::string>> geometries;
   /// Part and fingerprint of its mesh, in the order of the scene.
   std::vector<std::pair<std::string, std::string>> meshes;
 

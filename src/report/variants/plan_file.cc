@@ -1,6 +1,8 @@
 #include "report/variants/plan_file.h"
 
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -13,11 +15,21 @@ namespace {
 
 using nlohmann::ordered_json;
 
-CheckInputs inputs_of(const JsonNode& node, const ordered_json& set) {
-  CheckInputs inputs;
-  for (const auto& [path, value] : set.items()) {
-    inputs.settings.emplace_back(path, JsonNode(value, path).text());
+std::vector<std::pair<std::string, std::string>> table_of(
+    const JsonNode& node, const ordered_json& json, const char* name) {
+  node.at(name).texts();  // refuses what is no table of texts
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const auto& [key, value] : json[name].items()) {
+    rows.emplace_back(key, JsonNode(value, key).text());
   }
+  return rows;
+}
+
+/// @param json  the node's.
+CheckInputs inputs_of(const JsonNode& node, const ordered_json& json) {
+  CheckInputs inputs;
+  inputs.settings = table_of(node, json, "set");
+  inputs.geometries = table_of(node, json, "geometries");
   inputs.scene = node.at("scene").text();
   if (node.has("tolerance")) inputs.tolerance = node.at("tolerance").number();
   inputs.model = node.at("model").text();
@@ -60,10 +72,8 @@ Plan read_plan(const std::filesystem::path& folder) {
   const auto nodes = document.at("variants").elements();
   for (std::size_t v = 0; v < nodes.size(); ++v) {
     const JsonNode inputs = nodes[v].at("inputs");
-    inputs.at("set").texts();  // refuses what is no table of texts
-    plan.variants.push_back(
-        {nodes[v].at("name").text(),
-         inputs_of(inputs, json["variants"][v]["inputs"]["set"])});
+    plan.variants.push_back({nodes[v].at("name").text(),
+                             inputs_of(inputs, json["variants"][v]["inputs"])});
   }
   return plan;
 }

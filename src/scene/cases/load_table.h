@@ -43,6 +43,7 @@ class LoadTable {
   std::size_t rows() const { return static_cast<std::size_t>(values_.rows()); }
   const std::vector<LoadColumns>& loads() const { return loads_; }
   bool has_acceleration() const { return has(acceleration_) || has(alpha_); }
+  bool spins() const { return has(omega_); }
   bool has_orientation() const { return orientation_.front() >= 0; }
 
   double time(std::size_t row) const { return value(row, time_); }  ///< [s]

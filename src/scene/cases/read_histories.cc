@@ -155,11 +155,11 @@ part::LoadSeries read_history(StrictTable& table,
     if (columns.pressure >= 0) series.pressurized.push_back(columns.name);
   }
   if (series.seats.empty() && series.pressurized.empty() &&
-      !loads.has_acceleration()) {
+      !loads.has_acceleration() && !loads.spins()) {
     throw table["file"].refusal(
         "S003", "has no load",
-        "Give columns NAME.force_x [N], GROUP.pressure [MPa] or "
-        "acceleration_x [m/s^2].");
+        "Give columns NAME.force_x [N], GROUP.pressure [MPa], "
+        "acceleration_x [m/s^2] or angular_velocity_x [rad/s].");
   }
   const auto gravity = table.find("gravity");
   const Frame frame = read_frame(table, loads);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <vector>
 
@@ -214,8 +215,13 @@ MatrixXd rise_of_surface(const elasticity::DisplacementBasis<2>& basis,
 
 template <int dim>
 void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
-                         const std::vector<std::string>& seat_groups) {
+                         const std::vector<std::string>& groups) {
   const auto positions = elasticity::node_positions(basis.discretization);
+  std::vector<std::string> seat_groups;
+  std::ranges::copy_if(
+      groups, std::back_inserter(seat_groups), [&](const std::string& name) {
+        return elasticity::has_faces(basis.discretization, name);
+      });
   const auto motion_of = [&](const std::string& group) {
     return mean_motion<dim>(
         basis, surface_weights<dim>(basis.discretization, group), positions);

@@ -24,10 +24,11 @@ struct Deflection {
 /// (dim = 3) the first surface's mean rotation about that line. With one seat,
 /// or two about one centre, all of its mean rotation; with none that of all
 /// nodes. Means are over the surface's area.
-/// @param seat_groups  surface groups of the first two seats.
+/// @param groups  of the surface, of the first two seats; a plane mesh has none
+///   of its upper and lower side, which do not count.
 template <int dim>
 void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
-                         const std::vector<std::string>& seat_groups);
+                         const std::vector<std::string>& groups);
 
 /// The largest nodal displacement over all instants.
 template <int dim>

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -27,11 +29,33 @@ std::optional<EndOfShear> end_of_shear(const mesh::PartMesh<dim>& mesh,
                                        const HeldCorner& at,
                                        const loads::SurfaceShear& shear);
 
-/// By how much shear that ends at an edge of the part, where the stress is
-/// bounded but steep, may change the stress at a point within the cells at that
-/// edge: π/2 of what does not meet its like on the other face [Pa].
-double rise_at_edges(const mesh::PartMesh<3>& mesh,
-                     const loads::SurfaceShear& shear,
-                     const Eigen::Vector3d& at);
+/// An edge of the part at which shear of a load ends and the stress is bounded,
+/// but steep: it hangs on the direction, more than cells show.
+struct SharpEnd {
+  Eigen::Vector3d at;                  ///< its middle, in L [m]
+  Eigen::Vector3d axis;                ///< unit
+  double half{};                       ///< of its length [m]
+  double reach{};                      ///< of the cells at it [m]
+  std::array<unsigned, 2> vertices{};  ///< of the mesh, along the axis
+  /// By how much the stress may differ at those: π/2 of what shear does not
+  /// meet its like on the other face [Pa].
+  std::array<double, 2> rise{};
+
+  /// The same beside the edge, at a point within the cells at it; 0: beyond.
+  double rise_beside(const Eigen::Vector3d& point) const;
+};
+
+/// Of all instants.
+std::vector<SharpEnd> sharp_ends(const mesh::PartMesh<3>& mesh,
+                                 const loads::SurfaceShear& shear);
+
+/// The largest rise of those that a point is beside; 0: of none [Pa].
+double rise_beside(const std::vector<SharpEnd>& ends,
+                   const Eigen::Vector3d& point);
+
+/// The largest stress that such shear alone may make where two edges meet, as
+/// at the corners of a rectangle on which a torque is spread: 1.2 of the sum of
+/// their rises [Pa].
+double stress_at_corners(const std::vector<SharpEnd>& ends);
 
 }  // namespace clevis::stress

@@ -104,13 +104,12 @@ std::string kind_of(double angle, const std::string& first,
 template <int dim>
 std::vector<Candidate> candidates(const mesh::PartMesh<dim>& mesh,
                                   const part::Material& material,
-                                  const part::Supports& fixed,
+                                  const std::vector<HeldCorner>& corners,
+                                  const std::vector<bool>& is_facet,
                                   const loads::SurfaceShear& shear) {
   const double nu = material.poissons_ratio;
   Exponents exponents(
       dim == 2 ? kolosov_plane_stress(nu) : kolosov_plane_strain(nu), dim == 3);
-  const auto corners = held_corners<dim>(mesh, fixed);
-  const auto is_facet = facets_of_curves(corners);
   std::vector<Candidate> result;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const auto& [corner, held, name, kink] = corners[k];
@@ -167,9 +166,63 @@ double way_to_round(const SingularZone& zone,
   return nearest;
 }
 
+/// A point of a hollow surface, and how far the next may be [m].
+struct HollowPoint {
+  Vector3d at;
+  double reach{};
+};
+
+/// Of grooves, notches and fillets, whatever group they are in.
+std::vector<HollowPoint> hollow_points(const std::vector<HeldCorner>& corners,
+                                       const std::vector<bool>& is_facet) {
+  constexpr double kBends = 0.087;  // a face by 5°
+  constexpr double kNext = 1.2;     // facets of curved cells bend a little
+  std::vector<HollowPoint> points;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const auto& [corner, held, name, kink] = corners[k];
+    const bool is_hollow =
+        (is_facet[k] && *kink > 0.0) ||
+        std::ranges::any_of(corner.sides, [](const CornerSide& side) {
+          return side.turn > kBends;
+        });
+    if (!is_hollow) continue;
+    points.push_back({corner.at, kNext * std::max(corner.sides[0].extent,
+                                                  corner.sides[1].extent)});
+  }
+  return points;
+}
+
+/// The same way to the nearest hollow surface that does not begin at the zone,
+/// if it is less than `most` [m].
+double way_to_hollow(const SingularZone& zone,
+                     const std::vector<HollowPoint>& points, double most) {
+  std::vector<HollowPoint> near, joined;
+  for (const HollowPoint& point : points) {
+    const double way = distance(zone, point.at);
+    if (way >= most) continue;
+    (way <= point.reach ? joined : near).push_back(point);
+  }
+  while (!joined.empty()) {
+    const HollowPoint from = joined.back();
+    joined.pop_back();
+    const auto next =
+        std::partition(near.begin(), near.end(), [&](const HollowPoint& point) {
+          return (point.at - from.at).norm() >
+                 std::max(point.reach, from.reach);
+        });
+    joined.insert(joined.end(), next, near.end());
+    near.erase(next, near.end());
+  }
+  for (const HollowPoint& point : near) {
+    most = std::min(most, distance(zone, point.at));
+  }
+  return most;
+}
+
 template <int dim>
 SingularZone make_zone(const mesh::PartMesh<dim>& mesh,
                        const std::vector<RoundSurface>& rounds,
+                       const std::vector<HollowPoint>& hollows,
                        const std::vector<const Candidate*>& members) {
   SingularZone zone;
   const Candidate& middle = *members[members.size() / 2];
@@ -193,6 +246,8 @@ SingularZone make_zone(const mesh::PartMesh<dim>& mesh,
   zone.vertices.erase(twice.begin(), twice.end());
   zone.radius =
       std::min(kRadiusOfWall * wall, kRadiusOfWay * way_to_round(zone, rounds));
+  zone.radius =
+      kRadiusOfWay * way_to_hollow(zone, hollows, zone.radius / kRadiusOfWay);
   const Vector3d mm = (zone.at * 1e4).array().round() / 10.0 + 0.0;
   zone.name = dim == 2 ? fmt::format("{} at ({:.1f}, {:.1f}) mm", middle.kind,
                                      mm.x(), mm.y())
@@ -208,7 +263,9 @@ std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
                                          const part::Material& material,
                                          const part::Supports& fixed,
                                          const loads::SurfaceShear& shear) {
-  const auto all = candidates<dim>(mesh, material, fixed, shear);
+  const auto corners = held_corners<dim>(mesh, fixed);
+  const auto is_facet = facets_of_curves(corners);
+  const auto all = candidates<dim>(mesh, material, corners, is_facet, shear);
   const auto root = connected(all);
   std::map<std::size_t, std::vector<const Candidate*>> chains;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -216,8 +273,10 @@ std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
   }
   std::vector<SingularZone> zones;
   const auto rounds = round_surfaces(mesh);
+  const auto hollows = all.empty() ? std::vector<HollowPoint>()
+                                   : hollow_points(corners, is_facet);
   for (const auto& [first, members] : chains) {
-    zones.push_back(make_zone<dim>(mesh, rounds, members));
+    zones.push_back(make_zone<dim>(mesh, rounds, hollows, members));
   }
   return zones;
 }

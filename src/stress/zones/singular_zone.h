@@ -48,7 +48,8 @@ struct SingularZone {
 /// meet and have like sides are one zone. The radius is a tenth of the wall,
 /// the way through the material from the zone along the bisector of its angle,
 /// however large the cells: what lies farther away has to be resolved. It ends
-/// half way to a bore or round that the zone does not touch.
+/// half way to a bore or round that the zone does not touch, and to any other
+/// hollow surface that does not begin at it.
 /// @param shear  on groups, of solids: it ends at their edges, without bound
 ///   where the surface is smooth there.
 template <int dim>

@@ -1,11 +1,13 @@
 #include "stress/zones/end_of_shear.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "stress/zones/singular_zone.h"
+#include "support/annulus_mesh.h"
 #include "support/structured_mesh.h"
 
 namespace clevis::stress {
@@ -62,16 +64,59 @@ TEST(EndOfShear, IsBoundedAtAnEdge) {
   const auto mesh = block({3, 3, 3});
   const Vector3d y(0.0, 3e6, 0.0), x(3e6, 0.0, 0.0), at(0.0, 0.0, 0.01);
   EXPECT_TRUE(singular_zones<3>(mesh, kSteel, {}, {{"x0", even(y)}}).empty());
-  EXPECT_NEAR(rise_at_edges(mesh, {{"x0", even(y)}}, at), 3e6 * pi / 2.0, 1.0);
-  EXPECT_NEAR(rise_at_edges(mesh, {{"x0", even(y)}, {"y0", even(x)}}, at), 0.0,
-              1.0);
-  EXPECT_NEAR(rise_at_edges(mesh, {{"x0", even(y)}, {"y0", even(-x)}}, at),
-              3e6 * pi, 1.0);
+  EXPECT_NEAR(rise_beside(sharp_ends(mesh, {{"x0", even(y)}}), at),
+              3e6 * pi / 2.0, 1.0);
+  EXPECT_NEAR(
+      rise_beside(sharp_ends(mesh, {{"x0", even(y)}, {"y0", even(x)}}), at),
+      0.0, 1.0);
+  EXPECT_NEAR(
+      rise_beside(sharp_ends(mesh, {{"x0", even(y)}, {"y0", even(-x)}}), at),
+      3e6 * pi, 1.0);
   // along the edge, and far from any
-  EXPECT_NEAR(rise_at_edges(mesh, {{"x0", even(Vector3d(0.0, 0.0, 3e6))}}, at),
-              0.0, 1.0);
-  EXPECT_EQ(rise_at_edges(mesh, {{"x0", even(y)}}, Vector3d(0.01, 0.01, 0.01)),
+  EXPECT_NEAR(
+      rise_beside(sharp_ends(mesh, {{"x0", even(Vector3d(0.0, 0.0, 3e6))}}),
+                  at),
+      0.0, 1.0);
+  EXPECT_EQ(rise_beside(sharp_ends(mesh, {{"x0", even(y)}}),
+                        Vector3d(0.01, 0.01, 0.01)),
             0.0);
+}
+
+// What turns about the middle of a square face points to its edges the more the
+// nearer it is to their ends; half-way it goes along them.
+TEST(EndOfShear, TurningPointsToTheEdgesOfASquare) {
+  constexpr double kSpin = 1e8;  // [Pa/m]
+  const auto mesh = block({4, 4, 4});
+  loads::GroupShear turning = even(Vector3d::Zero());
+  turning.spin = kSpin * Vector3d::UnitX();
+  turning.centre = {0.0, 0.01, 0.01};
+  const auto ends = sharp_ends(mesh, {{"x0", turning}});
+  EXPECT_EQ(ends.size(), 16u);
+  for (const double z : {0.0, 0.0075, 0.01, 0.0125, 0.02}) {
+    EXPECT_NEAR(rise_beside(ends, Vector3d(0.0, 0.0, z)),
+                kSpin * std::abs(z - 0.01) * pi / 2.0, 1.0)
+        << z;
+  }
+  EXPECT_NEAR(stress_at_corners(ends), 1.2 * kSpin * 0.02 * pi / 2.0, 1.0);
+}
+
+// On a round face it goes along the rim, however few its facets.
+TEST(EndOfShear, TurningGoesAlongARim) {
+  loads::GroupShear turning = even(Vector3d::Zero());
+  turning.spin = 1e8 * Vector3d::UnitZ();
+  const auto ring = support::ring_mesh<3>(
+      {.inner = 0.005, .outer = 0.02, .radial = 2, .angular = 16, .degree = 2});
+  const auto face = std::ranges::find_if(ring.groups, [](const auto& group) {
+    return group.name.starts_with("z");
+  });
+  ASSERT_NE(face, ring.groups.end());
+  const auto ends = sharp_ends(ring, {{face->name, turning}});
+  EXPECT_GE(ends.size(), 16u);
+  for (const auto& end : ends) {
+    if (std::abs(end.at.head<2>().norm() - 0.02) > 1e-4) continue;
+    EXPECT_LT(rise_beside({end}, end.at), 1e-6 * 1e8 * 0.02)
+        << end.at.transpose();
+  }
 }
 
 // A roller mirrors shear that runs towards it: twice as much ends there. What

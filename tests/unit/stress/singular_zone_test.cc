@@ -152,6 +152,31 @@ TEST(SingularZone, ClampHasItsTwoEnds) {
   EXPECT_NEAR(zones[0].radius, 0.1 * std::sqrt(2.0) * 0.02, 1e-12);
 }
 
+// A groove in the side beside a clamp, whatever its group is called: the zone
+// at the clamp's end must not swallow its peak.
+TEST(SingularZone, EndsHalfWayToAGroove) {
+  constexpr double kAt = 0.15, kHalf = 0.05, kDepth = 0.1;  // of the side
+  const auto grooved = [&](double depth) {
+    return support::structured_mesh<2>(
+        {40, 4}, 2, [&](const Vector2d& x) -> Vector2d {
+          const double s = (x.x() - kAt) / kHalf;
+          const double groove =
+              std::abs(s) < 1.0 ? depth * 0.5 * (1.0 + std::cos(pi * s)) : 0.0;
+          return {0.02 * x.x(), 0.02 * x.y() * (1.0 - groove)};
+        });
+  };
+  const auto end = [](const mesh::PartMesh<2>& mesh) {
+    const auto zones =
+        singular_zones<2>(mesh, kSteel, {{"x0", {true, true, false}}});
+    return *std::ranges::find_if(zones, [](const SingularZone& zone) {
+      return zone.at.y() > 0.01;
+    });
+  };
+  EXPECT_NEAR(end(grooved(0.0)).radius, 0.1 * std::sqrt(2.0) * 0.02, 1e-12);
+  EXPECT_LT(end(grooved(kDepth)).radius, 0.5 * kAt * 0.02);
+  EXPECT_GT(end(grooved(kDepth)).radius, 0.3 * (kAt - kHalf) * 0.02);
+}
+
 TEST(SingularZone, RollersOnPlanesOfSymmetryHaveNone) {
   EXPECT_TRUE(singular_zones<2>(
                   square(3), kSteel,

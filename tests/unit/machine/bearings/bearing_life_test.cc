@@ -225,5 +225,40 @@ TEST(BearingVerdict, NoLoadHasNoBound) {
   EXPECT_EQ(result.verdict, part::Verdict::kPass);
 }
 
+// A swing of 40° at 5 Hz for 40 s, seen 11 times in 10 s or 40 times a cycle:
+// its way is 200 × 80°.
+TEST(BearingLife, TurningThatIsNotFollowedIsNotJudged) {
+  BearingDefinition bearing = bearing_1000096();
+  bearing.static_rating = 1470.0;
+  bearing.life_wanted = 1.0;
+  constexpr double kSwing = kPi / 9.0, kRate = 10.0 * kPi;
+  const auto swinging = [&](int instants) {
+    auto seen = history(40.0, instants, constant(100.0), [&](double t) {
+      return kSwing * kRate * std::cos(kRate * t);
+    });
+    for (BearingInstant& here : seen) {
+      here.angle = kSwing * std::sin(kRate * here.t);
+    }
+    return judge_bearing(bearing, seen);
+  };
+  const auto blind = swinging(45);
+  EXPECT_EQ(codes(blind), std::vector<std::string>{"B008"});
+  EXPECT_EQ(blind.verdict, part::Verdict::kNotJudged);
+  const auto followed = swinging(8001);
+  EXPECT_EQ(followed.verdict, part::Verdict::kPass);
+  EXPECT_NEAR(followed.travel, 200.0 * 4.0 * kSwing, 0.01 * followed.travel);
+  EXPECT_LT(followed.travel_error, 0.02);
+}
+
+// Whole turns between two instants are no doubt where the speed says so.
+TEST(BearingLife, FastTurningIsFollowed) {
+  BearingDefinition bearing = bearing_1000096();
+  auto seen = history(2.0, 21, constant(100.0), constant(1000.0));
+  for (BearingInstant& here : seen) {
+    here.angle = std::remainder(1000.0 * here.t, 2.0 * kPi);
+  }
+  EXPECT_LT(judge_bearing(bearing, seen).travel_error, 1e-9);
+}
+
 }  // namespace
 }  // namespace clevis::machine

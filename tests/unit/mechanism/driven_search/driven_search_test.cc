@@ -271,5 +271,41 @@ TEST(DrivenSearch, LoadsBetweenInstantsAreOnTheirLine) {
               mass * (arm * omega * omega + 9.81), 1e-4 * mass);
 }
 
+// 240 cycles of a sine: behind the first ones loads only repeat, and need no
+// instants; what vibrates needs all of them.
+TEST(DrivenSearch, LoadsThatRepeatAreFollowed) {
+  MechanismDefinition m = held_slider(DriveLaw::kSine);
+  m.drives[0].amplitude = 1e-5;
+  m.drives[0].frequency = 160.0;
+  const double omega = 320.0 * M_PI, most = 1e-5 * omega * omega;
+  const Motion motion = simulate(m, at_peaks(1.5, 11));
+  EXPECT_LT(motion.instants.size(), 1500u);
+  ASSERT_GT(motion.repeats.size(), 1000u);
+  std::vector<const Instant*> all;
+  for (const Instant& i : motion.instants) all.push_back(&i);
+  for (const Instant& i : motion.repeats) all.push_back(&i);
+  std::ranges::sort(all, {}, &Instant::t);
+  const double until = std::min(1.5, motion.search->followed_until);
+  EXPECT_GT(until, 0.5);
+  double missed = 0.0;
+  for (std::size_t k = 0; k + 1 < all.size() && all[k + 1]->t <= until; ++k) {
+    EXPECT_LT(all[k]->t, all[k + 1]->t);
+    const double middle = 0.5 * (all[k]->t + all[k + 1]->t);
+    const double exact = -most * std::sin(omega * middle);
+    missed = std::max(missed, std::abs(0.5 * (all[k]->drives[0].effort +
+                                              all[k + 1]->drives[0].effort) -
+                                       exact));
+  }
+  EXPECT_LT(missed, 0.01 * most);
+}
+
+// Loads that never repeat leave nothing apart.
+TEST(DrivenSearch, FewInstantsLeaveNothingApart) {
+  const Motion motion =
+      simulate(held_slider(DriveLaw::kConstant), at_peaks(1.0, 11));
+  EXPECT_TRUE(motion.repeats.empty());
+  EXPECT_GE(motion.search->followed_until, 1.0);
+}
+
 }  // namespace
 }  // namespace clevis::mechanism

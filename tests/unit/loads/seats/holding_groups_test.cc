@@ -1,0 +1,94 @@
+#include "loads/seats/holding_groups.h"
+
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace clevis::loads {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+constexpr double kLength = 0.2;  // from bore_A to bore_B along x [m]
+
+/// A lever: joint A and its drive on one bore, joint B or a force on the other.
+/// @param held  columns of 18 rows: A, drive A, B.
+LoadHistory lever(const MatrixXd& held) {
+  LoadHistory history;
+  history.seats = {
+      {.name = "A", .group = "bore_A"},
+      {.name = "drive A", .group = "bore_A"},
+      {.name = "B", .group = "bore_B", .p_LS = kLength * Vector3d::UnitX()}};
+  history.hold = [held] {
+    return SeatHold{.held = held};
+  };
+  return history;
+}
+
+/// Unit wrenches at rows.
+MatrixXd unit(std::initializer_list<int> rows) {
+  MatrixXd columns = MatrixXd::Zero(18, static_cast<int>(rows.size()));
+  int column = 0;
+  for (const int row : rows) columns(row, column++) = 1.0;
+  return columns;
+}
+
+using Groups = std::vector<HoldingGroups>;
+
+TEST(HoldingGroups, TwoPinsHoldAcrossTheirLine) {
+  // A ball at either end: 3 + 3, one of them along the line once too often.
+  EXPECT_EQ(holding_groups(lever(unit({0, 1, 2, 12, 13, 14}))),
+            (Groups{{"bore_A", "bore_B"}}));
+}
+
+TEST(HoldingGroups, ADrivenPinHoldsALeverAlone) {
+  const MatrixXd pin_and_drive = unit({0, 1, 2, 3, 4, 11});
+  EXPECT_EQ(holding_groups(lever(pin_and_drive)), (Groups{{"bore_A"}}));
+  // B guided along the line only, or across in one direction of two.
+  MatrixXd more(18, 7);
+  more << pin_and_drive, unit({12});
+  EXPECT_EQ(holding_groups(lever(more)), (Groups{{"bore_A"}}));
+  more.col(6) = unit({13});
+  EXPECT_EQ(holding_groups(lever(more)), (Groups{{"bore_A"}}));
+}
+
+// A link of a mechanism that is free to move: B holds across the plane alone.
+TEST(HoldingGroups, ALinkThatMayTurnIsHeldByItsPins) {
+  EXPECT_EQ(holding_groups(lever(unit({0, 1, 2, 3, 4, 14}))),
+            (Groups{{"bore_A", "bore_B"}}));
+  EXPECT_EQ(holding_groups(lever(unit({0, 1, 2, 3, 4}))), (Groups{{"bore_A"}}));
+}
+
+// The drive's face may be another than the pin's bore.
+TEST(HoldingGroups, ADriveOnAnotherFaceHoldsTheTurn) {
+  LoadHistory history = lever(unit({0, 1, 2, 3, 4, 11, 14}));
+  history.seats[1].group = "hub";
+  EXPECT_EQ(holding_groups(history), (Groups{{"bore_A"}}));
+}
+
+TEST(HoldingGroups, WhatNothingHoldsHasNone) {
+  EXPECT_EQ(holding_groups(lever(MatrixXd(18, 0))), (Groups{{}}));
+  // A moment alone holds no place.
+  EXPECT_EQ(holding_groups(lever(unit({11}))), (Groups{{}}));
+}
+
+// What two bodies hold between them counts at both seats.
+TEST(HoldingGroups, PartlyHeldAtBothSeats) {
+  EXPECT_EQ(holding_groups(lever(unit({1, 13}))),
+            (Groups{{"bore_A", "bore_B"}}));
+}
+
+TEST(HoldingGroups, OfCasesEachTwoBearingSeats) {
+  LoadHistory history;
+  history.seats = {{.name = "1", .group = "a", .kind = SeatKind::kBearing},
+                   {.name = "2", .group = "b", .kind = SeatKind::kBearing},
+                   {.name = "3", .group = "face", .kind = SeatKind::kTraction},
+                   {.name = "4", .group = "c", .kind = SeatKind::kBearing},
+                   {.name = "5", .group = "a", .kind = SeatKind::kBearing}};
+  EXPECT_EQ(holding_groups(history),
+            (Groups{{"a", "b"}, {"a", "c"}, {"b", "c"}}));
+}
+
+}  // namespace
+}  // namespace clevis::loads
