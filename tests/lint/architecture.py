@@ -215,7 +215,7 @@ PUBLIC = {
     "loads": "history/balance history/load_history history/motion_instants history/strike"
              " parts/case_loads parts/held_pins parts/part_loads parts/series_loads"
              " pressure/discrete_balance pressure/face_pressure pressure/seat_traction pressure/surface_shear"
-             " pressure/wall_pressure seats/holding_groups seats/part_seats seats/seat_spans",
+             " pressure/wall_pressure seats/holding_groups seats/part_seats seats/seat_hold seats/seat_spans",
     "dynamics": "load_vibration/load_answer load_vibration/load_path"
                 " load_vibration/response_spectrum"
                 " load_vibration/load_shapes strike/strike strike/strike_steps"

@@ -12,6 +12,7 @@
 #include "app/parts/open_sharing.h"
 #include "base/messages/errors.h"
 #include "loads/parts/series_loads.h"
+#include "loads/seats/seat_hold.h"
 #include "loads/seats/seat_spans.h"
 
 namespace clevis::app {
@@ -74,17 +75,29 @@ void merge(loads::LoadHistory& history, const loads::LoadHistory& more) {
     }
     history.instants.push_back(std::move(moved));
   }
-  for (std::size_t i = 0; i < history.instants.size(); ++i) {
-    auto& instant = history.instants[i];
-    if (i < old_instants) {
-      instant.wrenches.resize(history.seats.size());
-      if (!instant.zones.empty()) instant.zones.resize(history.seats.size());
-    }
+  const auto complete = [&](loads::InstantLoad& instant) {
     std::vector<loads::SurfaceLoad> all = surfaces;
     for (const auto& load : instant.surface_loads) {
       *std::ranges::find(all, load.group, &loads::SurfaceLoad::group) = load;
     }
     instant.surface_loads = std::move(all);
+  };
+  const auto widen = [&](loads::InstantLoad& instant) {
+    instant.wrenches.resize(history.seats.size());
+    if (!instant.zones.empty()) instant.zones.resize(history.seats.size());
+  };
+  for (std::size_t i = 0; i < history.instants.size(); ++i) {
+    if (i < old_instants) widen(history.instants[i]);
+    complete(history.instants[i]);
+  }
+  for (loads::InstantLoad& instant : history.repeats) {
+    widen(instant);
+    complete(instant);
+  }
+  if (history.hold) {
+    history.hold = [hold = history.hold, seats = history.seats.size()] {
+      return loads::on_more_seats(hold(), seats);
+    };
   }
 }
 

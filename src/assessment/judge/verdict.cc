@@ -152,9 +152,12 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
   }
   if (!result.vibration.failure.empty()) {
     set(result, part::Verdict::kNotJudged,
-        fmt::format("its vibration after impacts could not be computed ({}), "
-                    "without it the peak is {:.4g} MPa",
-                    result.vibration.failure, peak.value / kMega));
+        fmt::format("its vibration {} ({}), without {} the peak is {:.4g} MPa",
+                    result.vibration.ratio ? "is not known to the end"
+                                           : "could not be computed",
+                    result.vibration.failure,
+                    result.vibration.ratio ? "the rest" : "it",
+                    peak.value / kMega));
     return false;
   }
   return true;

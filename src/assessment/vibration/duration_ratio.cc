@@ -122,7 +122,8 @@ std::vector<VibrationWindow> judge_load_pace(const PartJob& job,
                                              PartResult& result) {
   const bool has_impacts =
       &set == &job.load_sets.front() && !job.impact_loads.empty();
-  const dynamics::LoadPath components = load_components(job, motion_loads(set));
+  const dynamics::LoadPath components =
+      load_components(job, followed_loads(set));
   const bool slow = is_slow(job, set, components);
   if (slow && !has_impacts) return {};
   const double first = first_period_of(job, set);

@@ -77,10 +77,15 @@ LoadSet motion_loads(const LoadSet& set) {
   all.resize(loads::motion_length(set.history));
   all.insert(all.end(), set.history.repeats.begin(), set.history.repeats.end());
   std::ranges::stable_sort(all, {}, &loads::InstantLoad::time);
-  std::erase_if(all, [&](const loads::InstantLoad& load) {
+  motion.history.repeats.clear();
+  return motion;
+}
+
+LoadSet followed_loads(const LoadSet& set) {
+  LoadSet motion = motion_loads(set);
+  std::erase_if(motion.history.instants, [&](const loads::InstantLoad& load) {
     return load.time > set.history.followed_until;
   });
-  motion.history.repeats.clear();
   return motion;
 }
 

@@ -12,9 +12,12 @@ namespace clevis::assessment {
 /// the part is computed with its vibration [1].
 inline constexpr double kPaceCounts = 1.02;
 
-/// The loads over a motion or a load history as far as they are followed, with
-/// those that repeat others, without the cases behind them.
+/// The loads over a motion or a load history with those that repeat others,
+/// without the cases behind them.
 LoadSet motion_loads(const LoadSet& set);
+
+/// The same as far as they are followed.
+LoadSet followed_loads(const LoadSet& set);
 
 /// How loads go on from one instant to the next.
 dynamics::LoadPath::Between between_instants(const LoadSet& set);
@@ -24,7 +27,7 @@ dynamics::LoadPath::Between between_instants(const LoadSet& set);
 /// for a small force across a part may stress it more than a large one along
 /// it; one that changes by less than a thousandth of the largest change does
 /// not.
-/// @param motion  of motion_loads.
+/// @param motion  of motion_loads or followed_loads.
 dynamics::LoadPath load_components(const PartJob& job, const LoadSet& motion);
 
 /// Longer than a body of the part's size and material vibrates, free or held at

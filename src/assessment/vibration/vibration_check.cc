@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -16,7 +17,6 @@
 #include "assessment/vibration/vibrating_model.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
-#include "loads/history/motion_instants.h"
 #include "stress/field/deflection.h"
 
 namespace clevis::assessment {
@@ -135,28 +135,48 @@ void judge_vibration(const PartJob& job, const LoadSet& set, PartResult& result,
   }
 }
 
+/// Why nothing is known of a part's vibration behind a time; empty: all is, or
+/// loads are slow there too.
+std::string not_followed(const PartJob& job, const LoadSet& given,
+                         const VibrationTimes& times) {
+  const double until = given.history.followed_until;
+  LoadSet sparse = given;
+  sparse.history.repeats.clear();
+  sparse = motion_loads(sparse);
+  if (sparse.history.instants.empty() ||
+      until >= sparse.history.instants.back().time) {
+    return {};
+  }
+  if (times.driven.empty() &&
+      is_slow(job, sparse, load_components(job, sparse))) {
+    return {};
+  }
+  return fmt::format(
+      "loads are followed up to t = {:.6g} s, behind it they change too often: "
+      "take a shorter duration, or more `instants`",
+      until);
+}
+
 /// Of one load set; nothing where its loads are followed at rest.
 std::optional<VibrationResult> vibration_of(const PartJob& job,
                                             const LoadSet& given,
                                             PartResult& result) {
   VibrationTimes times{judge_load_pace(job, given, result), {}};
-  if (times.driven.empty() || !(judged_peak(result).value > 0.0)) return {};
+  if (!(judged_peak(result).value > 0.0)) return {};
+  VibrationResult found;
+  const std::string unknown = not_followed(job, given, times);
+  if (times.driven.empty()) {
+    if (unknown.empty()) return {};
+    found.failure = unknown;
+    return found;
+  }
   Stopwatch watch;
   PartJob moving = job;
-  moving.load_sets = {motion_loads(given)};
+  moving.load_sets = {followed_loads(given)};
   const LoadSet& set = moving.load_sets.front();
-  const auto last = loads::motion_length(given.history) - 1;
-  if (given.history.followed_until < given.history.instants[last].time) {
-    result.notes.push_back(fmt::format(
-        "vibration is followed up to t = {:.6g} s: behind it the loads, which "
-        "repeat earlier ones, change too often; a shorter duration or a larger "
-        "`instants` leaves nothing out",
-        given.history.followed_until));
-  }
   times.swing =
       swing_windows(times.driven, result.first_period.value(), job.part.damping,
                     set.history.instants.back().time);
-  VibrationResult found;
   try {
     const PartShape shape(moving);
     const Model& model = cheapest_in_time(shape);
@@ -168,6 +188,7 @@ std::optional<VibrationResult> vibration_of(const PartJob& job,
   } catch (const Error& error) {
     found.failure = fmt::format("{}: {}", error.code(), error.what());
   }
+  if (found.failure.empty()) found.failure = unknown;
   found.from = times.swing.front().from;
   found.to = times.swing.back().to;
   found.seconds = watch.lap();
@@ -193,7 +214,7 @@ void check_vibration(const PartJob& job, PartResult& result) {
   }
   if (!most) return;
   most->seconds = seconds;
-  if (most->ratio) judge_vibration(job, motion_loads(*set), result, *most);
+  if (most->ratio) judge_vibration(job, followed_loads(*set), result, *most);
   result.vibration = std::move(*most);
 }
 

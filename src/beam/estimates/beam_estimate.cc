@@ -97,34 +97,43 @@ void add_span_stresses(const Span& span, const loads::LoadHistory& history,
   neutral.add_to(stresses);
 }
 
-/// Length of the strut hinged at both ends that buckles as the span does: its
-/// own; of a line that one seat alone holds, twice the way from there to its
-/// farthest end [m].
+/// Length of the strut hinged at both ends that buckles as the span does: the
+/// way between two seats that hold the line; beyond them, or of one that is
+/// held by a single seat, twice the way to its end; its own where none is on
+/// the line [m].
 double strut_length(const PinLine& line, const Span& span,
                     const loads::LoadHistory& history,
                     const loads::HoldingGroups& hold) {
-  const auto place = [&](std::size_t seat) -> const Eigen::Vector3d& {
-    return history.seats[seat].p_LS;
+  const auto position = [&](std::size_t seat) {
+    return history.seats[seat].p_LS.dot(line.direction);
   };
-  const double own = (place(span.to) - place(span.from)).norm();
-  if (hold.size() != 1) return own;
-  const auto held = std::ranges::find(line.seats, hold[0], [&](std::size_t i) {
-    return history.seats[i].group;
-  });
-  if (held == line.seats.end()) return own;
-  double farthest = 0.0;
+  std::vector<double> held;
   for (const std::size_t seat : line.seats) {
-    farthest = std::max(farthest, (place(seat) - place(*held)).norm());
+    if (std::ranges::find(hold, history.seats[seat].group) != hold.end()) {
+      held.push_back(position(seat));
+    }
   }
-  return 2.0 * farthest;
+  const double own =
+      (history.seats[span.to].p_LS - history.seats[span.from].p_LS).norm();
+  if (held.empty()) return own;
+  const auto [first, last] = std::ranges::minmax(held);
+  const double middle = 0.5 * (position(span.from) + position(span.to));
+  if (middle > first && middle < last) return last - first;
+  double end = 0.0;
+  for (const std::size_t seat : line.seats) {
+    const double beyond =
+        middle <= first ? first - position(seat) : position(seat) - last;
+    end = std::max(end, beyond);
+  }
+  return 2.0 * end;
 }
 
 // Keeps the span of the smallest safety. The ends of a span are thick bosses:
 // only its middle half counts.
 void add_buckling(const PinLine& line, const Span& span,
                   const loads::LoadHistory& history,
-                  const loads::HoldingGroups& hold, double youngs_modulus,
-                  std::optional<double> buckling_length,
+                  const std::vector<loads::HoldingGroups>& holds,
+                  double youngs_modulus, std::optional<double> buckling_length,
                   BeamEstimate& estimate) {
   const std::size_t n = span.stations.size();
   double compression = 0.0, largest = 0.0;
@@ -141,9 +150,12 @@ void add_buckling(const PinLine& line, const Span& span,
   }
   // Round-off of a span that is pulled or bent is no compression.
   if (compression <= 1e-9 * largest) return;
-  const double load = euler_load(
-      youngs_modulus, second_moment,
-      buckling_length.value_or(strut_length(line, span, history, hold)));
+  double length = buckling_length.value_or(0.0);
+  for (const loads::HoldingGroups& hold : holds) {
+    if (buckling_length) break;
+    length = std::max(length, strut_length(line, span, history, hold));
+  }
+  const double load = euler_load(youngs_modulus, second_moment, length);
   const double safety = load / compression;
   if (!estimate.buckling || safety < estimate.buckling->safety) {
     estimate.buckling = {load, safety};
@@ -211,16 +223,16 @@ BeamEstimate estimate(const PartModel& model, const part::Material& material,
                       std::optional<double> buckling_length) {
   BeamEstimate estimate;
   if (is_self_balanced(history, mass)) {
-    const auto hold = loads::holding_groups(history).front();
+    const auto holds = loads::holding_groups(history);
     for (const PinLine& line : pin_lines(model, mass, groups, history)) {
       for (const Span& span : line.spans) {
         add_span_stresses(span, history, estimate.stresses);
-        add_buckling(line, span, history, hold, material.youngs_modulus,
+        add_buckling(line, span, history, holds, material.youngs_modulus,
                      buckling_length, estimate);
       }
       estimate.deflection = std::max(
-          estimate.deflection,
-          beam_deflection(line, history, hold, material.youngs_modulus));
+          estimate.deflection, beam_deflection(line, history, holds.front(),
+                                               material.youngs_modulus));
     }
   }
   for (std::size_t i = 0; i < history.seats.size(); ++i) {

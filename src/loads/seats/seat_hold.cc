@@ -1,6 +1,7 @@
 #include "loads/seats/seat_hold.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -56,6 +57,17 @@ SeatHold seat_hold(const mechanism::MechanismDefinition& definition,
   return {.time = instant.t,
           .held = by_seat(found.held, seat_of, seats),
           .weighed = by_seat(found.weighed, seat_of, seats)};
+}
+
+SeatHold on_more_seats(SeatHold hold, std::size_t seats) {
+  for (MatrixXd* wrenches : {&hold.held, &hold.weighed}) {
+    MatrixXd all =
+        MatrixXd::Zero(kWrench * static_cast<Index>(seats), wrenches->cols());
+    all.topRows(wrenches->rows()) = *wrenches;
+    *wrenches = std::move(all);
+  }
+  if (!hold.zones.empty()) hold.zones.resize(seats);
+  return hold;
 }
 
 std::size_t hardest_instant(const std::vector<InstantLoad>& instants) {

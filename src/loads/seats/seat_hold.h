@@ -16,6 +16,10 @@ SeatHold seat_hold(const mechanism::MechanismDefinition& definition,
                    const mechanism::Instant& instant, mechanism::BodyIndex body,
                    const std::vector<Seat>& seats);
 
+/// The same of a history that has got more seats behind its own, which hold and
+/// weigh nothing.
+SeatHold on_more_seats(SeatHold hold, std::size_t seats);
+
 /// Index of the instant at which the seats' forces are largest. @pre any.
 std::size_t hardest_instant(const std::vector<InstantLoad>& instants);
 

@@ -28,6 +28,8 @@ constexpr double kOffLine = 1.5e-3;
 // The same while few instants are added.
 constexpr double kOffLineOfFew = 5e-4;
 constexpr std::size_t kFew = 50;
+// And between those that repeat others, which a cubic joins.
+constexpr double kOffLineOfRepeats = 6e-3;
 // Loads that lie so near to such a line at another time repeat what is there.
 constexpr double kNear = 2.0 * kOffLine;
 // Loads that come no nearer to the largest than this need no instant.
@@ -466,13 +468,14 @@ double LoadTrajectory::follow(std::size_t most) {
     At left = chosen[i];
     while (!ends.empty()) {
       Gap here = gap(left, ends.back(), true);
-      if (here.defect > kOffLine && here.worst == trajectory_.looks().end()) {
+      if (here.defect > kOffLineOfRepeats &&
+          here.worst == trajectory_.looks().end()) {
         const auto look =
             trajectory_.look(left, 0.5 * (left->t + ends.back()->t));
         if (look) here.worst = *look;
       }
-      const bool is_line =
-          here.worst == trajectory_.looks().end() || !(here.defect > kOffLine);
+      const bool is_line = here.worst == trajectory_.looks().end() ||
+                           !(here.defect > kOffLineOfRepeats);
       if (is_line) {
         left = ends.back();
         ends.pop_back();

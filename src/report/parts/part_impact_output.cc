@@ -180,7 +180,7 @@ std::string duration_ratios_text(const PartResult& part) {
 /// Peak under vibration.
 std::string vibration_text(const PartResult& part) {
   const assessment::VibrationResult& v = part.vibration;
-  if (!v.failure.empty()) {
+  if (!v.failure.empty() && !v.ratio) {
     return printable(fmt::format("{} with vibration: not computed: {}\n",
                                  part.name, v.failure));
   }
@@ -251,12 +251,14 @@ ordered_json duration_ratios_json(const PartResult& part) {
 }
 
 ordered_json vibration_json(const PartResult& part) {
-  if (!part.vibration.failure.empty()) {
-    return {{"failure", part.vibration.failure}};
-  }
   const auto* vibration = computed_vibration(part);
-  if (vibration == nullptr) return {};
-  return quantities_json(*vibration, vibration_quantities());
+  const std::string& failure = part.vibration.failure;
+  ordered_json json;
+  if (vibration != nullptr) {
+    json = quantities_json(*vibration, vibration_quantities());
+  }
+  if (!failure.empty()) json["failure"] = failure;
+  return json;
 }
 
 std::string support_section_text(const assessment::SupportStress& held) {
