@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "assessment/models/model_list.h"
+#include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "elasticity/vibration/eigenmodes.h"
@@ -51,7 +53,16 @@ Climbed<dim> climb(const mesh::PartMesh<dim>& mesh,
   constexpr int kFirst = 2, kHighest = 4;  // degree 1 locks
   Climbed<dim> result;
   for (int degree = kFirst; degree <= kHighest; ++degree) {
-    auto modes = elasticity::eigenmodes<dim>(problem, degree, request.count);
+    std::optional<Eigenmodes<dim>> found;
+    try {
+      found = elasticity::eigenmodes<dim>(problem, degree, request.count);
+    } catch (const Error& error) {
+      const bool is_too_large =
+          error.code() == "F004" || error.code() == "F007";
+      if (!is_too_large || degree == kFirst) throw;
+      break;  // those of the degree before, not settled
+    }
+    Eigenmodes<dim>& modes = *found;
     const Eigen::Index n = modes.frequencies.size();
     result.change = Eigen::VectorXd::Zero(n);
     const bool has_before = result.modes.frequencies.size() == n;

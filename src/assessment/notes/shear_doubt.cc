@@ -37,11 +37,16 @@ double widen(const PartJob& job, const std::vector<stress::SharpEnd>& ends,
   return amount;
 }
 
-/// Raises the band to what the load alone may make at the corners of its face.
-/// @return by how much [Pa].
-double raise(const PartJob& job, const std::vector<stress::SharpEnd>& ends,
-             PeakStress& peak) {
-  const double more = stress::stress_at_corners(ends) - peak.band_high;
+/// Raises the band to what the loads of a set alone may make at the corners of
+/// their faces. @return by how much [Pa].
+double raise(const PartJob& job, PeakStress& peak) {
+  double highest = 0.0;
+  for (const LoadSet& set : job.load_sets) {
+    highest = std::max(
+        highest, stress::stress_at_corners(stress::sharp_ends(
+                     job.mesh, loads::surface_shear(set.history, job.groups))));
+  }
+  const double more = highest - peak.band_high;
   if (more < kSmall * peak.value) return 0.0;
   const double low = peak.band_low;
   widen_for_cells(peak, more, job.tolerance);
@@ -66,7 +71,7 @@ void add_shear_doubt(const PartJob& job, const PartFields& fields,
   if (result.peak_outside) {
     amount = std::max(amount, widen(job, ends, *result.peak_outside));
   }
-  const double more = raise(job, ends, judged);
+  const double more = raise(job, judged);
   if (amount == 0.0 && more == 0.0) return;
   if (was_converged &&
       judged_peak(result).verdict == PeakVerdict::kNotConverged) {

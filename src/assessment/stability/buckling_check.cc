@@ -297,10 +297,11 @@ std::vector<Candidate> other_sharings(const PartJob& job) {
 /// long tube, buckles under three quarters of it ([TimoshenkoGere]).
 void lower_for_fluids(const PartJob& job, BucklingResult& result) {
   constexpr double kFollowing = 0.75;
-  const auto presses = [](const loads::InstantLoad& instant) {
-    return std::ranges::any_of(instant.surface_loads, [](const auto& load) {
-      return load.pressure > 0.0;
-    });
+  const auto presses = [&](const loads::InstantLoad& instant) {
+    return instant.label == result.label &&
+           std::ranges::any_of(instant.surface_loads, [](const auto& load) {
+             return load.pressure > 0.0;
+           });
   };
   if (std::ranges::none_of(job.load_sets, [&](const LoadSet& set) {
         return std::ranges::any_of(set.history.instants, presses);

@@ -141,10 +141,11 @@ void warn(const BearingDefinition& bearing,
   }
   constexpr double kFollowed = 0.05;
   if (turns(result.travel) && result.travel_error > kFollowed) {
-    add("B008", fmt::format("speed times time misses {:.3g} % of the way that "
-                            "the joint turns: it turns back between instants. "
-                            "Give more `instants`",
-                            100.0 * result.travel_error));
+    add("B008",
+        fmt::format("speed times time misses {:.3g} % of the way that "
+                    "the joint turns: it is not followed between instants. "
+                    "Give more `instants`",
+                    100.0 * result.travel_error));
   }
   const double offset = load > 0.0 ? result.peak_tilt / load : 0.0;
   if (offset > 0.5 * bearing.width && offset > kVanishing) {

@@ -314,9 +314,11 @@ void forget_negligible(double length, Motion& motion) {
       matters |= is_open(motion, j, k, k < 3 ? force : force * length);
     }
     if (matters) continue;
-    for (Instant& instant : motion.instants) {
-      instant.joints[j].unique = true;
-      instant.joints[j].unique_components.fill(true);
+    for (auto* instants : {&motion.instants, &motion.repeats}) {
+      for (Instant& instant : *instants) {
+        instant.joints[j].unique = true;
+        instant.joints[j].unique_components.fill(true);
+      }
     }
   }
 }
