@@ -15,23 +15,24 @@ namespace {
 
 constexpr double kSmall = 1e-3;  // of the peak: not told
 
-std::vector<stress::SharpEnd> ends_of(const PartJob& job, double peak) {
-  std::vector<stress::SharpEnd> ends;
+/// Of each load set.
+std::vector<std::vector<stress::SharpEnd>> ends_by_set(const PartJob& job) {
+  std::vector<std::vector<stress::SharpEnd>> ends;
   for (const LoadSet& set : job.load_sets) {
-    const auto found = stress::sharp_ends(
-        job.mesh, loads::surface_shear(set.history, job.groups));
-    ends.insert(ends.end(), found.begin(), found.end());
+    ends.push_back(stress::sharp_ends(
+        job.mesh, loads::surface_shear(set.history, job.groups)));
   }
-  std::erase_if(ends, [&](const stress::SharpEnd& end) {
-    return std::max(end.rise[0], end.rise[1]) < kSmall * peak;
-  });
   return ends;
 }
 
 /// @return by how much, where the peak stands at an edge [Pa].
-double widen(const PartJob& job, const std::vector<stress::SharpEnd>& ends,
+double widen(const PartJob& job,
+             const std::vector<std::vector<stress::SharpEnd>>& by_set,
              PeakStress& peak) {
-  const double amount = stress::rise_beside(ends, peak.at);
+  double amount = 0.0;
+  for (const auto& ends : by_set) {
+    amount = std::max(amount, stress::rise_beside(ends, peak.at));
+  }
   if (amount < kSmall * peak.value) return 0.0;
   widen_for_cells(peak, amount, job.tolerance);
   return amount;
@@ -39,12 +40,12 @@ double widen(const PartJob& job, const std::vector<stress::SharpEnd>& ends,
 
 /// Raises the band to what the loads of a set alone may make at the corners of
 /// their faces. @return by how much [Pa].
-double raise(const PartJob& job, PeakStress& peak) {
+double raise(const PartJob& job,
+             const std::vector<std::vector<stress::SharpEnd>>& by_set,
+             PeakStress& peak) {
   double highest = 0.0;
-  for (const LoadSet& set : job.load_sets) {
-    highest = std::max(
-        highest, stress::stress_at_corners(stress::sharp_ends(
-                     job.mesh, loads::surface_shear(set.history, job.groups))));
+  for (const auto& ends : by_set) {
+    highest = std::max(highest, stress::stress_at_corners(ends));
   }
   const double more = highest - peak.band_high;
   if (more < kSmall * peak.value) return 0.0;
@@ -66,12 +67,12 @@ void add_shear_doubt(const PartJob& job, const PartFields& fields,
   const bool was_converged =
       judged_peak(result).verdict == PeakVerdict::kConverged;
   PeakStress& judged = result.peak_outside ? *result.peak_outside : result.peak;
-  const auto ends = ends_of(job, judged.value);
+  const auto ends = ends_by_set(job);
   double amount = widen(job, ends, result.peak);
   if (result.peak_outside) {
     amount = std::max(amount, widen(job, ends, *result.peak_outside));
   }
-  const double more = raise(job, judged);
+  const double more = raise(job, ends, judged);
   if (amount == 0.0 && more == 0.0) return;
   if (was_converged &&
       judged_peak(result).verdict == PeakVerdict::kNotConverged) {
@@ -89,10 +90,10 @@ void add_shear_doubt(const PartJob& job, const PartFields& fields,
   }
   if (more > 0.0) {
     result.notes.push_back(fmt::format(
-        "at an edge where shear of a load ends the stress may exceed the "
-        "peak's "
-        "band by {:.3g} MPa, which is in the band now; a load that fades out, "
-        "or a round at the edge, has no such doubt",
+        "at a corner of the face that takes it a load's shear may exceed the "
+        "peak's band by {:.3g} MPa, which is in the band now; a load that "
+        "fades "
+        "out, or a round face, has no such doubt",
         more * 1e-6));
   }
 }

@@ -190,9 +190,7 @@ double rise_beside(const std::vector<SharpEnd>& ends, const Vector3d& point) {
 
 double stress_at_corners(const std::vector<SharpEnd>& ends) {
   constexpr double kParallel = 0.9;
-  // Torque on the ends of square and rectangular bars: C3D20 of CalculiX,
-  // graded to the corner, has 1.15 to 1.18.
-  constexpr double kOfSum = 1.2;
+  constexpr double kOfSum = 1.2;  // the corner's own share, an estimate
   double largest = 0.0;
   for (const auto& [vertex, meeting] : by_vertex(ends)) {
     const auto rise = [&](const SharpEnd& end) {
