@@ -57,6 +57,8 @@ ROOMS = {
         "structure": "links and pairs, Assur groups, structural formula",
         "sampling": "which instants are wanted; loads as lists of numbers",
         "driven_motion": "motions that drives fix, from instant to instant",
+        "driven_trajectory": "such a motion at any time, and what may change there",
+        "driven_loads": "its loads between instants: how smooth, and which times stand for them",
         "driven_search": "when the loads of such a motion are largest or jump",
         "mass_matrix": "masses of bodies, and the mass matrix with constraints, factored",
         "dynamic_state": "states that forces decide: layout, turns, drives, sizes",

@@ -167,11 +167,11 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
     }
     history.instants.push_back(std::move(load));
   }
+  history.followed_until = motion.followed_until;
   if (motion.search) {
     constexpr double kSeen = 1e-12;  // what was searched is no longer unknown
     history.unseen =
         std::max(motion.search->bodies[static_cast<std::size_t>(body)], kSeen);
-    history.followed_until = motion.search->followed_until;
   }
   require_balance(history, mass, context.size, context.place("loads"));
   history.notes = off_middle_notes(context, by_joint);

@@ -151,16 +151,17 @@ struct LoadSearch {
   /// beside them, over the largest of their kind: by body, the greatest of all
   /// that act on it [1].
   std::vector<double> bodies;
-  /// Up to there no load is off the lines between instants and repeats [s].
-  double followed_until = std::numeric_limits<double>::infinity();
 };
 
 /// The whole history, what `loads` and `report` take.
 struct Motion {
   std::vector<Instant> instants;
-  /// More of them, whose loads stand between those of instants of another time:
-  /// they load nothing more, but excite vibration. Rising.
+  /// More of them, whose loads stand between those of instants of another time
+  /// or are small beside the largest: they load nothing more, but excite
+  /// vibration. Rising.
   std::vector<Instant> repeats;
+  /// Up to there no load is off the curves through instants and repeats [s].
+  double followed_until = std::numeric_limits<double>::infinity();
   std::vector<ChangePoint> change_points;
   std::vector<MotionEvent> events;
   std::vector<DriveJump> drive_jumps;

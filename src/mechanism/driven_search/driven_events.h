@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "mechanism/driven_search/driven_trajectory.h"
+#include "mechanism/driven_trajectory/driven_trajectory.h"
 
 namespace clevis::mechanism {
 

@@ -49,6 +49,7 @@ Motion run_driven(const MechanismDefinition& definition,
   }
   set_repeats_apart(found.repeats, motion);
   motion.events = std::move(found.events);
+  motion.followed_until = found.followed_until;
   motion.search = std::move(found.search);
   return motion;
 }

@@ -5,8 +5,9 @@
 #include <iterator>
 #include <utility>
 
+#include "mechanism/driven_loads/load_instants.h"
+#include "mechanism/driven_loads/load_trajectory.h"
 #include "mechanism/driven_search/driven_events.h"
-#include "mechanism/driven_search/load_trajectory.h"
 #include "mechanism/sampling/driven_sampling.h"
 
 namespace clevis::mechanism {
@@ -99,18 +100,20 @@ DrivenSearch::Found DrivenSearch::run() {
   mark_laws();
   DrivenEvents events(trajectory_);
   enough = events.find(most_looks_) && enough;
-  LoadTrajectory loads(trajectory_, [this](double t) {
+  LoadScales scales(trajectory_, [this](double t) {
     return beside_change_point(t);
   });
+  LoadTrajectory loads(scales);
   enough = loads.refine(most_looks_) && enough;
-  loads.choose(kMostAdded);
+  LoadInstants chosen(scales);
+  chosen.choose(kMostAdded);
 
   Found found;
   found.search = {.looks = trajectory_.count(),
                   .ended = !enough,
                   .ended_at = enough ? duration : loads.ended_at(),
-                  .bodies = loads.unseen()};
-  found.search.followed_until = loads.follow(kMostAdded);
+                  .bodies = chosen.unseen()};
+  found.followed_until = chosen.follow(kMostAdded);
   for (const auto& look : trajectory_.looks()) {
     if (look.is_instant || look.follows) instants.push_back(look.t);
     if (look.follows && !look.is_instant) found.repeats.push_back(look.t);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mechanism/driven_search/driven_trajectory.h"
+#include "mechanism/driven_trajectory/driven_trajectory.h"
 #include "mechanism/sampling/law_times.h"
 
 namespace clevis::mechanism {
@@ -22,6 +22,7 @@ class DrivenSearch {
   struct Found {
     std::vector<double> times;    ///< of instants, the uniform ones among them
     std::vector<double> repeats;  ///< Motion::repeats, among the times
+    double followed_until{};      ///< Motion::followed_until [s]
     /// At those times; none if one is singular or a change point was passed.
     std::vector<Configuration> positions;
     std::vector<MotionEvent> events;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -61,12 +62,31 @@ void DynamicInstants::restart(double t, const VectorXd& y) {
 
 void DynamicInstants::look(double until) {
   if (!sampler_) return;
-  wanted_.clear();
-  sampler_->look(integrator_, until, std::span(times_).subspan(next_), wanted_);
-  std::erase_if(wanted_, [this](double t) {
-    return beside_.contains(t);
-  });
-  add_times(wanted_, model_.settings.duration, times_);
+  const double duration = model_.settings.duration;
+  for (auto* times : {&wanted_, &followed_}) times->clear();
+  sampler_->look(integrator_, until, std::span(times_).subspan(next_), wanted_,
+                 followed_);
+  for (auto* times : {&wanted_, &followed_}) {
+    std::erase_if(*times, [this](double t) {
+      return beside_.contains(t);
+    });
+  }
+  add_times(wanted_, duration, times_);
+  std::vector<double> all(times_.begin() + static_cast<std::ptrdiff_t>(next_),
+                          times_.end());
+  add_times(followed_, duration, all);
+  for (const double t : followed_) {
+    if (!std::ranges::binary_search(times_, t) &&
+        std::ranges::binary_search(all, t)) {
+      repeated_.push_back(t);
+    }
+  }
+  add_times(followed_, duration, times_);
+}
+
+double DynamicInstants::followed_until() const {
+  return sampler_ ? sampler_->followed_until()
+                  : std::numeric_limits<double>::infinity();
 }
 
 /// That before is at the time itself where the modes change only then.
@@ -91,6 +111,12 @@ void DynamicInstants::sample_until(double t) {
 }
 
 void DynamicInstants::add(double t, VectorXd& y) {
+  const bool repeats = std::ranges::binary_search(repeated_, t);
+  (repeats ? repeats_ : instants_).push_back(instant_at(t, y));
+}
+
+/// @param y  the state at t, which is projected.
+Instant DynamicInstants::instant_at(double t, VectorXd& y) {
   EquationsOfMotion& equations = model_.equations;
   const double gap = model_.projection.project(t, y);
   guards_.require_closed(t, gap);
@@ -126,7 +152,7 @@ void DynamicInstants::add(double t, VectorXd& y) {
   require_unique_loads(model_.definition, elements, state.loads.forces,
                        instant.joints);
   instant.closure_error = gap;
-  instants_.push_back(std::move(instant));
+  return instant;
 }
 
 /// Whether the dense output at t errs; y is projected.

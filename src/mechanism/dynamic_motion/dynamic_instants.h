@@ -53,10 +53,15 @@ class DynamicInstants {
   void state_at(double t, Eigen::VectorXd& y);
 
   std::vector<Instant>& instants() { return instants_; }
+  /// Between them, where loads change by which only vibration is excited.
+  std::vector<Instant>& repeats() { return repeats_; }
+  /// Up to there instants and repeats follow all loads [s].
+  double followed_until() const;
   /// Evaluations that state_at() took beside the integrator's [1].
   long evaluations() const { return resampler_.counts().evaluations; }
 
  private:
+  Instant instant_at(double t, Eigen::VectorXd& y);
   bool is_rough(double t, Eigen::VectorXd& y);
 
   DynamicModel& model_;
@@ -65,12 +70,13 @@ class DynamicInstants {
   MotionIntegrator resampler_;  ///< where dense output is too rough
   EnergyBalance& energy_;
   MotionGuards& guards_;
-  std::vector<double> times_, wanted_;
-  std::size_t next_ = 0;  ///< of times_
+  std::vector<double> times_, wanted_, followed_;
+  std::vector<double> repeated_;  ///< of times_, those of repeats()
+  std::size_t next_ = 0;          ///< of times_
   int two_sided_ = 0;
   std::optional<LoadSampler> sampler_;
   BesideChangePoints beside_;
-  std::vector<Instant> instants_;
+  std::vector<Instant> instants_, repeats_;
   Eigen::VectorXd sample_;
 };
 

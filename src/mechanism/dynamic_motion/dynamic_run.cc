@@ -69,6 +69,8 @@ Motion DynamicRun::run() {
   change_points_.finish();
   energy_.require();
   motion_.instants = std::move(instants_.instants());
+  motion_.repeats = std::move(instants_.repeats());
+  motion_.followed_until = instants_.followed_until();
   motion_.integration = summary();
   motion_.change_points = std::move(change_points_).among(motion_.instants);
   motion_.impacts = impacts_.impacts();

@@ -126,4 +126,12 @@ bool LoadChange::is_large(const VectorXd& a, const VectorXd& b) {
   return false;
 }
 
+void LoadChange::over_largest(const VectorXd& a, const VectorXd& b,
+                              VectorXd& squares) const {
+  list_.squares_of_change(a, b, squares);
+  for (Index v = 0; v < largest_.size(); ++v) {
+    squares[v] = largest_[v] > 0.0 ? squares[v] / largest_[v] : 0.0;
+  }
+}
+
 }  // namespace clevis::mechanism

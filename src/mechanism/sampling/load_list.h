@@ -61,6 +61,10 @@ class LoadChange {
              double coarseness = 1.0);
 
   bool is_large(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+  /// Squares of the vectors' changes over their largest lengths [1]; 0 where
+  /// that is round-off.
+  void over_largest(const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+                    Eigen::VectorXd& squares) const;
 
  private:
   const LoadList& list_;

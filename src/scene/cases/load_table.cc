@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -166,7 +167,10 @@ LoadTable::LoadTable(const std::filesystem::path& file) {
     places.push_back(rows[r].front().place);
   }
   require_rising_times(places);
-  if (has_orientation()) require_unit_length(places);
+  if (has_orientation()) {
+    require_unit_length(places);
+    require_spin_where_turning(places);
+  }
 }
 
 void LoadTable::require_whole_orientation(const std::string& place) const {
@@ -202,6 +206,22 @@ void LoadTable::require_unit_length(
     throw Error("S006", places[r],
                 fmt::format("the orientation has length {:.6g}", length),
                 "Give unit quaternions, the real part as orientation_w.");
+  }
+}
+
+void LoadTable::require_spin_where_turning(
+    const std::vector<std::string>& places) const {
+  constexpr double kTurned = 2e-3;  // [rad]: digits of a written quaternion
+  if (spins()) return;
+  for (std::size_t r = 1; r < rows(); ++r) {
+    const double angle = orientation(r).angularDistance(orientation(0));
+    if (angle <= kTurned) continue;
+    throw Error("S003", places[r],
+                fmt::format("the part has turned by {:.3g} degrees, but the "
+                            "file says nothing of its angular velocity",
+                            angle * 180.0 / std::numbers::pi),
+                "Give the columns angular_velocity_x, _y and _z, for spinning "
+                "loads a part; zeros, if it turns so slowly that it does not.");
   }
 }
 

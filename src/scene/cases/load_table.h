@@ -65,6 +65,7 @@ class LoadTable {
   LoadColumns& load(const std::string& name, const std::string& place);
   void require_whole_orientation(const std::string& place) const;
   void require_rising_times(const std::vector<std::string>& places) const;
+  void require_spin_where_turning(const std::vector<std::string>& places) const;
   void require_unit_length(const std::vector<std::string>& places) const;
 
   std::vector<LoadColumns> loads_;

@@ -1,7 +1,6 @@
 #include "scene/variants/apply_settings.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -64,12 +63,15 @@ class Descent {
   Descent(const Setting& setting, toml::table& root)
       : setting_(setting),
         path_(parse_path(setting.path, setting.place)),
+        resolved_(path_),
         node_(&root),
         value_(value_table(setting)) {}
 
-  void run() {
+  /// @return the path with the numbers of entries in place of their names.
+  Path run() {
     while (at_ + 1 < path_.size()) enter();
     put();
+    return resolved_;
   }
 
  private:
@@ -140,7 +142,9 @@ class Descent {
 
   void enter() {
     if (auto* list = node_->as_array()) {
-      node_ = list->get(index_in(*list));
+      const std::size_t index = index_in(*list);
+      node_ = list->get(index);
+      resolved_[at_] = index;
     } else {
       toml::table& holder = table();
       if (!holder.contains(*key())) add_table(holder);
@@ -168,8 +172,9 @@ class Descent {
   void put() {
     toml::node&& value = std::move(*value_.get("v"));
     if (auto* list = node_->as_array()) {
-      const auto at =
-          list->cbegin() + static_cast<std::ptrdiff_t>(index_in(*list));
+      const std::size_t index = index_in(*list);
+      resolved_[at_] = index;
+      const auto at = list->cbegin() + static_cast<std::ptrdiff_t>(index);
       list->insert(list->erase(at), std::move(value));
     } else {
       insert(table(), std::move(value));
@@ -177,7 +182,7 @@ class Descent {
   }
 
   const Setting& setting_;
-  Path path_;
+  Path path_, resolved_;
   std::size_t at_ = 0;  ///< steps taken
   toml::node* node_;
   toml::table value_;
@@ -186,18 +191,25 @@ class Descent {
 }  // namespace
 
 void apply_settings(const std::vector<Setting>& settings, toml::table& root) {
-  std::map<std::string, std::string> places;
+  struct Put {
+    Path path;
+    const Setting& setting;
+  };
+  std::vector<Put> all;
   for (const Setting& setting : settings) {
-    const Path path = parse_path(setting.path, setting.place);
-    const auto [first, is_new] =
-        places.emplace(text_of(path, path.size()), setting.place);
-    if (!is_new) {
-      throw Error(
-          "S010", setting.place,
-          fmt::format("{} is set by {} already", first->first, first->second),
-          "Give each value once.");
+    const Path path = Descent(setting, root).run();
+    for (const Put& earlier : all) {
+      // a whole table would undo what was set within it
+      if (path.size() > earlier.path.size() ||
+          !std::equal(path.begin(), path.end(), earlier.path.begin())) {
+        continue;
+      }
+      throw Error("S010", setting.place,
+                  fmt::format("{} is set by {} already, as {}", setting.path,
+                              earlier.setting.place, earlier.setting.path),
+                  "Give each value once.");
     }
-    Descent(setting, root).run();
+    all.push_back({path, setting});
   }
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -7,6 +8,7 @@
 
 #include "mechanism/sampling/slide_times.h"
 #include "mechanism/simulate.h"
+#include "support/off_cubic.h"
 #include "support/reference_motions.h"
 
 namespace clevis::mechanism {
@@ -92,6 +94,37 @@ TEST(Sampling, DrivenIntoAStop) {
     EXPECT_NE(next->elements[0].effort == 0.0,
               (next - 1)->elements[0].effort == 0.0);
   }
+}
+
+// A load that swings and fades to less than a hundredth: the curve through
+// instants and repeats follows it to the end, however few are asked for.
+TEST(Sampling, SmallLoadsOfAnIntegratedMotionAreFollowed) {
+  constexpr double kOmega = 100.0, kDamping = 0.05;  // [rad/s], [1]
+  const double own = kOmega * std::sqrt(1.0 - kDamping * kDamping);
+  const double fall = kDamping * kOmega;
+  const SpringLaw law{.stiffness = kOmega * kOmega, .damping = 2.0 * fall};
+  const auto effort = [&](double t) {  // pushes 1 kg, at rest 1 m away
+    const double decay = std::exp(-fall * t);
+    const double x =
+        decay * (std::cos(own * t) + fall / own * std::sin(own * t));
+    const double v = -decay * kOmega * kOmega / own * std::sin(own * t);
+    return law.stiffness * x + law.damping * v;
+  };
+  MechanismDefinition m = testing::sliders({1.0});
+  m.elements = {testing::on_joint(0, law)};
+  m.initial_joints = {
+      {.joint = 0, .position = 1.0, .rate = std::nullopt, .place = {}}};
+  const Motion motion = simulate(m, at_peaks(1.0, 5));
+  EXPECT_EQ(motion.followed_until, std::numeric_limits<double>::infinity());
+  const double missed = testing::off_cubic(
+      motion, 1.0,
+      [](const Instant& at) {
+        return -at.elements[0].effort;
+      },
+      effort);
+  EXPECT_LT(missed, 1e-3 * law.stiffness);
+  EXPECT_GT(motion.repeats.size(), 50u);
+  EXPECT_LT(motion.repeats.size(), 400u);
 }
 
 // A smooth motion keeps its instants but for the maxima between them.

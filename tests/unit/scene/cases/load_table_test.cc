@@ -103,6 +103,9 @@ TEST_F(LoadTableFile, RefusesWhatItDoesNotUnderstand) {
   EXPECT_EQ(refusal("time [s],A.force_x [N]\n0,1\n0,2\n-1,1\n"), "S006:4:1");
   EXPECT_EQ(refusal("time [s],orientation_w\n0,1\n"), "S003:1:1");
   EXPECT_EQ(refusal("time [s],orientation_w,orientation_x,orientation_y,"
+                    "orientation_z\n0,1,0,0,0\n1,-1,0,0,1e-4\n2,0,0,0,1\n"),
+            "S003:4:1");
+  EXPECT_EQ(refusal("time [s],orientation_w,orientation_x,orientation_y,"
                     "orientation_z\n0,1,0,0,0\n1,1,0,0,1\n"),
             "S006:3:1");
 }

@@ -1,4 +1,4 @@
-#include "mechanism/driven_search/driven_trajectory.h"
+#include "mechanism/driven_trajectory/driven_trajectory.h"
 
 #include <algorithm>
 #include <cmath>

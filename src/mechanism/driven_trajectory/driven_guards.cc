@@ -1,4 +1,4 @@
-#include "mechanism/driven_search/driven_guards.h"
+#include "mechanism/driven_trajectory/driven_guards.h"
 
 #include "base/values/index.h"
 

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "mechanism/driven_motion/driven_motion.h"
-#include "mechanism/driven_search/driven_guards.h"
+#include "mechanism/driven_trajectory/driven_guards.h"
 #include "mechanism/sampling/body_loads.h"
 
 namespace clevis::mechanism {
@@ -28,7 +28,7 @@ class DrivenTrajectory {
     bool breaks = false;        ///< loads jump between it and the next
     bool bends = false;         ///< loads may bend there
     bool repeats = false;       ///< loads between instants of another time
-    bool follows = false;       ///< see LoadTrajectory::follow
+    bool follows = false;       ///< see LoadInstants::follow
     bool is_new = true;         ///< not yet compared with its neighbours
   };
   using Looks = std::list<Look>;
