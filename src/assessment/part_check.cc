@@ -21,6 +21,7 @@
 #include "assessment/notes/part_notes.h"
 #include "assessment/notes/shear_doubt.h"
 #include "assessment/stability/buckling_check.h"
+#include "assessment/stability/second_order_check.h"
 #include "assessment/stability/sharing_check.h"
 #include "assessment/vibration/vibration_check.h"
 #include "base/messages/errors.h"
@@ -206,7 +207,8 @@ PartAssessment check_part(const PartJob& given) {
   result.safety_factor =
       judged > 0.0 ? job.part.material.yield_strength / judged : 0.0;
   finish_impacts(std::move(blows.impacts), result);
-  check_vibration(job, result);
+  check_vibration(job, assessment.fields.history, result);
+  check_second_order(job, result);
   check_sharing(given, result);
   judge(job.part, result);
   explain_unsettled(result);

@@ -149,9 +149,9 @@ ROOMS = {
         "models": "the list of models: what suits a part, how each solves it, its error against the next",
         "places": "where the peak may stand, and finer solutions there",
         "ladder": "one model with rising degrees until its band is narrow enough",
-        "stability": "buckling, and open reactions shared otherwise",
         "impact": "blows in time, by beam theory and finite elements",
         "vibration": "what loads over time excite",
+        "stability": "buckling, second order, and open reactions shared otherwise",
     },
     "report": {
         "text": "files, tables, JSON and terminals",
@@ -224,7 +224,7 @@ PUBLIC = {
                 " systems/block_krylov systems/eigenmodes systems/held_system systems/linear_system systems/weighed_system",
     "beam": "estimates/beam_estimate estimates/ejector estimates/struck_part",
     "elasticity": "algebra/dense_product algebra/principal_columns algebra/rank_team assembly/stiffness assembly/supports"
-                  " buckling/buckling dealii/dealii_service direct/dissection fe_space/discretization fe_space/group_trace"
+                  " buckling/buckling buckling/second_order dealii/dealii_service direct/dissection fe_space/discretization fe_space/group_trace"
                   " fe_space/tabulation nodal_loads/load_vectors plate/layered_solve"
                   " plate/plate_layer problem/displacement_basis problem/dof_limit"
                   " problem/elastic_problem problem/engine revolution/revolution_solve"

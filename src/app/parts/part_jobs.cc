@@ -112,17 +112,21 @@ void add_series(const LoadedPart& part, PartJob& job) {
 
 void add_cases(const LoadedPart& part, PartJob& job) {
   std::vector<LoadSet>& sets = job.load_sets;
+  std::vector<std::vector<std::string>> held_by(sets.size());  // pins of a set
   for (const auto& load_case : part.definition.cases) {
     auto held = held_loads(part, load_case);
-    const auto same = std::ranges::find_if(sets, [&](const LoadSet& set) {
-      return set.fixed == load_case.fixed &&
-             set.foundations == load_case.foundations;
-    });
-    const auto at = static_cast<std::size_t>(same - sets.begin());
-    if (same != sets.end()) {
-      merge(same->history, held.history);
+    std::size_t at = 0;
+    while (at < sets.size() &&
+           !(sets[at].fixed == load_case.fixed &&
+             sets[at].foundations == load_case.foundations &&
+             held_by[at] == load_case.held_by_pin)) {
+      ++at;
+    }
+    if (at < sets.size()) {
+      merge(sets[at].history, held.history);
     } else {
       sets.push_back({held.history, load_case.fixed, load_case.foundations});
+      held_by.push_back(load_case.held_by_pin);
     }
     if (held.others.empty()) continue;
     job.open_sharings.push_back(

@@ -81,6 +81,7 @@ struct BucklingResult {
   double band_low{}, band_high{};  ///< [1]
   double instant{};                ///< [s]
   std::string label;               ///< "t = 1.25 s" or the case
+  std::size_t load_set{};          ///< of the job
   std::string model;               ///< "plane stress, p = 4"
   /// Why there is none, or what it leaves out; one line, or empty.
   std::string remark;
@@ -241,9 +242,13 @@ struct DurationRatio {
 struct VibrationResult {
   /// Dynamic over quasi-static peak; absent: not computed [1].
   std::optional<double> ratio;
-  bool governs{};       ///< a case of the part does not stress it more
-  std::string failure;  ///< why it could not be, though it was wanted
+  bool governs{};            ///< other loads of the part do not stress it more
+  std::string failure;       ///< why it could not be, though it was wanted
+  std::string not_followed;  ///< why it is known up to a time alone
   double peak{}, band_low{}, band_high{};  ///< that is judged [Pa]
+  /// Largest stress of its loads at rest [Pa], and by how much the degree
+  /// before has another [1].
+  double still{}, still_error{};
   /// Of the ratio: the last degree's change, the last doubling of the shapes',
   /// between samples, between the instants of the loads [1].
   double degree_error{}, shape_error{}, sampling_error{}, path_error{};
@@ -261,6 +266,16 @@ struct VibrationResult {
   double error() const {
     return degree_error + shape_error + sampling_error + path_error;
   }
+  /// Whether it is known over all the motion.
+  bool is_whole() const { return failure.empty() && not_followed.empty(); }
+};
+
+/// How much more than linear theory says a part strains and deflects where its
+/// stresses and its spin act on what they displace.
+struct SecondOrderResult {
+  double stress = 1.0, deflection = 1.0;  ///< over linear theory's [1]
+  bool is_stable = true;  ///< else it buckles, or whirls, under less
+  std::string label;      ///< of the instant of the larger; empty: none counts
 };
 
 /// Reaction on the part of a pin that holds it in a case.
@@ -312,6 +327,7 @@ struct PartResult {
   /// absent: fewer stand at one instant [1].
   std::optional<double> strain_energy_error;
   BucklingResult buckling;
+  SecondOrderResult second_order;
   FiniteMotion finite_motion;
   BeamComparison beam;
   SelfChecks self_checks;
@@ -322,6 +338,9 @@ struct PartResult {
   std::vector<ImpactResult> impacts;
   std::vector<DurationRatio> duration_ratios;
   VibrationResult vibration;
+  /// By load set of the job: how much farther than at rest the part strains or
+  /// deflects as it vibrates, the larger of both; empty: nothing vibrates [1].
+  std::vector<double> swings;
   std::vector<PinReaction> pin_reactions;
 };
 

@@ -150,14 +150,16 @@ bool judge_stress(const part::PartDefinition& part, PartResult& result) {
                                    doubt_remedy(part, peak.shares)));
     return false;
   }
-  if (!result.vibration.failure.empty()) {
+  const VibrationResult& vibration = result.vibration;
+  if (!vibration.is_whole()) {
+    const bool is_cut = vibration.failure.empty() && vibration.ratio;
     set(result, part::Verdict::kNotJudged,
-        fmt::format("its vibration {} ({}), without {} the peak is {:.4g} MPa",
-                    result.vibration.ratio ? "is not known to the end"
-                                           : "could not be computed",
-                    result.vibration.failure,
-                    result.vibration.ratio ? "the rest" : "it",
-                    peak.value / kMega));
+        fmt::format(
+            "its vibration {} ({}), without {} the peak is {:.4g} MPa",
+            is_cut ? "is not known to the end" : "could not be computed",
+            vibration.failure.empty() ? vibration.not_followed
+                                      : vibration.failure,
+            is_cut ? "the rest" : "it", peak.value / kMega));
     return false;
   }
   return true;
@@ -189,6 +191,12 @@ std::optional<Nominal> largest_nominal(const PartResult& result) {
                  fmt::format("section {}, {}", held->section, held->label)};
 }
 
+/// How much farther than at rest a part strains or deflects under loads of its
+/// own [1].
+double largest_swing(const PartResult& result) {
+  return result.swings.empty() ? 1.0 : std::ranges::max(result.swings);
+}
+
 /// Where a zone is left out, the nominal stress of the section stands for what
 /// it hides: a part is not judged by less.
 bool judge_nominal(const part::PartDefinition& part, PartResult& result) {
@@ -196,7 +204,18 @@ bool judge_nominal(const part::PartDefinition& part, PartResult& result) {
   const std::optional<Nominal> nominal = largest_nominal(result);
   const double allowed =
       part.material.yield_strength / part.limits.safety_factor.value_or(1.0);
-  if (!nominal || nominal->high <= allowed) return true;
+  if (!nominal) return true;
+  const double swing = largest_swing(result);
+  if (nominal->high <= allowed && swing * nominal->high > allowed) {
+    set(result, part::Verdict::kNotJudged,
+        fmt::format(
+            "nominal stress {:.4g} MPa at rest ({}), hidden by the zone "
+            "left out: with vibration, {:.4g} times, it may exceed "
+            "{:.4g} MPa",
+            nominal->value / kMega, nominal->what, swing, allowed / kMega));
+    return false;
+  }
+  if (nominal->high <= allowed) return true;
   const bool fails = nominal->low > allowed;
   set(result, fails ? part::Verdict::kFail : part::Verdict::kNotJudged,
       fmt::format("nominal stress {:.4g} [{:.4g}, {:.4g}] MPa ({}), hidden by "
@@ -254,6 +273,44 @@ bool judge_euler(double wanted, PartResult& result) {
   return false;
 }
 
+/// Loads of which vibration makes more buckle the part sooner, if they last.
+bool judge_swinging_buckling(double wanted, PartResult& result) {
+  const BucklingResult& buckling = result.buckling;
+  if (result.swings.empty() || !buckling.factor) return true;
+  const double swing = result.swings[buckling.load_set];
+  if (buckling.band_low >= swing * wanted) return true;
+  set(result, part::Verdict::kNotJudged,
+      fmt::format("buckling: {:.4g} times the loads of {} at rest, which "
+                  "vibration makes {:.4g} times more; {:.4g} is wanted",
+                  *buckling.factor, buckling.label, swing, wanted));
+  return false;
+}
+
+/// Of a part that passes by linear theory.
+bool judge_second_order(const part::PartDefinition& part, PartResult& result) {
+  const SecondOrderResult& found = result.second_order;
+  if (!found.is_stable) {
+    set(result, part::Verdict::kNotJudged,
+        fmt::format("its loads and its spin ({}) bend it further and further: "
+                    "linear theory has no stress for it",
+                    found.label));
+    return false;
+  }
+  const PeakStress peak = governing_peak(result);
+  const double allowed =
+      part.material.yield_strength / part.limits.safety_factor.value_or(1.0);
+  if (peak.band_high > allowed) return true;  // judged without it
+  if (peak.band_high * found.stress <= allowed) return true;
+  const bool fails = peak.band_low * found.stress > allowed;
+  set(result, fails ? part::Verdict::kFail : part::Verdict::kNotJudged,
+      fmt::format("its loads act on what they displace ({}): the stress is "
+                  "{:.4g} times that of linear theory, {:.4g} MPa: {} {:.4g} "
+                  "MPa",
+                  found.label, found.stress, found.stress * peak.value / kMega,
+                  fails ? "beyond" : "its band holds", allowed / kMega));
+  return false;
+}
+
 bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
   const double wanted = part::wanted_buckling_factor(part.limits);
   const BucklingResult& buckling = result.buckling;
@@ -263,7 +320,9 @@ bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
         "the limit of buckling is not held against: " + buckling.remark);
     return false;
   }
-  if (!buckling.factor || buckling.band_low >= wanted) return true;
+  if (!buckling.factor || buckling.band_low >= wanted) {
+    return judge_swinging_buckling(wanted, result);
+  }
   const bool fails = buckling.band_high < wanted;
   set(result, fails ? part::Verdict::kFail : part::Verdict::kNotJudged,
       fmt::format("buckling: the part buckles under {:.4g} [{:.4g}, {:.4g}] "
@@ -273,10 +332,19 @@ bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
   return false;
 }
 
+/// At rest or as it vibrates.
+FiniteMotion farthest(const PartResult& result) {
+  FiniteMotion motion = result.finite_motion;
+  const double swing = largest_swing(result);
+  motion.rotation *= swing;
+  motion.strain *= swing;
+  return motion;
+}
+
 /// Refuses a verdict on large rotations or strains: linear theory knows no
 /// stress of them.
 bool judge_finite_motion(const part::PartDefinition&, PartResult& result) {
-  std::string why = beyond_small_displacements(result.finite_motion);
+  std::string why = beyond_small_displacements(farthest(result));
   if (why.empty()) return true;
   set(result, part::Verdict::kNotJudged, std::move(why));
   return false;
@@ -285,20 +353,25 @@ bool judge_finite_motion(const part::PartDefinition&, PartResult& result) {
 bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
   if (!part.limits.deflection) return true;
   const bool has_band = result.deflection_high > 0.0;
-  const double low = has_band ? result.deflection_low : result.deflection;
-  const double high = has_band ? result.deflection_high : result.deflection;
+  const double more = result.second_order.deflection;
+  const double low =
+      more * (has_band ? result.deflection_low : result.deflection);
+  const double high =
+      more * (has_band ? result.deflection_high : result.deflection);
   if (high <= *part.limits.deflection) return true;
   if (low <= *part.limits.deflection) {
     set(result, part::Verdict::kNotJudged,
-        fmt::format("{:.4g} mm lies inside the band of the deflection, "
+        fmt::format("{:.4g} mm lies inside the band of the deflection{}, "
                     "[{:.4g}, {:.4g}] mm: mesh finer",
-                    *part.limits.deflection / kMilli, low / kMilli,
+                    *part.limits.deflection / kMilli,
+                    more > 1.0 ? " in second order" : "", low / kMilli,
                     high / kMilli));
     return false;
   }
   set(result, part::Verdict::kFail,
-      fmt::format("deflection {:.4g} mm exceeds {:.4g} mm",
-                  result.deflection / kMilli,
+      fmt::format("deflection {:.4g} mm{} exceeds {:.4g} mm",
+                  more * result.deflection / kMilli,
+                  more > 1.01 ? " in second order" : "",
                   *part.limits.deflection / kMilli));
   return false;
 }
@@ -316,11 +389,12 @@ double governing_stress(const part::PartDefinition& part,
 // A limit may tell where another cannot: a part fails by any of them.
 void judge(const part::PartDefinition& part, PartResult& result) {
   std::string open;
-  for (const auto holds : {judge_finite_motion, judge_stress, judge_nominal,
-                           judge_buckling, judge_deflection}) {
+  for (const auto holds :
+       {judge_finite_motion, judge_stress, judge_nominal, judge_second_order,
+        judge_buckling, judge_deflection}) {
     if (holds(part, result)) continue;
     if (result.verdict == part::Verdict::kFail) {
-      std::string far = beyond_small_displacements(result.finite_motion);
+      std::string far = beyond_small_displacements(farthest(result));
       if (!far.empty()) result.notes.push_back(std::move(far));
       return;
     }

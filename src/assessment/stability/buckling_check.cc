@@ -1,20 +1,14 @@
 #include "assessment/stability/buckling_check.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
 #include <utility>
 
-#include <Eigen/LU>
-#include <fmt/format.h>
-
-#include "assessment/models/part_shape.h"
+#include "assessment/stability/buckling_model.h"
 #include "assessment/stability/sharing_check.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
 #include "elasticity/buckling/buckling.h"
-#include "elasticity/plate/plate_layer.h"
 #include "loads/seats/holding_groups.h"
 #include "part/buckling_limit.h"
 
@@ -31,101 +25,6 @@ constexpr int kHighestDegree = 4;
 /// are not long it has less than three times the factor.
 constexpr double kThrice = 3.0;
 
-/// A part of one degree.
-struct PartSpace {
-  Discretization<3> whole;
-  std::optional<Discretization<2>> plane = {};  ///< that it is a layer over
-};
-
-/// Longest edge of a cell over its smallest height at a corner [1]; regular
-/// tetrahedron: 1.22, square: 1.
-/// @param vertices  dim × corners.
-/// @param joined  corners that an edge joins to each corner.
-template <int dim>
-double slenderness(
-    const Eigen::Matrix<double, dim, Eigen::Dynamic>& vertices,
-    const std::vector<std::array<int, static_cast<std::size_t>(dim)>>& joined,
-    double height = HUGE_VAL) {
-  double longest = 0.0, lowest = height;
-  for (std::size_t c = 0; c < joined.size(); ++c) {
-    Eigen::Matrix<double, dim, dim> edges;
-    for (int k = 0; k < dim; ++k) {
-      edges.col(k) = vertices.col(joined[c][static_cast<std::size_t>(k)]) -
-                     vertices.col(static_cast<Eigen::Index>(c));
-      longest = std::max(longest, edges.col(k).norm());
-    }
-    if (!(std::abs(edges.determinant()) > 0.0)) return HUGE_VAL;
-    // The rows of the inverse are normal to the other edges.
-    lowest =
-        std::min(lowest, 1.0 / edges.inverse().rowwise().norm().maxCoeff());
-  }
-  return longest / lowest;
-}
-
-/// Whether 95 % of the cells are not long: of them degree 2 has bending and
-/// twisting, and what kThrice says holds.
-/// @param height  of a layer of cells, which may be tall [m].
-template <int dim>
-bool has_compact_cells(const mesh::PartMesh<dim>& mesh,
-                       double height = HUGE_VAL) {
-  // A plate of one cell bends and twists with degree 2 worse than a bar: where
-  // it is as thick as a third of its width it yields long before it buckles.
-  const double long_cell = mesh.shape == mesh::CellShape::kSimplex ? 5.0 : 3.0;
-  using Joined = std::vector<std::array<int, static_cast<std::size_t>(dim)>>;
-  Joined joined;
-  if constexpr (dim == 2) {
-    joined = {{1, 2}, {0, 3}, {0, 3}, {1, 2}};
-  } else if (mesh.shape == mesh::CellShape::kSimplex) {
-    joined = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
-  } else {
-    joined = {{1, 2, 4}, {0, 3, 5}, {0, 3, 6}, {1, 2, 7},
-              {0, 5, 6}, {1, 4, 7}, {2, 4, 7}, {3, 5, 6}};
-  }
-  const auto compact = std::ranges::count_if(mesh.cells, [&](const auto& cell) {
-    Eigen::Matrix<double, dim, Eigen::Dynamic> vertices(
-        dim, static_cast<Eigen::Index>(cell.size()));
-    for (std::size_t v = 0; v < cell.size(); ++v) {
-      vertices.col(static_cast<Eigen::Index>(v)) = mesh.vertices[cell[v]];
-    }
-    return slenderness<dim>(vertices, joined, height) < long_cell;
-  });
-  return static_cast<double>(compact) >=
-         0.95 * static_cast<double>(mesh.cells.size());
-}
-
-/// The part's discretisation for bending and twisting: of plates one layer.
-class BucklingModel {
- public:
-  explicit BucklingModel(const PartJob& job)
-      : job_(job),
-        shape_(job),
-        is_compact_(shape_.plate() ? has_compact_cells(
-                                         shape_.plate()->quadrangles,
-                                         shape_.plate()->quadrangles.thickness)
-                                   : has_compact_cells(job.overall_mesh())) {}
-
-  PartSpace discretize(int degree) const {
-    constexpr int kThroughThickness = 3;  // warps as shear wants
-    if (!shape_.plate()) {
-      return {elasticity::discretize<3>(job_.overall_mesh(), degree)};
-    }
-    auto plane = elasticity::discretize<2>(shape_.plate()->quadrangles, degree);
-    auto layer = elasticity::layer_over(plane, kThroughThickness);
-    return {std::move(layer), std::move(plane)};
-  }
-  /// Of compact cells the first degree is not thrice too high.
-  bool is_compact() const { return is_compact_; }
-  std::string name(int degree) const {
-    const auto kind = shape_.plate() ? ModelKind::kLayered : ModelKind::kSolid;
-    return fmt::format("{}, p = {}", traits_of(kind).name, degree);
-  }
-
- private:
-  const PartJob& job_;
-  PartShape shape_;
-  bool is_compact_;
-};
-
 /// Loads that may buckle the part.
 struct Candidate {
   std::size_t set{};
@@ -140,6 +39,7 @@ struct Found {
   BucklingMode mode;
   std::string label;
   double instant{};
+  std::size_t set{};
 };
 Found lowest(const PartJob& job, const PartSpace& space, double highest,
              std::vector<Candidate>& candidates) {
@@ -157,7 +57,7 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
     candidate.holds = {candidate.holds[mode.hold]};
     if (mode.shape.size() > 0) candidate.known = {space.whole, mode.shape};
     if (best && best->mode.factor <= mode.factor) continue;
-    best = {std::move(mode), instant.label, instant.time};
+    best = {std::move(mode), instant.label, instant.time, candidate.set};
   }
   return std::move(*best);
 }
@@ -222,6 +122,7 @@ void take(const PartJob& job, const BucklingModel& model, int degree,
       lowest(job, space, goes_on ? highest : too_high * highest, candidates);
   check.result.label = found.label;
   check.result.instant = found.instant;
+  check.result.load_set = found.set;
   check.result.model = model.name(degree);
   if (found.mode.is_above) {
     check.shape.reset();

@@ -124,7 +124,7 @@ std::vector<VibrationWindow> judge_load_pace(const PartJob& job,
       &set == &job.load_sets.front() && !job.impact_loads.empty();
   const dynamics::LoadPath components =
       load_components(job, followed_loads(set));
-  const bool slow = is_slow(job, set, components);
+  bool slow = is_slow(job, set, components);
   if (slow && !has_impacts) return {};
   const double first = first_period_of(job, set);
   result.first_period = std::max(result.first_period.value_or(0.0), first);
@@ -132,6 +132,9 @@ std::vector<VibrationWindow> judge_load_pace(const PartJob& job,
   dynamics::ResponseSpectrum spectrum;
   if (!slow) {
     spectrum = load_spectrum(job, components, first);
+    slow = spectrum.amplification <= kPaceCounts;
+  }
+  if (!slow) {
     const auto& time = components.time();
     windows = vibration_windows(spectrum.onsets, first,
                                 {time[0], time[time.size() - 1]});

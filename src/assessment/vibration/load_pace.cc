@@ -95,7 +95,7 @@ dynamics::LoadPath::Between between_instants(const LoadSet& set) {
 }
 
 dynamics::LoadPath load_components(const PartJob& job, const LoadSet& motion) {
-  constexpr double kNothing = 1e-3, kRoundOff = 1e-9;
+  constexpr double kNothing = 1e-6, kRoundOff = 1e-8;
   const auto& instants = motion.history.instants;
   const auto length = static_cast<Index>(instants.size());
   if (length < 2) return {VectorXd(0), MatrixXd(0, 0), 0.0};
@@ -108,12 +108,12 @@ dynamics::LoadPath load_components(const PartJob& job, const LoadSet& motion) {
     forces.col(i) = acting_forces(instant, mass, size);
     time[i] = instant.time;
   }
-  const VectorXd largest = forces.rowwise().lpNorm<Eigen::Infinity>();
+  const double largest = forces.lpNorm<Eigen::Infinity>();
   // What stands still excites nothing, however large beside what changes.
-  const VectorXd change =
-      forces.rowwise().maxCoeff() - forces.rowwise().minCoeff();
+  forces.colwise() -= VectorXd(forces.col(0));
+  const VectorXd change = forces.rowwise().lpNorm<Eigen::Infinity>();
   const double least =
-      std::max(kNothing * change.maxCoeff(), kRoundOff * largest.maxCoeff());
+      std::max(kNothing * change.maxCoeff(), kRoundOff * largest);
   std::vector<Index> counting;
   for (Index k = 0; k < change.size(); ++k) {
     if (change[k] > least) counting.push_back(k);
@@ -121,7 +121,7 @@ dynamics::LoadPath load_components(const PartJob& job, const LoadSet& motion) {
   MatrixXd components(static_cast<Index>(counting.size()), length);
   for (Index k = 0; k < components.rows(); ++k) {
     const Index row = counting[static_cast<std::size_t>(k)];
-    components.row(k) = forces.row(row) / largest[row];
+    components.row(k) = forces.row(row) / change[row];
   }
   return {time, components,
           loads::kEventSides * loads::motion_duration(motion.history),
@@ -148,9 +148,11 @@ double longest_period(const PartJob& job, const LoadSet& set) {
 bool is_slow(const PartJob& job, const LoadSet& set,
              const dynamics::LoadPath& components) {
   constexpr double kStep = 0.9;
+  constexpr double kNeck =
+      20.0;  // a block on a flexure vibrates so much slower
   const auto spectrum =
       response_spectrum(components,
-                        falling(longest_period(job, set),
+                        falling(kNeck * longest_period(job, set),
                                 kShortest * period_of_waves(job), kStep),
                         job.part.damping, kPaceCounts);
   return spectrum.amplification <= kPaceCounts;

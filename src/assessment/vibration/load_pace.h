@@ -23,20 +23,22 @@ LoadSet followed_loads(const LoadSet& set);
 dynamics::LoadPath::Between between_instants(const LoadSet& set);
 
 /// Components of the forces and moments on the part's surface and of those of
-/// its inertia over the motion, each over its largest. Each counts by itself,
-/// for a small force across a part may stress it more than a large one along
-/// it; one that changes by less than a thousandth of the largest change does
-/// not.
+/// its inertia over the motion, less those at its start, each over its largest
+/// change. Each counts by itself, for a small force across a part may stress it
+/// hundreds of times more than a large one along it, and at its frequency
+/// hundreds of times again; one that changes by less than a millionth of the
+/// largest change does not.
 /// @param motion  of motion_loads or followed_loads.
 dynamics::LoadPath load_components(const PartJob& job, const LoadSet& motion);
 
-/// Longer than a body of the part's size and material vibrates, free or held at
+/// Longer than a bar of the part's size and material vibrates, free or held at
 /// one end, with what the mechanism adds to its mass: by its mean thickness
-/// [s].
+/// [s]. Necks, flexures and elastic beds may vibrate slower.
 double longest_period(const PartJob& job, const LoadSet& set);
 
-/// Whether the loads change so slowly that no vibration a body of the part's
-/// size and material can have is excited: a test without its modes.
+/// Whether the loads change so slowly that no vibration of the part is excited,
+/// be it twenty times softer than longest_period() says: a test without its
+/// modes.
 bool is_slow(const PartJob& job, const LoadSet& set,
              const dynamics::LoadPath& components);
 

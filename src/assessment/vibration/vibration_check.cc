@@ -17,6 +17,7 @@
 #include "assessment/vibration/vibrating_model.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
+#include "loads/history/motion_instants.h"
 #include "stress/field/deflection.h"
 
 namespace clevis::assessment {
@@ -39,7 +40,7 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
                                                               : 3;
   VibrationResult result;
   int count = kFewest;
-  double low_ratio = 0.0;
+  double low_ratio = 0.0, low_still = 0.0;
   {
     VibratingModel<dim> low(job, mesh, set, highest - 1, times);
     const double settled = 0.3 * job.tolerance;
@@ -58,7 +59,8 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
         break;
       }
     }
-    low_ratio = before / low.still();
+    low_still = low.still();
+    low_ratio = before / low_still;
     result.path_error =
         change(
             low.answer(count, thinned(low.path()), Fronts::kTaken).peak.value,
@@ -72,6 +74,8 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   const double ratio = result.peak / high.still();
   result.ratio = ratio;
   result.degree_error = change(low_ratio, ratio);
+  result.still = high.still();
+  result.still_error = change(low_still, result.still);
   // The spread is less with more shapes: both tell what these would change.
   result.shape_error = std::max(result.shape_error, found.spread_error);
   result.sampling_error = found.sampling_error;
@@ -98,11 +102,17 @@ bool is_of_motion(const PeakStress& peak, const LoadSet& set) {
   });
 }
 
-/// Puts the dynamic deflection in place of that at rest; beside cases only if
-/// it is larger. Its band has the error of both.
-void deflect(bool beside_cases, const VibrationResult& found,
+/// Whether other loads than those of one motion deflect the part, too.
+bool has_other_loads(const PartJob& job, const PartResult& result) {
+  return !job.part.cases.empty() || job.load_sets.size() > 1 ||
+         !result.impacts.empty();
+}
+
+/// Puts the dynamic deflection in place of that at rest; beside other loads
+/// only if it is larger. Its band has the error of both.
+void deflect(bool beside_others, const VibrationResult& found,
              PartResult& result) {
-  if (beside_cases && found.deflection <= result.deflection) return;
+  if (beside_others && found.deflection <= result.deflection) return;
   const double still = result.deflection > 0.0
                            ? result.deflection_high / result.deflection - 1.0
                            : 0.0;
@@ -112,27 +122,44 @@ void deflect(bool beside_cases, const VibrationResult& found,
   result.deflection_high = found.deflection + error;
 }
 
-/// Puts the dynamic peak on the ladder's, or where a case has that beside it.
+/// At rest, by the degree of the check: the largest of a load set's motion that
+/// does not hold the part's peak; nothing where zones are left out of that.
+std::optional<double> largest_of(const std::vector<InstantRow>& rows,
+                                 std::size_t set, const LoadSet& given,
+                                 const PartResult& result) {
+  if (&judged_peak(result) != &result.peak) return std::nullopt;
+  auto left = loads::motion_length(given.history);  // cases stand behind it
+  double largest = 0.0;
+  for (const InstantRow& row : rows) {
+    if (row.load_set != set || left == 0) continue;
+    largest = std::max(largest, row.peak);
+    --left;
+  }
+  return largest;
+}
+
+/// Puts the dynamic peak on the check's, or on that of its own loads where
+/// others stress the part more at rest.
 /// @pre `found` has a ratio.
-void judge_vibration(const PartJob& job, const LoadSet& set, PartResult& result,
-                     VibrationResult& found) {
+void judge_vibration(const LoadSet& set, std::optional<double> largest,
+                     const PartResult& result, VibrationResult& found) {
   const PeakStress& still = judged_peak(result);
-  const double error = found.error();
+  const double low = still.band_low / still.value;
+  const double high = still.band_high / still.value;
+  double error = found.error();
   const bool of_motion = is_of_motion(still, set);
   if (of_motion) {
     found.peak = *found.ratio * still.value;
-    found.band_low = *found.ratio * still.band_low;
-    found.band_high = *found.ratio * still.band_high;
   } else {
-    found.band_low = found.band_high = found.peak;
+    // Bands are of the place of the part's peak: its own may be wider.
+    constexpr double kOfChange = 0.25;
+    error +=
+        largest ? kOfChange * change(found.still, *largest) : found.still_error;
+    found.peak = *found.ratio * largest.value_or(found.still);
   }
-  found.band_low = std::max(0.0, found.band_low - error * found.peak);
-  found.band_high += error * found.peak;
+  found.band_low = std::max(0.0, (low - error) * found.peak);
+  found.band_high = (high + error) * found.peak;
   found.governs = of_motion || found.band_high > still.value;
-  deflect(!job.part.cases.empty(), found, result);
-  if (found.governs) {
-    result.safety_factor = job.part.material.yield_strength / found.peak;
-  }
 }
 
 /// Why nothing is known of a part's vibration behind a time; empty: all is, or
@@ -167,7 +194,7 @@ std::optional<VibrationResult> vibration_of(const PartJob& job,
   const std::string unknown = not_followed(job, given, times);
   if (times.driven.empty()) {
     if (unknown.empty()) return {};
-    found.failure = unknown;
+    found.not_followed = unknown;
     return found;
   }
   Stopwatch watch;
@@ -188,7 +215,7 @@ std::optional<VibrationResult> vibration_of(const PartJob& job,
   } catch (const Error& error) {
     found.failure = fmt::format("{}: {}", error.code(), error.what());
   }
-  if (found.failure.empty()) found.failure = unknown;
+  found.not_followed = unknown;
   found.from = times.swing.front().from;
   found.to = times.swing.back().to;
   found.seconds = watch.lap();
@@ -197,24 +224,36 @@ std::optional<VibrationResult> vibration_of(const PartJob& job,
 
 }  // namespace
 
-void check_vibration(const PartJob& job, PartResult& result) {
+void check_vibration(const PartJob& job, const std::vector<InstantRow>& rows,
+                     PartResult& result) {
   std::optional<VibrationResult> most;
-  const LoadSet* set = nullptr;
+  const double at_rest = result.deflection;
   double seconds = 0.0;
-  for (const LoadSet& given : job.load_sets) {
+  for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
+    const LoadSet& given = job.load_sets[s];
     auto found = vibration_of(job, given, result);
     if (!found) continue;
     seconds += found->seconds;
+    if (found->ratio) {
+      judge_vibration(followed_loads(given), largest_of(rows, s, given, result),
+                      result, *found);
+      deflect(has_other_loads(job, result), *found, result);
+      result.swings.resize(job.load_sets.size(), 1.0);
+      result.swings[s] =
+          std::max({1.0, *found->ratio,
+                    at_rest > 0.0 ? found->deflection / at_rest : 1.0});
+    }
     // One that could not be computed must be told.
-    const bool is_more = !most || !found->failure.empty() ||
-                         (most->failure.empty() && found->peak > most->peak);
-    if (!is_more) continue;
-    most = std::move(found);
-    set = &given;
+    const bool is_more =
+        !most || !found->is_whole() ||
+        (most->is_whole() && found->band_high > most->band_high);
+    if (is_more) most = std::move(found);
   }
   if (!most) return;
   most->seconds = seconds;
-  if (most->ratio) judge_vibration(job, followed_loads(*set), result, *most);
+  if (most->governs) {
+    result.safety_factor = job.part.material.yield_strength / most->peak;
+  }
   result.vibration = std::move(*most);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "assessment/job/part_job.h"
 
 namespace clevis::assessment {
@@ -13,6 +15,8 @@ namespace clevis::assessment {
 /// that answer. Dynamic over quasi-static peak, both by the same elements,
 /// times the checked peak is what the part is judged by. The error is that of
 /// degree, number of shapes, samples and what lies between the instants.
-void check_vibration(const PartJob& job, PartResult& result);
+/// @param rows  of the check at rest.
+void check_vibration(const PartJob& job, const std::vector<InstantRow>& rows,
+                     PartResult& result);
 
 }  // namespace clevis::assessment

@@ -123,6 +123,18 @@ MassMatrix InitialStress::unit_stiffness(const NodePairs& pattern) const {
   return matrix;
 }
 
+MassMatrix InitialStress::mass(const NodePairs& pattern, double density) const {
+  MassMatrix matrix{pattern.row_start, pattern.column,
+                    std::vector<double>(pattern.column.size(), 0.0)};
+  for (std::size_t c = 0; c < discretization_.cell_nodes.size(); ++c) {
+    const MatrixXd element = transposed_product(
+        functions_.values,
+        density * (cell(c).weights.asDiagonal() * functions_.values));
+    add_element(discretization_.cell_nodes[c], element, matrix);
+  }
+  return matrix;
+}
+
 MatrixXd InitialStress::forms(const MatrixXd& vectors, Index first) const {
   const Index m = vectors.cols();
   const Index pairs_before = first * (first + 1) / 2;

@@ -30,6 +30,8 @@ class InitialStress {
                        const Eigen::VectorXd& coefficients) const;
   /// Of 1 Pa in all directions: ∫ ∇N_i·∇N_j dV [m].
   MassMatrix unit_stiffness(const NodePairs& pattern) const;
+  /// ∫ ρ N_i N_j dV [kg]. @param density  [kg/m³].
+  MassMatrix mass(const NodePairs& pattern, double density) const;
 
   /// v_aᵀ K_G(σ_k) v_b: a row for each pair a <= b (0 0, 0 1, 1 1, 0 2, …), a
   /// column for each k [N m].

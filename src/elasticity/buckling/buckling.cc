@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <random>
 #include <set>
 #include <utility>
@@ -12,13 +11,7 @@
 #include "dynamics/systems/block_krylov.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/assembly/initial_stress.h"
-#include "elasticity/assembly/node_pairs.h"
-#include "elasticity/assembly/supports.h"
-#include "elasticity/buckling/energy_coordinates.h"
-#include "elasticity/buckling/pin_hold.h"
-#include "elasticity/nodal_loads/load_vectors.h"
-#include "elasticity/problem/refinement.h"
-#include "elasticity/problem/self_checks.h"
+#include "elasticity/buckling/stressed_part.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -27,7 +20,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kCompressionTolerance = 1e-4;
 constexpr Index kBlock = 4;
 
 /// The same numbers on every run and platform.
@@ -41,100 +33,6 @@ MatrixXd start_block(Index rows, Index columns) {
   }
   return block;
 }
-
-std::unique_ptr<EnergyCoordinates> coordinates_of(
-    const BucklingProblem& problem) {
-  if (problem.plane != nullptr && problem.foundations.empty()) {
-    return plate_coordinates(*problem.plane, problem.discretization,
-                             problem.material, problem.fixed, problem.name);
-  }
-  return solid_coordinates(problem.discretization, problem.material,
-                           {problem.fixed, problem.foundations}, problem.name);
-}
-
-/// The part with its stiffness factored and the displacements of its loads.
-/// Unknowns are energy coordinates.
-class StressedPart {
- public:
-  explicit StressedPart(const BucklingProblem& problem)
-      : part_(problem.discretization),
-        material_(problem.material),
-        highest_(problem.highest),
-        coordinates_(coordinates_of(problem)),
-        pairs_(node_pairs(part_.cell_nodes, part_.nodes)) {
-    const bool is_free = problem.fixed.empty() && problem.foundations.empty();
-    const double density = problem.material.density;
-    LoadBasis loads =
-        load_columns(part_, problem.history, density, problem.name);
-    if (is_free) {
-      SolveChecks checks;
-      balance_free_part<3>(part_, node_positions(part_), density, loads,
-                           checks);
-    }
-    loads = compress(loads, kCompressionTolerance);
-    coefficients_ = loads.coefficients;
-    stress_ = std::make_unique<InitialStress>(
-        part_, problem.material,
-        coordinates_->displacements(coordinates_->of_loads(loads.columns)));
-    if (!is_free) return;
-    for (const auto& groups : problem.holds) holds_.emplace_back(part_, groups);
-  }
-
-  Index instants() const { return coefficients_.cols(); }
-  Index equations() const { return coordinates_->size(); }
-  double highest() const { return highest_; }
-  std::size_t holds() const { return std::max<std::size_t>(1, holds_.size()); }
-  const MatrixXd& coefficients() const { return coefficients_; }
-  const InitialStress& stress() const { return *stress_; }
-  const NodePairs& pairs() const { return pairs_; }
-
-  /// Displacements as the hold has them.
-  MatrixXd shapes(const MatrixXd& unknowns, std::size_t hold) const {
-    MatrixXd u = coordinates_->displacements(unknowns);
-    return holds_.empty() ? u : holds_[hold].project(u);
-  }
-
-  /// Rotations of a free part as a whole, dofs × 3; of a held one none.
-  MatrixXd rotations() const {
-    return holds_.empty() ? MatrixXd(part_.dofs(), 0)
-                          : holds_[0].rigid().rightCols<3>();
-  }
-  /// Of rotations(): what of displacements the hold takes out.
-  MatrixXd broken_rotations(const MatrixXd& u, std::size_t hold) const {
-    return holds_.empty() ? MatrixXd(0, u.cols())
-                          : holds_[hold].broken(u).bottomRows<3>();
-  }
-
-  /// Y of a displacement, whatever rigid motion is in it: Fᵀ φ = F⁻¹ K φ.
-  MatrixXd unknowns(const MatrixXd& u) const {
-    return coordinates_->of_loads(forces_by_strain(part_, material_, u));
-  }
-
-  /// F⁻¹ (sign · S) F⁻ᵀ: K⁻¹ S as it acts on Y, without a product with K.
-  /// @param matrix  S, of nodes; outlives the operator.
-  dynamics::SelfAdjoint answer_to(const MassMatrix& matrix, double sign,
-                                  std::size_t hold) const {
-    return {equations(),
-            [](const MatrixXd& y) {
-              return y;
-            },
-            [this, &matrix, sign, hold](const MatrixXd& y, const MatrixXd&) {
-              MatrixXd f = sign * multiply(matrix, shapes(y, hold));
-              if (!holds_.empty()) f = holds_[hold].balance(f);
-              return coordinates_->of_loads(f);
-            }};
-  }
-
- private:
-  const Discretization<3>& part_;
-  const part::Material& material_;
-  double highest_;  ///< factor [1]
-  std::unique_ptr<EnergyCoordinates> coordinates_;
-  NodePairs pairs_;
-  MatrixXd coefficients_;
-  std::unique_ptr<InitialStress> stress_;
-  std::vector<PinHold> holds_;
-};
 
 /// Unknowns that yield most to stress of 1 Pa in all directions: what bends or
 /// twists easily, whatever the loads.

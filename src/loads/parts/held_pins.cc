@@ -53,6 +53,23 @@ MatrixXd null_space(const MatrixXd& A) {
   return svd.matrixV().rightCols(A.cols() - rank);
 }
 
+/// What pins hold on the last of some seats: SeatHold::held.
+MatrixXd held_by(const std::vector<std::string>& bores,
+                 const std::vector<GroupGeometry>& groups,
+                 const std::string& place, std::size_t seats) {
+  const auto pins = static_cast<Index>(bores.size());
+  MatrixXd held =
+      MatrixXd::Zero(6 * static_cast<Index>(seats), kComponents * pins);
+  for (Index i = 0; i < pins; ++i) {
+    const Vector3d& axis =
+        find_group(groups, bores[static_cast<std::size_t>(i)], place)
+            .cylinder.axis_L;
+    held.block<6, kComponents>(held.rows() - 6 * (pins - i), kComponents * i) =
+        pin_action(axis);
+  }
+  return held;
+}
+
 /// The only mode that pins leave free: all turn about the same axis.
 [[noreturn]] void refuse_turn(const std::vector<std::string>& bores,
                               const Vector3d& axis, const Imbalance& rest,
@@ -201,6 +218,9 @@ void hold_by_pins(const std::vector<std::string>& bores,
                              .p_LS = group.cylinder.p_LC});
     instant.wrenches.push_back(reactions[i]);
   }
+  history.hold = [held = held_by(bores, groups, place, history.seats.size())] {
+    return SeatHold{.held = held, .weighed = MatrixXd(held.rows(), 0)};
+  };
   const Imbalance rest = imbalance(history, instant, mass, size);
   if (rest.relative() <= kLargestRelief) return;
   refuse_turn(bores, find_group(groups, bores.front(), place).cylinder.axis_L,

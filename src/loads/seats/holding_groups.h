@@ -15,8 +15,8 @@ using HoldingGroups = std::vector<std::string>;
 /// neither move nor turn, as a weld or the driven pin of a lever; else, where
 /// the mechanism is free to move, by each two groups that hold at all, or the
 /// only one. A seat that only carries a force, or a body that nothing holds, is
-/// none. Empty groups: the part is free. Where the mechanism is not known
-/// (cases), each two bearing seats.
+/// none. Empty groups: the part is free. Likewise the pins that hold it in a
+/// case; where nothing is known, each two bearing seats.
 /// @return at least one.
 std::vector<HoldingGroups> holding_groups(const LoadHistory& history);
 

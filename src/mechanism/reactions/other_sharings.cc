@@ -113,8 +113,10 @@ std::vector<Corner> all_corners(std::size_t count) {
   return corners;
 }
 
-/// Each coordinate against the rest, and each joint.
+/// Each coordinate against the rest, each joint, and of not too many joints
+/// each two and three: those that hold a body alone, where the rest gives way.
 std::vector<Corner> some_corners(const std::vector<Coordinate>& coordinates) {
+  constexpr std::size_t kMostOfTwo = 16, kMostOfThree = 10;  // joints
   std::vector<Corner> corners;
   const auto add = [&](auto is_apart) {
     for (const bool soft : {false, true}) {
@@ -133,6 +135,29 @@ std::vector<Corner> some_corners(const std::vector<Coordinate>& coordinates) {
       add([&](std::size_t k) {
         return coordinates[k].joint == joint;
       });
+    }
+  }
+  std::vector<std::size_t> joints;
+  for (const Coordinate& coordinate : coordinates) {
+    if (joints.empty() || joints.back() != coordinate.joint) {
+      joints.push_back(coordinate.joint);
+    }
+  }
+  if (joints.size() > kMostOfTwo) return corners;
+  for (std::size_t a = 0; a < joints.size(); ++a) {
+    for (std::size_t b = a + 1; b < joints.size(); ++b) {
+      add([&](std::size_t k) {
+        return coordinates[k].joint == joints[a] ||
+               coordinates[k].joint == joints[b];
+      });
+      if (joints.size() > kMostOfThree) continue;
+      for (std::size_t c = b + 1; c < joints.size(); ++c) {
+        add([&](std::size_t k) {
+          return coordinates[k].joint == joints[a] ||
+                 coordinates[k].joint == joints[b] ||
+                 coordinates[k].joint == joints[c];
+        });
+      }
     }
   }
   return corners;

@@ -180,9 +180,10 @@ std::string duration_ratios_text(const PartResult& part) {
 /// Peak under vibration.
 std::string vibration_text(const PartResult& part) {
   const assessment::VibrationResult& v = part.vibration;
-  if (!v.failure.empty() && !v.ratio) {
-    return printable(fmt::format("{} with vibration: not computed: {}\n",
-                                 part.name, v.failure));
+  if (!v.is_whole() && !v.ratio) {
+    return printable(
+        fmt::format("{} with vibration: not computed: {}\n", part.name,
+                    v.failure.empty() ? v.not_followed : v.failure));
   }
   if (!v.ratio) return "";
   return fmt::format(
@@ -252,12 +253,14 @@ ordered_json duration_ratios_json(const PartResult& part) {
 
 ordered_json vibration_json(const PartResult& part) {
   const auto* vibration = computed_vibration(part);
-  const std::string& failure = part.vibration.failure;
   ordered_json json;
   if (vibration != nullptr) {
     json = quantities_json(*vibration, vibration_quantities());
   }
+  const auto& [failure, not_followed] =
+      std::tie(part.vibration.failure, part.vibration.not_followed);
   if (!failure.empty()) json["failure"] = failure;
+  if (!not_followed.empty()) json["not_followed"] = not_followed;
   return json;
 }
 

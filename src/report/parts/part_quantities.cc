@@ -13,6 +13,7 @@ using assessment::FiniteMotion;
 using assessment::PartResult;
 using assessment::PartSeconds;
 using assessment::PeakStress;
+using assessment::SecondOrderResult;
 using assessment::SelfChecks;
 
 constexpr Rule kMassRule = {
@@ -73,6 +74,17 @@ Quantities<BucklingResult> buckling_rows() {
       quantity<S>({"buckling_model", "/model"}, &S::model),
       quantity<S>({"buckling_remark", "/remark"}, &S::remark),
       quantity<S>({"euler", "/euler", "1"}, &S::euler),
+  };
+}
+
+Quantities<SecondOrderResult> second_order_rows() {
+  using S = SecondOrderResult;
+  return {
+      quantity<S>({"second_order_stress", "/stress", "1"}, &S::stress),
+      quantity<S>({"second_order_deflection", "/deflection", "1"},
+                  &S::deflection),
+      quantity<S>({"second_order_is_stable", "/is_stable"}, &S::is_stable),
+      quantity<S>({"second_order_case", "/case"}, &S::label),
   };
 }
 
@@ -224,6 +236,12 @@ Quantities<PartResult> part_rows() {
       buckling_rows(), "/buckling", true,
       [](const S& part) {
         return part.buckling.is_known() ? &part.buckling : nullptr;
+      },
+      rows);
+  add_rows_of(
+      second_order_rows(), "/second_order", true,
+      [](const S& part) {
+        return part.second_order.label.empty() ? nullptr : &part.second_order;
       },
       rows);
   add_member_rows(beam_rows(), "/beam", &S::beam, rows);

@@ -57,8 +57,9 @@ CLEVIS_PIPED(PeakStress, value, band_low, band_high, discretization_error,
              sequence, degree_nearby, field_maximum, jump)
 CLEVIS_PIPED(ZoneResult, name, exponent, exponent_measured, at, radius, governs,
              has_section, edge_of)
-CLEVIS_PIPED(BucklingResult, factor, band_low, band_high, instant, label, model,
-             remark, euler, strut_is_longer)
+CLEVIS_PIPED(BucklingResult, factor, band_low, band_high, instant, label,
+             load_set, model, remark, euler, strut_is_longer)
+CLEVIS_PIPED(SecondOrderResult, stress, deflection, is_stable, label)
 CLEVIS_PIPED(FiniteMotion, rotation, strain, label)
 CLEVIS_PIPED(BeamComparison, peak_stress, governing, is_section, deflection,
              buckling_safety, ratio_fe_to_beam, reason)
@@ -81,10 +82,10 @@ CLEVIS_PIPED(ImpactResult, name, source, mass, speed, force, stiffness,
              reason, refinement, rows)
 CLEVIS_PIPED(DurationRatio, impact, duration, rise_time, ratio, amplification,
              treatment)
-CLEVIS_PIPED(VibrationResult, ratio, governs, failure, peak, band_low,
-             band_high, degree_error, shape_error, sampling_error, path_error,
-             at, group, time, from, to, deflection, model, shapes,
-             lowest_frequency, highest_frequency, seconds)
+CLEVIS_PIPED(VibrationResult, ratio, governs, failure, not_followed, peak,
+             band_low, band_high, still, still_error, degree_error, shape_error,
+             sampling_error, path_error, at, group, time, from, to, deflection,
+             model, shapes, lowest_frequency, highest_frequency, seconds)
 CLEVIS_PIPED(PinReaction, label, group, force, moment, unique)
 CLEVIS_PIPED(PartSeconds, mesh, assemble, factor, solve, recover, write, total)
 CLEVIS_PIPED(PartResult, name, verdict, why, model, engine, engine_why,
@@ -92,9 +93,9 @@ CLEVIS_PIPED(PartResult, name, verdict, why, model, engine, engine_why,
              singular_zones, peak_outside, held, safety_factor, deflection,
              deflection_low, deflection_high, deflection_at, deflection_instant,
              strain_energy, strain_energy_instant, mean_strain_energy,
-             strain_energy_error, buckling, finite_motion, beam, self_checks,
-             probes, seconds, mass, first_period, impacts, duration_ratios,
-             vibration, pin_reactions)
+             strain_energy_error, buckling, second_order, finite_motion, beam,
+             self_checks, probes, seconds, mass, first_period, impacts,
+             duration_ratios, vibration, swings, pin_reactions)
 
 #undef CLEVIS_PIPED
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -187,6 +188,42 @@ LargestOfNodes largest_of(const MatrixXd& columns, Index directions,
   return result;
 }
 
+/// Area-weighted means over squares of half a plate's thickness. Across it a
+/// plate moves by the stress about a place: that of a corner, which grows
+/// without bound towards it, moves nothing so small.
+class MeansOverSquares {
+ public:
+  explicit MeansOverSquares(double thickness) : side_(0.5 * thickness) {}
+
+  /// Whether a cell is smaller than a square.
+  bool is_smaller(const Eigen::Matrix2Xd& points) const {
+    return sides(points).maxCoeff() < side_;
+  }
+  void add(const Eigen::Matrix2Xd& points, const Eigen::RowVectorXd& value) {
+    const double area = sides(points).prod();
+    auto [mean, is_new] = means_.try_emplace(
+        square_of(points), 0.0, Eigen::RowVectorXd::Zero(value.size()));
+    mean->second.first += area;
+    mean->second.second += area * value;
+  }
+  Eigen::RowVectorXd at(const Eigen::Matrix2Xd& points) const {
+    const auto& [area, sum] = means_.at(square_of(points));
+    return sum / area;
+  }
+
+ private:
+  static Eigen::Vector2d sides(const Eigen::Matrix2Xd& points) {
+    return points.rowwise().maxCoeff() - points.rowwise().minCoeff();
+  }
+  std::pair<long, long> square_of(const Eigen::Matrix2Xd& points) const {
+    const Eigen::Vector2d middle = points.rowwise().mean() / side_;
+    return {std::lround(middle.x()), std::lround(middle.y())};
+  }
+
+  double side_;  ///< [m]
+  std::map<std::pair<long, long>, std::pair<double, Eigen::RowVectorXd>> means_;
+};
+
 /// Motion of a plate's upper surface across it at the nodes, per basis column
 /// [m].
 MatrixXd rise_of_surface(const elasticity::DisplacementBasis<2>& basis,
@@ -198,13 +235,28 @@ MatrixXd rise_of_surface(const elasticity::DisplacementBasis<2>& basis,
   const double factor = -0.5 * plate.thickness * material.poissons_ratio /
                         material.youngs_modulus;
   const Index n = points.cols();
+  const auto positions = elasticity::node_positions(plate);
+  const auto points_of = [&](std::size_t c) -> Eigen::Matrix2Xd {
+    return positions(Eigen::all, plate.cell_nodes[c]);
+  };
+  const auto rise_of = [&](std::size_t c) -> MatrixXd {
+    const MatrixXd stress = field.stress(c, basis.columns);
+    return factor * (stress.topRows(n) + stress.middleRows(n, n));
+  };
+  MeansOverSquares means(plate.thickness);
+  for (std::size_t c = 0; c < plate.cell_nodes.size(); ++c) {
+    if (!means.is_smaller(points_of(c))) continue;
+    means.add(points_of(c), rise_of(c).colwise().mean());
+  }
   MatrixXd rise = MatrixXd::Zero(plate.nodes, basis.columns.cols());
   Eigen::VectorXd cells = Eigen::VectorXd::Zero(plate.nodes);
   for (std::size_t c = 0; c < plate.cell_nodes.size(); ++c) {
-    const MatrixXd stress = field.stress(c, basis.columns);
+    const MatrixXd here = means.is_smaller(points_of(c))
+                              ? MatrixXd(means.at(points_of(c)).replicate(n, 1))
+                              : rise_of(c);
     for (Index k = 0; k < n; ++k) {
       const int node = plate.cell_nodes[c][static_cast<std::size_t>(k)];
-      rise.row(node) += factor * (stress.row(k) + stress.row(n + k));
+      rise.row(node) += here.row(k);
       cells[node] += 1.0;
     }
   }

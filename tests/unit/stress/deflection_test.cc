@@ -164,6 +164,35 @@ TEST(Deflection, SurfaceOfAPlateMovesAcrossIt) {
   EXPECT_NEAR(found.of_instant[0], 0.5 * farthest, 1e-12 * farthest);
 }
 
+// Stress that grows without bound towards a corner moves no surface there: the
+// means over half a thickness are those of any mesh that is finer.
+TEST(Deflection, ACornerDoesNotMoveAPlateAcrossIt) {
+  constexpr double kSide = 0.04, kThickness = 0.02, kStrain = 1e-3;
+  const part::Material steel{"steel", 210e9, 0.3, 7850.0, 355e6};
+  const auto deflection = [&](double fineness) {
+    // cells that fall towards the corner at the origin
+    auto mesh = support::structured_mesh<2>(
+        {24, 24}, 1, [&](const Eigen::Vector2d& x) -> Eigen::Vector2d {
+          return kSide * Eigen::Vector2d(std::pow(x[0], fineness),
+                                         std::pow(x[1], fineness));
+        });
+    mesh.thickness = kThickness;
+    elasticity::DisplacementBasis<2> basis;
+    basis.discretization = elasticity::discretize<2>(mesh, 2);
+    const auto at = elasticity::node_positions(basis.discretization);
+    basis.columns.resize(basis.discretization.dofs(), 1);
+    for (Eigen::Index i = 0; i < at.cols(); ++i) {  // strain ~ r^-0.4
+      const double r = at.col(i).norm() / kSide;
+      basis.columns.middleRows<2>(2 * i) =
+          kStrain * at.col(i) * (r > 0.0 ? std::pow(r, -0.4) : 0.0);
+    }
+    basis.coefficients = Eigen::MatrixXd::Ones(1, 1);
+    return largest_deflection_of_plate(basis, steel).value;
+  };
+  const double coarse = deflection(1.5);
+  EXPECT_NEAR(deflection(4.0), coarse, 0.01 * coarse);
+}
+
 // A bar that swings about its middle beside one that stretches: the farthest
 // end at the farthest time, between the times that are looked at first.
 TEST(Deflection, LargestOfManyInstants) {

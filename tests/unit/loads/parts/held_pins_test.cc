@@ -10,6 +10,7 @@
 #include "base/messages/errors.h"
 #include "loads/parts/case_loads.h"
 #include "loads/parts/part_loads.h"
+#include "loads/seats/holding_groups.h"
 
 namespace clevis::loads {
 namespace {
@@ -100,6 +101,16 @@ TEST(HeldPins, TwoPinsShareATransverseForceByTheLever) {
   EXPECT_NEAR(wrench_of(history, "bore_A").force.y(), -500.0, 1e-9);
   EXPECT_NEAR(wrench_of(history, "bore_B").force.y(), -200.0, 1e-9);
   EXPECT_LT(wrench_of(history, "bore_A").moment.norm(), 1e-9);
+}
+
+// Which pins hold decides, not which come first.
+TEST(HeldPins, ThoseThatHoldAreTheOnesDeflectionRefersTo) {
+  const std::map<std::string, Vector3d> load{
+      {"bore_A", Vector3d(0.0, -200.0, 0.0)}};
+  EXPECT_EQ(holding_groups(held({"bore_B", "bore_C"}, load)),
+            (std::vector<HoldingGroups>{{"bore_B", "bore_C"}}));
+  EXPECT_EQ(holding_groups(held({"bore_B"}, {{"bore_A", {100.0, 0.0, 0.0}}})),
+            (std::vector<HoldingGroups>{{"bore_B"}}));
 }
 
 TEST(HeldPins, WhatIsOpenBalancesItself) {

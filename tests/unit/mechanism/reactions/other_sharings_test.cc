@@ -170,6 +170,38 @@ TEST(OtherSharings, CornersBoundWhatLiesBetween) {
   }
 }
 
+// A beam on eight feet, too many for all corners: the outer two carry it, or a
+// foot and its neighbour, where the others give way.
+TEST(OtherSharings, AnyTwoOfEightFeetMayCarryABeam) {
+  constexpr int kFeet = 8;
+  constexpr double kLoad = 3000.0;
+  MechanismDefinition m = link_on_two_hinges();
+  m.joints.clear();
+  for (int i = 0; i < kFeet; ++i) {
+    JointDefinition foot;
+    foot.name = std::string(1, static_cast<char>('A' + i));
+    foot.type = JointType::kRevolute;
+    foot.body_b = 0;
+    foot.frame_a.p_LJ = foot.frame_b.p_LJ = {kApart * i, 0.0, 0.0};
+    m.joints.push_back(foot);
+  }
+  ConstantForce press;
+  press.name = "press";
+  press.point.body = 0;
+  press.point.p_L = {0.5 * kApart * (kFeet - 1), 0.0, 0.0};
+  press.f_W = {0.0, -kLoad, 0.0};
+  m.elements = {press};
+  const Motion motion = simulate(m, kSettings);
+  const OtherSharings sharings(m, motion);
+  EXPECT_FALSE(sharings.is_complete());
+  double outer = 0.0;
+  for (std::size_t i = 0; i < sharings.size(); ++i) {
+    outer =
+        std::max(outer, sharings.motion(i).instants[0].joints[0].f_W.norm());
+  }
+  EXPECT_GT(outer, 0.49 * kLoad);
+}
+
 TEST(OtherSharings, BalanceHoldsInEach) {
   const MechanismDefinition m = loop();
   const Motion motion = simulate(m, kSettings);

@@ -80,7 +80,9 @@ TEST(PartsCsv, WhatDecidesTheVerdictStandsInTheRow) {
   part.buckling.factor = 1.25;
   part.buckling.band_low = 1.2;
   part.buckling.band_high = 1.5;
-  part.vibration = {.ratio = 1.5, .governs = true, .peak = 160e6};
+  part.vibration.ratio = 1.5;
+  part.vibration.governs = true;
+  part.vibration.peak = 160e6;
   part.impacts.resize(2);
   part.impacts[0].name = "soft";
   part.impacts[0].stress = 10e6;

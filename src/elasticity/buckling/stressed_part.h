@@ -1,0 +1,66 @@
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "dynamics/systems/block_krylov.h"
+#include "elasticity/assembly/initial_stress.h"
+#include "elasticity/assembly/node_pairs.h"
+#include "elasticity/buckling/buckling_problem.h"
+#include "elasticity/buckling/energy_coordinates.h"
+#include "elasticity/buckling/pin_hold.h"
+
+namespace clevis::elasticity {
+
+/// The part with its stiffness factored and the displacements of its loads.
+/// Unknowns are energy coordinates.
+class StressedPart {
+ public:
+  /// @param problem  outlives the object.
+  /// @throws Error as of lowest_buckling().
+  explicit StressedPart(const BucklingProblem& problem);
+
+  Eigen::Index instants() const { return coefficients_.cols(); }
+  Eigen::Index equations() const { return coordinates_->size(); }
+  double highest() const { return problem_.highest; }
+  std::size_t holds() const { return std::max<std::size_t>(1, holds_.size()); }
+  const Eigen::MatrixXd& coefficients() const { return coefficients_; }
+  const InitialStress& stress() const { return *stress_; }
+  const NodePairs& pairs() const { return pairs_; }
+
+  /// Unknowns of linear theory under an instant's loads.
+  Eigen::VectorXd loaded(Eigen::Index instant) const {
+    return loaded_ * coefficients_.col(instant);
+  }
+  /// Displacements as the hold has them.
+  Eigen::MatrixXd shapes(const Eigen::MatrixXd& unknowns,
+                         std::size_t hold) const;
+  /// Rotations of a free part as a whole, dofs × 3; of a held one none.
+  Eigen::MatrixXd rotations() const;
+  /// Of rotations(): what of displacements the hold takes out.
+  Eigen::MatrixXd broken_rotations(const Eigen::MatrixXd& u,
+                                   std::size_t hold) const;
+  /// Y of a displacement, whatever rigid motion is in it: Fᵀ φ = F⁻¹ K φ.
+  Eigen::MatrixXd unknowns(const Eigen::MatrixXd& u) const;
+  /// F⁻¹ of nodal forces, balanced by the hold's reactions.
+  Eigen::MatrixXd answer(const Eigen::MatrixXd& forces, std::size_t hold) const;
+  /// F⁻¹ (sign · S) F⁻ᵀ: K⁻¹ S as it acts on Y, without a product with K.
+  /// @param matrix  S, of nodes; outlives the operator.
+  dynamics::SelfAdjoint answer_to(const MassMatrix& matrix, double sign,
+                                  std::size_t hold) const;
+
+ private:
+  const BucklingProblem& problem_;
+  const Discretization<3>& part_;
+  std::unique_ptr<EnergyCoordinates> coordinates_;
+  NodePairs pairs_;
+  Eigen::MatrixXd coefficients_;
+  Eigen::MatrixXd loaded_;  ///< unknowns of the load columns
+  std::unique_ptr<InitialStress> stress_;
+  std::vector<PinHold> holds_;
+};
+
+}  // namespace clevis::elasticity
