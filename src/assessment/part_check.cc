@@ -19,6 +19,7 @@
 #include "assessment/notes/case_notes.h"
 #include "assessment/notes/facet_doubt.h"
 #include "assessment/notes/part_notes.h"
+#include "assessment/notes/round_doubt.h"
 #include "assessment/notes/shear_doubt.h"
 #include "assessment/stability/buckling_check.h"
 #include "assessment/stability/second_order_check.h"
@@ -179,6 +180,7 @@ PartAssessment check_part(const PartJob& given) {
   job.load_sets.insert(job.load_sets.end(), blows.at_rest.begin(),
                        blows.at_rest.end());
   add_facet_doubt(job, assessment.fields, assessment.result);
+  add_round_doubt(job, assessment.result);
   if (given.may_be_meshed_finer &&
       judged_peak(assessment.result).verdict == PeakVerdict::kNotConverged) {
     assessment.result.seconds.total = watch.lap();
@@ -208,7 +210,7 @@ PartAssessment check_part(const PartJob& given) {
       judged > 0.0 ? job.part.material.yield_strength / judged : 0.0;
   finish_impacts(std::move(blows.impacts), result);
   check_vibration(job, assessment.fields.history, result);
-  check_second_order(job, result);
+  check_second_order(job, assessment.fields.history, result);
   check_sharing(given, result);
   judge(job.part, result);
   explain_unsettled(result);

@@ -234,7 +234,7 @@ PUBLIC = {
     "stress": "field/deflection field/finite_motion"
               " many_instants/field_reduction many_instants/point_stress field/point_history field/probe field/stress_history field/surface_mesh peaks/energy_error peaks/local_peak peaks/lattice_maximum peaks/meeting_points"
               " peaks/peak_band peaks/peak_zoom peaks/slow_sequence surface/surface_deviation surface/surface_kink"
-              " sections/support_face corners/facet zones/end_of_shear zones/singular_zone zones/zone_mask zones/zone_strength output/field_output",
+              " sections/support_face corners/facet corners/round_depth zones/end_of_shear zones/singular_zone zones/zone_mask zones/zone_strength output/field_output",
     "assessment": "impact/impact_check job/model_traits job/part_job"
                   " job/part_result models/level models/model_list part_check",
     "report": "check/check_inputs check/check_table check/result_files check/result_json"

@@ -1,6 +1,6 @@
 """A moving part whose worst load is a case with supports of its own has no frames
 of the motion: they would show the case's stress at the motion's instants. A
-case without supports stands in the motion's load set, whose frames stay."""
+case in balance stands in the motion's load set, whose frames stay."""
 import json
 import subprocess
 import sys
@@ -11,7 +11,7 @@ clevis = sys.argv[1]
 CASE = """
 [[part.case]]
 name = "pull"
-pins = { bore_C = ["%s", "0 N", "0 N"] }
+pins = { bore_C = ["%s", "0 N", "0 N"]%s }
 %s
 """
 HELD = 'held_by_pin = ["bore_B"]'
@@ -23,7 +23,8 @@ def checked(folder, force, support):
     """Names of the frames, and whether the report's fields are the motion's."""
     scene = folder / "scene.toml"
     text = scene.read_text().partition("\n[[part.case]]")[0]
-    scene.write_text(text + CASE % (force, support))
+    balance = f', bore_B = ["-{force}", "0 N", "0 N"]' if not support else ""
+    scene.write_text(text + CASE % (force, balance, support))
     done = subprocess.run([clevis, "check", scene, "--out", folder / "out"],
                           capture_output=True, text=True)
     if done.returncode not in (0, 1, 4):
@@ -39,7 +40,8 @@ with tempfile.TemporaryDirectory() as name:
         subprocess.run([clevis, *words], check=True, capture_output=True)
     series = folder / "out/mechanism.pvd"
     for force, support, has_frames, motion_governs in (
-            ("1 N", HELD, True, True), ("50 kN", HELD, True, False),
+            ("50 kN", "", True, False), ("1 N", HELD, True, True),
+            ("50 kN", HELD, False, False),
             ("1 N", FIXED, True, True), ("50 kN", FIXED, False, False)):
         frames, is_motion = checked(folder, force, support)
         assert bool(frames) == has_frames == series.exists(), (force, support)

@@ -115,18 +115,20 @@ void add_cases(const LoadedPart& part, PartJob& job) {
   std::vector<std::vector<std::string>> held_by(sets.size());  // pins of a set
   for (const auto& load_case : part.definition.cases) {
     auto held = held_loads(part, load_case);
+    auto pins = load_case.held_by_pin;
+    std::ranges::sort(pins);
     std::size_t at = 0;
     while (at < sets.size() &&
            !(sets[at].fixed == load_case.fixed &&
              sets[at].foundations == load_case.foundations &&
-             held_by[at] == load_case.held_by_pin)) {
+             held_by[at] == pins)) {
       ++at;
     }
     if (at < sets.size()) {
       merge(sets[at].history, held.history);
     } else {
       sets.push_back({held.history, load_case.fixed, load_case.foundations});
-      held_by.push_back(load_case.held_by_pin);
+      held_by.push_back(std::move(pins));
     }
     if (held.others.empty()) continue;
     job.open_sharings.push_back(

@@ -81,8 +81,10 @@ struct BucklingResult {
   double band_low{}, band_high{};  ///< [1]
   double instant{};                ///< [s]
   std::string label;               ///< "t = 1.25 s" or the case
-  std::size_t load_set{};          ///< of the job
-  std::string model;               ///< "plane stress, p = 4"
+  /// By load set of the job: of its motion alone, cases left out; not below
+  /// `factor`. Far more than is wanted: it has none [1].
+  std::vector<double> of_motions = {};
+  std::string model;  ///< "plane stress, p = 4"
   /// Why there is none, or what it leaves out; one line, or empty.
   std::string remark;
   std::optional<double> euler;  ///< of the strut beside it, if it is one [1]
@@ -270,12 +272,17 @@ struct VibrationResult {
   bool is_whole() const { return failure.empty() && not_followed.empty(); }
 };
 
-/// How much more than linear theory says a part strains and deflects where its
-/// stresses and its spin act on what they displace.
+/// Stress and displacement where the part's stresses and its spin act on what
+/// they displace, with its vibration.
 struct SecondOrderResult {
-  double stress = 1.0, deflection = 1.0;  ///< over linear theory's [1]
+  bool is_known = false;  ///< else it is as by linear theory
   bool is_stable = true;  ///< else it buckles, or whirls, under less
-  std::string label;      ///< of the instant of the larger; empty: none counts
+  double peak{};          ///< largest [Pa]
+  double stress = 1.0;    ///< over linear theory's at that instant [1]
+  double bound{};       ///< of instants that were not solved for; 0: none [Pa]
+  double deflection{};  ///< largest [m]
+  double deflection_rise = 1.0;  ///< over linear theory's then [1]
+  std::string label;             ///< of the instant of the peak
 };
 
 /// Reaction on the part of a pin that holds it in a case.

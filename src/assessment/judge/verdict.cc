@@ -205,7 +205,7 @@ bool judge_nominal(const part::PartDefinition& part, PartResult& result) {
   const double allowed =
       part.material.yield_strength / part.limits.safety_factor.value_or(1.0);
   if (!nominal) return true;
-  const double swing = largest_swing(result);
+  const double swing = largest_swing(result) * result.second_order.stress;
   if (nominal->high <= allowed && swing * nominal->high > allowed) {
     set(result, part::Verdict::kNotJudged,
         fmt::format(
@@ -277,13 +277,19 @@ bool judge_euler(double wanted, PartResult& result) {
 bool judge_swinging_buckling(double wanted, PartResult& result) {
   const BucklingResult& buckling = result.buckling;
   if (result.swings.empty() || !buckling.factor) return true;
-  const double swing = result.swings[buckling.load_set];
-  if (buckling.band_low >= swing * wanted) return true;
-  set(result, part::Verdict::kNotJudged,
-      fmt::format("buckling: {:.4g} times the loads of {} at rest, which "
-                  "vibration makes {:.4g} times more; {:.4g} is wanted",
-                  *buckling.factor, buckling.label, swing, wanted));
-  return false;
+  const double low = buckling.band_low / *buckling.factor;
+  for (std::size_t s = 0; s < buckling.of_motions.size(); ++s) {
+    const double factor = buckling.of_motions[s];
+    if (low * factor >= result.swings[s] * wanted) continue;
+    set(result, part::Verdict::kNotJudged,
+        fmt::format(
+            "buckling: {:.4g} times the loads of its motion at rest, of "
+            "which vibration makes {:.4g} times as much; {:.4g} is "
+            "wanted",
+            factor, result.swings[s], wanted));
+    return false;
+  }
+  return true;
 }
 
 /// Of a part that passes by linear theory.
@@ -299,15 +305,18 @@ bool judge_second_order(const part::PartDefinition& part, PartResult& result) {
   const PeakStress peak = governing_peak(result);
   const double allowed =
       part.material.yield_strength / part.limits.safety_factor.value_or(1.0);
-  if (peak.band_high > allowed) return true;  // judged without it
-  if (peak.band_high * found.stress <= allowed) return true;
-  const bool fails = peak.band_low * found.stress > allowed;
+  // Where linear theory does not pass it is judged already.
+  if (!(peak.value > 0.0) || peak.band_high > allowed) return true;
+  const double high = std::max(found.peak, found.bound) * peak.band_high;
+  if (high <= allowed * peak.value) return true;
+  const bool fails = found.peak * peak.band_low > allowed * peak.value;
   set(result, fails ? part::Verdict::kFail : part::Verdict::kNotJudged,
-      fmt::format("its loads act on what they displace ({}): the stress is "
-                  "{:.4g} times that of linear theory, {:.4g} MPa: {} {:.4g} "
-                  "MPa",
-                  found.label, found.stress, found.stress * peak.value / kMega,
-                  fails ? "beyond" : "its band holds", allowed / kMega));
+      fmt::format(
+          "its loads act on what they displace: {:.4g} MPa at {} ({:.4g} "
+          "of linear theory){} {:.4g} MPa",
+          std::max(found.peak, fails ? 0.0 : found.bound) / kMega, found.label,
+          found.stress, fails ? " exceeds" : ", a band that holds",
+          allowed / kMega));
   return false;
 }
 
@@ -353,7 +362,9 @@ bool judge_finite_motion(const part::PartDefinition&, PartResult& result) {
 bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
   if (!part.limits.deflection) return true;
   const bool has_band = result.deflection_high > 0.0;
-  const double more = result.second_order.deflection;
+  const double value =
+      std::max(result.deflection, result.second_order.deflection);
+  const double more = result.deflection > 0.0 ? value / result.deflection : 1.0;
   const double low =
       more * (has_band ? result.deflection_low : result.deflection);
   const double high =
@@ -364,7 +375,7 @@ bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
         fmt::format("{:.4g} mm lies inside the band of the deflection{}, "
                     "[{:.4g}, {:.4g}] mm: mesh finer",
                     *part.limits.deflection / kMilli,
-                    more > 1.0 ? " in second order" : "", low / kMilli,
+                    more > 1.01 ? " in second order" : "", low / kMilli,
                     high / kMilli));
     return false;
   }

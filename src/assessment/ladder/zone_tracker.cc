@@ -5,7 +5,6 @@
 
 #include "assessment/job/part_zones.h"
 #include "assessment/judge/time_sampling_error.h"
-#include "stress/zones/zone_mask.h"
 #include "stress/zones/zone_strength.h"
 
 namespace clevis::assessment {
@@ -75,6 +74,8 @@ void ZoneTracker<dim>::take(const Level<dim>& level) {
     for (const Zone& zone : sets_[s].zones) zones.push_back(zone.zone);
     sets_[s].zone_of = stress::zone_of_points<dim>(
         level.bases[s]->discretization, level.histories[s].subdivisions, zones);
+    sets_[s].beside = stress::points_beside<dim>(
+        level.bases[s]->discretization, level.histories[s].subdivisions, zones);
   }
   Taken& taken = taken_.emplace_back();
   taken.degree = level.member.degree;
@@ -129,7 +130,10 @@ OutsidePeak ZoneTracker<dim>::peak_of(const Taken& taken,
     result.set = s;
     result.at = peak.at;
     result.instant = peak.instant;
-    result.sampling_error = peak.sampling_error;
+    result.sampling_error = std::max(
+        peak.sampling_error,
+        stress::excess_at_borders(taken.histories[s], sets_[s].zone_of,
+                                  sets_[s].beside, left_out, peak.value));
     result.member.peak = peak.value;
     result.member.strain_energy = taken.energies[s][peak.instant];
   }

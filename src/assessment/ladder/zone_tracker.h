@@ -7,6 +7,7 @@
 #include "mesh/derived/graded_mesh.h"
 #include "stress/peaks/peak_band.h"
 #include "stress/zones/singular_zone.h"
+#include "stress/zones/zone_mask.h"
 
 namespace clevis::assessment {
 
@@ -70,6 +71,7 @@ class ZoneTracker {
   struct Set {
     std::vector<Zone> zones;
     Eigen::MatrixXi zone_of;
+    std::vector<stress::PointBeside> beside;
   };
   struct Taken {  // one degree
     int degree{}, dofs{};

@@ -6,6 +6,7 @@
 
 #include "loads/history/balance.h"
 #include "loads/parts/held_pins.h"
+#include "loads/seats/holding_groups.h"
 
 namespace clevis::assessment {
 namespace {
@@ -30,6 +31,13 @@ void note_pins(const PartJob& job, const part::LoadCaseDefinition& load_case,
                double size, PartResult& result) {
   const auto& bores = load_case.held_by_pin;
   if (bores.empty()) return;
+  if (bores.size() == 1 && !load_case.pins.empty()) {
+    result.notes.push_back(fmt::format(
+        "case {}: held by one pin, the part is free to move at those that load "
+        "it; if they guide it, give their forces under `pins` and no "
+        "`held_by_pin`",
+        load_case.name));
+  }
   const auto pins =
       loads::pins_in(bores, job.groups, size, "part " + job.part.name);
   for (std::size_t i = 0; i < bores.size(); ++i) {
@@ -42,9 +50,25 @@ void note_pins(const PartJob& job, const part::LoadCaseDefinition& load_case,
   }
 }
 
+/// Of a free part nobody knows which of its pins hold it.
+void note_reference(const PartJob& job, const LoadSet& set,
+                    PartResult& result) {
+  if (!job.part.limits.deflection || set.history.hold || !set.fixed.empty() ||
+      !set.foundations.empty()) {
+    return;
+  }
+  const auto holds = loads::holding_groups(set.history);
+  if (holds.size() < 2) return;  // three pins and more have three pairs
+  result.notes.push_back(fmt::format(
+      "deflection is relative to the pins in {} and {}, the first by name: say "
+      "which hold the part by `held_by_pin`",
+      holds.front().front(), holds.front().back()));
+}
+
 }  // namespace
 
 void note_cases(const PartJob& job, PartResult& result) {
+  for (const LoadSet& set : job.load_sets) note_reference(job, set, result);
   const double size = loads::part_size(job.groups, job.mass);
   for (const auto& load_case : job.part.cases) {
     for (const LoadSet& set : job.load_sets) {

@@ -9,6 +9,7 @@
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
 #include "elasticity/buckling/buckling.h"
+#include "loads/history/motion_instants.h"
 #include "loads/seats/holding_groups.h"
 #include "part/buckling_limit.h"
 
@@ -30,7 +31,9 @@ struct Candidate {
   std::size_t set{};
   loads::LoadHistory history;
   std::vector<std::vector<std::string>> holds;
+  bool is_motion = false;
   std::optional<elasticity::KnownShape> known = {};  ///< by the last degree
+  double factor{};                                   ///< likewise
 };
 
 /// The lowest factor of candidates, which are left with the instant, the hold
@@ -39,7 +42,6 @@ struct Found {
   BucklingMode mode;
   std::string label;
   double instant{};
-  std::size_t set{};
 };
 Found lowest(const PartJob& job, const PartSpace& space, double highest,
              std::vector<Candidate>& candidates) {
@@ -56,8 +58,9 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
     candidate.history.instants = {instant};
     candidate.holds = {candidate.holds[mode.hold]};
     if (mode.shape.size() > 0) candidate.known = {space.whole, mode.shape};
+    candidate.factor = mode.factor;
     if (best && best->mode.factor <= mode.factor) continue;
-    best = {std::move(mode), instant.label, instant.time, candidate.set};
+    best = {std::move(mode), instant.label, instant.time};
   }
   return std::move(*best);
 }
@@ -122,7 +125,13 @@ void take(const PartJob& job, const BucklingModel& model, int degree,
       lowest(job, space, goes_on ? highest : too_high * highest, candidates);
   check.result.label = found.label;
   check.result.instant = found.instant;
-  check.result.load_set = found.set;
+  constexpr double kNone = 1e12;
+  check.result.of_motions.assign(job.load_sets.size(), kNone);
+  for (const Candidate& candidate : candidates) {
+    if (!candidate.is_motion) continue;
+    double& least = check.result.of_motions[candidate.set];
+    least = std::min(least, candidate.factor);
+  }
   check.result.model = model.name(degree);
   if (found.mode.is_above) {
     check.shape.reset();
@@ -176,7 +185,18 @@ std::vector<Candidate> checked_loads(const PartJob& job) {
   std::vector<Candidate> candidates;
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const LoadSet& set = job.load_sets[s];
-    candidates.push_back({s, set.history, loads::holding_groups(set.history)});
+    const auto holds = loads::holding_groups(set.history);
+    const auto motion =
+        static_cast<std::ptrdiff_t>(loads::motion_length(set.history));
+    const auto& instants = set.history.instants;
+    Candidate part{s, set.history, holds, motion > 0};
+    if (motion > 0 && motion < std::ssize(instants)) {  // cases behind it
+      candidates.push_back({s, set.history, holds});
+      candidates.back().history.instants.assign(instants.begin() + motion,
+                                                instants.end());
+      part.history.instants.resize(static_cast<std::size_t>(motion));
+    }
+    candidates.push_back(std::move(part));
   }
   return candidates;
 }

@@ -164,8 +164,9 @@ void judge_vibration(const LoadSet& set, std::optional<double> largest,
 
 /// Why nothing is known of a part's vibration behind a time; empty: all is, or
 /// loads are slow there too.
+/// @param first  period [s].
 std::string not_followed(const PartJob& job, const LoadSet& given,
-                         const VibrationTimes& times) {
+                         const VibrationTimes& times, double first) {
   const double until = given.history.followed_until;
   LoadSet sparse = given;
   sparse.history.repeats.clear();
@@ -178,6 +179,9 @@ std::string not_followed(const PartJob& job, const LoadSet& given,
       is_slow(job, sparse, load_components(job, sparse))) {
     return {};
   }
+  // Steps that follow a sine are a seventh of its period and less.
+  constexpr double kSlow = 10.0;
+  if (given.history.step_behind > kSlow * first) return {};
   return fmt::format(
       "loads are followed up to t = {:.6g} s, behind it they change too often: "
       "take a shorter duration, or more `instants`",
@@ -191,7 +195,9 @@ std::optional<VibrationResult> vibration_of(const PartJob& job,
   VibrationTimes times{judge_load_pace(job, given, result), {}};
   if (!(judged_peak(result).value > 0.0)) return {};
   VibrationResult found;
-  const std::string unknown = not_followed(job, given, times);
+  const std::string unknown =
+      not_followed(job, given, times,
+                   result.first_period.value_or(longest_period(job, given)));
   if (times.driven.empty()) {
     if (unknown.empty()) return {};
     found.not_followed = unknown;

@@ -1,8 +1,9 @@
 #include "elasticity/buckling/second_order.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
-
-#include "elasticity/buckling/stressed_part.h"
+#include <random>
 
 namespace clevis::elasticity {
 namespace {
@@ -51,37 +52,58 @@ bool solve(const std::function<VectorXd(const VectorXd&)>& a, const VectorXd& b,
   return !(square > wanted);
 }
 
+/// The same on every run and platform, none of whose shares of a shape is zero.
+VectorXd anything(Index rows, Index seed) {
+  std::mt19937 random(static_cast<unsigned>(seed) + 1U);
+  VectorXd result(rows);
+  for (double& entry : result) {
+    entry = static_cast<double>(random()) / 4294967296.0 - 0.5;
+  }
+  return result;
+}
+
 }  // namespace
 
-std::vector<SecondOrder> second_order(const BucklingProblem& problem) {
-  const StressedPart part(problem);
-  std::vector<SecondOrder> all;
-  if (part.coefficients().rows() == 0) return all;
-  for (Index i = 0; i < part.instants(); ++i) {
-    const Eigen::Vector3d omega =
-        problem.history.instants[static_cast<std::size_t>(i)].rigid.omega;
-    const MassMatrix geometric =
-        part.stress().stiffness(part.pairs(), part.coefficients().col(i));
-    const MassMatrix mass =
-        omega.isZero()
-            ? MassMatrix{}
-            : part.stress().mass(part.pairs(), problem.material.density);
-    const VectorXd linear = part.loaded(i);
-    for (std::size_t hold = 0; hold < part.holds(); ++hold) {
-      VectorXd unknowns;
-      const bool is_stable = solve(
-          [&](const VectorXd& y) -> VectorXd {
-            const MatrixXd u = part.shapes(y, hold);
-            MatrixXd forces = -multiply(geometric, u);
-            if (!omega.isZero()) forces += spin_forces(mass, omega, u);
-            return part.answer(forces, hold);
-          },
-          linear, unknowns);
-      all.push_back({i, part.shapes(linear, hold), part.shapes(unknowns, hold),
-                     is_stable});
-    }
+double SecondOrderPart::lowest_frequency(std::size_t hold) const {
+  constexpr int kSteps = 6;
+  constexpr Index kBlock = 4;
+  const MassMatrix mass =
+      part_.stress().mass(part_.pairs(), problem_.material.density);
+  MatrixXd start(part_.equations(), std::min(kBlock, part_.equations()));
+  for (Index k = 0; k < start.cols(); ++k) {
+    start.col(k) = anything(part_.equations(), k);
   }
-  return all;
+  dynamics::BlockKrylov space(part_.answer_to(mass, 1.0, hold), start, {});
+  for (int step = 0; step < kSteps && !space.is_closed(); ++step) {
+    space.extend();
+  }
+  return 1.0 / std::sqrt(space.ritz_values().theta[0]);
+}
+
+SecondOrderPart::Answer SecondOrderPart::answer(const Loads& loads,
+                                                std::size_t hold) const {
+  const MassMatrix geometric =
+      part_.stress().stiffness(part_.pairs(), loads.acting);
+  const bool spins = !loads.omega.isZero();
+  const MassMatrix mass =
+      spins ? part_.stress().mass(part_.pairs(), problem_.material.density)
+            : MassMatrix{};
+  const auto a = [&](const VectorXd& y) -> VectorXd {
+    const MatrixXd u = part_.shapes(y, hold);
+    MatrixXd forces = -multiply(geometric, u);
+    if (spins) forces += spin_forces(mass, loads.omega, u);
+    return part_.answer(forces, hold);
+  };
+  VectorXd unknowns, unused;
+  Answer result;
+  result.is_stable = solve(a, part_.loaded() * loads.acting, unknowns);
+  // A shape that the loads do not excite may have no stiffness left, too.
+  if (spins && result.is_stable) {
+    result.is_stable = solve(a, anything(part_.equations(), 0), unused);
+  }
+  result.displacement =
+      part_.shapes(unknowns + part_.loaded() * loads.others, hold);
+  return result;
 }
 
 }  // namespace clevis::elasticity

@@ -1,27 +1,49 @@
 #pragma once
 
-#include <vector>
-
 #include <Eigen/Core>
 
 #include "elasticity/buckling/buckling_problem.h"
+#include "elasticity/buckling/stressed_part.h"
 
 namespace clevis::elasticity {
 
-/// Displacements under the loads of an instant with one hold.
-struct SecondOrder {
-  Eigen::Index instant{};
-  Eigen::VectorXd linear;  ///< K u = f, as the hold has them, dofs [m]
-  /// (K + K_G − Ω² M) u = f: the stresses of the linear ones, and the spin, act
-  /// on what is displaced.
-  Eigen::VectorXd second;
-  bool is_stable{};  ///< else the part buckles, or whirls, under less
-};
+/// A part whose stresses and whose spin act on what its loads displace:
+/// (K + K_G − Ω² M) u = f, beside K u = f. K_G is of the stresses of linear
+/// theory; loads keep size and direction in the part's frame.
+class SecondOrderPart {
+ public:
+  /// Loads in amounts of load columns.
+  struct Loads {
+    Eigen::VectorXd acting;  ///< that move on with what they displace
+    Eigen::VectorXd others;  ///< that are only added, as those that turn in
+                             ///< the part's frame
+    Eigen::Vector3d omega;   ///< in L [rad/s]
+  };
+  struct Answer {
+    Eigen::VectorXd displacement;  ///< dofs [m]
+    bool is_stable{};              ///< else it buckles, or whirls, under less
+  };
 
-/// Of every instant of the history and every hold. The stresses K_G are those
-/// of linear theory, the loads keep size and direction, and the part spins
-/// about where its frame has it.
-/// @throws Error as of lowest_buckling().
-std::vector<SecondOrder> second_order(const BucklingProblem& problem);
+  /// @param problem  outlives the object.
+  /// @throws Error as of lowest_buckling().
+  explicit SecondOrderPart(const BucklingProblem& problem)
+      : problem_(problem), part_(problem) {}
+
+  bool is_stressed() const { return part_.coefficients().rows() > 0; }
+  /// Amounts of the load columns, columns × instants.
+  const Eigen::MatrixXd& coefficients() const { return part_.coefficients(); }
+  std::size_t holds() const { return part_.holds(); }
+  /// Displacements of the load columns by linear theory, dofs × columns [m].
+  Eigen::MatrixXd columns(std::size_t hold) const {
+    return part_.shapes(part_.loaded(), hold);
+  }
+  Answer answer(const Loads& loads, std::size_t hold) const;
+  /// Of the part's vibrations at rest [rad/s].
+  double lowest_frequency(std::size_t hold) const;
+
+ private:
+  const BucklingProblem& problem_;
+  StressedPart part_;
+};
 
 }  // namespace clevis::elasticity

@@ -31,10 +31,8 @@ class StressedPart {
   const InitialStress& stress() const { return *stress_; }
   const NodePairs& pairs() const { return pairs_; }
 
-  /// Unknowns of linear theory under an instant's loads.
-  Eigen::VectorXd loaded(Eigen::Index instant) const {
-    return loaded_ * coefficients_.col(instant);
-  }
+  /// Unknowns of linear theory under the load columns.
+  const Eigen::MatrixXd& loaded() const { return loaded_; }
   /// Displacements as the hold has them.
   Eigen::MatrixXd shapes(const Eigen::MatrixXd& unknowns,
                          std::size_t hold) const;

@@ -92,6 +92,8 @@ struct LoadHistory {
   std::vector<InstantLoad> repeats = {};
   /// Up to there instants and repeats follow the loads [s].
   double followed_until = std::numeric_limits<double>::infinity();
+  /// Motion::step_behind [s].
+  double step_behind = 0.0;
   /// Of the part in its mechanism, when its loads are largest; empty: it is
   /// free.
   std::function<SeatHold()> hold = {};

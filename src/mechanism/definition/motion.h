@@ -162,6 +162,8 @@ struct Motion {
   std::vector<Instant> repeats;
   /// Up to there no load is off the curves through instants and repeats [s].
   double followed_until = std::numeric_limits<double>::infinity();
+  /// Behind that the shortest step that would follow them; 0: not known [s].
+  double step_behind = 0.0;
   std::vector<ChangePoint> change_points;
   std::vector<MotionEvent> events;
   std::vector<DriveJump> drive_jumps;

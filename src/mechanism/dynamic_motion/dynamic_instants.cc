@@ -89,6 +89,11 @@ double DynamicInstants::followed_until() const {
                   : std::numeric_limits<double>::infinity();
 }
 
+double DynamicInstants::step_behind() const {
+  return sampler_ ? sampler_->step_behind()
+                  : std::numeric_limits<double>::infinity();
+}
+
 /// That before is at the time itself where the modes change only then.
 void DynamicInstants::want_sides(double t) {
   if (!sampler_) return;

@@ -57,6 +57,8 @@ class DynamicInstants {
   std::vector<Instant>& repeats() { return repeats_; }
   /// Up to there instants and repeats follow all loads [s].
   double followed_until() const;
+  /// LoadSampler::step_behind() [s].
+  double step_behind() const;
   /// Evaluations that state_at() took beside the integrator's [1].
   long evaluations() const { return resampler_.counts().evaluations; }
 

@@ -71,6 +71,7 @@ Motion DynamicRun::run() {
   motion_.instants = std::move(instants_.instants());
   motion_.repeats = std::move(instants_.repeats());
   motion_.followed_until = instants_.followed_until();
+  motion_.step_behind = instants_.step_behind();
   motion_.integration = summary();
   motion_.change_points = std::move(change_points_).among(motion_.instants);
   motion_.impacts = impacts_.impacts();

@@ -135,12 +135,15 @@ void LoadSampler::follow(std::span<const double> known,
   for (Sample& sample : step_) {
     if (sample.t <= since_.back().t) continue;
     if (since_.size() > 1 && leaves(sample)) {
-      if (most_followed_-- <= 0) {
-        followed_until_ = since_.front().t;
-        return;
+      if (most_followed_ > 0) {
+        --most_followed_;
+        // once no further instants are taken these stand for them
+        (most_ > 0 ? followed : wanted).push_back(since_.back().t);
+      } else {
+        followed_until_ = std::min(followed_until_, since_.front().t);
+        step_behind_ =
+            std::min(step_behind_, since_.back().t - since_.front().t);
       }
-      // once no further instants are taken these stand for them
-      (most_ > 0 ? followed : wanted).push_back(since_.back().t);
       go_on_from(since_.back());
     }
     if (is_instant(sample.t)) {
@@ -194,7 +197,7 @@ void LoadSampler::look(numerics::Integrator& integrator, double until,
     step_.push_back(next);
     last = std::move(next);
   }
-  if (followed_until_ < start) return;
+  if (list_.size() == 0) return;
   std::ranges::sort(step_, {}, &Sample::t);
   straighten(integrator);
   follow(known, wanted, followed);

@@ -32,6 +32,8 @@ class LoadSampler {
             std::vector<double>& followed);
   /// Up to there all loads are followed; infinite: to the end.
   double followed_until() const { return followed_until_; }
+  /// Behind that the shortest step that would follow them; infinite: none.
+  double step_behind() const { return step_behind_; }
 
  private:
   struct Sample {
@@ -56,6 +58,7 @@ class LoadSampler {
   std::vector<Sample> followed_;  ///< at the last of such times
   long most_followed_;            ///< times that may still be followed
   double followed_until_ = std::numeric_limits<double>::infinity();
+  double step_behind_ = std::numeric_limits<double>::infinity();
   Eigen::VectorXd state_, off_, miss_, swing_, apart_;
 };
 

@@ -116,7 +116,7 @@ std::vector<Corner> all_corners(std::size_t count) {
 /// Each coordinate against the rest, each joint, and of not too many joints
 /// each two and three: those that hold a body alone, where the rest gives way.
 std::vector<Corner> some_corners(const std::vector<Coordinate>& coordinates) {
-  constexpr std::size_t kMostOfTwo = 16, kMostOfThree = 10;  // joints
+  constexpr std::size_t kMostOfTwo = 10, kMostOfThree = 6;  // joints
   std::vector<Corner> corners;
   const auto add = [&](auto is_apart) {
     for (const bool soft : {false, true}) {

@@ -80,9 +80,12 @@ Quantities<BucklingResult> buckling_rows() {
 Quantities<SecondOrderResult> second_order_rows() {
   using S = SecondOrderResult;
   return {
-      quantity<S>({"second_order_stress", "/stress", "1"}, &S::stress),
-      quantity<S>({"second_order_deflection", "/deflection", "1"},
+      quantity<S>({"second_order_peak", "/peak_MPa", "MPa"}, &S::peak),
+      quantity<S>({"second_order_stress", "/stress_ratio", "1"}, &S::stress),
+      quantity<S>({"second_order_deflection", "/deflection_mm", "mm"},
                   &S::deflection),
+      quantity<S>({"second_order_deflection_ratio", "/deflection_ratio", "1"},
+                  &S::deflection_rise),
       quantity<S>({"second_order_is_stable", "/is_stable"}, &S::is_stable),
       quantity<S>({"second_order_case", "/case"}, &S::label),
   };
@@ -241,7 +244,7 @@ Quantities<PartResult> part_rows() {
   add_rows_of(
       second_order_rows(), "/second_order", true,
       [](const S& part) {
-        return part.second_order.label.empty() ? nullptr : &part.second_order;
+        return part.second_order.is_known ? &part.second_order : nullptr;
       },
       rows);
   add_member_rows(beam_rows(), "/beam", &S::beam, rows);

@@ -58,8 +58,9 @@ CLEVIS_PIPED(PeakStress, value, band_low, band_high, discretization_error,
 CLEVIS_PIPED(ZoneResult, name, exponent, exponent_measured, at, radius, governs,
              has_section, edge_of)
 CLEVIS_PIPED(BucklingResult, factor, band_low, band_high, instant, label,
-             load_set, model, remark, euler, strut_is_longer)
-CLEVIS_PIPED(SecondOrderResult, stress, deflection, is_stable, label)
+             of_motions, model, remark, euler, strut_is_longer)
+CLEVIS_PIPED(SecondOrderResult, is_known, is_stable, peak, stress, bound,
+             deflection, deflection_rise, label)
 CLEVIS_PIPED(FiniteMotion, rotation, strain, label)
 CLEVIS_PIPED(BeamComparison, peak_stress, governing, is_section, deflection,
              buckling_safety, ratio_fe_to_beam, reason)

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -14,15 +17,19 @@ namespace {
 /// Of how many supports `export` and `modes` write a file each: NAME, NAME_2 …
 int supports_of(const part::PartDefinition& part,
                 const mechanism::MechanismDefinition& mechanism) {
-  std::set<part::Supports> all;
+  std::set<std::pair<part::Supports, std::vector<std::string>>> all;
   if (std::ranges::find(mechanism.bodies, part.name,
                         &mechanism::BodyDefinition::part) !=
       mechanism.bodies.end()) {
-    all.insert(part::Supports{});
+    all.insert({});
   }
-  for (const auto& load_case : part.cases) all.insert(load_case.fixed);
-  for (const auto& series : part.series) all.insert(series.fixed);
-  for (const auto& impact : part.impacts) all.insert(impact.fixed);
+  for (const auto& load_case : part.cases) {
+    auto pins = load_case.held_by_pin;
+    std::ranges::sort(pins);
+    all.insert({load_case.fixed, std::move(pins)});
+  }
+  for (const auto& series : part.series) all.insert({series.fixed, {}});
+  for (const auto& impact : part.impacts) all.insert({impact.fixed, {}});
   return static_cast<int>(all.size());
 }
 

@@ -52,6 +52,57 @@ Eigen::MatrixXi zone_of_points(
   return zone_of;
 }
 
+template <int dim>
+std::vector<PointBeside> points_beside(
+    const elasticity::Discretization<dim>& discretization, int subdivisions,
+    const std::vector<SingularZone>& zones) {
+  const auto points =
+      elasticity::lattice<dim>(discretization.shape, subdivisions);
+  const auto geometry = elasticity::tabulate_geometry<dim>(
+      discretization.shape, discretization.mapping_degree(), points);
+  std::vector<PointBeside> found;
+  for (int c = 0; c < discretization.cells(); ++c) {
+    const Eigen::Matrix<double, dim, Eigen::Dynamic> at =
+        discretization.cell_points[static_cast<std::size_t>(c)] *
+        geometry.values.transpose();
+    const double size =
+        (at.rowwise().maxCoeff() - at.rowwise().minCoeff()).norm();
+    const double spacing = size / subdivisions;
+    Eigen::Vector3d x(0.0, 0.0, discretization.mid_plane_z);
+    for (std::size_t z = 0; z < zones.size(); ++z) {
+      const SingularZone& zone = zones[z];
+      if (!(zone.exponent < 1.0) || !(zone.radius > 0.0)) continue;
+      x.head<dim>() = at.col(0);
+      if (distance(zone, x) > zone.radius + 2.0 * size) continue;
+      for (int q = 0; q < at.cols(); ++q) {
+        x.head<dim>() = at.col(q);
+        const double away = distance(zone, x);
+        if (away <= zone.radius || away > zone.radius + spacing) continue;
+        found.push_back({{c, q},
+                         static_cast<int>(z),
+                         std::pow(away / zone.radius, 1.0 - zone.exponent)});
+      }
+    }
+  }
+  return found;
+}
+
+double excess_at_borders(const StressHistory& history,
+                         const Eigen::MatrixXi& zone_of,
+                         const std::vector<PointBeside>& beside,
+                         const std::vector<bool>& left_out, double peak) {
+  const auto counts = [&](int zone) {
+    return zone < 0 || !left_out[static_cast<std::size_t>(zone)];
+  };
+  double excess = 0.0;
+  for (const PointBeside& point : beside) {
+    const auto [cell, q] = point.at;
+    if (counts(point.zone) || !counts(zone_of(q, cell))) continue;
+    excess = std::max(excess, point.growth * history.worst(q, cell) - peak);
+  }
+  return excess;
+}
+
 PartialPeak peak_outside(const StressHistory& history,
                          const Eigen::MatrixXi& zone_of,
                          const std::vector<bool>& left_out, int dim) {
@@ -109,6 +160,9 @@ Eigen::VectorXd point_history(const elasticity::DisplacementBasis<dim>& basis,
 
 #define CLEVIS_INSTANTIATE(dim)                                         \
   template Eigen::MatrixXi zone_of_points<dim>(                         \
+      const elasticity::Discretization<dim>&, int,                      \
+      const std::vector<SingularZone>&);                                \
+  template std::vector<PointBeside> points_beside<dim>(                 \
       const elasticity::Discretization<dim>&, int,                      \
       const std::vector<SingularZone>&);                                \
   template Eigen::VectorXd point_history<dim>(                          \

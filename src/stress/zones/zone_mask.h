@@ -18,6 +18,21 @@ Eigen::MatrixXi zone_of_points(
     const elasticity::Discretization<dim>& discretization, int subdivisions,
     const std::vector<SingularZone>& zones);
 
+/// A lattice point within a lattice's spacing outside of a zone.
+struct PointBeside {
+  FieldPoint at;
+  int zone{};
+  /// From there to the zone's border stress rises by so much as it does towards
+  /// the corner: (distance / radius)^(1 − λ) [1].
+  double growth{};
+};
+
+/// All of them, cell by cell.
+template <int dim>
+std::vector<PointBeside> points_beside(
+    const elasticity::Discretization<dim>& discretization, int subdivisions,
+    const std::vector<SingularZone>& zones);
+
 /// Largest von Mises over a part of the lattice and all instants.
 struct PartialPeak {
   double value{};  ///< [Pa]; 0 if no point counts
@@ -25,6 +40,13 @@ struct PartialPeak {
   int instant{};
   double sampling_error{};  ///< as in StressHistory, of these points [Pa]
 };
+
+/// By how much stress at the border of a zone that is left out may exceed a
+/// peak outside of all such zones, where no lattice point stands on it [Pa].
+double excess_at_borders(const StressHistory& history,
+                         const Eigen::MatrixXi& zone_of,
+                         const std::vector<PointBeside>& beside,
+                         const std::vector<bool>& left_out, double peak);
 
 /// @param zone_of  of zone_of_points.
 /// @param left_out  per zone.

@@ -127,6 +127,13 @@ TEST(Sampling, SmallLoadsOfAnIntegratedMotionAreFollowed) {
   EXPECT_LT(motion.repeats.size(), 400u);
 }
 
+// A body that falls has no load at all.
+TEST(Sampling, OfABodyWithoutJoints) {
+  const Motion motion = simulate(testing::free_body(), at_peaks(1.0, 5));
+  EXPECT_EQ(motion.instants.size(), 5u);
+  EXPECT_TRUE(motion.repeats.empty());
+}
+
 // A smooth motion keeps its instants but for the maxima between them.
 TEST(Sampling, OfASmoothDrivenMotion) {
   MechanismDefinition m = driven_into_a_spring();
