@@ -320,6 +320,19 @@ bool judge_second_order(const part::PartDefinition& part, PartResult& result) {
   return false;
 }
 
+/// Of a case that one pin holds: what else may hold it.
+std::string free_end(const part::PartDefinition& part,
+                     const BucklingResult& buckling) {
+  const bool is_held_by_one =
+      std::ranges::any_of(part.cases, [&](const auto& load_case) {
+        return load_case.name == buckling.label &&
+               load_case.held_by_pin.size() == 1 && !load_case.pins.empty();
+      });
+  if (!is_held_by_one) return "";
+  return ". Where its loads act it is free to move sideways: if pins guide it "
+         "there, give all forces under `pins` and no `held_by_pin`";
+}
+
 bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
   const double wanted = part::wanted_buckling_factor(part.limits);
   const BucklingResult& buckling = result.buckling;
@@ -335,9 +348,10 @@ bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
   const bool fails = buckling.band_high < wanted;
   set(result, fails ? part::Verdict::kFail : part::Verdict::kNotJudged,
       fmt::format("buckling: the part buckles under {:.4g} [{:.4g}, {:.4g}] "
-                  "times the loads of {}, {:.4g} is wanted{}",
+                  "times the loads of {}, {:.4g} is wanted{}{}",
                   *buckling.factor, buckling.band_low, buckling.band_high,
-                  buckling.label, wanted, fails ? "" : ": mesh finer"));
+                  buckling.label, wanted, fails ? "" : ": mesh finer",
+                  free_end(part, buckling)));
   return false;
 }
 

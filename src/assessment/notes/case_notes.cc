@@ -31,13 +31,6 @@ void note_pins(const PartJob& job, const part::LoadCaseDefinition& load_case,
                double size, PartResult& result) {
   const auto& bores = load_case.held_by_pin;
   if (bores.empty()) return;
-  if (bores.size() == 1 && !load_case.pins.empty()) {
-    result.notes.push_back(fmt::format(
-        "case {}: held by one pin, the part is free to move at those that load "
-        "it; if they guide it, give their forces under `pins` and no "
-        "`held_by_pin`",
-        load_case.name));
-  }
   const auto pins =
       loads::pins_in(bores, job.groups, size, "part " + job.part.name);
   for (std::size_t i = 0; i < bores.size(); ++i) {

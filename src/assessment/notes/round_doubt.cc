@@ -1,6 +1,7 @@
 #include "assessment/notes/round_doubt.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -16,10 +17,22 @@ namespace {
 constexpr double kResolved = 2.0;
 constexpr double kPerRadius = 0.05;  // over the peak
 
+/// Whether the last degrees hardly changed the peak: then their cells show it.
+bool has_settled(const PeakStress& peak) {
+  constexpr double kLast = 0.01, kBefore = 0.04;  // over the peak
+  const auto& all = peak.sequence;
+  if (all.size() < 3) return false;
+  const auto change = [&](std::size_t k) {
+    const double later = all[all.size() - k].peak;
+    return std::abs(later - all[all.size() - k - 1].peak) / later;
+  };
+  return change(1) < kLast && change(2) < kBefore;
+}
+
 /// @return cells' depth over the radius where they are too deep; 0: they are
 ///   not.
 double widen(const PartJob& job, PeakStress& peak) {
-  if (!(peak.value > 0.0)) return 0.0;
+  if (!(peak.value > 0.0) || has_settled(peak)) return 0.0;
   const double depth = stress::depth_over_radius(job.mesh, peak.at);
   if (depth <= kResolved) return 0.0;
   widen_for_cells(peak, kPerRadius * (depth - kResolved) * peak.value,

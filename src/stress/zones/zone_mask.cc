@@ -19,6 +19,21 @@ bool on_half_lattice(Index point, int subdivisions, int dim) {
   return true;
 }
 
+/// Points beside each along the lattice.
+template <int dim>
+std::vector<std::vector<int>> neighbours(
+    const elasticity::ReferencePoints<dim>& points, int subdivisions) {
+  const double spacing = 1.01 / subdivisions;
+  std::vector<std::vector<int>> found(static_cast<std::size_t>(points.cols()));
+  for (Index q = 0; q < points.cols(); ++q) {
+    for (Index r = 0; r < points.cols(); ++r) {
+      if (r == q || (points.col(q) - points.col(r)).norm() > spacing) continue;
+      found[static_cast<std::size_t>(q)].push_back(static_cast<int>(r));
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 template <int dim>
@@ -60,6 +75,7 @@ std::vector<PointBeside> points_beside(
       elasticity::lattice<dim>(discretization.shape, subdivisions);
   const auto geometry = elasticity::tabulate_geometry<dim>(
       discretization.shape, discretization.mapping_degree(), points);
+  const auto beside = neighbours<dim>(points, subdivisions);
   std::vector<PointBeside> found;
   for (int c = 0; c < discretization.cells(); ++c) {
     const Eigen::Matrix<double, dim, Eigen::Dynamic> at =
@@ -67,20 +83,29 @@ std::vector<PointBeside> points_beside(
         geometry.values.transpose();
     const double size =
         (at.rowwise().maxCoeff() - at.rowwise().minCoeff()).norm();
-    const double spacing = size / subdivisions;
     Eigen::Vector3d x(0.0, 0.0, discretization.mid_plane_z);
     for (std::size_t z = 0; z < zones.size(); ++z) {
       const SingularZone& zone = zones[z];
       if (!(zone.exponent < 1.0) || !(zone.radius > 0.0)) continue;
       x.head<dim>() = at.col(0);
       if (distance(zone, x) > zone.radius + 2.0 * size) continue;
-      for (int q = 0; q < at.cols(); ++q) {
+      const auto away_of = [&](int q) {
         x.head<dim>() = at.col(q);
-        const double away = distance(zone, x);
-        if (away <= zone.radius || away > zone.radius + spacing) continue;
-        found.push_back({{c, q},
-                         static_cast<int>(z),
-                         std::pow(away / zone.radius, 1.0 - zone.exponent)});
+        return distance(zone, x) / zone.radius;
+      };
+      for (int q = 0; q < at.cols(); ++q) {
+        const double away = away_of(q);
+        if (away <= 1.0) continue;
+        for (const int inside : beside[static_cast<std::size_t>(q)]) {
+          const double inside_away = away_of(inside);
+          if (inside_away > 1.0) continue;
+          found.push_back({{c, q},
+                           inside,
+                           static_cast<int>(z),
+                           away,
+                           inside_away,
+                           std::pow(away, 1.0 - zone.exponent)});
+        }
       }
     }
   }
@@ -98,7 +123,14 @@ double excess_at_borders(const StressHistory& history,
   for (const PointBeside& point : beside) {
     const auto [cell, q] = point.at;
     if (counts(point.zone) || !counts(zone_of(q, cell))) continue;
-    excess = std::max(excess, point.growth * history.worst(q, cell) - peak);
+    const double value = history.worst(q, cell);
+    const double within = history.worst(point.inside, cell);
+    if (!(value > 0.0) || !(within > value)) continue;
+    const double power =
+        std::log(within / value) /
+        std::log(point.away / std::max(point.inside_away, 1e-9));
+    const double growth = std::min(point.growth, std::pow(point.away, power));
+    excess = std::max(excess, growth * value - peak);
   }
   return excess;
 }

@@ -18,12 +18,15 @@ Eigen::MatrixXi zone_of_points(
     const elasticity::Discretization<dim>& discretization, int subdivisions,
     const std::vector<SingularZone>& zones);
 
-/// A lattice point within a lattice's spacing outside of a zone.
+/// A lattice point outside of a zone whose neighbour along the lattice lies in
+/// it.
 struct PointBeside {
   FieldPoint at;
+  int inside{};  ///< the neighbour, in the same cell
   int zone{};
-  /// From there to the zone's border stress rises by so much as it does towards
-  /// the corner: (distance / radius)^(1 − λ) [1].
+  double away{}, inside_away{};  ///< their distances over the radius [1]
+  /// At most as towards the corner stress rises from there to the zone's
+  /// border: (distance / radius)^(1 − λ) [1].
   double growth{};
 };
 
@@ -41,8 +44,10 @@ struct PartialPeak {
   double sampling_error{};  ///< as in StressHistory, of these points [Pa]
 };
 
-/// By how much stress at the border of a zone that is left out may exceed a
-/// peak outside of all such zones, where no lattice point stands on it [Pa].
+/// By how much stress at the border of a zone that is left out exceeds a peak
+/// outside of all such zones, where no lattice point stands on it: by a power
+/// of the distance through the points on both sides, no steeper than the
+/// corner's [Pa].
 double excess_at_borders(const StressHistory& history,
                          const Eigen::MatrixXi& zone_of,
                          const std::vector<PointBeside>& beside,

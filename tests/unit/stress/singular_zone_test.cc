@@ -9,6 +9,7 @@
 
 #include "mesh/reading/mesh_reader.h"
 #include "stress/corners/boundary_corner.h"
+#include "stress/zones/zone_mask.h"
 #include "support/annulus_mesh.h"
 #include "support/corner_mesh.h"
 #include "support/source_dir.h"
@@ -53,6 +54,45 @@ TEST(SingularZone, NotchOfEveryAngleHasItsExponent) {
       EXPECT_EQ(zones[0].name, "crack at (0.0, 0.0) mm");
     }
   }
+}
+
+// Beside a zone lattice points stand up to a spacing away: at its border stress
+// is by what the corner's exponent says higher.
+TEST(ZoneMask, PointsBesideAZoneTellItsBorder) {
+  const auto mesh = support::wedge_mesh(1.5 * pi, 4, 0.02, 0.005);
+  const auto zones = singular_zones<2>(mesh, kSteel, {});
+  ASSERT_EQ(zones.size(), 1u);
+  constexpr int kSubdivisions = 4;
+  const auto discretization = elasticity::discretize<2>(mesh, 2);
+  const auto beside = points_beside<2>(discretization, kSubdivisions, zones);
+  ASSERT_FALSE(beside.empty());
+  for (const PointBeside& point : beside) {
+    const double away =
+        position(discretization, point.at, kSubdivisions).norm();
+    EXPECT_GT(away, zones[0].radius);
+    EXPECT_NEAR(point.away, away / zones[0].radius, 1e-9);
+    EXPECT_LE(point.inside_away, 1.0);
+    EXPECT_NEAR(point.growth, std::pow(point.away, 1.0 - zones[0].exponent),
+                1e-9);
+  }
+  // A field that grows like that has the same at the border from each of them.
+  const auto zone_of = zone_of_points<2>(discretization, kSubdivisions, zones);
+  StressHistory history;
+  history.subdivisions = kSubdivisions;
+  history.worst.resize(zone_of.rows(), zone_of.cols());
+  for (int c = 0; c < zone_of.cols(); ++c) {
+    for (int q = 0; q < zone_of.rows(); ++q) {
+      const double r = position(discretization, {c, q}, kSubdivisions).norm();
+      history.worst(q, c) = std::pow(std::max(r, 1e-6), zones[0].exponent - 1);
+    }
+  }
+  history.worst_instant = Eigen::MatrixXi::Zero(zone_of.rows(), zone_of.cols());
+  const auto peak = peak_outside(history, zone_of, {true}, 2);
+  const double border = std::pow(zones[0].radius, zones[0].exponent - 1.0);
+  EXPECT_NEAR(peak.value + excess_at_borders(history, zone_of, beside, {true},
+                                             peak.value),
+              border, 1e-9 * border);
+  EXPECT_EQ(excess_at_borders(history, zone_of, beside, {false}, border), 0.0);
 }
 
 // sin λω = −λ sin ω: stress goes like r^-0.134, however blunt that looks.
