@@ -86,7 +86,9 @@ std::vector<PointBeside> points_beside(
     Eigen::Vector3d x(0.0, 0.0, discretization.mid_plane_z);
     for (std::size_t z = 0; z < zones.size(); ++z) {
       const SingularZone& zone = zones[z];
-      if (!(zone.exponent < 1.0) || !(zone.radius > 0.0)) continue;
+      if (!(zone.radius > 0.0)) continue;
+      // A logarithm's is not steeper than a crack's.
+      const double steepest = zone.exponent < 1.0 ? 1.0 - zone.exponent : 0.5;
       x.head<dim>() = at.col(0);
       if (distance(zone, x) > zone.radius + 2.0 * size) continue;
       const auto away_of = [&](int q) {
@@ -104,7 +106,7 @@ std::vector<PointBeside> points_beside(
                            static_cast<int>(z),
                            away,
                            inside_away,
-                           std::pow(away, 1.0 - zone.exponent)});
+                           std::pow(away, steepest)});
         }
       }
     }

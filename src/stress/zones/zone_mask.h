@@ -26,7 +26,7 @@ struct PointBeside {
   int zone{};
   double away{}, inside_away{};  ///< their distances over the radius [1]
   /// At most as towards the corner stress rises from there to the zone's
-  /// border: (distance / radius)^(1 − λ) [1].
+  /// border: (distance / radius)^(1 − λ), of a logarithm its root [1].
   double growth{};
 };
 
