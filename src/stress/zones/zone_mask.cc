@@ -128,10 +128,14 @@ double excess_at_borders(const StressHistory& history,
     const double value = history.worst(q, cell);
     const double within = history.worst(point.inside, cell);
     if (!(value > 0.0) || !(within > value)) continue;
-    const double power =
-        std::log(within / value) /
-        std::log(point.away / std::max(point.inside_away, 1e-9));
-    const double growth = std::min(point.growth, std::pow(point.away, power));
+    double growth = point.growth;
+    // Nearer to the corner the elements show less than there is.
+    constexpr double kShown = 0.25;
+    if (point.inside_away > kShown) {
+      const double power =
+          std::log(within / value) / std::log(point.away / point.inside_away);
+      growth = std::min(growth, std::pow(point.away, power));
+    }
     excess = std::max(excess, growth * value - peak);
   }
   return excess;
