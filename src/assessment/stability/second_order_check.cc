@@ -51,7 +51,7 @@ constexpr double kSlow = 0.1;  // spin over the lowest frequency
 /// size and material, be it on a neck or on beds.
 bool may_be_fast(const PartJob& job, const LoadSet& set,
                  const InstantLoad& instant) {
-  constexpr double kNeck = 100.0;
+  constexpr double kNeck = 40.0;
   return instant.rigid.omega.norm() * kNeck * longest_period(job, set) >
          kSlow * 2.0 * std::numbers::pi;
 }
@@ -178,7 +178,7 @@ class SetCheck {
 
   void look_at(const elasticity::SecondOrderPart& part, std::size_t hold,
                SecondOrderResult& found) {
-    constexpr std::size_t kMost = 24;
+    constexpr std::size_t kMost = 24, kAlways = 2;
     elasticity::DisplacementBasis<3> basis;
     basis.discretization = space_.whole;
     basis.columns = part.columns(hold);
@@ -219,14 +219,11 @@ class SetCheck {
                                  return measure[static_cast<Index>(i)];
                                });
     };
-    std::vector<bool> is_solved(order.size(), false);
+    std::vector<std::size_t> solved;
     for (const bool by_stress : {true, false}) {
       by(by_stress ? stress : moved);
       std::size_t left = kMost;
       for (const std::size_t i : order) {
-        if (is_solved[i] || is_like_one(i, is_solved, part.coefficients())) {
-          continue;
-        }
         const auto at = static_cast<Index>(i);
         const double bound = bound_at(i);
         const double peak = swing(i) * checked_peak(i, stress[at], largest);
@@ -234,14 +231,16 @@ class SetCheck {
             bound > 1.0 &&
             (by_stress ? peak * bound > found.peak
                        : swing(i) * moved[at] * bound > found.deflection);
-        if (!may_count) continue;
+        if (!may_count || is_like_one(i, solved, part.coefficients())) continue;
+        const double most = bound * (by_stress ? peak : swing(i) * moved[at]);
+        if (left + kAlways <= kMost && !may_decide(by_stress, most)) continue;
         if (left == 0) {
           // those behind are bounded, not solved for
           if (by_stress) found.bound = std::max(found.bound, bound * peak);
           continue;
         }
         --left;
-        is_solved[i] = true;
+        solved.push_back(i);
         take(part, hold, i, stress[at], moved[at], largest, found);
         if (!found.is_stable) return;
       }
@@ -249,24 +248,32 @@ class SetCheck {
   }
 
   /// Whether loads and spin of an instant that was solved for are the same.
-  bool is_like_one(std::size_t i, const std::vector<bool>& is_solved,
+  bool is_like_one(std::size_t i, const std::vector<std::size_t>& solved,
                    const MatrixXd& coefficients) const {
     constexpr double kAlike = 1e-3;
-    const auto at = static_cast<Index>(i);
-    for (std::size_t k = 0; k < is_solved.size(); ++k) {
-      if (!is_solved[k]) continue;
-      const Eigen::Vector3d& omega = looked_.instants[i].rigid.omega;
-      const bool turns_alike =
-          (looked_.instants[k].rigid.omega - omega).norm() <=
-          kAlike * omega.norm();
-      const double apart =
-          (coefficients.col(static_cast<Index>(k)) - coefficients.col(at))
-              .norm();
-      if (turns_alike && apart <= kAlike * coefficients.col(at).norm()) {
-        return true;
-      }
+    const auto here = coefficients.col(static_cast<Index>(i));
+    const Eigen::Vector3d& omega = looked_.instants[i].rigid.omega;
+    return std::ranges::any_of(solved, [&](std::size_t k) {
+      const auto there = coefficients.col(static_cast<Index>(k));
+      return k == i || ((looked_.instants[k].rigid.omega - omega).norm() <=
+                            kAlike * omega.norm() &&
+                        (there - here).norm() <= kAlike * here.norm());
+    });
+  }
+
+  /// Whether what rises to so much at most [Pa], [m] may be what a limit is
+  /// exceeded by.
+  bool may_decide(bool by_stress, double most) const {
+    constexpr double kOfDegree = 1.05;
+    const part::Limits& limits = job_.part.limits;
+    if (!by_stress) {
+      return limits.deflection && kOfDegree * most > *limits.deflection;
     }
-    return false;
+    const PeakStress& peak = judged_peak(result_);
+    const double allowed =
+        job_.part.material.yield_strength / limits.safety_factor.value_or(1.0);
+    return peak.band_low <= allowed &&
+           most * peak.band_high > allowed * peak.value;
   }
 
   double swing(std::size_t i) const {
