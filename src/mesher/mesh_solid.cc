@@ -223,7 +223,14 @@ void generate_without_kinks() {
   };
   double best = 1.0, least = 0.0, last = 0.0;
   for (const double factor : kFactors) {
-    const double shift = attempt(factor);
+    double shift = 0.0;
+    try {
+      shift = attempt(factor);
+    } catch (...) {
+      if (factor == 1.0) throw;
+      last = 0.0;  // of what fails nothing is left
+      continue;
+    }
     if (factor == 1.0 || shift < least) {
       best = factor;
       least = shift;

@@ -45,6 +45,7 @@ loads::SurfaceLoad unloaded(const std::string& group) {
 
 /// Appends the instants of `more`; seats and surfaces become the union.
 void merge(loads::LoadHistory& history, const loads::LoadHistory& more) {
+  const std::size_t old_seats = history.seats.size();
   std::vector<std::size_t> seat_of;
   for (const auto& seat : more.seats) {
     seat_of.push_back(
@@ -94,7 +95,7 @@ void merge(loads::LoadHistory& history, const loads::LoadHistory& more) {
     widen(instant);
     complete(instant);
   }
-  if (history.hold) {
+  if (history.hold && history.seats.size() > old_seats) {
     history.hold = [hold = history.hold, seats = history.seats.size()] {
       return loads::on_more_seats(hold(), seats);
     };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -272,17 +273,28 @@ struct VibrationResult {
   bool is_whole() const { return failure.empty() && not_followed.empty(); }
 };
 
+/// How much farther than at rest a part goes as it vibrates under a load set.
+struct Swing {
+  double stress = 1.0, deflection = 1.0;  ///< at least 1 [1]
+
+  double largest() const { return std::max(stress, deflection); }
+};
+
 /// Stress and displacement where the part's stresses and its spin act on what
-/// they displace, with its vibration.
+/// they displace, with its vibration; of the instants that were solved for: the
+/// two of each load set that rise to most, and all that may decide a limit.
 struct SecondOrderResult {
-  bool is_known = false;  ///< else it is as by linear theory
   bool is_stable = true;  ///< else it buckles, or whirls, under less
-  double peak{};          ///< largest [Pa]
-  double stress = 1.0;    ///< over linear theory's at that instant [1]
-  double bound{};       ///< of instants that were not solved for; 0: none [Pa]
-  double deflection{};  ///< largest [m]
+  /// Largest [Pa]; 0: of no instant is it more than by linear theory.
+  double peak{};
+  double still_peak{};  ///< of those that do not vibrate, and of the rest [Pa]
+  double stress = 1.0;  ///< over linear theory's at that instant [1]
+  double deflection{};  ///< where it rises, as `peak` [m]
   double deflection_rise = 1.0;  ///< over linear theory's then [1]
-  std::string label;             ///< of the instant of the peak
+  /// Of what was not solved for, though it may decide: at most [Pa], [m].
+  double bound{}, deflection_bound{};
+  std::string label;    ///< of the instant of the peak
+  std::string failure;  ///< why it is not known, though it may decide
 };
 
 /// Reaction on the part of a pin that holds it in a case.
@@ -345,9 +357,7 @@ struct PartResult {
   std::vector<ImpactResult> impacts;
   std::vector<DurationRatio> duration_ratios;
   VibrationResult vibration;
-  /// By load set of the job: how much farther than at rest the part strains or
-  /// deflects as it vibrates, the larger of both; empty: nothing vibrates [1].
-  std::vector<double> swings;
+  std::vector<Swing> swings;  ///< by load set; empty: nothing vibrates
   std::vector<PinReaction> pin_reactions;
 };
 

@@ -1,6 +1,7 @@
 #include "assessment/judge/verdict.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
@@ -35,9 +36,13 @@ std::string unsettled_remedy(const part::PartDefinition& part,
 /// what is wider than the tolerance is an estimate from degrees that are far
 /// from settled, and has to hold with twice its reach; beside a singular zone,
 /// whose own cells may be as large as the zone, with five times.
+double reaches_wanted(bool beside_zone) {
+  return beside_zone ? 5.0 : 2.0;
+}
+
 bool is_clearly_within(const PeakStress& peak, bool beside_zone,
                        double allowed) {
-  const double safety = beside_zone ? 5.0 : 2.0;
+  const double safety = reaches_wanted(beside_zone);
   return peak.verdict == PeakVerdict::kNotConverged && peak.has_band &&
          peak.value + safety * (peak.band_high - peak.value) <= allowed;
 }
@@ -191,10 +196,14 @@ std::optional<Nominal> largest_nominal(const PartResult& result) {
                  fmt::format("section {}, {}", held->section, held->label)};
 }
 
-/// How much farther than at rest a part strains or deflects under loads of its
-/// own [1].
-double largest_swing(const PartResult& result) {
-  return result.swings.empty() ? 1.0 : std::ranges::max(result.swings);
+/// Over all load sets.
+Swing largest_swing(const PartResult& result) {
+  Swing largest;
+  for (const Swing& swing : result.swings) {
+    largest.stress = std::max(largest.stress, swing.stress);
+    largest.deflection = std::max(largest.deflection, swing.deflection);
+  }
+  return largest;
 }
 
 /// Where a zone is left out, the nominal stress of the section stands for what
@@ -205,14 +214,15 @@ bool judge_nominal(const part::PartDefinition& part, PartResult& result) {
   const double allowed =
       part.material.yield_strength / part.limits.safety_factor.value_or(1.0);
   if (!nominal) return true;
-  const double swing = largest_swing(result) * result.second_order.stress;
-  if (nominal->high <= allowed && swing * nominal->high > allowed) {
+  const double more = largest_swing(result).stress * result.second_order.stress;
+  if (nominal->high <= allowed && more * nominal->high > allowed) {
     set(result, part::Verdict::kNotJudged,
         fmt::format(
-            "nominal stress {:.4g} MPa at rest ({}), hidden by the zone "
-            "left out: with vibration, {:.4g} times, it may exceed "
-            "{:.4g} MPa",
-            nominal->value / kMega, nominal->what, swing, allowed / kMega));
+            "nominal stress {:.4g} MPa by linear theory at rest ({}), hidden "
+            "by the zone left out: {:.4g} times with vibration, {:.4g} times "
+            "in second order it may exceed {:.4g} MPa",
+            nominal->value / kMega, nominal->what, largest_swing(result).stress,
+            result.second_order.stress, allowed / kMega));
     return false;
   }
   if (nominal->high <= allowed) return true;
@@ -280,13 +290,14 @@ bool judge_swinging_buckling(double wanted, PartResult& result) {
   const double low = buckling.band_low / *buckling.factor;
   for (std::size_t s = 0; s < buckling.of_motions.size(); ++s) {
     const double factor = buckling.of_motions[s];
-    if (low * factor >= result.swings[s] * wanted) continue;
+    const double swing = result.swings[s].largest();
+    if (low * factor >= swing * wanted) continue;
     set(result, part::Verdict::kNotJudged,
         fmt::format(
             "buckling: {:.4g} times the loads of its motion at rest, of "
             "which vibration makes {:.4g} times as much; {:.4g} is "
             "wanted",
-            factor, result.swings[s], wanted));
+            factor, swing, wanted));
     return false;
   }
   return true;
@@ -302,21 +313,28 @@ bool judge_second_order(const part::PartDefinition& part, PartResult& result) {
                     found.label));
     return false;
   }
+  const double admitted = admitted_peak(part, result);
+  if (!found.failure.empty()) {
+    set(result, part::Verdict::kNotJudged,
+        "how far its loads bend it further is not known: " + found.failure);
+    return false;
+  }
+  if (std::max(found.peak, found.bound) <= admitted) return true;
   const PeakStress peak = governing_peak(result);
   const double allowed =
       part.material.yield_strength / part.limits.safety_factor.value_or(1.0);
-  // Where linear theory does not pass it is judged already.
-  if (!(peak.value > 0.0) || peak.band_high > allowed) return true;
-  const double high = std::max(found.peak, found.bound) * peak.band_high;
-  if (high <= allowed * peak.value) return true;
-  const bool fails = found.peak * peak.band_low > allowed * peak.value;
+  // The product with vibration is an upper bound: it decides nothing.
+  const bool fails = found.still_peak * peak.band_low > allowed * peak.value;
   set(result, fails ? part::Verdict::kFail : part::Verdict::kNotJudged,
-      fmt::format(
-          "its loads act on what they displace: {:.4g} MPa at {} ({:.4g} "
-          "of linear theory){} {:.4g} MPa",
-          std::max(found.peak, fails ? 0.0 : found.bound) / kMega, found.label,
-          found.stress, fails ? " exceeds" : ", a band that holds",
-          allowed / kMega));
+      fails ? fmt::format("its loads act on what they displace: {:.4g} MPa "
+                          "({:.4g} of linear theory at {}) exceeds {:.4g} MPa",
+                          found.still_peak / kMega, found.stress, found.label,
+                          allowed / kMega)
+            : fmt::format("its loads act on what they displace: {:.4g} MPa at "
+                          "most, {:.4g} MPa are allowed",
+                          std::max(found.peak, found.bound) / kMega * allowed /
+                              admitted,
+                          allowed / kMega));
   return false;
 }
 
@@ -358,7 +376,7 @@ bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
 /// At rest or as it vibrates.
 FiniteMotion farthest(const PartResult& result) {
   FiniteMotion motion = result.finite_motion;
-  const double swing = largest_swing(result);
+  const double swing = largest_swing(result).largest();
   motion.rotation *= swing;
   motion.strain *= swing;
   return motion;
@@ -376,13 +394,14 @@ bool judge_finite_motion(const part::PartDefinition&, PartResult& result) {
 bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
   if (!part.limits.deflection) return true;
   const bool has_band = result.deflection_high > 0.0;
-  const double value =
-      std::max(result.deflection, result.second_order.deflection);
+  const SecondOrderResult& found = result.second_order;
+  const double value = std::max(result.deflection, found.deflection);
   const double more = result.deflection > 0.0 ? value / result.deflection : 1.0;
   const double low =
       more * (has_band ? result.deflection_low : result.deflection);
   const double high =
-      more * (has_band ? result.deflection_high : result.deflection);
+      std::max(more * (has_band ? result.deflection_high : result.deflection),
+               found.deflection_bound);
   if (high <= *part.limits.deflection) return true;
   if (low <= *part.limits.deflection) {
     set(result, part::Verdict::kNotJudged,
@@ -393,7 +412,9 @@ bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
                     high / kMilli));
     return false;
   }
-  set(result, part::Verdict::kFail,
+  const bool is_certain = result.deflection > *part.limits.deflection ||
+                          largest_swing(result).largest() == 1.0;
+  set(result, is_certain ? part::Verdict::kFail : part::Verdict::kNotJudged,
       fmt::format("deflection {:.4g} mm{} exceeds {:.4g} mm",
                   more * result.deflection / kMilli,
                   more > 1.01 ? " in second order" : "",
@@ -402,6 +423,27 @@ bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
 }
 
 }  // namespace
+
+double admitted_peak(const part::PartDefinition& part,
+                     const PartResult& result) {
+  const PeakStress peak = governing_peak(result);
+  const double allowed =
+      part.material.yield_strength / part.limits.safety_factor.value_or(1.0);
+  if (!(peak.value > 0.0) || peak.band_high > allowed) return HUGE_VAL;
+  const bool beside_zone = &judged_peak(result) != &result.peak;
+  const double reaches = peak.verdict == PeakVerdict::kConverged
+                             ? 1.0
+                             : reaches_wanted(beside_zone);
+  return allowed / (1.0 + reaches * (peak.band_high - peak.value) / peak.value);
+}
+
+double admitted_deflection(const part::PartDefinition& part,
+                           const PartResult& result) {
+  if (!part.limits.deflection || !(result.deflection > 0.0)) return HUGE_VAL;
+  const double high = std::max(result.deflection_high, result.deflection);
+  if (high > *part.limits.deflection) return HUGE_VAL;
+  return *part.limits.deflection * result.deflection / high;
+}
 
 double governing_stress(const part::PartDefinition& part,
                         const PartResult& result) {

@@ -21,6 +21,15 @@ void judge(const part::PartDefinition& part, PartResult& result);
 double governing_stress(const part::PartDefinition& part,
                         const PartResult& result);
 
+/// The largest stress and displacement in second order with which a part still
+/// passes that does by linear theory: its bands are as wide in ratio, of a peak
+/// that is not converged as many times its reach. Infinite where linear theory
+/// does not pass it, or no limit is set [Pa], [m].
+double admitted_peak(const part::PartDefinition& part,
+                     const PartResult& result);
+double admitted_deflection(const part::PartDefinition& part,
+                           const PartResult& result);
+
 /// Why the FE peak leaves 0.8–1.25 of the beam's; empty if it does not.
 std::string explain_ratio(const PeakStress& peak, const BeamComparison& beam);
 

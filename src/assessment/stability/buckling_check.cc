@@ -144,14 +144,6 @@ void take(const PartJob& job, const BucklingModel& model, int degree,
   set_band(before, found.mode.factor, check.result);
 }
 
-/// Whether a part without this can be told of all the same: its supports hold
-/// it in its plane only, its cells fold with a low degree, memory, --max-dofs.
-bool is_bearable(const Error& error) {
-  return error.code() == "F001" || error.code() == "F002" ||
-         error.code() == "F004" || error.code() == "F007" ||
-         error.code() == "M005";
-}
-
 /// Climbs the degrees until the limit is decided, by two at least: of the first
 /// thin cells may lock by any factor. Compact ones do not; where no factor is
 /// found with them that is enough, looked for so far that the model has none
@@ -189,8 +181,9 @@ std::vector<Candidate> checked_loads(const PartJob& job) {
     const auto motion =
         static_cast<std::ptrdiff_t>(loads::motion_length(set.history));
     const auto& instants = set.history.instants;
-    Candidate part{s, set.history, holds, motion > 0};
-    if (motion > 0 && motion < std::ssize(instants)) {  // cases behind it
+    const bool is_motion = motion > 1;  // of cases alone the first counts
+    Candidate part{s, set.history, holds, is_motion};
+    if (is_motion && motion < std::ssize(instants)) {  // cases behind it
       candidates.push_back({s, set.history, holds});
       candidates.back().history.instants.assign(instants.begin() + motion,
                                                 instants.end());

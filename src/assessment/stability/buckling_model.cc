@@ -72,6 +72,12 @@ bool has_compact_cells(const mesh::PartMesh<dim>& mesh,
 
 }  // namespace
 
+bool is_bearable(const Error& error) {
+  return error.code() == "F001" || error.code() == "F002" ||
+         error.code() == "F004" || error.code() == "F007" ||
+         error.code() == "M005";
+}
+
 BucklingModel::BucklingModel(const PartJob& job)
     : job_(job),
       shape_(job),

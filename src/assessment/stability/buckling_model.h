@@ -5,6 +5,7 @@
 
 #include "assessment/job/part_job.h"
 #include "assessment/models/part_shape.h"
+#include "base/messages/errors.h"
 #include "elasticity/fe_space/discretization.h"
 
 namespace clevis::assessment {
@@ -15,6 +16,10 @@ struct PartSpace {
   /// That it is a layer over.
   std::optional<elasticity::Discretization<2>> plane = {};
 };
+
+/// Whether a part without this can be told of all the same: its supports hold
+/// it in its plane only, its cells fold with a low degree, memory, --max-dofs.
+bool is_bearable(const Error& error);
 
 /// The part's discretisation for bending and twisting: of plates one layer.
 class BucklingModel {

@@ -145,14 +145,17 @@ double longest_period(const PartJob& job, const LoadSet& set) {
          std::sqrt(1.0 + added_mass(set, sides[1]) / job.mass.mass);
 }
 
+double softest_period(const PartJob& job, const LoadSet& set) {
+  constexpr double kSofter = 40.0;
+  return kSofter * longest_period(job, set);
+}
+
 bool is_slow(const PartJob& job, const LoadSet& set,
              const dynamics::LoadPath& components) {
   constexpr double kStep = 0.9;
-  constexpr double kNeck =
-      20.0;  // a block on a flexure vibrates so much slower
   const auto spectrum =
       response_spectrum(components,
-                        falling(kNeck * longest_period(job, set),
+                        falling(softest_period(job, set),
                                 kShortest * period_of_waves(job), kStep),
                         job.part.damping, kPaceCounts);
   return spectrum.amplification <= kPaceCounts;

@@ -36,9 +36,12 @@ dynamics::LoadPath load_components(const PartJob& job, const LoadSet& motion);
 /// [s]. Necks, flexures and elastic beds may vibrate slower.
 double longest_period(const PartJob& job, const LoadSet& set);
 
+/// The same of a block on a neck, a flexure or a soft bed: forty times longer
+/// [s].
+double softest_period(const PartJob& job, const LoadSet& set);
+
 /// Whether the loads change so slowly that no vibration of the part is excited,
-/// be it twenty times softer than longest_period() says: a test without its
-/// modes.
+/// be it as soft as softest_period() says: a test without its modes.
 bool is_slow(const PartJob& job, const LoadSet& set,
              const dynamics::LoadPath& components);
 

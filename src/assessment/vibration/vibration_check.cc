@@ -135,6 +135,7 @@ std::optional<double> largest_of(const std::vector<InstantRow>& rows,
     largest = std::max(largest, row.peak);
     --left;
   }
+  if (!(largest > 0.0)) return std::nullopt;
   return largest;
 }
 
@@ -197,7 +198,7 @@ std::optional<VibrationResult> vibration_of(const PartJob& job,
   VibrationResult found;
   const std::string unknown =
       not_followed(job, given, times,
-                   result.first_period.value_or(longest_period(job, given)));
+                   result.first_period.value_or(softest_period(job, given)));
   if (times.driven.empty()) {
     if (unknown.empty()) return {};
     found.not_followed = unknown;
@@ -244,10 +245,11 @@ void check_vibration(const PartJob& job, const std::vector<InstantRow>& rows,
       judge_vibration(followed_loads(given), largest_of(rows, s, given, result),
                       result, *found);
       deflect(has_other_loads(job, result), *found, result);
-      result.swings.resize(job.load_sets.size(), 1.0);
-      result.swings[s] =
-          std::max({1.0, *found->ratio,
-                    at_rest > 0.0 ? found->deflection / at_rest : 1.0});
+      result.swings.resize(job.load_sets.size());
+      result.swings[s] = {
+          .stress = std::max(1.0, *found->ratio),
+          .deflection =
+              at_rest > 0.0 ? std::max(1.0, found->deflection / at_rest) : 1.0};
     }
     // One that could not be computed must be told.
     const bool is_more =

@@ -1,6 +1,7 @@
 #include "dynamics/systems/block_krylov.h"
 
 #include <cmath>
+#include <random>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
@@ -22,6 +23,17 @@ MatrixXd beside(const MatrixXd& left, const MatrixXd& right) {
 }
 
 }  // namespace
+
+MatrixXd random_block(Index rows, Index columns, unsigned seed) {
+  std::mt19937 random(seed);
+  MatrixXd block(rows, columns);
+  for (Index j = 0; j < columns; ++j) {
+    for (Index i = 0; i < rows; ++i) {
+      block(i, j) = static_cast<double>(random()) / 4294967296.0 - 0.5;
+    }
+  }
+  return block;
+}
 
 BlockKrylov::BlockKrylov(const LinearSystem& system, BlockOperator solve,
                          const MatrixXd& start, MatrixXd deflated)

@@ -1,7 +1,6 @@
 #include "dynamics/systems/eigenmodes.h"
 
 #include <algorithm>
-#include <random>
 
 #include <fmt/format.h>
 
@@ -20,18 +19,6 @@ constexpr Index kBlock = 6;
 
 /// Of the residual: eigenvalues have its square, shapes itself.
 constexpr double kTolerance = 1e-9;
-
-/// The same numbers on every run and platform.
-MatrixXd start_block(Index rows, Index columns, unsigned seed) {
-  std::mt19937 random(seed);
-  MatrixXd block(rows, columns);
-  for (Index j = 0; j < columns; ++j) {
-    for (Index i = 0; i < rows; ++i) {
-      block(i, j) = static_cast<double>(random()) / 4294967296.0 - 0.5;
-    }
-  }
-  return block;
-}
 
 void check(const LinearSystem& system, const BlockOperator& solve, double shift,
            const std::string& name, Modes& modes) {
@@ -81,7 +68,8 @@ Modes lowest_modes(const LinearSystem& system, int count,
   VectorXd theta(0);
   if (wanted > 0) {
     const Index width = std::min(kBlock, system.size - rigid.cols());
-    BlockKrylov space(system, solve, start_block(system.size, width, 1), rigid);
+    BlockKrylov space(system, solve, random_block(system.size, width, 1),
+                      rigid);
     for (;;) {
       space.extend();
       const auto ritz = space.ritz_values();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <set>
 #include <utility>
 
@@ -22,18 +21,6 @@ using Eigen::VectorXd;
 
 constexpr Index kBlock = 4;
 
-/// The same numbers on every run and platform.
-MatrixXd start_block(Index rows, Index columns) {
-  std::mt19937 random(1);
-  MatrixXd block(rows, columns);
-  for (Index j = 0; j < columns; ++j) {
-    for (Index i = 0; i < rows; ++i) {
-      block(i, j) = static_cast<double>(random()) / 4294967296.0 - 0.5;
-    }
-  }
-  return block;
-}
-
 /// Unknowns that yield most to stress of 1 Pa in all directions: what bends or
 /// twists easily, whatever the loads.
 MatrixXd yielding_shapes(const StressedPart& part) {
@@ -42,7 +29,9 @@ MatrixXd yielding_shapes(const StressedPart& part) {
   const MassMatrix unit = part.stress().unit_stiffness(part.pairs());
   dynamics::BlockKrylov space(
       part.answer_to(unit, 1.0, 0),
-      start_block(part.equations(), std::min(kBlock, part.equations())), {});
+      dynamics::random_block(part.equations(),
+                             std::min(kBlock, part.equations())),
+      {});
   for (int step = 0; step < kSteps && !space.is_closed(); ++step) {
     space.extend();
   }
@@ -192,8 +181,8 @@ VectorXd carried_over(const KnownShape& known, const Discretization<3>& to) {
 
 /// A shape that is known, and others at random beside it.
 MatrixXd start_near(const StressedPart& part, const VectorXd& shape) {
-  MatrixXd start =
-      start_block(part.equations(), std::min(kBlock, part.equations()));
+  MatrixXd start = dynamics::random_block(part.equations(),
+                                          std::min(kBlock, part.equations()));
   start.col(0) = part.unknowns(shape);
   return start.colwise().normalized();
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <random>
 
 namespace clevis::elasticity {
 namespace {
@@ -28,11 +27,13 @@ MatrixXd spin_forces(const MassMatrix& mass, const Eigen::Vector3d& omega,
   return forces;
 }
 
-/// Solves y − A y = b by conjugate gradients.
-/// @return whether it did; not where 1 is no bound of A's eigenvalues.
-bool solve(const std::function<VectorXd(const VectorXd&)>& a, const VectorXd& b,
-           VectorXd& y) {
-  constexpr int kMostSteps = 100;
+using State = SecondOrderPart::State;
+
+/// Solves y − A y = b by conjugate gradients: unstable where 1 is no bound of
+/// A's eigenvalues.
+State solve(const std::function<VectorXd(const VectorXd&)>& a,
+            const VectorXd& b, VectorXd& y) {
+  constexpr int kMostSteps = 300;
   constexpr double kTolerance = 1e-4;
   y = VectorXd::Zero(b.size());
   VectorXd residual = b, direction = b;
@@ -41,7 +42,7 @@ bool solve(const std::function<VectorXd(const VectorXd&)>& a, const VectorXd& b,
   for (int step = 0; step < kMostSteps && square > wanted; ++step) {
     const VectorXd product = direction - a(direction);
     const double curvature = direction.dot(product);
-    if (!(curvature > 0.0)) return false;
+    if (!(curvature > 0.0)) return State::kUnstable;
     const double length = square / curvature;
     y += length * direction;
     residual -= length * product;
@@ -49,17 +50,7 @@ bool solve(const std::function<VectorXd(const VectorXd&)>& a, const VectorXd& b,
     square = residual.squaredNorm();
     direction = residual + square / before * direction;
   }
-  return !(square > wanted);
-}
-
-/// The same on every run and platform, none of whose shares of a shape is zero.
-VectorXd anything(Index rows, Index seed) {
-  std::mt19937 random(static_cast<unsigned>(seed) + 1U);
-  VectorXd result(rows);
-  for (double& entry : result) {
-    entry = static_cast<double>(random()) / 4294967296.0 - 0.5;
-  }
-  return result;
+  return square <= wanted ? State::kStable : State::kOpen;
 }
 
 }  // namespace
@@ -69,11 +60,11 @@ double SecondOrderPart::lowest_frequency(std::size_t hold) const {
   constexpr Index kBlock = 4;
   const MassMatrix mass =
       part_.stress().mass(part_.pairs(), problem_.material.density);
-  MatrixXd start(part_.equations(), std::min(kBlock, part_.equations()));
-  for (Index k = 0; k < start.cols(); ++k) {
-    start.col(k) = anything(part_.equations(), k);
-  }
-  dynamics::BlockKrylov space(part_.answer_to(mass, 1.0, hold), start, {});
+  dynamics::BlockKrylov space(
+      part_.answer_to(mass, 1.0, hold),
+      dynamics::random_block(part_.equations(),
+                             std::min(kBlock, part_.equations())),
+      {});
   for (int step = 0; step < kSteps && !space.is_closed(); ++step) {
     space.extend();
   }
@@ -83,26 +74,38 @@ double SecondOrderPart::lowest_frequency(std::size_t hold) const {
 SecondOrderPart::Answer SecondOrderPart::answer(const Loads& loads,
                                                 std::size_t hold) const {
   const MassMatrix geometric =
-      part_.stress().stiffness(part_.pairs(), loads.acting);
+      part_.stress().stiffness(part_.pairs(), loads.stressing);
   const bool spins = !loads.omega.isZero();
   const MassMatrix mass =
       spins ? part_.stress().mass(part_.pairs(), problem_.material.density)
             : MassMatrix{};
-  const auto a = [&](const VectorXd& y) -> VectorXd {
+  const auto yields = [&](const VectorXd& y, bool with_spin) -> VectorXd {
     const MatrixXd u = part_.shapes(y, hold);
     MatrixXd forces = -multiply(geometric, u);
-    if (spins) forces += spin_forces(mass, loads.omega, u);
+    if (with_spin) forces += spin_forces(mass, loads.omega, u);
     return part_.answer(forces, hold);
   };
-  VectorXd unknowns, unused;
+  VectorXd sum = VectorXd::Zero(part_.equations());
+  const auto add = [&](const VectorXd& load, bool with_spin) {
+    VectorXd unknowns;
+    const State state = solve(
+        [&](const VectorXd& y) {
+          return yields(y, with_spin);
+        },
+        load, unknowns);
+    sum += unknowns;
+    return state;
+  };
   Answer result;
-  result.is_stable = solve(a, part_.loaded() * loads.acting, unknowns);
-  // A shape that the loads do not excite may have no stiffness left, too.
-  if (spins && result.is_stable) {
-    result.is_stable = solve(a, anything(part_.equations(), 0), unused);
+  result.state = add(part_.loaded() * loads.spun, spins);
+  if (result.state == State::kStable && !loads.still.isZero()) {
+    result.state = add(part_.loaded() * loads.still, false);
   }
-  result.displacement =
-      part_.shapes(unknowns + part_.loaded() * loads.others, hold);
+  result.displacement = part_.shapes(sum, hold);
+  // A shape that the loads do not excite may have no stiffness left, too.
+  if (spins && result.state == State::kStable) {
+    result.state = add(dynamics::random_block(part_.equations(), 1), true);
+  }
   return result;
 }
 

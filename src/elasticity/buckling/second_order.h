@@ -14,14 +14,21 @@ class SecondOrderPart {
  public:
   /// Loads in amounts of load columns.
   struct Loads {
-    Eigen::VectorXd acting;  ///< that move on with what they displace
-    Eigen::VectorXd others;  ///< that are only added, as those that turn in
-                             ///< the part's frame
-    Eigen::Vector3d omega;   ///< in L [rad/s]
+    Eigen::VectorXd stressing;  ///< whose stresses K_G has
+    Eigen::VectorXd spun;       ///< that move on with what they displace
+    /// That turn in the part's frame as it spins, for they stand still in
+    /// space: (K + K_G) u = f.
+    Eigen::VectorXd still;
+    Eigen::Vector3d omega;  ///< in L [rad/s]
+  };
+  enum class State {
+    kStable,
+    kUnstable,  ///< it buckles, or whirls, under less
+    kOpen       ///< the solution did not settle
   };
   struct Answer {
     Eigen::VectorXd displacement;  ///< dofs [m]
-    bool is_stable{};              ///< else it buckles, or whirls, under less
+    State state{};
   };
 
   /// @param problem  outlives the object.

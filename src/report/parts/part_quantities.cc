@@ -244,7 +244,8 @@ Quantities<PartResult> part_rows() {
   add_rows_of(
       second_order_rows(), "/second_order", true,
       [](const S& part) {
-        return part.second_order.is_known ? &part.second_order : nullptr;
+        const SecondOrderResult& found = part.second_order;
+        return found.peak > 0.0 || !found.is_stable ? &found : nullptr;
       },
       rows);
   add_member_rows(beam_rows(), "/beam", &S::beam, rows);

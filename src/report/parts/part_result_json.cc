@@ -59,8 +59,9 @@ CLEVIS_PIPED(ZoneResult, name, exponent, exponent_measured, at, radius, governs,
              has_section, edge_of)
 CLEVIS_PIPED(BucklingResult, factor, band_low, band_high, instant, label,
              of_motions, model, remark, euler, strut_is_longer)
-CLEVIS_PIPED(SecondOrderResult, is_known, is_stable, peak, stress, bound,
-             deflection, deflection_rise, label)
+CLEVIS_PIPED(Swing, stress, deflection)
+CLEVIS_PIPED(SecondOrderResult, is_stable, peak, still_peak, stress, deflection,
+             deflection_rise, bound, deflection_bound, label, failure)
 CLEVIS_PIPED(FiniteMotion, rotation, strain, label)
 CLEVIS_PIPED(BeamComparison, peak_stress, governing, is_section, deflection,
              buckling_safety, ratio_fe_to_beam, reason)

@@ -21,7 +21,7 @@ int supports_of(const part::PartDefinition& part,
   if (std::ranges::find(mechanism.bodies, part.name,
                         &mechanism::BodyDefinition::part) !=
       mechanism.bodies.end()) {
-    all.insert({});
+    all.emplace();
   }
   for (const auto& load_case : part.cases) {
     auto pins = load_case.held_by_pin;

@@ -286,6 +286,17 @@ class Collector {
 
 }  // namespace
 
+double distance_from_edge(const Eigen::Vector3d& point,
+                          const Eigen::Vector3d& from,
+                          const Eigen::Vector3d& to) {
+  const Eigen::Vector3d along = to - from;
+  const double square = along.squaredNorm();
+  const double part =
+      square > 0.0 ? std::clamp((point - from).dot(along) / square, 0.0, 1.0)
+                   : 0.0;
+  return (point - from - part * along).norm();
+}
+
 Vector3d BoundaryCorner::bisector() const {
   return Eigen::AngleAxisd(0.5 * angle, axis) * sides[0].direction;
 }

@@ -34,6 +34,11 @@ struct BoundaryCorner {
   Eigen::Vector3d bisector() const;  ///< unit, into the material
 };
 
+/// Of a point from a straight edge, which may be a point itself [m].
+double distance_from_edge(const Eigen::Vector3d& point,
+                          const Eigen::Vector3d& from,
+                          const Eigen::Vector3d& to);
+
 /// All of them where exactly two boundary faces meet, in the order of their
 /// vertices.
 template <int dim>

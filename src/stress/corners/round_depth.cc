@@ -5,19 +5,6 @@
 #include "stress/corners/boundary_corner.h"
 
 namespace clevis::stress {
-namespace {
-
-double distance(const Eigen::Vector3d& at, const Eigen::Vector3d& start,
-                const Eigen::Vector3d& end) {
-  const Eigen::Vector3d way = end - start;
-  const double square = way.squaredNorm();
-  const double part =
-      square > 0.0 ? std::clamp(way.dot(at - start) / square, 0.0, 1.0) : 0.0;
-  return (at - start - part * way).norm();
-}
-
-}  // namespace
-
 double depth_over_radius(const mesh::PartMesh<3>& mesh,
                          const Eigen::Vector3d& at) {
   constexpr double kTurns = 0.05;  // [rad]; less is a plane
@@ -26,8 +13,9 @@ double depth_over_radius(const mesh::PartMesh<3>& mesh,
     for (const CornerSide& side : corner.sides) {
       if (!(side.turn > kTurns)) continue;
       const double radius = side.extent / side.turn;
-      const double away = distance(at, mesh.vertices[corner.vertices[0]],
-                                   mesh.vertices[corner.vertices[1]]);
+      const double away =
+          distance_from_edge(at, mesh.vertices[corner.vertices[0]],
+                             mesh.vertices[corner.vertices[1]]);
       if (away > side.extent + radius) continue;
       largest = std::max(largest, corner.reach / radius);
     }

@@ -284,12 +284,7 @@ std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
 double distance(const SingularZone& zone, const Vector3d& point) {
   double nearest = std::numeric_limits<double>::max();
   for (const auto& [from, to] : zone.edges) {
-    const Vector3d along = to - from;
-    const double square = along.squaredNorm();
-    const double t =
-        square > 0.0 ? std::clamp((point - from).dot(along) / square, 0.0, 1.0)
-                     : 0.0;
-    nearest = std::min(nearest, (point - from - t * along).norm());
+    nearest = std::min(nearest, distance_from_edge(point, from, to));
   }
   return nearest;
 }

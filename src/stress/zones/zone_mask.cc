@@ -19,11 +19,12 @@ bool on_half_lattice(Index point, int subdivisions, int dim) {
   return true;
 }
 
-/// Points beside each along the lattice.
+/// Points beside each along a cell's lattice.
 template <int dim>
-std::vector<std::vector<int>> neighbours(
-    const elasticity::ReferencePoints<dim>& points, int subdivisions) {
+std::vector<std::vector<int>> neighbours(mesh::CellShape shape,
+                                         int subdivisions) {
   const double spacing = 1.01 / subdivisions;
+  const auto points = elasticity::lattice<dim>(shape, subdivisions);
   std::vector<std::vector<int>> found(static_cast<std::size_t>(points.cols()));
   for (Index q = 0; q < points.cols(); ++q) {
     for (Index r = 0; r < points.cols(); ++r) {
@@ -34,36 +35,45 @@ std::vector<std::vector<int>> neighbours(
   return found;
 }
 
+/// Calls visit(cell, positions of its lattice in L, their farthest distance).
+template <int dim, class Visit>
+void visit_lattices(const elasticity::Discretization<dim>& discretization,
+                    int subdivisions, const Visit& visit) {
+  const auto geometry = elasticity::tabulate_geometry<dim>(
+      discretization.shape, discretization.mapping_degree(),
+      elasticity::lattice<dim>(discretization.shape, subdivisions));
+  for (int c = 0; c < discretization.cells(); ++c) {
+    Eigen::Matrix3Xd at(3, geometry.values.rows());
+    if (dim == 2) at.row(2).setConstant(discretization.mid_plane_z);
+    at.template topRows<dim>() =
+        discretization.cell_points[static_cast<std::size_t>(c)] *
+        geometry.values.transpose();
+    visit(c, at, (at.rowwise().maxCoeff() - at.rowwise().minCoeff()).norm());
+  }
+}
+
 }  // namespace
 
 template <int dim>
 Eigen::MatrixXi zone_of_points(
     const elasticity::Discretization<dim>& discretization, int subdivisions,
     const std::vector<SingularZone>& zones) {
-  const auto points =
-      elasticity::lattice<dim>(discretization.shape, subdivisions);
-  const auto geometry = elasticity::tabulate_geometry<dim>(
-      discretization.shape, discretization.mapping_degree(), points);
-  Eigen::MatrixXi zone_of =
-      Eigen::MatrixXi::Constant(points.cols(), discretization.cells(), -1);
-  for (Index c = 0; c < zone_of.cols(); ++c) {
-    const Eigen::Matrix<double, dim, Eigen::Dynamic> at =
-        discretization.cell_points[static_cast<std::size_t>(c)] *
-        geometry.values.transpose();
-    const double size =
-        (at.rowwise().maxCoeff() - at.rowwise().minCoeff()).norm();
-    Eigen::Vector3d x(0.0, 0.0, discretization.mid_plane_z);
-    for (std::size_t z = zones.size(); z-- > 0;) {
-      x.head<dim>() = at.col(0);
-      if (distance(zones[z], x) > zones[z].radius + size) continue;
-      for (Index q = 0; q < at.cols(); ++q) {
-        x.head<dim>() = at.col(q);
-        if (distance(zones[z], x) <= zones[z].radius) {
-          zone_of(q, c) = static_cast<int>(z);
-        }
-      }
-    }
-  }
+  Eigen::MatrixXi zone_of = Eigen::MatrixXi::Constant(
+      elasticity::lattice<dim>(discretization.shape, subdivisions).cols(),
+      discretization.cells(), -1);
+  visit_lattices<dim>(discretization, subdivisions,
+                      [&](int c, const Eigen::Matrix3Xd& at, double size) {
+                        for (std::size_t z = zones.size(); z-- > 0;) {
+                          const double radius = zones[z].radius;
+                          if (distance(zones[z], at.col(0)) > radius + size)
+                            continue;
+                          for (Index q = 0; q < at.cols(); ++q) {
+                            if (distance(zones[z], at.col(q)) > radius)
+                              continue;
+                            zone_of(q, c) = static_cast<int>(z);
+                          }
+                        }
+                      });
   return zone_of;
 }
 
@@ -71,46 +81,39 @@ template <int dim>
 std::vector<PointBeside> points_beside(
     const elasticity::Discretization<dim>& discretization, int subdivisions,
     const std::vector<SingularZone>& zones) {
-  const auto points =
-      elasticity::lattice<dim>(discretization.shape, subdivisions);
-  const auto geometry = elasticity::tabulate_geometry<dim>(
-      discretization.shape, discretization.mapping_degree(), points);
-  const auto beside = neighbours<dim>(points, subdivisions);
+  const auto next = neighbours<dim>(discretization.shape, subdivisions);
   std::vector<PointBeside> found;
-  for (int c = 0; c < discretization.cells(); ++c) {
-    const Eigen::Matrix<double, dim, Eigen::Dynamic> at =
-        discretization.cell_points[static_cast<std::size_t>(c)] *
-        geometry.values.transpose();
-    const double size =
-        (at.rowwise().maxCoeff() - at.rowwise().minCoeff()).norm();
-    Eigen::Vector3d x(0.0, 0.0, discretization.mid_plane_z);
-    for (std::size_t z = 0; z < zones.size(); ++z) {
-      const SingularZone& zone = zones[z];
-      if (!(zone.radius > 0.0)) continue;
-      // A logarithm's is not steeper than a crack's.
-      const double steepest = zone.exponent < 1.0 ? 1.0 - zone.exponent : 0.5;
-      x.head<dim>() = at.col(0);
-      if (distance(zone, x) > zone.radius + 2.0 * size) continue;
-      const auto away_of = [&](int q) {
-        x.head<dim>() = at.col(q);
-        return distance(zone, x) / zone.radius;
-      };
-      for (int q = 0; q < at.cols(); ++q) {
-        const double away = away_of(q);
-        if (away <= 1.0) continue;
-        for (const int inside : beside[static_cast<std::size_t>(q)]) {
-          const double inside_away = away_of(inside);
-          if (inside_away > 1.0) continue;
-          found.push_back({{c, q},
-                           inside,
-                           static_cast<int>(z),
-                           away,
-                           inside_away,
-                           std::pow(away, steepest)});
-        }
+  const auto add = [&](int c, const Eigen::Matrix3Xd& at, std::size_t z) {
+    const SingularZone& zone = zones[z];
+    // A logarithm's is not steeper than a crack's.
+    const double steepest = zone.exponent < 1.0 ? 1.0 - zone.exponent : 0.5;
+    Eigen::VectorXd away(at.cols());
+    for (Index q = 0; q < at.cols(); ++q) {
+      away[q] = distance(zone, at.col(q)) / zone.radius;
+    }
+    for (int q = 0; q < at.cols(); ++q) {
+      if (away[q] <= 1.0) continue;
+      for (const int inside : next[static_cast<std::size_t>(q)]) {
+        if (away[inside] > 1.0) continue;
+        found.push_back({{c, q},
+                         inside,
+                         static_cast<int>(z),
+                         away[q],
+                         away[inside],
+                         std::pow(away[q], steepest)});
       }
     }
-  }
+  };
+  visit_lattices<dim>(
+      discretization, subdivisions,
+      [&](int c, const Eigen::Matrix3Xd& at, double size) {
+        for (std::size_t z = 0; z < zones.size(); ++z) {
+          const double radius = zones[z].radius;
+          if (radius > 0.0 && distance(zones[z], at.col(0)) <= radius + size) {
+            add(c, at, z);
+          }
+        }
+      });
   return found;
 }
 
