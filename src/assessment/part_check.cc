@@ -199,7 +199,8 @@ PartAssessment check_part(const PartJob& given) {
   note_cases(given, result);
   result.beam = compare_with_beam(job, result);
   job.tell("buckling");
-  BucklingCheck buckling = check_buckling(job);
+  BucklingModel model(job);
+  BucklingCheck buckling = check_buckling(job, model);
   job.tell("vibration and notes");
   result.buckling = std::move(buckling.result);
   result.buckling.euler = result.beam.buckling_safety;
@@ -210,7 +211,8 @@ PartAssessment check_part(const PartJob& given) {
       judged > 0.0 ? job.part.material.yield_strength / judged : 0.0;
   finish_impacts(std::move(blows.impacts), result);
   check_vibration(job, assessment.fields.history, result);
-  check_second_order(job, assessment.fields.history, result);
+  check_second_order(job, assessment.fields.history, buckling.of_lowest_degree,
+                     model, result);
   check_sharing(given, result);
   judge(job.part, result);
   explain_unsettled(result);

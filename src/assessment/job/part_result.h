@@ -277,23 +277,30 @@ struct VibrationResult {
 struct Swing {
   double stress = 1.0, deflection = 1.0;  ///< at least 1 [1]
 
+  /// Of both [1].
   double largest() const { return std::max(stress, deflection); }
 };
 
 /// Stress and displacement where the part's stresses and its spin act on what
-/// they displace, with its vibration; of the instants that were solved for: the
-/// two of each load set that rise to most, and all that may decide a limit.
+/// they displace, with its vibration; of the loads that were solved for: of the
+/// two instants of each load set that rise to most, and of all that may decide
+/// a limit, with what lies between these and the next.
 struct SecondOrderResult {
   bool is_stable = true;  ///< else it buckles, or whirls, under less
-  /// Largest [Pa]; 0: of no instant is it more than by linear theory.
+  /// Whether it bears as many times its loads, with the spin that they come
+  /// from, as the limit of buckling wants; of parts whose spin counts.
+  bool bears_growth = true;
+  /// Largest [Pa]; 0: at no instant is it more than by linear theory.
   double peak{};
-  double still_peak{};  ///< of those that do not vibrate, and of the rest [Pa]
-  double stress = 1.0;  ///< over linear theory's at that instant [1]
-  double deflection{};  ///< where it rises, as `peak` [m]
+  double stress = 1.0;  ///< over linear theory's at that time [1]
+  std::string label;    ///< of the peak
+  /// Largest where it rises, as `peak` [m].
+  double deflection{};
   double deflection_rise = 1.0;  ///< over linear theory's then [1]
+  /// At least, of loads that do not vibrate [Pa], [m].
+  double least_peak{}, least_deflection{};
   /// Of what was not solved for, though it may decide: at most [Pa], [m].
   double bound{}, deflection_bound{};
-  std::string label;    ///< of the instant of the peak
   std::string failure;  ///< why it is not known, though it may decide
 };
 

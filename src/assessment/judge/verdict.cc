@@ -313,6 +313,13 @@ bool judge_second_order(const part::PartDefinition& part, PartResult& result) {
                     found.label));
     return false;
   }
+  if (!found.bears_growth) {
+    set(result, part::Verdict::kNotJudged,
+        fmt::format("buckling: {:.4g} times the loads of {}, with as much more "
+                    "of what its spin makes of them, may be more than it bears",
+                    part::wanted_buckling_factor(part.limits), found.label));
+    return false;
+  }
   const double admitted = admitted_peak(part, result);
   if (!found.failure.empty()) {
     set(result, part::Verdict::kNotJudged,
@@ -324,11 +331,11 @@ bool judge_second_order(const part::PartDefinition& part, PartResult& result) {
   const double allowed =
       part.material.yield_strength / part.limits.safety_factor.value_or(1.0);
   // The product with vibration is an upper bound: it decides nothing.
-  const bool fails = found.still_peak * peak.band_low > allowed * peak.value;
+  const bool fails = found.least_peak * peak.band_low > allowed * peak.value;
   set(result, fails ? part::Verdict::kFail : part::Verdict::kNotJudged,
       fails ? fmt::format("its loads act on what they displace: {:.4g} MPa "
                           "({:.4g} of linear theory at {}) exceeds {:.4g} MPa",
-                          found.still_peak / kMega, found.stress, found.label,
+                          found.peak / kMega, found.stress, found.label,
                           allowed / kMega)
             : fmt::format("its loads act on what they displace: {:.4g} MPa at "
                           "most, {:.4g} MPa are allowed",
@@ -393,32 +400,31 @@ bool judge_finite_motion(const part::PartDefinition&, PartResult& result) {
 
 bool judge_deflection(const part::PartDefinition& part, PartResult& result) {
   if (!part.limits.deflection) return true;
+  const double limit = *part.limits.deflection;
   const bool has_band = result.deflection_high > 0.0;
+  const double most = has_band ? result.deflection_high : result.deflection;
+  const double least = has_band ? result.deflection_low : result.deflection;
   const SecondOrderResult& found = result.second_order;
-  const double value = std::max(result.deflection, found.deflection);
-  const double more = result.deflection > 0.0 ? value / result.deflection : 1.0;
-  const double low =
-      more * (has_band ? result.deflection_low : result.deflection);
-  const double high =
-      std::max(more * (has_band ? result.deflection_high : result.deflection),
-               found.deflection_bound);
-  if (high <= *part.limits.deflection) return true;
-  if (low <= *part.limits.deflection) {
+  const auto times_linear = [&](double value) {
+    return result.deflection > 0.0 ? std::max(1.0, value / result.deflection)
+                                   : 1.0;
+  };
+  const double more = times_linear(found.deflection);
+  const double high = std::max(more * most, found.deflection_bound);
+  if (high <= limit) return true;
+  const double low = times_linear(found.least_deflection) * least;
+  if (low <= limit) {
     set(result, part::Verdict::kNotJudged,
         fmt::format("{:.4g} mm lies inside the band of the deflection{}, "
                     "[{:.4g}, {:.4g}] mm: mesh finer",
-                    *part.limits.deflection / kMilli,
-                    more > 1.01 ? " in second order" : "", low / kMilli,
-                    high / kMilli));
+                    limit / kMilli, more > 1.01 ? " in second order" : "",
+                    low / kMilli, high / kMilli));
     return false;
   }
-  const bool is_certain = result.deflection > *part.limits.deflection ||
-                          largest_swing(result).largest() == 1.0;
-  set(result, is_certain ? part::Verdict::kFail : part::Verdict::kNotJudged,
+  set(result, part::Verdict::kFail,
       fmt::format("deflection {:.4g} mm{} exceeds {:.4g} mm",
                   more * result.deflection / kMilli,
-                  more > 1.01 ? " in second order" : "",
-                  *part.limits.deflection / kMilli));
+                  more > 1.01 ? " in second order" : "", limit / kMilli));
   return false;
 }
 

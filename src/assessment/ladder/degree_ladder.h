@@ -26,7 +26,7 @@ struct DegreeLadder {
   std::vector<SequenceMember> sequence;
   std::vector<std::vector<stress::PointValue>> probes;  ///< per degree
   std::vector<std::optional<SupportStress>> held;       ///< per degree
-  DeflectionWatch deflections;
+  DeflectionWatch<dim> deflections;
   stress::Band band;
   stress::Band outer_band;  ///< away from zones; only if one governs
   /// Between instants, and of those whose loads are not exact, of the judged

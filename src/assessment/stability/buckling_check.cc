@@ -32,8 +32,8 @@ struct Candidate {
   loads::LoadHistory history;
   std::vector<std::vector<std::string>> holds;
   bool is_motion = false;
-  std::optional<elasticity::KnownShape> known = {};  ///< by the last degree
-  double factor{};                                   ///< likewise
+  std::optional<elasticity::NodalField<3>> known = {};  ///< by the last degree
+  double factor{};                                      ///< likewise
 };
 
 /// The lowest factor of candidates, which are left with the instant, the hold
@@ -44,15 +44,23 @@ struct Found {
   double instant{};
 };
 Found lowest(const PartJob& job, const PartSpace& space, double highest,
-             std::vector<Candidate>& candidates) {
+             BucklingModel& model, std::vector<Candidate>& candidates) {
   std::optional<Found> best;
   for (Candidate& candidate : candidates) {
-    auto mode = elasticity::lowest_buckling(
-        {space.whole, job.part.material, candidate.history,
-         job.load_sets[candidate.set].fixed, candidate.holds, job.part.name,
-         job.load_sets[candidate.set].foundations,
-         space.plane ? &*space.plane : nullptr,
-         candidate.known ? &*candidate.known : nullptr, highest});
+    const LoadSet& set = job.load_sets[candidate.set];
+    elasticity::BucklingProblem problem{
+        .discretization = space.whole,
+        .material = job.part.material,
+        .history = candidate.history,
+        .fixed = set.fixed,
+        .holds = candidate.holds,
+        .name = job.part.name,
+        .foundations = set.foundations,
+        .plane = space.plane ? &*space.plane : nullptr,
+        .known = candidate.known ? &*candidate.known : nullptr,
+        .highest = highest};
+    model.factor(set, problem);
+    auto mode = elasticity::lowest_buckling(problem);
     const auto instant =
         candidate.history.instants[static_cast<std::size_t>(mode.instant)];
     candidate.history.instants = {instant};
@@ -112,7 +120,7 @@ double highest_factor(double wanted) {
 /// @param before  factor of the degree before.
 /// @param highest  of the model; it is looked for as far as the degree may
 ///   have it too high.
-void take(const PartJob& job, const BucklingModel& model, int degree,
+void take(const PartJob& job, BucklingModel& model, int degree,
           std::optional<double> before, double highest,
           std::vector<Candidate>& candidates, BucklingCheck& check) {
   const PartSpace space = model.discretize(degree);
@@ -121,8 +129,8 @@ void take(const PartJob& job, const BucklingModel& model, int degree,
   constexpr double kOfLater = 1.1;
   const double too_high = before ? kOfLater : kThrice;
   const bool goes_on = !before && !model.is_compact();
-  const Found found =
-      lowest(job, space, goes_on ? highest : too_high * highest, candidates);
+  const Found found = lowest(job, space, goes_on ? highest : too_high * highest,
+                             model, candidates);
   check.result.label = found.label;
   check.result.instant = found.instant;
   constexpr double kNone = 1e12;
@@ -141,6 +149,9 @@ void take(const PartJob& job, const BucklingModel& model, int degree,
     return;
   }
   check.shape = shape_of(job, space.whole, found.mode);
+  if (degree == model.lowest_degree()) {
+    check.of_lowest_degree = found.mode.factor;
+  }
   set_band(before, found.mode.factor, check.result);
 }
 
@@ -148,7 +159,7 @@ void take(const PartJob& job, const BucklingModel& model, int degree,
 /// thin cells may lock by any factor. Compact ones do not; where no factor is
 /// found with them that is enough, looked for so far that the model has none
 /// below highest_factor().
-BucklingCheck climb(const PartJob& job, const BucklingModel& model,
+BucklingCheck climb(const PartJob& job, BucklingModel& model,
                     std::vector<Candidate> candidates) {
   const double wanted = part::wanted_buckling_factor(job.part.limits);
   BucklingCheck check;
@@ -230,11 +241,10 @@ void lower_for_fluids(const PartJob& job, BucklingResult& result) {
 
 }  // namespace
 
-BucklingCheck check_buckling(const PartJob& job) {
+BucklingCheck check_buckling(const PartJob& job, BucklingModel& model) {
   Stopwatch watch;
   BucklingCheck check;
   if (job.load_sets.empty()) return check;
-  const BucklingModel model(job);
   check = climb(job, model, checked_loads(job));
   auto others = other_sharings(job);
   if (check.result.factor && !others.empty()) {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "assessment/job/part_job.h"
+#include "assessment/stability/buckling_model.h"
 
 namespace clevis::assessment {
 
@@ -10,6 +11,8 @@ namespace clevis::assessment {
 struct BucklingCheck {
   BucklingResult result;
   std::optional<BucklingShape> shape;
+  /// By the model's lowest_degree(); 0: not known.
+  double of_lowest_degree{};
   double seconds{};
 };
 
@@ -20,6 +23,6 @@ struct BucklingCheck {
 /// its plane only, memory) is left out, and the remark says why.
 /// @throws Error of elasticity::lowest_buckling but F001, F002, F004, F007,
 /// M005.
-BucklingCheck check_buckling(const PartJob& job);
+BucklingCheck check_buckling(const PartJob& job, BucklingModel& model);
 
 }  // namespace clevis::assessment

@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include "elasticity/buckling/stressed_part.h"
 #include "elasticity/plate/plate_layer.h"
 
 namespace clevis::assessment {
@@ -94,6 +95,23 @@ PartSpace BucklingModel::discretize(int degree) const {
   auto plane = elasticity::discretize<2>(shape_.plate()->quadrangles, degree);
   auto layer = elasticity::layer_over(plane, kThroughThickness);
   return {std::move(layer), std::move(plane)};
+}
+
+void BucklingModel::factor(const LoadSet& set,
+                           elasticity::BucklingProblem& problem) {
+  constexpr int kSmall = 150'000;  // dofs: up to some 500 MB
+  const bool is_kept = problem.discretization.degree == lowest_degree() &&
+                       problem.discretization.dofs() < kSmall;
+  const auto known = std::ranges::find_if(factored_, [&](const Factored& one) {
+    return one.fixed == set.fixed && one.foundations == set.foundations;
+  });
+  if (is_kept && known != factored_.end()) {
+    problem.coordinates = known->coordinates;
+    return;
+  }
+  problem.coordinates = elasticity::energy_coordinates(problem);
+  if (!is_kept) return;
+  factored_.push_back({set.fixed, set.foundations, problem.coordinates});
 }
 
 std::string BucklingModel::name(int degree) const {

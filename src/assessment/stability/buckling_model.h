@@ -1,11 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "assessment/job/part_job.h"
 #include "assessment/models/part_shape.h"
 #include "base/messages/errors.h"
+#include "elasticity/buckling/buckling_problem.h"
 #include "elasticity/fe_space/discretization.h"
 
 namespace clevis::assessment {
@@ -28,14 +31,27 @@ class BucklingModel {
   explicit BucklingModel(const PartJob& job);
 
   PartSpace discretize(int degree) const;
+  /// Bends and twists the part well enough.
+  int lowest_degree() const { return is_compact_ ? 2 : 3; }
+  /// Factors the problem's stiffness, unless it is known. Kept are those of
+  /// lowest_degree(), which buckling and second order take, if they are small.
+  /// @param set  whose supports the problem has.
+  void factor(const LoadSet& set, elasticity::BucklingProblem& problem);
   /// Of compact cells the first degree is not thrice too high.
   bool is_compact() const { return is_compact_; }
   std::string name(int degree) const;
 
  private:
+  struct Factored {
+    part::Supports fixed;
+    part::Foundations foundations;
+    std::shared_ptr<const elasticity::EnergyCoordinates> coordinates;
+  };
+
   const PartJob& job_;
   PartShape shape_;
   bool is_compact_;
+  std::vector<Factored> factored_;
 };
 
 }  // namespace clevis::assessment

@@ -6,23 +6,24 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <fmt/format.h>
 
 #include "assessment/job/part_zones.h"
 #include "assessment/judge/verdict.h"
 #include "assessment/stability/buckling_model.h"
+#include "assessment/stability/second_order_loads.h"
 #include "assessment/vibration/load_pace.h"
 #include "base/messages/errors.h"
 #include "elasticity/buckling/second_order.h"
 #include "elasticity/problem/dof_limit.h"
-#include "loads/history/motion_instants.h"
 #include "loads/seats/holding_groups.h"
+#include "part/buckling_limit.h"
 #include "stress/field/deflection.h"
 #include "stress/zones/zone_mask.h"
 
@@ -35,8 +36,6 @@ using Eigen::VectorXd;
 using elasticity::SecondOrderPart;
 using loads::InstantLoad;
 
-constexpr double kFirstOrderIsEnough = 10.0;  // times its loads
-constexpr double kSlow = 0.1;                 // spin over lowest frequency
 constexpr int kSubdivisions = 2;
 
 /// What the part yields to a load at most, over linear theory's [1].
@@ -46,82 +45,28 @@ double rise_at(double yield) {
   return yield < 1.0 ? std::min(kMost, 1.0 / (1.0 - yield)) : kMost;
 }
 
-/// Of a load set's motion.
-Swing swing_of(const PartResult& result, std::size_t set) {
-  return result.swings.empty() ? Swing{} : result.swings[set];
-}
-
-/// Share of what buckles the part that a load set has, 1/λ; 0: first order is
-/// enough [1].
-double pressed(const PartResult& result, const Swing& swing) {
-  if (!result.buckling.factor) return 0.0;
-  const double share = swing.largest() / result.buckling.band_low;
-  return share * kFirstOrderIsEnough > 1.0 ? share : 0.0;
-}
-
-/// Instants of a load set that are looked at: the motion's before the cases'.
-struct Looked {
-  std::size_t set{};
-  std::vector<InstantLoad> instants;
-  std::size_t motion{};  ///< so many of them
-  double pressed{};      ///< of the set
-  bool may_be_fast{};    ///< its spin, beside the lowest frequency
-};
-
-Looked looked_at(const PartJob& job, std::size_t s, const PartResult& result) {
-  const LoadSet& set = job.load_sets[s];
-  const std::size_t motion = loads::motion_length(set.history);
-  const double slow = kSlow * 2.0 * std::numbers::pi / softest_period(job, set);
-  Looked looked{s, {}, 0, pressed(result, swing_of(result, s)), false};
-  const auto& all = set.history.instants;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool may_be_fast = all[i].rigid.omega.norm() > slow;
-    looked.may_be_fast |= may_be_fast;
-    if (looked.pressed == 0.0 && !may_be_fast) continue;
-    looked.instants.push_back(all[i]);
-    if (motion > 1 && i < motion) looked.motion = looked.instants.size();
-  }
-  return looked;
-}
-
-/// What the loads of a motion that turns on at one speed have in common in the
-/// part's frame, where those that stand still in space turn: least squares of
-/// c0 + c1 cos θ + c2 sin θ. Nothing of other motions: there each instant's
-/// loads move on with what they displace.
-std::optional<VectorXd> common_load(const Looked& looked,
-                                    const MatrixXd& coefficients) {
-  constexpr double kSteady = 0.02;
-  const auto count = static_cast<Index>(looked.motion);
-  if (count < 4) return std::nullopt;
-  const auto& instants = looked.instants;
-  const Eigen::Vector3d first = instants.front().rigid.omega;
-  Eigen::MatrixX3d terms(count, 3);
-  double turned = 0.0;
-  for (Index i = 0; i < count; ++i) {
-    const InstantLoad& here = instants[static_cast<std::size_t>(i)];
-    const Eigen::Vector3d& omega = here.rigid.omega;
-    if ((omega - first).norm() > kSteady * first.norm()) return std::nullopt;
-    turned = omega.norm() * (here.time - instants.front().time);
-    terms.row(i) << 1.0, std::cos(turned), std::sin(turned);
-  }
-  if (turned < std::numbers::pi) return std::nullopt;
-  const MatrixXd fit = terms.colPivHouseholderQr().solve(
-      coefficients.leftCols(count).transpose());
-  return VectorXd(fit.row(0).transpose());
+/// How many instants are solved for that may decide a limit.
+int most_solved(const PartSpace& space) {
+  constexpr int kSmall = 30'000;  // dofs
+  return space.whole.dofs() < kSmall ? 96 : 24;
 }
 
 /// A load set in second order.
 class SetCheck {
  public:
-  SetCheck(const PartJob& job, const PartSpace& space, const Looked& looked,
-           const std::vector<InstantRow>& rows, const PartResult& result)
+  /// @param space  of model.lowest_degree().
+  SetCheck(const PartJob& job, BucklingModel& model, const PartSpace& space,
+           const SecondOrderLoads& looked, const std::vector<InstantRow>& rows,
+           double of_lowest_degree, const PartResult& result)
       : job_(job),
+        model_(model),
         space_(space),
         set_(job.load_sets[looked.set]),
         looked_(looked),
         result_(result),
         judged_(judged_peak(result)),
         swing_(swing_of(result, looked.set)),
+        softer_(softer_by_the_band(of_lowest_degree, result.buckling)),
         admitted_peak_(admitted_peak(job.part, result)),
         admitted_deflection_(admitted_deflection(job.part, result)),
         zone_of_(zones()) {
@@ -134,25 +79,43 @@ class SetCheck {
     loads::LoadHistory history = set_.history;
     history.instants = looked_.instants;
     history.repeats.clear();
-    const elasticity::BucklingProblem problem{
-        space_.whole,
-        job_.part.material,
-        history,
-        set_.fixed,
-        loads::holding_groups(set_.history),
-        job_.part.name,
-        set_.foundations,
-        space_.plane ? &*space_.plane : nullptr};
-    const SecondOrderPart part(problem);
+    elasticity::BucklingProblem problem{
+        .discretization = space_.whole,
+        .material = job_.part.material,
+        .history = history,
+        .fixed = set_.fixed,
+        .holds = loads::holding_groups(set_.history),
+        .name = job_.part.name,
+        .foundations = set_.foundations,
+        .plane = space_.plane ? &*space_.plane : nullptr};
+    model_.factor(set_, problem);
+    const elasticity::HeldPart held(problem);
+    std::vector<double> lowest;
+    for (std::size_t hold = 0; hold < held.holds(); ++hold) {
+      lowest.push_back(looked_.may_be_fast ? held.lowest_frequency(hold)
+                                           : HUGE_VAL);
+    }
+    if (looked_.pressed == 0.0 && is_slow(std::ranges::min(lowest))) return;
+    const SecondOrderPart part(problem, held);
     if (!part.is_stressed()) return;
     common_ = common_load(looked_, part.coefficients());
-    for (std::size_t hold = 0; hold < part.holds() && found.is_stable; ++hold) {
-      look_at(part, hold, found);
+    points_ = load_points(looked_, part.coefficients());
+    for (std::size_t hold = 0; hold < held.holds() && found.is_stable; ++hold) {
+      look_at(part, hold, lowest[hold], found);
     }
   }
 
  private:
   using Measured = std::pair<VectorXd, VectorXd>;  ///< by instant [Pa], [m]
+
+  /// K_G of a degree whose cells are too stiff counts as the band of the
+  /// buckling factor has it, with what a fluid's pressure needs less.
+  static double softer_by_the_band(double of_lowest_degree,
+                                   const BucklingResult& buckling) {
+    return buckling.factor && buckling.band_low > 0.0
+               ? std::max(1.0, of_lowest_degree / buckling.band_low)
+               : 1.0;
+  }
 
   /// Of the lattice: in any zone, where one is left out.
   Eigen::MatrixXi zones() const {
@@ -173,195 +136,334 @@ class SetCheck {
             stress::largest_deflection<3>(basis).of_instant};
   }
 
-  bool is_judged(const InstantLoad& instant) const {
-    return instant.label == judged_.label && instant.time == judged_.instant;
-  }
+  /// An instant, or a place between two, by linear theory.
+  struct Linear {
+    double here{}, peak{};       ///< by this degree, and by the check's [Pa]
+    double moved{}, deflects{};  ///< likewise [m]
+    double yield{};              ///< 1/λ + (Ω/ω)² at most; 0: first order
+  };
 
-  /// By linear theory, with the degrees of the check where these are known
-  /// [Pa].
-  VectorXd checked(const VectorXd& here) const {
-    constexpr double kOfDegree = 1.05;  // where only this low one is known
-    double scale = kOfDegree;
-    for (Index i = 0; i < here.size(); ++i) {
-      if (is_judged(looked_.instants[static_cast<std::size_t>(i)]) &&
-          here[i] > 0.0) {
-        scale = std::max(1.0, judged_.value / here[i]);
+  /// Of the check over this degree's.
+  struct Scales {
+    double peak = kOfDegree, deflection = kOfDegree;
+  };
+  Scales scales(const Measured& here) const {
+    Scales scales;
+    double judged = 0.0, deflected = 0.0;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const auto at = static_cast<Index>(i);
+      const LoadPoint& point = points_[i];
+      if (point.label == judged_.label && point.time == judged_.instant) {
+        judged = std::max(judged, here.first[at]);
+      }
+      if (point.time == result_.deflection_instant) {
+        deflected =
+            std::max(deflected, swing(point).deflection * here.second[at]);
       }
     }
-    VectorXd checked = scale * here;
-    if (&judged_ != &result_.peak) return checked;
-    for (Index i = 0; i < here.size(); ++i) {
-      const InstantLoad& instant =
-          looked_.instants[static_cast<std::size_t>(i)];
-      const auto row = peaks_.find({instant.label, instant.time});
-      if (row != peaks_.end()) checked[i] = row->second;
+    if (judged > 0.0) scales.peak = std::max(1.0, judged_.value / judged);
+    if (deflected > 0.0) {
+      scales.deflection = std::max(1.0, result_.deflection / deflected);
     }
-    return checked;
+    return scales;
   }
 
-  void look_at(const SecondOrderPart& part, std::size_t hold,
+  /// The check's own peaks where these are known.
+  std::vector<Linear> linear(const Measured& here, double lowest) const {
+    const Scales scales = this->scales(here);
+    std::vector<Linear> all;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const auto at = static_cast<Index>(i);
+      all.push_back({here.first[at], scales.peak * here.first[at],
+                     here.second[at], scales.deflection * here.second[at],
+                     yield(points_[i], lowest)});
+      const auto row = peaks_.find({points_[i].label, points_[i].time});
+      if (&judged_ == &result_.peak && row != peaks_.end()) {
+        all.back().peak = row->second;
+      }
+    }
+    return all;
+  }
+
+  /// @param lowest  frequency [rad/s].
+  void look_at(const SecondOrderPart& part, std::size_t hold, double lowest,
                SecondOrderResult& found) {
-    constexpr int kMost = 24, kAlways = 2;
-    const MatrixXd columns = part.columns(hold);
-    const auto [here, moved] = measured(columns, part.coefficients());
-    if (!(here.maxCoeff() > 0.0) && judged_.value > 0.0) {
+    columns_ = part.columns(hold);
+    MatrixXd amounts(columns_.cols(), static_cast<Index>(points_.size()));
+    for (Index i = 0; i < amounts.cols(); ++i) {
+      amounts.col(i) = points_[static_cast<std::size_t>(i)].amounts;
+    }
+    const auto here = measured(columns_, amounts);
+    if (!(here.first.maxCoeff() > 0.0) && judged_.value > 0.0) {
       found.failure = "its zones cover every point that it is looked at by";
       return;
     }
-    const VectorXd peak = checked(here);
-    std::pair<double, double> common{};  // of what is spun alone [Pa], [m]
+    linear_ = linear(here, lowest);
     if (common_) {
-      const auto [stress, way] = measured(columns, *common_);
-      common = {stress[0], way[0]};
+      const auto [stress, way] = measured(columns_, *common_);
+      common_peak_ = stress[0];
+      common_deflection_ = way[0];
     }
-    const double lowest =
-        looked_.may_be_fast ? part.lowest_frequency(hold) : HUGE_VAL;
-    const VectorXd yield = yields(lowest);
-    std::vector<std::size_t> order(looked_.instants.size()), solved;
-    std::iota(order.begin(), order.end(), std::size_t{0});
     for (const bool by_stress : {true, false}) {
       if (!by_stress && hold > 0) break;  // the check's is of the first
-      const auto most = [&](std::size_t i) {
-        const auto at = static_cast<Index>(i);
-        const double value = by_stress ? peak[at] : moved[at];
-        const double rises =
-            std::min(value, by_stress ? common.first : common.second);
-        const double swung = by_stress ? swing(i).stress : swing(i).deflection;
-        return swung * (value + (rise_at(yield[at]) - 1.0) *
-                                    (is_spun_in_part(i) ? rises : value));
+      solve_most(part, hold, by_stress, found);
+      if (!found.is_stable || !found.failure.empty()) return;
+    }
+    look_at_growth(part, hold, found);
+  }
+
+  /// What the instant reaches at most [Pa] or [m].
+  double at_most(std::size_t i, bool by_stress) const {
+    const Linear& of = linear_[i];
+    const double value = by_stress ? of.peak : of.deflects;
+    const double spun =
+        std::min(value, by_stress ? common_peak_ : common_deflection_);
+    const double swung =
+        by_stress ? swing(points_[i]).stress : swing(points_[i]).deflection;
+    return swung * (value + (rise_at(of.yield) - 1.0) *
+                                (is_spun_in_part(points_[i]) ? spun : value));
+  }
+
+  /// The two that may rise to most, and those that may decide the limit.
+  void solve_most(const SecondOrderPart& part, std::size_t hold, bool by_stress,
+                  SecondOrderResult& found) {
+    constexpr int kAlways = 2;
+    constexpr double kAlike = 1e-3;
+    std::vector<std::size_t> order(points_.size());
+    std::vector<LoadPoint> solved;
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) {
+      return at_most(i, by_stress);
+    });
+    const double admitted = by_stress ? admitted_peak_ : admitted_deflection_;
+    left_ = most_solved(space_);
+    int always = kAlways;
+    for (const std::size_t i : order) {
+      const LoadPoint& point = points_[i];
+      if (!(linear_[i].yield > 0.0)) continue;
+      const bool decides =
+          at_most(i, by_stress) > admitted || linear_[i].yield >= 1.0;
+      if (!decides && always == 0) continue;
+      if (left_ == 0) {
+        double& bound = by_stress ? found.bound : found.deflection_bound;
+        bound = std::max(bound, at_most(i, by_stress));
+        continue;
+      }
+      if (std::ranges::none_of(solved, [&](const LoadPoint& known) {
+            return point.is_like(known, kAlike);
+          })) {
+        always = std::max(0, always - 1);
+        solved.push_back(point);
+        take(part, point, linear_[i], hold, found);
+      }
+      if (decides) follow_on(part, hold, i, found);
+      if (!found.is_stable || !found.failure.empty()) return;
+    }
+  }
+
+  /// Between an instant and the next stress and deflection of second order may
+  /// be larger than at both: what presses falls as what bends rises.
+  void follow_on(const SecondOrderPart& part, std::size_t hold, std::size_t i,
+                 SecondOrderResult& found) {
+    constexpr double kFar = 0.05;
+    constexpr int kShares = 4, kHalvings = 2;
+    for (const std::size_t from : {i - 1, i}) {
+      if (i == 0 && from != i) continue;
+      const std::size_t to = from + 1;
+      if (!points_[from].goes_on || followed_.contains({hold, from}) ||
+          points_[from].is_like(points_[to], kFar)) {
+        continue;
+      }
+      followed_.insert({hold, from});
+      double best = 0.5, step = 1.0 / kShares, most = -1.0;
+      const auto look = [&](double share) {
+        if (left_ == 0 || !found.is_stable || !found.failure.empty()) return;
+        const double reached = take_between(part, hold, from, share, found);
+        if (reached <= most) return;
+        most = reached;
+        best = share;
       };
-      std::ranges::stable_sort(order, std::ranges::greater{}, most);
-      const double admitted = by_stress ? admitted_peak_ : admitted_deflection_;
-      int left = kMost;
-      for (const std::size_t i : order) {
-        const auto at = static_cast<Index>(i);
-        if (!(yield[at] > 0.0) || is_like_one(i, solved, part.coefficients())) {
-          continue;
-        }
-        const bool decides = most(i) > admitted || yield[at] >= 1.0;
-        if (!decides && left <= kMost - kAlways) continue;
-        if (left == 0) {
-          double& bound = by_stress ? found.bound : found.deflection_bound;
-          bound = std::max(bound, most(i));
-          continue;
-        }
-        --left;
-        solved.push_back(i);
-        take(part, {i, hold, here[at], peak[at], moved[at]}, found);
-        if (!found.is_stable || !found.failure.empty()) return;
+      for (int k = 1; k < kShares; ++k) look(k * step);
+      for (int k = 0; k < kHalvings; ++k) {
+        step *= 0.5;
+        const double middle = best;
+        look(middle - step);
+        look(middle + step);
       }
     }
   }
 
-  /// 1/λ + (Ω/ω)² at most, by instant; 0: first order is enough.
-  /// @param lowest  frequency ω [rad/s].
-  VectorXd yields(double lowest) const {
-    VectorXd yields(static_cast<Index>(looked_.instants.size()));
-    for (std::size_t i = 0; i < looked_.instants.size(); ++i) {
-      const double spin = looked_.instants[i].rigid.omega.norm() / lowest;
-      yields[static_cast<Index>(i)] =
-          looked_.pressed + (!(spin <= kSlow) ? spin * spin : 0.0);
-    }
-    return yields;
+  /// @return what it reaches [Pa].
+  double take_between(const SecondOrderPart& part, std::size_t hold,
+                      std::size_t from, double share,
+                      SecondOrderResult& found) {
+    const LoadPoint point = between(points_[from], points_[from + 1], share);
+    const auto [stress, way] = measured(columns_, point.amounts);
+    const Linear& start = linear_[from];
+    const Linear& end = linear_[from + 1];
+    const auto over = [](double checked, double here) {
+      return here > 0.0 ? checked / here : 1.0;
+    };
+    const Linear linear{stress[0],
+                        stress[0] * std::max(over(start.peak, start.here),
+                                             over(end.peak, end.here)),
+                        way[0],
+                        way[0] * std::max(over(start.deflects, start.moved),
+                                          over(end.deflects, end.moved)),
+                        std::max(start.yield, end.yield)};
+    return take(part, point, linear, hold, found);
   }
 
-  /// Whether loads and spin of an instant that was solved for are the same.
-  bool is_like_one(std::size_t i, const std::vector<std::size_t>& solved,
-                   const MatrixXd& coefficients) const {
-    constexpr double kAlike = 1e-3;
-    const auto here = coefficients.col(static_cast<Index>(i));
-    const Eigen::Vector3d& omega = looked_.instants[i].rigid.omega;
-    return std::ranges::any_of(solved, [&](std::size_t k) {
-      const auto there = coefficients.col(static_cast<Index>(k));
-      return is_motion(k) == is_motion(i) &&
-             (looked_.instants[k].rigid.omega - omega).norm() <=
-                 kAlike * omega.norm() &&
-             (there - here).norm() <= kAlike * here.norm();
+  /// Whether no spin of the instants counts beside a frequency [rad/s].
+  bool is_slow(double frequency) const {
+    return std::ranges::all_of(looked_.instants, [&](const auto& instant) {
+      return instant.rigid.omega.norm() <= kSlowSpin * frequency;
     });
   }
 
+  /// 1/λ + (Ω/ω)² at most; 0: first order is enough.
+  double yield(const LoadPoint& point, double lowest) const {
+    const double spin = point.omega.norm() / lowest;
+    return looked_.pressed + (!(spin <= kSlowSpin) ? spin * spin : 0.0);
+  }
+
   /// Whether all that rises is what the motion's loads have in common.
-  bool is_spun_in_part(std::size_t i) const {
-    return common_ && is_motion(i) && looked_.pressed == 0.0;
+  bool is_spun_in_part(const LoadPoint& point) const {
+    return common_ && point.is_motion && looked_.pressed == 0.0;
   }
-  bool is_motion(std::size_t i) const { return i < looked_.motion; }
-  Swing swing(std::size_t i) const {
-    return is_motion(i) ? swing_ : Swing{};  // cases stand still
+  Swing swing(const LoadPoint& point) const {
+    return point.is_motion ? swing_ : Swing{};  // cases stand still
   }
 
-  /// An instant by linear theory.
-  struct Linear {
-    std::size_t instant{}, hold{};
-    double here{}, peak{};  ///< by this degree, and by the check's [Pa]
-    double moved{};         ///< [m]
-  };
+  SecondOrderPart::Answer answer(const SecondOrderPart& part,
+                                 const LoadPoint& point, double times,
+                                 std::size_t hold) const {
+    const VectorXd spun = common_ && point.is_motion ? *common_ : point.amounts;
+    return part.answer(
+        {.stressing = times * softer_ * swing(point).largest() * point.amounts,
+         .spun = spun,
+         .still = point.amounts - spun,
+         .omega = std::sqrt(times) * point.omega},
+        hold);
+  }
 
-  void take(const SecondOrderPart& part, const Linear& linear,
-            SecondOrderResult& found) {
-    const InstantLoad& instant = looked_.instants[linear.instant];
-    const VectorXd all =
-        part.coefficients().col(static_cast<Index>(linear.instant));
-    const bool turns = common_ && is_motion(linear.instant);
-    const VectorXd spun = turns ? *common_ : all;
-    const Swing swing = this->swing(linear.instant);
-    const auto answer = part.answer({.stressing = swing.largest() * all,
-                                     .spun = spun,
-                                     .still = all - spun,
-                                     .omega = instant.rigid.omega},
-                                    linear.hold);
-    if (answer.state == SecondOrderPart::State::kOpen) {
-      found.failure = "its solution at " + instant.label + " does not settle";
-      return;
+  /// What the least of the buckling factors leaves of a rise that its most has.
+  double certain(double rise) const {
+    const BucklingResult& buckling = result_.buckling;
+    const double low = buckling.band_low - 1.0;
+    const double high = buckling.band_high - 1.0;
+    return buckling.factor && low > 0.0 ? 1.0 + (rise - 1.0) * low / high : 1.0;
+  }
+
+  /// @return the peak that is reached [Pa].
+  double take(const SecondOrderPart& part, const LoadPoint& point,
+              const Linear& linear, std::size_t hold,
+              SecondOrderResult& found) {
+    --left_;
+    const Swing swing = this->swing(point);
+    const auto solved = answer(part, point, 1.0, hold);
+    if (solved.state == SecondOrderPart::State::kOpen) {
+      found.failure = "its solution at " + point.label + " does not settle";
+      return 0.0;
     }
-    if (answer.state == SecondOrderPart::State::kUnstable) {
+    if (solved.state == SecondOrderPart::State::kUnstable) {
       found.is_stable = false;
-      found.label = instant.label;
-      return;
+      found.label = point.label;
+      return 0.0;
     }
     const auto [stress, moved] =
-        measured(answer.displacement, MatrixXd::Ones(1, 1));
-    const double rise =
-        linear.here > 0.0 ? std::max(1.0, stress[0] / linear.here) : 1.0;
-    const double peak = rise * linear.peak;
-    if (swing.stress * peak > found.peak) {
-      found.peak = swing.stress * peak;
+        measured(solved.displacement, MatrixXd::Ones(1, 1));
+    const auto rise_of = [](double now, double before) {
+      return before > 0.0 ? std::max(1.0, now / before) : 1.0;
+    };
+    const double rise = rise_of(stress[0], linear.here);
+    const double peak = swing.stress * rise * linear.peak;
+    if (peak > found.peak) {
+      found.peak = peak;
       found.stress = rise;
-      found.label = instant.label;
+      found.label = point.label;
     }
-    if (swing.largest() == 1.0) {
-      found.still_peak = std::max(found.still_peak, peak);
+    const bool is_still = swing.largest() == 1.0;
+    if (is_still) {
+      found.least_peak =
+          std::max(found.least_peak, certain(rise) * linear.peak);
     }
     constexpr double kRises = 1.001;  // else linear theory's own stands
-    if (linear.hold > 0 || !(moved[0] > kRises * linear.moved)) return;
-    if (swing.deflection * moved[0] > found.deflection) {
-      found.deflection = swing.deflection * moved[0];
-      found.deflection_rise = moved[0] / linear.moved;
+    const double farther = rise_of(moved[0], linear.moved);
+    if (hold > 0 || !(farther > kRises)) return peak;
+    const double deflection = swing.deflection * farther * linear.deflects;
+    if (deflection > found.deflection) {
+      found.deflection = deflection;
+      found.deflection_rise = farther;
+    }
+    if (is_still) {
+      found.least_deflection =
+          std::max(found.least_deflection, certain(farther) * linear.deflects);
+    }
+    return peak;
+  }
+
+  /// Loads that grow spin the part as well: of those whose spin counts, whether
+  /// it bears as much more as buckling wants.
+  void look_at_growth(const SecondOrderPart& part, std::size_t hold,
+                      SecondOrderResult& found) const {
+    constexpr std::size_t kMost = 4;
+    const double wanted = part::wanted_buckling_factor(job_.part.limits);
+    std::vector<std::size_t> order(points_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::erase_if(order, [&](std::size_t i) {
+      const double yield = linear_[i].yield;
+      return !(yield > looked_.pressed) || yield * wanted < 1.0;
+    });
+    std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) {
+      return linear_[i].yield;
+    });
+    if (order.size() > kMost) order.resize(kMost);
+    for (const std::size_t i : order) {
+      if (answer(part, points_[i], wanted, hold).state !=
+          SecondOrderPart::State::kStable) {
+        found.bears_growth = false;
+        found.label = points_[i].label;
+        return;
+      }
     }
   }
 
+  static constexpr double kOfDegree = 1.05;  // where only this low one is known
+
   const PartJob& job_;
+  BucklingModel& model_;
   const PartSpace& space_;
   const LoadSet& set_;
-  const Looked& looked_;
+  const SecondOrderLoads& looked_;
   const PartResult& result_;
   const PeakStress& judged_;
   Swing swing_;
+  double softer_;
   double admitted_peak_, admitted_deflection_;
   Eigen::MatrixXi zone_of_;
   std::map<std::pair<std::string, double>, double> peaks_;  ///< of the check
+  std::vector<LoadPoint> points_;
+  std::vector<Linear> linear_;  ///< of the points, with the hold
+  MatrixXd columns_;            ///< likewise
+  /// What is spun alone, of a part that turns on.
   std::optional<VectorXd> common_;
+  double common_peak_{}, common_deflection_{};              ///< [Pa], [m]
+  std::set<std::pair<std::size_t, std::size_t>> followed_;  ///< hold, instant
+  int left_{};  ///< so many may be solved for
 };
 
 /// Without a solution: bounded by the buckling factor; of spin that is not slow
 /// beside a bar of the part's size nothing is known.
-void bound(const PartJob& job, const Looked& looked, const Error& error,
-           const PartResult& result, SecondOrderResult& found) {
+void bound(const PartJob& job, const SecondOrderLoads& looked,
+           const Error& error, const PartResult& result,
+           SecondOrderResult& found) {
   const LoadSet& set = job.load_sets[looked.set];
   const double period = result.first_period.value_or(longest_period(job, set));
   const bool is_fast =
       std::ranges::any_of(looked.instants, [&](const InstantLoad& instant) {
         return instant.rigid.omega.norm() * period >
-               kSlow * 2.0 * std::numbers::pi;
+               kSlowSpin * 2.0 * std::numbers::pi;
       });
   if (is_fast) found.failure = error.problem();
   if (looked.pressed == 0.0) return;
@@ -394,20 +496,21 @@ void note(const PartResult& result, std::vector<std::string>& notes) {
 }  // namespace
 
 void check_second_order(const PartJob& job, const std::vector<InstantRow>& rows,
+                        double of_lowest_degree, BucklingModel& model,
                         PartResult& result) {
   std::optional<PartSpace> space;
   SecondOrderResult& found = result.second_order;
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
-    const Looked looked = looked_at(job, s, result);
+    const SecondOrderLoads looked = second_order_loads(job, s, result);
     if (looked.instants.empty()) continue;
     try {
       if (!space) {
-        const BucklingModel model(job);
-        space = model.discretize(model.is_compact() ? 2 : 3);
+        space = model.discretize(model.lowest_degree());
         elasticity::require_dofs(space->whole.dofs(), job.max_dofs,
                                  "part " + job.part.name);
       }
-      SetCheck(job, *space, looked, rows, result).run(found);
+      SetCheck(job, model, *space, looked, rows, of_lowest_degree, result)
+          .run(found);
     } catch (const Error& error) {
       if (!is_bearable(error)) throw;
       bound(job, looked, error, result, found);

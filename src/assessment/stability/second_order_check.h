@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "assessment/job/part_job.h"
+#include "assessment/stability/buckling_model.h"
 
 namespace clevis::assessment {
 
@@ -10,17 +11,22 @@ namespace clevis::assessment {
 /// load sets of a part that buckles below ten times its loads (first order is
 /// enough above: EN 1993-1-1, 5.2.1 (3)), and at instants at which it spins
 /// faster than a tenth of its lowest frequency. Of each set the two instants
-/// that may rise to most are solved for, and those that may decide a limit, two
-/// dozen at most; the rest is bounded. Vibration counts as so much more load.
-/// Where the part turns on at one speed, only what its loads have in common in
-/// its frame is spun: the rest stands still in space. What cannot be computed
-/// (memory, supports that hold a plate in its plane only) is bounded by the
-/// buckling factor; of fast spin it is a failure.
+/// that may rise to most are solved for, and those that may decide a limit with
+/// what lies between them and the next, some dozens at most; the rest is
+/// bounded. K_G counts as the band of the buckling factor has it at most. Of a
+/// part whose spin counts it is looked at, too, whether it bears as much more
+/// of its loads, with their spin, as the limit of buckling wants. Vibration
+/// counts as so much more load. Where the part turns on at one speed, only what
+/// its loads have in common in its frame is spun: the rest stands still in
+/// space. What cannot be computed (memory, supports that hold a plate in its
+/// plane only) is bounded by the buckling factor; of fast spin it is a failure.
 /// @param rows  of the check at rest.
+/// @param of_lowest_degree  buckling factor by the model's [1]; 0: not known.
 /// @pre `result` has its peak, its buckling and its vibration.
 /// @throws Error of elasticity::SecondOrderPart but F001, F002, F004, F007,
 ///   M005.
 void check_second_order(const PartJob& job, const std::vector<InstantRow>& rows,
+                        double of_lowest_degree, BucklingModel& model,
                         PartResult& result);
 
 }  // namespace clevis::assessment

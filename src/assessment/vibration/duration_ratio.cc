@@ -19,14 +19,13 @@ constexpr const char* kInTime =
 
 double first_period_of(const PartJob& job, const LoadSet& set) {
   try {
-    return elasticity::first_period<3>(
-        {.mesh = job.overall_mesh(),
-         .material = job.part.material,
-         .history = set.history,
-         .fixed = set.fixed,
-         .name = job.part.name,
-         .foundations = set.foundations},
-        job.mesh.shape == mesh::CellShape::kSimplex ? 1 : 2);
+    return elasticity::first_period<3>({.mesh = job.overall_mesh(),
+                                        .material = job.part.material,
+                                        .history = set.history,
+                                        .fixed = set.fixed,
+                                        .name = job.part.name,
+                                        .foundations = set.foundations},
+                                       2);
   } catch (const Error&) {
     return longest_period(job, set);  // supports that hold it in a plane alone
   }

@@ -1,6 +1,7 @@
 #include "dynamics/systems/eigenmodes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -17,14 +18,15 @@ using Eigen::VectorXd;
 /// Wider than any eigenvalue of a symmetric part is multiple.
 constexpr Index kBlock = 6;
 
-/// Of the residual: eigenvalues have its square, shapes itself.
-constexpr double kTolerance = 1e-9;
-
 void check(const LinearSystem& system, const BlockOperator& solve, double shift,
-           const std::string& name, Modes& modes) {
+           const std::string& name, double tolerance, Modes& modes) {
   // Stiff cells leave round-off in the quotient of a soft mode: a block on a
   // neck a sixteenth as high 3e-7.
-  constexpr double kResidual = 1e-7, kRayleigh = 1e-5;
+  constexpr double kRayleigh = 1e-5;
+  // Of rough shapes it tells no more than how stiff the cells are.
+  constexpr double kRough = 1e-6;
+  const double most = 100.0 * tolerance;
+  const double most_rayleigh = tolerance > kRough ? HUGE_VAL : kRayleigh;
   const MatrixXd weighted = system.mass(modes.shapes);
   const MatrixXd forces = system.stiffness(modes.shapes);
   const VectorXd shifted = modes.squares.array() + shift;
@@ -40,8 +42,8 @@ void check(const LinearSystem& system, const BlockOperator& solve, double shift,
       modes.shapes.cwiseProduct(weighted).colwise().sum().transpose().array();
   modes.rayleigh_error =
       (quotient - modes.squares).cwiseAbs().cwiseQuotient(shifted);
-  if (modes.residual.maxCoeff() < kResidual &&
-      modes.rayleigh_error.maxCoeff() < kRayleigh) {
+  if (modes.residual.maxCoeff() < most &&
+      modes.rayleigh_error.maxCoeff() < most_rayleigh) {
     return;
   }
   throw Error(
@@ -55,7 +57,7 @@ void check(const LinearSystem& system, const BlockOperator& solve, double shift,
 }  // namespace
 
 Modes lowest_modes(const LinearSystem& system, int count,
-                   const std::string& name) {
+                   const std::string& name, double tolerance) {
   const MatrixXd rigid = mass_orthonormal(system, system.rigid);
   const double shift = system.least_shift();
   const BlockOperator solve = system.factor(shift);
@@ -76,7 +78,7 @@ Modes lowest_modes(const LinearSystem& system, int count,
       const Index n = std::min(wanted, space.size());
       const bool settled =
           n == wanted && (ritz.residual.head(n).array() <
-                          kTolerance * ritz.theta.head(n).array())
+                          tolerance * ritz.theta.head(n).array())
                              .all();
       if (!settled && !space.is_closed()) continue;
       elastic = space.basis() * ritz.vectors.leftCols(n);
@@ -89,7 +91,7 @@ Modes lowest_modes(const LinearSystem& system, int count,
   modes.shapes << rigid, elastic;
   modes.squares = VectorXd::Zero(modes.shapes.cols());
   modes.squares.tail(theta.size()) = theta.cwiseInverse().array() - shift;
-  check(system, solve, shift, name, modes);
+  check(system, solve, shift, name, tolerance, modes);
   return modes;
 }
 

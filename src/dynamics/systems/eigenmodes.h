@@ -24,8 +24,9 @@ struct Modes {
 
 /// The lowest modes by shift and invert, rigid ones counted in.
 /// @param name  for messages ("part DCE").
+/// @param tolerance  of the residual; eigenvalues have its square [1].
 /// @throws Error F003 if a mode does not satisfy its equation, F002.
 Modes lowest_modes(const LinearSystem& system, int count,
-                   const std::string& name);
+                   const std::string& name, double tolerance = 1e-9);
 
 }  // namespace clevis::dynamics

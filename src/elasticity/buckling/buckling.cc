@@ -23,10 +23,11 @@ constexpr Index kBlock = 4;
 
 /// Unknowns that yield most to stress of 1 Pa in all directions: what bends or
 /// twists easily, whatever the loads.
-MatrixXd yielding_shapes(const StressedPart& part) {
+MatrixXd yielding_shapes(const StressedPart& stressed) {
+  const HeldPart& part = stressed.part();
   constexpr int kSteps = 3;
   constexpr Index kShapes = 8;
-  const MassMatrix unit = part.stress().unit_stiffness(part.pairs());
+  const MassMatrix unit = stressed.stress().unit_stiffness(part.pairs());
   dynamics::BlockKrylov space(
       part.answer_to(unit, 1.0, 0),
       dynamics::random_block(part.equations(),
@@ -44,17 +45,18 @@ MatrixXd yielding_shapes(const StressedPart& part) {
 /// holds' differ by rotations of the whole part, which are among them.
 class TrialSpace {
  public:
-  TrialSpace(const StressedPart& part, const MatrixXd& unknowns)
-      : part_(part),
-        shapes_(part.rotations()),
-        forms_(0, part.coefficients().rows()) {
+  TrialSpace(const StressedPart& stressed, const MatrixXd& unknowns)
+      : stressed_(stressed),
+        part_(stressed.part()),
+        shapes_(part_.rotations()),
+        forms_(0, stressed.coefficients().rows()) {
     add(unknowns);
   }
   void add(const MatrixXd& unknowns) {
     const Index before = unknowns_.cols() > 0 ? shapes_.cols() : 0;
     append(unknowns, unknowns_);
     append(part_.shapes(unknowns, 0), shapes_);
-    const MatrixXd more = part_.stress().forms(shapes_, before);
+    const MatrixXd more = stressed_.stress().forms(shapes_, before);
     forms_.conservativeResize(forms_.rows() + more.rows(), Eigen::NoChange);
     forms_.bottomRows(more.rows()) = more;
     orthonormalise();
@@ -99,7 +101,7 @@ class TrialSpace {
   }
   Eigen::SelfAdjointEigenSolver<MatrixXd> solved(
       Index instant, std::size_t hold, Eigen::DecompositionOptions what) const {
-    const VectorXd entries = forms_ * part_.coefficients().col(instant);
+    const VectorXd entries = forms_ * stressed_.coefficients().col(instant);
     const Index m = shapes_.cols();
     MatrixXd form(m, m);
     Index pair = 0;
@@ -111,7 +113,8 @@ class TrialSpace {
         -shapes.transpose() * form * shapes, what);
   }
 
-  const StressedPart& part_;
+  const StressedPart& stressed_;
+  const HeldPart& part_;
   MatrixXd unknowns_, to_orthonormal_;
   MatrixXd shapes_;  ///< rotations, then those of the unknowns with one hold
   MatrixXd forms_;   ///< of the shapes, a column per load column
@@ -127,19 +130,20 @@ struct Yield {
 };
 
 /// @param fewest  times that the stresses are applied to the start.
-Yield largest_yield(const StressedPart& part, std::size_t hold, Index instant,
-                    const MatrixXd& start, int fewest) {
+Yield largest_yield(const StressedPart& stressed, std::size_t hold,
+                    Index instant, const MatrixXd& start, int fewest) {
   constexpr double kTolerance = 3e-4;  // λ has its square as error
   constexpr int kMostSteps = 40;
-  const MassMatrix geometric =
-      part.stress().stiffness(part.pairs(), part.coefficients().col(instant));
+  const HeldPart& part = stressed.part();
+  const MassMatrix geometric = stressed.stress().stiffness(
+      part.pairs(), stressed.coefficients().col(instant));
   dynamics::BlockKrylov space(part.answer_to(geometric, -1.0, hold), start, {});
   for (int step = 1;; ++step) {
     space.extend();
     const auto ritz = space.ritz_values();
     const double theta = ritz.theta[0];
     const double rest = ritz.residual[0];
-    const bool is_low = theta + rest < 1.0 / part.highest();
+    const bool is_low = theta + rest < 1.0 / stressed.highest();
     const bool settled = rest < kTolerance * theta;
     const bool is_last = space.is_closed() || step == kMostSteps;
     if (!is_last && (step < fewest || !(settled || is_low))) continue;
@@ -157,30 +161,8 @@ VectorXd to_unit(VectorXd shape) {
   return largest > 0.0 ? VectorXd(shape / largest) : shape;
 }
 
-/// A shape at the nodes of another degree on the same cells.
-VectorXd carried_over(const KnownShape& known, const Discretization<3>& to) {
-  const Discretization<3>& from = known.discretization;
-  const auto table = tabulate_displacement<3>(
-      to.shape, from.displacement_degree(),
-      displacement_support_points<3>(to.shape, to.displacement_degree()));
-  VectorXd result(to.dofs());
-  for (std::size_t c = 0; c < to.cell_nodes.size(); ++c) {
-    Eigen::Matrix3Xd values(3, table.values.cols());
-    for (Index i = 0; i < values.cols(); ++i) {
-      values.col(i) = known.shape.segment<3>(
-          3 * from.cell_nodes[c][static_cast<std::size_t>(i)]);
-    }
-    const Eigen::Matrix3Xd here = values * table.values.transpose();
-    for (Index i = 0; i < here.cols(); ++i) {
-      result.segment<3>(3 * to.cell_nodes[c][static_cast<std::size_t>(i)]) =
-          here.col(i);
-    }
-  }
-  return result;
-}
-
 /// A shape that is known, and others at random beside it.
-MatrixXd start_near(const StressedPart& part, const VectorXd& shape) {
+MatrixXd start_near(const HeldPart& part, const VectorXd& shape) {
   MatrixXd start = dynamics::random_block(part.equations(),
                                           std::min(kBlock, part.equations()));
   start.col(0) = part.unknowns(shape);
@@ -192,7 +174,7 @@ void take(const StressedPart& part, const Yield& yield, Index instant,
           BucklingMode& best) {
   best.instant = instant;
   best.residual = yield.residual;
-  best.shape = to_unit(part.shapes(yield.shapes.leftCols(1), best.hold));
+  best.shape = to_unit(part.part().shapes(yield.shapes.leftCols(1), best.hold));
   best.is_above = !(yield.value > 1.0 / part.highest());
   best.factor = best.is_above ? part.highest() : 1.0 / yield.value;
 }
@@ -209,7 +191,7 @@ BucklingMode lowest_near(const StressedPart& part, const VectorXd& shape) {
   constexpr int kFewest = 4;  // for the random ones to come near
   BucklingMode best = none_below(part.highest());
   const Yield yield =
-      largest_yield(part, 0, 0, start_near(part, shape), kFewest);
+      largest_yield(part, 0, 0, start_near(part.part(), shape), kFewest);
   if (yield.value > 0.0) take(part, yield, 0, best);
   return best;
 }
@@ -247,8 +229,8 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
     const Yield yield = largest_yield(part, hold, next,
                                       space.best(next, hold, kBlock), kFewest);
     solved.insert(next);
-    const bool is_last =
-        std::ssize(solved) == part.instants() && hold + 1 == part.holds();
+    const bool is_last = std::ssize(solved) == part.instants() &&
+                         hold + 1 == part.part().holds();
     if (!is_last) space.add(yield.shapes);
     if (yield.value > largest) {
       largest = yield.value;
@@ -261,16 +243,18 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
 }  // namespace
 
 BucklingMode lowest_buckling(const BucklingProblem& problem) {
-  const StressedPart part(problem);
+  const HeldPart held(problem);
+  const StressedPart part(problem, held);
   if (part.coefficients().rows() == 0)
     return none_below(problem.highest);  // not stressed
-  if (problem.known != nullptr && part.instants() == 1 && part.holds() == 1) {
+  if (problem.known != nullptr && part.instants() == 1 &&
+      part.part().holds() == 1) {
     return lowest_near(part,
-                       carried_over(*problem.known, problem.discretization));
+                       carried_over<3>(*problem.known, problem.discretization));
   }
   TrialSpace space(part, yielding_shapes(part));
   BucklingMode lowest = lowest_with(part, 0, space);
-  for (std::size_t hold = 1; hold < part.holds(); ++hold) {
+  for (std::size_t hold = 1; hold < part.part().holds(); ++hold) {
     BucklingMode mode = lowest_with(part, hold, space);
     if (mode.factor < lowest.factor) lowest = std::move(mode);
   }

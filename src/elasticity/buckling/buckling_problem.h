@@ -1,23 +1,20 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "elasticity/buckling/energy_coordinates.h"
 #include "elasticity/fe_space/discretization.h"
+#include "elasticity/problem/nodal_field.h"
 #include "loads/history/load_history.h"
 #include "part/material.h"
 #include "part/part_definition.h"
 #include "part/supports.h"
 
 namespace clevis::elasticity {
-
-/// A shape that buckles the part, by another degree on the same cells.
-struct KnownShape {
-  Discretization<3> discretization;
-  Eigen::VectorXd shape;  ///< its dofs
-};
 
 /// A part and the loads that may buckle it.
 struct BucklingProblem {
@@ -34,8 +31,11 @@ struct BucklingProblem {
   /// Of a plate: what the discretisation is a layer over, of degree 3 through
   /// the thickness. Null: a solid.
   const Discretization<2>* plane = nullptr;
-  /// Of one instant with one hold: near to what is sought. Null: none is known.
-  const KnownShape* known = nullptr;
+  /// Of energy_coordinates(), where they are known; null: they are made.
+  std::shared_ptr<const EnergyCoordinates> coordinates = nullptr;
+  /// Of one instant with one hold: a shape near to what is sought, by another
+  /// degree. Null: none is known.
+  const NodalField<3>* known = nullptr;
   double highest = 100.0;  ///< factors beyond are not looked for [1]
 };
 

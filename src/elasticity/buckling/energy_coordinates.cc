@@ -118,8 +118,8 @@ class PlateCoordinates : public EnergyCoordinates {
     const int terms = (layer.thickness_degree + 1) / 2;
     const double unknowns = 3.0 * terms;
     const auto dissection = dissect(plane);
-    require_memory(2.0 * 8.0 * dissection.entries * unknowns * unknowns, dofs_,
-                   usable_memory(), place);
+    require_memory(2.0 * 8.0 * dissection.entries * unknowns * unknowns,
+                   static_cast<double>(dofs_), usable_memory(), place);
     const auto integrals = plane_integrals(plane, place);
     const Plate plate{plane, layer, integrals, material, fixed, name};
     for (const Parity parity : {Parity::kStretching, Parity::kBending}) {

@@ -55,30 +55,12 @@ State solve(const std::function<VectorXd(const VectorXd&)>& a,
 
 }  // namespace
 
-double SecondOrderPart::lowest_frequency(std::size_t hold) const {
-  constexpr int kSteps = 6;
-  constexpr Index kBlock = 4;
-  const MassMatrix mass =
-      part_.stress().mass(part_.pairs(), problem_.material.density);
-  dynamics::BlockKrylov space(
-      part_.answer_to(mass, 1.0, hold),
-      dynamics::random_block(part_.equations(),
-                             std::min(kBlock, part_.equations())),
-      {});
-  for (int step = 0; step < kSteps && !space.is_closed(); ++step) {
-    space.extend();
-  }
-  return 1.0 / std::sqrt(space.ritz_values().theta[0]);
-}
-
 SecondOrderPart::Answer SecondOrderPart::answer(const Loads& loads,
                                                 std::size_t hold) const {
   const MassMatrix geometric =
-      part_.stress().stiffness(part_.pairs(), loads.stressing);
+      stressed_.stress().stiffness(part_.pairs(), loads.stressing);
   const bool spins = !loads.omega.isZero();
-  const MassMatrix mass =
-      spins ? part_.stress().mass(part_.pairs(), problem_.material.density)
-            : MassMatrix{};
+  const MassMatrix mass = spins ? part_.mass() : MassMatrix{};
   const auto yields = [&](const VectorXd& y, bool with_spin) -> VectorXd {
     const MatrixXd u = part_.shapes(y, hold);
     MatrixXd forces = -multiply(geometric, u);
@@ -97,9 +79,9 @@ SecondOrderPart::Answer SecondOrderPart::answer(const Loads& loads,
     return state;
   };
   Answer result;
-  result.state = add(part_.loaded() * loads.spun, spins);
+  result.state = add(stressed_.loaded() * loads.spun, spins);
   if (result.state == State::kStable && !loads.still.isZero()) {
-    result.state = add(part_.loaded() * loads.still, false);
+    result.state = add(stressed_.loaded() * loads.still, false);
   }
   result.displacement = part_.shapes(sum, hold);
   // A shape that the loads do not excite may have no stiffness left, too.

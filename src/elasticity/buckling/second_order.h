@@ -31,26 +31,25 @@ class SecondOrderPart {
     State state{};
   };
 
-  /// @param problem  outlives the object.
+  /// @param problem, part  outlive the object.
   /// @throws Error as of lowest_buckling().
-  explicit SecondOrderPart(const BucklingProblem& problem)
-      : problem_(problem), part_(problem) {}
+  SecondOrderPart(const BucklingProblem& problem, const HeldPart& part)
+      : part_(part), stressed_(problem, part) {}
 
-  bool is_stressed() const { return part_.coefficients().rows() > 0; }
+  bool is_stressed() const { return stressed_.coefficients().rows() > 0; }
   /// Amounts of the load columns, columns × instants.
-  const Eigen::MatrixXd& coefficients() const { return part_.coefficients(); }
-  std::size_t holds() const { return part_.holds(); }
+  const Eigen::MatrixXd& coefficients() const {
+    return stressed_.coefficients();
+  }
   /// Displacements of the load columns by linear theory, dofs × columns [m].
   Eigen::MatrixXd columns(std::size_t hold) const {
-    return part_.shapes(part_.loaded(), hold);
+    return part_.shapes(stressed_.loaded(), hold);
   }
   Answer answer(const Loads& loads, std::size_t hold) const;
-  /// Of the part's vibrations at rest [rad/s].
-  double lowest_frequency(std::size_t hold) const;
 
  private:
-  const BucklingProblem& problem_;
-  StressedPart part_;
+  const HeldPart& part_;
+  StressedPart stressed_;
 };
 
 }  // namespace clevis::elasticity

@@ -1,5 +1,6 @@
 #include "elasticity/buckling/stressed_part.h"
 
+#include <cmath>
 #include <utility>
 
 #include "elasticity/assembly/supports.h"
@@ -14,7 +15,9 @@ using Eigen::MatrixXd;
 
 constexpr double kCompressionTolerance = 1e-4;
 
-std::unique_ptr<EnergyCoordinates> coordinates_of(
+}  // namespace
+
+std::shared_ptr<const EnergyCoordinates> energy_coordinates(
     const BucklingProblem& problem) {
   if (problem.plane != nullptr && problem.foundations.empty()) {
     return plate_coordinates(*problem.plane, problem.discretization,
@@ -24,58 +27,43 @@ std::unique_ptr<EnergyCoordinates> coordinates_of(
                            {problem.fixed, problem.foundations}, problem.name);
 }
 
-}  // namespace
-
-StressedPart::StressedPart(const BucklingProblem& problem)
+HeldPart::HeldPart(const BucklingProblem& problem)
     : problem_(problem),
       part_(problem.discretization),
-      coordinates_(coordinates_of(problem)),
+      is_free_(problem.fixed.empty() && problem.foundations.empty()),
+      coordinates_(problem.coordinates ? problem.coordinates
+                                       : energy_coordinates(problem)),
       pairs_(node_pairs(part_.cell_nodes, part_.nodes)) {
-  const bool is_free = problem.fixed.empty() && problem.foundations.empty();
-  const double density = problem.material.density;
-  LoadBasis loads = load_columns(part_, problem.history, density, problem.name);
-  if (is_free) {
-    SolveChecks checks;
-    balance_free_part<3>(part_, node_positions(part_), density, loads, checks);
-  }
-  loads = compress(loads, kCompressionTolerance);
-  coefficients_ = loads.coefficients;
-  loaded_ = coordinates_->of_loads(loads.columns);
-  stress_ = std::make_unique<InitialStress>(
-      part_, problem.material, coordinates_->displacements(loaded_));
-  if (!is_free) return;
+  if (!is_free_) return;
   for (const auto& groups : problem.holds) holds_.emplace_back(part_, groups);
 }
 
-MatrixXd StressedPart::shapes(const MatrixXd& unknowns,
-                              std::size_t hold) const {
+MatrixXd HeldPart::shapes(const MatrixXd& unknowns, std::size_t hold) const {
   MatrixXd u = coordinates_->displacements(unknowns);
   return holds_.empty() ? u : holds_[hold].project(u);
 }
 
-MatrixXd StressedPart::rotations() const {
+MatrixXd HeldPart::rotations() const {
   return holds_.empty() ? MatrixXd(part_.dofs(), 0)
                         : holds_[0].rigid().rightCols<3>();
 }
 
-MatrixXd StressedPart::broken_rotations(const MatrixXd& u,
-                                        std::size_t hold) const {
+MatrixXd HeldPart::broken_rotations(const MatrixXd& u, std::size_t hold) const {
   return holds_.empty() ? MatrixXd(0, u.cols())
                         : holds_[hold].broken(u).bottomRows<3>();
 }
 
-MatrixXd StressedPart::unknowns(const MatrixXd& u) const {
+MatrixXd HeldPart::unknowns(const MatrixXd& u) const {
   return coordinates_->of_loads(forces_by_strain(part_, problem_.material, u));
 }
 
-MatrixXd StressedPart::answer(const MatrixXd& forces, std::size_t hold) const {
+MatrixXd HeldPart::answer(const MatrixXd& forces, std::size_t hold) const {
   return coordinates_->of_loads(holds_.empty() ? forces
                                                : holds_[hold].balance(forces));
 }
 
-dynamics::SelfAdjoint StressedPart::answer_to(const MassMatrix& matrix,
-                                              double sign,
-                                              std::size_t hold) const {
+dynamics::SelfAdjoint HeldPart::answer_to(const MassMatrix& matrix, double sign,
+                                          std::size_t hold) const {
   return {equations(),
           [](const MatrixXd& y) {
             return y;
@@ -83,6 +71,40 @@ dynamics::SelfAdjoint StressedPart::answer_to(const MassMatrix& matrix,
           [this, &matrix, sign, hold](const MatrixXd& y, const MatrixXd&) {
             return answer(sign * multiply(matrix, shapes(y, hold)), hold);
           }};
+}
+
+MassMatrix HeldPart::mass() const {
+  const InitialStress none(part_, problem_.material, MatrixXd(part_.dofs(), 0));
+  return none.mass(pairs_, problem_.material.density);
+}
+
+double HeldPart::lowest_frequency(std::size_t hold) const {
+  constexpr int kSteps = 6;
+  constexpr Eigen::Index kBlock = 4;
+  const MassMatrix matrix = mass();
+  dynamics::BlockKrylov space(
+      answer_to(matrix, 1.0, hold),
+      dynamics::random_block(equations(), std::min(kBlock, equations())), {});
+  for (int step = 0; step < kSteps && !space.is_closed(); ++step) {
+    space.extend();
+  }
+  return 1.0 / std::sqrt(space.ritz_values().theta[0]);
+}
+
+StressedPart::StressedPart(const BucklingProblem& problem, const HeldPart& part)
+    : part_(part), highest_(problem.highest) {
+  const Discretization<3>& space = problem.discretization;
+  const double density = problem.material.density;
+  LoadBasis loads = load_columns(space, problem.history, density, problem.name);
+  if (part.is_free()) {
+    SolveChecks checks;
+    balance_free_part<3>(space, node_positions(space), density, loads, checks);
+  }
+  loads = compress(loads, kCompressionTolerance);
+  coefficients_ = loads.coefficients;
+  loaded_ = part.coordinates().of_loads(loads.columns);
+  stress_ = std::make_unique<InitialStress>(
+      space, problem.material, part.coordinates().displacements(loaded_));
 }
 
 }  // namespace clevis::elasticity

@@ -15,24 +15,21 @@
 
 namespace clevis::elasticity {
 
-/// The part with its stiffness factored and the displacements of its loads.
-/// Unknowns are energy coordinates.
-class StressedPart {
+/// A part whose stiffness is factored, as its holds have it. Unknowns are
+/// energy coordinates.
+class HeldPart {
  public:
   /// @param problem  outlives the object.
   /// @throws Error as of lowest_buckling().
-  explicit StressedPart(const BucklingProblem& problem);
+  explicit HeldPart(const BucklingProblem& problem);
 
-  Eigen::Index instants() const { return coefficients_.cols(); }
   Eigen::Index equations() const { return coordinates_->size(); }
-  double highest() const { return problem_.highest; }
+  /// Nothing but its inertia holds it.
+  bool is_free() const { return is_free_; }
   std::size_t holds() const { return std::max<std::size_t>(1, holds_.size()); }
-  const Eigen::MatrixXd& coefficients() const { return coefficients_; }
-  const InitialStress& stress() const { return *stress_; }
   const NodePairs& pairs() const { return pairs_; }
+  const EnergyCoordinates& coordinates() const { return *coordinates_; }
 
-  /// Unknowns of linear theory under the load columns.
-  const Eigen::MatrixXd& loaded() const { return loaded_; }
   /// Displacements as the hold has them.
   Eigen::MatrixXd shapes(const Eigen::MatrixXd& unknowns,
                          std::size_t hold) const;
@@ -49,16 +46,44 @@ class StressedPart {
   /// @param matrix  S, of nodes; outlives the operator.
   dynamics::SelfAdjoint answer_to(const MassMatrix& matrix, double sign,
                                   std::size_t hold) const;
+  MassMatrix mass() const;
+  /// Of its vibrations at rest [rad/s].
+  double lowest_frequency(std::size_t hold) const;
 
  private:
   const BucklingProblem& problem_;
   const Discretization<3>& part_;
-  std::unique_ptr<EnergyCoordinates> coordinates_;
+  bool is_free_;
+  std::shared_ptr<const EnergyCoordinates> coordinates_;
   NodePairs pairs_;
+  std::vector<PinHold> holds_;
+};
+
+/// The part's energy coordinates, for problems that differ in their loads only.
+std::shared_ptr<const EnergyCoordinates> energy_coordinates(
+    const BucklingProblem& problem);
+
+/// With the displacements of its loads, and their stresses.
+class StressedPart {
+ public:
+  /// @param problem, part  outlive the object.
+  /// @throws Error as of lowest_buckling().
+  StressedPart(const BucklingProblem& problem, const HeldPart& part);
+
+  const HeldPart& part() const { return part_; }
+  Eigen::Index instants() const { return coefficients_.cols(); }
+  double highest() const { return highest_; }
+  const Eigen::MatrixXd& coefficients() const { return coefficients_; }
+  const InitialStress& stress() const { return *stress_; }
+  /// Unknowns of linear theory under the load columns.
+  const Eigen::MatrixXd& loaded() const { return loaded_; }
+
+ private:
+  const HeldPart& part_;
+  double highest_;
   Eigen::MatrixXd coefficients_;
   Eigen::MatrixXd loaded_;  ///< unknowns of the load columns
   std::unique_ptr<InitialStress> stress_;
-  std::vector<PinHold> holds_;
 };
 
 }  // namespace clevis::elasticity

@@ -46,12 +46,15 @@ Eigenmodes<dim> eigenmodes(const ElasticProblem<dim>& problem, int degree,
 
 template <int dim>
 double first_period(const ElasticProblem<dim>& problem, int degree) {
+  constexpr double kTolerance = 1e-3;  // the period to its square
   // What the ground holds of a free part has fewer.
   const int most_rigid = problem.fixed.empty() && problem.foundations.empty()
                              ? (dim == 2 ? 3 : 6)
                              : 0;
-  const auto modes = eigenmodes(problem, degree, most_rigid + 1);
-  return 1.0 / modes.frequencies[modes.rigid];
+  const auto part = vibrating_part(problem, degree);
+  const auto modes = dynamics::lowest_modes(part.system, most_rigid + 1,
+                                            "part " + problem.name, kTolerance);
+  return 2.0 * std::numbers::pi / std::sqrt(modes.squares[modes.rigid]);
 }
 
 template <int dim>

@@ -80,9 +80,12 @@ Quantities<BucklingResult> buckling_rows() {
 Quantities<SecondOrderResult> second_order_rows() {
   using S = SecondOrderResult;
   return {
-      quantity<S>({"second_order_peak", "/peak_MPa", "MPa"}, &S::peak),
+      quantity<S>({"second_order_peak", "/peak_MPa", "MPa", "second_order_peak",
+                   kStressRule, Since::kLater},
+                  &S::peak),
       quantity<S>({"second_order_stress", "/stress_ratio", "1"}, &S::stress),
-      quantity<S>({"second_order_deflection", "/deflection_mm", "mm"},
+      quantity<S>({"second_order_deflection", "/deflection_mm", "mm",
+                   "second_order_deflection", kLengthRule, Since::kLater},
                   &S::deflection),
       quantity<S>({"second_order_deflection_ratio", "/deflection_ratio", "1"},
                   &S::deflection_rise),

@@ -60,8 +60,9 @@ CLEVIS_PIPED(ZoneResult, name, exponent, exponent_measured, at, radius, governs,
 CLEVIS_PIPED(BucklingResult, factor, band_low, band_high, instant, label,
              of_motions, model, remark, euler, strut_is_longer)
 CLEVIS_PIPED(Swing, stress, deflection)
-CLEVIS_PIPED(SecondOrderResult, is_stable, peak, still_peak, stress, deflection,
-             deflection_rise, bound, deflection_bound, label, failure)
+CLEVIS_PIPED(SecondOrderResult, is_stable, bears_growth, peak, stress, label,
+             deflection, deflection_rise, least_peak, least_deflection, bound,
+             deflection_bound, failure)
 CLEVIS_PIPED(FiniteMotion, rotation, strain, label)
 CLEVIS_PIPED(BeamComparison, peak_stress, governing, is_section, deflection,
              buckling_safety, ratio_fe_to_beam, reason)

@@ -108,7 +108,7 @@ TEST(Buckling, AKnownShapeLeadsToTheSameFactor) {
     along[row] = std::abs(low.shape[row + 2]);
   }
   for (const Eigen::VectorXd& shape : {low.shape, along}) {
-    const KnownShape known{coarse, shape};
+    const NodalField<3> known{coarse, shape};
     const auto mode = lowest_buckling({discretize<3>(mesh, 3),
                                        kSteel,
                                        history,
@@ -116,6 +116,7 @@ TEST(Buckling, AKnownShapeLeadsToTheSameFactor) {
                                        {{}},
                                        "box",
                                        {},
+                                       nullptr,
                                        nullptr,
                                        &known});
     EXPECT_NEAR(mode.factor / direct.factor, 1.0, 1e-6);
