@@ -2,7 +2,7 @@
 beam theory."""
 import math
 
-import hex_mesh
+import scene_text
 
 LENGTH, HEIGHT, WIDTH = 0.2, 0.01, 0.003
 MODULUS, DENSITY = 210e9, 7850.0
@@ -11,9 +11,7 @@ AREA, SECOND_MOMENT = HEIGHT * WIDTH, WIDTH * HEIGHT**3 / 12
 
 def write_mesh(folder):
     """bar.msh, in millimetres; groups x0 and x1."""
-    hex_mesh.write(folder / "bar.msh", hex_mesh.block(
-        (20, 4, 1), lambda x, y, z: (1e3 * LENGTH * x, 1e3 * HEIGHT * (y - 0.5),
-                                     1e3 * WIDTH * (z - 0.5))))
+    scene_text.write_bar(folder, (LENGTH, HEIGHT, WIDTH), (20, 4, 1))
 
 
 class Mode:

@@ -10,98 +10,55 @@ import sys
 import tempfile
 from pathlib import Path
 
-import hex_mesh
+import scene_text
 import support
 
 LENGTH, WIDTH, THICKNESS, MODULUS, DENSITY = 0.2, 0.01, 0.003, 210e9, 7850.0
 SECOND_MOMENT = WIDTH * THICKNESS**3 / 12
-TIP = """[[body]]
-name = "block"
-mass = "1 g"
-center_of_mass = ["0 mm", "0 mm", "0 mm"]
-inertia = ["1e-6 kg m^2", "1e-6 kg m^2", "1e-6 kg m^2"]
-placement = { origin = ["200 mm", "0 mm", "0 mm"] }
-[[joint]]
-name = "tip"
-type = "weld"
-between = ["bar", "block"]
-point = ["200 mm", "0 mm", "0 mm"]
-"""
+WELD = scene_text.joint("W", "weld", "ground", "bar")
+TIP = (scene_text.body("block", "1 g", "1e-6 kg m^2", origin=(200, 0, 0)) +
+       scene_text.joint("tip", "weld", "bar", "block", (200, 0, 0)))
+PUSHED = '[part.forces]\npush = { face = "x1" }\n'
 
 
-def scene(folder, force, block):
-    """force: text of its vector; block: whether it acts on a body at the tip."""
-    hex_mesh.write(folder / "bar.msh", hex_mesh.block(
-        (20, 2, 1), lambda x, y, z: (1e3 * LENGTH * x, 1e3 * WIDTH * (y - 0.5),
-                                     1e3 * THICKNESS * (z - 0.5))))
-    pins, forces = 'W = "x0"', '[part.forces]\npush = { face = "x1" }\n'
-    if block:
-        pins, forces = pins + ', tip = "x1"', ""
+def write_scene(folder, mechanism, pins, forces):
+    scene_text.write_bar(folder, (LENGTH, WIDTH, THICKNESS), (20, 2, 1))
     file = folder / "scene.toml"
-    file.write_text(f"""schema = 1
-name = "bar"
-[world]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-{support.STEEL}[[body]]
-name = "bar"
-part = "bar"
-{TIP if block else ""}[[joint]]
-name = "W"
-type = "weld"
-between = ["ground", "bar"]
-point = ["0 mm", "0 mm", "0 mm"]
-[[force]]
-type = "constant"
-name = "push"
-body = "{"block" if block else "bar"}"
-point = ["{0 if block else 200} mm", "0 mm", "0 mm"]
-force = [{force}]
+    file.write_text(scene_text.head("bar") + scene_text.part_body("bar") + mechanism + f"""\
 [simulation]
 duration = "0.01 s"
 instants = 3
-[[part]]
-name = "bar"
-mesh = "bar.msh"
-length_unit = "mm"
-material = "steel"
-pins = {{ {pins} }}
+{scene_text.BAR}pins = {{ {pins} }}
 limits = {{ safety_factor = 1, buckling = 2.5, deflection = "0.8 mm" }}
 {forces}""")
     return file
 
 
+def pushed(folder, force, block):
+    """force: text of its vector; block: whether it acts on a body at the tip."""
+    push = f"""[[force]]
+type = "constant"
+name = "push"
+body = "{"block" if block else "bar"}"
+point = ["{0 if block else 200} mm", "0 mm", "0 mm"]
+force = [{force}]
+"""
+    if block:
+        return write_scene(folder, TIP + WELD + push, 'W = "x0", tip = "x1"', "")
+    return write_scene(folder, WELD + push, 'W = "x0"', PUSHED)
+
+
 def spinning(folder):
     """On a hub, from 300 mm inwards to 100 mm: pressed by its own inertia."""
-    file = scene(folder, '"-1 N", "0 N", "0 N"', False)
-    text = file.read_text()
-    text = text[:text.index("[[joint]]")] + """[[body]]
-name = "hub"
-mass = "1 kg"
-center_of_mass = ["0 mm", "0 mm", "0 mm"]
-inertia = ["0.01 kg m^2", "0.01 kg m^2", "0.01 kg m^2"]
-[[joint]]
-name = "axle"
-type = "revolute"
-between = ["ground", "hub"]
-point = ["300 mm", "0 mm", "0 mm"]
-axis = [0, 0, 1]
-[[drive]]
+    return write_scene(
+        folder, scene_text.body("hub", "1 kg", "0.01 kg m^2", origin=(300, 0, 0)) +
+        scene_text.joint("axle", "revolute", "ground", "hub", (300, 0, 0), (0, 0, 1)) +
+        scene_text.joint("W", "weld", "hub", "bar") + """[[drive]]
 joint = "axle"
 law = "speed"
 from = "0 deg"
 speed = "314.159265 rad/s"
-[[joint]]
-name = "W"
-type = "weld"
-between = ["hub", "bar"]
-point = ["0 mm", "0 mm", "0 mm"]
-""" + text[text.index("[simulation]"):]
-    text = text.replace('placement = { origin = ["200', 'x').replace(
-        '[part.forces]\npush = { face = "x1" }\n', "").replace(
-        'name = "hub"\nmass', 'name = "hub"\nplacement = { origin = ["300 mm", '
-        '"0 mm", "0 mm"] }\nmass')
-    file.write_text(text)
-    return file
+""", 'W = "x0"', "")
 
 
 def spin_factor(steps=400):
@@ -171,13 +128,13 @@ def main():
     for block in (False, True):
         on = "a body at its tip" if block else "its tip"
         with tempfile.TemporaryDirectory() as name:
-            pushed = support.check(clevis, scene(
+            column_part = support.check(clevis, pushed(
                 Path(name), f'"-{push} N", "0 N", "0 N"', block)).part
-            expect(f"pushed at {on}: factor", pushed["buckling"]["factor"], column)
-            expect(f"pushed at {on}: Euler", pushed["buckling"]["euler"], column)
-            if pushed["verdict"] != "fail":
-                faults.append(f"pushed at {on}: {pushed['verdict']}")
-            across = support.check(clevis, scene(
+            expect(f"pushed at {on}: factor", column_part["buckling"]["factor"], column)
+            expect(f"pushed at {on}: Euler", column_part["buckling"]["euler"], column)
+            if column_part["verdict"] != "fail":
+                faults.append(f"pushed at {on}: {column_part['verdict']}")
+            across = support.check(clevis, pushed(
                 Path(name), f'"0 N", "{pull} N", "0 N"', block)).part
             expect(f"pulled across at {on}: deflection, mm", across["deflection_mm"],
                    1e3 * bent)

@@ -18,6 +18,7 @@ import tempfile
 from pathlib import Path
 
 import band_outline
+import scene_text
 import support
 
 CLEVIS = str(Path(sys.argv[1]).resolve())
@@ -29,12 +30,7 @@ CALCULIX = 81.03  # MPa
 SCATTER = 0.001   # of CalculiX between its two meshes
 BEAM = 0.01       # what beam theory leaves out of the stress
 
-HEAD = f"""schema = 1
-name = "where loads act"
-{support.STEEL}
-[world]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-[simulation]
+HEAD = scene_text.head("where loads act") + """[simulation]
 duration = "1 s"
 instants = 2
 """

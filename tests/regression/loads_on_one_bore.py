@@ -9,6 +9,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+import scene_text
 import support
 
 GEOMETRY = """SetFactory("OpenCASCADE");
@@ -29,12 +30,7 @@ Mesh.RecombineAll = 1; Mesh.ElementOrder = 2;
 """
 
 
-SCENE = f"""schema = 1
-name = "loads on one bore"
-[world]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-{support.STEEL}
-[[body]]
+SCENE = scene_text.head("loads on one bore") + f"""[[body]]
 name = "arm"
 part = "arm"
 placement = {{ origin = ["0 mm", "0 mm", "0 mm"], angle = "10 deg" }}

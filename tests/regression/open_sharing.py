@@ -9,6 +9,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+import scene_text
 import support
 
 CLEVIS = str(Path(sys.argv[1]).resolve())
@@ -17,11 +18,7 @@ PULL = 4000.0  # N
 # MPa/N of the link pressed pin to pin: CalculiX, see loads_in_time.py
 PRESSED, SCATTER = 323.4 / 9996, 0.005
 
-SCENE = """schema = 1
-name = "two hinges"
-[world]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-{material}
+SCENE = """{head}
 [[body]]
 name = "link"
 part = "link"
@@ -67,7 +64,7 @@ axis = [0, 0, 1]
 def check(folder, a, b, strength=1e4, pull=PULL):
     joints = joint("A", 0, a) + joint("B", 140, b)
     (folder / "scene.toml").write_text(SCENE.format(
-        joints=joints, material=support.steel(strength=strength), pull=pull,
+        joints=joints, head=scene_text.head("two hinges", support.steel(strength=strength)), pull=pull,
         mesh=MESH, face="bore_A"))
     found = support.check(CLEVIS, folder / "scene.toml", exits=support.JUDGED)
     print(f"A {a}, B {b}: {found}")

@@ -10,7 +10,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-import hex_mesh
+import scene_text
 import support
 
 LENGTH, SIDE, MODULUS, DENSITY = 0.4, 0.01, 210e9, 7850.0
@@ -21,18 +21,21 @@ OFF = 1e-3  # of the shaft's axis
 
 def write_bar(folder, off=0.0):
     """Along x, its axis at y = off."""
-    hex_mesh.write(folder / "bar.msh", hex_mesh.block(
-        (16, 2, 2), lambda x, y, z: (1e3 * LENGTH * x,
-                                     1e3 * (SIDE * (y - 0.5) + off),
-                                     1e3 * SIDE * (z - 0.5))))
+    scene_text.write_bar(folder, (LENGTH, SIDE, SIDE), (16, 2, 2), off)
 
 
-PART = """[[part]]
-name = "bar"
-mesh = "bar.msh"
-length_unit = "mm"
-material = "steel"
+PART = scene_text.BAR + """\
 limits = { safety_factor = 1.5, deflection = "8 mm", singular_zones = "exclude" }
+"""
+MATERIAL = support.steel(ratio=0.0)
+
+
+def case(name, press, across):
+    """Pressed and pushed across at the tip [N]."""
+    return f"""[[part.case]]
+name = "{name}"
+fixed = {{ x0 = ["x", "y", "z"] }}
+traction = {{ x1 = ["{-1e-6 * press / AREA} MPa", "{1e-6 * across / AREA} MPa", "0 MPa"] }}
 """
 
 
@@ -41,13 +44,8 @@ def column(folder, share, across):
     write_bar(folder)
     press = share * math.pi**2 * BENDING / 4 / LENGTH**2
     file = folder / "scene.toml"
-    file.write_text(f"""schema = 1
-name = "column"
-{support.steel(ratio=0.0)}{PART}[[part.case]]
-name = "press"
-fixed = {{ x0 = ["x", "y", "z"] }}
-traction = {{ x1 = ["{-1e-6 * press / AREA} MPa", "{1e-6 * across / AREA} MPa", "0 MPa"] }}
-""")
+    file.write_text(scene_text.head("column", MATERIAL, world="") + PART +
+                    case("press", press, across))
     k = math.sqrt(press / BENDING)
     moment = across * math.tan(k * LENGTH) / k
     tip = across / press * (math.tan(k * LENGTH) / k - LENGTH)
@@ -62,34 +60,15 @@ def shaft(folder, share):
     critical = 1.8751040687**2 * math.sqrt(BENDING / (DENSITY * AREA * LENGTH**4))
     omega = share * critical
     file = folder / "scene.toml"
-    file.write_text(f"""schema = 1
-name = "shaft"
-[world]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-{support.steel(ratio=0.0)}[[body]]
-name = "bar"
-part = "bar"
-[[body]]
-name = "hub"
-mass = "5 kg"
-center_of_mass = ["0 mm", "0 mm", "0 mm"]
-inertia = ["0.01 kg m^2", "0.01 kg m^2", "0.01 kg m^2"]
-[[joint]]
-name = "A"
-type = "revolute"
-between = ["ground", "hub"]
-point = ["0 mm", "0 mm", "0 mm"]
-axis = [1, 0, 0]
-[[drive]]
+    file.write_text(scene_text.head("shaft", MATERIAL) + scene_text.part_body("bar") +
+                    scene_text.body("hub", "5 kg", "0.01 kg m^2") +
+                    scene_text.joint("A", "revolute", "ground", "hub", axis=(1, 0, 0)) +
+                    scene_text.joint("W", "weld", "hub", "bar", (0, 1e3 * OFF, 0)) +
+                    f"""[[drive]]
 joint = "A"
 law = "speed"
 from = "0 deg"
 speed = "{omega * 30 / math.pi} rpm"
-[[joint]]
-name = "W"
-type = "weld"
-between = ["hub", "bar"]
-point = ["0 mm", "{1e3 * OFF} mm", "0 mm"]
 [simulation]
 duration = "0.1 s"
 {PART}pins = {{ W = "x0" }}
@@ -116,13 +95,8 @@ def among_others(folder):
     euler = math.pi**2 * BENDING / 4 / LENGTH**2
     cases = [("press", 0.6, 0), ("bend", 0, 70), ("both", 0.58, 55)]
     file = folder / "scene.toml"
-    file.write_text(f"""schema = 1
-name = "three cases"
-{support.steel(ratio=0.0)}{PART}""" + "".join(f"""[[part.case]]
-name = "{name}"
-fixed = {{ x0 = ["x", "y", "z"] }}
-traction = {{ x1 = ["{-1e-6 * share * euler / AREA} MPa", "{1e-6 * across / AREA} MPa", "0 MPa"] }}
-""" for name, share, across in cases))
+    file.write_text(scene_text.head("three cases", MATERIAL, world="") + PART + "".join(
+        case(name, share * euler, across) for name, share, across in cases))
     _, share, across = cases[2]
     k = math.sqrt(share * euler / BENDING)
     moment = across * math.tan(k * LENGTH) / k

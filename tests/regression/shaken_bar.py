@@ -11,12 +11,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-import hex_mesh
+import scene_text
 import support
+from cantilever import HEIGHT, LENGTH, MODES, MODULUS, write_mesh
 
-LENGTH, HEIGHT, WIDTH, MODULUS, DENSITY = 0.2, 0.01, 0.003, 210e9, 7850.0
 AMPLITUDE, FREQUENCY, DAMPING = 0.02e-3, 206.0, 0.01
-ROOTS = (1.875104068711961, 4.694091132974175, 7.854757438237613, 10.995540734875467)
 
 
 CASE = """[[part.case]]
@@ -26,39 +25,18 @@ traction = { x0 = ["-1 MPa", "0 MPa", "0 MPa"], x1 = ["1 MPa", "0 MPa", "0 MPa"]
 
 
 def scene(folder, duration, force, damping=DAMPING, more=""):
-    hex_mesh.write(folder / "bar.msh", hex_mesh.block(
-        (20, 4, 1), lambda x, y, z: (1e3 * LENGTH * x, 1e3 * HEIGHT * (y - 0.5),
-                                     1e3 * WIDTH * (z - 0.5))))
+    write_mesh(folder)
     file = folder / "scene.toml"
-    file.write_text(f"""schema = 1
-name = "shaken bar"
-[world]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-{support.steel(ratio=0.0, strength=3550.0)}[[body]]
-name = "bar"
-part = "bar"
-[[body]]
-name = "carrier"
-mass = "1 kg"
-center_of_mass = ["0 mm", "0 mm", "0 mm"]
-inertia = ["0.01 kg m^2", "0.01 kg m^2", "0.01 kg m^2"]
-[[joint]]
-name = "Y"
-type = "prismatic"
-between = ["ground", "carrier"]
-point = ["0 mm", "0 mm", "0 mm"]
-axis = [0, 1, 0]
-[[drive]]
+    file.write_text(scene_text.head(
+        "shaken bar", support.steel(ratio=0.0, strength=3550.0)) + scene_text.part_body("bar") +
+        scene_text.body("carrier", "1 kg", "0.01 kg m^2") +
+        scene_text.joint("Y", "prismatic", "ground", "carrier", axis=(0, 1, 0)) +
+        scene_text.joint("W", "weld", "carrier", "bar") + f"""[[drive]]
 joint = "Y"
 law = "sine"
 from = "0 mm"
 amplitude = "{1e3 * AMPLITUDE} mm"
 frequency = "{FREQUENCY} Hz"
-[[joint]]
-name = "W"
-type = "weld"
-between = ["carrier", "bar"]
-point = ["0 mm", "0 mm", "0 mm"]
 [[force]]
 type = "constant"
 name = "press"
@@ -67,12 +45,7 @@ point = ["0 mm", "0 mm", "0 mm"]
 force = ["{force} N", "0 N", "0 N"]
 [simulation]
 duration = "{duration} s"
-[[part]]
-name = "bar"
-mesh = "bar.msh"
-length_unit = "mm"
-material = "steel"
-pins = {{ W = "x0" }}
+{scene_text.BAR}pins = {{ W = "x0" }}
 forces = {{ press = {{ face = "x0" }} }}
 damping = {damping}
 limits = {{ safety_factor = 2 }}
@@ -80,26 +53,15 @@ limits = {{ safety_factor = 2 }}
     return file
 
 
-def mode(root, x):
-    """Shape and curvature at the root, both over the free end's bending shape."""
-    k = root / LENGTH
-    ratio = (math.cosh(root) + math.cos(root)) / (math.sinh(root) + math.sin(root))
-    value = (math.cosh(k * x) - math.cos(k * x) -
-             ratio * (math.sinh(k * x) - math.sin(k * x)))
-    return value, 2 * k * k
-
-
 def largest_stress(duration, steps=400):
     """At the root [MPa]; the bar rests on its carrier before."""
-    area, second_moment = HEIGHT * WIDTH, WIDTH * HEIGHT**3 / 12
     omega = 2 * math.pi * FREQUENCY
     answers = []
-    for root in ROOTS:
+    for mode in MODES:
         h = LENGTH / steps
-        shape = [mode(root, (i + 0.5) * h)[0] for i in range(steps)]
+        shape = [mode.shape((i + 0.5) * h) for i in range(steps)]
         share = sum(shape) / sum(value**2 for value in shape)
-        own = (root / LENGTH)**2 * math.sqrt(MODULUS * second_moment / (DENSITY * area))
-        answers.append((mode(root, 0.0)[1], share, own))
+        answers.append((mode.root_curvature, share, mode.omega))
     largest = 0.0
     times = int(duration * 40 * FREQUENCY)
     curvature = [0.0] * (times + 1)

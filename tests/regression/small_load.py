@@ -10,6 +10,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+import scene_text
 import support
 from cantilever import AREA, DENSITY, HEIGHT, LENGTH, MODES, MODULUS, write_mesh
 
@@ -20,18 +21,9 @@ DURATION = 0.6
 
 
 def slider(name, mass, stiffness, damper, force):
-    return f"""[[body]]
-name = "{name}"
-mass = "{mass} kg"
-center_of_mass = ["200 mm", "0 mm", "0 mm"]
-inertia = ["1e-2 kg m^2", "1e-2 kg m^2", "1e-2 kg m^2"]
-[[joint]]
-name = "slide_{name}"
-type = "prismatic"
-between = ["ground", "{name}"]
-point = ["200 mm", "0 mm", "0 mm"]
-axis = [0, 1, 0]
-[[initial]]
+    tip = (200, 0, 0)
+    return scene_text.body(name, f"{mass} kg", "1e-2 kg m^2", center=tip) + scene_text.joint(
+        f"slide_{name}", "prismatic", "ground", name, tip, (0, 1, 0)) + f"""[[initial]]
 joint = "slide_{name}"
 position = "{1e3 * force / stiffness} mm"
 [[force]]
@@ -50,30 +42,16 @@ free = "0 mm"
 def scene(folder, duration=DURATION, damping=DAMPING):
     write_mesh(folder)
     file = folder / "scene.toml"
-    file.write_text(f"""schema = 1
-name = "a small load behind a large one"
-[world]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-{support.steel(ratio=0.0, strength=3550.0)}[[body]]
-name = "bar"
-part = "bar"
-[[joint]]
-name = "W"
-type = "weld"
-between = ["ground", "bar"]
-point = ["0 mm", "0 mm", "0 mm"]
+    file.write_text(scene_text.head(
+        "a small load behind a large one", support.steel(ratio=0.0, strength=3550.0)) +
+        scene_text.part_body("bar") + scene_text.joint("W", "weld", "ground", "bar") + f"""\
 {slider("heavy", 1, STIFFNESS, DAMPER, LARGE)}
 {slider("light", LIGHT, LIGHT * (2 * math.pi * FREQUENCY)**2, 0, SMALL)}
 [simulation]
 motion = "dynamic"
 duration = "{duration} s"
 instants = 11
-[[part]]
-name = "bar"
-mesh = "bar.msh"
-length_unit = "mm"
-material = "steel"
-pins = {{ W = "x0" }}
+{scene_text.BAR}pins = {{ W = "x0" }}
 forces = {{ to_heavy = {{ face = "x1" }}, to_light = {{ face = "x1" }} }}
 damping = {damping}
 limits = {{ safety_factor = 2 }}

@@ -9,6 +9,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+import scene_text
 import support
 
 SHAFT = """SetFactory("OpenCASCADE");
@@ -17,19 +18,8 @@ Extrude {0, 0, 120} { Surface{1}; }
 """
 
 
-SCENE = f"""schema = 1
-name = "elliptical shaft"
-[world]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-{support.STEEL}[[body]]
-name = "shaft"
-part = "shaft"
-[[joint]]
-name = "A"
-type = "weld"
-between = ["ground", "shaft"]
-point = ["0 mm", "0 mm", "0 mm"]
-[[force]]
+SCENE = scene_text.head("elliptical shaft") + scene_text.part_body("shaft") + \
+    scene_text.joint("A", "weld", "ground", "shaft") + """[[force]]
 name = "turn"
 type = "constant"
 body = "shaft"
@@ -43,12 +33,12 @@ instants = 2
 name = "shaft"
 geometry = "shaft.step"
 material = "steel"
-pins = {{ A = "a" }}
-forces = {{ turn = {{ face = "e" }} }}
-limits = {{ safety_factor = 1 }}
+pins = { A = "a" }
+forces = { turn = { face = "e" } }
+limits = { safety_factor = 1 }
 [part.faces]
-a = {{ plane = {{ normal = [0, 0, -1] }} }}
-e = {{ plane = {{ normal = [0, 0, 1] }} }}
+a = { plane = { normal = [0, 0, -1] } }
+e = { plane = { normal = [0, 0, 1] } }
 """
 
 

@@ -21,7 +21,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-import hex_mesh
+import scene_text
 import support
 
 LENGTH, SIDE, MODULUS, DENSITY = 0.2, 0.01, 210e9, 7850.0
@@ -29,59 +29,65 @@ AREA = SIDE**2
 MASS = DENSITY * AREA * LENGTH
 SPEED, STIFFNESS = 0.1, 7e9
 NEAR = 0.01
-BLOCK = """[[body]]
-name = "block"
-mass = "2 kg"
-center_of_mass = ["-50 mm", "0 mm", "0 mm"]
-inertia = ["1000 kg mm^2", "1000 kg mm^2", "1000 kg mm^2"]
-[[joint]]
-name = "end"
-type = "weld"
-between = ["block", "bar"]
-point = ["0 mm", "0 mm", "0 mm"]
-"""
-
+MATERIAL = support.steel(ratio=0.0)
+STEP = [(0, 0), (0.1, 0), (0.1, 1)]  # times [ms] and shares
 
 PULL = 4000.0  # [N]
 PERIOD = 2e3 * LENGTH * math.sqrt(DENSITY / MODULUS)  # first along the bar [ms]
 
 
-def pulls(law):
-    """Both ends pulled; law: times [ms] and shares of PULL."""
+def block_text(mass, center, end):
+    """A block welded to the bar; center and end along x [mm]."""
+    return scene_text.body(
+        "block", f"{mass} kg", "1000 kg mm^2", (center, 0, 0)) + scene_text.joint(
+            "end", "weld", "block", "bar", (end, 0, 0))
+
+
+def pulls(law, ends=("x0", "x1"), pulled="bar"):
+    """law: times [ms] and shares of PULL."""
     times = ", ".join(f'"{time:.9g} ms"' for time, _ in law)
     return "".join(f"""[[force]]
 name = "pull_{face}"
 type = "table"
-between = ["ground", "bar"]
+between = ["ground", "{pulled}"]
 from = ["{x - 500} mm", "0 mm", "0 mm"]
 to = ["{x} mm", "0 mm", "0 mm"]
 axis = [1, 0, 0]
 times = [{times}]
 efforts = [{", ".join(f'"{side * share * PULL:.9g} N"' for _, share in law)}]
-""" for face, x, side in (("x0", 0, -1), ("x1", 200, 1)))
+""" for face, x, side in (("x0", 0, -1), ("x1", 200, 1)) if face in ends)
+
+
+def write_bar(folder):
+    scene_text.write_bar(folder, (LENGTH, SIDE, SIDE), (20, 1, 1))
+
+
+def bar_scene(folder, name, mechanism, pins, faces, duration="0.5 ms", instants=201,
+              damping=0, links=""):
+    """faces: those of the forces."""
+    write_bar(folder)
+    scene = folder / "scene.toml"
+    scene.write_text(scene_text.head(name, MATERIAL) + scene_text.part_body("bar") +
+                     mechanism + f"""[simulation]
+duration = "{duration}"
+instants = {instants}
+tolerance = 1e-9
+{links}{scene_text.BAR}damping = {damping}
+pins = {{ {pins} }}
+limits = {{ safety_factor = 2.0 }}
+[part.forces]
+{faces}""")
+    return scene
 
 
 def write_scene(folder, block, speed=SPEED, stiffness=STIFFNESS, upper=0.01, more="",
                 faces="", instants=201, damping=0):
-    hex_mesh.write(folder / "bar.msh", hex_mesh.block(
-        (20, 1, 1), lambda x, y, z: (1e3 * LENGTH * x, 1e3 * SIDE * (y - 0.5),
-                                     1e3 * SIDE * (z - 0.5))))
-    scene = folder / "scene.toml"
+    """It slides against a stop."""
     end = ', end = "x0"' if block else ""
-    scene.write_text(f"""schema = 1
-name = "bar against a stop"
-[world]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-{support.steel(ratio=0.0)}[[body]]
-name = "bar"
-part = "bar"
-{BLOCK if block else ""}[[joint]]
-name = "slide"
-type = "prismatic"
-between = ["ground", "bar"]
-point = ["0 mm", "0 mm", "0 mm"]
-axis = [1, 0, 0]
-[[initial]]
+    slide = scene_text.joint("slide", "prismatic", "ground", "bar", axis=(1, 0, 0))
+    return bar_scene(
+        folder, "bar against a stop", (block_text(2, -50, 0) if block else "") +
+        slide + f"""[[initial]]
 joint = "slide"
 rate = "{speed} m/s"
 [[force]]
@@ -92,22 +98,8 @@ upper = "{upper} mm"
 stiffness = "{stiffness} N/m"
 damping = "0 N s/m"
 transition = "1e-6 mm"
-{more}[simulation]
-duration = "0.5 ms"
-instants = {instants}
-tolerance = 1e-9
-[[part]]
-name = "bar"
-mesh = "bar.msh"
-length_unit = "mm"
-material = "steel"
-damping = {damping}
-pins = {{ slide = {{ group = "y0", length = "200 mm" }}{end} }}
-limits = {{ safety_factor = 2.0 }}
-[part.forces]
-stop = {{ face = "x1" }}
-{faces}""")
-    return scene
+{more}""", f'slide = {{ group = "y0", length = "200 mm" }}{end}',
+        f'stop = {{ face = "x1" }}\n{faces}', instants=instants, damping=damping)
 
 
 def waves(block, steps=200):
@@ -214,20 +206,10 @@ def check_welded(clevis, expect):
     """Welded to the ground at one end and pulled at the other at once: the wave
     comes back from the weld with twice the pull. A free bar would have less."""
     with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        scene = write_scene(folder, False, speed=0, upper=1,
-                            more=pulls([(0, 0), (0.1, 0), (0.1, 1)]),
-                            faces='pull_x1 = { face = "x1" }\n')
-        text = scene.read_text()
-        for start, end in (('[[initial]]', '[[force]]\ntype = "stop"'),
-                           ('[[force]]\ntype = "stop"', '[[force]]\nname = "pull_x0"'),
-                           ('[[force]]\nname = "pull_x0"', '[[force]]\nname = "pull_x1"')):
-            text = text[:text.index(start)] + text[text.index(end):]
-        scene.write_text(
-            text.replace('type = "prismatic"', 'type = "weld"')
-            .replace('axis = [1, 0, 0]\n', '', 1)
-            .replace('slide = { group = "y0", length = "200 mm" }', 'slide = "x0"')
-            .replace('stop = { face = "x1" }\n', ''))
+        scene = bar_scene(Path(name), "bar pulled at one end",
+                          scene_text.joint("held", "weld", "ground", "bar") +
+                          pulls(STEP, ("x1",)),
+                          'held = "x0"', 'pull_x1 = { face = "x1" }\n')
         found = support.check(clevis, scene)
         part = found.part
     still = PULL / AREA / 1e6
@@ -261,27 +243,11 @@ def check_weighed(clevis, expect, block=0.3):
     """Welded to the ground at one end, a block at the other that is pulled at
     once: it swings on the bar, and its wave runs along it."""
     with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        scene = write_scene(folder, True, speed=0, upper=1,
-                            more=pulls([(0, 0), (0.05, 0), (0.05, 1)]))
-        text = scene.read_text()
-        for start, end in (('[[initial]]', '[[force]]\ntype = "stop"'),
-                           ('[[force]]\ntype = "stop"', '[[force]]\nname = "pull_x0"'),
-                           ('[[force]]\nname = "pull_x0"', '[[force]]\nname = "pull_x1"')):
-            text = text[:text.index(start)] + text[text.index(end):]
-        pull = text.index('name = "pull_x1"')
-        text = text[:pull] + text[pull:].replace('["ground", "bar"]', '["ground", "block"]', 1)
-        end = text.index('name = "end"')
-        text = text[:end] + text[end:].replace('["0 mm", "0 mm", "0 mm"]',
-                                               '["200 mm", "0 mm", "0 mm"]', 1)
-        scene.write_text(
-            text.replace('type = "prismatic"', 'type = "weld"')
-            .replace('axis = [1, 0, 0]\n', '', 1)
-            .replace('mass = "2 kg"', f'mass = "{block} kg"')
-            .replace('["-50 mm", "0 mm", "0 mm"]', '["200 mm", "0 mm", "0 mm"]')
-            .replace('slide = { group = "y0", length = "200 mm" }', 'slide = "x0"')
-            .replace('end = "x0"', 'end = "x1"')
-            .replace('stop = { face = "x1" }\n', ''))
+        scene = bar_scene(Path(name), "block on a bar",
+                          block_text(block, 200, 200) +
+                          scene_text.joint("held", "weld", "ground", "bar") +
+                          pulls([(0, 0), (0.05, 0), (0.05, 1)], ("x1",), "block"),
+                          'held = "x0", end = "x1"', "")
         found = support.check(clevis, scene)
         part = found.part
     still = PULL / AREA / 1e6
@@ -299,16 +265,8 @@ def check_redundant(clevis, expect):
     found = {}
     for links in ("rigid", "elastic"):
         with tempfile.TemporaryDirectory() as name:
-            folder = Path(name)
-            scene = write_scene(folder, False, speed=0, upper=1, damping=0.02)
-            text = scene.read_text()
-            joint, end = text.index('[[joint]]'), text.index('[simulation]')
-            weld = "".join(f'''[[joint]]
-name = "weld_{face}"
-type = "weld"
-between = ["ground", "bar"]
-point = ["{x} mm", "0 mm", "0 mm"]
-''' for face, x in (("x0", 0), ("x1", 200)))
+            welds = "".join(scene_text.joint(f"weld_{face}", "weld", "ground", "bar", (x, 0, 0))
+                            for face, x in (("x0", 0), ("x1", 200)))
             push = '''[[force]]
 name = "push"
 type = "table"
@@ -319,13 +277,10 @@ axis = [0, 1, 0]
 times = ["0 ms", "0.05 ms", "0.05 ms"]
 efforts = ["0 N", "0 N", "-200 N"]
 '''
-            text = text[:joint] + weld + push + text[end:]
-            text = (text.replace('duration = "0.5 ms"', 'duration = "4 ms"')
-                    .replace('tolerance = 1e-9', f'tolerance = 1e-9\nlinks = "{links}"')
-                    .replace('slide = { group = "y0", length = "200 mm" }',
-                             'weld_x0 = "x0", weld_x1 = "x1"')
-                    .replace('stop = { face = "x1" }', 'push = { face = "y1" }'))
-            scene.write_text(text)
+            scene = bar_scene(Path(name), "bar between welds", welds + push,
+                              'weld_x0 = "x0", weld_x1 = "x1"',
+                              'push = { face = "y1" }\n', duration="4 ms",
+                              damping=0.02, links=f'links = "{links}"\n')
             found[links] = support.check(clevis, scene)
     rigid, elastic = found["rigid"].part["vibration"], found["elastic"].part["vibration"]
     expect("redundant, shared as rigid: F008", "F008" in str(rigid), True)
@@ -362,16 +317,10 @@ def check_bedded(clevis, expect):
     for ramp in (20e-6, 5e-6, 0.0):
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
-            write_scene(folder, False)
+            write_bar(folder)
             scene = folder / "scene.toml"
-            scene.write_text(f"""schema = 1
-name = "bench"
-{support.steel(ratio=0.0)}[[part]]
-name = "bar"
-mesh = "bar.msh"
-length_unit = "mm"
-material = "steel"
-[[part.history]]
+            scene.write_text(scene_text.head("bench", MATERIAL, world="") +
+                             scene_text.BAR + f"""[[part.history]]
 name = "pull"
 file = "pull.csv"
 faces = {{ tip = "x1" }}
@@ -397,19 +346,12 @@ def check_held_history(clevis, expect):
     evenly there is no doubt."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        write_scene(folder, False)
+        write_bar(folder)
         rows = {"slow": [(0, 0), (1, 0.9)],
-                "jump": [(0, 0), (0.1, 0), (0.1, 1), (1, 1)]}
+                "jump": [*STEP, (1, 1)]}
         scene = folder / "scene.toml"
-        scene.write_text(f"""schema = 1
-name = "bench"
-{support.steel(ratio=0.0)}[[part]]
-name = "bar"
-mesh = "bar.msh"
-length_unit = "mm"
-material = "steel"
-limits = {{ safety_factor = 2.0 }}
-""" + "".join(f"""[[part.history]]
+        scene.write_text(scene_text.head("bench", MATERIAL, world="") + scene_text.BAR +
+                         "limits = { safety_factor = 2.0 }\n" + "".join(f"""[[part.history]]
 name = "{file}"
 file = "{file}.csv"
 faces = {{ tip = "x1" }}
