@@ -4,10 +4,12 @@ reaction given as a load.
 
     held_by_pin.py CLEVIS SOURCE_DIR
 """
+import math
 import sys
 import tempfile
 from pathlib import Path
 
+import scene_text
 import support
 
 CLEVIS = str(Path(sys.argv[1]).resolve())
@@ -29,6 +31,56 @@ name = "case"
 """
 
 
+# A bar of 4 mm with bores at its ends and one between, mm, N
+LEFT, RIGHT, HEIGHT, THICK, LOAD = 140.0, 60.0, 12.0, 4.0, 90.0
+BAR = f"""SetFactory("OpenCASCADE");
+Rectangle(1) = {{-10, {-HEIGHT / 2}, 0, {LEFT + RIGHT + 20}, {HEIGHT}}};
+Disk(2) = {{0, 0, 0, 2}}; Disk(3) = {{{LEFT}, 0, 0, 2}}; Disk(4) = {{{LEFT + RIGHT}, 0, 0, 2}};
+BooleanDifference(5) = {{ Surface{{1}}; Delete; }}{{ Surface{{2:4}}; Delete; }};
+Physical Surface("body") = {{5}};
+MeshSize{{:}} = 4;
+""" + "".join(f"""{name}() = Curve In BoundingBox {{{x - 3}, -3, -1, {x + 3}, 3, 1}};
+Physical Curve("bore_{name}") = {{{name}()}}; Transfinite Curve{{{name}()}} = 13;
+""" for name, x in (("A", 0), ("B", LEFT), ("C", LEFT + RIGHT))) + """\
+Mesh.RecombineAll = 1; Mesh.ElementOrder = 2;
+"""
+
+
+def check_bar(folder, limits, case):
+    (folder / "bar.toml").write_text(scene_text.head("bar", world="") + scene_text.BAR + f"""\
+thickness = "{THICK} mm"
+limits = {{ {limits} }}
+[[part.case]]
+name = "case"
+{case}
+""")
+    return support.check(CLEVIS, folder / "bar.toml", exits=(1,)).part
+
+
+def check_held_and_loaded(folder):
+    """Deflection and buckling refer to the pins that hold, not to those that load."""
+    support.gmsh(folder, BAR, "bar", 2)
+    modulus, shear = 210e3, 210e3 / 2.6
+    bending = modulus * THICK * HEIGHT**3 / 12
+    stiff = 5 / 6 * shear * THICK * HEIGHT
+    # Timoshenko's overhang, to the end of the part 10 mm behind the load
+    turn = LOAD * LEFT * RIGHT / 3 / bending
+    tip = (turn * LEFT + LOAD * LEFT**3 / 3 / bending +
+           (turn + LOAD * LEFT**2 / 2 / bending) * 10 +
+           LOAD * LEFT / stiff * (1 + (LEFT + 10) / RIGHT))
+    part = check_bar(folder, 'deflection = "0.6 mm"',
+                     'held_by_pin = ["bore_B", "bore_C"]\n'
+                     f'pins = {{ bore_A = ["0 N", "{-LOAD} N", "0 N"] }}')
+    near("overhang: deflection", part["deflection_mm"], tip, 0.015 * tip)
+    press = 500.0
+    column = (math.pi**2 * modulus * HEIGHT * THICK**3 / 12 /
+              (4 * (LEFT + RIGHT)**2) / press)
+    part = check_bar(folder, "buckling = 3", 'held_by_pin = ["bore_A"]\n'
+                     f'pins = {{ bore_C = ["{-press} N", "0 N", "0 N"] }}')
+    # less by the bore and by its pin's give
+    near("pressed at its free end: buckling", part["buckling"]["factor"], column, 0.03 * column)
+
+
 def check(folder, case, expected):
     (folder / "scene.toml").write_text(SCENE + case)
     found = support.check(CLEVIS, folder / "scene.toml", exits=(expected,))
@@ -46,6 +98,8 @@ def reaction(part, bore):
 
 
 def main():
+    with tempfile.TemporaryDirectory() as name:
+        check_held_and_loaded(Path(name))
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         loaded, _ = check(folder, 'pins = { bore_A = ["-1000 N", "0 N", "0 N"], '
