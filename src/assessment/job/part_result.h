@@ -283,8 +283,8 @@ struct Swing {
 
 /// Stress and displacement where the part's stresses and its spin act on what
 /// they displace, with its vibration; of the loads that were solved for: of the
-/// two instants of each load set that rise to most, and of all that may decide
-/// a limit, with what lies between these and the next.
+/// instant of each load set that may rise to most, and of all that may decide a
+/// limit, with what lies between these and the next.
 struct SecondOrderResult {
   bool is_stable = true;  ///< else it buckles, or whirls, under less
   /// Whether it bears as many times its loads, with the spin that they come

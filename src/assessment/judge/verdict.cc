@@ -334,7 +334,7 @@ bool judge_second_order(const part::PartDefinition& part, PartResult& result) {
   const bool fails = found.least_peak * peak.band_low > allowed * peak.value;
   set(result, fails ? part::Verdict::kFail : part::Verdict::kNotJudged,
       fails ? fmt::format("its loads act on what they displace: {:.4g} MPa "
-                          "({:.4g} of linear theory at {}) exceeds {:.4g} MPa",
+                          "({:.4g} of linear theory, {}) exceeds {:.4g} MPa",
                           found.peak / kMega, found.stress, found.label,
                           allowed / kMega)
             : fmt::format("its loads act on what they displace: {:.4g} MPa at "

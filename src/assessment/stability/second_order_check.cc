@@ -224,10 +224,9 @@ class SetCheck {
                                 (is_spun_in_part(points_[i]) ? spun : value));
   }
 
-  /// The two that may rise to most, and those that may decide the limit.
+  /// The one that may rise to most, and those that may decide the limit.
   void solve_most(const SecondOrderPart& part, std::size_t hold, bool by_stress,
                   SecondOrderResult& found) {
-    constexpr int kAlways = 2;
     constexpr double kAlike = 1e-3;
     std::vector<std::size_t> order(points_.size());
     std::vector<LoadPoint> solved;
@@ -237,13 +236,13 @@ class SetCheck {
     });
     const double admitted = by_stress ? admitted_peak_ : admitted_deflection_;
     left_ = most_solved(space_);
-    int always = kAlways;
+    bool is_first = true;
     for (const std::size_t i : order) {
       const LoadPoint& point = points_[i];
       if (!(linear_[i].yield > 0.0)) continue;
       const bool decides =
           at_most(i, by_stress) > admitted || linear_[i].yield >= 1.0;
-      if (!decides && always == 0) continue;
+      if (!decides && !is_first) continue;
       if (left_ == 0) {
         double& bound = by_stress ? found.bound : found.deflection_bound;
         bound = std::max(bound, at_most(i, by_stress));
@@ -252,7 +251,7 @@ class SetCheck {
       if (std::ranges::none_of(solved, [&](const LoadPoint& known) {
             return point.is_like(known, kAlike);
           })) {
-        always = std::max(0, always - 1);
+        is_first = false;
         solved.push_back(point);
         take(part, point, linear_[i], hold, found);
       }
@@ -481,9 +480,10 @@ void note(const PartResult& result, std::vector<std::string>& notes) {
   if (!found.is_stable) return;
   if (found.peak > 0.0 && found.stress > kSays) {
     notes.push_back(fmt::format(
-        "second order: loads act on what they displace, {:.4g} MPa at {}, "
-        "{:.3f} of linear theory's there; the verdict has it, the table is of "
-        "linear theory",
+        "second order: loads act on what they displace, {:.4g} MPa ({}), "
+        "{:.3f} "
+        "of linear theory's there; the verdict has it, the table is of linear "
+        "theory",
         1e-6 * found.peak, found.label, found.stress));
   }
   if (found.deflection_rise > kSays) {

@@ -10,8 +10,8 @@ namespace clevis::assessment {
 /// Second order of a part that its loads bend further as they displace it: of
 /// load sets of a part that buckles below ten times its loads (first order is
 /// enough above: EN 1993-1-1, 5.2.1 (3)), and at instants at which it spins
-/// faster than a tenth of its lowest frequency. Of each set the two instants
-/// that may rise to most are solved for, and those that may decide a limit with
+/// faster than a tenth of its lowest frequency. Of each set the instant
+/// that may rise to most is solved for, and those that may decide a limit with
 /// what lies between them and the next, some dozens at most; the rest is
 /// bounded. K_G counts as the band of the buckling factor has it at most. Of a
 /// part whose spin counts it is looked at, too, whether it bears as much more

@@ -79,16 +79,21 @@ MassMatrix HeldPart::mass() const {
 }
 
 double HeldPart::lowest_frequency(std::size_t hold) const {
-  constexpr int kSteps = 6;
+  constexpr int kMostSteps = 12;
+  constexpr double kSettled = 1e-2;  // of the square
   constexpr Eigen::Index kBlock = 4;
   const MassMatrix matrix = mass();
   dynamics::BlockKrylov space(
       answer_to(matrix, 1.0, hold),
       dynamics::random_block(equations(), std::min(kBlock, equations())), {});
-  for (int step = 0; step < kSteps && !space.is_closed(); ++step) {
+  double theta = 0.0;
+  for (int step = 0; step < kMostSteps && !space.is_closed(); ++step) {
     space.extend();
+    const double before = theta;
+    theta = space.ritz_values().theta[0];
+    if (theta - before < kSettled * theta) break;
   }
-  return 1.0 / std::sqrt(space.ritz_values().theta[0]);
+  return 1.0 / std::sqrt(theta);
 }
 
 StressedPart::StressedPart(const BucklingProblem& problem, const HeldPart& part)

@@ -212,16 +212,26 @@ void LoadTable::require_unit_length(
 void LoadTable::require_spin_where_turning(
     const std::vector<std::string>& places) const {
   constexpr double kTurned = 2e-3;  // [rad]: digits of a written quaternion
-  if (spins()) return;
+  const Eigen::Quaterniond start = orientation(0);
+  const auto turned = [](const Eigen::Quaterniond& turn) {
+    return Vector3d(2.0 * turn.vec().cwiseAbs());
+  };
   for (std::size_t r = 1; r < rows(); ++r) {
-    const double angle = orientation(r).angularDistance(orientation(0));
-    if (angle <= kTurned) continue;
-    throw Error("S003", places[r],
-                fmt::format("the part has turned by {:.3g} degrees, but the "
-                            "file says nothing of its angular velocity",
-                            angle * 180.0 / std::numbers::pi),
-                "Give the columns angular_velocity_x, _y and _z, for spinning "
-                "loads a part; zeros, if it turns so slowly that it does not.");
+    const Eigen::Quaterniond now = orientation(r);
+    // In the world's frame and in the part's: the vectors may be of either.
+    const Vector3d least = turned(now * start.conjugate())
+                               .cwiseMin(turned(start.conjugate() * now));
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const auto component = static_cast<std::size_t>(k);
+      if (least[k] <= kTurned || omega_.at(component) >= 0) continue;
+      throw Error(
+          "S003", places[r],
+          fmt::format("the part has turned about {}, but the file has no "
+                      "angular_velocity_{}",
+                      "xyz"[component], "xyz"[component]),
+          "Give the columns angular_velocity_x, _y and _z, for spinning "
+          "loads a part; zeros, if it turns so slowly that it does not.");
+    }
   }
 }
 

@@ -105,6 +105,14 @@ TEST_F(LoadTableFile, RefusesWhatItDoesNotUnderstand) {
   EXPECT_EQ(refusal("time [s],orientation_w,orientation_x,orientation_y,"
                     "orientation_z\n0,1,0,0,0\n1,-1,0,0,1e-4\n2,0,0,0,1\n"),
             "S003:4:1");
+  const auto about_z = [this](const std::string& component) {
+    return refusal(
+        "time [s],orientation_w,orientation_x,orientation_y,"
+        "orientation_z,angular_velocity_" +
+        component + " [rad/s]\n0,1,0,0,0,0\n1,0,0,0,1,0\n");
+  };
+  EXPECT_EQ(about_z("x"), "S003:3:1");
+  EXPECT_EQ(about_z("z"), "");
   EXPECT_EQ(refusal("time [s],orientation_w,orientation_x,orientation_y,"
                     "orientation_z\n0,1,0,0,0\n1,1,0,0,1\n"),
             "S006:3:1");
