@@ -99,7 +99,11 @@ class SetCheck {
     const SecondOrderPart part(problem, held);
     if (!part.is_stressed()) return;
     common_ = common_load(looked_, part.coefficients());
-    points_ = load_points(looked_, part.coefficients());
+    points_ = load_points(looked_, part.coefficients(),
+                          [&](const InstantLoad& instant) {
+                            return is_judged(instant.label, instant.time) ||
+                                   instant.time == result_.deflection_instant;
+                          });
     for (std::size_t hold = 0; hold < held.holds() && found.is_stable; ++hold) {
       look_at(part, hold, lowest[hold], found);
     }
@@ -143,6 +147,10 @@ class SetCheck {
     double yield{};              ///< 1/λ + (Ω/ω)² at most; 0: first order
   };
 
+  bool is_judged(const std::string& label, double time) const {
+    return label == judged_.label && time == judged_.instant;
+  }
+
   /// Of the check over this degree's.
   struct Scales {
     double peak = kOfDegree, deflection = kOfDegree;
@@ -153,7 +161,7 @@ class SetCheck {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const auto at = static_cast<Index>(i);
       const LoadPoint& point = points_[i];
-      if (point.label == judged_.label && point.time == judged_.instant) {
+      if (is_judged(point.label, point.time)) {
         judged = std::max(judged, here.first[at]);
       }
       if (point.time == result_.deflection_instant) {
@@ -235,7 +243,9 @@ class SetCheck {
       return at_most(i, by_stress);
     });
     const double admitted = by_stress ? admitted_peak_ : admitted_deflection_;
+    double& bound = by_stress ? found.bound : found.deflection_bound;
     left_ = most_solved(space_);
+    followed_.clear();
     bool is_first = true;
     for (const std::size_t i : order) {
       const LoadPoint& point = points_[i];
@@ -243,8 +253,7 @@ class SetCheck {
       const bool decides =
           at_most(i, by_stress) > admitted || linear_[i].yield >= 1.0;
       if (!decides && !is_first) continue;
-      if (left_ == 0) {
-        double& bound = by_stress ? found.bound : found.deflection_bound;
+      if (left_ <= 0) {
         bound = std::max(bound, at_most(i, by_stress));
         continue;
       }
@@ -255,31 +264,36 @@ class SetCheck {
         solved.push_back(point);
         take(part, point, linear_[i], hold, found);
       }
-      if (decides) follow_on(part, hold, i, found);
+      if (decides && !follow_on(part, hold, i, by_stress, found)) {
+        bound = std::max(bound, at_most(i, by_stress));
+      }
       if (!found.is_stable || !found.failure.empty()) return;
     }
   }
 
   /// Between an instant and the next stress and deflection of second order may
   /// be larger than at both: what presses falls as what bends rises.
-  void follow_on(const SecondOrderPart& part, std::size_t hold, std::size_t i,
-                 SecondOrderResult& found) {
+  /// @return whether that could be looked at.
+  bool follow_on(const SecondOrderPart& part, std::size_t hold, std::size_t i,
+                 bool by_stress, SecondOrderResult& found) {
     constexpr double kFar = 0.05;
     constexpr int kShares = 4, kHalvings = 2;
+    constexpr int kSolved = kShares - 1 + 2 * kHalvings;
     for (const std::size_t from : {i - 1, i}) {
       if (i == 0 && from != i) continue;
-      const std::size_t to = from + 1;
-      if (!points_[from].goes_on || followed_.contains({hold, from}) ||
-          points_[from].is_like(points_[to], kFar)) {
+      if (!points_[from].goes_on || followed_.contains(from) ||
+          points_[from].is_like(points_[from + 1], kFar)) {
         continue;
       }
-      followed_.insert({hold, from});
+      if (left_ < kSolved) return false;
+      followed_.insert(from);
       double best = 0.5, step = 1.0 / kShares, most = -1.0;
       const auto look = [&](double share) {
-        if (left_ == 0 || !found.is_stable || !found.failure.empty()) return;
-        const double reached = take_between(part, hold, from, share, found);
-        if (reached <= most) return;
-        most = reached;
+        if (!found.is_stable || !found.failure.empty()) return;
+        const Reached reached = take_between(part, hold, from, share, found);
+        const double value = by_stress ? reached.peak : reached.deflection;
+        if (value <= most) return;
+        most = value;
         best = share;
       };
       for (int k = 1; k < kShares; ++k) look(k * step);
@@ -290,12 +304,16 @@ class SetCheck {
         look(middle + step);
       }
     }
+    return true;
   }
 
-  /// @return what it reaches [Pa].
-  double take_between(const SecondOrderPart& part, std::size_t hold,
-                      std::size_t from, double share,
-                      SecondOrderResult& found) {
+  struct Reached {
+    double peak{}, deflection{};  ///< [Pa], [m]
+  };
+
+  Reached take_between(const SecondOrderPart& part, std::size_t hold,
+                       std::size_t from, double share,
+                       SecondOrderResult& found) {
     const LoadPoint point = between(points_[from], points_[from + 1], share);
     const auto [stress, way] = measured(columns_, point.amounts);
     const Linear& start = linear_[from];
@@ -334,16 +352,17 @@ class SetCheck {
     return point.is_motion ? swing_ : Swing{};  // cases stand still
   }
 
+  /// @param more  of K_G's stresses than of linear theory's [1].
   SecondOrderPart::Answer answer(const SecondOrderPart& part,
-                                 const LoadPoint& point, double times,
+                                 const LoadPoint& point, double more,
+                                 const Eigen::Vector3d& omega,
                                  std::size_t hold) const {
     const VectorXd spun = common_ && point.is_motion ? *common_ : point.amounts;
-    return part.answer(
-        {.stressing = times * softer_ * swing(point).largest() * point.amounts,
-         .spun = spun,
-         .still = point.amounts - spun,
-         .omega = std::sqrt(times) * point.omega},
-        hold);
+    return part.answer({.stressing = more * point.amounts,
+                        .spun = spun,
+                        .still = point.amounts - spun,
+                        .omega = omega},
+                       hold);
   }
 
   /// What the least of the buckling factors leaves of a rise that its most has.
@@ -354,52 +373,72 @@ class SetCheck {
     return buckling.factor && low > 0.0 ? 1.0 + (rise - 1.0) * low / high : 1.0;
   }
 
-  /// @return the peak that is reached [Pa].
-  double take(const SecondOrderPart& part, const LoadPoint& point,
-              const Linear& linear, std::size_t hold,
-              SecondOrderResult& found) {
-    --left_;
-    const Swing swing = this->swing(point);
-    const auto solved = answer(part, point, 1.0, hold);
+  /// Over linear theory's [1].
+  struct Rise {
+    double stress = 1.0, deflection = 1.0;
+  };
+  /// Takes the part's state in where there is none.
+  std::optional<Rise> rise_of(const SecondOrderPart& part,
+                              const LoadPoint& point, const Linear& linear,
+                              double more, std::size_t hold,
+                              SecondOrderResult& found) const {
+    const auto solved = answer(part, point, more, point.omega, hold);
     if (solved.state == SecondOrderPart::State::kOpen) {
       found.failure = "its solution at " + point.label + " does not settle";
-      return 0.0;
+      return std::nullopt;
     }
     if (solved.state == SecondOrderPart::State::kUnstable) {
       found.is_stable = false;
       found.label = point.label;
-      return 0.0;
+      return std::nullopt;
     }
     const auto [stress, moved] =
         measured(solved.displacement, MatrixXd::Ones(1, 1));
-    const auto rise_of = [](double now, double before) {
+    const auto over = [](double now, double before) {
       return before > 0.0 ? std::max(1.0, now / before) : 1.0;
     };
-    const double rise = rise_of(stress[0], linear.here);
-    const double peak = swing.stress * rise * linear.peak;
-    if (peak > found.peak) {
-      found.peak = peak;
-      found.stress = rise;
+    return Rise{over(stress[0], linear.here), over(moved[0], linear.moved)};
+  }
+
+  Reached take(const SecondOrderPart& part, const LoadPoint& point,
+               const Linear& linear, std::size_t hold,
+               SecondOrderResult& found) {
+    --left_;
+    const Swing swing = this->swing(point);
+    auto rise =
+        rise_of(part, point, linear, softer_ * swing.largest(), hold, found);
+    if (!rise) return {};
+    if (softer_ * swing.largest() > 1.0 && linear.yield > looked_.pressed) {
+      // What spins may be stiffened by its stresses.
+      const auto less = rise_of(part, point, linear, 1.0, hold, found);
+      if (!less) return {};
+      rise->stress = std::max(rise->stress, less->stress);
+      rise->deflection = std::max(rise->deflection, less->deflection);
+    }
+    Reached reached;
+    reached.peak = swing.stress * rise->stress * linear.peak;
+    if (reached.peak > found.peak) {
+      found.peak = reached.peak;
+      found.stress = rise->stress;
       found.label = point.label;
     }
     const bool is_still = swing.largest() == 1.0;
     if (is_still) {
       found.least_peak =
-          std::max(found.least_peak, certain(rise) * linear.peak);
+          std::max(found.least_peak, certain(rise->stress) * linear.peak);
     }
     constexpr double kRises = 1.001;  // else linear theory's own stands
-    const double farther = rise_of(moved[0], linear.moved);
-    if (hold > 0 || !(farther > kRises)) return peak;
-    const double deflection = swing.deflection * farther * linear.deflects;
-    if (deflection > found.deflection) {
-      found.deflection = deflection;
-      found.deflection_rise = farther;
+    if (hold > 0 || !(rise->deflection > kRises)) return reached;
+    reached.deflection = swing.deflection * rise->deflection * linear.deflects;
+    if (reached.deflection > found.deflection) {
+      found.deflection = reached.deflection;
+      found.deflection_rise = rise->deflection;
     }
     if (is_still) {
-      found.least_deflection =
-          std::max(found.least_deflection, certain(farther) * linear.deflects);
+      found.least_deflection = std::max(
+          found.least_deflection, certain(rise->deflection) * linear.deflects);
     }
-    return peak;
+    return reached;
   }
 
   /// Loads that grow spin the part as well: of those whose spin counts, whether
@@ -419,8 +458,10 @@ class SetCheck {
     });
     if (order.size() > kMost) order.resize(kMost);
     for (const std::size_t i : order) {
-      if (answer(part, points_[i], wanted, hold).state !=
-          SecondOrderPart::State::kStable) {
+      const LoadPoint& point = points_[i];
+      if (answer(part, point, wanted * softer_ * swing(point).largest(),
+                 std::sqrt(wanted) * point.omega, hold)
+              .state != SecondOrderPart::State::kStable) {
         found.bears_growth = false;
         found.label = points_[i].label;
         return;
@@ -447,9 +488,9 @@ class SetCheck {
   MatrixXd columns_;            ///< likewise
   /// What is spun alone, of a part that turns on.
   std::optional<VectorXd> common_;
-  double common_peak_{}, common_deflection_{};              ///< [Pa], [m]
-  std::set<std::pair<std::size_t, std::size_t>> followed_;  ///< hold, instant
-  int left_{};  ///< so many may be solved for
+  double common_peak_{}, common_deflection_{};  ///< [Pa], [m]
+  std::set<std::size_t> followed_;              ///< points, on to the next
+  int left_{};                                  ///< so many may be solved for
 };
 
 /// Without a solution: bounded by the buckling factor; of spin that is not slow

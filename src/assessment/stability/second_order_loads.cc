@@ -99,8 +99,9 @@ LoadPoint between(const LoadPoint& from, const LoadPoint& to, double share) {
   return point;
 }
 
-std::vector<LoadPoint> load_points(const SecondOrderLoads& loads,
-                                   const MatrixXd& coefficients) {
+std::vector<LoadPoint> load_points(
+    const SecondOrderLoads& loads, const MatrixXd& coefficients,
+    const std::function<bool(const InstantLoad&)>& stays) {
   std::vector<LoadPoint> all;
   for (std::size_t i = 0; i < loads.instants.size(); ++i) {
     const InstantLoad& instant = loads.instants[i];
@@ -114,7 +115,9 @@ std::vector<LoadPoint> load_points(const SecondOrderLoads& loads,
   for (std::size_t from = 0; from < all.size();) {
     std::size_t to = from;
     while (all[to].goes_on && all[to + 1].time > all[to].time) ++to;
-    for (std::size_t i = from + 1; i < to; ++i) kept[i] = false;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      kept[i] = stays(loads.instants[i]);
+    }
     if (to > from) keep_bends(all, from, to, kept);
     from = to + 1;
   }

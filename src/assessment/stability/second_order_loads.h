@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,8 +46,10 @@ struct LoadPoint {
 /// Of the instants; those of the motion that lie on the straight line between
 /// others, but for a third of a per cent, are left out.
 /// @param coefficients  columns × instants.
-std::vector<LoadPoint> load_points(const SecondOrderLoads& loads,
-                                   const Eigen::MatrixXd& coefficients);
+/// @param stays  whether an instant is never left out.
+std::vector<LoadPoint> load_points(
+    const SecondOrderLoads& loads, const Eigen::MatrixXd& coefficients,
+    const std::function<bool(const loads::InstantLoad&)>& stays);
 /// On the straight line from one instant to the next.
 /// @param share  of the way [1].
 LoadPoint between(const LoadPoint& from, const LoadPoint& to, double share);
