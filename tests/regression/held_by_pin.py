@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """A bore held by its pin: reactions by hand, and the same stress as with the
-reaction given as a load.
+reaction given as a load. Deflection and buckling of a bar refer to the pins that hold
+it: beam theory.
 
     held_by_pin.py CLEVIS SOURCE_DIR
 """

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """A link on two hinges to the ground, pulled along itself: equilibrium leaves
 open how they share the pull, so its band must hold for every sharing. Each is
-checked alone with compliances given that make it all but certain.
+checked alone with compliances given that make it all but certain. A beam on seven feet:
+the band holds that the outer two carry it alone.
 
     open_sharing.py CLEVIS SOURCE_DIR
 """
