@@ -499,7 +499,10 @@ void bound(const PartJob& job, const SecondOrderLoads& looked,
            const Error& error, const PartResult& result,
            SecondOrderResult& found) {
   const LoadSet& set = job.load_sets[looked.set];
-  const double period = result.first_period.value_or(longest_period(job, set));
+  const bool is_flat = error.code() == "F001";  // free across its plane
+  const double period =
+      is_flat ? longest_period_in_plane(job)
+              : result.first_period.value_or(longest_period(job, set));
   const bool is_fast =
       std::ranges::any_of(looked.instants, [&](const InstantLoad& instant) {
         return instant.rigid.omega.norm() * period >

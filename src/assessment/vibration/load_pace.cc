@@ -145,6 +145,14 @@ double longest_period(const PartJob& job, const LoadSet& set) {
          std::sqrt(1.0 + added_mass(set, sides[1]) / job.mass.mass);
 }
 
+double longest_period_in_plane(const PartJob& job) {
+  constexpr double kSure = 4.0;
+  const Eigen::Vector3d sides = job.sides();
+  const double thickness =
+      job.mass.mass / job.part.material.density / (sides[0] * sides[2]);
+  return kSure * period_of_waves(job) * std::max(1.0, sides[2] / thickness);
+}
+
 double softest_period(const PartJob& job, const LoadSet& set) {
   constexpr double kSofter = 40.0;
   return kSofter * longest_period(job, set);

@@ -36,6 +36,10 @@ dynamics::LoadPath load_components(const PartJob& job, const LoadSet& motion);
 /// [s]. Necks, flexures and elastic beds may vibrate slower.
 double longest_period(const PartJob& job, const LoadSet& set);
 
+/// The same of a plate that cannot leave its plane, whatever the mechanism adds
+/// [s].
+double longest_period_in_plane(const PartJob& job);
+
 /// The same of a block on a neck, a flexure or a soft bed: forty times longer
 /// [s].
 double softest_period(const PartJob& job, const LoadSet& set);

@@ -6,7 +6,14 @@
 namespace clevis::scene {
 namespace {
 
+constexpr const char* kHowFixed =
+    "Name what is held of each group: fixed = { GROUP = [\"x\", \"y\", \"z\"] "
+    "}.";
+
 std::array<bool, 3> read_components(const Value& value) {
+  if (!value.is_array()) {
+    throw value.refusal("S005", "is no array", kHowFixed);
+  }
   const auto elements = value.elements();
   std::array<bool, 3> is_fixed{};
   if (elements.empty()) {
@@ -44,6 +51,10 @@ part::Foundation read_foundation(const Value& value) {
 }  // namespace
 
 part::Supports read_fixed(StrictTable& table) {
+  const auto value = table.find("fixed");
+  if (value && !value->is_table()) {
+    throw value->refusal("S005", "is no table of groups", kHowFixed);
+  }
   return read_groups<std::array<bool, 3>>(table, "fixed", read_components);
 }
 

@@ -31,6 +31,7 @@ class Value {
   const std::string& file() const { return *file_; }
   std::string place() const { return place_of(*file_, node_->source()); }
   bool is_table() const { return node_->is_table(); }
+  bool is_array() const { return node_->is_array(); }
 
   /// An error at this place whose problem starts with the label.
   Error refusal(std::string_view code, std::string_view problem,
