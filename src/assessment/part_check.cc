@@ -161,13 +161,15 @@ std::optional<double> mean_strain_energy(const std::vector<InstantRow>& rows) {
   return integral / (last->time - first->time);
 }
 
-void note_energy_over_time(const std::vector<InstantRow>& rows,
+/// @param repeats  whether loads of the motion are left out that repeat others.
+void note_energy_over_time(const std::vector<InstantRow>& rows, bool repeats,
                            PartResult& result) {
   const auto largest =
       std::ranges::max_element(rows, {}, &InstantRow::strain_energy);
   if (largest == rows.end()) return;
   result.strain_energy_instant = largest->time;
-  result.mean_strain_energy = mean_strain_energy(rows);
+  // Of loads that repeat others no row is known.
+  if (!repeats) result.mean_strain_energy = mean_strain_energy(rows);
 }
 
 }  // namespace
@@ -191,7 +193,13 @@ PartAssessment check_part(const PartJob& given) {
   result.name = job.part.name;
   result.notes.insert(result.notes.end(), job.notes.begin(), job.notes.end());
   result.mass = job.mass.mass;
-  note_energy_over_time(assessment.fields.history, result);
+  note_energy_over_time(
+      assessment.fields.history,
+      std::ranges::any_of(job.load_sets,
+                          [](const LoadSet& set) {
+                            return !set.history.repeats.empty();
+                          }),
+      result);
   for (const LoadSet& set : job.load_sets) {
     result.notes.insert(result.notes.end(), set.history.notes.begin(),
                         set.history.notes.end());
