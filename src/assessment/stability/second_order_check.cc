@@ -18,6 +18,7 @@
 #include "assessment/judge/verdict.h"
 #include "assessment/stability/buckling_model.h"
 #include "assessment/stability/second_order_loads.h"
+#include "assessment/vibration/duration_ratio.h"
 #include "assessment/vibration/load_pace.h"
 #include "base/messages/errors.h"
 #include "elasticity/buckling/second_order.h"
@@ -95,6 +96,7 @@ class SetCheck {
       lowest.push_back(looked_.may_be_fast ? held.lowest_frequency(hold)
                                            : HUGE_VAL);
     }
+    if (looked_.may_be_fast) bound_with_neighbours(lowest, found);
     if (looked_.pressed == 0.0 && is_slow(std::ranges::min(lowest))) return;
     const SecondOrderPart part(problem, held);
     if (!part.is_stressed()) return;
@@ -119,6 +121,26 @@ class SetCheck {
     return buckling.factor && buckling.band_low > 0.0
                ? std::max(1.0, of_lowest_degree / buckling.band_low)
                : 1.0;
+  }
+
+  /// Masses that the mechanism adds, as a disc on a shaft, lower the frequency
+  /// beside which the part spins: their share of the rise is bounded.
+  /// @param lowest  frequencies of the part alone [rad/s].
+  void bound_with_neighbours(const std::vector<double>& lowest,
+                             SecondOrderResult& found) const {
+    constexpr double kAdded = 0.95;
+    if (!set_.history.hold || set_.history.hold().weighed.cols() == 0) return;
+    const double with = 2.0 * std::numbers::pi / first_period_of(job_, set_);
+    if (with > kAdded * std::ranges::min(lowest) || is_slow(with)) return;
+    double fastest = 0.0;
+    for (const InstantLoad& instant : looked_.instants) {
+      fastest = std::max(fastest, instant.rigid.omega.norm());
+    }
+    const double rise =
+        rise_at(looked_.pressed + fastest * fastest / (with * with));
+    found.bound = std::max(found.bound, rise * swing_.stress * judged_.value);
+    found.deflection_bound =
+        std::max(found.deflection_bound, rise * result_.deflection);
   }
 
   /// Of the lattice: in any zone, where one is left out.

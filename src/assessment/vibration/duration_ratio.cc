@@ -17,20 +17,6 @@ constexpr double kShort = 0.25;
 constexpr const char* kInTime =
     "dynamic elements: the loads of the instants may be exceeded";
 
-double first_period_of(const PartJob& job, const LoadSet& set) {
-  try {
-    return elasticity::first_period<3>({.mesh = job.overall_mesh(),
-                                        .material = job.part.material,
-                                        .history = set.history,
-                                        .fixed = set.fixed,
-                                        .name = job.part.name,
-                                        .foundations = set.foundations},
-                                       2);
-  } catch (const Error&) {
-    return longest_period(job, set);  // supports that hold it in a plane alone
-  }
-}
-
 /// Whether one of the impact's touches lies in a window.
 bool drives(const ImpactLoad& load,
             const std::vector<VibrationWindow>& windows) {
@@ -114,6 +100,20 @@ double pulse_amplification(double duration_over_period,
   const double step =
       1.0 + std::min(1.0, 1.0 / (std::numbers::pi * rise_over_period));
   return std::max(half_sine, step);
+}
+
+double first_period_of(const PartJob& job, const LoadSet& set) {
+  try {
+    return elasticity::first_period<3>({.mesh = job.overall_mesh(),
+                                        .material = job.part.material,
+                                        .history = set.history,
+                                        .fixed = set.fixed,
+                                        .name = job.part.name,
+                                        .foundations = set.foundations},
+                                       2);
+  } catch (const Error&) {
+    return longest_period(job, set);  // supports that hold it in a plane alone
+  }
 }
 
 std::vector<VibrationWindow> judge_load_pace(const PartJob& job,

@@ -18,6 +18,9 @@ double half_sine_amplification(double duration_over_period);
 double pulse_amplification(double duration_over_period,
                            double rise_over_period);
 
+/// Of the part with what the rest of the mechanism holds and adds [s].
+double first_period_of(const PartJob& job, const LoadSet& set);
+
 /// Puts each impact's duration over the part's first period into the result,
 /// and the change of the loads that excites it most; tells when the loads drive
 /// vibration that counts. None: those of the instants suffice.

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include "loads/history/motion_instants.h"
 
@@ -86,6 +87,52 @@ LoadSet followed_loads(const LoadSet& set) {
   std::erase_if(motion.history.instants, [&](const loads::InstantLoad& load) {
     return load.time > set.history.followed_until;
   });
+  return motion;
+}
+
+namespace {
+
+/// Axis of the least inertia, in L.
+Eigen::Vector3d length_axis(const PartJob& job) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> inertia(
+      job.mass.inertia_LCm);
+  return inertia.eigenvectors().col(0);
+}
+
+}  // namespace
+
+double spin_about_length(const PartJob& job, const LoadSet& set) {
+  const Eigen::Vector3d axis = length_axis(job);
+  double most = 0.0;
+  for (const loads::InstantLoad& instant : set.history.instants) {
+    most = std::max(most, std::abs(instant.rigid.omega.dot(axis)));
+  }
+  return most;
+}
+
+LoadSet unspun_loads(const PartJob& job, LoadSet motion) {
+  const Eigen::Vector3d axis = length_axis(job);
+  double angle = 0.0, time = 0.0, spin = 0.0;
+  bool is_first = true;
+  for (loads::InstantLoad& instant : motion.history.instants) {
+    const double now = instant.rigid.omega.dot(axis);
+    if (!is_first) angle += 0.5 * (now + spin) * (instant.time - time);
+    is_first = false;
+    time = instant.time;
+    spin = now;
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    const auto unspin = [&](loads::Wrench& wrench) {
+      wrench.force = turn * wrench.force;
+      wrench.moment = turn * wrench.moment;
+    };
+    for (loads::Wrench& wrench : instant.wrenches) unspin(wrench);
+    for (auto& load : instant.surface_loads) unspin(load.resultant);
+    loads::RigidAcceleration& rigid = instant.rigid;
+    rigid.acceleration = turn * rigid.acceleration;
+    rigid.alpha = turn * rigid.alpha;
+    rigid.omega = turn * rigid.omega;
+  }
   return motion;
 }
 

@@ -22,6 +22,12 @@ LoadSet followed_loads(const LoadSet& set);
 /// How loads go on from one instant to the next.
 dynamics::LoadPath::Between between_instants(const LoadSet& set);
 
+/// Spin about the part's longest way, at most [rad/s].
+double spin_about_length(const PartJob& job, const LoadSet& set);
+
+/// The motion's loads as they stand in space, turned by that spin.
+LoadSet unspun_loads(const PartJob& job, LoadSet motion);
+
 /// Components of the forces and moments on the part's surface and of those of
 /// its inertia over the motion, less those at its start, each over its largest
 /// change. Each counts by itself, for a small force across a part may stress it

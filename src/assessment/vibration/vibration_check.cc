@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -189,6 +190,27 @@ std::string not_followed(const PartJob& job, const LoadSet& given,
       until);
 }
 
+/// Why a part's vibration is not known as it spins about its length: loads that
+/// change in space meet its shapes in space, which turn in its own frame;
+/// empty: it is.
+/// @param first  period [s].
+std::string not_known_spinning(const PartJob& job, const LoadSet& given,
+                               double first) {
+  constexpr double kCounts = 0.01;  // of its first frequency: of its damping
+  const LoadSet motion = followed_loads(given);
+  const double share =
+      spin_about_length(job, motion) * first / (2.0 * std::numbers::pi);
+  if (share <= kCounts) return {};
+  const LoadSet in_space = unspun_loads(job, motion);
+  const auto spectrum =
+      load_spectrum(job, load_components(job, in_space), first);
+  if (spectrum.amplification <= kPaceCounts) return {};
+  return fmt::format(
+      "it spins about its length at {:.2g} of its first frequency: its shapes "
+      "turn in its frame, which is not computed",
+      share);
+}
+
 /// Of one load set; nothing where its loads are followed at rest.
 std::optional<VibrationResult> vibration_of(const PartJob& job,
                                             const LoadSet& given,
@@ -196,9 +218,12 @@ std::optional<VibrationResult> vibration_of(const PartJob& job,
   VibrationTimes times{judge_load_pace(job, given, result), {}};
   if (!(judged_peak(result).value > 0.0)) return {};
   VibrationResult found;
-  const std::string unknown =
+  std::string unknown =
       not_followed(job, given, times,
                    result.first_period.value_or(softest_period(job, given)));
+  if (unknown.empty() && result.first_period) {
+    unknown = not_known_spinning(job, given, *result.first_period);
+  }
   if (times.driven.empty()) {
     if (unknown.empty()) return {};
     found.not_followed = unknown;

@@ -195,12 +195,14 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "An [[impact]] takes its striker from a contact of the mechanism that is "
      "never touched in the motion, or whose bodies are held by drives so that "
      "they weigh nothing that could be said. Give mass and speed instead."},
-    {"L007", kModelInvalid, "contact of a slide is not known",
+    {"L007", kModelInvalid, "contact that slides or rolls is not known",
      "A joint that slides presses only where the counterpart is: spread over "
      "the whole wall its load would be too kind. Give the length of what "
      "touches, pins = { JOINT = { group = \"GROUP\", length = \"20 mm\" } }, "
      "or a part on the other body whose own pin names the joint. Or the "
-     "counterpart leaves the wall, or presses where the part has none."},
+     "counterpart leaves the wall, or presses where the part has none. A "
+     "force that travels over its face, as a wheel's on a rail, has no such "
+     "length: let a body that slides on the part take it."},
     {"M001", kMeshInvalid, "not a gmsh mesh",
      "The file does not start with $MeshFormat, so it is not read. gmsh would "
      "run unknown text as a script; clevis never does. Give a .msh of version "

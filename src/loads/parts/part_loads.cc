@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "base/messages/errors.h"
 #include "loads/history/balance.h"
 #include "loads/history/motion_instants.h"
 #include "loads/parts/axis_loads.h"
@@ -118,6 +119,76 @@ void set_repeats_apart(const mechanism::Motion& motion, LoadHistory& history) {
   history.instants.erase(repeats.begin(), repeats.end());
 }
 
+/// Of the joints at the part: what joints that give way carry at a change
+/// point over the largest reaction of the instants, less 1; 0: no more [1].
+/// Where not even those hold the loads there is no bound.
+double beyond_instants(const mechanism::Motion& motion,
+                       const std::vector<JointSeat>& seats) {
+  constexpr double kNoBound = 1e3;
+  double most = 0.0;
+  for (const mechanism::ChangePoint& point : motion.change_points) {
+    if (!point.at) return kNoBound;
+    for (const JointSeat& seat : seats) {
+      const auto force = [&](const mechanism::Instant& instant) {
+        return instant.joints[seat.joint.index].f_W.norm();
+      };
+      double largest = 0.0;
+      for (const auto& instant : motion.instants) {
+        largest = std::max(largest, force(instant));
+      }
+      if (largest > 0.0)
+        most = std::max(most, force(*point.at) / largest - 1.0);
+    }
+  }
+  return most;
+}
+
+/// Refuses a force that travels over a face, as a wheel's on a rail: spread
+/// over all of it it would bend the part too little. @throws Error L007.
+/// @param seats  the first of the forces' among the wrenches.
+void require_still_forces(const SeatContext& context,
+                          const std::vector<ForceSeat>& forces,
+                          std::size_t seats, const LoadHistory& history) {
+  constexpr double kCounts = 0.1;   // of the largest force
+  constexpr double kTravels = 0.1;  // of the face's longest way
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const auto wrench = [&](const InstantLoad& instant) -> const Wrench& {
+      return instant.wrenches[seats + k];
+    };
+    double largest = 0.0;
+    for (const InstantLoad& instant : history.instants) {
+      largest = std::max(largest, wrench(instant).force.norm());
+    }
+    Eigen::AlignedBox3d places;  // of the line of action, nearest to the seat
+    for (const InstantLoad& instant : history.instants) {
+      const Wrench& load = wrench(instant);
+      if (load.force.norm() <= kCounts * largest) continue;
+      places.extend(
+          Vector3d(load.force.cross(load.moment) / load.force.squaredNorm()));
+    }
+    const std::string& name = forces[k].seat.group;
+    const auto group =
+        std::ranges::find(context.groups, name, &GroupGeometry::name);
+    if (places.isEmpty() || group == context.groups.end() ||
+        group->points.cols() == 0) {
+      continue;
+    }
+    const double way = places.diagonal().norm();
+    const double size = (group->points.rowwise().maxCoeff() -
+                         group->points.rowwise().minCoeff())
+                            .maxCoeff();
+    if (way <= kTravels * size) continue;
+    throw Error("L007", context.place(forces[k].seat.name),
+                fmt::format("it travels {:.4g} mm over \"{}\", which is {:.4g} "
+                            "mm long: spread over all of it the load would be "
+                            "too kind",
+                            way * 1e3, name, size * 1e3),
+                "Let a body that slides on the part take it, whose seat has a "
+                "length, or check the part by cases with the force where it is "
+                "worst.");
+  }
+}
+
 }  // namespace
 
 mechanism::Motion loading_motion(mechanism::Motion motion) {
@@ -174,6 +245,9 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
     history.unseen =
         std::max(motion.search->bodies[static_cast<std::size_t>(body)], kSeen);
   }
+  history.unseen = std::max(history.unseen, beyond_instants(motion, by_joint));
+  require_still_forces(context, by_force, by_joint.size() + by_drive.size(),
+                       history);
   require_balance(history, mass, context.size, context.place("loads"));
   history.notes = off_middle_notes(context, by_joint);
   act_on_axes(context, by_joint, mass, history);

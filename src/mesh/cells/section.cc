@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -30,7 +31,13 @@ constexpr std::array<std::array<int, 4>, 6> kTetrahedra = {{{0, 1, 3, 7},
 
 struct Plane {
   Vector3d point, normal;
-  double height(const Vector3d& p) const { return (p - point).dot(normal); }
+  /// Of nodes on the plane cells have round-off of their own: it is none.
+  double height(const Vector3d& p) const {
+    constexpr double kRoundOff = 1e-11;
+    const double above = (p - point).dot(normal);
+    return std::abs(above) <= kRoundOff * (p.norm() + point.norm()) ? 0.0
+                                                                    : above;
+  }
 };
 
 /// Where an edge meets the plane. A point on the plane counts as above, so
