@@ -8,6 +8,7 @@
 
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
+#include "elasticity/buckling/pin_hold.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "loads/seats/holding_groups.h"
 #include "stress/field/deflection.h"
@@ -96,6 +97,48 @@ void note_held(const PartJob& job, const LoadSet& set,
   }
 }
 
+/// Of a part that a slide holds: displacements refer to what its counterpart
+/// touches of the wall at each instant, not to all of it.
+void refer_to_touched(const LoadSet& set,
+                      elasticity::DisplacementBasis<3>& basis) {
+  constexpr std::size_t kMostPlaces = 64;
+  constexpr Eigen::Index kRigid = 6;
+  const loads::LoadHistory& history = set.history;
+  const auto groups = reference_groups(set);
+  const bool slides = std::ranges::any_of(history.seats, [&](const auto& seat) {
+    return seat.slide && std::ranges::find(groups, seat.group) != groups.end();
+  });
+  if (!slides || basis.discretization.is_revolved ||
+      basis.columns.cols() == 0) {
+    return;
+  }
+  const auto instants = static_cast<Eigen::Index>(history.instants.size());
+  const std::size_t stride = 1 + history.instants.size() / kMostPlaces;
+  Eigen::MatrixXd moved(kRigid, instants);
+  std::optional<elasticity::PinHold> hold;
+  Eigen::MatrixXd broken;  // of the columns
+  for (Eigen::Index i = 0; i < instants; ++i) {
+    const auto& instant = history.instants[static_cast<std::size_t>(i)];
+    if (instant.zones.empty()) {  // a case
+      moved.col(i).setZero();
+      continue;
+    }
+    if (!hold || static_cast<std::size_t>(i) % stride == 0) {
+      const elasticity::TouchedSeats touched{history.seats, instant.zones};
+      hold.emplace(basis.discretization, groups, &touched);
+      broken = hold->broken(basis.columns);
+    }
+    moved.col(i) = -broken * basis.coefficients.col(i);
+  }
+  if (!hold) return;
+  const Eigen::Index rank = basis.columns.cols();
+  basis.columns.conservativeResize(Eigen::NoChange, rank + kRigid);
+  basis.columns.rightCols(kRigid) = hold->rigid();
+  basis.coefficients.conservativeResize(rank + kRigid, Eigen::NoChange);
+  basis.coefficients.bottomRows(kRigid) = moved;
+  basis.is_mirrored = false;
+}
+
 }  // namespace
 
 std::vector<std::string> reference_groups(const LoadSet& set) {
@@ -129,6 +172,7 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
     seconds.solve += basis->seconds.solve;
     if (set.fixed.empty() && set.foundations.empty()) {
       stress::remove_rigid_motion<dim>(*basis, reference_groups(set));
+      if constexpr (dim == 3) refer_to_touched(set, *basis);
     }
     Stopwatch watch;
     note_held<dim>(job, set, *basis, level);

@@ -1,6 +1,8 @@
 #include "assessment/stability/buckling_check.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -34,6 +36,8 @@ struct Candidate {
   bool is_motion = false;
   std::optional<elasticity::NodalField<3>> known = {};  ///< by the last degree
   double factor{};                                      ///< likewise
+  /// What holds it of slides; nothing: all of their groups.
+  std::optional<elasticity::TouchedSeats> touched = {};
 };
 
 /// The lowest factor of candidates, which are left with the instant, the hold
@@ -58,7 +62,8 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
         .foundations = set.foundations,
         .plane = space.plane ? &*space.plane : nullptr,
         .known = candidate.known ? &*candidate.known : nullptr,
-        .highest = highest};
+        .highest = highest,
+        .touched = candidate.touched ? &*candidate.touched : nullptr};
     model.factor(set, problem);
     auto mode = elasticity::lowest_buckling(problem);
     const auto instant =
@@ -218,6 +223,68 @@ std::vector<Candidate> other_sharings(const PartJob& job) {
   return candidates;
 }
 
+/// Instants of a motion whose slides hold the part by what they touch of its
+/// walls: of each of a few places the one with the largest forces, and the one
+/// that buckles first where all of the walls hold.
+/// @param first  that one's time [s].
+std::vector<Candidate> touched_loads(const PartJob& job, double first) {
+  constexpr int kPlaces = 4;
+  std::vector<Candidate> candidates;
+  for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
+    const loads::LoadHistory& history = job.load_sets[s].history;
+    const std::size_t motion = loads::motion_length(history);
+    const auto holds = loads::holding_groups(history);
+    const auto slide =
+        std::ranges::find_if(history.seats, [&](const auto& seat) {
+          return seat.slide &&
+                 std::ranges::any_of(holds, [&](const auto& groups) {
+                   return std::ranges::find(groups, seat.group) != groups.end();
+                 });
+        });
+    if (slide == history.seats.end() || motion == 0) continue;
+    const auto at = static_cast<std::size_t>(slide - history.seats.begin());
+    const auto place = [&](std::size_t i) {
+      const auto& zones = history.instants[i].zones;
+      return zones.empty() ? HUGE_VAL : zones[at].low[0] + zones[at].high[0];
+    };
+    const auto pressed = [&](std::size_t i) {
+      double most = 0.0;
+      for (const auto& wrench : history.instants[i].wrenches) {
+        most = std::max(most, wrench.force.norm());
+      }
+      return most;
+    };
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (std::size_t i = 0; i < motion; ++i) {
+      if (!std::isfinite(place(i))) continue;
+      low = std::min(low, place(i));
+      high = std::max(high, place(i));
+    }
+    if (!(low <= high)) continue;
+    std::map<int, std::size_t> chosen;
+    for (std::size_t i = 0; i < motion; ++i) {
+      if (!std::isfinite(place(i))) continue;
+      const bool is_first = history.instants[i].time == first;
+      const int bin =
+          is_first ? kPlaces
+          : high > low
+              ? std::min(
+                    kPlaces - 1,
+                    static_cast<int>(kPlaces * (place(i) - low) / (high - low)))
+              : 0;
+      const auto [known, is_new] = chosen.try_emplace(bin, i);
+      if (!is_new && pressed(i) > pressed(known->second)) known->second = i;
+    }
+    for (const auto& [bin, i] : chosen) {
+      Candidate candidate{s, history, holds, true};
+      candidate.history.instants = {history.instants[i]};
+      candidate.touched = {history.seats, history.instants[i].zones};
+      candidates.push_back(std::move(candidate));
+    }
+  }
+  return candidates;
+}
+
 /// Pressure counts as a dead load. A fluid's turns with its face: a ring, or a
 /// long tube, buckles under three quarters of it ([TimoshenkoGere]).
 void lower_for_fluids(const PartJob& job, BucklingResult& result) {
@@ -250,6 +317,22 @@ BucklingCheck check_buckling(const PartJob& job, BucklingModel& model) {
   if (check.result.factor && !others.empty()) {
     const auto of_others = climb(job, model, std::move(others)).result;
     check.result.band_low = std::min(check.result.band_low, of_others.band_low);
+  }
+  auto touched = touched_loads(job, check.result.instant);
+  if (check.result.factor && !touched.empty()) {
+    BucklingCheck by_touch = climb(job, model, std::move(touched));
+    if (by_touch.result.factor &&
+        *by_touch.result.factor < *check.result.factor) {
+      by_touch.of_lowest_degree =
+          std::max(check.of_lowest_degree, by_touch.of_lowest_degree);
+      auto& of_motions = by_touch.result.of_motions;
+      for (std::size_t s = 0; s < of_motions.size(); ++s) {
+        of_motions[s] = std::min(of_motions[s], check.result.of_motions[s]);
+      }
+      const double low = check.result.band_low;
+      check = std::move(by_touch);
+      check.result.band_low = std::min(check.result.band_low, low);
+    }
   }
   if (check.shape) lower_for_fluids(job, check.result);
   check.seconds = watch.lap();

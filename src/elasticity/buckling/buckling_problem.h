@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/buckling/energy_coordinates.h"
+#include "elasticity/buckling/pin_hold.h"
 #include "elasticity/fe_space/discretization.h"
 #include "elasticity/problem/nodal_field.h"
 #include "loads/history/load_history.h"
@@ -37,6 +38,8 @@ struct BucklingProblem {
   /// degree. Null: none is known.
   const NodalField<3>* known = nullptr;
   double highest = 100.0;  ///< factors beyond are not looked for [1]
+  /// Of the slides among the holds; null: all of their groups holds.
+  const TouchedSeats* touched = nullptr;
 };
 
 }  // namespace clevis::elasticity

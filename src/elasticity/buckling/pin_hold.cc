@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -65,10 +66,45 @@ MeanMotion mean_motion(const Eigen::Matrix3Xd& positions,
   return motion;
 }
 
+/// That of what is touched of a seat, about the seat's point: products with
+/// unit wrenches that are spread over it as a linear traction.
+MeanMotion touched_motion(const Discretization<3>& discretization,
+                          const TouchedSeats& touched, std::size_t s) {
+  constexpr Index kWrench = 6;
+  loads::LoadHistory unit;
+  unit.seats = {touched.seats[s]};
+  unit.seats.front().kind = loads::SeatKind::kMean;
+  for (Index k = 0; k < kWrench; ++k) {
+    loads::InstantLoad instant;
+    loads::Wrench wrench;
+    (k < 3 ? wrench.force[k] : wrench.moment[k - 3]) = 1.0;
+    instant.wrenches = {wrench};
+    instant.zones = {touched.zones[s]};
+    unit.instants.push_back(std::move(instant));
+  }
+  return {touched.seats[s].p_LS,
+          assemble_loads(discretization, unit, 0.0, "").transpose()};
+}
+
 /// Six conditions, not scaled.
 MatrixXd conditions(const Discretization<3>& discretization,
                     const Eigen::Matrix3Xd& positions,
-                    const std::vector<std::string>& given) {
+                    const std::vector<std::string>& given,
+                    const TouchedSeats* touched) {
+  const auto motion_of = [&](const std::string& group) {
+    if (touched != nullptr) {
+      const auto seat =
+          std::ranges::find_if(touched->seats, [&](const loads::Seat& one) {
+            return one.group == group && one.slide.has_value();
+          });
+      if (seat != touched->seats.end()) {
+        return touched_motion(
+            discretization, *touched,
+            static_cast<std::size_t>(seat - touched->seats.begin()));
+      }
+    }
+    return mean_motion(positions, surface_weights(discretization, group));
+  };
   std::vector<std::string> groups;
   std::ranges::copy_if(given, std::back_inserter(groups),
                        [&](const std::string& name) {
@@ -77,11 +113,9 @@ MatrixXd conditions(const Discretization<3>& discretization,
   if (groups.empty()) {
     return mean_motion(positions, node_volumes<3>(discretization)).rows;
   }
-  const auto first =
-      mean_motion(positions, surface_weights(discretization, groups[0]));
+  const auto first = motion_of(groups[0]);
   if (groups.size() == 1) return first.rows;
-  const auto second =
-      mean_motion(positions, surface_weights(discretization, groups[1]));
+  const auto second = motion_of(groups[1]);
   const Vector3d line = second.centre - first.centre;
   const double size =
       (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).norm();
@@ -99,12 +133,13 @@ MatrixXd conditions(const Discretization<3>& discretization,
 }  // namespace
 
 PinHold::PinHold(const Discretization<3>& discretization,
-                 const std::vector<std::string>& groups) {
+                 const std::vector<std::string>& groups,
+                 const TouchedSeats* touched) {
   const auto positions = node_positions(discretization);
   const double size =
       (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).norm();
   rigid_ = rigid_modes<3>(positions, positions.rowwise().mean(), size);
-  const MatrixXd rows = conditions(discretization, positions, groups);
+  const MatrixXd rows = conditions(discretization, positions, groups, touched);
   conditions_ = product(rows, rigid_).fullPivLu().solve(rows);
 }
 

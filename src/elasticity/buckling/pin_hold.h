@@ -6,8 +6,15 @@
 #include <Eigen/Core>
 
 #include "elasticity/fe_space/discretization.h"
+#include "loads/history/load_history.h"
 
 namespace clevis::elasticity {
+
+/// Seats of a part, and what counterparts touch of them at an instant.
+struct TouchedSeats {
+  std::vector<loads::Seat> seats;
+  std::vector<loads::ContactZone> zones;  ///< one per seat
+};
 
 /// How pins hold a free part as a whole, and no more: the mean displacement of
 /// the first group's surface, that of the second across the line between both,
@@ -18,8 +25,11 @@ class PinHold {
  public:
   /// @param groups  two at the most; those without faces, as the sides of a
   ///   layer over a plane mesh, do not count.
+  /// @param touched  of the groups of slides, what counterparts touch of them;
+  ///   null: all of each group holds.
   PinHold(const Discretization<3>& discretization,
-          const std::vector<std::string>& groups);
+          const std::vector<std::string>& groups,
+          const TouchedSeats* touched = nullptr);
 
   /// Rigid motions about the nodes' mean, the same for every hold: three
   /// translations, three rotations, dofs × 6.
