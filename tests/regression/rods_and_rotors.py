@@ -1,0 +1,181 @@
+#!/usr/bin/env python3
+"""Round bars that a guide holds, or that turn: what is not computed may not pass.
+
+    rods_and_rotors.py CLEVIS
+
+A rod that slides out of a guide buckles and bends as what the guide touches holds it
+(Euler, a cantilever from the guide's end: a little softer, for the guide gives way).
+A shaft with a disc near its critical speed, one that is shaken at its frequency while
+it turns, and a wheel that rolls over a rail are not judged, or refused.
+"""
+import math
+import sys
+import tempfile
+from pathlib import Path
+
+import scene_text
+import support
+
+DIAMETER, MODULUS, DENSITY = 20.0, 210e3, 7.85e-9  # mm, MPa, t/mm³
+INERTIA = math.pi * DIAMETER**4 / 64
+FIRST = 168.6  # Hz, of the shaft between its bearings, π/2 √(EI/ρA)/l²
+
+
+def round_bar(folder, pieces):
+    """bar.msh along x from 0; pieces: (length, layers, group of its wall). Groups left
+    and right at the ends."""
+    inner, outer = DIAMETER / 2 * 0.55 / math.sqrt(2), DIAMETER / 2 / math.sqrt(2)
+    lines = ["Point(1) = {0, 0, 0};"]
+    for k, (y, z) in enumerate(((1, 1), (-1, 1), (-1, -1), (1, -1))):
+        lines.append(f"Point({2 + k}) = {{0, {inner * y}, {inner * z}}};"
+                     f" Point({6 + k}) = {{0, {outer * y}, {outer * z}}};")
+    for k in range(4):
+        n = (k + 1) % 4
+        lines.append(f"Line({1 + k}) = {{{2 + k}, {2 + n}}};"
+                     f" Circle({5 + k}) = {{{6 + k}, 1, {6 + n}}};"
+                     f" Line({9 + k}) = {{{2 + k}, {6 + k}}};")
+    lines.append("Transfinite Curve {1:8} = 3; Transfinite Curve {9:12} = 2;"
+                 " Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};")
+    for k in range(4):
+        lines.append(f"Curve Loop({2 + k}) = {{{9 + k}, {5 + k}, {-9 - (k + 1) % 4}, "
+                     f"{-1 - k}}}; Plane Surface({2 + k}) = {{{2 + k}}};")
+    lines.append("Transfinite Surface {1:5}; Recombine Surface {1:5};"
+                 " now[] = {1, 2, 3, 4, 5}; volumes[] = {};"
+                 ' Physical Surface("left") = {1:5};')
+    for number, (length, layers, group) in enumerate(pieces):
+        wall = f"wall{number}"
+        lines.append(f"""next[] = {{}}; {wall}[] = {{}};
+For q In {{0:4}}
+  e[] = Extrude {{{length}, 0, 0}} {{ Surface{{now[q]}}; Layers{{{layers}}}; Recombine; }};
+  next[] += e[0]; volumes[] += e[1];
+  If(q > 0)
+    {wall}[] += e[3];
+  EndIf
+EndFor
+now[] = next[];
+Physical Surface("{group}") = {{{wall}[]}};""")
+    lines.append('Physical Surface("right") = {now[]}; Physical Volume("body") ='
+                 " {volumes[]}; Mesh.ElementOrder = 2;")
+    support.gmsh(folder, "\n".join(lines) + "\n", name="bar")
+
+
+def rod(folder, force):
+    """600 mm, 520 mm out of a guide of 40 mm; force: of its free end."""
+    round_bar(folder, [(600, 40, "round_m")])
+    file = folder / "scene.toml"
+    file.write_text(f"""{scene_text.head("rod")}
+[[body]]
+name = "bar"
+part = "bar"
+placement = {{ origin = ["-60 mm", "0 mm", "0 mm"] }}
+{scene_text.joint("S", "prismatic", "ground", "bar", axis=(1, 0, 0)).replace(
+    'point = ["0 mm", "0 mm", "0 mm"]',
+    'at = { ground = ["0 mm", "0 mm", "0 mm"], bar = ["0 mm", "0 mm", "0 mm"] }')}
+[[drive]]
+joint = "S"
+law = "constant"
+from = "-60 mm"
+[[force]]
+type = "constant"
+name = "load"
+body = "bar"
+point = ["600 mm", "0 mm", "0 mm"]
+force = {force}
+[simulation]
+duration = "1 s"
+instants = 11
+{scene_text.BAR}pins = {{ S = {{ group = "round_m", length = "40 mm" }} }}
+drives = {{ S = {{ face = "left" }} }}
+forces = {{ load = {{ face = "right" }} }}
+limits = {{ safety_factor = 1.5, deflection = "4 mm", singular_zones = "exclude" }}
+[accuracy]
+peak_stress = "5 %"
+""")
+    return file
+
+
+def shaft(folder, speed, disc="", shake=""):
+    """Between bearings 490 mm apart."""
+    round_bar(folder, [(10, 1, "bore_A"), (230, 16, "round_a"), (20, 2, "round_mid"),
+                       (230, 16, "round_b"), (10, 1, "bore_B")])
+    ground = "carrier" if shake else "ground"
+    hub = ""
+    if disc:
+        hub = disc + scene_text.joint("hub", "weld", "bar", "disc", (250, 0, 0))
+    file = folder / "scene.toml"
+    file.write_text(f"""{scene_text.head("shaft")}{scene_text.part_body("bar")}{shake}{hub}
+{scene_text.joint("A", "spherical", ground, "bar", (5, 0, 0), (1, 0, 0))}
+{scene_text.joint("B", "point_on_line", ground, "bar", (495, 0, 0), (1, 0, 0))}
+[[drive]]
+joint = "A"
+coordinate = "angle_1"
+law = "speed"
+from = "0 deg"
+speed = "{speed} rpm"
+[simulation]
+duration = "0.2 s"
+instants = 101
+{scene_text.BAR}pins = {{ A = "bore_A", B = {{ group = "bore_B", length = "10 mm" }}{
+    ', hub = "round_mid"' if disc else ""} }}
+drives = {{ A = {{ face = "bore_A" }} }}
+limits = {{ safety_factor = 2.5, singular_zones = "exclude" }}
+[accuracy]
+peak_stress = "5 %"
+""")
+    return file
+
+
+DISC = scene_text.body("disc", "20 kg", "0.01 kg m^2", center=(0, 1, 0), origin=(250, 0, 0))
+SHAKE = scene_text.body("carrier", "5 kg", "0.01 kg m^2") + scene_text.joint(
+    "shake", "prismatic", "ground", "carrier", axis=(0, 1, 0)) + f"""[[drive]]
+joint = "shake"
+law = "sine"
+from = "0 mm"
+amplitude = "0.02 mm"
+frequency = "{FIRST} Hz"
+"""
+
+
+def main():
+    clevis = Path(sys.argv[1]).resolve()
+    checks = support.Checks()
+
+    def check(make, *arguments):
+        with tempfile.TemporaryDirectory() as name:
+            answer = support.check(clevis, make(Path(name), *arguments),
+                                   exits=support.JUDGED)
+        print(f"{make.__name__} {arguments[:1]}: {answer.part['verdict']}, "
+              f"{answer.part['why']}", flush=True)
+        return answer
+
+    out = 520.0
+    part = check(rod, '["-18 kN", "-1 N", "0 N"]').part
+    euler = math.pi**2 * MODULUS * INERTIA / 4 / out**2 / 18e3
+    factor = part["buckling"]["factor"]
+    checks.expect(0.9 * euler < factor < euler,
+                  f"rod: buckles at {factor:.3f}, clamped at its guide's end {euler:.3f}")
+    checks.expect(part["verdict"] == "fail", "rod: fails")
+    part = check(rod, '["0 N", "-20 N", "0 N"]').part
+    bends = 20 * out**3 / 3 / MODULUS / INERTIA
+    deflection = part["deflection_mm"]
+    checks.expect(bends < deflection < 1.15 * bends,
+                  f"rod: bends by {deflection:.3f} mm, clamped there {bends:.3f} mm")
+
+    # Critical with the disc, 17/35 of the shaft's mass beside it: ω² = 48 EI/(l³ m).
+    mass = 0.020 + 17 / 35 * DENSITY * math.pi / 4 * DIAMETER**2 * 490
+    critical = math.sqrt(48 * MODULUS * INERTIA / 490**3 / mass) * 30 / math.pi
+    speed = 0.8 * critical
+    part = check(shaft, speed, DISC).part
+    checks.expect(part["verdict"] != "pass",
+                  f"disc at 0.8 of {critical:.0f} rpm, 2.8 of linear theory's: no pass")
+    part = check(shaft, 0.1 * critical, DISC).part
+    checks.expect(part["verdict"] == "pass", "disc at a tenth of it: pass")
+    for speed in (0, 600):
+        part = check(shaft, speed, "", SHAKE).part
+        checks.expect(part["verdict"] != "pass",
+                      f"shaken at its frequency, {speed} rpm: no pass")
+    return checks.exit_code()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
