@@ -48,6 +48,11 @@ double DeflectionWatch<dim>::growth_after(const Degree& before,
     if (found == instants.end()) continue;
     const auto now =
         displacement_at<dim>(*level.bases[s], found - instants.begin());
+    // Solids of revolution take more cells round with higher harmonics.
+    if (now.discretization.cells() !=
+        before.farthest->field.discretization.cells()) {
+      return 0.0;
+    }
     const Eigen::VectorXd length = lengths<dim>(now.values);
     const double largest = length.maxCoeff();
     if (!(largest > 0.0)) return 0.0;

@@ -1,9 +1,14 @@
 #include "assessment/models/level.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "base/messages/errors.h"
@@ -101,7 +106,6 @@ void note_held(const PartJob& job, const LoadSet& set,
 /// touches of the wall at each instant, not to all of it.
 void refer_to_touched(const LoadSet& set,
                       elasticity::DisplacementBasis<3>& basis) {
-  constexpr std::size_t kMostPlaces = 64;
   constexpr Eigen::Index kRigid = 6;
   const loads::LoadHistory& history = set.history;
   const auto groups = reference_groups(set);
@@ -113,22 +117,39 @@ void refer_to_touched(const LoadSet& set,
     return;
   }
   const auto instants = static_cast<Eigen::Index>(history.instants.size());
-  const std::size_t stride = 1 + history.instants.size() / kMostPlaces;
+  // Of zones within a five-hundredth of the part's size one stands for all.
+  Eigen::AlignedBox3d box;
+  for (const auto& points : basis.discretization.cell_points) {
+    for (Eigen::Index k = 0; k < points.cols(); ++k) box.extend(points.col(k));
+  }
+  const double near = box.diagonal().norm() / 512.0;
+  const auto rounded = [&](const std::vector<loads::ContactZone>& zones) {
+    std::vector<double> edges;
+    for (const loads::ContactZone& zone : zones) {
+      for (int d = 0; d < 2; ++d) {
+        edges.push_back(std::round(zone.low[d] / near));
+        edges.push_back(std::round(zone.high[d] / near));
+      }
+    }
+    return edges;
+  };
   Eigen::MatrixXd moved(kRigid, instants);
   std::optional<elasticity::PinHold> hold;
-  Eigen::MatrixXd broken;  // of the columns
+  std::map<std::vector<double>, Eigen::MatrixXd> broken;  // of the columns
   for (Eigen::Index i = 0; i < instants; ++i) {
     const auto& instant = history.instants[static_cast<std::size_t>(i)];
     if (instant.zones.empty()) {  // a case
       moved.col(i).setZero();
       continue;
     }
-    if (!hold || static_cast<std::size_t>(i) % stride == 0) {
+    auto [known, is_new] =
+        broken.try_emplace(rounded(instant.zones), Eigen::MatrixXd());
+    if (is_new) {
       const elasticity::TouchedSeats touched{history.seats, instant.zones};
       hold.emplace(basis.discretization, groups, &touched);
-      broken = hold->broken(basis.columns);
+      known->second = hold->broken(basis.columns);
     }
-    moved.col(i) = -broken * basis.coefficients.col(i);
+    moved.col(i) = -known->second * basis.coefficients.col(i);
   }
   if (!hold) return;
   const Eigen::Index rank = basis.columns.cols();

@@ -233,6 +233,10 @@ std::vector<Candidate> touched_loads(const PartJob& job, double first) {
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const loads::LoadHistory& history = job.load_sets[s].history;
     const std::size_t motion = loads::motion_length(history);
+    if (!job.load_sets[s].fixed.empty() ||
+        !job.load_sets[s].foundations.empty()) {
+      continue;
+    }
     const auto holds = loads::holding_groups(history);
     const auto slide =
         std::ranges::find_if(history.seats, [&](const auto& seat) {
@@ -243,9 +247,23 @@ std::vector<Candidate> touched_loads(const PartJob& job, double first) {
         });
     if (slide == history.seats.end() || motion == 0) continue;
     const auto at = static_cast<std::size_t>(slide - history.seats.begin());
+    double length = HUGE_VAL;  // the shortest that is known
+    for (std::size_t i = 0; i < motion; ++i) {
+      const auto& zones = history.instants[i].zones;
+      if (!zones.empty()) {
+        length = std::min(length, zones[at].high[0] - zones[at].low[0]);
+      }
+    }
+    if (!std::isfinite(length)) length = 0.0;
+    // Of a zone that ends with the wall one end is not known.
     const auto place = [&](std::size_t i) {
       const auto& zones = history.instants[i].zones;
-      return zones.empty() ? HUGE_VAL : zones[at].low[0] + zones[at].high[0];
+      if (zones.empty()) return HUGE_VAL;
+      const double from = zones[at].low[0], to = zones[at].high[0];
+      if (std::isfinite(from)) {
+        return std::isfinite(to) ? from + to : 2.0 * from + length;
+      }
+      return std::isfinite(to) ? 2.0 * to - length : HUGE_VAL;
     };
     const auto pressed = [&](std::size_t i) {
       double most = 0.0;
@@ -285,6 +303,29 @@ std::vector<Candidate> touched_loads(const PartJob& job, double first) {
   return candidates;
 }
 
+/// The lower of both, instant by instant of motions.
+void take_lower(BucklingCheck other, BucklingCheck& check) {
+  if (!other.result.factor) {
+    check.result.remark = other.result.remark;
+    return;
+  }
+  auto& of_motions = other.result.of_motions;
+  for (std::size_t s = 0; s < of_motions.size(); ++s) {
+    of_motions[s] = std::min(of_motions[s], check.result.of_motions[s]);
+  }
+  other.of_lowest_degree =
+      std::max(check.of_lowest_degree, other.of_lowest_degree);
+  other.result.band_low =
+      std::min(other.result.band_low, check.result.band_low);
+  if (*other.result.factor < *check.result.factor) {
+    check = std::move(other);
+    return;
+  }
+  check.of_lowest_degree = other.of_lowest_degree;
+  check.result.band_low = other.result.band_low;
+  check.result.of_motions = std::move(of_motions);
+}
+
 /// Pressure counts as a dead load. A fluid's turns with its face: a ring, or a
 /// long tube, buckles under three quarters of it ([TimoshenkoGere]).
 void lower_for_fluids(const PartJob& job, BucklingResult& result) {
@@ -320,19 +361,7 @@ BucklingCheck check_buckling(const PartJob& job, BucklingModel& model) {
   }
   auto touched = touched_loads(job, check.result.instant);
   if (check.result.factor && !touched.empty()) {
-    BucklingCheck by_touch = climb(job, model, std::move(touched));
-    if (by_touch.result.factor &&
-        *by_touch.result.factor < *check.result.factor) {
-      by_touch.of_lowest_degree =
-          std::max(check.of_lowest_degree, by_touch.of_lowest_degree);
-      auto& of_motions = by_touch.result.of_motions;
-      for (std::size_t s = 0; s < of_motions.size(); ++s) {
-        of_motions[s] = std::min(of_motions[s], check.result.of_motions[s]);
-      }
-      const double low = check.result.band_low;
-      check = std::move(by_touch);
-      check.result.band_low = std::min(check.result.band_low, low);
-    }
+    take_lower(climb(job, model, std::move(touched)), check);
   }
   if (check.shape) lower_for_fluids(job, check.result);
   check.seconds = watch.lap();

@@ -166,7 +166,9 @@ class SetCheck {
   struct Linear {
     double here{}, peak{};       ///< by this degree, and by the check's [Pa]
     double moved{}, deflects{};  ///< likewise [m]
-    double yield{};              ///< 1/λ + (Ω/ω)² at most; 0: first order
+    /// Whether the check's are known, not guessed.
+    bool is_peak_known = true, is_deflection_known = true;
+    double yield{};  ///< 1/λ + (Ω/ω)² at most; 0: first order
   };
 
   bool is_judged(const std::string& label, double time) const {
@@ -176,6 +178,7 @@ class SetCheck {
   /// Of the check over this degree's.
   struct Scales {
     double peak = kOfDegree, deflection = kOfDegree;
+    bool is_peak_known = false, is_deflection_known = false;
   };
   Scales scales(const Measured& here) const {
     Scales scales;
@@ -191,9 +194,16 @@ class SetCheck {
             std::max(deflected, swing(point).deflection * here.second[at]);
       }
     }
-    if (judged > 0.0) scales.peak = std::max(1.0, judged_.value / judged);
-    if (deflected > 0.0) {
-      scales.deflection = std::max(1.0, result_.deflection / deflected);
+    // Far more: it is the deflection of another set's instant at that time.
+    constexpr double kMostOfDegree = 2.0;
+    if (judged > 0.0) {
+      scales.peak = std::max(1.0, judged_.value / judged);
+      scales.is_peak_known = true;
+    }
+    const double more = deflected > 0.0 ? result_.deflection / deflected : 0.0;
+    if (more > 0.0 && more < kMostOfDegree) {
+      scales.deflection = std::max(1.0, more);
+      scales.is_deflection_known = true;
     }
     return scales;
   }
@@ -206,10 +216,12 @@ class SetCheck {
       const auto at = static_cast<Index>(i);
       all.push_back({here.first[at], scales.peak * here.first[at],
                      here.second[at], scales.deflection * here.second[at],
+                     scales.is_peak_known, scales.is_deflection_known,
                      yield(points_[i], lowest)});
       const auto row = peaks_.find({points_[i].label, points_[i].time});
       if (&judged_ == &result_.peak && row != peaks_.end()) {
         all.back().peak = row->second;
+        all.back().is_peak_known = true;
       }
     }
     return all;
@@ -267,6 +279,7 @@ class SetCheck {
     const double admitted = by_stress ? admitted_peak_ : admitted_deflection_;
     double& bound = by_stress ? found.bound : found.deflection_bound;
     left_ = most_solved(space_);
+    left_between_ = 4 * left_;
     followed_.clear();
     bool is_first = true;
     for (const std::size_t i : order) {
@@ -283,6 +296,7 @@ class SetCheck {
             return point.is_like(known, kAlike);
           })) {
         is_first = false;
+        --left_;
         solved.push_back(point);
         take(part, point, linear_[i], hold, found);
       }
@@ -307,7 +321,8 @@ class SetCheck {
           points_[from].is_like(points_[from + 1], kFar)) {
         continue;
       }
-      if (left_ < kSolved) return false;
+      if (left_between_ < kSolved) return false;
+      left_between_ -= kSolved;
       followed_.insert(from);
       double best = 0.5, step = 1.0 / kShares, most = -1.0;
       const auto look = [&](double share) {
@@ -349,6 +364,8 @@ class SetCheck {
                         way[0],
                         way[0] * std::max(over(start.deflects, start.moved),
                                           over(end.deflects, end.moved)),
+                        start.is_peak_known && end.is_peak_known,
+                        start.is_deflection_known && end.is_deflection_known,
                         std::max(start.yield, end.yield)};
     return take(part, point, linear, hold, found);
   }
@@ -425,7 +442,6 @@ class SetCheck {
   Reached take(const SecondOrderPart& part, const LoadPoint& point,
                const Linear& linear, std::size_t hold,
                SecondOrderResult& found) {
-    --left_;
     const Swing swing = this->swing(point);
     auto rise =
         rise_of(part, point, linear, softer_ * swing.largest(), hold, found);
@@ -447,7 +463,9 @@ class SetCheck {
     const bool is_still = swing.largest() == 1.0;
     if (is_still) {
       found.least_peak =
-          std::max(found.least_peak, certain(rise->stress) * linear.peak);
+          std::max(found.least_peak,
+                   certain(rise->stress) *
+                       (linear.is_peak_known ? linear.peak : linear.here));
     }
     constexpr double kRises = 1.001;  // else linear theory's own stands
     if (hold > 0 || !(rise->deflection > kRises)) return reached;
@@ -458,7 +476,9 @@ class SetCheck {
     }
     if (is_still) {
       found.least_deflection = std::max(
-          found.least_deflection, certain(rise->deflection) * linear.deflects);
+          found.least_deflection,
+          certain(rise->deflection) *
+              (linear.is_deflection_known ? linear.deflects : linear.moved));
     }
     return reached;
   }
@@ -481,11 +501,15 @@ class SetCheck {
     if (order.size() > kMost) order.resize(kMost);
     for (const std::size_t i : order) {
       const LoadPoint& point = points_[i];
-      if (answer(part, point, wanted * softer_ * swing(point).largest(),
-                 std::sqrt(wanted) * point.omega, hold)
-              .state != SecondOrderPart::State::kStable) {
+      // What spins may be stiffened by its stresses.
+      for (const double more : {softer_ * swing(point).largest(), 1.0}) {
+        if (answer(part, point, wanted * more, std::sqrt(wanted) * point.omega,
+                   hold)
+                .state == SecondOrderPart::State::kStable) {
+          continue;
+        }
         found.bears_growth = false;
-        found.label = points_[i].label;
+        found.label = point.label;
         return;
       }
     }
@@ -512,7 +536,8 @@ class SetCheck {
   std::optional<VectorXd> common_;
   double common_peak_{}, common_deflection_{};  ///< [Pa], [m]
   std::set<std::size_t> followed_;              ///< points, on to the next
-  int left_{};                                  ///< so many may be solved for
+  /// So many instants may be solved for, and places between them.
+  int left_{}, left_between_{};
 };
 
 /// Without a solution: bounded by the buckling factor; of spin that is not slow

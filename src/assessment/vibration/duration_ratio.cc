@@ -103,17 +103,21 @@ double pulse_amplification(double duration_over_period,
 }
 
 double first_period_of(const PartJob& job, const LoadSet& set) {
-  try {
-    return elasticity::first_period<3>({.mesh = job.overall_mesh(),
-                                        .material = job.part.material,
-                                        .history = set.history,
-                                        .fixed = set.fixed,
-                                        .name = job.part.name,
-                                        .foundations = set.foundations},
-                                       2);
-  } catch (const Error&) {
-    return longest_period(job, set);  // supports that hold it in a plane alone
+  const bool is_simplex = job.mesh.shape == mesh::CellShape::kSimplex;
+  for (const int degree : {2, is_simplex ? 1 : 2}) {  // memory may hold less
+    try {
+      return elasticity::first_period<3>({.mesh = job.overall_mesh(),
+                                          .material = job.part.material,
+                                          .history = set.history,
+                                          .fixed = set.fixed,
+                                          .name = job.part.name,
+                                          .foundations = set.foundations},
+                                         degree);
+    } catch (const Error&) {
+      continue;
+    }
   }
+  return longest_period(job, set);  // supports that hold it in a plane alone
 }
 
 std::vector<VibrationWindow> judge_load_pace(const PartJob& job,

@@ -119,54 +119,59 @@ void set_repeats_apart(const mechanism::Motion& motion, LoadHistory& history) {
   history.instants.erase(repeats.begin(), repeats.end());
 }
 
-/// Of the joints at the part: what joints that give way carry at a change
-/// point over the largest reaction of the instants, less 1; 0: no more [1].
-/// Where not even those hold the loads there is no bound.
+/// What joints that give way carry at a change point over the largest force, or
+/// moment over the part's size, of the instants at any joint of the part, less
+/// 1; 0: no more [1]. Where not even those hold the loads there is no bound.
 double beyond_instants(const mechanism::Motion& motion,
-                       const std::vector<JointSeat>& seats) {
+                       const std::vector<JointSeat>& seats, double size) {
   constexpr double kNoBound = 1e3;
-  double most = 0.0;
+  const auto reaction = [&](const mechanism::Instant& instant) {
+    double most = 0.0;
+    for (const JointSeat& seat : seats) {
+      const mechanism::JointReaction& joint = instant.joints[seat.joint.index];
+      most = std::max({most, joint.f_W.norm(), joint.t_W.norm() / size});
+    }
+    return most;
+  };
+  double at_points = 0.0, at_instants = 0.0;
   for (const mechanism::ChangePoint& point : motion.change_points) {
     if (!point.at) return kNoBound;
-    for (const JointSeat& seat : seats) {
-      const auto force = [&](const mechanism::Instant& instant) {
-        return instant.joints[seat.joint.index].f_W.norm();
-      };
-      double largest = 0.0;
-      for (const auto& instant : motion.instants) {
-        largest = std::max(largest, force(instant));
-      }
-      if (largest > 0.0)
-        most = std::max(most, force(*point.at) / largest - 1.0);
-    }
+    at_points = std::max(at_points, reaction(*point.at));
   }
-  return most;
+  for (const auto& instant : motion.instants) {
+    at_instants = std::max(at_instants, reaction(instant));
+  }
+  return at_instants > 0.0 ? std::max(0.0, at_points / at_instants - 1.0) : 0.0;
 }
 
-/// Refuses a force that travels over a face, as a wheel's on a rail: spread
-/// over all of it it would bend the part too little. @throws Error L007.
-/// @param seats  the first of the forces' among the wrenches.
+/// Refuses a force whose point travels over a face, as a wheel's on a rail:
+/// spread over all of it it would bend the part too little. @throws Error L007.
 void require_still_forces(const SeatContext& context,
                           const std::vector<ForceSeat>& forces,
-                          std::size_t seats, const LoadHistory& history) {
+                          const mechanism::Motion& motion) {
   constexpr double kCounts = 0.1;   // of the largest force
   constexpr double kTravels = 0.1;  // of the face's longest way
-  for (std::size_t k = 0; k < forces.size(); ++k) {
-    const auto wrench = [&](const InstantLoad& instant) -> const Wrench& {
-      return instant.wrenches[seats + k];
+  for (const ForceSeat& seat : forces) {
+    const auto visit = [&](const auto& take) {
+      for (const mechanism::Instant& instant : motion.instants) {
+        const auto& pose =
+            instant.bodies[static_cast<std::size_t>(context.body)].pose;
+        for (const auto& action : instant.elements[seat.index].actions) {
+          if (action.body != context.body) continue;
+          take(action.f_W.norm(),
+               Vector3d(pose.R_WL.transpose() * (action.p_W - pose.p_WL)));
+        }
+      }
     };
     double largest = 0.0;
-    for (const InstantLoad& instant : history.instants) {
-      largest = std::max(largest, wrench(instant).force.norm());
-    }
-    Eigen::AlignedBox3d places;  // of the line of action, nearest to the seat
-    for (const InstantLoad& instant : history.instants) {
-      const Wrench& load = wrench(instant);
-      if (load.force.norm() <= kCounts * largest) continue;
-      places.extend(
-          Vector3d(load.force.cross(load.moment) / load.force.squaredNorm()));
-    }
-    const std::string& name = forces[k].seat.group;
+    visit([&](double force, const Vector3d&) {
+      largest = std::max(largest, force);
+    });
+    Eigen::AlignedBox3d places;
+    visit([&](double force, const Vector3d& at) {
+      if (force > kCounts * largest) places.extend(at);
+    });
+    const std::string& name = seat.seat.group;
     const auto group =
         std::ranges::find(context.groups, name, &GroupGeometry::name);
     if (places.isEmpty() || group == context.groups.end() ||
@@ -178,7 +183,7 @@ void require_still_forces(const SeatContext& context,
                          group->points.rowwise().minCoeff())
                             .maxCoeff();
     if (way <= kTravels * size) continue;
-    throw Error("L007", context.place(forces[k].seat.name),
+    throw Error("L007", context.place(seat.seat.name),
                 fmt::format("it travels {:.4g} mm over \"{}\", which is {:.4g} "
                             "mm long: spread over all of it the load would be "
                             "too kind",
@@ -245,9 +250,13 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
     history.unseen =
         std::max(motion.search->bodies[static_cast<std::size_t>(body)], kSeen);
   }
-  history.unseen = std::max(history.unseen, beyond_instants(motion, by_joint));
-  require_still_forces(context, by_force, by_joint.size() + by_drive.size(),
-                       history);
+  if (const double beyond = beyond_instants(motion, by_joint, context.size);
+      beyond > 0.0) {
+    constexpr double kBetween = 0.05;  // where instants alone were looked at
+    history.unseen =
+        std::max(history.unseen, beyond + (motion.search ? 0.0 : kBetween));
+  }
+  require_still_forces(context, by_force, motion);
   require_balance(history, mass, context.size, context.place("loads"));
   history.notes = off_middle_notes(context, by_joint);
   act_on_axes(context, by_joint, mass, history);

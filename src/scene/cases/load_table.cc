@@ -213,25 +213,27 @@ void LoadTable::require_spin_where_turning(
     const std::vector<std::string>& places) const {
   constexpr double kTurned = 2e-3;  // [rad]: digits of a written quaternion
   const Eigen::Quaterniond start = orientation(0);
-  const auto turned = [](const Eigen::Quaterniond& turn) {
-    return Vector3d(2.0 * turn.vec().cwiseAbs());
+  // Component about which it turned without a column; nothing: none.
+  const auto missing =
+      [&](const Eigen::Quaterniond& turn) -> std::optional<std::size_t> {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double turned =
+          2.0 * std::abs(turn.vec()[static_cast<Eigen::Index>(k)]);
+      if (turned > kTurned && omega_.at(k) < 0) return k;
+    }
+    return std::nullopt;
   };
   for (std::size_t r = 1; r < rows(); ++r) {
     const Eigen::Quaterniond now = orientation(r);
     // In the world's frame and in the part's: the vectors may be of either.
-    const Vector3d least = turned(now * start.conjugate())
-                               .cwiseMin(turned(start.conjugate() * now));
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      const auto component = static_cast<std::size_t>(k);
-      if (least[k] <= kTurned || omega_.at(component) >= 0) continue;
-      throw Error(
-          "S003", places[r],
-          fmt::format("the part has turned about {}, but the file has no "
-                      "angular_velocity_{}",
-                      "xyz"[component], "xyz"[component]),
-          "Give the columns angular_velocity_x, _y and _z, for spinning "
-          "loads a part; zeros, if it turns so slowly that it does not.");
-    }
+    const auto in_world = missing(now * start.conjugate());
+    if (!in_world || !missing(start.conjugate() * now)) continue;
+    throw Error("S003", places[r],
+                fmt::format("the part has turned about {}, but the file has no "
+                            "angular_velocity_{}",
+                            "xyz"[*in_world], "xyz"[*in_world]),
+                "Give the columns angular_velocity_x, _y and _z, for spinning "
+                "loads a part; zeros, if it turns so slowly that it does not.");
   }
 }
 
