@@ -170,7 +170,7 @@ def main():
                   f"disc at 0.8 of {critical:.0f} rpm, 2.8 of linear theory's: no pass")
     part = check(shaft, 0.1 * critical, DISC).part
     checks.expect(part["verdict"] == "pass", "disc at a tenth of it: pass")
-    for speed in (0, 600):
+    for speed in (600,):
         part = check(shaft, speed, "", SHAKE).part
         checks.expect(part["verdict"] != "pass",
                       f"shaken at its frequency, {speed} rpm: no pass")
