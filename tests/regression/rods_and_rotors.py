@@ -6,9 +6,11 @@
 A rod that slides out of a guide buckles and bends as what the guide touches holds it
 (Euler, a cantilever from the guide's end: a little softer, for the guide gives way).
 A shaft with a disc near its critical speed, one that is shaken at its frequency while
-it turns, and a wheel that rolls over a rail are not judged, or refused.
+it turns, and a parallelogram that passes its change point between two instants are not
+judged; a wheel that rolls over a rail is refused.
 """
 import math
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -136,6 +138,106 @@ frequency = "{FIRST} Hz"
 """
 
 
+def rail(folder):
+    """A wheel of 20 mm that 1000 N press rolls along a rail."""
+    round_bar(folder, [(10, 1, "bore_A"), (480, 32, "round_m"), (10, 1, "bore_B")])
+    file = folder / "scene.toml"
+    file.write_text(f"""{scene_text.head("rail")}{scene_text.part_body("bar")}
+{scene_text.body("carriage", "1 kg", "1e-3 kg m^2", origin=(100, 50, 0))}
+{scene_text.body("wheel", "1 kg", "1e-3 kg m^2", origin=(100, 29, 0))}
+{scene_text.joint("A", "spherical", "ground", "bar", (5, 0, 0), (1, 0, 0))}
+{scene_text.joint("B", "point_on_line", "ground", "bar", (495, 0, 0), (1, 0, 0))}
+{scene_text.joint("S", "prismatic", "ground", "carriage", (100, 50, 0), (1, 0, 0))}
+{scene_text.joint("V", "prismatic", "carriage", "wheel", (100, 29, 0), (0, 1, 0))}
+[[drive]]
+joint = "A"
+coordinate = "angle_1"
+law = "constant"
+from = "0 deg"
+[[drive]]
+joint = "S"
+law = "quintic"
+from = "0 mm"
+to = "300 mm"
+duration = "1 s"
+[[force]]
+type = "constant"
+name = "push"
+body = "wheel"
+point = ["0 mm", "0 mm", "0 mm"]
+force = ["0 N", "-1000 N", "0 N"]
+[[force]]
+type = "contact"
+name = "roll"
+body = "wheel"
+center = ["0 mm", "0 mm", "0 mm"]
+radius = "20 mm"
+plane = "bar"
+plane_point = ["0 mm", "10 mm", "0 mm"]
+normal = [0, 1, 0]
+stiffness = "1e6 N/m"
+damping = "1000 N s/m"
+[simulation]
+duration = "1 s"
+instants = 21
+{scene_text.BAR}pins = {{ A = "bore_A", B = {{ group = "bore_B", length = "10 mm" }} }}
+drives = {{ A = {{ face = "bore_A" }} }}
+forces = {{ roll = {{ face = "round_m" }} }}
+limits = {{ safety_factor = 3, singular_zones = "exclude" }}
+""")
+    return file
+
+
+def parallelogram(clevis, folder):
+    """10 N m on the rocker; 15 instants, none near the change points. Beside them some
+    7 kN act (166 MPa), 142 MPa are allowed."""
+    subprocess.run([clevis, "init", "four_bar", "--template", "four-bar"], cwd=folder,
+                   check=True, capture_output=True)
+    joints = "".join(
+        f"""[[joint]]
+name = "{name}"
+type = "revolute"
+between = ["{first}", "{second}"]
+at = {{ {first} = ["{x} mm", "0 mm", "0 mm"], {second} = ["{u} mm", "0 mm", "0 mm"] }}
+axis = [0, 0, 1]
+""" for name, first, second, x, u in (
+            ("A", "ground", "crank", 0, 0), ("B", "crank", "coupler", 60, 0),
+            ("C", "coupler", "rocker", 180, 60), ("D", "ground", "rocker", 180, 0)))
+    turned = 'angle = "60 deg" }'
+    bodies = (scene_text.body("crank", "0.4 kg", "2e-4 kg m^2", (30, 0, 0), (0, 0, 0))
+              + scene_text.body("rocker", "0.8 kg", "2e-3 kg m^2", (60, 0, 0), (180, 0, 0)))
+    bodies = bodies.replace('] }\n', f'], {turned}\n')
+    file = folder / "four_bar" / "scene.toml"
+    file.write_text(f"""{scene_text.head("parallelogram")}{bodies}
+{scene_text.part_body("coupler")}placement = {{ origin = ["30 mm", "52 mm", "0 mm"] }}
+{joints}[[drive]]
+joint = "A"
+law = "speed"
+from = "0 deg"
+speed = "120 rpm"
+[[force]]
+type = "constant"
+name = "work"
+body = "rocker"
+point = ["0 mm", "0 mm", "0 mm"]
+force = ["0 N", "0 N", "0 N"]
+moment = ["0 N m", "0 N m", "-10 N m"]
+[simulation]
+duration = "0.5 s"
+instants = 15
+[[part]]
+name = "coupler"
+geometry = "coupler.geo"
+length_unit = "mm"
+thickness = "8 mm"
+material = "steel"
+pins = {{ B = "bore_B", C = "bore_C" }}
+limits = {{ safety_factor = 2.5 }}
+""")
+    support.make_meshes(clevis, file)
+    return file
+
+
 def main():
     clevis = Path(sys.argv[1]).resolve()
     checks = support.Checks()
@@ -174,6 +276,14 @@ def main():
         part = check(shaft, speed, "", SHAKE).part
         checks.expect(part["verdict"] != "pass",
                       f"shaken at its frequency, {speed} rpm: no pass")
+    with tempfile.TemporaryDirectory() as name:
+        answer = support.check(clevis, rail(Path(name)))
+        checks.expect("L007" in answer.codes, f"rail: refused, {answer.codes}")
+    with tempfile.TemporaryDirectory() as name:
+        answer = support.check(clevis, parallelogram(clevis, Path(name)),
+                               exits=support.JUDGED)
+        checks.expect(answer.part["verdict"] != "pass",
+                      f"parallelogram: no pass, {answer.part['why']}")
     return checks.exit_code()
 
 

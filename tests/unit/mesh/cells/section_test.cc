@@ -27,6 +27,25 @@ TEST(Section, RectangleIsExactAlsoOnAMeshPlane) {
   }
 }
 
+// Cells that share nodes on the plane have them apart by round-off: some above,
+// some below it.
+TEST(Section, RoundOffOfNodesOnThePlaneIsNone) {
+  constexpr double kRoundOff = 1e-18;
+  PartMesh<3> box = read("box_order_3.msh");
+  for (std::size_t c = 0; c < box.cell_points.size(); ++c) {
+    auto& points = box.cell_points[c];
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      points(0, i) +=
+          kRoundOff *
+          (static_cast<double>((static_cast<std::size_t>(i) + 2 * c) % 3) -
+           1.0);
+    }
+  }
+  const Section s = cut(box, {1e-3, 0.0, 0.0}, {1.0, 0.0, 0.0});
+  EXPECT_NEAR(s.area, 1e-6, 1e-15);
+  EXPECT_EQ(s.pieces, 1);
+}
+
 TEST(Section, ObliqueCutOfABox) {
   const PartMesh<3> box = read("box_order_1.msh");
   const Section s = cut(box, {1e-3, 0.5e-3, 0.5e-3}, {1.0, 1.0, 0.0});
