@@ -28,7 +28,7 @@ elasticity::NodalField<dim> displacement_at(
           basis.columns * basis.coefficients.col(instant)};
 }
 
-/// Of what a place has moved on by: 3.6 is left in a clamped layer of 20 x 20 x
+/// Of what a place has moved on by: 3.4 is left in a clamped layer of 20 x 20 x
 /// 2 mm in 2 x 2 x 1 cells.
 constexpr double kLeft = 4.0;
 
