@@ -24,8 +24,8 @@ MatrixXd beside(const MatrixXd& left, const MatrixXd& right) {
 
 }  // namespace
 
-MatrixXd random_block(Index rows, Index columns, unsigned seed) {
-  std::mt19937 random(seed);
+MatrixXd random_block(Index rows, Index columns) {
+  std::mt19937 random(1);
   MatrixXd block(rows, columns);
   for (Index j = 0; j < columns; ++j) {
     for (Index i = 0; i < rows; ++i) {

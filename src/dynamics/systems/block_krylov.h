@@ -9,8 +9,7 @@
 namespace clevis::dynamics {
 
 /// Entries from -1/2 to 1/2, the same on every run and platform.
-Eigen::MatrixXd random_block(Eigen::Index rows, Eigen::Index columns,
-                             unsigned seed = 1);
+Eigen::MatrixXd random_block(Eigen::Index rows, Eigen::Index columns);
 
 /// An operator T that is self-adjoint in the inner product of a matrix M:
 /// M T = Tᵀ M.

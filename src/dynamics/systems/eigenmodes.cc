@@ -70,8 +70,7 @@ Modes lowest_modes(const LinearSystem& system, int count,
   VectorXd theta(0);
   if (wanted > 0) {
     const Index width = std::min(kBlock, system.size - rigid.cols());
-    BlockKrylov space(system, solve, random_block(system.size, width, 1),
-                      rigid);
+    BlockKrylov space(system, solve, random_block(system.size, width), rigid);
     for (;;) {
       space.extend();
       const auto ritz = space.ritz_values();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <utility>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -11,6 +10,7 @@
 #include "elasticity/assembly/supports.h"
 #include "elasticity/fe_space/group_trace.h"
 #include "elasticity/nodal_loads/load_vectors.h"
+#include "elasticity/nodal_loads/seat_means.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -66,24 +66,12 @@ MeanMotion mean_motion(const Eigen::Matrix3Xd& positions,
   return motion;
 }
 
-/// That of what is touched of a seat, about the seat's point: products with
-/// unit wrenches that are spread over it as a linear traction.
+/// That of what is touched of a seat, about the seat's point.
 MeanMotion touched_motion(const Discretization<3>& discretization,
                           const TouchedSeats& touched, std::size_t s) {
-  constexpr Index kWrench = 6;
-  loads::LoadHistory unit;
-  unit.seats = {touched.seats[s]};
-  unit.seats.front().kind = loads::SeatKind::kMean;
-  for (Index k = 0; k < kWrench; ++k) {
-    loads::InstantLoad instant;
-    loads::Wrench wrench;
-    (k < 3 ? wrench.force[k] : wrench.moment[k - 3]) = 1.0;
-    instant.wrenches = {wrench};
-    instant.zones = {touched.zones[s]};
-    unit.instants.push_back(std::move(instant));
-  }
   return {touched.seats[s].p_LS,
-          assemble_loads(discretization, unit, 0.0, "").transpose()};
+          seat_means(discretization, {touched.seats[s]}, {touched.zones[s]}, "")
+              .transpose()};
 }
 
 /// Six conditions, not scaled.

@@ -1,12 +1,10 @@
 #include "elasticity/vibration/neighbour_hold.h"
 
-#include <array>
 #include <cstddef>
-#include <utility>
 
 #include <Eigen/SVD>
 
-#include "elasticity/nodal_loads/load_vectors.h"
+#include "elasticity/nodal_loads/seat_means.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -15,16 +13,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 constexpr Index kWrench = 6;
-
-/// Components of a seat's wrench that act on a part of this dimension.
-template <int dim>
-constexpr auto kActing = [] {
-  if constexpr (dim == 2) {
-    return std::array<Index, 3>{0, 1, 5};
-  } else {
-    return std::array<Index, 6>{0, 1, 2, 3, 4, 5};
-  }
-}();
 
 template <int dim>
 MatrixXd acting_rows(const MatrixXd& wrenches) {
@@ -63,21 +51,8 @@ NeighbourHold neighbour_hold(const Discretization<dim>& discretization,
   const MatrixXd held = principal(acting_rows<dim>(hold.held));
   const MatrixXd weighed = principal(acting_rows<dim>(hold.weighed));
   if (held.cols() + weighed.cols() == 0) return {none, none};
-  loads::LoadHistory unit;
-  unit.seats = history.seats;
-  for (loads::Seat& seat : unit.seats) seat.kind = loads::SeatKind::kMean;
-  for (std::size_t s = 0; s < unit.seats.size(); ++s) {
-    for (const Index component : kActing<dim>) {
-      loads::InstantLoad instant;
-      instant.wrenches.resize(unit.seats.size());
-      loads::Wrench& wrench = instant.wrenches[s];
-      (component < 3 ? wrench.force[component] : wrench.moment[component - 3]) =
-          1.0;
-      instant.zones = hold.zones;
-      unit.instants.push_back(std::move(instant));
-    }
-  }
-  const MatrixXd means = assemble_loads(discretization, unit, 0.0, part_name);
+  const MatrixXd means =
+      seat_means(discretization, history.seats, hold.zones, part_name);
   return {means * held, means * weighed};
 }
 

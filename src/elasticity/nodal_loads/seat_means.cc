@@ -1,0 +1,41 @@
+#include "elasticity/nodal_loads/seat_means.h"
+
+#include <cstddef>
+#include <utility>
+
+#include "elasticity/nodal_loads/load_vectors.h"
+
+namespace clevis::elasticity {
+
+template <int dim>
+Eigen::MatrixXd seat_means(const Discretization<dim>& discretization,
+                           std::vector<loads::Seat> seats,
+                           const std::vector<loads::ContactZone>& zones,
+                           const std::string& part_name) {
+  loads::LoadHistory unit;
+  unit.seats = std::move(seats);
+  for (loads::Seat& seat : unit.seats) seat.kind = loads::SeatKind::kMean;
+  for (std::size_t s = 0; s < unit.seats.size(); ++s) {
+    for (const Eigen::Index component : kActing<dim>) {
+      loads::InstantLoad instant;
+      instant.wrenches.resize(unit.seats.size());
+      loads::Wrench& wrench = instant.wrenches[s];
+      (component < 3 ? wrench.force[component] : wrench.moment[component - 3]) =
+          1.0;
+      instant.zones = zones;
+      unit.instants.push_back(std::move(instant));
+    }
+  }
+  return assemble_loads(discretization, unit, 0.0, part_name);
+}
+
+template Eigen::MatrixXd seat_means<2>(const Discretization<2>&,
+                                       std::vector<loads::Seat>,
+                                       const std::vector<loads::ContactZone>&,
+                                       const std::string&);
+template Eigen::MatrixXd seat_means<3>(const Discretization<3>&,
+                                       std::vector<loads::Seat>,
+                                       const std::vector<loads::ContactZone>&,
+                                       const std::string&);
+
+}  // namespace clevis::elasticity
