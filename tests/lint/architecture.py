@@ -232,7 +232,7 @@ PUBLIC = {
                   " solid/neighbourhood solid/open_reactions solid/plane_loads"
                   " solid/seat_compliance solid/solid_solve vibration/eigenmodes"
                   " vibration/load_vibration vibration/strike_response",
-    "stress": "field/deflection field/finite_motion"
+    "stress": "field/deflection field/finite_motion field/touched_reference"
               " many_instants/field_reduction many_instants/point_stress field/point_history field/probe field/stress_history field/surface_mesh peaks/energy_error peaks/local_peak peaks/lattice_maximum peaks/meeting_points"
               " peaks/peak_band peaks/peak_zoom peaks/slow_sequence surface/surface_deviation surface/surface_kink"
               " sections/support_face corners/facet corners/round_depth zones/end_of_shear zones/singular_zone zones/zone_mask zones/zone_strength output/field_output",

@@ -1,22 +1,17 @@
 #include "assessment/models/level.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
-#include "elasticity/buckling/pin_hold.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "loads/seats/holding_groups.h"
 #include "stress/field/deflection.h"
+#include "stress/field/touched_reference.h"
 #include "stress/peaks/peak_zoom.h"
 #include "stress/sections/support_face.h"
 
@@ -102,64 +97,6 @@ void note_held(const PartJob& job, const LoadSet& set,
   }
 }
 
-/// Of a part that a slide holds: displacements refer to what its counterpart
-/// touches of the wall at each instant, not to all of it.
-void refer_to_touched(const LoadSet& set,
-                      elasticity::DisplacementBasis<3>& basis) {
-  constexpr Eigen::Index kRigid = 6;
-  const loads::LoadHistory& history = set.history;
-  const auto groups = reference_groups(set);
-  const bool slides = std::ranges::any_of(history.seats, [&](const auto& seat) {
-    return seat.slide && std::ranges::find(groups, seat.group) != groups.end();
-  });
-  if (!slides || basis.discretization.is_revolved ||
-      basis.columns.cols() == 0) {
-    return;
-  }
-  const auto instants = static_cast<Eigen::Index>(history.instants.size());
-  // Of zones within a five-hundredth of the part's size one stands for all.
-  Eigen::AlignedBox3d box;
-  for (const auto& points : basis.discretization.cell_points) {
-    for (Eigen::Index k = 0; k < points.cols(); ++k) box.extend(points.col(k));
-  }
-  const double near = box.diagonal().norm() / 512.0;
-  const auto rounded = [&](const std::vector<loads::ContactZone>& zones) {
-    std::vector<double> edges;
-    for (const loads::ContactZone& zone : zones) {
-      for (int d = 0; d < 2; ++d) {
-        edges.push_back(std::round(zone.low[d] / near));
-        edges.push_back(std::round(zone.high[d] / near));
-      }
-    }
-    return edges;
-  };
-  Eigen::MatrixXd moved(kRigid, instants);
-  std::optional<elasticity::PinHold> hold;
-  std::map<std::vector<double>, Eigen::MatrixXd> broken;  // of the columns
-  for (Eigen::Index i = 0; i < instants; ++i) {
-    const auto& instant = history.instants[static_cast<std::size_t>(i)];
-    if (instant.zones.empty()) {  // a case
-      moved.col(i).setZero();
-      continue;
-    }
-    auto [known, is_new] =
-        broken.try_emplace(rounded(instant.zones), Eigen::MatrixXd());
-    if (is_new) {
-      const elasticity::TouchedSeats touched{history.seats, instant.zones};
-      hold.emplace(basis.discretization, groups, &touched);
-      known->second = hold->broken(basis.columns);
-    }
-    moved.col(i) = -known->second * basis.coefficients.col(i);
-  }
-  if (!hold) return;
-  const Eigen::Index rank = basis.columns.cols();
-  basis.columns.conservativeResize(Eigen::NoChange, rank + kRigid);
-  basis.columns.rightCols(kRigid) = hold->rigid();
-  basis.coefficients.conservativeResize(rank + kRigid, Eigen::NoChange);
-  basis.coefficients.bottomRows(kRigid) = moved;
-  basis.is_mirrored = false;
-}
-
 }  // namespace
 
 std::vector<std::string> reference_groups(const LoadSet& set) {
@@ -192,8 +129,11 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
     seconds.factor += basis->seconds.factor;
     seconds.solve += basis->seconds.solve;
     if (set.fixed.empty() && set.foundations.empty()) {
-      stress::remove_rigid_motion<dim>(*basis, reference_groups(set));
-      if constexpr (dim == 3) refer_to_touched(set, *basis);
+      const auto groups = reference_groups(set);
+      stress::remove_rigid_motion<dim>(*basis, groups);
+      if constexpr (dim == 3) {
+        stress::refer_to_touched(set.history, groups, *basis);
+      }
     }
     Stopwatch watch;
     note_held<dim>(job, set, *basis, level);

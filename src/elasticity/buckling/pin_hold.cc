@@ -128,7 +128,7 @@ PinHold::PinHold(const Discretization<3>& discretization,
       (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).norm();
   rigid_ = rigid_modes<3>(positions, positions.rowwise().mean(), size);
   const MatrixXd rows = conditions(discretization, positions, groups, touched);
-  conditions_ = product(rows, rigid_).fullPivLu().solve(rows);
+  conditions_ = product(rows, rigid_).fullPivLu().inverse() * rows;
 }
 
 MatrixXd PinHold::broken(const MatrixXd& u) const {

@@ -123,9 +123,16 @@ SurfaceLoads sliding_loads(const Discretization<dim>& discretization,
       history, seat_index,
       discretization.groups[static_cast<std::size_t>(groups.front())].cylinder,
       part_name);
+  std::optional<ZoneTrace<dim>> zone;
+  loads::ContactZone touched;
   for (std::size_t i = 0; i < instants; ++i) {
-    const ZoneTrace<dim> zone(wall, bounds_of(seat, tractions.zone(i)));
-    const GroupTrace& trace = zone.trace();
+    const loads::ContactZone now = tractions.zone(i);
+    if (!zone || (now.low != touched.low).any() ||
+        (now.high != touched.high).any()) {
+      zone.emplace(wall, bounds_of(seat, now));
+      touched = now;
+    }
+    const GroupTrace& trace = zone->trace();
     TractionHistory<dim> here(trace.quadrature.weights.size(), 1);
     here.set(0, tractions.at(i, trace.quadrature, trace.outward));
     const SurfaceLoads part = here.integrate(trace);

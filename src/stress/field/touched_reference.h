@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "elasticity/problem/displacement_basis.h"
+#include "loads/history/load_history.h"
+
+namespace clevis::stress {
+
+/// Of a free part that a slide holds: its displacements refer to what the
+/// counterpart touches of the wall at each instant, not to all of it. The basis
+/// gets the rigid motions for that. Between instants whose mean motions change
+/// evenly with the place of the slide these are interpolated, to 3e-4 of the
+/// mean displacement. Solids of revolution are left as they are.
+/// @param groups  of the seats that hold, as of remove_rigid_motion().
+void refer_to_touched(const loads::LoadHistory& history,
+                      const std::vector<std::string>& groups,
+                      elasticity::DisplacementBasis<3>& basis);
+
+}  // namespace clevis::stress
