@@ -206,21 +206,22 @@ PartAssessment check_part(const PartJob& given) {
   }
   note_cases(given, result);
   result.beam = compare_with_beam(job, result);
-  job.tell("buckling");
-  BucklingModel model(job);
-  BucklingCheck buckling = check_buckling(job, model);
-  job.tell("vibration and notes");
-  result.buckling = std::move(buckling.result);
-  result.buckling.euler = result.beam.buckling_safety;
-  result.buckling.strut_is_longer = job.buckling_length.has_value();
-  assessment.fields.buckling = std::move(buckling.shape);
   const double judged = governing_stress(job.part, result);
   result.safety_factor =
       judged > 0.0 ? job.part.material.yield_strength / judged : 0.0;
   finish_impacts(std::move(blows.impacts), result);
-  check_vibration(job, assessment.fields.history, result);
+  job.tell("vibration");
+  HeldMotions held(job);
+  check_vibration(job, assessment.fields.history, held, result);
+  job.tell("buckling and notes");
+  BucklingModel model(job);
+  BucklingCheck buckling = check_buckling(job, result.swings, model);
+  result.buckling = std::move(buckling.result);
+  result.buckling.euler = result.beam.buckling_safety;
+  result.buckling.strut_is_longer = job.buckling_length.has_value();
+  assessment.fields.buckling = std::move(buckling.shape);
   check_second_order(job, assessment.fields.history, buckling.of_lowest_degree,
-                     model, result);
+                     held, model, result);
   check_sharing(given, result);
   judge(job.part, result);
   explain_unsettled(result);

@@ -99,6 +99,7 @@ ROOMS = {
         "history": "loads of a part over time, the inertia in balance with them, blows",
         "pressure": "tractions of seats on walls, in balance on their quadrature points",
         "seats": "seats: where joints and forces of the scene press on a part",
+        "holds": "what the rest of the mechanism holds of a part at its seats, and where its slides do",
         "parts": "loads of a part: over the motion, in its cases and histories, on pins that hold it",
     },
     "dynamics": {
@@ -217,7 +218,7 @@ PUBLIC = {
     "loads": "history/balance history/load_history history/motion_instants history/strike"
              " parts/case_loads parts/held_pins parts/part_loads parts/series_loads"
              " pressure/discrete_balance pressure/face_pressure pressure/seat_traction pressure/surface_shear"
-             " pressure/wall_pressure seats/holding_groups seats/part_seats seats/seat_hold seats/seat_spans",
+             " pressure/wall_pressure holds/holding_groups seats/part_seats holds/seat_hold seats/seat_spans holds/slide_places",
     "dynamics": "load_vibration/load_answer load_vibration/load_path"
                 " load_vibration/response_spectrum"
                 " load_vibration/load_shapes strike/strike strike/strike_steps"

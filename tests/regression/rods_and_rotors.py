@@ -9,6 +9,7 @@ A shaft with a disc near its critical speed, one that is shaken at its frequency
 it turns, and a parallelogram that passes its change point between two instants are not
 judged; a wheel that rolls over a rail is refused.
 """
+import json
 import math
 import subprocess
 import sys
@@ -61,9 +62,11 @@ Physical Surface("{group}") = {{{wall}[]}};""")
     support.gmsh(folder, "\n".join(lines) + "\n", name="bar")
 
 
-def rod(folder, force):
-    """600 mm, 520 mm out of a guide of 40 mm; force: of its free end."""
+def guided(folder, drive, loads, simulation):
+    """600 mm in a guide of 40 mm about the ground's origin; loads of its free end."""
     round_bar(folder, [(600, 40, "round_m")])
+    seats = ", ".join(f'{name} = {{ face = "right" }}' for name in loads)
+    forces = "".join(f'[[force]]\nname = "{name}"\n{text}\n' for name, text in loads.items())
     file = folder / "scene.toml"
     file.write_text(f"""{scene_text.head("rod")}
 [[body]]
@@ -75,25 +78,57 @@ placement = {{ origin = ["-60 mm", "0 mm", "0 mm"] }}
     'at = { ground = ["0 mm", "0 mm", "0 mm"], bar = ["0 mm", "0 mm", "0 mm"] }')}
 [[drive]]
 joint = "S"
-law = "constant"
-from = "-60 mm"
-[[force]]
-type = "constant"
-name = "load"
-body = "bar"
-point = ["600 mm", "0 mm", "0 mm"]
-force = {force}
+{drive}
+{forces}
 [simulation]
-duration = "1 s"
-instants = 11
+{simulation}
 {scene_text.BAR}pins = {{ S = {{ group = "round_m", length = "40 mm" }} }}
 drives = {{ S = {{ face = "left" }} }}
-forces = {{ load = {{ face = "right" }} }}
+forces = {{ {seats} }}
 limits = {{ safety_factor = 1.5, deflection = "4 mm", singular_zones = "exclude" }}
 [accuracy]
 peak_stress = "5 %"
 """)
     return file
+
+
+def rod(folder, force):
+    """520 mm out of its guide."""
+    load = f"""type = "constant"
+body = "bar"
+point = ["600 mm", "0 mm", "0 mm"]
+force = {force}"""
+    return guided(folder, 'law = "constant"\nfrom = "-60 mm"', {"load": load},
+                  'duration = "1 s"\ninstants = 11')
+
+
+def table(rows):
+    """Across the rod's end; rows: (s, N)."""
+    return f"""type = "table"
+between = ["ground", "bar"]
+from = ["540 mm", "0 mm", "0 mm"]
+to = ["600 mm", "0 mm", "0 mm"]
+axis = [0, 1, 0]
+times = {json.dumps([f"{time:.9f} s" for time, _ in rows])}
+efforts = {json.dumps([f"{force:.6f} N" for _, force in rows])}"""
+
+
+def sliding_rod(folder, shake):
+    """250 mm out of its guide it bears 90 N, then it slides out to 520 mm, where a force
+    of 12 N sweeps over its first frequency there. shake: whether it does."""
+    start, last, low, high = 0.5, 1.0, 42.0, 58.0
+    heavy = [(0.0, -90.0), (0.1, -90.0), (0.3, 0.0)]
+    sweep = [(0.0, 0.0), (start, 0.0)]
+    for k in range(1, 601):
+        at = k / 600 * (last - start)
+        turns = low * at + (high - low) * at**2 / 2 / (last - start)
+        sweep.append((start + at, 12.0 * math.sin(2 * math.pi * turns) if shake else 0.0))
+    return guided(folder, """law = "quintic"
+from = "-330 mm"
+to = "-60 mm"
+start = "0.1 s"
+duration = "0.3 s\"""", {"heavy": table(heavy), "sweep": table(sweep)},
+                  f'duration = "{last} s"\ninstants = 11')
 
 
 def shaft(folder, speed, disc="", shake=""):
@@ -133,7 +168,7 @@ SHAKE = scene_text.body("carrier", "5 kg", "0.01 kg m^2") + scene_text.joint(
 joint = "shake"
 law = "sine"
 from = "0 mm"
-amplitude = "0.02 mm"
+amplitude = "0.01 mm"
 frequency = "{FIRST} Hz"
 """
 
@@ -188,9 +223,9 @@ limits = {{ safety_factor = 3, singular_zones = "exclude" }}
     return file
 
 
-def parallelogram(clevis, folder):
-    """10 N m on the rocker; 15 instants, none near the change points. Beside them some
-    7 kN act (166 MPa), 142 MPa are allowed."""
+def parallelogram(clevis, folder, moment):
+    """A moment [N m] on the rocker; 15 instants, none near the change points. Beside
+    them 10 N m make some 7 kN (166 MPa), 142 MPa are allowed."""
     subprocess.run([clevis, "init", "four_bar", "--template", "four-bar"], cwd=folder,
                    check=True, capture_output=True)
     joints = "".join(
@@ -221,7 +256,7 @@ name = "work"
 body = "rocker"
 point = ["0 mm", "0 mm", "0 mm"]
 force = ["0 N", "0 N", "0 N"]
-moment = ["0 N m", "0 N m", "-10 N m"]
+moment = ["0 N m", "0 N m", "-{moment} N m"]
 [simulation]
 duration = "0.5 s"
 instants = 15
@@ -272,18 +307,32 @@ def main():
                   f"disc at 0.8 of {critical:.0f} rpm, 2.8 of linear theory's: no pass")
     part = check(shaft, 0.1 * critical, DISC).part
     checks.expect(part["verdict"] == "pass", "disc at a tenth of it: pass")
-    for speed in (600,):
-        part = check(shaft, speed, "", SHAKE).part
-        checks.expect(part["verdict"] != "pass",
-                      f"shaken at its frequency, {speed} rpm: no pass")
+    part = check(shaft, 600, "", SHAKE).part
+    checks.expect("spins about its length" in part["why"],
+                  "shaken at its frequency, 600 rpm: not judged for its spin")
+    part = check(shaft, 0, "", SHAKE).part
+    checks.expect(part["verdict"] == "pass", "shaken at its frequency at rest: pass")
+
+    part = check(sliding_rod, True).part
+    clamped = 3.516 * math.sqrt(MODULUS * INERTIA / DENSITY / (
+        math.pi / 4 * DIAMETER**2)) / 520**2 / 2 / math.pi
+    checks.expect(part["verdict"] == "fail", "rod slid out, shaken there: fails")
+    first = part["vibration"]["lowest_frequency_hz"]
+    checks.expect(0.9 * clamped < first < clamped,
+                  f"rod slid out: {first:.2f} Hz, clamped there {clamped:.2f} Hz")
+    part = check(sliding_rod, False).part
+    checks.expect(part["verdict"] == "pass", "rod slid out, at rest there: pass")
     with tempfile.TemporaryDirectory() as name:
         answer = support.check(clevis, rail(Path(name)))
         checks.expect("L007" in answer.codes, f"rail: refused, {answer.codes}")
-    with tempfile.TemporaryDirectory() as name:
-        answer = support.check(clevis, parallelogram(clevis, Path(name)),
-                               exits=support.JUDGED)
-        checks.expect(answer.part["verdict"] != "pass",
-                      f"parallelogram: no pass, {answer.part['why']}")
+    for moment, verdicts, why in ((10, ("not judged", "fail"), "change points"),
+                                  (1, ("pass",), "")):
+        with tempfile.TemporaryDirectory() as name:
+            answer = support.check(clevis, parallelogram(clevis, Path(name), moment),
+                                   exits=support.JUDGED)
+        part = answer.part
+        checks.expect(part["verdict"] in verdicts and why in part["why"],
+                      f"parallelogram, {moment} N m: {part['verdict']}, {part['why']}")
     return checks.exit_code()
 
 

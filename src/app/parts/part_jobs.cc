@@ -11,8 +11,8 @@
 #include "app/parts/impact_jobs.h"
 #include "app/parts/open_sharing.h"
 #include "base/messages/errors.h"
+#include "loads/holds/seat_hold.h"
 #include "loads/parts/series_loads.h"
-#include "loads/seats/seat_hold.h"
 #include "loads/seats/seat_spans.h"
 
 namespace clevis::app {
@@ -96,8 +96,9 @@ void merge(loads::LoadHistory& history, const loads::LoadHistory& more) {
     complete(instant);
   }
   if (history.hold && history.seats.size() > old_seats) {
-    history.hold = [hold = history.hold, seats = history.seats.size()] {
-      return loads::on_more_seats(hold(), seats);
+    history.hold = [hold = history.hold,
+                    seats = history.seats.size()](double time) {
+      return loads::on_more_seats(hold(time), seats);
     };
   }
 }
@@ -233,10 +234,8 @@ PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
 
 }  // namespace
 
-std::vector<PartJob> part_jobs(const LoadedScene& loaded,
-                               const mechanism::Motion& motion,
-                               const std::vector<std::string>& names,
-                               double tolerance) {
+void require_parts(const LoadedScene& loaded,
+                   const std::vector<std::string>& names) {
   std::vector<std::string> known;
   for (const auto& part : loaded.parts) known.push_back(part.definition.name);
   for (const auto& name : names) {
@@ -246,6 +245,13 @@ std::vector<PartJob> part_jobs(const LoadedScene& loaded,
                   fmt::format("Its parts: {}.", fmt::join(known, ", ")));
     }
   }
+}
+
+std::vector<PartJob> part_jobs(const LoadedScene& loaded,
+                               const mechanism::Motion& motion,
+                               const std::vector<std::string>& names,
+                               double tolerance) {
+  require_parts(loaded, names);
   std::optional<mechanism::OtherSharings> sharings;
   if (loaded.scene.has_mechanism) {
     sharings.emplace(loaded.scene.mechanism, motion);

@@ -240,6 +240,7 @@ ExitCode run_check(const Options& options, scene::Scene scene) {
   report.version = CLEVIS_VERSION;
   report.inputs = check_inputs(options, scene);
   LoadedScene loaded = load_scene(std::move(scene));
+  require_parts(loaded, options.parts);
   const fs::path folder = output_folder(options);
   std::optional<FolderLock> lock;
   if (mpi_rank() == 0) {

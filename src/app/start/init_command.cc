@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/request/shell_word.h"
 #include "app/start/geometry_scene.h"
 #include "app/start/new_folder.h"
 #include "app/start/templates.h"
@@ -42,7 +43,7 @@ ExitCode init_template(const InitOptions& options) {
   }
   std::cout << fmt::format("{}: {}\nNext:\n  clevis check --mesh --report {}\n",
                            options.folder.string(), chosen->about,
-                           files.scene().string());
+                           shell_word(files.scene().string()));
   return ExitCode::kPass;
 }
 
@@ -55,8 +56,8 @@ ExitCode init_geometry(const InitOptions& options) {
   std::cout << fmt::format(
       "{0}: {1}\nNext:\n  clevis faces {2} --picture {3}\n"
       "  clevis check --report {2}\n",
-      options.folder.string(), made.told, files.scene().string(),
-      (options.folder / "faces.svg").string());
+      options.folder.string(), made.told, shell_word(files.scene().string()),
+      shell_word((options.folder / "faces.svg").string()));
   return ExitCode::kPass;
 }
 
@@ -68,7 +69,7 @@ ExitCode init_command(const InitOptions& options) {
   throw Error("U001", "NAME",
               options.folder.string() + " is a CAD file by its name",
               "Make a scene of it: clevis init NAME --geometry " +
-                  options.folder.string() + ".");
+                  shell_word(options.folder.string()) + ".");
 }
 
 Run declare_init(CLI::App& command) {

@@ -9,9 +9,9 @@
 #include <fmt/ranges.h>
 
 #include "app/request/output_folder.h"
+#include "app/request/shell_word.h"
 #include "app/scenes/geometry_constants.h"
 #include "app/variants/check_inputs.h"
-#include "app/variants/shell_word.h"
 #include "base/bytes/fingerprint.h"
 #include "base/messages/errors.h"
 #include "report/text/atomic_file.h"

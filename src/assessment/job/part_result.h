@@ -31,8 +31,11 @@ struct ErrorShares {
   double model{};    ///< against 3-D elasticity
   double time{};     ///< instants between those looked at
   double sharing{};  ///< reactions that equilibrium leaves open
+  /// What joints carry between instants, where the mechanism passes a change
+  /// point.
+  double change_points{};
 
-  double total() const { return mesh + model + time + sharing; }
+  double total() const { return mesh + model + time + sharing + change_points; }
 };
 
 /// Peak von Mises over the surface and all instants.
@@ -346,6 +349,8 @@ struct PartResult {
   double deflection_low{}, deflection_high{};  ///< its band [m]
   Eigen::Vector3d deflection_at = Eigen::Vector3d::Zero();
   double deflection_instant{};               ///< [s]
+  std::string deflection_label;              ///< of that instant, or the case
+  std::size_t deflection_set{};              ///< load set of it
   double strain_energy{};                    ///< largest over the instants [J]
   double strain_energy_instant{};            ///< when it is largest [s]
   std::optional<double> mean_strain_energy;  ///< over the motion's time [J]

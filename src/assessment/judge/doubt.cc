@@ -21,6 +21,9 @@ constexpr std::array kSources{
            "take a higher model (--model 3d)"},
     Source{&ErrorShares::time, "time", false,
            "give more instants (`instants` of [simulation])"},
+    Source{&ErrorShares::change_points, "change points", false,
+           "stop short of the change point, or give the joints there their "
+           "`compliance`"},
     Source{&ErrorShares::sharing, "sharing of reactions", false,
            "give the joints their `compliance`"},
 };

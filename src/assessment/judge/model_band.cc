@@ -17,7 +17,8 @@ void widen(double tolerance, double model_error, PeakStress& peak) {
   peak.model_error = model_error * peak.value;
   // Loads between instants can only raise it.
   peak.shares.mesh = std::max(peak.value - peak.band_low,
-                              peak.band_high - peak.value - peak.shares.time);
+                              peak.band_high - peak.value - peak.shares.time -
+                                  peak.shares.change_points);
   peak.shares.model = peak.model_error;
   peak.band_low -= peak.model_error;
   peak.band_high += peak.model_error;
@@ -114,6 +115,8 @@ PartAssessment join(PartAssessment first, PartAssessment second) {
     result.deflection_low = other.deflection_low;
     result.deflection_at = other.deflection_at;
     result.deflection_instant = other.deflection_instant;
+    result.deflection_label = other.deflection_label;
+    result.deflection_set = other.deflection_set;
   }
   return first;
 }

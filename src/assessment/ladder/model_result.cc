@@ -50,7 +50,10 @@ void fill_peak(const PartJob& job, const DegreeLadder<dim>& ladder,
   peak.verdict = to_peak_verdict(band.verdict);
   peak.has_band = ladder.sequence.size() >= 3 &&
                   band.verdict != stress::Convergence::kSingular;
-  peak.shares.time = ladder.time_error;
+  const double at_change_points =
+      job.load_sets[level.set].history.at_change_points;
+  peak.shares.change_points = at_change_points * ladder.time_error;
+  peak.shares.time = ladder.time_error - peak.shares.change_points;
   peak.at = stress::position<dim>(discretization, place.at, subdivisions);
   peak.group =
       stress::surface_group<dim>(discretization, place.at, subdivisions);
@@ -112,10 +115,12 @@ void fill_deflection(const PartJob& job, const DegreeLadder<dim>& ladder,
     if (s > 0 && deflection.value <= result.deflection) continue;
     result.deflection = deflection.value;
     result.deflection_at = deflection.at;
-    result.deflection_instant =
+    const loads::InstantLoad& instant =
         job.load_sets[s]
-            .history.instants[static_cast<std::size_t>(deflection.instant)]
-            .time;
+            .history.instants[static_cast<std::size_t>(deflection.instant)];
+    result.deflection_instant = instant.time;
+    result.deflection_label = instant.label;
+    result.deflection_set = s;
   }
   const DeflectionBand band = ladder.deflections.band();
   result.deflection_low = band.low;

@@ -9,7 +9,7 @@
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
 #include "elasticity/problem/elastic_problem.h"
-#include "loads/seats/holding_groups.h"
+#include "loads/holds/holding_groups.h"
 #include "stress/field/deflection.h"
 #include "stress/field/touched_reference.h"
 #include "stress/peaks/peak_zoom.h"

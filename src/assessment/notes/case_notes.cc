@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "loads/history/balance.h"
+#include "loads/holds/holding_groups.h"
 #include "loads/parts/held_pins.h"
-#include "loads/seats/holding_groups.h"
 
 namespace clevis::assessment {
 namespace {

@@ -12,7 +12,8 @@
 #include "base/values/stopwatch.h"
 #include "elasticity/buckling/buckling.h"
 #include "loads/history/motion_instants.h"
-#include "loads/seats/holding_groups.h"
+#include "loads/holds/holding_groups.h"
+#include "loads/holds/slide_places.h"
 #include "part/buckling_limit.h"
 
 namespace clevis::assessment {
@@ -115,10 +116,12 @@ bool is_decided(const BucklingResult& result, double wanted) {
 }
 
 /// Factors of the model beyond are not looked for: 100, or far more than is
-/// wanted.
-double highest_factor(double wanted) {
+/// wanted of loads of which vibration makes more.
+/// @param swing  times as much.
+double highest_factor(double wanted, double swing) {
   constexpr double kHighest = 100.0, kFar = 3.0;
-  return std::max(kHighest, kFar * wanted);
+  const double counts = std::max(kFar * wanted, kFirstOrderIsEnough);
+  return std::max(kHighest, counts * swing);
 }
 
 /// Takes one degree in.
@@ -164,15 +167,15 @@ void take(const PartJob& job, BucklingModel& model, int degree,
 /// thin cells may lock by any factor. Compact ones do not; where no factor is
 /// found with them that is enough, looked for so far that the model has none
 /// below highest_factor().
-BucklingCheck climb(const PartJob& job, BucklingModel& model,
+BucklingCheck climb(const PartJob& job, BucklingModel& model, double swing,
                     std::vector<Candidate> candidates) {
   const double wanted = part::wanted_buckling_factor(job.part.limits);
   BucklingCheck check;
   std::optional<double> before;
   for (int degree = kFirstDegree; degree <= kHighestDegree; ++degree) {
     try {
-      take(job, model, degree, before, highest_factor(wanted), candidates,
-           check);
+      take(job, model, degree, before, highest_factor(wanted, swing),
+           candidates, check);
     } catch (const Error& error) {
       if (!is_bearable(error)) throw;
       if (before) return check;  // its band holds what is missing
@@ -182,7 +185,10 @@ BucklingCheck climb(const PartJob& job, BucklingModel& model,
     }
     check.result.remark.clear();
     const bool is_enough = before || (!check.shape && model.is_compact());
-    if (is_enough && is_decided(check.result, wanted)) return check;
+    if (is_enough && is_decided(check.result, wanted) &&
+        is_decided(check.result, swing * wanted)) {
+      return check;
+    }
     before = check.result.factor;
   }
   return check;
@@ -223,76 +229,38 @@ std::vector<Candidate> other_sharings(const PartJob& job) {
   return candidates;
 }
 
+/// Largest force on a seat [N].
+double largest_force(const loads::InstantLoad& instant) {
+  double most = 0.0;
+  for (const auto& wrench : instant.wrenches) {
+    most = std::max(most, wrench.force.norm());
+  }
+  return most;
+}
+
 /// Instants of a motion whose slides hold the part by what they touch of its
 /// walls: of each of a few places the one with the largest forces, and the one
 /// that buckles first where all of the walls hold.
 /// @param first  that one's time [s].
 std::vector<Candidate> touched_loads(const PartJob& job, double first) {
-  constexpr int kPlaces = 4;
   std::vector<Candidate> candidates;
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
-    const loads::LoadHistory& history = job.load_sets[s].history;
-    const std::size_t motion = loads::motion_length(history);
-    if (!job.load_sets[s].fixed.empty() ||
-        !job.load_sets[s].foundations.empty()) {
-      continue;
+    const LoadSet& set = job.load_sets[s];
+    if (!set.fixed.empty() || !set.foundations.empty()) continue;
+    const loads::LoadHistory& history = set.history;
+    const auto places = loads::slide_places(history, 0.0);
+    std::map<int, std::size_t> chosen;
+    for (std::size_t i = 0; i < places.of.size(); ++i) {
+      if (places.of[i] == loads::SlidePlaces::kUnknown) continue;
+      const int bin =
+          history.instants[i].time == first ? places.bins : places.of[i];
+      const auto [known, is_new] = chosen.try_emplace(bin, i);
+      if (!is_new && largest_force(history.instants[i]) >
+                         largest_force(history.instants[known->second])) {
+        known->second = i;
+      }
     }
     const auto holds = loads::holding_groups(history);
-    const auto slide =
-        std::ranges::find_if(history.seats, [&](const auto& seat) {
-          return seat.slide &&
-                 std::ranges::any_of(holds, [&](const auto& groups) {
-                   return std::ranges::find(groups, seat.group) != groups.end();
-                 });
-        });
-    if (slide == history.seats.end() || motion == 0) continue;
-    const auto at = static_cast<std::size_t>(slide - history.seats.begin());
-    double length = HUGE_VAL;  // the shortest that is known
-    for (std::size_t i = 0; i < motion; ++i) {
-      const auto& zones = history.instants[i].zones;
-      if (!zones.empty()) {
-        length = std::min(length, zones[at].high[0] - zones[at].low[0]);
-      }
-    }
-    if (!std::isfinite(length)) length = 0.0;
-    // Of a zone that ends with the wall one end is not known.
-    const auto place = [&](std::size_t i) {
-      const auto& zones = history.instants[i].zones;
-      if (zones.empty()) return HUGE_VAL;
-      const double from = zones[at].low[0], to = zones[at].high[0];
-      if (std::isfinite(from)) {
-        return std::isfinite(to) ? from + to : 2.0 * from + length;
-      }
-      return std::isfinite(to) ? 2.0 * to - length : HUGE_VAL;
-    };
-    const auto pressed = [&](std::size_t i) {
-      double most = 0.0;
-      for (const auto& wrench : history.instants[i].wrenches) {
-        most = std::max(most, wrench.force.norm());
-      }
-      return most;
-    };
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    for (std::size_t i = 0; i < motion; ++i) {
-      if (!std::isfinite(place(i))) continue;
-      low = std::min(low, place(i));
-      high = std::max(high, place(i));
-    }
-    if (!(low <= high)) continue;
-    std::map<int, std::size_t> chosen;
-    for (std::size_t i = 0; i < motion; ++i) {
-      if (!std::isfinite(place(i))) continue;
-      const bool is_first = history.instants[i].time == first;
-      const int bin =
-          is_first ? kPlaces
-          : high > low
-              ? std::min(
-                    kPlaces - 1,
-                    static_cast<int>(kPlaces * (place(i) - low) / (high - low)))
-              : 0;
-      const auto [known, is_new] = chosen.try_emplace(bin, i);
-      if (!is_new && pressed(i) > pressed(known->second)) known->second = i;
-    }
     for (const auto& [bin, i] : chosen) {
       Candidate candidate{s, history, holds, true};
       candidate.history.instants = {history.instants[i]};
@@ -349,19 +317,23 @@ void lower_for_fluids(const PartJob& job, BucklingResult& result) {
 
 }  // namespace
 
-BucklingCheck check_buckling(const PartJob& job, BucklingModel& model) {
+BucklingCheck check_buckling(const PartJob& job,
+                             const std::vector<Swing>& swings,
+                             BucklingModel& model) {
   Stopwatch watch;
   BucklingCheck check;
   if (job.load_sets.empty()) return check;
-  check = climb(job, model, checked_loads(job));
+  double swing = 1.0;
+  for (const Swing& of_set : swings) swing = std::max(swing, of_set.largest());
+  check = climb(job, model, swing, checked_loads(job));
   auto others = other_sharings(job);
   if (check.result.factor && !others.empty()) {
-    const auto of_others = climb(job, model, std::move(others)).result;
+    const auto of_others = climb(job, model, swing, std::move(others)).result;
     check.result.band_low = std::min(check.result.band_low, of_others.band_low);
   }
   auto touched = touched_loads(job, check.result.instant);
   if (check.result.factor && !touched.empty()) {
-    take_lower(climb(job, model, std::move(touched)), check);
+    take_lower(climb(job, model, swing, std::move(touched)), check);
   }
   if (check.shape) lower_for_fluids(job, check.result);
   check.seconds = watch.lap();

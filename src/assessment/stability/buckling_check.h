@@ -1,11 +1,15 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "assessment/job/part_job.h"
 #include "assessment/stability/buckling_model.h"
 
 namespace clevis::assessment {
+
+/// Of a factor from which on first order theory is enough: EN 1993-1-1, 5.2.1.
+constexpr double kFirstOrderIsEnough = 10.0;
 
 /// Linear buckling of the part, and its shape.
 struct BucklingCheck {
@@ -21,8 +25,12 @@ struct BucklingCheck {
 /// limit lies outside the band. Plates by terms through their thickness, else
 /// the mesh as it is. What cannot be computed (supports that hold a plate in
 /// its plane only, memory) is left out, and the remark says why.
+/// @param swings  by load set, or none; factors are looked for as far as these
+///   make loads larger.
 /// @throws Error of elasticity::lowest_buckling but F001, F002, F004, F007,
 /// M005.
-BucklingCheck check_buckling(const PartJob& job, BucklingModel& model);
+BucklingCheck check_buckling(const PartJob& job,
+                             const std::vector<Swing>& swings,
+                             BucklingModel& model);
 
 }  // namespace clevis::assessment

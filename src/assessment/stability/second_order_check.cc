@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -17,13 +16,13 @@
 #include "assessment/job/part_zones.h"
 #include "assessment/judge/verdict.h"
 #include "assessment/stability/buckling_model.h"
+#include "assessment/stability/checked_linear.h"
 #include "assessment/stability/second_order_loads.h"
-#include "assessment/vibration/duration_ratio.h"
 #include "assessment/vibration/load_pace.h"
 #include "base/messages/errors.h"
 #include "elasticity/buckling/second_order.h"
 #include "elasticity/problem/dof_limit.h"
-#include "loads/seats/holding_groups.h"
+#include "loads/holds/holding_groups.h"
 #include "part/buckling_limit.h"
 #include "stress/field/deflection.h"
 #include "stress/zones/zone_mask.h"
@@ -58,8 +57,9 @@ class SetCheck {
   /// @param space  of model.lowest_degree().
   SetCheck(const PartJob& job, BucklingModel& model, const PartSpace& space,
            const SecondOrderLoads& looked, const std::vector<InstantRow>& rows,
-           double of_lowest_degree, const PartResult& result)
+           double of_lowest_degree, HeldMotions& held, const PartResult& result)
       : job_(job),
+        held_(held),
         model_(model),
         space_(space),
         set_(job.load_sets[looked.set]),
@@ -70,11 +70,8 @@ class SetCheck {
         softer_(softer_by_the_band(of_lowest_degree, result.buckling)),
         admitted_peak_(admitted_peak(job.part, result)),
         admitted_deflection_(admitted_deflection(job.part, result)),
-        zone_of_(zones()) {
-    for (const InstantRow& row : rows) {
-      if (row.load_set == looked.set) peaks_[{row.label, row.time}] = row.peak;
-    }
-  }
+        zone_of_(zones()),
+        checked_(result, rows, looked.set, swing_) {}
 
   void run(SecondOrderResult& found) {
     loads::LoadHistory history = set_.history;
@@ -101,11 +98,10 @@ class SetCheck {
     const SecondOrderPart part(problem, held);
     if (!part.is_stressed()) return;
     common_ = common_load(looked_, part.coefficients());
-    points_ = load_points(looked_, part.coefficients(),
-                          [&](const InstantLoad& instant) {
-                            return is_judged(instant.label, instant.time) ||
-                                   instant.time == result_.deflection_instant;
-                          });
+    points_ = load_points(
+        looked_, part.coefficients(), [&](const InstantLoad& instant) {
+          return checked_.refers_to(instant.label, instant.time);
+        });
     for (std::size_t hold = 0; hold < held.holds() && found.is_stable; ++hold) {
       look_at(part, hold, lowest[hold], found);
     }
@@ -127,10 +123,13 @@ class SetCheck {
   /// beside which the part spins: their share of the rise is bounded.
   /// @param lowest  frequencies of the part alone [rad/s].
   void bound_with_neighbours(const std::vector<double>& lowest,
-                             SecondOrderResult& found) const {
+                             SecondOrderResult& found) {
     constexpr double kAdded = 0.95;
-    if (!set_.history.hold || set_.history.hold().weighed.cols() == 0) return;
-    const double with = 2.0 * std::numbers::pi / first_period_of(job_, set_);
+    if (!set_.history.hold ||
+        set_.history.hold(set_.history.hold_time).weighed.cols() == 0)
+      return;
+    const double with =
+        2.0 * std::numbers::pi / held_.first_period(looked_.set);
     if (with > kAdded * std::ranges::min(lowest) || is_slow(with)) return;
     double fastest = 0.0;
     for (const InstantLoad& instant : looked_.instants) {
@@ -162,71 +161,6 @@ class SetCheck {
             stress::largest_deflection<3>(basis).of_instant};
   }
 
-  /// An instant, or a place between two, by linear theory.
-  struct Linear {
-    double here{}, peak{};       ///< by this degree, and by the check's [Pa]
-    double moved{}, deflects{};  ///< likewise [m]
-    /// Whether the check's are known, not guessed.
-    bool is_peak_known = true, is_deflection_known = true;
-    double yield{};  ///< 1/λ + (Ω/ω)² at most; 0: first order
-  };
-
-  bool is_judged(const std::string& label, double time) const {
-    return label == judged_.label && time == judged_.instant;
-  }
-
-  /// Of the check over this degree's.
-  struct Scales {
-    double peak = kOfDegree, deflection = kOfDegree;
-    bool is_peak_known = false, is_deflection_known = false;
-  };
-  Scales scales(const Measured& here) const {
-    Scales scales;
-    double judged = 0.0, deflected = 0.0;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const auto at = static_cast<Index>(i);
-      const LoadPoint& point = points_[i];
-      if (is_judged(point.label, point.time)) {
-        judged = std::max(judged, here.first[at]);
-      }
-      if (point.time == result_.deflection_instant) {
-        deflected =
-            std::max(deflected, swing(point).deflection * here.second[at]);
-      }
-    }
-    // Far more: it is the deflection of another set's instant at that time.
-    constexpr double kMostOfDegree = 2.0;
-    if (judged > 0.0) {
-      scales.peak = std::max(1.0, judged_.value / judged);
-      scales.is_peak_known = true;
-    }
-    const double more = deflected > 0.0 ? result_.deflection / deflected : 0.0;
-    if (more > 0.0 && more < kMostOfDegree) {
-      scales.deflection = std::max(1.0, more);
-      scales.is_deflection_known = true;
-    }
-    return scales;
-  }
-
-  /// The check's own peaks where these are known.
-  std::vector<Linear> linear(const Measured& here, double lowest) const {
-    const Scales scales = this->scales(here);
-    std::vector<Linear> all;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const auto at = static_cast<Index>(i);
-      all.push_back({here.first[at], scales.peak * here.first[at],
-                     here.second[at], scales.deflection * here.second[at],
-                     scales.is_peak_known, scales.is_deflection_known,
-                     yield(points_[i], lowest)});
-      const auto row = peaks_.find({points_[i].label, points_[i].time});
-      if (&judged_ == &result_.peak && row != peaks_.end()) {
-        all.back().peak = row->second;
-        all.back().is_peak_known = true;
-      }
-    }
-    return all;
-  }
-
   /// @param lowest  frequency [rad/s].
   void look_at(const SecondOrderPart& part, std::size_t hold, double lowest,
                SecondOrderResult& found) {
@@ -240,7 +174,11 @@ class SetCheck {
       found.failure = "its zones cover every point that it is looked at by";
       return;
     }
-    linear_ = linear(here, lowest);
+    linear_ = checked_.of(points_, here.first, here.second);
+    yields_.clear();
+    for (const LoadPoint& point : points_) {
+      yields_.push_back(yield(point, lowest));
+    }
     if (common_) {
       const auto [stress, way] = measured(columns_, *common_);
       common_peak_ = stress[0];
@@ -256,13 +194,13 @@ class SetCheck {
 
   /// What the instant reaches at most [Pa] or [m].
   double at_most(std::size_t i, bool by_stress) const {
-    const Linear& of = linear_[i];
+    const LinearPoint& of = linear_[i];
     const double value = by_stress ? of.peak : of.deflects;
     const double spun =
         std::min(value, by_stress ? common_peak_ : common_deflection_);
     const double swung =
         by_stress ? swing(points_[i]).stress : swing(points_[i]).deflection;
-    return swung * (value + (rise_at(of.yield) - 1.0) *
+    return swung * (value + (rise_at(yields_[i]) - 1.0) *
                                 (is_spun_in_part(points_[i]) ? spun : value));
   }
 
@@ -284,9 +222,9 @@ class SetCheck {
     bool is_first = true;
     for (const std::size_t i : order) {
       const LoadPoint& point = points_[i];
-      if (!(linear_[i].yield > 0.0)) continue;
+      if (!(yields_[i] > 0.0)) continue;
       const bool decides =
-          at_most(i, by_stress) > admitted || linear_[i].yield >= 1.0;
+          at_most(i, by_stress) > admitted || yields_[i] >= 1.0;
       if (!decides && !is_first) continue;
       if (left_ <= 0) {
         bound = std::max(bound, at_most(i, by_stress));
@@ -298,7 +236,7 @@ class SetCheck {
         is_first = false;
         --left_;
         solved.push_back(point);
-        take(part, point, linear_[i], hold, found);
+        take(part, point, linear_[i], yields_[i], hold, found);
       }
       if (decides && !follow_on(part, hold, i, by_stress, found)) {
         bound = std::max(bound, at_most(i, by_stress));
@@ -353,21 +291,10 @@ class SetCheck {
                        SecondOrderResult& found) {
     const LoadPoint point = between(points_[from], points_[from + 1], share);
     const auto [stress, way] = measured(columns_, point.amounts);
-    const Linear& start = linear_[from];
-    const Linear& end = linear_[from + 1];
-    const auto over = [](double checked, double here) {
-      return here > 0.0 ? checked / here : 1.0;
-    };
-    const Linear linear{stress[0],
-                        stress[0] * std::max(over(start.peak, start.here),
-                                             over(end.peak, end.here)),
-                        way[0],
-                        way[0] * std::max(over(start.deflects, start.moved),
-                                          over(end.deflects, end.moved)),
-                        start.is_peak_known && end.is_peak_known,
-                        start.is_deflection_known && end.is_deflection_known,
-                        std::max(start.yield, end.yield)};
-    return take(part, point, linear, hold, found);
+    const LinearPoint linear =
+        linear_[from].between(linear_[from + 1], stress[0], way[0]);
+    return take(part, point, linear, std::max(yields_[from], yields_[from + 1]),
+                hold, found);
   }
 
   /// Whether no spin of the instants counts beside a frequency [rad/s].
@@ -418,7 +345,7 @@ class SetCheck {
   };
   /// Takes the part's state in where there is none.
   std::optional<Rise> rise_of(const SecondOrderPart& part,
-                              const LoadPoint& point, const Linear& linear,
+                              const LoadPoint& point, const LinearPoint& linear,
                               double more, std::size_t hold,
                               SecondOrderResult& found) const {
     const auto solved = answer(part, point, more, point.omega, hold);
@@ -440,13 +367,13 @@ class SetCheck {
   }
 
   Reached take(const SecondOrderPart& part, const LoadPoint& point,
-               const Linear& linear, std::size_t hold,
+               const LinearPoint& linear, double yield, std::size_t hold,
                SecondOrderResult& found) {
     const Swing swing = this->swing(point);
     auto rise =
         rise_of(part, point, linear, softer_ * swing.largest(), hold, found);
     if (!rise) return {};
-    if (softer_ * swing.largest() > 1.0 && linear.yield > looked_.pressed) {
+    if (softer_ * swing.largest() > 1.0 && yield > looked_.pressed) {
       // What spins may be stiffened by its stresses.
       const auto less = rise_of(part, point, linear, 1.0, hold, found);
       if (!less) return {};
@@ -492,11 +419,11 @@ class SetCheck {
     std::vector<std::size_t> order(points_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::erase_if(order, [&](std::size_t i) {
-      const double yield = linear_[i].yield;
+      const double yield = yields_[i];
       return !(yield > looked_.pressed) || yield * wanted < 1.0;
     });
     std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) {
-      return linear_[i].yield;
+      return yields_[i];
     });
     if (order.size() > kMost) order.resize(kMost);
     for (const std::size_t i : order) {
@@ -515,9 +442,8 @@ class SetCheck {
     }
   }
 
-  static constexpr double kOfDegree = 1.05;  // where only this low one is known
-
   const PartJob& job_;
+  HeldMotions& held_;
   BucklingModel& model_;
   const PartSpace& space_;
   const LoadSet& set_;
@@ -528,10 +454,11 @@ class SetCheck {
   double softer_;
   double admitted_peak_, admitted_deflection_;
   Eigen::MatrixXi zone_of_;
-  std::map<std::pair<std::string, double>, double> peaks_;  ///< of the check
+  CheckedLinear checked_;
   std::vector<LoadPoint> points_;
-  std::vector<Linear> linear_;  ///< of the points, with the hold
-  MatrixXd columns_;            ///< likewise
+  std::vector<LinearPoint> linear_;  ///< of the points, with the hold
+  std::vector<double> yields_;  ///< 1/λ + (Ω/ω)² at most; 0: first order
+  MatrixXd columns_;            ///< of the hold
   /// What is spun alone, of a part that turns on.
   std::optional<VectorXd> common_;
   double common_peak_{}, common_deflection_{};  ///< [Pa], [m]
@@ -587,8 +514,8 @@ void note(const PartResult& result, std::vector<std::string>& notes) {
 }  // namespace
 
 void check_second_order(const PartJob& job, const std::vector<InstantRow>& rows,
-                        double of_lowest_degree, BucklingModel& model,
-                        PartResult& result) {
+                        double of_lowest_degree, HeldMotions& held,
+                        BucklingModel& model, PartResult& result) {
   std::optional<PartSpace> space;
   SecondOrderResult& found = result.second_order;
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
@@ -600,7 +527,7 @@ void check_second_order(const PartJob& job, const std::vector<InstantRow>& rows,
         elasticity::require_dofs(space->whole.dofs(), job.max_dofs,
                                  "part " + job.part.name);
       }
-      SetCheck(job, model, *space, looked, rows, of_lowest_degree, result)
+      SetCheck(job, model, *space, looked, rows, of_lowest_degree, held, result)
           .run(found);
     } catch (const Error& error) {
       if (!is_bearable(error)) throw;

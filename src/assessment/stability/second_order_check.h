@@ -4,6 +4,7 @@
 
 #include "assessment/job/part_job.h"
 #include "assessment/stability/buckling_model.h"
+#include "assessment/vibration/held_stretches.h"
 
 namespace clevis::assessment {
 
@@ -26,7 +27,7 @@ namespace clevis::assessment {
 /// @throws Error of elasticity::SecondOrderPart but F001, F002, F004, F007,
 ///   M005.
 void check_second_order(const PartJob& job, const std::vector<InstantRow>& rows,
-                        double of_lowest_degree, BucklingModel& model,
-                        PartResult& result);
+                        double of_lowest_degree, HeldMotions& held,
+                        BucklingModel& model, PartResult& result);
 
 }  // namespace clevis::assessment

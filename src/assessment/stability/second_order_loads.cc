@@ -9,6 +9,7 @@
 #include <Eigen/QR>
 #include <fmt/format.h>
 
+#include "assessment/stability/buckling_check.h"
 #include "assessment/vibration/load_pace.h"
 #include "loads/history/motion_instants.h"
 
@@ -19,8 +20,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using loads::InstantLoad;
-
-constexpr double kFirstOrderIsEnough = 10.0;  // times its loads
 
 double pressed(const PartResult& result, const Swing& swing) {
   if (!result.buckling.factor) return 0.0;

@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 
 #include "assessment/vibration/load_pace.h"
-#include "base/messages/errors.h"
-#include "elasticity/vibration/eigenmodes.h"
 
 namespace clevis::assessment {
 namespace {
@@ -102,34 +100,16 @@ double pulse_amplification(double duration_over_period,
   return std::max(half_sine, step);
 }
 
-double first_period_of(const PartJob& job, const LoadSet& set) {
-  const bool is_simplex = job.mesh.shape == mesh::CellShape::kSimplex;
-  for (const int degree : {2, is_simplex ? 1 : 2}) {  // memory may hold less
-    try {
-      return elasticity::first_period<3>({.mesh = job.overall_mesh(),
-                                          .material = job.part.material,
-                                          .history = set.history,
-                                          .fixed = set.fixed,
-                                          .name = job.part.name,
-                                          .foundations = set.foundations},
-                                         degree);
-    } catch (const Error&) {
-      continue;
-    }
-  }
-  return longest_period(job, set);  // supports that hold it in a plane alone
-}
-
-std::vector<VibrationWindow> judge_load_pace(const PartJob& job,
-                                             const LoadSet& set,
+std::vector<VibrationWindow> judge_load_pace(const PartJob& job, std::size_t s,
+                                             HeldMotions& held,
                                              PartResult& result) {
-  const bool has_impacts =
-      &set == &job.load_sets.front() && !job.impact_loads.empty();
+  const LoadSet& set = job.load_sets[s];
+  const bool has_impacts = s == 0 && !job.impact_loads.empty();
   const dynamics::LoadPath components =
       load_components(job, followed_loads(set));
   bool slow = is_slow(job, set, components);
   if (slow && !has_impacts) return {};
-  const double first = first_period_of(job, set);
+  const double first = held.first_period(s);
   result.first_period = std::max(result.first_period.value_or(0.0), first);
   std::vector<VibrationWindow> windows;
   dynamics::ResponseSpectrum spectrum;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "assessment/job/part_job.h"
+#include "assessment/vibration/held_stretches.h"
 #include "assessment/vibration/vibration_times.h"
 
 namespace clevis::assessment {
@@ -18,15 +20,12 @@ double half_sine_amplification(double duration_over_period);
 double pulse_amplification(double duration_over_period,
                            double rise_over_period);
 
-/// Of the part with what the rest of the mechanism holds and adds [s].
-double first_period_of(const PartJob& job, const LoadSet& set);
-
 /// Puts each impact's duration over the part's first period into the result,
 /// and the change of the loads that excites it most; tells when the loads drive
 /// vibration that counts. None: those of the instants suffice.
 /// @param set  of the job; the first has the mechanism's impacts.
 std::vector<VibrationWindow> judge_load_pace(const PartJob& job,
-                                             const LoadSet& set,
+                                             std::size_t set, HeldMotions& held,
                                              PartResult& result);
 
 }  // namespace clevis::assessment

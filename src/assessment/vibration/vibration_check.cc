@@ -14,6 +14,7 @@
 #include "assessment/models/level.h"
 #include "assessment/models/model_list.h"
 #include "assessment/vibration/duration_ratio.h"
+#include "assessment/vibration/held_stretches.h"
 #include "assessment/vibration/load_pace.h"
 #include "assessment/vibration/vibrating_model.h"
 #include "base/messages/errors.h"
@@ -211,11 +212,45 @@ std::string not_known_spinning(const PartJob& job, const LoadSet& given,
       share);
 }
 
+/// Of the job's one load set.
+VibrationResult vibrate_held(const PartJob& job, const VibrationTimes& times) {
+  const LoadSet& set = job.load_sets.front();
+  VibrationResult found;
+  try {
+    const PartShape shape(job);
+    const Model& model = cheapest_in_time(shape);
+    found = std::visit(
+        [&]<int dim>(const FeModel<dim>& fe) {
+          return vibrate<dim>(job, *fe.mesh, set, times, model.traits.name);
+        },
+        model.make(shape, {}));
+  } catch (const Error& error) {
+    found.failure = fmt::format("{}: {}", error.code(), error.what());
+  }
+  found.from = times.swing.front().from;
+  found.to = times.swing.back().to;
+  return found;
+}
+
+/// Of two stretches of a motion: that with the larger peak, or the one that
+/// could not be computed.
+VibrationResult larger_of(VibrationResult a, VibrationResult b) {
+  const auto most = [](const VibrationResult& one) {
+    if (!one.failure.empty()) return HUGE_VAL;
+    return one.ratio ? *one.ratio * (1.0 + one.error()) : 0.0;
+  };
+  const double deflection = std::max(a.deflection, b.deflection);
+  VibrationResult& larger = most(a) > most(b) ? a : b;
+  larger.deflection = deflection;
+  return std::move(larger);
+}
+
 /// Of one load set; nothing where its loads are followed at rest.
-std::optional<VibrationResult> vibration_of(const PartJob& job,
-                                            const LoadSet& given,
+std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
+                                            HeldMotions& held,
                                             PartResult& result) {
-  VibrationTimes times{judge_load_pace(job, given, result), {}};
+  const LoadSet& given = job.load_sets[s];
+  VibrationTimes times{judge_load_pace(job, s, held, result), {}};
   if (!(judged_peak(result).value > 0.0)) return {};
   VibrationResult found;
   std::string unknown =
@@ -232,24 +267,19 @@ std::optional<VibrationResult> vibration_of(const PartJob& job,
   Stopwatch watch;
   PartJob moving = job;
   moving.load_sets = {followed_loads(given)};
-  const LoadSet& set = moving.load_sets.front();
-  times.swing =
-      swing_windows(times.driven, result.first_period.value(), job.part.damping,
-                    set.history.instants.back().time);
-  try {
-    const PartShape shape(moving);
-    const Model& model = cheapest_in_time(shape);
-    found = std::visit(
-        [&]<int dim>(const FeModel<dim>& fe) {
-          return vibrate<dim>(moving, *fe.mesh, set, times, model.traits.name);
-        },
-        model.make(shape, {}));
-  } catch (const Error& error) {
-    found.failure = fmt::format("{}: {}", error.code(), error.what());
+  LoadSet& set = moving.load_sets.front();
+  const auto windows = times.driven;
+  for (const HeldStretch& stretch : held.stretches(s)) {
+    times.driven = in_both(windows, stretch.windows);
+    // What is shorter than a step of the loads holds the part on its way.
+    if (instants_within(times.driven, set.history.instants).empty()) continue;
+    times.swing =
+        swing_windows(times.driven, result.first_period.value(),
+                      job.part.damping, set.history.instants.back().time);
+    set.history.hold_time = stretch.hold_time;
+    found = larger_of(std::move(found), vibrate_held(moving, times));
   }
   found.not_followed = unknown;
-  found.from = times.swing.front().from;
-  found.to = times.swing.back().to;
   found.seconds = watch.lap();
   return found;
 }
@@ -257,13 +287,13 @@ std::optional<VibrationResult> vibration_of(const PartJob& job,
 }  // namespace
 
 void check_vibration(const PartJob& job, const std::vector<InstantRow>& rows,
-                     PartResult& result) {
+                     HeldMotions& held, PartResult& result) {
   std::optional<VibrationResult> most;
   const double at_rest = result.deflection;
   double seconds = 0.0;
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const LoadSet& given = job.load_sets[s];
-    auto found = vibration_of(job, given, result);
+    auto found = vibration_of(job, s, held, result);
     if (!found) continue;
     seconds += found->seconds;
     if (found->ratio) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "assessment/job/part_job.h"
+#include "assessment/vibration/held_stretches.h"
 
 namespace clevis::assessment {
 
@@ -17,6 +18,6 @@ namespace clevis::assessment {
 /// degree, number of shapes, samples and what lies between the instants.
 /// @param rows  of the check at rest.
 void check_vibration(const PartJob& job, const std::vector<InstantRow>& rows,
-                     PartResult& result);
+                     HeldMotions& held, PartResult& result);
 
 }  // namespace clevis::assessment

@@ -15,7 +15,7 @@
 #include "beam/sections/pin_line.h"
 #include "beam/theory/formulas.h"
 #include "loads/history/balance.h"
-#include "loads/seats/holding_groups.h"
+#include "loads/holds/holding_groups.h"
 
 namespace clevis::beam {
 

@@ -2,7 +2,7 @@
 
 #include "beam/sections/pin_line.h"
 #include "loads/history/load_history.h"
-#include "loads/seats/holding_groups.h"
+#include "loads/holds/holding_groups.h"
 
 namespace clevis::beam {
 

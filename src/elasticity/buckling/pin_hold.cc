@@ -46,39 +46,57 @@ VectorXd surface_weights(const Discretization<3>& discretization,
   return weights;
 }
 
-/// Mean displacement (three rows) and mean rotation about the centre (three
-/// more), 6 × dofs: the rigid motion nearest to the weighted displacements.
+/// Mean displacement (three functionals) and mean rotation about the centre
+/// (three more): the rigid motion nearest to the weighted displacements.
 struct MeanMotion {
   Vector3d centre;
-  MatrixXd rows;
+  NodeFunctionals of;
 };
 MeanMotion mean_motion(const Eigen::Matrix3Xd& positions,
                        const VectorXd& weights) {
   MeanMotion motion;
-  motion.centre = positions * weights / weights.sum();
-  const MatrixXd modes = rigid_modes<3>(positions, motion.centre, 1.0);
-  VectorXd of_dofs(modes.rows());
   for (Index node = 0; node < weights.size(); ++node) {
-    of_dofs.segment<3>(3 * node).setConstant(weights[node]);
+    if (weights[node] != 0.0) motion.of.nodes.push_back(node);
+  }
+  const VectorXd weighing = weights(motion.of.nodes);
+  const Eigen::Matrix3Xd places = positions(Eigen::all, motion.of.nodes);
+  motion.centre = places * weighing / weighing.sum();
+  const MatrixXd modes = rigid_modes<3>(places, motion.centre, 1.0);
+  VectorXd of_dofs(modes.rows());
+  for (Index node = 0; node < weighing.size(); ++node) {
+    of_dofs.segment<3>(3 * node).setConstant(weighing[node]);
   }
   const MatrixXd weighted = (of_dofs.asDiagonal() * modes).transpose();
-  motion.rows = (weighted * modes).fullPivLu().solve(weighted);
+  motion.of.rows = (weighted * modes).fullPivLu().solve(weighted);
   return motion;
 }
 
 /// That of what is touched of a seat, about the seat's point.
 MeanMotion touched_motion(const Discretization<3>& discretization,
                           const TouchedSeats& touched, std::size_t s) {
-  return {touched.seats[s].p_LS,
-          seat_means(discretization, {touched.seats[s]}, {touched.zones[s]}, "")
-              .transpose()};
+  const MatrixXd columns =
+      seat_means(discretization, {touched.seats[s]}, {touched.zones[s]}, "");
+  MeanMotion motion;
+  motion.centre = touched.seats[s].p_LS;
+  for (Index node = 0; node < discretization.nodes; ++node) {
+    if (!columns.middleRows<3>(3 * node).isZero(0.0)) {
+      motion.of.nodes.push_back(node);
+    }
+  }
+  motion.of.rows.resize(columns.cols(), 3 * std::ssize(motion.of.nodes));
+  for (Index k = 0; k < std::ssize(motion.of.nodes); ++k) {
+    const Index node = motion.of.nodes[static_cast<std::size_t>(k)];
+    motion.of.rows.middleCols<3>(3 * k) =
+        columns.middleRows<3>(3 * node).transpose();
+  }
+  return motion;
 }
 
 /// Six conditions, not scaled.
-MatrixXd conditions(const Discretization<3>& discretization,
-                    const Eigen::Matrix3Xd& positions,
-                    const std::vector<std::string>& given,
-                    const TouchedSeats* touched) {
+NodeFunctionals conditions(const Discretization<3>& discretization,
+                           const Eigen::Matrix3Xd& positions,
+                           const std::vector<std::string>& given,
+                           const TouchedSeats* touched) {
   const auto motion_of = [&](const std::string& group) {
     if (touched != nullptr) {
       const auto seat =
@@ -99,26 +117,53 @@ MatrixXd conditions(const Discretization<3>& discretization,
                          return has_faces(discretization, name);
                        });
   if (groups.empty()) {
-    return mean_motion(positions, node_volumes<3>(discretization)).rows;
+    return mean_motion(positions, node_volumes<3>(discretization)).of;
   }
-  const auto first = motion_of(groups[0]);
-  if (groups.size() == 1) return first.rows;
+  auto first = motion_of(groups[0]);
+  if (groups.size() == 1) return std::move(first.of);
   const auto second = motion_of(groups[1]);
   const Vector3d line = second.centre - first.centre;
   const double size =
       (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).norm();
-  if (line.norm() <= kNearest * size) return first.rows;
+  if (line.norm() <= kNearest * size) return std::move(first.of);
   const Vector3d along = line.normalized();
   const Vector3d across = along.unitOrthogonal();
-  MatrixXd rows(6, first.rows.cols());
-  rows.topRows(3) = first.rows.topRows(3);
-  rows.row(3) = across.transpose() * second.rows.topRows(3);
-  rows.row(4) = along.cross(across).transpose() * second.rows.topRows(3);
-  rows.row(5) = along.transpose() * first.rows.bottomRows(3);
-  return rows;
+  NodeFunctionals both{first.of.nodes, {}};
+  std::ranges::copy(second.of.nodes, std::back_inserter(both.nodes));
+  const Index dofs = first.of.rows.cols();
+  both.rows = MatrixXd::Zero(6, dofs + second.of.rows.cols());
+  auto of_first = both.rows.leftCols(dofs);
+  auto of_second = both.rows.rightCols(second.of.rows.cols());
+  of_first.topRows(3) = first.of.rows.topRows(3);
+  of_second.row(3) = across.transpose() * second.of.rows.topRows(3);
+  of_second.row(4) =
+      along.cross(across).transpose() * second.of.rows.topRows(3);
+  of_first.row(5) = along.transpose() * first.of.rows.bottomRows(3);
+  return both;
 }
 
 }  // namespace
+
+MatrixXd NodeFunctionals::of(const MatrixXd& u) const {
+  MatrixXd here(rows.cols(), u.cols());
+  for (Index column = 0; column < u.cols(); ++column) {
+    for (Index k = 0; k < std::ssize(nodes); ++k) {
+      here.col(column).segment<3>(3 * k) =
+          u.col(column).segment<3>(3 * nodes[static_cast<std::size_t>(k)]);
+    }
+  }
+  return product(rows, here);
+}
+
+void NodeFunctionals::add(const MatrixXd& amounts, MatrixXd& forces) const {
+  const MatrixXd here = transposed_product(rows, amounts);
+  for (Index column = 0; column < forces.cols(); ++column) {
+    for (Index k = 0; k < std::ssize(nodes); ++k) {
+      forces.col(column).segment<3>(3 * nodes[static_cast<std::size_t>(k)]) +=
+          here.col(column).segment<3>(3 * k);
+    }
+  }
+}
 
 PinHold::PinHold(const Discretization<3>& discretization,
                  const std::vector<std::string>& groups,
@@ -127,12 +172,13 @@ PinHold::PinHold(const Discretization<3>& discretization,
   const double size =
       (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).norm();
   rigid_ = rigid_modes<3>(positions, positions.rowwise().mean(), size);
-  const MatrixXd rows = conditions(discretization, positions, groups, touched);
-  conditions_ = product(rows, rigid_).fullPivLu().inverse() * rows;
+  conditions_ = conditions(discretization, positions, groups, touched);
+  conditions_.rows =
+      (conditions_.of(rigid_).fullPivLu().inverse() * conditions_.rows).eval();
 }
 
 MatrixXd PinHold::broken(const MatrixXd& u) const {
-  return product(conditions_, u);
+  return conditions_.of(u);
 }
 
 MatrixXd PinHold::project(const MatrixXd& u) const {
@@ -140,7 +186,9 @@ MatrixXd PinHold::project(const MatrixXd& u) const {
 }
 
 MatrixXd PinHold::balance(const MatrixXd& f) const {
-  return f - transposed_product(conditions_, transposed_product(rigid_, f));
+  MatrixXd balanced = f;
+  conditions_.add(-transposed_product(rigid_, f), balanced);
+  return balanced;
 }
 
 }  // namespace clevis::elasticity

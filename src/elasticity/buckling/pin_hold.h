@@ -16,6 +16,17 @@ struct TouchedSeats {
   std::vector<loads::ContactZone> zones;  ///< one per seat
 };
 
+/// Linear functionals of displacements at some nodes.
+struct NodeFunctionals {
+  std::vector<Eigen::Index> nodes;  ///< one may stand there twice
+  Eigen::MatrixXd rows;             ///< functionals × 3 nodes
+
+  /// Of displacements u, dofs × columns [m].
+  Eigen::MatrixXd of(const Eigen::MatrixXd& u) const;
+  /// Adds amounts of theirs, functionals × columns, to forces, dofs × columns.
+  void add(const Eigen::MatrixXd& amounts, Eigen::MatrixXd& forces) const;
+};
+
 /// How pins hold a free part as a whole, and no more: the mean displacement of
 /// the first group's surface, that of the second across the line between both,
 /// and the first's mean rotation about that line. With one group, or two about
@@ -45,7 +56,7 @@ class PinHold {
 
  private:
   Eigen::MatrixXd rigid_;       ///< rigid motions, dofs × 6
-  Eigen::MatrixXd conditions_;  ///< 6 × dofs, of unit effect on rigid_
+  NodeFunctionals conditions_;  ///< six, of unit effect on rigid_
 };
 
 }  // namespace clevis::elasticity

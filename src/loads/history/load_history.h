@@ -94,14 +94,18 @@ struct LoadHistory {
   double followed_until = std::numeric_limits<double>::infinity();
   /// Motion::step_behind [s].
   double step_behind = 0.0;
-  /// Of the part in its mechanism, when its loads are largest; empty: it is
-  /// free.
-  std::function<SeatHold()> hold = {};
+  /// Of the part in its mechanism, at the instant next to a time [s]; empty: it
+  /// is free.
+  std::function<SeatHold(double)> hold = {};
+  /// When it counts: the loads are largest then [s].
+  double hold_time = 0.0;
   /// Of rows of a file; nothing: a motion, or cases.
   std::optional<part::BetweenRows> rows = std::nullopt;
   /// Possible excess of loads between instants over those at the instants,
   /// over the largest [1].
   double unseen = 0.0;
+  /// The share of it that joints carry at change points [1].
+  double at_change_points = 0.0;
   /// The same where seats travel: a bending moment that is a parabola of the
   /// place rises by the square of a step over all the way in between [1].
   double slide_excess = 0.0;

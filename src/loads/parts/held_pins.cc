@@ -218,9 +218,10 @@ void hold_by_pins(const std::vector<std::string>& bores,
                              .p_LS = group.cylinder.p_LC});
     instant.wrenches.push_back(reactions[i]);
   }
-  history.hold = [held = held_by(bores, groups, place, history.seats.size())] {
-    return SeatHold{.held = held, .weighed = MatrixXd(held.rows(), 0)};
-  };
+  history.hold =
+      [held = held_by(bores, groups, place, history.seats.size())](double) {
+        return SeatHold{.held = held, .weighed = MatrixXd(held.rows(), 0)};
+      };
   const Imbalance rest = imbalance(history, instant, mass, size);
   if (rest.relative() <= kLargestRelief) return;
   refuse_turn(bores, find_group(groups, bores.front(), place).cylinder.axis_L,

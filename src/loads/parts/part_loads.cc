@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -14,11 +13,12 @@
 #include "base/messages/errors.h"
 #include "loads/history/balance.h"
 #include "loads/history/motion_instants.h"
+#include "loads/holds/hold_over_motion.h"
+#include "loads/holds/seat_hold.h"
 #include "loads/parts/axis_loads.h"
 #include "loads/seats/force_seats.h"
 #include "loads/seats/part_seats.h"
 #include "loads/seats/seat_fit.h"
-#include "loads/seats/seat_hold.h"
 #include "loads/seats/seat_spans.h"
 #include "loads/seats/slide_zone.h"
 
@@ -79,20 +79,6 @@ RigidAcceleration rigid_acceleration(const mechanism::BodyState& state,
   return {.acceleration = R_LW * (state.a_WLo - gravity_W),
           .alpha = R_LW * state.alpha_WL,
           .omega = R_LW * state.w_WL};
-}
-
-/// Asked for first when it is needed, worked out once; copies share it.
-std::function<SeatHold()> found_once(std::function<SeatHold()> find) {
-  struct Found {
-    std::once_flag once;
-    SeatHold hold;
-  };
-  return [found = std::make_shared<Found>(), find = std::move(find)] {
-    std::call_once(found->once, [&] {
-      found->hold = find();
-    });
-    return found->hold;
-  };
 }
 
 /// All instants in the order of time; nothing if none repeats another.
@@ -255,6 +241,7 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
     constexpr double kBetween = 0.05;  // where instants alone were looked at
     history.unseen =
         std::max(history.unseen, beyond + (motion.search ? 0.0 : kBetween));
+    history.at_change_points = beyond / history.unseen;
   }
   require_still_forces(context, by_force, motion);
   require_balance(history, mass, context.size, context.place("loads"));
@@ -265,15 +252,19 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
   history.slide_excess = std::pow(longest_slide_step(history), 2);
   if (!history.instants.empty()) {
     const std::size_t hardest = hardest_instant(history.instants);
-    history.hold = found_once(
-        [shared =
-             std::make_shared<const mechanism::MechanismDefinition>(definition),
-         at = given.instants[hardest], body, seats = history.seats,
-         zones = history.instants[hardest].zones] {
-          SeatHold hold = seat_hold(*shared, at, body, seats);
-          hold.zones = zones;
-          return hold;
-        });
+    history.hold_time = history.instants[hardest].time;
+    std::vector<HoldOverMotion::Place> places;
+    for (std::size_t i = 0; i < history.instants.size(); ++i) {
+      const auto& zones = history.instants[i].zones;
+      if (i == hardest || !zones.empty()) {
+        places.push_back({given.instants[i], zones});
+      }
+    }
+    history.hold =
+        [hold = std::make_shared<HoldOverMotion>(
+             definition, body, history.seats, std::move(places))](double time) {
+          return hold->at(time);
+        };
   }
   return history;
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/check/check_quantities.h"
+#include "report/parts/limit_quantities.h"
 #include "report/parts/part_impact_output.h"
 #include "report/parts/part_quantities.h"
 #include "report/parts/peak_quantities.h"
@@ -96,26 +97,6 @@ ordered_json pin_reactions_json(const PartResult& part) {
   return list;
 }
 
-ordered_json limits_json(const CheckReport& report, const std::string& part) {
-  ordered_json limits = {{"safety_factor", nullptr},
-                         {"deflection_mm", nullptr},
-                         {"buckling", nullptr},
-                         {"singular_zones", "count"}};
-  const auto found = report.limits.find(part);
-  if (found == report.limits.end()) return limits;
-  if (found->second.safety_factor) {
-    limits["safety_factor"] = *found->second.safety_factor;
-  }
-  if (found->second.deflection) {
-    limits["deflection_mm"] = millimetres(*found->second.deflection);
-  }
-  if (found->second.buckling) limits["buckling"] = *found->second.buckling;
-  if (found->second.exclude_singular_zones) {
-    limits["singular_zones"] = "exclude";
-  }
-  return limits;
-}
-
 /// The peak away from the zones, whose numbers are there already.
 void add_outside_peak(const PartResult& part, ordered_json& json) {
   constexpr const char* kKey = "peak_outside_singular_zones";
@@ -131,7 +112,10 @@ ordered_json part_json(const CheckReport& report, const PartResult& part) {
   add_outside_peak(part, json);
   json["notes"] = part.notes;
   json["singular_zones"] = zones_json(part.singular_zones);
-  json["limits"] = limits_json(report, part.name);
+  const auto limits = report.limits.find(part.name);
+  json["limits"] = quantities_json(
+      limits != report.limits.end() ? limits->second : part::Limits{},
+      limit_quantities());
   json["impacts"] = part_impacts_json(part);
   json["impact_durations"] = duration_ratios_json(part);
   json["vibration"] = vibration_json(part);

@@ -13,6 +13,7 @@
 #include "report/compare/transmission_reader.h"
 #include "report/machine/bearing_quantities.h"
 #include "report/parts/impact_quantities.h"
+#include "report/parts/limit_quantities.h"
 #include "report/parts/part_quantities.h"
 #include "report/parts/probe_quantities.h"
 #include "report/summary/mechanism_quantities.h"
@@ -67,6 +68,8 @@ Subject vibration_subject(const std::string& name, const Node& vibration) {
 void add_part(const Node& part, std::vector<Subject>& subjects) {
   const std::string name = part.at("name").text();
   subjects.push_back(stored_subject("part " + name, part_quantities(), part));
+  subjects.push_back(stored_subject("limits of " + name, limit_quantities(),
+                                    part.at("limits")));
   if (part.has("impacts")) {
     for (const Node& blow : part.at("impacts").elements()) {
       add_blow(name, blow, subjects);

@@ -6,6 +6,7 @@
 #include "report/check/check_quantities.h"
 #include "report/machine/bearing_quantities.h"
 #include "report/parts/impact_quantities.h"
+#include "report/parts/limit_quantities.h"
 #include "report/parts/part_quantities.h"
 #include "report/parts/probe_quantities.h"
 #include "report/summary/mechanism_quantities.h"
@@ -57,6 +58,7 @@ std::vector<ToleranceRule> all_rules() {
   add("joint", joint_quantities(), rules);
   add("drive", drive_quantities(), rules);
   add("part", part_quantities(), rules);
+  add("limits", limit_quantities(), rules);
   add("impact", blow_quantities(), rules);
   add("model of an impact", blow_model_quantities(), rules);
   add("vibration", vibration_quantities(), rules);

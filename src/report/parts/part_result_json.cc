@@ -51,7 +51,7 @@ namespace clevis::assessment {
 
 CLEVIS_PIPED(SequenceMember, degree, dofs, peak, strain_energy, label,
              field_peak, deflection)
-CLEVIS_PIPED(ErrorShares, mesh, model, time, sharing)
+CLEVIS_PIPED(ErrorShares, mesh, model, time, sharing, change_points)
 CLEVIS_PIPED(PeakStress, value, band_low, band_high, discretization_error,
              model_error, shares, has_band, verdict, at, group, instant, label,
              sequence, degree_nearby, field_maximum, jump)
@@ -95,10 +95,11 @@ CLEVIS_PIPED(PartResult, name, verdict, why, model, engine, engine_why,
              stopped_because, notes, dofs, cells, load_columns, peak,
              singular_zones, peak_outside, held, safety_factor, deflection,
              deflection_low, deflection_high, deflection_at, deflection_instant,
-             strain_energy, strain_energy_instant, mean_strain_energy,
-             strain_energy_error, buckling, second_order, finite_motion, beam,
-             self_checks, probes, seconds, mass, first_period, impacts,
-             duration_ratios, vibration, swings, pin_reactions)
+             deflection_label, deflection_set, strain_energy,
+             strain_energy_instant, mean_strain_energy, strain_energy_error,
+             buckling, second_order, finite_motion, beam, self_checks, probes,
+             seconds, mass, first_period, impacts, duration_ratios, vibration,
+             swings, pin_reactions)
 
 #undef CLEVIS_PIPED
 

@@ -15,6 +15,8 @@ Quantities<ErrorShares> share_rows() {
       quantity<S>({"time_error", "/time", "MPa", "time_error"}, &S::time),
       quantity<S>({"sharing_error", "/sharing", "MPa", "sharing_error"},
                   &S::sharing),
+      quantity<S>({"change_point_error", "/change_points", "MPa"},
+                  &S::change_points),
   };
 }
 

@@ -151,7 +151,8 @@ TEST(Vibration, DampingLowersIt) {
 TEST(DurationRatios, PeriodIsOfTheMeshBeforeItsRefinement) {
   const auto period_of = [](const PartJob& job) {
     PartResult result;
-    judge_load_pace(job, job.load_sets.front(), result);
+    HeldMotions held(job);
+    judge_load_pace(job, 0, held, result);
     return result.first_period.value();
   };
   const PartJob fine = bar(0.8 * transit());
@@ -254,7 +255,7 @@ TEST(Vibration, GroundHoldsASeat) {
                    .kind = loads::SeatKind::kTraction,
                    .p_LS = Vector3d::Zero()};
   set.history.seats = {seat};
-  set.history.hold = [] {
+  set.history.hold = [](double) {
     return loads::SeatHold{.held = Eigen::MatrixXd::Identity(6, 6),
                            .weighed = Eigen::MatrixXd(6, 0)};
   };

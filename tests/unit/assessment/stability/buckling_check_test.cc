@@ -60,7 +60,7 @@ PartJob column(double pressure) {
 
 BucklingCheck buckling_of(const PartJob& job) {
   BucklingModel model(job);
-  return check_buckling(job, model);
+  return check_buckling(job, {}, model);
 }
 
 double euler(double pressure) {

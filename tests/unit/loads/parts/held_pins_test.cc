@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "base/messages/errors.h"
+#include "loads/holds/holding_groups.h"
 #include "loads/parts/case_loads.h"
 #include "loads/parts/part_loads.h"
-#include "loads/seats/holding_groups.h"
 
 namespace clevis::loads {
 namespace {

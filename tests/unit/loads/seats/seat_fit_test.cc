@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "base/messages/errors.h"
+#include "loads/holds/seat_hold.h"
 #include "loads/seats/part_seats.h"
-#include "loads/seats/seat_hold.h"
 
 namespace clevis::loads {
 namespace {

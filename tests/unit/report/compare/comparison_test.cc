@@ -22,8 +22,9 @@ TEST(Comparison, SameResultDoesNotMoveAndAllIsCompared) {
   const Comparison comparison = compare_with_sample(sample_report());
   EXPECT_EQ(regressions(comparison), "");
   EXPECT_FALSE(is_regression(comparison));
-  // 2 check, 3 mechanism, 2 × 3 joints, 2 × 2 drives, 2 × (19 + 2 probes).
-  EXPECT_EQ(comparison.rows.size(), 2u + 3u + 6u + 4u + 42u);
+  // 2 check, 3 mechanism, 2 × 3 joints, 2 × 2 drives, 2 × (19 + 2 probes),
+  // the limits that are given.
+  EXPECT_EQ(comparison.rows.size(), 2u + 3u + 6u + 4u + 42u + 4u);
 }
 
 TEST(Comparison, HalfAPercentOfStressIsCaughtATenthIsNot) {
@@ -241,11 +242,27 @@ TEST(Comparison, PlaceInstantAndModelAreNotedUnlessAsked) {
   EXPECT_EQ(regressions(compare(result, baseline, strict)), "");
 }
 
-TEST(Comparison, MissingAndNewSubjectsAreRegressions) {
+TEST(Comparison, LoosenedLimitIsARegression) {
   EXPECT_EQ(regressions_after([](Report& report, Part&) {
-              report.parts.pop_back();
+              report.limits["DCE"].safety_factor = 0.5;
             }),
-            "part BC, probe BC/D stress_yy, probe BC/T displacement_x");
+            "limits of DCE limit_safety_factor");
+  EXPECT_EQ(regressions_after([](Report& report, Part&) {
+              report.limits["DCE"].deflection.reset();
+            }),
+            "limits of DCE limit_deflection");
+  EXPECT_EQ(regressions_after([](Report& report, Part&) {
+              report.limits["BC"].exclude_singular_zones = true;
+            }),
+            "limits of BC limit_singular_zones");
+}
+
+TEST(Comparison, MissingAndNewSubjectsAreRegressions) {
+  EXPECT_EQ(
+      regressions_after([](Report& report, Part&) {
+        report.parts.pop_back();
+      }),
+      "part BC, limits of BC, probe BC/D stress_yy, probe BC/T displacement_x");
   EXPECT_EQ(regressions_after([](Report& report, Part&) {
               report.mechanism->joints.push_back({"new", {}, {}});
             }),

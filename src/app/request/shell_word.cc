@@ -1,4 +1,4 @@
-#include "app/variants/shell_word.h"
+#include "app/request/shell_word.h"
 
 #include <string_view>
 

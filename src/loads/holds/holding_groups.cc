@@ -1,4 +1,4 @@
-#include "loads/seats/holding_groups.h"
+#include "loads/holds/holding_groups.h"
 
 #include <algorithm>
 
@@ -69,7 +69,7 @@ MatrixXd orthonormal(const MatrixXd& columns) {
 
 std::vector<Hold> holds_of(const LoadHistory& history) {
   const double size = size_of(history.seats);
-  MatrixXd held = history.hold().held;
+  MatrixXd held = history.hold(history.hold_time).held;
   for (Index row = 0; row < held.rows(); ++row) {
     if (row % kWrench >= 3) held.row(row) /= size;
   }

@@ -1,4 +1,4 @@
-#include "loads/seats/holding_groups.h"
+#include "loads/holds/holding_groups.h"
 
 #include <utility>
 
@@ -20,7 +20,7 @@ LoadHistory lever(const MatrixXd& held) {
       {.name = "A", .group = "bore_A"},
       {.name = "drive A", .group = "bore_A"},
       {.name = "B", .group = "bore_B", .p_LS = kLength * Vector3d::UnitX()}};
-  history.hold = [held] {
+  history.hold = [held](double) {
     return SeatHold{.held = held};
   };
   return history;

@@ -1,4 +1,4 @@
-#include "loads/seats/seat_hold.h"
+#include "loads/holds/seat_hold.h"
 
 #include <algorithm>
 #include <utility>
