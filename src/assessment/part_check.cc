@@ -23,7 +23,7 @@
 #include "assessment/notes/shear_doubt.h"
 #include "assessment/stability/buckling_check.h"
 #include "assessment/stability/second_order_check.h"
-#include "assessment/stability/sharing_check.h"
+#include "assessment/sharing/sharing_check.h"
 #include "assessment/vibration/vibration_check.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"

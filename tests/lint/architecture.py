@@ -152,7 +152,8 @@ ROOMS = {
         "ladder": "one model with rising degrees until its band is narrow enough",
         "impact": "blows in time, by beam theory and finite elements",
         "vibration": "what loads over time excite",
-        "stability": "buckling, second order, and open reactions shared otherwise",
+        "sharing": "reactions that equilibrium leaves open, shared otherwise",
+        "stability": "buckling and second order",
     },
     "report": {
         "text": "files, tables, JSON and terminals",

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """A link on two hinges to the ground, pulled along itself: equilibrium leaves
 open how they share the pull, so its band must hold for every sharing. Each is
-checked alone with compliances given that make it all but certain. A beam on seven feet:
-the band holds that the outer two carry it alone.
+checked alone with compliances given that make it all but certain. Beams on feet: the
+band holds that the outer two of seven carry one alone, and the least that three can do.
 
     open_sharing.py CLEVIS SOURCE_DIR
 """
@@ -45,6 +45,11 @@ limits = {{ safety_factor = 1 }}
 """
 
 
+COMPLIANCE = """compliance = {{ force = [{force}, {force}, {force}], \
+moment = [{turn}, {turn}, {turn}] }}
+"""
+
+
 def joint(name, x, compliance):
     at = f'["{x} mm", "0 mm", "0 mm"]'
     text = f"""
@@ -57,9 +62,7 @@ axis = [0, 0, 1]
 """
     if compliance is None:
         return text
-    force, turn = f'"{compliance} m/N"', '"1e-6 rad/(N m)"'
-    return text + f"""compliance = {{ force = [{force}, {force}, {force}], moment = [{turn}, {turn}, {turn}] }}
-"""
+    return text + COMPLIANCE.format(force=f'"{compliance} m/N"', turn='"1e-6 rad/(N m)"')
 
 
 def check(folder, a, b, strength=1e4, pull=PULL):
@@ -72,70 +75,112 @@ def check(folder, a, b, strength=1e4, pull=PULL):
     return found.peak, found.band, found.part["verdict"], found.text
 
 
-FEET, APART, HEIGHT, THICK, PRESS = 7, 40, 20, 10, 3000.0  # mm, N
+HEIGHT, THICK, PRESS = 20, 10, 3000.0  # mm, N
 
 
-def beam_geometry():
-    """With a bore for each foot, pressed on 8 mm of its upper side."""
-    last, top = (FEET - 1) * APART, HEIGHT / 2
-    feet = [(f"c{i}", APART * i) for i in range(FEET)]
+def beam_geometry(feet, presses):
+    """With a bore for each foot, pressed on 8 mm of its upper side; places in mm."""
+    last, top = feet[-1], HEIGHT / 2
+    lines = "".join(f"Point({901 + 3 * k}) = {{{x - 4}, {top}, 0}}; Point({902 + 3 * k}) = "
+                    f"{{{x + 4}, {top}, 0}}; Line({903 + 3 * k}) = "
+                    f"{{{901 + 3 * k}, {902 + 3 * k}}};\n" for k, x in enumerate(presses))
+    curves = ", ".join(str(903 + 3 * k) for k in range(len(presses)))
     return f"""SetFactory("OpenCASCADE");
 Rectangle(1) = {{-15, {-top}, 0, {last + 30}, {HEIGHT}}};
-Point(901) = {{{last / 2 - 4}, {top}, 0}}; Point(902) = {{{last / 2 + 4}, {top}, 0}};
-Line(903) = {{901, 902}};
-BooleanFragments{{ Surface{{1}}; Delete; }}{{ Curve{{903}}; Delete; }}
-""" + "".join(f"Disk({10 + i}) = {{{x}, 0, 0, 2}};\n" for i, (_, x) in enumerate(feet)) + f"""\
-BooleanDifference(5) = {{ Surface{{1}}; Delete; }}{{ Surface{{10:{9 + FEET}}}; Delete; }};
+{lines}BooleanFragments{{ Surface{{1}}; Delete; }}{{ Curve{{{curves}}}; Delete; }}
+""" + "".join(f"Disk({10 + i}) = {{{x}, 0, 0, 2}};\n" for i, x in enumerate(feet)) + f"""\
+BooleanDifference(5) = {{ Surface{{1}}; Delete; }}{{ Surface{{10:{9 + len(feet)}}}; Delete; }};
 Physical Surface("body") = {{5}};
-t() = Curve In BoundingBox {{{last / 2 - 5}, {top - 1}, -1, {last / 2 + 5}, {top + 1}, 1}};
-Physical Curve("top") = {{t()}};
-MeshSize{{:}} = 8;
-""" + "".join(f"""{c}() = Curve In BoundingBox {{{x - 3}, -3, -1, {x + 3}, 3, 1}};
-Physical Curve("bore_{c}") = {{{c}()}}; Transfinite Curve{{{c}()}} = 9;
-""" for c, x in feet) + "Mesh.RecombineAll = 1; Mesh.ElementOrder = 2;\n"
+""" + "".join(f"""t() = Curve In BoundingBox {{{x - 5}, {top - 1}, -1, {x + 5}, {top + 1}, 1}};
+Physical Curve("top{k}") = {{t()}};
+""" for k, x in enumerate(presses)) + "MeshSize{:} = 8;\n" + "".join(
+        f"""c{i}() = Curve In BoundingBox {{{x - 3}, -3, -1, {x + 3}, 3, 1}};
+Physical Curve("bore_c{i}") = {{c{i}()}}; Transfinite Curve{{c{i}()}} = 9;
+""" for i, x in enumerate(feet)) + "Mesh.RecombineAll = 1; Mesh.ElementOrder = 2;\n"
 
 
-def check_feet(folder, checks):
-    """A beam on more feet than all corners of their compliances can be tried for: the
-    outer two alone may carry it, with F l/4."""
-    support.gmsh(folder, beam_geometry(), "bar", 2)
-    feet = "".join(f"""[[joint]]
+def beam_on_feet(folder, feet, presses, strength, given=None):
+    """Each foot a hinge to the ground, PRESS at each of the presses. given: what the
+    feet carry [N], typed by hand."""
+    support.gmsh(folder, beam_geometry(feet, presses), "bar", 2)
+    hinges = "".join(f"""[[joint]]
 name = "F{i}"
 type = "revolute"
 between = ["ground", "bar"]
 at = {{ ground = {place}, bar = {place} }}
 axis = [0, 0, 1]
-""" for i, place in enumerate(scene_text.lengths((APART * i, 0, 0)) for i in range(FEET)))
-    pins = ", ".join(f'F{i} = "bore_c{i}"' for i in range(FEET))
-    last = (FEET - 1) * APART
-    outer = PRESS * last / 4 * 6 / (THICK * HEIGHT**2)
-    strength = 0.98 * outer
-    scene = folder / "feet.toml"
-    scene.write_text(scene_text.head("feet", support.steel(strength=strength)) +
-                     scene_text.part_body("bar") + feet + f"""[[force]]
-name = "press"
+""" for i, place in enumerate(scene_text.lengths((x, 0, 0)) for x in feet))
+    pins = ", ".join(f'F{i} = "bore_c{i}"' for i in range(len(feet)))
+    seats = ", ".join(f'press{k} = {{ face = "top{k}" }}' for k in range(len(presses)))
+    loads = "".join(f"""[[force]]
+name = "press{k}"
 type = "constant"
 body = "bar"
-point = ["{last / 2} mm", "0 mm", "0 mm"]
+point = ["{x} mm", "0 mm", "0 mm"]
 force = ["0 N", "{-PRESS} N", "0 N"]
-[simulation]
+""" for k, x in enumerate(presses))
+    head = scene_text.head("feet", support.steel(strength=strength))
+    mechanism = scene_text.part_body("bar") + hinges + loads + """[simulation]
 duration = "1 s"
 instants = 2
-{scene_text.BAR}thickness = "{THICK} mm"
+"""
+    seated = f"pins = {{ {pins} }}\nforces = {{ {seats} }}\n"
+    if given:
+        head = scene_text.head("feet", support.steel(strength=strength), "")
+        mechanism, seated = "", ""
+    scene = folder / "feet.toml"
+    scene.write_text(head + mechanism + f"""{scene_text.BAR}thickness = "{THICK} mm"
+{seated}limits = {{ safety_factor = 1 }}
+""" + (carried(given, len(presses)) if given else ""))
+    return support.check(CLEVIS, scene, exits=support.JUDGED)
+
+
+def carried(feet, presses):
+    """A case: forces of the feet [N] and, as an even traction, of the presses."""
+    pins = ", ".join(f'bore_c{i} = ["0 N", "{force} N", "0 N"]'
+                     for i, force in enumerate(feet))
+    tractions = ", ".join(f'top{k} = ["0 MPa", "{-PRESS / (8 * THICK)} MPa", "0 MPa"]'
+                          for k in range(presses))
+    return f"""[[part.case]]
+name = "carried"
 pins = {{ {pins} }}
-forces = {{ press = {{ face = "top" }} }}
-limits = {{ safety_factor = 1 }}
-""")
-    found = support.check(CLEVIS, scene, exits=support.JUDGED)
-    checks.holds(found.band, outer, f"{FEET} feet: the outer two alone")
+traction = {{ {tractions} }}
+"""
+
+
+def check_feet(folder, checks):
+    """A beam on more feet than all corners of their compliances can be tried for: the
+    outer two alone may carry it, with F l/4."""
+    feet = [40 * i for i in range(7)]
+    outer = PRESS * feet[-1] / 4 * 6 / (THICK * HEIGHT**2)
+    strength = 0.98 * outer
+    found = beam_on_feet(folder, feet, [feet[-1] / 2], strength)
+    checks.holds(found.band, outer, "seven feet: the outer two alone")
     checks.expect(found.part["verdict"] == "not judged",
-                  f"{FEET} feet, a strength of {strength:.0f} MPa: {found}")
+                  f"seven feet, a strength of {strength:.0f} MPa: {found}")
+
+
+def check_spans(folder, checks):
+    """Two spans pressed in their middles: of feet that do not give way the middle one
+    carries 11/8 of a press, which stresses the beam less than any corner of the feet's
+    compliances does, and than rigid beams on equal feet do."""
+    places = [0, 160, 320], [80, 240]
+    stiff = beam_on_feet(folder, *places, strength=1e4,
+                         given=[5 / 16 * PRESS, 11 / 8 * PRESS, 5 / 16 * PRESS])
+    strength = 1.2 * stiff.peak
+    found = beam_on_feet(folder, *places, strength=strength)
+    checks.holds(found.band, stiff.peak, "two spans on stiff feet")
+    checks.expect(found.peak > strength, "two spans: equal feet make more")
+    checks.expect(found.part["verdict"] == "not judged",
+                  f"two spans, a strength of {strength:.0f} MPa: {found}")
 
 
 def main():
     checks = support.Checks()
     with tempfile.TemporaryDirectory() as name:
         check_feet(Path(name), checks)
+    with tempfile.TemporaryDirectory() as name:
+        check_spans(Path(name), checks)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         # one carries next to all: 1e-12 against 1e-7 m/N

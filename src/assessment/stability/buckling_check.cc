@@ -7,12 +7,11 @@
 #include <utility>
 
 #include "assessment/stability/buckling_model.h"
-#include "assessment/stability/sharing_check.h"
+#include "assessment/sharing/sharing_check.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
 #include "elasticity/buckling/buckling.h"
 #include "loads/history/motion_instants.h"
-#include "loads/holds/holding_groups.h"
 #include "loads/holds/slide_places.h"
 #include "part/buckling_limit.h"
 
@@ -33,13 +32,19 @@ constexpr double kThrice = 3.0;
 struct Candidate {
   std::size_t set{};
   loads::LoadHistory history;
-  std::vector<std::vector<std::string>> holds;
+  std::vector<elasticity::HoldingSeats> holds;
   bool is_motion = false;
   std::optional<elasticity::NodalField<3>> known = {};  ///< by the last degree
   double factor{};                                      ///< likewise
-  /// What holds it of slides; nothing: all of their groups.
-  std::optional<elasticity::TouchedSeats> touched = {};
 };
+
+/// A hold where its slides are at an instant.
+elasticity::HoldingSeats of_instant(elasticity::HoldingSeats hold,
+                                    const loads::InstantLoad& instant) {
+  if (hold.touched) hold.touched->zones = instant.zones;
+  hold.instants.clear();
+  return hold;
+}
 
 /// The lowest factor of candidates, which are left with the instant, the hold
 /// and the shape that govern each.
@@ -63,14 +68,13 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
         .foundations = set.foundations,
         .plane = space.plane ? &*space.plane : nullptr,
         .known = candidate.known ? &*candidate.known : nullptr,
-        .highest = highest,
-        .touched = candidate.touched ? &*candidate.touched : nullptr};
+        .highest = highest};
     model.factor(set, problem);
     auto mode = elasticity::lowest_buckling(problem);
     const auto instant =
         candidate.history.instants[static_cast<std::size_t>(mode.instant)];
     candidate.history.instants = {instant};
-    candidate.holds = {candidate.holds[mode.hold]};
+    candidate.holds = {of_instant(candidate.holds[mode.hold], instant)};
     if (mode.shape.size() > 0) candidate.known = {space.whole, mode.shape};
     candidate.factor = mode.factor;
     if (best && best->mode.factor <= mode.factor) continue;
@@ -194,12 +198,57 @@ BucklingCheck climb(const PartJob& job, BucklingModel& model, double swing,
   return check;
 }
 
+/// Largest force on a seat [N].
+double largest_force(const loads::InstantLoad& instant) {
+  double most = 0.0;
+  for (const auto& wrench : instant.wrenches) {
+    most = std::max(most, wrench.force.norm());
+  }
+  return most;
+}
+
+bool has_slide(const elasticity::HoldingSeats& hold,
+               const std::vector<loads::Seat>& seats) {
+  return std::ranges::any_of(seats, [&](const loads::Seat& seat) {
+    return seat.slide &&
+           std::ranges::find(hold.groups, seat.group) != hold.groups.end();
+  });
+}
+
+/// Adds to the ways in which a motion's part is held those by what its slides
+/// touch of their walls, at a few places of these: at each where the forces of
+/// its instants are largest.
+void hold_by_touched(Candidate& motion) {
+  const loads::LoadHistory& history = motion.history;
+  const auto places = loads::slide_places(history, 0.0);
+  std::map<int, std::vector<Eigen::Index>> at_place;
+  for (std::size_t i = 0; i < places.of.size(); ++i) {
+    if (places.of[i] == loads::SlidePlaces::kUnknown) continue;
+    at_place[places.of[i]].push_back(static_cast<Eigen::Index>(i));
+  }
+  const auto whole = motion.holds;
+  for (const auto& [place, at] : at_place) {
+    const auto instant = [&](Eigen::Index i) -> const loads::InstantLoad& {
+      return history.instants[static_cast<std::size_t>(i)];
+    };
+    const auto hardest = std::ranges::max_element(at, {}, [&](Eigen::Index i) {
+      return largest_force(instant(i));
+    });
+    for (elasticity::HoldingSeats hold : whole) {
+      if (!has_slide(hold, history.seats)) continue;
+      hold.touched = {history.seats, instant(*hardest).zones};
+      hold.instants = at;
+      motion.holds.push_back(std::move(hold));
+    }
+  }
+}
+
 /// The loads as they are checked.
 std::vector<Candidate> checked_loads(const PartJob& job) {
   std::vector<Candidate> candidates;
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const LoadSet& set = job.load_sets[s];
-    const auto holds = loads::holding_groups(set.history);
+    const auto holds = holding_seats(set.history);
     const auto motion =
         static_cast<std::ptrdiff_t>(loads::motion_length(set.history));
     const auto& instants = set.history.instants;
@@ -211,6 +260,7 @@ std::vector<Candidate> checked_loads(const PartJob& job) {
                                                 instants.end());
       part.history.instants.resize(static_cast<std::size_t>(motion));
     }
+    if (set.fixed.empty() && set.foundations.empty()) hold_by_touched(part);
     candidates.push_back(std::move(part));
   }
   return candidates;
@@ -224,74 +274,9 @@ std::vector<Candidate> other_sharings(const PartJob& job) {
     if (sharing.others.empty()) continue;
     candidates.push_back({sharing.set,
                           {set.history.seats, heaviest_of_others(job, sharing)},
-                          loads::holding_groups(set.history)});
+                          holding_seats(set.history)});
   }
   return candidates;
-}
-
-/// Largest force on a seat [N].
-double largest_force(const loads::InstantLoad& instant) {
-  double most = 0.0;
-  for (const auto& wrench : instant.wrenches) {
-    most = std::max(most, wrench.force.norm());
-  }
-  return most;
-}
-
-/// Instants of a motion whose slides hold the part by what they touch of its
-/// walls: of each of a few places the one with the largest forces, and the one
-/// that buckles first where all of the walls hold.
-/// @param first  that one's time [s].
-std::vector<Candidate> touched_loads(const PartJob& job, double first) {
-  std::vector<Candidate> candidates;
-  for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
-    const LoadSet& set = job.load_sets[s];
-    if (!set.fixed.empty() || !set.foundations.empty()) continue;
-    const loads::LoadHistory& history = set.history;
-    const auto places = loads::slide_places(history, 0.0);
-    std::map<int, std::size_t> chosen;
-    for (std::size_t i = 0; i < places.of.size(); ++i) {
-      if (places.of[i] == loads::SlidePlaces::kUnknown) continue;
-      const int bin =
-          history.instants[i].time == first ? places.bins : places.of[i];
-      const auto [known, is_new] = chosen.try_emplace(bin, i);
-      if (!is_new && largest_force(history.instants[i]) >
-                         largest_force(history.instants[known->second])) {
-        known->second = i;
-      }
-    }
-    const auto holds = loads::holding_groups(history);
-    for (const auto& [bin, i] : chosen) {
-      Candidate candidate{s, history, holds, true};
-      candidate.history.instants = {history.instants[i]};
-      candidate.touched = {history.seats, history.instants[i].zones};
-      candidates.push_back(std::move(candidate));
-    }
-  }
-  return candidates;
-}
-
-/// The lower of both, instant by instant of motions.
-void take_lower(BucklingCheck other, BucklingCheck& check) {
-  if (!other.result.factor) {
-    check.result.remark = other.result.remark;
-    return;
-  }
-  auto& of_motions = other.result.of_motions;
-  for (std::size_t s = 0; s < of_motions.size(); ++s) {
-    of_motions[s] = std::min(of_motions[s], check.result.of_motions[s]);
-  }
-  other.of_lowest_degree =
-      std::max(check.of_lowest_degree, other.of_lowest_degree);
-  other.result.band_low =
-      std::min(other.result.band_low, check.result.band_low);
-  if (*other.result.factor < *check.result.factor) {
-    check = std::move(other);
-    return;
-  }
-  check.of_lowest_degree = other.of_lowest_degree;
-  check.result.band_low = other.result.band_low;
-  check.result.of_motions = std::move(of_motions);
 }
 
 /// Pressure counts as a dead load. A fluid's turns with its face: a ring, or a
@@ -330,10 +315,6 @@ BucklingCheck check_buckling(const PartJob& job,
   if (check.result.factor && !others.empty()) {
     const auto of_others = climb(job, model, swing, std::move(others)).result;
     check.result.band_low = std::min(check.result.band_low, of_others.band_low);
-  }
-  auto touched = touched_loads(job, check.result.instant);
-  if (check.result.factor && !touched.empty()) {
-    take_lower(climb(job, model, swing, std::move(touched)), check);
   }
   if (check.shape) lower_for_fluids(job, check.result);
   check.seconds = watch.lap();

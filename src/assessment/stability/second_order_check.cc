@@ -22,7 +22,6 @@
 #include "base/messages/errors.h"
 #include "elasticity/buckling/second_order.h"
 #include "elasticity/problem/dof_limit.h"
-#include "loads/holds/holding_groups.h"
 #include "part/buckling_limit.h"
 #include "stress/field/deflection.h"
 #include "stress/zones/zone_mask.h"
@@ -82,7 +81,7 @@ class SetCheck {
         .material = job_.part.material,
         .history = history,
         .fixed = set_.fixed,
-        .holds = loads::holding_groups(set_.history),
+        .holds = holding_seats(set_.history),
         .name = job_.part.name,
         .foundations = set_.foundations,
         .plane = space_.plane ? &*space_.plane : nullptr};

@@ -196,7 +196,7 @@ BucklingMode lowest_near(const StressedPart& part, const VectorXd& shape) {
   return best;
 }
 
-/// The largest 1/λ of all instants with one hold.
+/// The largest 1/λ of a hold's instants.
 /// @param space  takes in what is found.
 BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
                          TrialSpace& space) {
@@ -212,7 +212,7 @@ BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
     Index next = -1;
     double expected = -1.0;
     for (Index i = 0; i < part.instants(); ++i) {
-      if (solved.contains(i)) continue;
+      if (solved.contains(i) || !part.part().is_held(hold, i)) continue;
       const double yield = space.yield(i, hold);
       if (next < 0 || yield > expected) {
         next = i;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,18 @@
 
 namespace clevis::elasticity {
 
+/// A way in which pins hold a free part as a whole (PinHold).
+struct HoldingSeats {
+  std::vector<std::string> groups;
+  /// Of the slides among them, what is touched; nothing: all of their groups.
+  std::optional<TouchedSeats> touched = {};
+  std::vector<Eigen::Index> instants = {};  ///< rising; empty: all
+
+  bool is_at(Eigen::Index instant) const {
+    return instants.empty() || std::ranges::binary_search(instants, instant);
+  }
+};
+
 /// A part and the loads that may buckle it.
 struct BucklingProblem {
   Discretization<3> discretization;
@@ -24,9 +38,9 @@ struct BucklingProblem {
   const loads::LoadHistory& history;
   /// Components held at zero; empty: a free part in balance.
   part::Supports fixed;
-  /// Of a free part: pairs of groups whose pins hold it as a whole (PinHold);
-  /// each is taken by itself, the lowest factor counts. Not empty.
-  std::vector<std::vector<std::string>> holds;
+  /// Of a free part; each is taken by itself, the lowest factor counts. The
+  /// first is at all instants.
+  std::vector<HoldingSeats> holds;
   std::string name;               ///< of the part, for messages
   part::Foundations foundations;  ///< elastic beds under faces
   /// Of a plate: what the discretisation is a layer over, of degree 3 through
@@ -38,8 +52,6 @@ struct BucklingProblem {
   /// degree. Null: none is known.
   const NodalField<3>* known = nullptr;
   double highest = 100.0;  ///< factors beyond are not looked for [1]
-  /// Of the slides among the holds; null: all of their groups holds.
-  const TouchedSeats* touched = nullptr;
 };
 
 }  // namespace clevis::elasticity

@@ -35,8 +35,9 @@ HeldPart::HeldPart(const BucklingProblem& problem)
                                        : energy_coordinates(problem)),
       pairs_(node_pairs(part_.cell_nodes, part_.nodes)) {
   if (!is_free_) return;
-  for (const auto& groups : problem.holds) {
-    holds_.emplace_back(part_, groups, problem.touched);
+  for (const HoldingSeats& hold : problem.holds) {
+    holds_.emplace_back(part_, hold.groups,
+                        hold.touched ? &*hold.touched : nullptr);
   }
 }
 

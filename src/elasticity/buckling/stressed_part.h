@@ -27,6 +27,10 @@ class HeldPart {
   /// Nothing but its inertia holds it.
   bool is_free() const { return is_free_; }
   std::size_t holds() const { return std::max<std::size_t>(1, holds_.size()); }
+  /// Whether a hold is one of an instant's.
+  bool is_held(std::size_t hold, Eigen::Index instant) const {
+    return holds_.empty() || problem_.holds[hold].is_at(instant);
+  }
   const NodePairs& pairs() const { return pairs_; }
   const EnergyCoordinates& coordinates() const { return *coordinates_; }
 

@@ -57,10 +57,11 @@ loads::LoadHistory one_instant(std::vector<loads::SurfaceLoad> surfaces) {
   return history;
 }
 
-BucklingMode buckling(
-    const mesh::PartMesh<3>& mesh, int degree, const part::Material& material,
-    const loads::LoadHistory& history, const part::Supports& fixed,
-    const std::vector<std::vector<std::string>>& holds = {{}}) {
+BucklingMode buckling(const mesh::PartMesh<3>& mesh, int degree,
+                      const part::Material& material,
+                      const loads::LoadHistory& history,
+                      const part::Supports& fixed,
+                      const std::vector<HoldingSeats>& holds = {{}}) {
   return lowest_buckling(
       {discretize<3>(mesh, degree), material, history, fixed, holds, "box"});
 }
@@ -137,8 +138,7 @@ struct PlateModes {
 };
 PlateModes plate_buckling(const loads::LoadHistory& history,
                           const part::Supports& fixed,
-                          const std::vector<std::vector<std::string>>& holds = {
-                              {}}) {
+                          const std::vector<HoldingSeats>& holds = {{}}) {
   auto plane =
       discretize<2>(support::structured_mesh<2>(
                         {10, 1}, 1,
@@ -171,7 +171,7 @@ TEST(Buckling, PlateByItsParityClasses) {
               kTolerance);
   EXPECT_NEAR(held.by_classes.factor / held.by_layer.factor, 1.0,
               kLayerRoundOff);
-  const auto free = plate_buckling(pressed_column(), {}, {{"x0", "x1"}});
+  const auto free = plate_buckling(pressed_column(), {}, {{{"x0", "x1"}}});
   EXPECT_NEAR(free.by_classes.factor / euler_factor(kSteel, 1.0), 1.0,
               kTolerance);
   EXPECT_NEAR(free.by_classes.factor / free.by_layer.factor, 1.0,
@@ -201,7 +201,7 @@ TEST(Buckling, ColumnFixedAndPinned) {
 // Nothing but the pins' means holds it: a free part of a mechanism.
 TEST(Buckling, ColumnBetweenPins) {
   const auto mode = buckling(box({10, 1, 1}, kColumn), 3, kSteel,
-                             pressed_column(), {}, {{"x0", "x1"}});
+                             pressed_column(), {}, {{{"x0", "x1"}}});
   EXPECT_NEAR(mode.factor / euler_factor(kSteel, 1.0), 1.0, kTolerance);
 }
 
@@ -244,7 +244,7 @@ TEST(Buckling, ColumnThatIsPulledDoesNotBuckle) {
     load.resultant.moment *= -1.0;
   }
   const auto mode = buckling(box({10, 1, 1}, kColumn), 2, kSteel, history, {},
-                             {{"x0", "x1"}});
+                             {{{"x0", "x1"}}});
   EXPECT_TRUE(mode.is_above);
   EXPECT_EQ(mode.factor, 100.0);
 }
@@ -310,7 +310,7 @@ TEST(Buckling, InstantThatPressesMostGoverns) {
     history.instants.push_back(instant);
   }
   const auto mode = buckling(box({10, 1, 1}, kColumn), 3, kSteel, history, {},
-                             {{"x0", "x1"}});
+                             {{{"x0", "x1"}}});
   EXPECT_EQ(mode.instant, 3);
   EXPECT_NEAR(mode.factor / euler_factor(kSteel, 1.0), 2.0, 2.0 * kTolerance);
 }

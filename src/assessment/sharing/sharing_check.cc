@@ -1,4 +1,4 @@
-#include "assessment/stability/sharing_check.h"
+#include "assessment/sharing/sharing_check.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,98 +6,18 @@
 #include <set>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "assessment/models/level.h"
-#include "assessment/models/model_list.h"
-#include "elasticity/problem/displacement_basis.h"
+#include "assessment/sharing/least_sharing.h"
+#include "assessment/sharing/rough_answers.h"
 #include "loads/history/balance.h"
-#include "stress/field/deflection.h"
-#include "stress/field/stress_history.h"
-#include "stress/zones/singular_zone.h"
-#include "stress/zones/zone_mask.h"
 
 namespace clevis::assessment {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
-constexpr int kSubdivisions = 4;
-constexpr int kPlaneDegree = 3;
-constexpr int kDegree = 2;
-constexpr int kTerms = 3;
-
-/// Per instant, away from all singular zones.
-struct Answers {
-  VectorXd stress;      ///< largest von Mises [Pa]
-  VectorXd deflection;  ///< largest [m]
-};
-
-template <int dim>
-VectorXd deflections(elasticity::DisplacementBasis<dim> basis,
-                     const LoadSet& set) {
-  if (set.fixed.empty() && set.foundations.empty()) {
-    stress::remove_rigid_motion<dim>(basis, reference_groups(set));
-  }
-  VectorXd largest(basis.coefficients.cols());
-  for (Index i = 0; i < largest.size(); ++i) {
-    const VectorXd u = basis.columns * basis.coefficients.col(i);
-    largest[i] = u.reshaped(dim, u.size() / dim).colwise().norm().maxCoeff();
-  }
-  return largest;
-}
-
-template <int dim>
-Answers answers_of(const PartJob& job, const LoadSet& set,
-                   const std::vector<stress::SingularZone>& zones,
-                   const elasticity::DisplacementBasis<dim>& basis) {
-  const auto zone_of =
-      stress::zone_of_points<dim>(basis.discretization, kSubdivisions, zones);
-  return {stress::peaks_outside<dim>(basis, job.part.material, kSubdivisions,
-                                     zone_of),
-          deflections<dim>(basis, set)};
-}
-
-/// By the cheapest model that suits the loads and is quick to look at.
-Answers rough_answers(const PartJob& job, const LoadSet& set) {
-  PartJob alone;
-  alone.part = job.part;
-  alone.mesh = job.mesh;
-  alone.load_sets = {set};
-  alone.engine = job.engine;
-  alone.is_shared = job.is_shared;
-  const PartShape shape(alone);
-  const auto answers = [&]<int dim>(const FeModel<dim>& model) {
-    const auto basis = model.solve({.mesh = *model.mesh,
-                                    .material = job.part.material,
-                                    .history = set.history,
-                                    .fixed = set.fixed,
-                                    .name = job.part.name,
-                                    .foundations = set.foundations,
-                                    .engine = job.engine,
-                                    .is_shared = job.is_shared},
-                                   dim == 2 ? kPlaneDegree : kDegree);
-    return answers_of<dim>(job, set, model.zones(set), basis);
-  };
-  return std::visit(answers, cheapest_for_many_instants(shape).make(
-                                 shape, {.terms = kTerms}));
-}
-
-/// Of one sharing: largest over its instants.
-struct Largest {
-  double stress{}, deflection{};
-};
-
-Largest largest_of(const Answers& answers, Index first, Index count) {
-  if (count == 0) return {};
-  return {answers.stress.segment(first, count).maxCoeff(),
-          answers.deflection.segment(first, count).maxCoeff()};
-}
 
 double load_of(const loads::InstantLoad& instant, double size) {
   double sum = 0.0;
@@ -128,8 +48,9 @@ std::size_t most_of_each(const OpenSharing& sharing) {
   return std::max(kFewest, kMostInstants / (sharing.others.size() + 1));
 }
 
-/// The sharing that was checked first, then the others.
-std::vector<Largest> compare(const PartJob& job, const OpenSharing& sharing) {
+/// The sharing that was checked first, then the others; last the least that
+/// any between them was found to reach.
+std::vector<RoughPeak> compare(const PartJob& job, const OpenSharing& sharing) {
   const double size = loads::part_size(job.groups, job.mass);
   const std::size_t most = most_of_each(sharing);
   LoadSet set = job.load_sets[sharing.set];
@@ -141,13 +62,14 @@ std::vector<Largest> compare(const PartJob& job, const OpenSharing& sharing) {
     set.history.instants.insert(set.history.instants.end(), instants.begin(),
                                 instants.end());
   }
-  const Answers answers = rough_answers(job, set);
-  std::vector<Largest> result;
+  const RoughAnswers answers = rough_answers(job, set);
+  std::vector<RoughPeak> result;
   Index first = 0;
   for (const std::size_t count : counts) {
     result.push_back(largest_of(answers, first, static_cast<Index>(count)));
     first += static_cast<Index>(count);
   }
+  result.push_back(least_sharing(job, sharing));
   return result;
 }
 
@@ -157,12 +79,12 @@ struct Factors {
 };
 
 /// @param fixed  what does not depend on the sharing.
-Factors factors_of(const std::vector<Largest>& sharings, double fixed,
-                   double Largest::*value, double margin) {
+Factors factors_of(const std::vector<RoughPeak>& sharings, double fixed,
+                   double RoughPeak::*value, double margin) {
   const double checked = std::max(fixed, sharings.front().*value);
   Factors factors;
   if (!(checked > 0.0)) return factors;
-  for (const Largest& sharing : sharings) {
+  for (const RoughPeak& sharing : sharings) {
     const double ratio = std::max(fixed, sharing.*value) / checked;
     factors.low = std::min(factors.low, ratio);
     factors.high = std::max(factors.high, ratio);
@@ -201,18 +123,18 @@ class CheckedAnswers {
       : job_(job), of_sets_(job.load_sets.size()) {}
 
   /// Of all loads but the shared ones, which no sharing changes.
-  Largest besides(const OpenSharing& sharing) {
+  RoughPeak besides(const OpenSharing& sharing) {
     std::set<std::string> shared;
     for (const auto& instant : sharing.checked.instants) {
       shared.insert(instant.label);
     }
-    Largest largest;
+    RoughPeak largest;
     for (std::size_t s = 0; s < of_sets_.size(); ++s) {
       const auto& instants = job_.load_sets[s].history.instants;
       for (std::size_t i = 0; i < instants.size(); ++i) {
         if (s == sharing.set && shared.contains(instants[i].label)) continue;
         const auto at = static_cast<Index>(i);
-        const Answers& answers = of_set(s);
+        const RoughAnswers& answers = of_set(s);
         largest.stress = std::max(largest.stress, answers.stress[at]);
         largest.deflection =
             std::max(largest.deflection, answers.deflection[at]);
@@ -222,14 +144,14 @@ class CheckedAnswers {
   }
 
  private:
-  const Answers& of_set(std::size_t s) {
+  const RoughAnswers& of_set(std::size_t s) {
     auto& answers = of_sets_[s];
     if (!answers) answers = rough_answers(job_, job_.load_sets[s]);
     return *answers;
   }
 
   const PartJob& job_;
-  std::vector<std::optional<Answers>> of_sets_;
+  std::vector<std::optional<RoughAnswers>> of_sets_;
 };
 
 }  // namespace
@@ -252,12 +174,12 @@ void check_sharing(const PartJob& job, PartResult& result) {
   for (const OpenSharing& sharing : job.open_sharings) {
     if (sharing.others.empty()) continue;
     const auto sharings = compare(job, sharing);
-    const Largest fixed = checked.besides(sharing);
+    const RoughPeak fixed = checked.besides(sharing);
     const double margin = sharing.is_complete ? 1.0 : kMarginOfSome;
     const Factors stress =
-        factors_of(sharings, fixed.stress, &Largest::stress, margin);
+        factors_of(sharings, fixed.stress, &RoughPeak::stress, margin);
     const Factors deflection =
-        factors_of(sharings, fixed.deflection, &Largest::deflection, margin);
+        factors_of(sharings, fixed.deflection, &RoughPeak::deflection, margin);
     widen(stress, deflection, result);
     if (stress.high - stress.low < kTold) continue;
     result.notes.push_back(fmt::format(
