@@ -223,6 +223,57 @@ limits = {{ safety_factor = 3, singular_zones = "exclude" }}
     return file
 
 
+def column(folder, strut, link):
+    """Welded at its foot, pressed by 4.5 kN at 495 mm through a strut of so many mm,
+    which ends in a slide along it. link: whether it is a body, else a rod of given
+    length."""
+    round_bar(folder, [(10, 1, "round_a"), (480, 32, "round_m"), (10, 1, "bore_B")])
+    end = 495 + strut
+    ram = scene_text.body("ram", "1 kg", "1e-3 kg m^2", origin=(end, 0, 0))
+    if link:
+        between = scene_text.body("strut", "1e-3 kg", "1e-6 kg m^2",
+                                  origin=((495 + end) / 2, 0, 0)) + scene_text.joint(
+            "B", "spherical", "bar", "strut", (495, 0, 0), (1, 0, 0)) + scene_text.joint(
+            "C", "universal", "strut", "ram", (end, 0, 0), (0, 1, 0)).replace(
+            "axis =", "normal = [0, 0, 1]\naxis =")
+    else:
+        between = scene_text.joint("B", "distance", "bar", "ram").replace(
+            'point = ["0 mm", "0 mm", "0 mm"]',
+            'at = { bar = ["495 mm", "0 mm", "0 mm"], ram = ["0 mm", "0 mm", "0 mm"] }')
+    file = folder / "scene.toml"
+    file.write_text(f"""{scene_text.head("column")}{scene_text.part_body("bar")}{ram}{between}
+{scene_text.joint("A", "weld", "ground", "bar")}
+{scene_text.joint("S", "prismatic", "ground", "ram", (end, 0, 0), (1, 0, 0))}
+[[force]]
+type = "constant"
+name = "push"
+body = "ram"
+point = ["0 mm", "0 mm", "0 mm"]
+force = ["-4.5 kN", "0 N", "0 N"]
+[simulation]
+duration = "1 s"
+instants = 2
+{scene_text.BAR}pins = {{ A = "left", B = "bore_B" }}
+limits = {{ safety_factor = 1.5, singular_zones = "exclude" }}
+[accuracy]
+peak_stress = "5 %"
+""")
+    return file
+
+
+def through_a_point(length, strut):
+    """Load of a column that is clamped at its foot, through a point a strut's length
+    behind its end: P = k² EI with tan kl = k (l + strut) [N]."""
+    low, high = 1e-6, math.pi / 2 / length * (1 - 1e-12)
+    for _ in range(200):
+        k = (low + high) / 2
+        if math.tan(k * length) < k * (length + strut):
+            low = k
+        else:
+            high = k
+    return low**2 * MODULUS * INERTIA
+
+
 def parallelogram(clevis, folder, moment):
     """A moment [N m] on the rocker; 15 instants, none near the change points. Beside
     them 10 N m make some 7 kN (166 MPa), 142 MPa are allowed."""
@@ -297,6 +348,15 @@ def main():
     deflection = part["deflection_mm"]
     checks.expect(bends < deflection < 1.15 * bends,
                   f"rod: bends by {deflection:.3f} mm, clamped there {bends:.3f} mm")
+
+    for strut, link in ((100, False), (100, True), (2000, False)):
+        part = check(column, strut, link).part
+        theory = through_a_point(495, strut) / 4500
+        factor = part["buckling"]["factor"]
+        checks.expect(abs(factor / theory - 1) < 0.02,
+                      f"column under a strut: {factor:.4f}, {theory:.4f} by theory")
+        checks.expect((part["verdict"] == "pass") == (theory > 1.5),
+                      f"column under a strut: {part['verdict']}")
 
     # Critical with the disc, 17/35 of the shaft's mass beside it: ω² = 48 EI/(l³ m).
     mass = 0.020 + 17 / 35 * DENSITY * math.pi / 4 * DIAMETER**2 * 490

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "assessment/stability/buckling_model.h"
 #include "assessment/sharing/sharing_check.h"
+#include "assessment/stability/buckling_model.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
 #include "elasticity/buckling/buckling.h"
@@ -52,6 +52,8 @@ struct Found {
   BucklingMode mode;
   std::string label;
   double instant{};
+  /// Factor of the stresses alone, without what following forces gain.
+  double by_stresses{};
 };
 Found lowest(const PartJob& job, const PartSpace& space, double highest,
              BucklingModel& model, std::vector<Candidate>& candidates) {
@@ -79,6 +81,12 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
     candidate.factor = mode.factor;
     if (best && best->mode.factor <= mode.factor) continue;
     best = {std::move(mode), instant.label, instant.time};
+    best->by_stresses = best->mode.factor;
+    if (instant.following.empty() || best->mode.is_above) continue;
+    problem.holds = candidate.holds;
+    problem.known = &*candidate.known;
+    problem.is_pushed = false;
+    best->by_stresses = elasticity::lowest_buckling(problem).factor;
   }
   return std::move(*best);
 }
@@ -162,7 +170,7 @@ void take(const PartJob& job, BucklingModel& model, int degree,
   }
   check.shape = shape_of(job, space.whole, found.mode);
   if (degree == model.lowest_degree()) {
-    check.of_lowest_degree = found.mode.factor;
+    check.of_lowest_degree = found.by_stresses;
   }
   set_band(before, found.mode.factor, check.result);
 }

@@ -29,7 +29,11 @@ MatrixXd yielding_shapes(const StressedPart& stressed) {
   constexpr Index kShapes = 8;
   const MassMatrix unit = stressed.stress().unit_stiffness(part.pairs());
   dynamics::BlockKrylov space(
-      part.answer_to(unit, 1.0, 0),
+      part.answer_to(
+          [&](const MatrixXd& u) {
+            return multiply(unit, u);
+          },
+          0),
       dynamics::random_block(part.equations(),
                              std::min(kBlock, part.equations())),
       {});
@@ -42,13 +46,13 @@ MatrixXd yielding_shapes(const StressedPart& stressed) {
 }
 
 /// Shapes that are tried with the stresses of every instant and every hold. The
-/// holds' differ by rotations of the whole part, which are among them.
+/// holds' differ by motions of the whole part, which are among them.
 class TrialSpace {
  public:
   TrialSpace(const StressedPart& stressed, const MatrixXd& unknowns)
       : stressed_(stressed),
         part_(stressed.part()),
-        shapes_(part_.rotations()),
+        shapes_(part_.rigid()),
         forms_(0, stressed.coefficients().rows()) {
     add(unknowns);
   }
@@ -56,6 +60,7 @@ class TrialSpace {
     const Index before = unknowns_.cols() > 0 ? shapes_.cols() : 0;
     append(unknowns, unknowns_);
     append(part_.shapes(unknowns, 0), shapes_);
+    means_ = stressed_.pushes().means(shapes_);
     const MatrixXd more = stressed_.stress().forms(shapes_, before);
     forms_.conservativeResize(forms_.rows() + more.rows(), Eigen::NoChange);
     forms_.bottomRows(more.rows()) = more;
@@ -92,10 +97,10 @@ class TrialSpace {
         metric.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
     of_hold_.clear();
     for (std::size_t hold = 0; hold < part_.holds(); ++hold) {
-      const MatrixXd rotations =
-          part_.broken_rotations(shapes_.rightCols(unknowns_.cols()), hold);
+      const MatrixXd rigid =
+          part_.broken(shapes_.rightCols(unknowns_.cols()), hold);
       MatrixXd shapes(shapes_.cols(), kept);
-      shapes << -rotations * to_orthonormal_, to_orthonormal_;
+      shapes << -rigid * to_orthonormal_, to_orthonormal_;
       of_hold_.push_back(std::move(shapes));
     }
   }
@@ -108,16 +113,19 @@ class TrialSpace {
     for (Index b = 0; b < m; ++b) {
       for (Index a = 0; a <= b; ++a) form(a, b) = form(b, a) = entries[pair++];
     }
+    form = -form;
+    stressed_.pushes().add_form(means_, instant, form);
     const MatrixXd& shapes = of_hold_[hold];
     return Eigen::SelfAdjointEigenSolver<MatrixXd>(
-        -shapes.transpose() * form * shapes, what);
+        shapes.transpose() * form * shapes, what);
   }
 
   const StressedPart& stressed_;
   const HeldPart& part_;
   MatrixXd unknowns_, to_orthonormal_;
-  MatrixXd shapes_;  ///< rotations, then those of the unknowns with one hold
+  MatrixXd shapes_;  ///< rigid ones, then those of the unknowns with one hold
   MatrixXd forms_;   ///< of the shapes, a column per load column
+  MatrixXd means_;   ///< of the shapes, at seats that are pushed
   /// Of each hold its orthonormal shapes, of shapes_.
   std::vector<MatrixXd> of_hold_;
 };
@@ -137,7 +145,12 @@ Yield largest_yield(const StressedPart& stressed, std::size_t hold,
   const HeldPart& part = stressed.part();
   const MassMatrix geometric = stressed.stress().stiffness(
       part.pairs(), stressed.coefficients().col(instant));
-  dynamics::BlockKrylov space(part.answer_to(geometric, -1.0, hold), start, {});
+  const auto forces = [&](const MatrixXd& u) {
+    MatrixXd pushing = -multiply(geometric, u);
+    stressed.pushes().add(u, instant, pushing);
+    return pushing;
+  };
+  dynamics::BlockKrylov space(part.answer_to(forces, hold), start, {});
   for (int step = 1;; ++step) {
     space.extend();
     const auto ritz = space.ritz_values();

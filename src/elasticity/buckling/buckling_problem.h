@@ -52,6 +52,7 @@ struct BucklingProblem {
   /// degree. Null: none is known.
   const NodalField<3>* known = nullptr;
   double highest = 100.0;  ///< factors beyond are not looked for [1]
+  bool is_pushed = true;   ///< by following forces (SeatPushes)
 };
 
 }  // namespace clevis::elasticity

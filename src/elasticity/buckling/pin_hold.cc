@@ -78,17 +78,7 @@ MeanMotion touched_motion(const Discretization<3>& discretization,
       seat_means(discretization, {touched.seats[s]}, {touched.zones[s]}, "");
   MeanMotion motion;
   motion.centre = touched.seats[s].p_LS;
-  for (Index node = 0; node < discretization.nodes; ++node) {
-    if (!columns.middleRows<3>(3 * node).isZero(0.0)) {
-      motion.of.nodes.push_back(node);
-    }
-  }
-  motion.of.rows.resize(columns.cols(), 3 * std::ssize(motion.of.nodes));
-  for (Index k = 0; k < std::ssize(motion.of.nodes); ++k) {
-    const Index node = motion.of.nodes[static_cast<std::size_t>(k)];
-    motion.of.rows.middleCols<3>(3 * k) =
-        columns.middleRows<3>(3 * node).transpose();
-  }
+  motion.of = nodes_of(columns);
   return motion;
 }
 
@@ -143,6 +133,22 @@ NodeFunctionals conditions(const Discretization<3>& discretization,
 }
 
 }  // namespace
+
+NodeFunctionals nodes_of(const MatrixXd& columns) {
+  NodeFunctionals found;
+  for (Index node = 0; 3 * node < columns.rows(); ++node) {
+    if (!columns.middleRows<3>(3 * node).isZero(0.0)) {
+      found.nodes.push_back(node);
+    }
+  }
+  found.rows.resize(columns.cols(), 3 * std::ssize(found.nodes));
+  for (Index k = 0; k < std::ssize(found.nodes); ++k) {
+    const Index node = found.nodes[static_cast<std::size_t>(k)];
+    found.rows.middleCols<3>(3 * k) =
+        columns.middleRows<3>(3 * node).transpose();
+  }
+  return found;
+}
 
 MatrixXd NodeFunctionals::of(const MatrixXd& u) const {
   MatrixXd here(rows.cols(), u.cols());

@@ -23,9 +23,13 @@ struct NodeFunctionals {
 
   /// Of displacements u, dofs × columns [m].
   Eigen::MatrixXd of(const Eigen::MatrixXd& u) const;
-  /// Adds amounts of theirs, functionals × columns, to forces, dofs × columns.
+  /// Adds amounts of theirs [N], functionals × columns, to forces, dofs ×
+  /// columns [N].
   void add(const Eigen::MatrixXd& amounts, Eigen::MatrixXd& forces) const;
 };
+
+/// Of functionals as columns over all degrees of freedom, weights.
+NodeFunctionals nodes_of(const Eigen::MatrixXd& columns);
 
 /// How pins hold a free part as a whole, and no more: the mean displacement of
 /// the first group's surface, that of the second across the line between both,

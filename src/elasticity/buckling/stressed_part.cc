@@ -46,14 +46,12 @@ MatrixXd HeldPart::shapes(const MatrixXd& unknowns, std::size_t hold) const {
   return holds_.empty() ? u : holds_[hold].project(u);
 }
 
-MatrixXd HeldPart::rotations() const {
-  return holds_.empty() ? MatrixXd(part_.dofs(), 0)
-                        : holds_[0].rigid().rightCols<3>();
+MatrixXd HeldPart::rigid() const {
+  return holds_.empty() ? MatrixXd(part_.dofs(), 0) : holds_[0].rigid();
 }
 
-MatrixXd HeldPart::broken_rotations(const MatrixXd& u, std::size_t hold) const {
-  return holds_.empty() ? MatrixXd(0, u.cols())
-                        : holds_[hold].broken(u).bottomRows<3>();
+MatrixXd HeldPart::broken(const MatrixXd& u, std::size_t hold) const {
+  return holds_.empty() ? MatrixXd(0, u.cols()) : holds_[hold].broken(u);
 }
 
 MatrixXd HeldPart::unknowns(const MatrixXd& u) const {
@@ -65,14 +63,15 @@ MatrixXd HeldPart::answer(const MatrixXd& forces, std::size_t hold) const {
                                                : holds_[hold].balance(forces));
 }
 
-dynamics::SelfAdjoint HeldPart::answer_to(const MassMatrix& matrix, double sign,
-                                          std::size_t hold) const {
+dynamics::SelfAdjoint HeldPart::answer_to(
+    std::function<MatrixXd(const MatrixXd&)> forces, std::size_t hold) const {
   return {equations(),
           [](const MatrixXd& y) {
             return y;
           },
-          [this, &matrix, sign, hold](const MatrixXd& y, const MatrixXd&) {
-            return answer(sign * multiply(matrix, shapes(y, hold)), hold);
+          [this, forces = std::move(forces), hold](const MatrixXd& y,
+                                                   const MatrixXd&) {
+            return answer(forces(shapes(y, hold)), hold);
           }};
 }
 
@@ -87,7 +86,11 @@ double HeldPart::lowest_frequency(std::size_t hold) const {
   constexpr Eigen::Index kBlock = 4;
   const MassMatrix matrix = mass();
   dynamics::BlockKrylov space(
-      answer_to(matrix, 1.0, hold),
+      answer_to(
+          [&](const MatrixXd& u) {
+            return multiply(matrix, u);
+          },
+          hold),
       dynamics::random_block(equations(), std::min(kBlock, equations())), {});
   double theta = 0.0;
   for (int step = 0; step < kMostSteps && !space.is_closed(); ++step) {
@@ -100,7 +103,11 @@ double HeldPart::lowest_frequency(std::size_t hold) const {
 }
 
 StressedPart::StressedPart(const BucklingProblem& problem, const HeldPart& part)
-    : part_(part), highest_(problem.highest) {
+    : part_(part),
+      highest_(problem.highest),
+      pushes_(problem.discretization,
+              problem.is_pushed ? problem.history : loads::LoadHistory{},
+              problem.name) {
   const Discretization<3>& space = problem.discretization;
   const double density = problem.material.density;
   LoadBasis loads = load_columns(space, problem.history, density, problem.name);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "elasticity/buckling/buckling_problem.h"
 #include "elasticity/buckling/energy_coordinates.h"
 #include "elasticity/buckling/pin_hold.h"
+#include "elasticity/buckling/seat_pushes.h"
 
 namespace clevis::elasticity {
 
@@ -37,19 +39,20 @@ class HeldPart {
   /// Displacements as the hold has them.
   Eigen::MatrixXd shapes(const Eigen::MatrixXd& unknowns,
                          std::size_t hold) const;
-  /// Rotations of a free part as a whole, dofs × 3; of a held one none.
-  Eigen::MatrixXd rotations() const;
-  /// Of rotations(): what of displacements the hold takes out.
-  Eigen::MatrixXd broken_rotations(const Eigen::MatrixXd& u,
-                                   std::size_t hold) const;
+  /// Motions of a free part as a whole, dofs × 6, pure numbers; of a held one
+  /// none.
+  Eigen::MatrixXd rigid() const;
+  /// Of rigid(), 6 × columns: what of displacements [m] the hold takes out.
+  Eigen::MatrixXd broken(const Eigen::MatrixXd& u, std::size_t hold) const;
   /// Y of a displacement, whatever rigid motion is in it: Fᵀ φ = F⁻¹ K φ.
   Eigen::MatrixXd unknowns(const Eigen::MatrixXd& u) const;
   /// F⁻¹ of nodal forces, balanced by the hold's reactions.
   Eigen::MatrixXd answer(const Eigen::MatrixXd& forces, std::size_t hold) const;
-  /// F⁻¹ (sign · S) F⁻ᵀ: K⁻¹ S as it acts on Y, without a product with K.
-  /// @param matrix  S, of nodes; outlives the operator.
-  dynamics::SelfAdjoint answer_to(const MassMatrix& matrix, double sign,
-                                  std::size_t hold) const;
+  /// F⁻¹ S F⁻ᵀ: K⁻¹ S as it acts on Y, without a product with K.
+  /// @param forces  S u [N] on displacements [m], dofs × columns.
+  dynamics::SelfAdjoint answer_to(
+      std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)> forces,
+      std::size_t hold) const;
   MassMatrix mass() const;
   /// Of its vibrations at rest [rad/s].
   double lowest_frequency(std::size_t hold) const;
@@ -79,6 +82,7 @@ class StressedPart {
   double highest() const { return highest_; }
   const Eigen::MatrixXd& coefficients() const { return coefficients_; }
   const InitialStress& stress() const { return *stress_; }
+  const SeatPushes& pushes() const { return pushes_; }
   /// Unknowns of linear theory under the load columns.
   const Eigen::MatrixXd& loaded() const { return loaded_; }
 
@@ -88,6 +92,7 @@ class StressedPart {
   Eigen::MatrixXd coefficients_;
   Eigen::MatrixXd loaded_;  ///< unknowns of the load columns
   std::unique_ptr<InitialStress> stress_;
+  SeatPushes pushes_;
 };
 
 }  // namespace clevis::elasticity

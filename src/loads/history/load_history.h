@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -58,6 +59,13 @@ struct RigidAcceleration {
   Eigen::Vector3d omega = Eigen::Vector3d::Zero();         ///< [rad/s]
 };
 
+/// What a force on a seat gains as the seat moves, because its line goes
+/// through a point of another body: a link that presses pushes on across.
+struct FollowingForce {
+  std::size_t seat{};
+  Eigen::Matrix3d gain = Eigen::Matrix3d::Zero();  ///< symmetric, in L [N/m]
+};
+
 /// All loads of a part at an instant (or in a case); in balance unless fixed.
 struct InstantLoad {
   std::string label;             ///< "t = 0.31 s" or the case's name
@@ -68,6 +76,7 @@ struct InstantLoad {
   /// The same groups in the same order at every instant of a history.
   std::vector<SurfaceLoad> surface_loads;
   RigidAcceleration rigid;
+  std::vector<FollowingForce> following = {};
   /// Of a case: what its loads leave, which `rigid` takes up; about Lo.
   Wrench relief = {};
 };

@@ -13,6 +13,7 @@
 #include "base/messages/errors.h"
 #include "loads/history/balance.h"
 #include "loads/history/motion_instants.h"
+#include "loads/holds/following_forces.h"
 #include "loads/holds/hold_over_motion.h"
 #include "loads/holds/seat_hold.h"
 #include "loads/parts/axis_loads.h"
@@ -227,6 +228,8 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
       if (seat.pressurized.empty()) continue;
       add_pressure(pressure_of(instant, seat), seat.pressurized, load);
     }
+    load.following = following_forces(context, instant, by_joint, by_force,
+                                      by_joint.size() + by_drive.size());
     history.instants.push_back(std::move(load));
   }
   history.followed_until = motion.followed_until;
