@@ -92,8 +92,11 @@ class SetCheck {
       lowest.push_back(looked_.may_be_fast ? held.lowest_frequency(hold)
                                            : HUGE_VAL);
     }
-    if (looked_.may_be_fast) bound_with_neighbours(lowest, found);
-    if (looked_.pressed == 0.0 && is_slow(std::ranges::min(lowest))) return;
+    const auto with =
+        looked_.may_be_fast ? with_neighbours(lowest) : std::nullopt;
+    if (looked_.pressed == 0.0 && is_slow(std::ranges::min(lowest)) && !with) {
+      return;
+    }
     const SecondOrderPart part(problem, held);
     if (!part.is_stressed()) return;
     common_ = common_load(looked_, part.coefficients());
@@ -103,6 +106,7 @@ class SetCheck {
         });
     for (std::size_t hold = 0; hold < held.holds() && found.is_stable; ++hold) {
       look_at(part, hold, lowest[hold], found);
+      if (with) bound_with_neighbours(*with, found);
     }
   }
 
@@ -119,26 +123,31 @@ class SetCheck {
   }
 
   /// Masses that the mechanism adds, as a disc on a shaft, lower the frequency
-  /// beside which the part spins: their share of the rise is bounded.
+  /// beside which the part spins [rad/s]; nothing: it does not count.
   /// @param lowest  frequencies of the part alone [rad/s].
-  void bound_with_neighbours(const std::vector<double>& lowest,
-                             SecondOrderResult& found) {
+  std::optional<double> with_neighbours(const std::vector<double>& lowest) {
     constexpr double kAdded = 0.95;
-    if (!set_.history.hold ||
-        set_.history.hold(set_.history.hold_time).weighed.cols() == 0)
-      return;
+    const auto& history = set_.history;
+    if (!history.hold || history.hold(history.hold_time).weighed.cols() == 0) {
+      return std::nullopt;
+    }
     const double with =
         2.0 * std::numbers::pi / held_.first_period(looked_.set);
-    if (with > kAdded * std::ranges::min(lowest) || is_slow(with)) return;
-    double fastest = 0.0;
-    for (const InstantLoad& instant : looked_.instants) {
-      fastest = std::max(fastest, instant.rigid.omega.norm());
+    if (with > kAdded * std::ranges::min(lowest) || is_slow(with)) {
+      return std::nullopt;
     }
-    const double rise =
-        rise_at(looked_.pressed + fastest * fastest / (with * with));
-    found.bound = std::max(found.bound, rise * swing_.stress * judged_.value);
-    found.deflection_bound =
-        std::max(found.deflection_bound, rise * result_.deflection);
+    return with;
+  }
+
+  /// Their share of the rise is bounded.
+  /// @param with  frequency with them [rad/s].
+  void bound_with_neighbours(double with, SecondOrderResult& found) const {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const double more = yield(points_[i], with);
+      found.bound = std::max(found.bound, at_most(i, true, more));
+      found.deflection_bound =
+          std::max(found.deflection_bound, at_most(i, false, more));
+    }
   }
 
   /// Of the lattice: in any zone, where one is left out.
@@ -192,14 +201,15 @@ class SetCheck {
   }
 
   /// What the instant reaches at most [Pa] or [m].
-  double at_most(std::size_t i, bool by_stress) const {
+  /// @param yield  1/λ + (Ω/ω)².
+  double at_most(std::size_t i, bool by_stress, double yield) const {
     const LinearPoint& of = linear_[i];
     const double value = by_stress ? of.peak : of.deflects;
     const double spun =
         std::min(value, by_stress ? common_peak_ : common_deflection_);
     const double swung =
         by_stress ? swing(points_[i]).stress : swing(points_[i]).deflection;
-    return swung * (value + (rise_at(yields_[i]) - 1.0) *
+    return swung * (value + (rise_at(yield) - 1.0) *
                                 (is_spun_in_part(points_[i]) ? spun : value));
   }
 
@@ -211,7 +221,7 @@ class SetCheck {
     std::vector<LoadPoint> solved;
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) {
-      return at_most(i, by_stress);
+      return at_most(i, by_stress, yields_[i]);
     });
     const double admitted = by_stress ? admitted_peak_ : admitted_deflection_;
     double& bound = by_stress ? found.bound : found.deflection_bound;
@@ -223,10 +233,10 @@ class SetCheck {
       const LoadPoint& point = points_[i];
       if (!(yields_[i] > 0.0)) continue;
       const bool decides =
-          at_most(i, by_stress) > admitted || yields_[i] >= 1.0;
+          at_most(i, by_stress, yields_[i]) > admitted || yields_[i] >= 1.0;
       if (!decides && !is_first) continue;
       if (left_ <= 0) {
-        bound = std::max(bound, at_most(i, by_stress));
+        bound = std::max(bound, at_most(i, by_stress, yields_[i]));
         continue;
       }
       if (std::ranges::none_of(solved, [&](const LoadPoint& known) {
@@ -238,7 +248,7 @@ class SetCheck {
         take(part, point, linear_[i], yields_[i], hold, found);
       }
       if (decides && !follow_on(part, hold, i, by_stress, found)) {
-        bound = std::max(bound, at_most(i, by_stress));
+        bound = std::max(bound, at_most(i, by_stress, yields_[i]));
       }
       if (!found.is_stable || !found.failure.empty()) return;
     }

@@ -105,8 +105,8 @@ std::vector<VibrationWindow> judge_load_pace(const PartJob& job, std::size_t s,
                                              PartResult& result) {
   const LoadSet& set = job.load_sets[s];
   const bool has_impacts = s == 0 && !job.impact_loads.empty();
-  const dynamics::LoadPath components =
-      load_components(job, followed_loads(set));
+  const LoadSet motion = followed_loads(set);
+  const dynamics::LoadPath components = load_components(job, motion);
   bool slow = is_slow(job, set, components);
   if (slow && !has_impacts) return {};
   const double first = held.first_period(s);
@@ -115,7 +115,9 @@ std::vector<VibrationWindow> judge_load_pace(const PartJob& job, std::size_t s,
   dynamics::ResponseSpectrum spectrum;
   if (!slow) {
     spectrum = load_spectrum(job, components, first);
-    slow = spectrum.amplification <= kPaceCounts;
+    slow =
+        spectrum.amplification <= kPaceCounts ||
+        (spins_fast(job, motion, first) && stand_in_space(job, motion, first));
   }
   if (!slow) {
     const auto& time = components.time();

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 
 #include "loads/history/motion_instants.h"
 
@@ -14,6 +16,7 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// Forces, and moments over the size, that act on the surface and, of a mass in
@@ -93,7 +96,7 @@ LoadSet followed_loads(const LoadSet& set) {
 namespace {
 
 /// Axis of the least inertia, in L.
-Eigen::Vector3d length_axis(const PartJob& job) {
+Vector3d length_axis(const PartJob& job) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> inertia(
       job.mass.inertia_LCm);
   return inertia.eigenvectors().col(0);
@@ -102,7 +105,7 @@ Eigen::Vector3d length_axis(const PartJob& job) {
 }  // namespace
 
 double spin_about_length(const PartJob& job, const LoadSet& set) {
-  const Eigen::Vector3d axis = length_axis(job);
+  const Vector3d axis = length_axis(job);
   double most = 0.0;
   for (const loads::InstantLoad& instant : set.history.instants) {
     most = std::max(most, std::abs(instant.rigid.omega.dot(axis)));
@@ -110,30 +113,118 @@ double spin_about_length(const PartJob& job, const LoadSet& set) {
   return most;
 }
 
-LoadSet unspun_loads(const PartJob& job, LoadSet motion) {
-  const Eigen::Vector3d axis = length_axis(job);
-  double angle = 0.0, time = 0.0, spin = 0.0;
-  bool is_first = true;
-  for (loads::InstantLoad& instant : motion.history.instants) {
-    const double now = instant.rigid.omega.dot(axis);
-    if (!is_first) angle += 0.5 * (now + spin) * (instant.time - time);
-    is_first = false;
-    time = instant.time;
-    spin = now;
+namespace {
+
+/// The angle by which the part has turned about its length at each instant.
+VectorXd turned(const LoadSet& motion, const Vector3d& axis) {
+  const auto& instants = motion.history.instants;
+  VectorXd angles = VectorXd::Zero(static_cast<Index>(instants.size()));
+  for (Index i = 1; i < angles.size(); ++i) {
+    const auto& before = instants[static_cast<std::size_t>(i - 1)];
+    const auto& here = instants[static_cast<std::size_t>(i)];
+    angles[i] = angles[i - 1] +
+                0.5 * (here.time - before.time) *
+                    (here.rigid.omega.dot(axis) + before.rigid.omega.dot(axis));
+  }
+  return angles;
+}
+
+/// Visits the vectors of an instant's loads that turn with the part.
+template <class Visit>
+void visit_vectors(loads::InstantLoad& instant, const Visit& visit) {
+  for (loads::Wrench& wrench : instant.wrenches) {
+    visit(wrench.force);
+    visit(wrench.moment);
+  }
+  for (auto& load : instant.surface_loads) {
+    visit(load.resultant.force);
+    visit(load.resultant.moment);
+  }
+  visit(instant.rigid.acceleration);
+  visit(instant.rigid.alpha);
+}
+
+/// Takes out what of the loads turns with a part that turns on at one speed:
+/// the even share of each component beside sine and cosine of its angle.
+void take_common_out(const VectorXd& angles, LoadSet& motion) {
+  auto& instants = motion.history.instants;
+  MatrixXd terms(angles.size(), 3);
+  terms << VectorXd::Ones(angles.size()), angles.array().cos().matrix(),
+      angles.array().sin().matrix();
+  std::vector<std::vector<Vector3d*>> vectors;
+  for (loads::InstantLoad& instant : instants) {
+    auto& of_instant = vectors.emplace_back();
+    visit_vectors(instant, [&](Vector3d& vector) {
+      of_instant.push_back(&vector);
+    });
+  }
+  const Eigen::ColPivHouseholderQR<MatrixXd> fit(terms);
+  for (std::size_t k = 0; k < vectors.front().size(); ++k) {
+    MatrixXd values(angles.size(), 3);
+    for (Index i = 0; i < angles.size(); ++i) {
+      values.row(i) = vectors[static_cast<std::size_t>(i)][k]->transpose();
+    }
+    const Vector3d even = fit.solve(values).row(0);
+    for (auto& of_instant : vectors) *of_instant[k] -= even;
+  }
+}
+
+/// The motion's loads as they stand in space, turned by the part's spin, less
+/// what turns with it.
+LoadSet loads_in_space(const PartJob& job, LoadSet motion) {
+  constexpr double kSteady = 0.02;
+  constexpr Index kFewest = 8;
+  const Vector3d axis = length_axis(job);
+  const VectorXd angles = turned(motion, axis);
+  auto& instants = motion.history.instants;
+  const double speed = instants.front().rigid.omega.dot(axis);
+  const bool is_steady =
+      std::ranges::all_of(instants, [&](const loads::InstantLoad& instant) {
+        return std::abs(instant.rigid.omega.dot(axis) - speed) <=
+               kSteady * std::abs(speed);
+      });
+  if (is_steady && angles.size() >= kFewest &&
+      std::abs(angles[angles.size() - 1]) >= std::numbers::pi) {
+    take_common_out(angles, motion);
+  }
+  for (Index i = 0; i < angles.size(); ++i) {
     const Eigen::Matrix3d turn =
-        Eigen::AngleAxisd(angle, axis).toRotationMatrix();
-    const auto unspin = [&](loads::Wrench& wrench) {
-      wrench.force = turn * wrench.force;
-      wrench.moment = turn * wrench.moment;
-    };
-    for (loads::Wrench& wrench : instant.wrenches) unspin(wrench);
-    for (auto& load : instant.surface_loads) unspin(load.resultant);
-    loads::RigidAcceleration& rigid = instant.rigid;
-    rigid.acceleration = turn * rigid.acceleration;
-    rigid.alpha = turn * rigid.alpha;
-    rigid.omega = turn * rigid.omega;
+        Eigen::AngleAxisd(angles[i], axis).toRotationMatrix();
+    auto& instant = instants[static_cast<std::size_t>(i)];
+    visit_vectors(instant, [&](Vector3d& vector) {
+      vector = turn * vector;
+    });
+    instant.rigid.omega = turn * instant.rigid.omega;
   }
   return motion;
+}
+
+}  // namespace
+
+bool spins_fast(const PartJob& job, const LoadSet& motion, double first) {
+  constexpr double kCounts = 0.01;  // of its first frequency: of its damping
+  return spin_about_length(job, motion) * first >
+         kCounts * 2.0 * std::numbers::pi;
+}
+
+bool stand_in_space(const PartJob& job, const LoadSet& motion, double first) {
+  constexpr double kStill = 1e-5;  // of the largest: the angle's own error
+  const LoadSet in_space = loads_in_space(job, motion);
+  const double size = job.sides()[2];
+  const VectorXd start =
+      acting_forces(in_space.history.instants.front(), job.mass.mass, size);
+  double largest = 0.0, change = 0.0;
+  for (std::size_t i = 0; i < motion.history.instants.size(); ++i) {
+    const auto forces = [&](const LoadSet& set) {
+      return acting_forces(set.history.instants[i], job.mass.mass, size);
+    };
+    largest = std::max(largest, forces(motion).lpNorm<Eigen::Infinity>());
+    change =
+        std::max(change, (forces(in_space) - start).lpNorm<Eigen::Infinity>());
+  }
+  if (change <= kStill * largest) return true;
+  return load_spectrum(job, load_components(job, in_space), first)
+             .amplification <= kPaceCounts;
 }
 
 dynamics::LoadPath::Between between_instants(const LoadSet& set) {

@@ -25,8 +25,14 @@ dynamics::LoadPath::Between between_instants(const LoadSet& set);
 /// Spin about the part's longest way, at most [rad/s].
 double spin_about_length(const PartJob& job, const LoadSet& set);
 
-/// The motion's loads as they stand in space, turned by that spin.
-LoadSet unspun_loads(const PartJob& job, LoadSet motion);
+/// Whether that spin is fast beside the part's first period, so that its shapes
+/// turn in its own frame. @param first  period [s].
+bool spins_fast(const PartJob& job, const LoadSet& motion, double first);
+
+/// Whether loads stand so still in space that they excite no vibration of a
+/// part that spins fast; beside those that turn with it, which bend it further
+/// by its spin alone (second order). @param first  period [s].
+bool stand_in_space(const PartJob& job, const LoadSet& motion, double first);
 
 /// Components of the forces and moments on the part's surface and of those of
 /// its inertia over the motion, less those at its start, each over its largest

@@ -197,19 +197,14 @@ std::string not_followed(const PartJob& job, const LoadSet& given,
 /// @param first  period [s].
 std::string not_known_spinning(const PartJob& job, const LoadSet& given,
                                double first) {
-  constexpr double kCounts = 0.01;  // of its first frequency: of its damping
   const LoadSet motion = followed_loads(given);
-  const double share =
-      spin_about_length(job, motion) * first / (2.0 * std::numbers::pi);
-  if (share <= kCounts) return {};
-  const LoadSet in_space = unspun_loads(job, motion);
-  const auto spectrum =
-      load_spectrum(job, load_components(job, in_space), first);
-  if (spectrum.amplification <= kPaceCounts) return {};
+  if (!spins_fast(job, motion, first) || stand_in_space(job, motion, first)) {
+    return {};
+  }
   return fmt::format(
       "it spins about its length at {:.2g} of its first frequency: its shapes "
       "turn in its frame, which is not computed",
-      share);
+      spin_about_length(job, motion) * first / (2.0 * std::numbers::pi));
 }
 
 /// Of the job's one load set.
