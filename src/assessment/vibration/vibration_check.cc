@@ -33,53 +33,73 @@ double change(double from, double to) {
   return std::abs(from / to - 1.0);
 }
 
+/// A stretch of the loads' motion, and how it is looked at.
+struct Stretch {
+  double hold_time;  ///< LoadHistory::hold_time [s]
+  VibrationTimes times;
+};
+
 template <int dim>
-VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
-                        const LoadSet& set, const VibrationTimes& times,
-                        std::string_view model) {
-  const int highest = mesh.shape == mesh::CellShape::kSimplex ? 2
-                      : dim == 2                              ? 4
-                                                              : 3;
-  VibrationResult result;
-  int count = kFewest;
-  double low_ratio = 0.0, low_still = 0.0;
-  {
-    VibratingModel<dim> low(job, mesh, set, highest - 1, times);
-    const double settled = 0.3 * job.tolerance;
-    double before = low.answer(count, low.path(), Fronts::kTaken).peak.value;
-    for (;;) {
-      count *= 2;
-      const auto more = low.answer(count, low.path(), Fronts::kJudged);
-      const double moved =
-          std::max(change(before, more.peak.value), more.front_error);
-      result.shape_error = std::max(kSpread, moved);
-      before = more.peak.value;
-      const bool is_sharp =
-          more.mesh_spreads_more || more.spread_error < settled;
-      if (count >= kMost || more.shapes < count ||
-          (moved < settled && is_sharp)) {
-        break;
-      }
+int highest_degree(const mesh::PartMesh<dim>& mesh) {
+  if (mesh.shape == mesh::CellShape::kSimplex) return 2;
+  return dim == 2 ? 4 : 3;
+}
+
+/// By the degree below.
+struct LowVibration {
+  int count{};  ///< shapes that suffice
+  double ratio{}, still{};
+  double shape_error{}, path_error{};  ///< as of VibrationResult
+};
+template <int dim>
+LowVibration vibrate_low(const PartJob& job, const mesh::PartMesh<dim>& mesh,
+                         const LoadSet& set, const VibrationTimes& times) {
+  LowVibration result{.count = kFewest};
+  int& count = result.count;
+  VibratingModel<dim> low(job, mesh, set, highest_degree(mesh) - 1, times);
+  const double settled = 0.3 * job.tolerance;
+  double before = low.answer(count, low.path(), Fronts::kTaken).peak.value;
+  for (;;) {
+    count *= 2;
+    const auto more = low.answer(count, low.path(), Fronts::kJudged);
+    const double moved =
+        std::max(change(before, more.peak.value), more.front_error);
+    result.shape_error = std::max(kSpread, moved);
+    before = more.peak.value;
+    const bool is_sharp = more.mesh_spreads_more || more.spread_error < settled;
+    if (count >= kMost || more.shapes < count ||
+        (moved < settled && is_sharp)) {
+      break;
     }
-    low_still = low.still();
-    low_ratio = before / low_still;
-    result.path_error =
-        change(
-            low.answer(count, thinned(low.path()), Fronts::kTaken).peak.value,
-            before) /
-        3.0;
   }
-  VibratingModel<dim> high(job, mesh, set, highest, times);
+  result.still = low.still();
+  result.ratio = result.still > 0.0 ? before / result.still : 0.0;
+  result.path_error =
+      change(low.answer(count, thinned(low.path()), Fronts::kTaken).peak.value,
+             before) /
+      3.0;
+  return result;
+}
+
+template <int dim>
+VibrationResult vibrate_high(const PartJob& job,
+                             const mesh::PartMesh<dim>& mesh,
+                             const LoadSet& set, const VibrationTimes& times,
+                             const LowVibration& low, std::string_view model) {
+  VibrationResult result;
+  const int degree = highest_degree(mesh);
+  VibratingModel<dim> high(job, mesh, set, degree, times);
   if (!(high.still() > 0.0)) return {};  // the zones are all that is loaded
-  auto found = high.answer(count, high.path(), Fronts::kJudged);
+  auto found = high.answer(low.count, high.path(), Fronts::kJudged);
   result.peak = found.peak.value;
   const double ratio = result.peak / high.still();
   result.ratio = ratio;
-  result.degree_error = change(low_ratio, ratio);
+  result.path_error = low.path_error;
+  result.degree_error = change(low.ratio, ratio);
   result.still = high.still();
-  result.still_error = change(low_still, result.still);
+  result.still_error = change(low.still, result.still);
   // The spread is less with more shapes: both tell what these would change.
-  result.shape_error = std::max(result.shape_error, found.spread_error);
+  result.shape_error = std::max(low.shape_error, found.spread_error);
   result.sampling_error = found.sampling_error;
   result.at = found.at;
   result.group = found.group;
@@ -87,14 +107,52 @@ VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
   result.shapes = found.shapes;
   result.lowest_frequency = found.lowest;
   result.highest_frequency = found.highest;
-  result.model = fmt::format("{}, p = {}", model, highest);
+  result.model = fmt::format("{}, p = {}", model, degree);
   if (set.fixed.empty() && set.foundations.empty()) {
     stress::remove_rigid_motion<dim>(found.basis, reference_groups(set));
   }
   constexpr int kSixth = 6;  // of the times
   result.deflection =
       stress::largest_deflection_of_many<dim>(found.basis, kSixth);
+  result.from = times.swing.front().from;
+  result.to = times.swing.back().to;
   return result;
+}
+
+/// Of two stretches: that with the larger peak.
+VibrationResult larger_of(VibrationResult a, VibrationResult b) {
+  const auto most = [](const VibrationResult& one) {
+    return one.ratio ? *one.ratio * (1.0 + one.error()) : 0.0;
+  };
+  const double deflection = std::max(a.deflection, b.deflection);
+  VibrationResult& larger = most(a) > most(b) ? a : b;
+  larger.deflection = deflection;
+  return std::move(larger);
+}
+
+/// The stretches that come near to the largest by the low degree are computed
+/// by the high one.
+template <int dim>
+VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
+                        LoadSet set, const std::vector<Stretch>& stretches,
+                        std::string_view model) {
+  constexpr double kNear = 0.9;
+  std::vector<LowVibration> lows;
+  double largest = 0.0;
+  for (const Stretch& stretch : stretches) {
+    set.history.hold_time = stretch.hold_time;
+    lows.push_back(vibrate_low<dim>(job, mesh, set, stretch.times));
+    largest = std::max(largest, lows.back().ratio);
+  }
+  VibrationResult found;
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    if (lows[k].ratio < kNear * largest) continue;
+    set.history.hold_time = stretches[k].hold_time;
+    found = larger_of(
+        std::move(found),
+        vibrate_high<dim>(job, mesh, set, stretches[k].times, lows[k], model));
+  }
+  return found;
 }
 
 /// Whether the checked peak is one of the motion, not of a case.
@@ -208,36 +266,22 @@ std::string not_known_spinning(const PartJob& job, const LoadSet& given,
 }
 
 /// Of the job's one load set.
-VibrationResult vibrate_held(const PartJob& job, const VibrationTimes& times) {
-  const LoadSet& set = job.load_sets.front();
+VibrationResult vibrate(const PartJob& job,
+                        const std::vector<Stretch>& stretches) {
   VibrationResult found;
   try {
     const PartShape shape(job);
     const Model& model = cheapest_in_time(shape);
     found = std::visit(
         [&]<int dim>(const FeModel<dim>& fe) {
-          return vibrate<dim>(job, *fe.mesh, set, times, model.traits.name);
+          return vibrate<dim>(job, *fe.mesh, job.load_sets.front(), stretches,
+                              model.traits.name);
         },
         model.make(shape, {}));
   } catch (const Error& error) {
     found.failure = fmt::format("{}: {}", error.code(), error.what());
   }
-  found.from = times.swing.front().from;
-  found.to = times.swing.back().to;
   return found;
-}
-
-/// Of two stretches of a motion: that with the larger peak, or the one that
-/// could not be computed.
-VibrationResult larger_of(VibrationResult a, VibrationResult b) {
-  const auto most = [](const VibrationResult& one) {
-    if (!one.failure.empty()) return HUGE_VAL;
-    return one.ratio ? *one.ratio * (1.0 + one.error()) : 0.0;
-  };
-  const double deflection = std::max(a.deflection, b.deflection);
-  VibrationResult& larger = most(a) > most(b) ? a : b;
-  larger.deflection = deflection;
-  return std::move(larger);
 }
 
 /// Of one load set; nothing where its loads are followed at rest.
@@ -262,18 +306,17 @@ std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
   Stopwatch watch;
   PartJob moving = job;
   moving.load_sets = {followed_loads(given)};
-  LoadSet& set = moving.load_sets.front();
-  const auto windows = times.driven;
+  const loads::LoadHistory& history = moving.load_sets.front().history;
+  std::vector<Stretch> stretches;
   for (const HeldStretch& stretch : held.stretches(s)) {
-    times.driven = in_both(windows, stretch.windows);
+    VibrationTimes there{in_both(times.driven, stretch.windows), {}};
     // What is shorter than a step of the loads holds the part on its way.
-    if (instants_within(times.driven, set.history.instants).empty()) continue;
-    times.swing =
-        swing_windows(times.driven, result.first_period.value(),
-                      job.part.damping, set.history.instants.back().time);
-    set.history.hold_time = stretch.hold_time;
-    found = larger_of(std::move(found), vibrate_held(moving, times));
+    if (instants_within(there.driven, history.instants).empty()) continue;
+    there.swing = swing_windows(there.driven, result.first_period.value(),
+                                job.part.damping, history.instants.back().time);
+    stretches.push_back({stretch.hold_time, std::move(there)});
   }
+  found = vibrate(moving, stretches);
   found.not_followed = unknown;
   found.seconds = watch.lap();
   return found;
