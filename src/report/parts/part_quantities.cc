@@ -90,6 +90,13 @@ Quantities<SecondOrderResult> second_order_rows() {
       quantity<S>({"second_order_deflection_ratio", "/deflection_ratio", "1"},
                   &S::deflection_rise),
       quantity<S>({"second_order_is_stable", "/is_stable"}, &S::is_stable),
+      quantity<S>({"second_order_bears_growth", "/bears_growth"},
+                  &S::bears_growth),
+      quantity<S>({"second_order_bound", "/bound_MPa", "MPa"}, &S::bound),
+      quantity<S>(
+          {"second_order_deflection_bound", "/deflection_bound_mm", "mm"},
+          &S::deflection_bound),
+      quantity<S>({"second_order_failure", "/failure"}, &S::failure),
       quantity<S>({"second_order_case", "/case"}, &S::label),
   };
 }
@@ -248,7 +255,10 @@ Quantities<PartResult> part_rows() {
       second_order_rows(), "/second_order", true,
       [](const S& part) {
         const SecondOrderResult& found = part.second_order;
-        return found.peak > 0.0 || !found.is_stable ? &found : nullptr;
+        const bool is_open = !found.is_stable || !found.bears_growth ||
+                             !found.failure.empty() || found.bound > 0.0 ||
+                             found.deflection_bound > 0.0;
+        return found.peak > 0.0 || is_open ? &found : nullptr;
       },
       rows);
   add_member_rows(beam_rows(), "/beam", &S::beam, rows);
