@@ -201,6 +201,24 @@ LoadSet loads_in_space(const PartJob& job, LoadSet motion) {
 
 }  // namespace
 
+namespace {
+
+/// How far a load that stands in space swings a part whose sections are uneven:
+/// its sag changes twice a turn, over the largest change [1]. Resonance at half
+/// of the first frequency.
+/// @param share  speed of spin over the first frequency [1].
+double uneven_swing(const PartJob& job, double share) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> inertia(
+      job.mass.inertia_LCm, Eigen::EigenvaluesOnly);
+  const Vector3d& of = inertia.eigenvalues();
+  const double uneven = (of[2] - of[1]) / of[0];
+  const double rest =
+      std::max(std::abs(1.0 - 4.0 * share * share), 2.0 * job.part.damping);
+  return uneven * std::max(0.0, 1.0 / rest - 1.0);
+}
+
+}  // namespace
+
 bool spins_fast(const PartJob& job, const LoadSet& motion, double first) {
   constexpr double kCounts = 0.01;  // of its first frequency: of its damping
   return spin_about_length(job, motion) * first >
@@ -209,18 +227,22 @@ bool spins_fast(const PartJob& job, const LoadSet& motion, double first) {
 
 bool stand_in_space(const PartJob& job, const LoadSet& motion, double first) {
   constexpr double kStill = 1e-5;  // of the largest: the angle's own error
+  const double share =
+      spin_about_length(job, motion) * first / (2.0 * std::numbers::pi);
+  if (uneven_swing(job, share) > kPaceCounts - 1.0) return false;
   const LoadSet in_space = loads_in_space(job, motion);
-  const double size = job.sides()[2];
-  const VectorXd start =
-      acting_forces(in_space.history.instants.front(), job.mass.mass, size);
+  // Without what holds the part together as it spins, which dwarfs the rest.
+  const auto forces = [&](const LoadSet& set, std::size_t i) {
+    loads::InstantLoad instant = set.history.instants[i];
+    instant.rigid.omega.setZero();
+    return acting_forces(instant, job.mass.mass, job.sides()[2]);
+  };
+  const VectorXd start = forces(in_space, 0);
   double largest = 0.0, change = 0.0;
   for (std::size_t i = 0; i < motion.history.instants.size(); ++i) {
-    const auto forces = [&](const LoadSet& set) {
-      return acting_forces(set.history.instants[i], job.mass.mass, size);
-    };
-    largest = std::max(largest, forces(motion).lpNorm<Eigen::Infinity>());
-    change =
-        std::max(change, (forces(in_space) - start).lpNorm<Eigen::Infinity>());
+    largest = std::max(largest, forces(motion, i).lpNorm<Eigen::Infinity>());
+    change = std::max(change,
+                      (forces(in_space, i) - start).lpNorm<Eigen::Infinity>());
   }
   if (change <= kStill * largest) return true;
   return load_spectrum(job, load_components(job, in_space), first)

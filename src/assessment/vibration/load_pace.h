@@ -31,7 +31,9 @@ bool spins_fast(const PartJob& job, const LoadSet& motion, double first);
 
 /// Whether loads stand so still in space that they excite no vibration of a
 /// part that spins fast; beside those that turn with it, which bend it further
-/// by its spin alone (second order). @param first  period [s].
+/// by its spin alone (second order). A part whose sections are uneven sags
+/// differently as it turns: they do where that is slow. @param first  period
+/// [s].
 bool stand_in_space(const PartJob& job, const LoadSet& motion, double first);
 
 /// Components of the forces and moments on the part's surface and of those of

@@ -283,6 +283,59 @@ TEST(Vibration, GroundHoldsASeat) {
   }
 }
 
+/// A bar about x whose weight turns in its frame for three turns.
+PartJob turning(double depth, double speed) {
+  PartJob job = bar(transit());
+  job.impact_loads.clear();
+  job.mesh = support::structured_mesh<3>(
+      {20, 2, 2}, 1, [&](const Vector3d& x) -> Vector3d {
+        return Vector3d(kSize.x(), depth, kSize.z())
+            .cwiseProduct(x - Vector3d(0.0, 0.5, 0.5));
+      });
+  job.mass = mesh::mass_properties(job.mesh, kCork.density);
+  constexpr int kPerTurn = 40, kTurns = 3;
+  auto& instants = job.load_sets.front().history.instants;
+  instants.clear();
+  for (int i = 0; i <= kPerTurn * kTurns; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kPerTurn;
+    loads::InstantLoad instant;
+    instant.time = angle / speed;
+    instant.rigid.omega = speed * Vector3d::UnitX();
+    instant.rigid.acceleration =
+        9.81 * Vector3d(0.0, std::cos(angle), -std::sin(angle));
+    instants.push_back(instant);
+  }
+  return job;
+}
+
+// What stands in space excites nothing of an even section; an uneven one sags
+// twice a turn more and less, at its frequency where it spins at half of that.
+TEST(LoadPace, WeightOfAPartThatSpins) {
+  constexpr double kFirst = 1e-3;  // period [s]
+  const double frequency = 2.0 * std::numbers::pi / kFirst;
+  const auto stands = [&](double depth, double share) {
+    const PartJob job = turning(depth, share * frequency);
+    EXPECT_TRUE(spins_fast(job, job.load_sets.front(), kFirst));
+    return stand_in_space(job, job.load_sets.front(), kFirst);
+  };
+  for (const double share : {0.05, 0.5, 0.7}) {
+    EXPECT_TRUE(stands(kSize.z(), share)) << share;
+  }
+  EXPECT_TRUE(stands(2.0 * kSize.z(), 0.05));
+  EXPECT_FALSE(stands(2.0 * kSize.z(), 0.5));
+  EXPECT_FALSE(stands(2.0 * kSize.z(), 0.4));
+  // A pull that stands in its frame beside the weight; one that does not.
+  PartJob pulled_too = turning(kSize.z(), 0.5 * frequency);
+  auto& instants = pulled_too.load_sets.front().history.instants;
+  for (auto& instant : instants) instant.rigid.acceleration.y() += 30.0;
+  EXPECT_TRUE(stand_in_space(pulled_too, pulled_too.load_sets.front(), kFirst));
+  for (auto& instant : instants) {
+    instant.rigid.acceleration.z() += 3.0 * std::sin(frequency * instant.time);
+  }
+  EXPECT_FALSE(
+      stand_in_space(pulled_too, pulled_too.load_sets.front(), kFirst));
+}
+
 // What the shapes cannot follow is in the band, not lost.
 TEST(Vibration, PulseShorterThanItsShapesWidensTheBand) {
   PartJob job = bar(transit());
