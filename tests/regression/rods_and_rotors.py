@@ -4,10 +4,12 @@
     rods_and_rotors.py CLEVIS
 
 A rod that slides out of a guide buckles and bends as what the guide touches holds it
-(Euler, a cantilever from the guide's end: a little softer, for the guide gives way).
+(Euler, a cantilever from the guide's end: a little softer, for the guide gives way), and
+vibrates at its place. A column's load goes on through the far end of a strut or a rope.
 A shaft with a disc near its critical speed, one that is shaken at its frequency while
 it turns, and a parallelogram that passes its change point between two instants are not
-judged; a wheel that rolls over a rail is refused.
+judged; a weight that stands in space sags a shaft at any speed. A wheel that rolls over
+a rail is refused.
 """
 import json
 import math
@@ -225,37 +227,47 @@ limits = {{ safety_factor = 3, singular_zones = "exclude" }}
     return file
 
 
-def column(folder, strut, link):
+def column(folder, strut, kind):
     """Welded at its foot, pressed by 4.5 kN at 495 mm through a strut of so many mm,
-    which ends in a slide along it. link: whether it is a body, else a rod of given
-    length."""
+    which ends in a slide along it: a rod of given length, or a link between two pins.
+    Or pulled down by a rope to its foot, a spring."""
     round_bar(folder, [(10, 1, "round_a"), (480, 32, "round_m"), (10, 1, "bore_B")])
     end = 495 + strut
-    ram = scene_text.body("ram", "1 kg", "1e-3 kg m^2", origin=(end, 0, 0))
-    if link:
-        between = scene_text.body("strut", "1e-3 kg", "1e-6 kg m^2",
-                                  origin=((495 + end) / 2, 0, 0)) + scene_text.joint(
-            "B", "spherical", "bar", "strut", (495, 0, 0), (1, 0, 0)) + scene_text.joint(
-            "C", "universal", "strut", "ram", (end, 0, 0), (0, 1, 0)).replace(
-            "axis =", "normal = [0, 0, 1]\naxis =")
-    else:
-        between = scene_text.joint("B", "distance", "bar", "ram").replace(
-            'point = ["0 mm", "0 mm", "0 mm"]',
-            'at = { bar = ["495 mm", "0 mm", "0 mm"], ram = ["0 mm", "0 mm", "0 mm"] }')
-    file = folder / "scene.toml"
-    file.write_text(f"""{scene_text.head("column")}{scene_text.part_body("bar")}{ram}{between}
-{scene_text.joint("A", "weld", "ground", "bar")}
-{scene_text.joint("S", "prismatic", "ground", "ram", (end, 0, 0), (1, 0, 0))}
-[[force]]
+    ram = scene_text.body("ram", "1 kg", "1e-3 kg m^2", origin=(end, 0, 0)) + scene_text.joint(
+        "S", "prismatic", "ground", "ram", (end, 0, 0), (1, 0, 0)) + """[[force]]
 type = "constant"
 name = "push"
 body = "ram"
 point = ["0 mm", "0 mm", "0 mm"]
 force = ["-4.5 kN", "0 N", "0 N"]
+"""
+    rod = scene_text.joint("B", "distance", "bar", "ram").replace(
+        'point = ["0 mm", "0 mm", "0 mm"]',
+        'at = { bar = ["495 mm", "0 mm", "0 mm"], ram = ["0 mm", "0 mm", "0 mm"] }')
+    link = scene_text.body("strut", "1e-3 kg", "1e-6 kg m^2",
+                           origin=((495 + end) / 2, 0, 0)) + scene_text.joint(
+        "B", "spherical", "bar", "strut", (495, 0, 0), (1, 0, 0)) + scene_text.joint(
+        "C", "universal", "strut", "ram", (end, 0, 0), (0, 1, 0)).replace(
+        "axis =", "normal = [0, 0, 1]\naxis =")
+    rope = """[[force]]
+type = "spring"
+name = "rope"
+between = ["ground", "bar"]
+from = ["0 mm", "0 mm", "0 mm"]
+to = ["495 mm", "0 mm", "0 mm"]
+stiffness = "1e6 N/m"
+free = "490.5 mm"
+"""
+    above = {"rod": ram + rod, "link": ram + link, "rope": rope}[kind]
+    seats = ('pins = { A = "left" }\nforces = { rope = { face = "bore_B" } }'
+             if kind == "rope" else 'pins = { A = "left", B = "bore_B" }')
+    file = folder / "scene.toml"
+    file.write_text(f"""{scene_text.head("column")}{scene_text.part_body("bar")}{above}
+{scene_text.joint("A", "weld", "ground", "bar")}
 [simulation]
 duration = "1 s"
 instants = 2
-{scene_text.BAR}pins = {{ A = "left", B = "bore_B" }}
+{scene_text.BAR}{seats}
 limits = {{ safety_factor = 1.5, singular_zones = "exclude" }}
 [accuracy]
 peak_stress = "5 %"
@@ -351,14 +363,16 @@ def main():
     checks.expect(bends < deflection < 1.15 * bends,
                   f"rod: bends by {deflection:.3f} mm, clamped there {bends:.3f} mm")
 
-    for strut, link in ((100, False), (100, True), (2000, False)):
-        part = check(column, strut, link).part
-        theory = through_a_point(495, strut) / 4500
+    for strut, kind in ((100, "rod"), (100, "link"), (2000, "rod"), (-495, "rope")):
+        part = check(column, strut, kind).part
+        # Through its foot as between two pins.
+        theory = (math.pi**2 * MODULUS * INERTIA / 495**2 if kind == "rope"
+                  else through_a_point(495, strut)) / 4500
         factor = part["buckling"]["factor"]
         checks.expect(abs(factor / theory - 1) < 0.02,
-                      f"column under a strut: {factor:.4f}, {theory:.4f} by theory")
+                      f"column, {kind}: {factor:.4f}, {theory:.4f} by theory")
         checks.expect((part["verdict"] == "pass") == (theory > 1.5),
-                      f"column under a strut: {part['verdict']}")
+                      f"column, {kind}: {part['verdict']}")
 
     # Critical with the disc, 17/35 of the shaft's mass beside it: ω² = 48 EI/(l³ m).
     mass = 0.020 + 17 / 35 * DENSITY * math.pi / 4 * DIAMETER**2 * 490
