@@ -64,7 +64,7 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
         .discretization = space.whole,
         .material = job.part.material,
         .history = candidate.history,
-        .fixed = set.fixed,
+        .fixed = model.supports(set),
         .holds = candidate.holds,
         .name = job.part.name,
         .foundations = set.foundations,
@@ -325,6 +325,14 @@ BucklingCheck check_buckling(const PartJob& job,
     check.result.band_low = std::min(check.result.band_low, of_others.band_low);
   }
   if (check.shape) lower_for_fluids(job, check.result);
+  const bool is_held_in_plane =
+      std::ranges::any_of(job.load_sets, [&](const LoadSet& set) {
+        return model.supports(set) != set.fixed;
+      });
+  if (check.shape && is_held_in_plane && check.result.remark.empty()) {
+    check.result.remark =
+        "across its plane it counts as held where it is held in it";
+  }
   check.seconds = watch.lap();
   return check;
 }

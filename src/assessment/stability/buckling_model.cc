@@ -107,13 +107,24 @@ PartSpace BucklingModel::discretize(int degree) const {
   return {std::move(layer), std::move(plane)};
 }
 
+part::Supports BucklingModel::supports(const LoadSet& set) const {
+  part::Supports fixed = set.fixed;
+  const bool is_held_across =
+      std::ranges::any_of(fixed, [](const auto& support) {
+        return support.second[2];
+      });
+  if (!shape_.plate() || is_held_across) return fixed;
+  for (auto& [group, components] : fixed) components[2] = true;
+  return fixed;
+}
+
 void BucklingModel::factor(const LoadSet& set,
                            elasticity::BucklingProblem& problem) {
   constexpr int kSmall = 150'000;  // dofs: up to some 500 MB
   const bool is_kept = problem.discretization.degree == lowest_degree() &&
                        problem.discretization.dofs() < kSmall;
   const auto known = std::ranges::find_if(factored_, [&](const Factored& one) {
-    return one.fixed == set.fixed && one.foundations == set.foundations;
+    return one.fixed == problem.fixed && one.foundations == set.foundations;
   });
   if (is_kept && known != factored_.end()) {
     problem.coordinates = known->coordinates;
@@ -121,7 +132,7 @@ void BucklingModel::factor(const LoadSet& set,
   }
   problem.coordinates = elasticity::energy_coordinates(problem);
   if (!is_kept) return;
-  factored_.push_back({set.fixed, set.foundations, problem.coordinates});
+  factored_.push_back({problem.fixed, set.foundations, problem.coordinates});
 }
 
 std::string BucklingModel::name(int degree) const {

@@ -37,6 +37,9 @@ class BucklingModel {
   PartSpace discretize(int degree) const;
   /// Bends and twists the part well enough.
   int lowest_degree() const { return is_compact_ ? 2 : 3; }
+  /// Of a load set. A plate that these hold in its plane alone counts as held
+  /// across it at the same faces: it may buckle within it.
+  part::Supports supports(const LoadSet& set) const;
   /// Factors the problem's stiffness, unless it is known. Kept are those of
   /// lowest_degree(), which buckling and second order take, if they are small.
   /// @param set  whose supports the problem has.

@@ -80,7 +80,7 @@ class SetCheck {
         .discretization = space_.whole,
         .material = job_.part.material,
         .history = history,
-        .fixed = set_.fixed,
+        .fixed = model_.supports(set_),
         .holds = holding_seats(set_.history),
         .name = job_.part.name,
         .foundations = set_.foundations,
