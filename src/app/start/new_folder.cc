@@ -13,6 +13,10 @@ namespace clevis::app {
 namespace fs = std::filesystem;
 
 void require_new_folder(const fs::path& folder) {
+  if (folder.empty()) {
+    throw Error("U001", "folder", "its name is empty",
+                "Give the name of a new folder.");
+  }
   std::error_code error;
   if (!fs::exists(fs::symlink_status(folder, error))) return;
   if (fs::is_directory(folder, error) && fs::is_empty(folder, error)) return;
@@ -26,8 +30,13 @@ NewScene::NewScene(fs::path folder)
 }
 
 void NewScene::write(const std::string& name, std::string_view content) {
-  report::write_file(folder_ / name, content);
   files_.push_back(folder_ / name);
+  try {
+    report::write_file(files_.back(), content);
+  } catch (...) {
+    remove();
+    throw;
+  }
 }
 
 void NewScene::write_scene(std::string_view text) {

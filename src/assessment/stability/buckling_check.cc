@@ -52,7 +52,8 @@ struct Found {
   BucklingMode mode;
   std::string label;
   double instant{};
-  /// Factor of the stresses alone, without what following forces gain.
+  /// Factor as second order has it: of the stresses alone, without what
+  /// following forces gain, all of a slide's walls touched.
   double by_stresses{};
 };
 Found lowest(const PartJob& job, const PartSpace& space, double highest,
@@ -82,8 +83,12 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
     if (best && best->mode.factor <= mode.factor) continue;
     best = {std::move(mode), instant.label, instant.time};
     best->by_stresses = best->mode.factor;
-    if (instant.following.empty() || best->mode.is_above) continue;
-    problem.holds = candidate.holds;
+    const bool is_touched =
+        !candidate.holds.empty() && candidate.holds.front().touched.has_value();
+    if (best->mode.is_above || (instant.following.empty() && !is_touched)) {
+      continue;
+    }
+    problem.holds = {{candidate.holds.front().groups}};
     problem.known = &*candidate.known;
     problem.is_pushed = false;
     best->by_stresses = elasticity::lowest_buckling(problem).factor;
@@ -224,21 +229,16 @@ bool has_slide(const elasticity::HoldingSeats& hold,
 }
 
 /// Adds to the ways in which a motion's part is held those by what its slides
-/// touch of their walls, at a few places of these: at each where the forces of
-/// its instants are largest.
+/// touch of their walls, at places of these: at each where the forces of its
+/// instants are largest, and at both ends of the way, where little holds it.
 void hold_by_touched(Candidate& motion) {
+  constexpr int kPlaces = 16, kEnds = 256;  // bins: an end is the last of many
   const loads::LoadHistory& history = motion.history;
-  const auto places = loads::slide_places(history, 0.0);
-  std::map<int, std::vector<Eigen::Index>> at_place;
-  for (std::size_t i = 0; i < places.of.size(); ++i) {
-    if (places.of[i] == loads::SlidePlaces::kUnknown) continue;
-    at_place[places.of[i]].push_back(static_cast<Eigen::Index>(i));
-  }
+  const auto instant = [&](Eigen::Index i) -> const loads::InstantLoad& {
+    return history.instants[static_cast<std::size_t>(i)];
+  };
   const auto whole = motion.holds;
-  for (const auto& [place, at] : at_place) {
-    const auto instant = [&](Eigen::Index i) -> const loads::InstantLoad& {
-      return history.instants[static_cast<std::size_t>(i)];
-    };
+  const auto add = [&](const std::vector<Eigen::Index>& at) {
     const auto hardest = std::ranges::max_element(at, {}, [&](Eigen::Index i) {
       return largest_force(instant(i));
     });
@@ -247,6 +247,18 @@ void hold_by_touched(Candidate& motion) {
       hold.touched = {history.seats, instant(*hardest).zones};
       hold.instants = at;
       motion.holds.push_back(std::move(hold));
+    }
+  };
+  for (const int bins : {kPlaces, kEnds}) {
+    const auto places = loads::slide_places(history, bins, 0.0);
+    std::map<int, std::vector<Eigen::Index>> at_place;
+    for (std::size_t i = 0; i < places.of.size(); ++i) {
+      if (places.of[i] == loads::SlidePlaces::kUnknown) continue;
+      at_place[places.of[i]].push_back(static_cast<Eigen::Index>(i));
+    }
+    for (const auto& [place, at] : at_place) {
+      const bool is_end = place == 0 || place == places.bins - 1;
+      if (bins == kPlaces || is_end) add(at);
     }
   }
 }

@@ -24,8 +24,8 @@ struct BucklingCheck {
 /// Linear buckling of a part under all its load sets, with rising degrees: all
 /// instants with the first, the one that governs with the others, until the
 /// limit lies outside the band. Plates by terms through their thickness, else
-/// the mesh as it is. What cannot be computed (supports that hold a plate in
-/// its plane only, and not there, memory) is left out, and the remark says why.
+/// the mesh as it is. What cannot be computed (memory) is left out, and the
+/// remark says why.
 /// @param swings  by load set, or none; factors are looked for as far as these
 ///   make loads larger.
 /// @throws Error of elasticity::lowest_buckling but F001, F002, F004, F007,

@@ -19,8 +19,8 @@ namespace clevis::assessment {
 /// of its loads, with their spin, as the limit of buckling wants. Vibration
 /// counts as so much more load. Where the part turns on at one speed, only what
 /// its loads have in common in its frame is spun: the rest stands still in
-/// space. What cannot be computed (memory, supports that hold a plate in its
-/// plane only) is bounded by the buckling factor; of fast spin it is a failure.
+/// space. What cannot be computed (memory) is bounded by the buckling factor;
+/// of fast spin it is a failure.
 /// @param rows  of the check at rest.
 /// @param of_lowest_degree  buckling factor by the model's and the stresses
 ///   alone [1]; 0: not known. What following forces gain counts as softer, too.

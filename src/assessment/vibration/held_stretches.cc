@@ -32,9 +32,10 @@ double middle_of(const std::vector<VibrationWindow>& windows) {
 /// travels.
 std::vector<HeldStretch> by_place(const PartJob& job, const LoadSet& motion) {
   constexpr double kLittle = 0.01;
+  constexpr int kPlaces = 4;
   const auto& instants = motion.history.instants;
   const SlidePlaces places =
-      loads::slide_places(motion.history, kLittle * job.sides()[2]);
+      loads::slide_places(motion.history, kPlaces, kLittle * job.sides()[2]);
   if (places.bins < 2) return {};
   std::vector<HeldStretch> by_bin(static_cast<std::size_t>(places.bins));
   int bin = SlidePlaces::kUnknown;

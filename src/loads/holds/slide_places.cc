@@ -41,7 +41,7 @@ double place_of(const ContactZone& zone, double length) {
 
 }  // namespace
 
-SlidePlaces slide_places(const LoadHistory& history, double least) {
+SlidePlaces slide_places(const LoadHistory& history, int bins, double least) {
   const std::size_t motion = motion_length(history);
   const auto slide = holding_slide(history);
   if (!slide || motion == 0) return {};
@@ -64,7 +64,7 @@ SlidePlaces slide_places(const LoadHistory& history, double least) {
   }
   if (!(low <= high)) return {};
   const double way = high - low;
-  SlidePlaces found{.bins = way > 2.0 * least ? SlidePlaces::kMost : 1,
+  SlidePlaces found{.bins = way > 2.0 * least ? bins : 1,
                     .of = std::vector(motion, SlidePlaces::kUnknown)};
   for (std::size_t i = 0; i < motion; ++i) {
     if (!std::isfinite(places[i])) continue;

@@ -9,14 +9,14 @@ namespace clevis::loads {
 /// The places that a slide which holds a part takes on its wall in a motion, in
 /// bins of equal width.
 struct SlidePlaces {
-  static constexpr int kMost = 4;
   static constexpr int kUnknown = -1;
 
   int bins{};           ///< 0: no slide holds the part, or no place is known
   std::vector<int> of;  ///< bin by instant of the motion, or kUnknown
 };
 
+/// @param bins   so many, where the slide travels.
 /// @param least  way of the slide under which its places are one [m].
-SlidePlaces slide_places(const LoadHistory& history, double least);
+SlidePlaces slide_places(const LoadHistory& history, int bins, double least);
 
 }  // namespace clevis::loads

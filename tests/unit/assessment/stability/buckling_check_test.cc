@@ -74,6 +74,17 @@ TEST(BucklingCheck, ClampedColumnIsEulers) {
   EXPECT_NEAR(result.factor.value(), euler(100e6), 0.01 * euler(100e6));
 }
 
+// Supports in its plane alone hold a plate well enough to buckle within it.
+TEST(BucklingCheck, PlateHeldInItsPlaneAlone) {
+  PartJob job = column(100e6);
+  job.model.reset();
+  const double across = buckling_of(job).result.factor.value();
+  job.load_sets[0].fixed = {{"x0", {true, true, false}}};
+  const auto result = buckling_of(job).result;
+  EXPECT_NEAR(result.factor.value(), across, 1e-6 * across);
+  EXPECT_NE(result.remark.find("across its plane"), std::string::npos);
+}
+
 TEST(BucklingCheck, IsOfTheMeshBeforeItsRefinement) {
   PartJob refined = column_of_hexahedra({16, 2, 2}, 100e6);
   refined.unrefined = column(100e6).mesh;
