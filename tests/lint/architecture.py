@@ -61,6 +61,7 @@ ROOMS = {
         "driven_loads": "its loads between instants: how smooth, and which times stand for them",
         "driven_search": "when the loads of such a motion are largest or jump",
         "mass_matrix": "masses of bodies, and the mass matrix with constraints, factored",
+        "neighbours": "what a body's neighbours hold, weigh and push at its joints",
         "dynamic_state": "states that forces decide: layout, turns, drives, sizes",
         "equations_of_motion": "accelerations from forces, projection, tangents",
         "joint_space": "the same in joint coordinates (articulated bodies)",
@@ -206,7 +207,7 @@ PUBLIC = {
                 " integrators/switching_integrator",
     "mechanism": "definition/definition definition/drive_names definition/motion"
                  " force_elements/force_element joints/joint_types"
-                 " mass_matrix/neighbour_inertia reactions/other_sharings simulate structure/structure",
+                 " neighbours/load_gains neighbours/neighbour_inertia neighbours/neighbours reactions/other_sharings simulate structure/structure",
     "machine": "bearings/bearing bearings/bearing_history bearings/bearing_life"
                " devices/ejector devices/slide_lever_closed_form"
                " transmissions/transmission",

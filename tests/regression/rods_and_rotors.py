@@ -230,7 +230,8 @@ limits = {{ safety_factor = 3, singular_zones = "exclude" }}
 def column(folder, strut, kind):
     """Welded at its foot, pressed by 4.5 kN at 495 mm through a strut of so many mm,
     which ends in a slide along it: a rod of given length, or a link between two pins.
-    Or pulled down by a rope to its foot, a spring."""
+    Or by a cylinder of two bodies, or by a weight that high on a mast; or pulled down by a
+    rope to its foot, a spring."""
     round_bar(folder, [(10, 1, "round_a"), (480, 32, "round_m"), (10, 1, "bore_B")])
     end = 495 + strut
     ram = scene_text.body("ram", "1 kg", "1e-3 kg m^2", origin=(end, 0, 0)) + scene_text.joint(
@@ -258,7 +259,31 @@ to = ["495 mm", "0 mm", "0 mm"]
 stiffness = "1e6 N/m"
 free = "490.5 mm"
 """
-    above = {"rod": ram + rod, "link": ram + link, "rope": rope}[kind]
+    cylinder = "".join(scene_text.body(name, "1e-2 kg", "1e-6 kg m^2", origin=(x, 0, 0))
+                       for name, x in (("rod", 495 + strut / 4), ("tube", 495 + strut / 2)))
+    cylinder += scene_text.joint("B", "spherical", "bar", "rod", (495, 0, 0), (1, 0, 0))
+    cylinder += scene_text.joint("S", "prismatic", "tube", "rod", (495 + strut / 2, 0, 0),
+                                 (1, 0, 0))
+    cylinder += scene_text.joint("C", "universal", "tube", "ground", (end, 0, 0),
+                                 (0, 1, 0)).replace("axis =", "normal = [0, 0, 1]\naxis =")
+    cylinder += """[[force]]
+type = "spring"
+name = "push"
+joint = "S"
+stiffness = "0 N/m"
+preload = "4.5 kN"
+free = "0 mm"
+"""
+    mast = scene_text.body("mast", "1e-2 kg", "1e-6 kg m^2", origin=(495, 0, 0))
+    mast += scene_text.joint("B", "weld", "bar", "mast", (495, 0, 0)) + f"""[[force]]
+type = "constant"
+name = "push"
+body = "mast"
+point = ["{strut} mm", "0 mm", "0 mm"]
+force = ["-4.5 kN", "0 N", "0 N"]
+"""
+    above = {"rod": ram + rod, "link": ram + link, "cylinder": cylinder, "mast": mast,
+             "rope": rope}[kind]
     seats = ('pins = { A = "left" }\nforces = { rope = { face = "bore_B" } }'
              if kind == "rope" else 'pins = { A = "left", B = "bore_B" }')
     file = folder / "scene.toml"
@@ -282,6 +307,62 @@ def through_a_point(length, strut):
     for _ in range(200):
         k = (low + high) / 2
         if math.tan(k * length) < k * (length + strut):
+            low = k
+        else:
+            high = k
+    return low**2 * MODULUS * INERTIA
+
+
+def on_a_mast(length, height):
+    """The same under a weight on a mast: kl tan kl = l/height [N]."""
+    low, high = 1e-6, math.pi / 2 / length * (1 - 1e-12)
+    for _ in range(200):
+        k = (low + high) / 2
+        if k * height * math.tan(k * length) < 1:
+            low = k
+        else:
+            high = k
+    return low**2 * MODULUS * INERTIA
+
+
+def swinging(folder, far):
+    """A bar on a ball at its left end; its right end slides in a guide on a pin so many mm
+    behind it, from which it is pushed off."""
+    round_bar(folder, [(10, 1, "round_a"), (480, 32, "round_m"), (10, 1, "bore_B")])
+    end = 495 + far
+    pivot = scene_text.joint("C", "universal", "guide", "ground", (end, 0, 0),
+                             (0, 1, 0)).replace("axis =", "normal = [0, 0, 1]\naxis =")
+    file = folder / "scene.toml"
+    file.write_text(f"""{scene_text.head("strut")}{scene_text.part_body("bar")}
+{scene_text.body("guide", "1e-2 kg", "1e-6 kg m^2", origin=(end, 0, 0))}
+{scene_text.joint("A", "spherical", "ground", "bar", (0, 0, 0), (1, 0, 0))}
+{scene_text.joint("S", "prismatic", "guide", "bar", (495, 0, 0), (1, 0, 0))}
+{pivot}
+[[force]]
+type = "spring"
+name = "push"
+joint = "S"
+stiffness = "0 N/m"
+preload = "20 kN"
+free = "0 mm"
+[simulation]
+duration = "1 s"
+instants = 2
+{scene_text.BAR}pins = {{ A = "left", S = {{ group = "bore_B", length = "10 mm" }} }}
+forces = {{ push = {{ face = "right" }} }}
+limits = {{ safety_factor = 1.5, singular_zones = "exclude" }}
+[accuracy]
+peak_stress = "5 %"
+""")
+    return file
+
+
+def in_a_guide(length, far):
+    """Load of a strut between a ball and a stiff guide on a pin: tan kl = -k far [N]."""
+    low, high = math.pi / 2 / length * (1 + 1e-12), math.pi / length
+    for _ in range(200):
+        k = (low + high) / 2
+        if math.tan(k * length) < -k * far:
             low = k
         else:
             high = k
@@ -363,16 +444,24 @@ def main():
     checks.expect(bends < deflection < 1.15 * bends,
                   f"rod: bends by {deflection:.3f} mm, clamped there {bends:.3f} mm")
 
-    for strut, kind in ((100, "rod"), (100, "link"), (2000, "rod"), (-495, "rope")):
+    for strut, kind in ((100, "rod"), (100, "link"), (100, "cylinder"), (300, "mast"),
+                        (2000, "rod"), (-495, "rope")):
         part = check(column, strut, kind).part
         # Through its foot as between two pins.
         theory = (math.pi**2 * MODULUS * INERTIA / 495**2 if kind == "rope"
+                  else on_a_mast(495, strut) if kind == "mast"
                   else through_a_point(495, strut)) / 4500
         factor = part["buckling"]["factor"]
         checks.expect(abs(factor / theory - 1) < 0.02,
                       f"column, {kind}: {factor:.4f}, {theory:.4f} by theory")
         checks.expect((part["verdict"] == "pass") == (theory > 1.5),
                       f"column, {kind}: {part['verdict']}")
+
+    part = check(swinging, 400).part
+    theory = in_a_guide(490, 405) / 20e3
+    factor = part["buckling"]["factor"]
+    checks.expect(abs(factor / theory - 1) < 0.03,
+                  f"strut in a guide on a pin: {factor:.4f}, {theory:.4f} by theory")
 
     # Critical with the disc, 17/35 of the shaft's mass beside it: ω² = 48 EI/(l³ m).
     mass = 0.020 + 17 / 35 * DENSITY * math.pi / 4 * DIAMETER**2 * 490

@@ -74,6 +74,13 @@ void merge(loads::LoadHistory& history, const loads::LoadHistory& more) {
       moved.wrenches[seat_of[s]] = instant.wrenches[s];
       if (!instant.zones.empty()) moved.zones[seat_of[s]] = instant.zones[s];
     }
+    if (instant.gains) {
+      moved.gains = [gains = instant.gains, seat_of] {
+        loads::SeatGains found = gains();
+        for (std::size_t& seat : found.seats) seat = seat_of[seat];
+        return found;
+      };
+    }
     history.instants.push_back(std::move(moved));
   }
   const auto complete = [&](loads::InstantLoad& instant) {

@@ -50,11 +50,13 @@ std::vector<InstantLoad> between(const std::vector<InstantLoad>& a,
   return loads;
 }
 
+using Sharing = std::vector<InstantLoad>;
+
 /// Largest over the instants of each of several sharings.
-std::vector<RoughPeak> largest_of(
-    const PartJob& job, std::size_t set,
-    const std::vector<std::vector<InstantLoad>>& sharings) {
-  LoadSet loads = job.load_sets[set];
+std::vector<RoughPeak> peaks_of(const PartJob& job, const OpenSharing& open,
+                                const std::vector<Sharing>& sharings) {
+  LoadSet loads = job.load_sets[open.set];
+  loads.history = open.checked;  // the set's seats may be more
   loads.history.instants.clear();
   loads.history.repeats.clear();
   for (const auto& sharing : sharings) {
@@ -91,51 +93,62 @@ std::vector<std::size_t> hardest(const std::vector<InstantLoad>& instants) {
   return order;
 }
 
-/// The least of one measure.
-double least_by(double RoughPeak::*measure, const PartJob& job, std::size_t set,
-                const std::vector<InstantLoad>& start,
-                const std::vector<std::vector<InstantLoad>>& corners) {
-  std::vector<InstantLoad> best = start;
-  double least = largest_of(job, set, {best}).front().*measure;
-  for (int round = 0; round < kRounds; ++round) {
-    constexpr double kGain = 0.99;
-    std::vector<std::vector<InstantLoad>> tried;
-    for (const auto& corner : corners) {
-      for (const double share : kShares) {
-        tried.push_back(between(best, corner, share));
-      }
+/// From one sharing some of the way to each corner.
+struct Round {
+  std::vector<Sharing> tried;
+  std::vector<RoughPeak> peaks;
+};
+Round round_from(const PartJob& job, const OpenSharing& open,
+                 const Sharing& from, const std::vector<Sharing>& corners) {
+  Round round;
+  for (const Sharing& corner : corners) {
+    for (const double share : kShares) {
+      round.tried.push_back(between(from, corner, share));
     }
-    const auto found = largest_of(job, set, tried);
+  }
+  round.peaks = peaks_of(job, open, round.tried);
+  return round;
+}
+
+/// The least of one measure.
+/// @param start  of the sharing that was checked. @param round  the first.
+double least_by(double RoughPeak::*measure, const PartJob& job,
+                const OpenSharing& open, double start, Round round,
+                const std::vector<Sharing>& corners) {
+  constexpr double kGain = 0.99;
+  double least = start;
+  for (int k = 1;; ++k) {
     const auto lowest =
-        std::ranges::min_element(found, {}, [&](const RoughPeak& one) {
+        std::ranges::min_element(round.peaks, {}, [&](const RoughPeak& one) {
           return one.*measure;
         });
     const double now = *lowest.*measure;
-    if (now < least) {
-      best = tried[static_cast<std::size_t>(lowest - found.begin())];
-    }
-    const bool goes_on = now < kGain * least;
+    const bool goes_on = k < kRounds && now < kGain * least;
     least = std::min(least, now);
-    if (!goes_on) break;
+    if (!goes_on) return least;
+    const auto best = lowest - round.peaks.begin();
+    round = round_from(job, open, round.tried[static_cast<std::size_t>(best)],
+                       corners);
   }
-  return least;
 }
 
 }  // namespace
 
-RoughPeak least_sharing(const PartJob& job, const OpenSharing& sharing) {
-  const auto& checked = sharing.checked.instants;
-  std::vector<InstantLoad> start;
-  std::vector<std::vector<InstantLoad>> corners(
-      std::min(kCorners, sharing.others.size()));
-  for (const std::size_t i : hardest(checked)) {
-    start.push_back(checked[i]);
+RoughPeak least_sharing(const PartJob& job, const OpenSharing& open) {
+  Sharing start;
+  std::vector<Sharing> corners(std::min(kCorners, open.others.size()));
+  for (const std::size_t i : hardest(open.checked.instants)) {
+    start.push_back(open.checked.instants[i]);
     for (std::size_t k = 0; k < corners.size(); ++k) {
-      corners[k].push_back(sharing.others[k].instants[i]);
+      corners[k].push_back(open.others[k].instants[i]);
     }
   }
-  return {least_by(&RoughPeak::stress, job, sharing.set, start, corners),
-          least_by(&RoughPeak::deflection, job, sharing.set, start, corners)};
+  const RoughPeak checked = peaks_of(job, open, {start}).front();
+  const Round first = round_from(job, open, start, corners);
+  const auto least = [&](double RoughPeak::*measure) {
+    return least_by(measure, job, open, checked.*measure, first, corners);
+  };
+  return {least(&RoughPeak::stress), least(&RoughPeak::deflection)};
 }
 
 }  // namespace clevis::assessment

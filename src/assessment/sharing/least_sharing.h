@@ -10,7 +10,7 @@ namespace clevis::assessment {
 /// convex is largest at a corner of all sharings and least anywhere between
 /// them: from the one that was checked it is sought towards each corner, again
 /// and again from the best.
-/// @pre the sharing has others.
-RoughPeak least_sharing(const PartJob& job, const OpenSharing& sharing);
+/// @pre `open` has others.
+RoughPeak least_sharing(const PartJob& job, const OpenSharing& open);
 
 }  // namespace clevis::assessment

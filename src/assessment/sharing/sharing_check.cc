@@ -48,8 +48,8 @@ std::size_t most_of_each(const OpenSharing& sharing) {
   return std::max(kFewest, kMostInstants / (sharing.others.size() + 1));
 }
 
-/// The sharing that was checked first, then the others; last the least that
-/// any between them was found to reach.
+/// The sharing that was checked first, then the others; last, where they
+/// differ, the least that any between them was found to reach.
 std::vector<RoughPeak> compare(const PartJob& job, const OpenSharing& sharing) {
   const double size = loads::part_size(job.groups, job.mass);
   const std::size_t most = most_of_each(sharing);
@@ -69,7 +69,14 @@ std::vector<RoughPeak> compare(const PartJob& job, const OpenSharing& sharing) {
     result.push_back(largest_of(answers, first, static_cast<Index>(count)));
     first += static_cast<Index>(count);
   }
-  result.push_back(least_sharing(job, sharing));
+  constexpr double kAlike = 1e-3;
+  const auto differ = [&](double RoughPeak::*measure) {
+    const auto [low, high] = std::ranges::minmax(result, {}, measure);
+    return high.*measure - low.*measure > kAlike * high.*measure;
+  };
+  if (differ(&RoughPeak::stress) || differ(&RoughPeak::deflection)) {
+    result.push_back(least_sharing(job, sharing));
+  }
   return result;
 }
 

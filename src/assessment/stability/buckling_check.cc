@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
 #include "assessment/sharing/sharing_check.h"
 #include "assessment/stability/buckling_model.h"
+#include "assessment/stability/part_holds.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
 #include "elasticity/buckling/buckling.h"
 #include "loads/history/motion_instants.h"
-#include "loads/holds/slide_places.h"
 #include "part/buckling_limit.h"
 
 namespace clevis::assessment {
@@ -52,9 +51,6 @@ struct Found {
   BucklingMode mode;
   std::string label;
   double instant{};
-  /// Factor as second order has it: of the stresses alone, without what
-  /// following forces gain, all of a slide's walls touched.
-  double by_stresses{};
 };
 Found lowest(const PartJob& job, const PartSpace& space, double highest,
              BucklingModel& model, std::vector<Candidate>& candidates) {
@@ -82,16 +78,6 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
     candidate.factor = mode.factor;
     if (best && best->mode.factor <= mode.factor) continue;
     best = {std::move(mode), instant.label, instant.time};
-    best->by_stresses = best->mode.factor;
-    const bool is_touched =
-        !candidate.holds.empty() && candidate.holds.front().touched.has_value();
-    if (best->mode.is_above || (instant.following.empty() && !is_touched)) {
-      continue;
-    }
-    problem.holds = {{candidate.holds.front().groups}};
-    problem.known = &*candidate.known;
-    problem.is_pushed = false;
-    best->by_stresses = elasticity::lowest_buckling(problem).factor;
   }
   return std::move(*best);
 }
@@ -175,7 +161,7 @@ void take(const PartJob& job, BucklingModel& model, int degree,
   }
   check.shape = shape_of(job, space.whole, found.mode);
   if (degree == model.lowest_degree()) {
-    check.of_lowest_degree = found.by_stresses;
+    check.of_lowest_degree = found.mode.factor;
   }
   set_band(before, found.mode.factor, check.result);
 }
@@ -211,77 +197,27 @@ BucklingCheck climb(const PartJob& job, BucklingModel& model, double swing,
   return check;
 }
 
-/// Largest force on a seat [N].
-double largest_force(const loads::InstantLoad& instant) {
-  double most = 0.0;
-  for (const auto& wrench : instant.wrenches) {
-    most = std::max(most, wrench.force.norm());
-  }
-  return most;
-}
-
-bool has_slide(const elasticity::HoldingSeats& hold,
-               const std::vector<loads::Seat>& seats) {
-  return std::ranges::any_of(seats, [&](const loads::Seat& seat) {
-    return seat.slide &&
-           std::ranges::find(hold.groups, seat.group) != hold.groups.end();
-  });
-}
-
-/// Adds to the ways in which a motion's part is held those by what its slides
-/// touch of their walls, at places of these: at each where the forces of its
-/// instants are largest, and at both ends of the way, where little holds it.
-void hold_by_touched(Candidate& motion) {
-  constexpr int kPlaces = 16, kEnds = 256;  // bins: an end is the last of many
-  const loads::LoadHistory& history = motion.history;
-  const auto instant = [&](Eigen::Index i) -> const loads::InstantLoad& {
-    return history.instants[static_cast<std::size_t>(i)];
-  };
-  const auto whole = motion.holds;
-  const auto add = [&](const std::vector<Eigen::Index>& at) {
-    const auto hardest = std::ranges::max_element(at, {}, [&](Eigen::Index i) {
-      return largest_force(instant(i));
-    });
-    for (elasticity::HoldingSeats hold : whole) {
-      if (!has_slide(hold, history.seats)) continue;
-      hold.touched = {history.seats, instant(*hardest).zones};
-      hold.instants = at;
-      motion.holds.push_back(std::move(hold));
-    }
-  };
-  for (const int bins : {kPlaces, kEnds}) {
-    const auto places = loads::slide_places(history, bins, 0.0);
-    std::map<int, std::vector<Eigen::Index>> at_place;
-    for (std::size_t i = 0; i < places.of.size(); ++i) {
-      if (places.of[i] == loads::SlidePlaces::kUnknown) continue;
-      at_place[places.of[i]].push_back(static_cast<Eigen::Index>(i));
-    }
-    for (const auto& [place, at] : at_place) {
-      const bool is_end = place == 0 || place == places.bins - 1;
-      if (bins == kPlaces || is_end) add(at);
-    }
-  }
-}
-
 /// The loads as they are checked.
 std::vector<Candidate> checked_loads(const PartJob& job) {
   std::vector<Candidate> candidates;
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const LoadSet& set = job.load_sets[s];
-    const auto holds = holding_seats(set.history);
     const auto motion =
         static_cast<std::ptrdiff_t>(loads::motion_length(set.history));
     const auto& instants = set.history.instants;
     const bool is_motion = motion > 1;  // of cases alone the first counts
-    Candidate part{s, set.history, holds, is_motion};
+    const auto add = [&](loads::LoadHistory history, bool moves) {
+      auto holds = part_holds(set, history);
+      candidates.push_back({s, std::move(history), std::move(holds), moves});
+    };
+    loads::LoadHistory first = set.history;
     if (is_motion && motion < std::ssize(instants)) {  // cases behind it
-      candidates.push_back({s, set.history, holds});
-      candidates.back().history.instants.assign(instants.begin() + motion,
-                                                instants.end());
-      part.history.instants.resize(static_cast<std::size_t>(motion));
+      loads::LoadHistory cases = set.history;
+      cases.instants.assign(instants.begin() + motion, instants.end());
+      add(std::move(cases), false);
+      first.instants.resize(static_cast<std::size_t>(motion));
     }
-    if (set.fixed.empty() && set.foundations.empty()) hold_by_touched(part);
-    candidates.push_back(std::move(part));
+    add(std::move(first), is_motion);
   }
   return candidates;
 }
@@ -292,9 +228,10 @@ std::vector<Candidate> other_sharings(const PartJob& job) {
   for (const OpenSharing& sharing : job.open_sharings) {
     const LoadSet& set = job.load_sets[sharing.set];
     if (sharing.others.empty()) continue;
-    candidates.push_back({sharing.set,
-                          {set.history.seats, heaviest_of_others(job, sharing)},
-                          holding_seats(set.history)});
+    loads::LoadHistory history = sharing.checked;
+    history.instants = heaviest_of_others(job, sharing);
+    auto holds = part_holds(set, history);
+    candidates.push_back({sharing.set, std::move(history), std::move(holds)});
   }
   return candidates;
 }

@@ -15,8 +15,7 @@ constexpr double kFirstOrderIsEnough = 10.0;
 struct BucklingCheck {
   BucklingResult result;
   std::optional<BucklingShape> shape;
-  /// By the model's lowest_degree() and the part's stresses alone; 0: not
-  /// known.
+  /// By the model's lowest_degree(); 0: not known.
   double of_lowest_degree{};
   double seconds{};
 };

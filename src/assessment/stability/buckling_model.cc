@@ -11,7 +11,6 @@
 
 #include "elasticity/buckling/stressed_part.h"
 #include "elasticity/plate/plate_layer.h"
-#include "loads/holds/holding_groups.h"
 
 namespace clevis::assessment {
 namespace {
@@ -73,15 +72,6 @@ bool has_compact_cells(const mesh::PartMesh<dim>& mesh,
 }
 
 }  // namespace
-
-std::vector<elasticity::HoldingSeats> holding_seats(
-    const loads::LoadHistory& history) {
-  std::vector<elasticity::HoldingSeats> holds;
-  for (auto& groups : loads::holding_groups(history)) {
-    holds.push_back({std::move(groups)});
-  }
-  return holds;
-}
 
 bool is_bearable(const Error& error) {
   return error.code() == "F001" || error.code() == "F002" ||

@@ -24,10 +24,6 @@ struct PartSpace {
 /// it in its plane only, its cells fold with a low degree, memory, --max-dofs.
 bool is_bearable(const Error& error);
 
-/// loads::holding_groups(), at all instants.
-std::vector<elasticity::HoldingSeats> holding_seats(
-    const loads::LoadHistory& history);
-
 /// The part's discretisation for bending and twisting: of plates one layer.
 class BucklingModel {
  public:

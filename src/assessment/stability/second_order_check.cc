@@ -17,6 +17,7 @@
 #include "assessment/judge/verdict.h"
 #include "assessment/stability/buckling_model.h"
 #include "assessment/stability/checked_linear.h"
+#include "assessment/stability/part_holds.h"
 #include "assessment/stability/second_order_loads.h"
 #include "assessment/vibration/load_pace.h"
 #include "base/messages/errors.h"
@@ -81,7 +82,7 @@ class SetCheck {
         .material = job_.part.material,
         .history = history,
         .fixed = model_.supports(set_),
-        .holds = holding_seats(set_.history),
+        .holds = part_holds(set_, history),
         .name = job_.part.name,
         .foundations = set_.foundations,
         .plane = space_.plane ? &*space_.plane : nullptr};
@@ -100,13 +101,29 @@ class SetCheck {
     const SecondOrderPart part(problem, held);
     if (!part.is_stressed()) return;
     common_ = common_load(looked_, part.coefficients());
-    points_ = load_points(
-        looked_, part.coefficients(), [&](const InstantLoad& instant) {
+    const auto all = load_points(
+        looked_, part.coefficients(),
+        [&](Index instant) {
+          return part.gain(instant);
+        },
+        [&](const InstantLoad& instant) {
           return checked_.refers_to(instant.label, instant.time);
         });
-    for (std::size_t hold = 0; hold < held.holds() && found.is_stable; ++hold) {
-      look_at(part, hold, lowest[hold], found);
+    // The hold first with which some instant may rise to most.
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t hold = 0; hold < held.holds(); ++hold) {
+      take_points(all, held, hold);
+      if (points_.empty()) continue;
+      order.emplace_back(-look_by_linear_theory(part, hold, lowest[hold]),
+                         hold);
+    }
+    std::ranges::sort(order);
+    for (const auto& [most, hold] : order) {
+      take_points(all, held, hold);
+      look_by_linear_theory(part, hold, lowest[hold]);
+      look_at(part, hold, found);
       if (with) bound_with_neighbours(*with, found);
+      if (!found.is_stable) return;
     }
   }
 
@@ -169,20 +186,41 @@ class SetCheck {
             stress::largest_deflection<3>(basis).of_instant};
   }
 
-  /// @param lowest  frequency [rad/s].
-  void look_at(const SecondOrderPart& part, std::size_t hold, double lowest,
-               SecondOrderResult& found) {
+  /// Those of a hold, each with the next that it goes on to.
+  void take_points(const std::vector<LoadPoint>& all,
+                   const elasticity::HeldPart& held, std::size_t hold) {
+    points_.clear();
+    is_first_hold_.clear();
+    const auto is_held = [&](std::size_t i, std::size_t by) {
+      return held.is_held(by, all[i].instant);
+    };
+    const auto is_taken = [&](std::size_t i) {
+      return is_held(i, hold) ||
+             (i > 0 && all[i - 1].goes_on && is_held(i - 1, hold));
+    };
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!is_taken(i)) continue;
+      points_.push_back(all[i]);
+      points_.back().goes_on = all[i].goes_on && is_taken(i + 1);
+      bool is_first = is_held(i, hold);
+      for (std::size_t by = 0; by < hold; ++by) is_first &= !is_held(i, by);
+      is_first_hold_.push_back(is_first);
+    }
+  }
+
+  /// The points with a hold. @param lowest  frequency [rad/s].
+  /// @return what one of them reaches at most [Pa].
+  double look_by_linear_theory(const SecondOrderPart& part, std::size_t hold,
+                               double lowest) {
     columns_ = part.columns(hold);
     MatrixXd amounts(columns_.cols(), static_cast<Index>(points_.size()));
     for (Index i = 0; i < amounts.cols(); ++i) {
       amounts.col(i) = points_[static_cast<std::size_t>(i)].amounts;
     }
     const auto here = measured(columns_, amounts);
-    if (!(here.first.maxCoeff() > 0.0) && judged_.value > 0.0) {
-      found.failure = "its zones cover every point that it is looked at by";
-      return;
-    }
     linear_ = checked_.of(points_, here.first, here.second);
+    is_seen_ = here.first.maxCoeff() > 0.0 || amounts.isZero() ||
+               !(judged_.value > 0.0);
     yields_.clear();
     for (const LoadPoint& point : points_) {
       yields_.push_back(yield(point, lowest));
@@ -192,8 +230,20 @@ class SetCheck {
       common_peak_ = stress[0];
       common_deflection_ = way[0];
     }
+    double most = 0.0;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      most = std::max(most, at_most(i, true, yields_[i]));
+    }
+    return most;
+  }
+
+  void look_at(const SecondOrderPart& part, std::size_t hold,
+               SecondOrderResult& found) {
+    if (!is_seen_) {
+      found.failure = "its zones cover every point that it is looked at by";
+      return;
+    }
     for (const bool by_stress : {true, false}) {
-      if (!by_stress && hold > 0) break;  // the check's is of the first
       solve_most(part, hold, by_stress, found);
       if (!found.is_stable || !found.failure.empty()) return;
     }
@@ -228,10 +278,11 @@ class SetCheck {
     left_ = most_solved(space_);
     left_between_ = 4 * left_;
     followed_.clear();
-    bool is_first = true;
+    bool& is_first = by_stress ? is_first_by_stress_ : is_first_by_deflection_;
     for (const std::size_t i : order) {
       const LoadPoint& point = points_[i];
-      if (!(yields_[i] > 0.0)) continue;
+      // The check's deflection is by an instant's first hold.
+      if (!(yields_[i] > 0.0) || !(by_stress || is_first_hold_[i])) continue;
       const bool decides =
           at_most(i, by_stress, yields_[i]) > admitted || yields_[i] >= 1.0;
       if (!decides && !is_first) continue;
@@ -245,7 +296,8 @@ class SetCheck {
         is_first = false;
         --left_;
         solved.push_back(point);
-        take(part, point, linear_[i], yields_[i], hold, found);
+        take(part, point, linear_[i], yields_[i], hold, is_first_hold_[i],
+             found);
       }
       if (decides && !follow_on(part, hold, i, by_stress, found)) {
         bound = std::max(bound, at_most(i, by_stress, yields_[i]));
@@ -303,7 +355,7 @@ class SetCheck {
     const LinearPoint linear =
         linear_[from].between(linear_[from + 1], stress[0], way[0]);
     return take(part, point, linear, std::max(yields_[from], yields_[from + 1]),
-                hold, found);
+                hold, is_first_hold_[from], found);
   }
 
   /// Whether no spin of the instants counts beside a frequency [rad/s].
@@ -334,6 +386,7 @@ class SetCheck {
                                  std::size_t hold) const {
     const VectorXd spun = common_ && point.is_motion ? *common_ : point.amounts;
     return part.answer({.stressing = more * point.amounts,
+                        .gain = more * point.gain,
                         .spun = spun,
                         .still = point.amounts - spun,
                         .omega = omega},
@@ -377,7 +430,7 @@ class SetCheck {
 
   Reached take(const SecondOrderPart& part, const LoadPoint& point,
                const LinearPoint& linear, double yield, std::size_t hold,
-               SecondOrderResult& found) {
+               bool is_first_hold, SecondOrderResult& found) {
     const Swing swing = this->swing(point);
     auto rise =
         rise_of(part, point, linear, softer_ * swing.largest(), hold, found);
@@ -404,7 +457,7 @@ class SetCheck {
                        (linear.is_peak_known ? linear.peak : linear.here));
     }
     constexpr double kRises = 1.001;  // else linear theory's own stands
-    if (hold > 0 || !(rise->deflection > kRises)) return reached;
+    if (!is_first_hold || !(rise->deflection > kRises)) return reached;
     reached.deflection = swing.deflection * rise->deflection * linear.deflects;
     if (reached.deflection > found.deflection) {
       found.deflection = reached.deflection;
@@ -464,7 +517,8 @@ class SetCheck {
   double admitted_peak_, admitted_deflection_;
   Eigen::MatrixXi zone_of_;
   CheckedLinear checked_;
-  std::vector<LoadPoint> points_;
+  std::vector<LoadPoint> points_;    ///< with the hold
+  std::vector<bool> is_first_hold_;  ///< whether it is their instants' first
   std::vector<LinearPoint> linear_;  ///< of the points, with the hold
   std::vector<double> yields_;  ///< 1/λ + (Ω/ω)² at most; 0: first order
   MatrixXd columns_;            ///< of the hold
@@ -472,6 +526,9 @@ class SetCheck {
   std::optional<VectorXd> common_;
   double common_peak_{}, common_deflection_{};  ///< [Pa], [m]
   std::set<std::size_t> followed_;              ///< points, on to the next
+  bool is_seen_{};  ///< stress of the points, or there is none
+  /// Nothing was solved for yet, with any hold.
+  bool is_first_by_stress_ = true, is_first_by_deflection_ = true;
   /// So many instants may be solved for, and places between them.
   int left_{}, left_between_{};
 };

@@ -22,8 +22,7 @@ namespace clevis::assessment {
 /// space. What cannot be computed (memory) is bounded by the buckling factor;
 /// of fast spin it is a failure.
 /// @param rows  of the check at rest.
-/// @param of_lowest_degree  buckling factor by the model's and the stresses
-///   alone [1]; 0: not known. What following forces gain counts as softer, too.
+/// @param of_lowest_degree  buckling factor by the model's [1]; 0: not known.
 /// @pre `result` has its peak, its buckling and its vibration.
 /// @throws Error of elasticity::SecondOrderPart but F001, F002, F004, F007,
 ///   M005.

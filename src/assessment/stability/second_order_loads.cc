@@ -95,20 +95,27 @@ LoadPoint between(const LoadPoint& from, const LoadPoint& to, double share) {
   point.time = from.time + share * (to.time - from.time);
   point.omega = from.omega + share * (to.omega - from.omega);
   point.amounts = from.amounts + share * (to.amounts - from.amounts);
+  point.gain = from.gain + share * (to.gain - from.gain);
   return point;
 }
 
 std::vector<LoadPoint> load_points(
     const SecondOrderLoads& loads, const MatrixXd& coefficients,
+    const std::function<MatrixXd(Index)>& gain,
     const std::function<bool(const InstantLoad&)>& stays) {
   std::vector<LoadPoint> all;
   for (std::size_t i = 0; i < loads.instants.size(); ++i) {
     const InstantLoad& instant = loads.instants[i];
     const bool goes_on =
         i + 1 < loads.motion && loads.index[i + 1] == loads.index[i] + 1;
-    all.push_back({instant.label, instant.time, i < loads.motion, goes_on,
+    all.push_back({instant.label,
+                   instant.time,
+                   i < loads.motion,
+                   goes_on,
                    instant.rigid.omega,
-                   coefficients.col(static_cast<Index>(i))});
+                   coefficients.col(static_cast<Index>(i)),
+                   static_cast<Index>(i),
+                   {}});
   }
   std::vector<bool> kept(all.size(), true);
   for (std::size_t from = 0; from < all.size();) {
@@ -122,7 +129,9 @@ std::vector<LoadPoint> load_points(
   }
   std::vector<LoadPoint> points;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (kept[i]) points.push_back(std::move(all[i]));
+    if (!kept[i]) continue;
+    all[i].gain = gain(all[i].instant);
+    points.push_back(std::move(all[i]));
   }
   return points;
 }

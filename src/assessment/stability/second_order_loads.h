@@ -38,6 +38,8 @@ struct LoadPoint {
   bool goes_on{};           ///< to the next on a straight line
   Eigen::Vector3d omega;    ///< in L [rad/s]
   Eigen::VectorXd amounts;  ///< of load columns
+  Eigen::Index instant{};   ///< of the loads; between two the first
+  Eigen::MatrixXd gain;     ///< SecondOrderPart::gain()
 
   /// Whether loads and spin are nearly the same.
   /// @param share  of each that they may be apart [1].
@@ -45,10 +47,11 @@ struct LoadPoint {
 };
 /// Of the instants; those of the motion that lie on the straight line between
 /// others, but for a third of a per cent, are left out.
-/// @param coefficients  columns × instants.
+/// @param coefficients  columns × instants. @param gain  of an instant.
 /// @param stays  whether an instant is never left out.
 std::vector<LoadPoint> load_points(
     const SecondOrderLoads& loads, const Eigen::MatrixXd& coefficients,
+    const std::function<Eigen::MatrixXd(Eigen::Index)>& gain,
     const std::function<bool(const loads::InstantLoad&)>& stays);
 /// On the straight line from one instant to the next.
 /// @param share  of the way [1].

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -60,7 +61,7 @@ class TrialSpace {
     const Index before = unknowns_.cols() > 0 ? shapes_.cols() : 0;
     append(unknowns, unknowns_);
     append(part_.shapes(unknowns, 0), shapes_);
-    means_ = stressed_.pushes().means(shapes_);
+    motions_ = stressed_.pushes().motions(shapes_);
     const MatrixXd more = stressed_.stress().forms(shapes_, before);
     forms_.conservativeResize(forms_.rows() + more.rows(), Eigen::NoChange);
     forms_.bottomRows(more.rows()) = more;
@@ -114,7 +115,10 @@ class TrialSpace {
       for (Index a = 0; a <= b; ++a) form(a, b) = form(b, a) = entries[pair++];
     }
     form = -form;
-    stressed_.pushes().add_form(means_, instant, form);
+    if (!stressed_.pushes().is_empty()) {
+      form +=
+          motions_.transpose() * stressed_.pushes().gain(instant) * motions_;
+    }
     const MatrixXd& shapes = of_hold_[hold];
     return Eigen::SelfAdjointEigenSolver<MatrixXd>(
         shapes.transpose() * form * shapes, what);
@@ -123,9 +127,9 @@ class TrialSpace {
   const StressedPart& stressed_;
   const HeldPart& part_;
   MatrixXd unknowns_, to_orthonormal_;
-  MatrixXd shapes_;  ///< rigid ones, then those of the unknowns with one hold
-  MatrixXd forms_;   ///< of the shapes, a column per load column
-  MatrixXd means_;   ///< of the shapes, at seats that are pushed
+  MatrixXd shapes_;   ///< rigid ones, then those of the unknowns with one hold
+  MatrixXd forms_;    ///< of the shapes, a column per load column
+  MatrixXd motions_;  ///< of seats that are pushed, in the shapes
   /// Of each hold its orthonormal shapes, of shapes_.
   std::vector<MatrixXd> of_hold_;
 };
@@ -145,9 +149,10 @@ Yield largest_yield(const StressedPart& stressed, std::size_t hold,
   const HeldPart& part = stressed.part();
   const MassMatrix geometric = stressed.stress().stiffness(
       part.pairs(), stressed.coefficients().col(instant));
+  const MatrixXd gain = stressed.pushes().gain(instant);
   const auto forces = [&](const MatrixXd& u) {
     MatrixXd pushing = -multiply(geometric, u);
-    stressed.pushes().add(u, instant, pushing);
+    stressed.pushes().add(u, gain, pushing);
     return pushing;
   };
   dynamics::BlockKrylov space(part.answer_to(forces, hold), start, {});
@@ -209,48 +214,50 @@ BucklingMode lowest_near(const StressedPart& part, const VectorXd& shape) {
   return best;
 }
 
-/// The largest 1/λ of a hold's instants.
+/// The largest 1/λ of all instants with their holds; one is solved for whatever
+/// the trial says.
 /// @param space  takes in what is found.
-BucklingMode lowest_with(const StressedPart& part, std::size_t hold,
-                         TrialSpace& space) {
+BucklingMode lowest_of_all(const StressedPart& part, TrialSpace& space) {
   constexpr double kGain = 1.0 + 1e-3;
   // By trial factors are too high, of shapes near the right ones little.
   const double far_above = 0.1 / part.highest();
   constexpr int kFewest = 2;
   BucklingMode best = none_below(part.highest());
-  best.hold = hold;
-  std::set<Index> solved;
+  std::set<std::pair<std::size_t, Index>> solved;
   double largest = 0.0;
   while (true) {
-    Index next = -1;
+    std::optional<std::pair<std::size_t, Index>> next;
     double expected = -1.0;
-    for (Index i = 0; i < part.instants(); ++i) {
-      if (solved.contains(i) || !part.part().is_held(hold, i)) continue;
-      const double yield = space.yield(i, hold);
-      if (next < 0 || yield > expected) {
-        next = i;
+    for (std::size_t hold = 0; hold < part.part().holds(); ++hold) {
+      for (Index i = 0; i < part.instants(); ++i) {
+        if (!part.part().is_held(hold, i) || solved.contains({hold, i})) {
+          continue;
+        }
+        const double yield = space.yield(i, hold);
+        if (next && yield <= expected) continue;
+        next = {hold, i};
         expected = yield;
       }
     }
-    if (solved.empty()) best.instant = next;
-    // With one hold one is solved for whatever the trial says.
-    const bool must = solved.empty() && hold == 0;
-    if (next < 0 ||
-        (!must && expected <= std::max(kGain * largest, far_above))) {
-      break;
+    if (!next ||
+        (!solved.empty() && expected <= std::max(kGain * largest, far_above))) {
+      return best;
     }
-    const Yield yield = largest_yield(part, hold, next,
-                                      space.best(next, hold, kBlock), kFewest);
-    solved.insert(next);
-    const bool is_last = std::ssize(solved) == part.instants() &&
-                         hold + 1 == part.part().holds();
-    if (!is_last) space.add(yield.shapes);
+    const auto [hold, instant] = *next;
+    if (solved.empty()) {
+      best.hold = hold;
+      best.instant = instant;
+    }
+    const Yield yield = largest_yield(
+        part, hold, instant, space.best(instant, hold, kBlock), kFewest);
+    solved.insert(*next);
+    space.add(yield.shapes);
     if (yield.value > largest) {
       largest = yield.value;
-      take(part, yield, next, best);
+      best.hold = hold;
+      take(part, yield, instant, best);
     }
   }
-  return best;
 }
 
 }  // namespace
@@ -266,12 +273,7 @@ BucklingMode lowest_buckling(const BucklingProblem& problem) {
                        carried_over<3>(*problem.known, problem.discretization));
   }
   TrialSpace space(part, yielding_shapes(part));
-  BucklingMode lowest = lowest_with(part, 0, space);
-  for (std::size_t hold = 1; hold < part.part().holds(); ++hold) {
-    BucklingMode mode = lowest_with(part, hold, space);
-    if (mode.factor < lowest.factor) lowest = std::move(mode);
-  }
-  return lowest;
+  return lowest_of_all(part, space);
 }
 
 }  // namespace clevis::elasticity

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,18 +18,6 @@
 
 namespace clevis::elasticity {
 
-/// A way in which pins hold a free part as a whole (PinHold).
-struct HoldingSeats {
-  std::vector<std::string> groups;
-  /// Of the slides among them, what is touched; nothing: all of their groups.
-  std::optional<TouchedSeats> touched = {};
-  std::vector<Eigen::Index> instants = {};  ///< rising; empty: all
-
-  bool is_at(Eigen::Index instant) const {
-    return instants.empty() || std::ranges::binary_search(instants, instant);
-  }
-};
-
 /// A part and the loads that may buckle it.
 struct BucklingProblem {
   Discretization<3> discretization;
@@ -38,8 +25,8 @@ struct BucklingProblem {
   const loads::LoadHistory& history;
   /// Components held at zero; empty: a free part in balance.
   part::Supports fixed;
-  /// Of a free part; each is taken by itself, the lowest factor counts. The
-  /// first is at all instants.
+  /// Of a free part; each is taken by itself, the lowest factor counts. Every
+  /// instant has one.
   std::vector<HoldingSeats> holds;
   std::string name;               ///< of the part, for messages
   part::Foundations foundations;  ///< elastic beds under faces
@@ -52,7 +39,6 @@ struct BucklingProblem {
   /// degree. Null: none is known.
   const NodalField<3>* known = nullptr;
   double highest = 100.0;  ///< factors beyond are not looked for [1]
-  bool is_pushed = true;   ///< by following forces (SeatPushes)
 };
 
 }  // namespace clevis::elasticity

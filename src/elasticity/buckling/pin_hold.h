@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,6 +10,7 @@
 
 #include "elasticity/fe_space/discretization.h"
 #include "loads/history/load_history.h"
+#include "loads/holds/holding_groups.h"
 
 namespace clevis::elasticity {
 
@@ -14,6 +18,21 @@ namespace clevis::elasticity {
 struct TouchedSeats {
   std::vector<loads::Seat> seats;
   std::vector<loads::ContactZone> zones;  ///< one per seat
+};
+
+/// A way in which pins hold a free part as a whole (PinHold).
+struct HoldingSeats {
+  std::vector<std::string> groups;
+  /// Of the slides among them, what is touched; nothing: all of their groups.
+  std::optional<TouchedSeats> touched = {};
+  /// What holds in the place of the groups, which hold what is left; empty: the
+  /// groups alone.
+  std::vector<loads::GroupHold> held = {};
+  std::vector<Eigen::Index> instants = {};  ///< rising; empty: all
+
+  bool is_at(Eigen::Index instant) const {
+    return instants.empty() || std::ranges::binary_search(instants, instant);
+  }
 };
 
 /// Linear functionals of displacements at some nodes.
@@ -34,21 +53,23 @@ NodeFunctionals nodes_of(const Eigen::MatrixXd& columns);
 /// How pins hold a free part as a whole, and no more: the mean displacement of
 /// the first group's surface, that of the second across the line between both,
 /// and the first's mean rotation about that line. With one group, or two about
-/// one centre, all of its mean rotation; with none, all nodes'. Six conditions
-/// on rigid motions, so that loads in balance leave them without reaction.
+/// one centre, all of its mean rotation; with none, all nodes'. Of what is held
+/// otherwise (HoldingSeats::held) as many combinations as the part's rigid
+/// motions feel, those that feel them most. Six conditions on rigid motions, so
+/// that loads in balance leave them without reaction.
 class PinHold {
  public:
-  /// @param groups  two at the most; those without faces, as the sides of a
-  ///   layer over a plane mesh, do not count.
-  /// @param touched  of the groups of slides, what counterparts touch of them;
-  ///   null: all of each group holds.
-  PinHold(const Discretization<3>& discretization,
-          const std::vector<std::string>& groups,
-          const TouchedSeats* touched = nullptr);
+  /// @param hold  groups without faces, as the sides of a layer over a plane
+  ///   mesh, do not count.
+  /// @param part_name  for messages.
+  /// @param other  of the same part, whose rigid() it shares; or null.
+  /// @throws Error M003.
+  PinHold(const Discretization<3>& discretization, const HoldingSeats& hold,
+          const std::string& part_name = "", const PinHold* other = nullptr);
 
   /// Rigid motions about the nodes' mean, the same for every hold: three
   /// translations, three rotations, dofs × 6.
-  const Eigen::MatrixXd& rigid() const { return rigid_; }
+  const Eigen::MatrixXd& rigid() const { return *rigid_; }
   /// Of rigid(), 6 × columns: what of displacements u (dofs × columns [m])
   /// breaks the conditions.
   Eigen::MatrixXd broken(const Eigen::MatrixXd& u) const;
@@ -59,8 +80,8 @@ class PinHold {
   Eigen::MatrixXd balance(const Eigen::MatrixXd& f) const;
 
  private:
-  Eigen::MatrixXd rigid_;       ///< rigid motions, dofs × 6
-  NodeFunctionals conditions_;  ///< six, of unit effect on rigid_
+  std::shared_ptr<const Eigen::MatrixXd> rigid_;
+  NodeFunctionals conditions_;  ///< six, of unit effect on rigid()
 };
 
 }  // namespace clevis::elasticity

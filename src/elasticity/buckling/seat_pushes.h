@@ -12,8 +12,9 @@
 
 namespace clevis::elasticity {
 
-/// What following forces of a part's seats add to what its stresses do: forces
-/// on a seat in proportion to its surface's mean displacement, by instant.
+/// What loads that follow a part's seats (loads::SeatGains) add to what its
+/// stresses do: forces and moments on seats in proportion to the mean motions
+/// of their surfaces.
 class SeatPushes {
  public:
   /// @param part_name  for messages. @throws Error M003.
@@ -21,22 +22,21 @@ class SeatPushes {
              const loads::LoadHistory& history, const std::string& part_name);
 
   bool is_empty() const { return seats_.empty(); }
-  /// Adds the forces [N] on displacements u (dofs × columns [m]) of an instant.
-  void add(const Eigen::MatrixXd& u, Eigen::Index instant,
+  /// Of an instant, motions × motions, symmetric [N/m], [N], [N m].
+  Eigen::MatrixXd gain(Eigen::Index instant) const;
+  /// Adds the forces [N] on displacements u (dofs × columns [m]).
+  void add(const Eigen::MatrixXd& u, const Eigen::MatrixXd& gain,
            Eigen::MatrixXd& forces) const;
-  /// Mean displacements of the seats, 3 per seat × columns [m].
-  Eigen::MatrixXd means(const Eigen::MatrixXd& u) const;
-  /// Adds meansᵀ (gains) means to a form, columns × columns [J].
-  void add_form(const Eigen::MatrixXd& means, Eigen::Index instant,
-                Eigen::MatrixXd& form) const;
+  /// Mean motions of the seats, 6 per seat × columns [m], [rad].
+  Eigen::MatrixXd motions(const Eigen::MatrixXd& u) const;
 
  private:
   struct Push {
-    std::size_t seat;  ///< of seats_
-    Eigen::Matrix3d gain;
+    std::vector<Eigen::Index> motions;  ///< of motions()
+    Eigen::MatrixXd gain;
   };
-  std::vector<NodeFunctionals> seats_;  ///< mean displacements, three each
-  std::vector<std::vector<Push>> of_instant_;
+  std::vector<NodeFunctionals> seats_;  ///< mean motions, six each
+  std::vector<Push> of_instant_;
 };
 
 }  // namespace clevis::elasticity

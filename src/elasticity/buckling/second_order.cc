@@ -64,6 +64,7 @@ SecondOrderPart::Answer SecondOrderPart::answer(const Loads& loads,
   const auto yields = [&](const VectorXd& y, bool with_spin) -> VectorXd {
     const MatrixXd u = part_.shapes(y, hold);
     MatrixXd forces = -multiply(geometric, u);
+    stressed_.pushes().add(u, loads.gain, forces);
     if (with_spin) forces += spin_forces(mass, loads.omega, u);
     return part_.answer(forces, hold);
   };

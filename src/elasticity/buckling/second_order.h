@@ -8,13 +8,15 @@
 namespace clevis::elasticity {
 
 /// A part whose stresses and whose spin act on what its loads displace:
-/// (K + K_G − Ω² M) u = f, beside K u = f. K_G is of the stresses of linear
-/// theory; loads keep size and direction in the part's frame.
+/// (K + K_G − G − Ω² M) u = f, beside K u = f. K_G is of the stresses of linear
+/// theory; loads keep size and direction in the part's frame, but for what G
+/// says that they gain (SeatPushes).
 class SecondOrderPart {
  public:
   /// Loads in amounts of load columns.
   struct Loads {
     Eigen::VectorXd stressing;  ///< whose stresses K_G has
+    Eigen::MatrixXd gain;       ///< of SeatPushes, with those
     Eigen::VectorXd spun;       ///< that move on with what they displace
     /// That turn in the part's frame as it spins, for they stand still in
     /// space: (K + K_G) u = f.
@@ -43,7 +45,11 @@ class SecondOrderPart {
   }
   /// Displacements of the load columns by linear theory, dofs × columns [m].
   Eigen::MatrixXd columns(std::size_t hold) const {
-    return part_.shapes(stressed_.loaded(), hold);
+    return part_.held(stressed_.displaced(), hold);
+  }
+  /// Of an instant.
+  Eigen::MatrixXd gain(Eigen::Index instant) const {
+    return stressed_.pushes().gain(instant);
   }
   Answer answer(const Loads& loads, std::size_t hold) const;
 

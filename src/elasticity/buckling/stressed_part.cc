@@ -36,14 +36,17 @@ HeldPart::HeldPart(const BucklingProblem& problem)
       pairs_(node_pairs(part_.cell_nodes, part_.nodes)) {
   if (!is_free_) return;
   for (const HoldingSeats& hold : problem.holds) {
-    holds_.emplace_back(part_, hold.groups,
-                        hold.touched ? &*hold.touched : nullptr);
+    holds_.emplace_back(part_, hold, problem.name,
+                        holds_.empty() ? nullptr : &holds_.front());
   }
 }
 
-MatrixXd HeldPart::shapes(const MatrixXd& unknowns, std::size_t hold) const {
-  MatrixXd u = coordinates_->displacements(unknowns);
+MatrixXd HeldPart::held(const MatrixXd& u, std::size_t hold) const {
   return holds_.empty() ? u : holds_[hold].project(u);
+}
+
+MatrixXd HeldPart::shapes(const MatrixXd& unknowns, std::size_t hold) const {
+  return held(coordinates_->displacements(unknowns), hold);
 }
 
 MatrixXd HeldPart::rigid() const {
@@ -105,9 +108,7 @@ double HeldPart::lowest_frequency(std::size_t hold) const {
 StressedPart::StressedPart(const BucklingProblem& problem, const HeldPart& part)
     : part_(part),
       highest_(problem.highest),
-      pushes_(problem.discretization,
-              problem.is_pushed ? problem.history : loads::LoadHistory{},
-              problem.name) {
+      pushes_(problem.discretization, problem.history, problem.name) {
   const Discretization<3>& space = problem.discretization;
   const double density = problem.material.density;
   LoadBasis loads = load_columns(space, problem.history, density, problem.name);
@@ -118,8 +119,9 @@ StressedPart::StressedPart(const BucklingProblem& problem, const HeldPart& part)
   loads = compress(loads, kCompressionTolerance);
   coefficients_ = loads.coefficients;
   loaded_ = part.coordinates().of_loads(loads.columns);
-  stress_ = std::make_unique<InitialStress>(
-      space, problem.material, part.coordinates().displacements(loaded_));
+  displaced_ = part.coordinates().displacements(loaded_);
+  stress_ =
+      std::make_unique<InitialStress>(space, problem.material, displaced_);
 }
 
 }  // namespace clevis::elasticity

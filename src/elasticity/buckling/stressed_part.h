@@ -39,6 +39,8 @@ class HeldPart {
   /// Displacements as the hold has them.
   Eigen::MatrixXd shapes(const Eigen::MatrixXd& unknowns,
                          std::size_t hold) const;
+  /// Displacements [m] less the rigid motion that the hold does not let them.
+  Eigen::MatrixXd held(const Eigen::MatrixXd& u, std::size_t hold) const;
   /// Motions of a free part as a whole, dofs × 6, pure numbers; of a held one
   /// none.
   Eigen::MatrixXd rigid() const;
@@ -85,12 +87,15 @@ class StressedPart {
   const SeatPushes& pushes() const { return pushes_; }
   /// Unknowns of linear theory under the load columns.
   const Eigen::MatrixXd& loaded() const { return loaded_; }
+  /// Their displacements, of a free part up to a rigid motion, dofs × columns
+  /// [m].
+  const Eigen::MatrixXd& displaced() const { return displaced_; }
 
  private:
   const HeldPart& part_;
   double highest_;
   Eigen::MatrixXd coefficients_;
-  Eigen::MatrixXd loaded_;  ///< unknowns of the load columns
+  Eigen::MatrixXd loaded_, displaced_;  ///< by the load columns
   std::unique_ptr<InitialStress> stress_;
   SeatPushes pushes_;
 };

@@ -59,11 +59,14 @@ struct RigidAcceleration {
   Eigen::Vector3d omega = Eigen::Vector3d::Zero();         ///< [rad/s]
 };
 
-/// What a force on a seat gains as the seat moves, because its line goes
-/// through a point of another body: a link that presses pushes on across.
-struct FollowingForce {
-  std::size_t seat{};
-  Eigen::Matrix3d gain = Eigen::Matrix3d::Zero();  ///< symmetric, in L [N/m]
+/// What forces and moments on seats gain as the seats move, because loads of
+/// the mechanism follow: a link that presses pushes on across, a load on a mast
+/// has an arm. Motions and gains are six numbers a seat, in L: of its point,
+/// then turns, [m], [rad].
+struct SeatGains {
+  std::vector<std::size_t> seats;
+  Eigen::MatrixXd gain;      ///< symmetric [N/m], [N], [N m]
+  Eigen::MatrixXd admitted;  ///< motion → the nearest that joints leave
 };
 
 /// All loads of a part at an instant (or in a case); in balance unless fixed.
@@ -76,7 +79,8 @@ struct InstantLoad {
   /// The same groups in the same order at every instant of a history.
   std::vector<SurfaceLoad> surface_loads;
   RigidAcceleration rigid;
-  std::vector<FollowingForce> following = {};
+  /// Of a motion's instant; empty: loads keep size and direction.
+  std::function<SeatGains()> gains = {};
   /// Of a case: what its loads leave, which `rigid` takes up; about Lo.
   Wrench relief = {};
 };

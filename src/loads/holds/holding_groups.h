@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "loads/history/load_history.h"
 
 namespace clevis::loads {
@@ -19,5 +21,22 @@ using HoldingGroups = std::vector<std::string>;
 /// case; where nothing is known, each two bearing seats.
 /// @return at least one.
 std::vector<HoldingGroups> holding_groups(const LoadHistory& history);
+
+/// What is held of a group's mean motion about p_LS, among all that the
+/// mechanism holds: columns of wrenches, 6 × columns, the same for all groups.
+/// A guide that turns about a pin holds across only together with a turn.
+struct GroupHold {
+  std::string group;
+  Eigen::Vector3d p_LS;      ///< of its first seat [m]
+  Eigen::MatrixXd wrenches;  ///< forces [N], moments [N m]
+};
+
+/// At a time [s]. @pre the history has a hold.
+std::vector<GroupHold> held_groups(const LoadHistory& history, double time);
+
+/// Whether two groups hold across the line between them each by itself, and one
+/// holds all: then no more needs to be known than their names.
+bool hold_by_themselves(const std::vector<GroupHold>& held,
+                        const HoldingGroups& groups);
 
 }  // namespace clevis::loads

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "mechanism/mass_matrix/neighbour_inertia.h"
+#include "mechanism/neighbours/neighbour_inertia.h"
 
 namespace clevis::loads {
 namespace {
@@ -37,14 +37,15 @@ MatrixXd by_seat(const MatrixXd& by_place, const std::vector<Index>& seat_of,
 
 }  // namespace
 
-SeatHold seat_hold(const mechanism::MechanismDefinition& definition,
-                   const mechanism::Instant& instant, mechanism::BodyIndex body,
+SeatHold seat_hold(const mechanism::Neighbours& neighbours,
+                   const mechanism::Instant& instant,
                    const std::vector<Seat>& seats) {
-  const auto found = mechanism::neighbour_inertia(definition, instant, body);
+  const auto found = mechanism::neighbour_inertia(neighbours, instant);
+  const auto& joints = neighbours.definition().joints;
   std::vector<Index> seat_of;
   for (const auto& place : found.places) {
     const std::string& joint =
-        definition.joints[static_cast<std::size_t>(place.joint)].name;
+        joints[static_cast<std::size_t>(place.joint)].name;
     const auto named = [&](const std::string& name) {
       return std::ranges::find(seats, name, &Seat::name);
     };

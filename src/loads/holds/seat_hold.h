@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "loads/history/load_history.h"
-#include "mechanism/definition/definition.h"
 #include "mechanism/definition/motion.h"
+#include "mechanism/neighbours/neighbours.h"
 
 namespace clevis::loads {
 
@@ -12,8 +12,8 @@ namespace clevis::loads {
 /// instant of its motion.
 /// @param seats  of the part's history: joints by their names, drives by
 /// theirs.
-SeatHold seat_hold(const mechanism::MechanismDefinition& definition,
-                   const mechanism::Instant& instant, mechanism::BodyIndex body,
+SeatHold seat_hold(const mechanism::Neighbours& neighbours,
+                   const mechanism::Instant& instant,
                    const std::vector<Seat>& seats);
 
 /// The same of a history that has got more seats behind its own, which hold and

@@ -13,8 +13,7 @@
 #include "base/messages/errors.h"
 #include "loads/history/balance.h"
 #include "loads/history/motion_instants.h"
-#include "loads/holds/following_forces.h"
-#include "loads/holds/hold_over_motion.h"
+#include "loads/holds/neighbours_over_motion.h"
 #include "loads/holds/seat_hold.h"
 #include "loads/parts/axis_loads.h"
 #include "loads/seats/force_seats.h"
@@ -181,6 +180,46 @@ void require_still_forces(const SeatContext& context,
   }
 }
 
+/// What acts on each seat, about its point.
+std::vector<mechanism::LoadPlace> acting_on(
+    const std::vector<JointSeat>& by_joint,
+    const std::vector<DrivenSeat>& by_drive,
+    const std::vector<ForceSeat>& by_force, const std::vector<Seat>& seats) {
+  using Kind = mechanism::LoadPlace::Kind;
+  std::vector<mechanism::LoadPlace> acting;
+  const auto add = [&](Kind kind, std::size_t index) {
+    acting.push_back(
+        {kind, static_cast<int>(index), seats[acting.size()].p_LS});
+  };
+  for (const JointSeat& seat : by_joint) add(Kind::kJoint, seat.joint.index);
+  for (const DrivenSeat& seat : by_drive) add(Kind::kDrive, seat.drive);
+  for (const ForceSeat& seat : by_force) add(Kind::kElement, seat.index);
+  return acting;
+}
+
+/// Sets what holds the part, and what its loads gain as it gives way.
+void set_neighbours(const SeatContext& context, const mechanism::Motion& motion,
+                    std::vector<mechanism::LoadPlace> acting,
+                    LoadHistory& history) {
+  const std::size_t hardest = hardest_instant(history.instants);
+  history.hold_time = history.instants[hardest].time;
+  std::vector<NeighboursOverMotion::Place> places;
+  for (std::size_t i = 0; i < history.instants.size(); ++i) {
+    places.push_back({motion.instants[i], history.instants[i].zones});
+  }
+  const auto neighbours = std::make_shared<NeighboursOverMotion>(
+      context.definition, context.body, history.seats, std::move(acting),
+      std::move(places));
+  history.hold = [neighbours](double time) {
+    return neighbours->hold(time);
+  };
+  for (std::size_t i = 0; i < history.instants.size(); ++i) {
+    history.instants[i].gains = [neighbours, i] {
+      return neighbours->gains(i);
+    };
+  }
+}
+
 }  // namespace
 
 mechanism::Motion loading_motion(mechanism::Motion motion) {
@@ -228,8 +267,6 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
       if (seat.pressurized.empty()) continue;
       add_pressure(pressure_of(instant, seat), seat.pressurized, load);
     }
-    load.following = following_forces(context, instant, by_joint, by_force,
-                                      by_joint.size() + by_drive.size());
     history.instants.push_back(std::move(load));
   }
   history.followed_until = motion.followed_until;
@@ -254,20 +291,9 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
   set_repeats_apart(given, history);
   history.slide_excess = std::pow(longest_slide_step(history), 2);
   if (!history.instants.empty()) {
-    const std::size_t hardest = hardest_instant(history.instants);
-    history.hold_time = history.instants[hardest].time;
-    std::vector<HoldOverMotion::Place> places;
-    for (std::size_t i = 0; i < history.instants.size(); ++i) {
-      const auto& zones = history.instants[i].zones;
-      if (i == hardest || !zones.empty()) {
-        places.push_back({given.instants[i], zones});
-      }
-    }
-    history.hold =
-        [hold = std::make_shared<HoldOverMotion>(
-             definition, body, history.seats, std::move(places))](double time) {
-          return hold->at(time);
-        };
+    set_neighbours(context, given,
+                   acting_on(by_joint, by_drive, by_force, history.seats),
+                   history);
   }
   return history;
 }

@@ -40,6 +40,11 @@ const ElementLine* line_of(const ForceElement& element) {
   return line == nullptr ? nullptr : &line->line;
 }
 
+const ElementPoint* rolling_centre(const ForceElement& element) {
+  const auto* contact = std::get_if<ContactElement>(&element);
+  return contact == nullptr ? nullptr : &contact->center;
+}
+
 bool is_angle(const ForceElement& element,
               const std::vector<JointDefinition>& joints) {
   const ElementLine* line = line_of(element);

@@ -30,6 +30,9 @@ bool acts_on(const ForceElement& element,
              const std::vector<JointDefinition>& joints, int body);
 /// Its line, or null where it has none.
 const ElementLine* line_of(const ForceElement& element);
+/// The point of body b that its normal force goes through however b turns: the
+/// centre of a wheel on a plane; or null.
+const ElementPoint* rolling_centre(const ForceElement& element);
 /// Whether it measures an angle and gives a moment.
 bool is_angle(const ForceElement& element,
               const std::vector<JointDefinition>& joints);

@@ -60,8 +60,9 @@ class TouchedMotions {
   }
 
   void solve(std::size_t i) {
-    const elasticity::TouchedSeats touched{history_.seats, zones(i)};
-    const elasticity::PinHold hold(basis_.discretization, groups_, &touched);
+    const elasticity::HoldingSeats groups{
+        groups_, elasticity::TouchedSeats{history_.seats, zones(i)}};
+    const elasticity::PinHold hold(basis_.discretization, groups);
     broken_[i] = hold.broken(basis_.columns);
     if (rigid_.size() == 0) rigid_ = hold.rigid();
   }

@@ -67,6 +67,17 @@ TEST(HoldingGroups, ADriveOnAnotherFaceHoldsTheTurn) {
   EXPECT_EQ(holding_groups(history), (Groups{{"bore_A"}}));
 }
 
+// A guide on bore_A, and what holds along it; across it B would bend the part.
+TEST(HoldingGroups, AGuideWhoseDriveHoldsAlongItHoldsAlone) {
+  const MatrixXd guide = unit({1, 2, 3, 4, 5});
+  MatrixXd all(18, 6);
+  all << guide, unit({12});
+  EXPECT_EQ(holding_groups(lever(all)), (Groups{{"bore_A"}}));
+  MatrixXd across(18, 5);
+  across << unit({2, 3, 4, 5}), unit({13});
+  EXPECT_EQ(holding_groups(lever(across)), (Groups{{"bore_A", "bore_B"}}));
+}
+
 TEST(HoldingGroups, WhatNothingHoldsHasNone) {
   EXPECT_EQ(holding_groups(lever(MatrixXd(18, 0))), (Groups{{}}));
   // A moment alone holds no place.

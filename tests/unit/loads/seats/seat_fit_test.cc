@@ -268,7 +268,8 @@ TEST(SeatHold, IsWhatTheMechanismDoesAtTheSeats) {
     for (const JointSeat& seat : joint_seats(plate.context())) {
       seats.push_back(seat.seat);
     }
-    return seat_hold(plate.definition, instant, 0, seats);
+    return seat_hold(mechanism::Neighbours(plate.definition, 0), instant,
+                     seats);
   };
   Plate plate;
   plate.definition.joints[0].frame_b.R_LJ =

@@ -1,6 +1,6 @@
 // What a mechanism holds and weighs at the joints of one of its bodies, against
 // effective masses by hand.
-#include "mechanism/mass_matrix/neighbour_inertia.h"
+#include "mechanism/neighbours/neighbour_inertia.h"
 
 #include <numbers>
 
@@ -57,7 +57,7 @@ MechanismDefinition two_bars(double second) {
 TEST(NeighbourInertia, OfAFreeBarAtItsEnd) {
   const MechanismDefinition m = two_bars(3.0);
   const double mass = m.bodies[1].mass_properties.mass;
-  const NeighbourInertia found = neighbour_inertia(m, placed(m), 0);
+  const NeighbourInertia found = neighbour_inertia(Neighbours(m, 0), placed(m));
   ASSERT_EQ(found.places.size(), 2U);
   EXPECT_EQ(found.places[0].joint, 0);
   EXPECT_EQ(found.places[1].joint, 1);
@@ -76,7 +76,7 @@ TEST(NeighbourInertia, OfAFreeBarAtItsEnd) {
 TEST(NeighbourInertia, OfABarOnThePinOfTheGround) {
   const MechanismDefinition m = two_bars(1.0);
   const double mass = m.bodies[0].mass_properties.mass;
-  const NeighbourInertia found = neighbour_inertia(m, placed(m), 1);
+  const NeighbourInertia found = neighbour_inertia(Neighbours(m, 1), placed(m));
   ASSERT_EQ(found.places.size(), 1U);
   EXPECT_EQ(found.held.cols(), 4);
   EXPECT_EQ(found.weighed.cols(), 1);
@@ -92,10 +92,11 @@ TEST(NeighbourInertia, DrivesHold) {
   DriveDefinition drive;
   drive.joint = 0;
   m.drives = {drive};
-  const NeighbourInertia second = neighbour_inertia(m, placed(m), 1);
+  const NeighbourInertia second =
+      neighbour_inertia(Neighbours(m, 1), placed(m));
   EXPECT_EQ(second.held.cols(), 5);
   EXPECT_EQ(second.weighed.cols(), 0);
-  const NeighbourInertia first = neighbour_inertia(m, placed(m), 0);
+  const NeighbourInertia first = neighbour_inertia(Neighbours(m, 0), placed(m));
   ASSERT_EQ(first.places.size(), 3U);
   EXPECT_TRUE(first.places[2].is_drive);
   EXPECT_EQ(first.held.cols(), 6);
@@ -107,7 +108,7 @@ TEST(NeighbourInertia, OfAWeldedBody) {
   m.dimension = SpaceDimension::kSpatial;
   m.joints[1].type = JointType::kWeld;
   const auto& given = m.bodies[1].mass_properties;
-  const NeighbourInertia found = neighbour_inertia(m, placed(m), 0);
+  const NeighbourInertia found = neighbour_inertia(Neighbours(m, 0), placed(m));
   EXPECT_EQ(found.held.cols(), 5);
   EXPECT_EQ(found.weighed.cols(), 6);
   for (int k = 0; k < 3; ++k) {

@@ -1,0 +1,133 @@
+#include "assessment/stability/part_holds.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "loads/history/motion_instants.h"
+#include "loads/holds/holding_groups.h"
+#include "loads/holds/slide_places.h"
+
+namespace clevis::assessment {
+namespace {
+
+using elasticity::HoldingSeats;
+using Instants = std::vector<Eigen::Index>;
+
+/// Largest force on a seat [N].
+double largest_force(const loads::InstantLoad& instant) {
+  double most = 0.0;
+  for (const auto& wrench : instant.wrenches) {
+    most = std::max(most, wrench.force.norm());
+  }
+  return most;
+}
+
+bool has_slide(const HoldingSeats& hold,
+               const std::vector<loads::Seat>& seats) {
+  return std::ranges::any_of(seats, [&](const loads::Seat& seat) {
+    return seat.slide &&
+           std::ranges::find(hold.groups, seat.group) != hold.groups.end();
+  });
+}
+
+/// Instants of a motion by places of its slides, both ends by themselves as
+/// well.
+std::vector<Instants> by_place(const loads::LoadHistory& history) {
+  constexpr int kPlaces = 16, kEnds = 256;  // bins: an end is the last of many
+  std::vector<Instants> found;
+  for (const int bins : {kPlaces, kEnds}) {
+    const auto places = loads::slide_places(history, bins, 0.0);
+    std::map<int, Instants> at_place;
+    for (std::size_t i = 0; i < places.of.size(); ++i) {
+      if (places.of[i] == loads::SlidePlaces::kUnknown) continue;
+      at_place[places.of[i]].push_back(static_cast<Eigen::Index>(i));
+    }
+    for (auto& [place, at] : at_place) {
+      const bool is_end = place == 0 || place == places.bins - 1;
+      if (bins == kPlaces || is_end) found.push_back(std::move(at));
+    }
+  }
+  return found;
+}
+
+/// Instants of a motion in sixteen parts, both ends by themselves.
+std::vector<Instants> by_time(std::size_t motion) {
+  constexpr std::size_t kParts = 16;
+  std::vector<Instants> found(kParts + 2);
+  for (std::size_t i = 0; i < motion; ++i) {
+    const bool is_end = i == 0 || i + 1 == motion;
+    const std::size_t part =
+        is_end ? (i == 0 ? 0 : kParts + 1) : 1 + i * kParts / motion;
+    found[part].push_back(static_cast<Eigen::Index>(i));
+  }
+  std::erase_if(found, [](const Instants& at) {
+    return at.empty();
+  });
+  return found;
+}
+
+/// The instant of some that has the largest forces.
+const loads::InstantLoad& hardest_of(const loads::LoadHistory& history,
+                                     const Instants& at) {
+  const auto instant = [&](Eigen::Index i) -> const loads::InstantLoad& {
+    return history.instants[static_cast<std::size_t>(i)];
+  };
+  return instant(*std::ranges::max_element(at, {}, [&](Eigen::Index i) {
+    return largest_force(instant(i));
+  }));
+}
+
+/// Sets all that the mechanism holds at a time where the groups do not hold by
+/// themselves.
+void set_held(const loads::LoadHistory& history, double time,
+              HoldingSeats& hold) {
+  if (!history.hold) return;
+  auto held = loads::held_groups(history, time);
+  if (!loads::hold_by_themselves(held, hold.groups)) {
+    hold.held = std::move(held);
+  }
+}
+
+}  // namespace
+
+std::vector<HoldingSeats> part_holds(const LoadSet& set,
+                                     const loads::LoadHistory& history) {
+  std::vector<HoldingSeats> whole;
+  for (auto& groups : loads::holding_groups(history)) {
+    whole.push_back({std::move(groups)});
+    set_held(history, history.hold_time, whole.back());
+  }
+  if (!set.fixed.empty() || !set.foundations.empty()) return whole;
+  const std::size_t motion = loads::motion_length(history);
+  const auto places = by_place(history);
+  const auto times = motion > 1 ? by_time(motion) : std::vector<Instants>{};
+  std::vector<HoldingSeats> holds;
+  for (const HoldingSeats& one : whole) {
+    const bool slides = has_slide(one, history.seats) && !places.empty();
+    std::vector<bool> is_known(history.instants.size(), false);
+    for (const Instants& at : slides             ? places
+                              : one.held.empty() ? std::vector<Instants>{}
+                                                 : times) {
+      const loads::InstantLoad& hardest = hardest_of(history, at);
+      HoldingSeats hold{one.groups};
+      if (slides) hold.touched = {history.seats, hardest.zones};
+      set_held(history, hardest.time, hold);
+      hold.instants = at;
+      holds.push_back(std::move(hold));
+      for (const Eigen::Index i : at) {
+        is_known[static_cast<std::size_t>(i)] = true;
+      }
+    }
+    HoldingSeats hold = one;
+    for (std::size_t i = 0; i < is_known.size(); ++i) {
+      if (!is_known[i]) hold.instants.push_back(static_cast<Eigen::Index>(i));
+    }
+    const bool is_at_none = hold.instants.empty();
+    if (hold.instants.size() == is_known.size()) hold.instants.clear();
+    if (!is_at_none) holds.push_back(std::move(hold));
+  }
+  return holds;
+}
+
+}  // namespace clevis::assessment

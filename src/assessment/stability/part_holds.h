@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "assessment/job/part_job.h"
+#include "elasticity/buckling/buckling_problem.h"
+
+namespace clevis::assessment {
+
+/// Ways in which a load set's part is held as a whole at instants of a history:
+/// loads::holding_groups(), and of slides what they touch of their walls, at
+/// sixteen places of their way and at both its ends, where little holds it; at
+/// each as the instant with the largest forces has it. All of a slide's wall
+/// holds where it is not known what is touched. Where the groups do not hold by
+/// themselves, all that the mechanism holds does, at sixteen instants.
+/// @param history  of the set's, or of a sharing of it: a motion first, then
+///   cases.
+std::vector<elasticity::HoldingSeats> part_holds(
+    const LoadSet& set, const loads::LoadHistory& history);
+
+}  // namespace clevis::assessment

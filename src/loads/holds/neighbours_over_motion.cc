@@ -1,0 +1,83 @@
+#include "loads/holds/neighbours_over_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "loads/holds/seat_hold.h"
+
+namespace clevis::loads {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+constexpr Index kMotion = 6;
+
+}  // namespace
+
+NeighboursOverMotion::NeighboursOverMotion(
+    const mechanism::MechanismDefinition& definition, mechanism::BodyIndex body,
+    std::vector<Seat> seats, std::vector<mechanism::LoadPlace> acting,
+    std::vector<Place> places)
+    : definition_(definition),
+      neighbours_(definition_, body),
+      seats_(std::move(seats)),
+      acting_(std::move(acting)),
+      places_(std::move(places)) {}
+
+SeatHold NeighboursOverMotion::hold(double time) {
+  const auto nearest =
+      std::ranges::min_element(places_, {}, [&](const Place& place) {
+        return std::abs(place.instant.t - time);
+      });
+  const auto next = static_cast<std::size_t>(nearest - places_.begin());
+  const std::scoped_lock lock(mutex_);
+  const auto [hold, is_new] = holds_.try_emplace(next);
+  if (is_new) {
+    hold->second = seat_hold(neighbours_, places_[next].instant, seats_);
+    hold->second.zones = places_[next].zones;
+  }
+  return hold->second;
+}
+
+SeatGains NeighboursOverMotion::gains(std::size_t instant) {
+  const std::scoped_lock lock(mutex_);
+  const auto [gains, is_new] = gains_.try_emplace(instant);
+  if (is_new) gains->second = found_gains(places_[instant]);
+  return gains->second;
+}
+
+SeatGains NeighboursOverMotion::found_gains(const Place& place) const {
+  std::vector<mechanism::LoadPlace> acting = acting_;
+  MatrixXd to_point = MatrixXd::Identity(kMotion * std::ssize(acting),
+                                         kMotion * std::ssize(acting));
+  MatrixXd from_point = to_point;
+  const int body = neighbours_.slot() - 1;
+  const auto& pose = place.instant.bodies[static_cast<std::size_t>(body)].pose;
+  for (std::size_t s = 0; s < acting.size(); ++s) {
+    if (!seats_[s].slide) continue;
+    const auto& reaction =
+        place.instant.joints[static_cast<std::size_t>(acting[s].index)];
+    acting[s].p_LS = pose.R_WL.transpose() * (reaction.p_WJ - pose.p_WL);
+    const Vector3d way = acting[s].p_LS - seats_[s].p_LS;
+    const Index at = kMotion * static_cast<Index>(s);
+    for (Index k = 0; k < 3; ++k) {
+      const Vector3d turned = Vector3d::Unit(k).cross(way);
+      to_point.block<3, 1>(at, at + 3 + k) = turned;
+      from_point.block<3, 1>(at, at + 3 + k) = -turned;
+    }
+  }
+  const auto found = load_gains(neighbours_, place.instant, acting);
+  SeatGains gains{std::vector<std::size_t>(seats_.size()),
+                  to_point.transpose() * found.gain * to_point,
+                  from_point * found.admitted * to_point};
+  std::iota(gains.seats.begin(), gains.seats.end(), std::size_t{0});
+  return gains;
+}
+
+}  // namespace clevis::loads

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <vector>
+
+#include "loads/history/load_history.h"
+#include "mechanism/definition/definition.h"
+#include "mechanism/definition/motion.h"
+#include "mechanism/neighbours/load_gains.h"
+#include "mechanism/neighbours/neighbours.h"
+
+namespace clevis::loads {
+
+/// What the rest of the mechanism holds of a body, and what its loads gain as
+/// seats give way, at instants of its motion; worked out when it is asked for
+/// first, once each.
+class NeighboursOverMotion {
+ public:
+  struct Place {
+    mechanism::Instant instant;
+    std::vector<ContactZone> zones;  ///< as of the instant's load
+  };
+
+  /// @param seats  of the part's history. @param acting  what acts on each.
+  /// @param places  of all instants, at least one.
+  NeighboursOverMotion(const mechanism::MechanismDefinition& definition,
+                       mechanism::BodyIndex body, std::vector<Seat> seats,
+                       std::vector<mechanism::LoadPlace> acting,
+                       std::vector<Place> places);
+
+  /// At the place next to a time [s].
+  SeatHold hold(double time);
+  /// At an instant, about the seats' points. Of a slide only the displacement
+  /// of its joint's point counts as turning nothing.
+  SeatGains gains(std::size_t instant);
+
+ private:
+  SeatGains found_gains(const Place& place) const;
+
+  mechanism::MechanismDefinition definition_;
+  mechanism::Neighbours neighbours_;
+  std::vector<Seat> seats_;
+  std::vector<mechanism::LoadPlace> acting_;
+  std::vector<Place> places_;
+  std::mutex mutex_;
+  std::map<std::size_t, SeatHold> holds_;
+  std::map<std::size_t, SeatGains> gains_;
+};
+
+}  // namespace clevis::loads

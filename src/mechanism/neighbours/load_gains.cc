@@ -1,0 +1,480 @@
+#include "mechanism/neighbours/load_gains.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include "base/values/index.h"
+
+namespace clevis::mechanism {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr Index kMotion = 6;
+constexpr double kRoundOff = 1e-9;
+using Motion6 = Eigen::Matrix<double, kMotion, 1>;
+
+Matrix3d cross_matrix(const Vector3d& a) {
+  Matrix3d m;
+  m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
+  return m;
+}
+
+/// A body, or the body at one of its places, that moves by itself.
+struct Mover {
+  Index at{};  ///< of its displacement and turn among all motions
+  Vector3d p;  ///< the point that is displaced, in P [m]
+  bool is_place{};
+};
+
+/// yᵀ H y / 2 of motions y: displacements, turns, in P [m], [rad].
+class SecondOrderForm {
+ public:
+  explicit SecondOrderForm(Index motions)
+      : H_(MatrixXd::Zero(motions, motions)) {}
+  const MatrixXd& matrix() const { return H_; }
+
+  /// A force on a point r from the mover's: −f·θ×(θ×r)/2.
+  void add_force(const Mover& mover, const Vector3d& f, const Vector3d& r) {
+    const Matrix3d outer = f * r.transpose();
+    H_.block<3, 3>(mover.at + 3, mover.at + 3) +=
+        f.dot(r) * Matrix3d::Identity() - 0.5 * (outer + outer.transpose());
+  }
+  /// A moment on b, its opposite on a: t·(θa×θb)/2.
+  void add_moment(const Mover& a, const Mover& b, const Vector3d& t) {
+    const Matrix3d half = -0.5 * cross_matrix(t);
+    H_.block<3, 3>(a.at + 3, b.at + 3) += half;
+    H_.block<3, 3>(b.at + 3, a.at + 3) += half.transpose();
+  }
+  /// A tension along the line from a point of a to one of b.
+  /// @param a, b  nothing: it does not move.
+  void add_line(const std::optional<Mover>& a, const std::optional<Mover>& b,
+                const Vector3d& p_a, const Vector3d& p_b, double tension) {
+    const Vector3d line = p_b - p_a;
+    const double length = line.norm();
+    if (!(length > 0.0)) return;
+    const Vector3d e = line / length;
+    const Matrix3d across =
+        tension / length * (Matrix3d::Identity() - e * e.transpose());
+    const MatrixXd relative = relative_displacement(a, b, p_a, p_b);
+    H_ += relative.transpose() * across * relative;
+  }
+  /// A force on b, its opposite on a, that turns with a: −(θa×f)·(δb − δa).
+  void add_turning(const Mover& a, const std::optional<Mover>& b,
+                   const Vector3d& p, const Vector3d& f) {
+    const MatrixXd product =
+        cross_matrix(f) * relative_displacement(a, b, p, p);
+    H_.middleRows<3>(a.at + 3) -= product;
+    H_.middleCols<3>(a.at + 3) -= product.transpose();
+  }
+  /// −λ times what a row's displacement has of second order.
+  /// @param row  its second derivative for two motions.
+  template <class Row>
+  void add_row(const std::array<std::optional<Mover>, 2>& movers, double lambda,
+               const Row& row) {
+    std::vector<std::pair<std::size_t, Index>> units;
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (Index k = 0; movers[side] && k < kMotion; ++k) {
+        units.emplace_back(side, k);
+      }
+    }
+    const auto of = [&](std::size_t i, std::size_t j) {
+      std::array<Motion6, 2> motion{Motion6::Zero(), Motion6::Zero()};
+      motion[units[i].first][units[i].second] += 1.0;
+      if (i != j) motion[units[j].first][units[j].second] += 1.0;
+      return row(motion[0], motion[1]);
+    };
+    std::vector<double> own;
+    for (std::size_t i = 0; i < units.size(); ++i) own.push_back(of(i, i));
+    const auto at = [&](std::size_t i) {
+      return movers[units[i].first]->at + units[i].second;
+    };
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      H_(at(i), at(i)) -= lambda * own[i];
+      for (std::size_t j = 0; j < i; ++j) {
+        const double mixed = 0.5 * (of(i, j) - own[i] - own[j]);
+        H_(at(i), at(j)) -= lambda * mixed;
+        H_(at(j), at(i)) -= lambda * mixed;
+      }
+    }
+  }
+
+ private:
+  /// Of p_b on b against p_a on a, 3 × motions.
+  MatrixXd relative_displacement(const std::optional<Mover>& a,
+                                 const std::optional<Mover>& b,
+                                 const Vector3d& p_a,
+                                 const Vector3d& p_b) const {
+    MatrixXd relative = MatrixXd::Zero(3, H_.cols());
+    const auto add = [&](const std::optional<Mover>& mover, const Vector3d& p,
+                         double sign) {
+      if (!mover) return;
+      relative.middleCols<3>(mover->at) += sign * Matrix3d::Identity();
+      relative.middleCols<3>(mover->at + 3) -=
+          sign * cross_matrix(p - mover->p);
+    };
+    add(a, p_a, -1.0);
+    add(b, p_b, 1.0);
+    return relative;
+  }
+
+  MatrixXd H_;
+};
+
+/// Loads and reactions of an instant as a form of the motions of neighbours,
+/// then places.
+class LoadForm {
+ public:
+  LoadForm(const Neighbours& neighbours, const NeighbourRows& rows,
+           const Instant& instant, const std::vector<LoadPlace>& places)
+      : neighbours_(neighbours),
+        frame_(neighbours.frame()),
+        rows_(rows),
+        instant_(instant),
+        places_(places),
+        form_(kMotion * (std::ssize(neighbours.slots()) + std::ssize(places))) {
+    add_joints();
+    add_efforts();
+    add_elements();
+  }
+  const MatrixXd& matrix() const { return form_.matrix(); }
+
+  /// The place of a joint or a drive; a drive without one acts at its joint's.
+  static std::optional<std::size_t> place_of(
+      const std::vector<LoadPlace>& places, LoadPlace::Kind kind, int index,
+      int joint) {
+    const auto find = [&](LoadPlace::Kind wanted, int of) {
+      return std::ranges::find_if(places, [&](const LoadPlace& place) {
+        return place.kind == wanted && place.index == of;
+      });
+    };
+    auto found = find(kind, index);
+    if (found == places.end()) found = find(LoadPlace::Kind::kJoint, joint);
+    if (found == places.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - places.begin());
+  }
+
+ private:
+  Vector3d in_P(const Vector3d& in_W) const {
+    return frame_.R_WP.transpose() * in_W;
+  }
+
+  /// Nothing for the ground, and for what no joint leads to.
+  std::optional<Mover> mover(int slot, LoadPlace::Kind kind, int index,
+                             int joint) const {
+    if (slot == neighbours_.slot()) {
+      const auto place = place_of(places_, kind, index, joint);
+      if (!place) return std::nullopt;
+      const BodyPlacement& body = rows_.x[clevis::index(slot)];
+      const Vector3d from_M =
+          places_[*place].p_LS - frame_.p_LM[clevis::index(slot - 1)];
+      return Mover{kMotion * (std::ssize(neighbours_.slots()) +
+                              static_cast<Index>(*place)),
+                   body.p + body.R * from_M, true};
+    }
+    const auto found = std::ranges::find(neighbours_.slots(), slot);
+    if (found == neighbours_.slots().end()) return std::nullopt;
+    return Mover{kMotion * (found - neighbours_.slots().begin()),
+                 rows_.x[clevis::index(slot)].p, false};
+  }
+
+  void add_row(const PlacedJoint& placed, int joint, const JointRow& row,
+               double lambda, LoadPlace::Kind kind, int of) {
+    if (lambda == 0.0) return;
+    const JointModel& model = frame_.joints[index(joint)];
+    const std::array slots{model.a, model.b};
+    const std::array movers{mover(model.a, kind, of, joint),
+                            mover(model.b, kind, of, joint)};
+    const auto twist = [&](std::size_t side, const Motion6& motion) {
+      if (!movers[side]) return Twist{};
+      const Vector3d turn = motion.tail<3>();
+      const Vector3d to_M = rows_.x[index(slots[side])].p - movers[side]->p;
+      return Twist{motion.head<3>() + turn.cross(to_M), turn};
+    };
+    form_.add_row(movers, lambda, [&](const Motion6& a, const Motion6& b) {
+      return placed.bias(row, twist(0, a), twist(1, b));
+    });
+    // The twist is of M, whose way from a place's point is turned, too.
+    const auto levers = placed.levers(row);
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (!movers[side] || !movers[side]->is_place) continue;
+      const Vector3d& force = side == 0 ? levers.a.v : levers.b.v;
+      form_.add_force(*movers[side], lambda * force,
+                      rows_.x[index(slots[side])].p - movers[side]->p);
+    }
+  }
+
+  PlacedJoint placed(std::size_t k) const {
+    const JointModel& joint = frame_.joints[k];
+    return {joint, rows_.x[index(joint.a)], rows_.x[index(joint.b)]};
+  }
+
+  bool concerns(const JointModel& joint) const {
+    const auto moves = [&](int slot) {
+      return slot == neighbours_.slot() ||
+             std::ranges::find(neighbours_.slots(), slot) !=
+                 neighbours_.slots().end();
+    };
+    return moves(joint.a) || moves(joint.b);
+  }
+
+  void add_joints() {
+    for (std::size_t k = 0; k < frame_.joints.size(); ++k) {
+      const JointModel& joint = frame_.joints[k];
+      if (!concerns(joint)) continue;
+      const PlacedJoint here = placed(k);
+      const auto rows = constrained_rows(joint.type, Motions::kSpatial);
+      MatrixXd actions(kMotion, std::ssize(rows));
+      for (std::size_t r = 0; r < rows.size(); ++r) {
+        const SpatialForce action = here.action(rows[r]);
+        actions.col(static_cast<Index>(r)) << action.v,
+            action.w / frame_.length;
+      }
+      const JointReaction& reaction = instant_.joints[k];
+      Motion6 wrench;
+      wrench << in_P(reaction.f_W), in_P(reaction.t_W) / frame_.length;
+      const VectorXd multipliers = actions.colPivHouseholderQr().solve(wrench);
+      for (std::size_t r = 0; r < rows.size(); ++r) {
+        add_row(here, static_cast<int>(k), rows[r],
+                multipliers[static_cast<Index>(r)], LoadPlace::Kind::kJoint,
+                static_cast<int>(k));
+      }
+    }
+  }
+
+  void add_effort(int joint, const JointRow& row, double effort,
+                  LoadPlace::Kind kind, int of) {
+    if (!concerns(frame_.joints[index(joint)])) return;
+    add_row(placed(index(joint)), joint, row, effort, kind, of);
+  }
+
+  void add_efforts() {
+    const MechanismDefinition& definition = neighbours_.definition();
+    for (std::size_t d = 0; d < instant_.drives.size(); ++d) {
+      const DriveDefinition& drive = definition.drives[d];
+      add_effort(drive.joint,
+                 coordinate_row(frame_.joints[index(drive.joint)].type,
+                                drive.coordinate),
+                 instant_.drives[d].effort, LoadPlace::Kind::kDrive,
+                 static_cast<int>(d));
+    }
+    for (std::size_t c = 0; c < instant_.couplings.size(); ++c) {
+      const CouplingModel& coupling = frame_.couplings[c];
+      const double effort = instant_.couplings[c].effort;
+      add_effort(coupling.joint_1, coupling.row_1, effort,
+                 LoadPlace::Kind::kJoint, coupling.joint_1);
+      add_effort(coupling.joint_2, coupling.row_2, -coupling.ratio * effort,
+                 LoadPlace::Kind::kJoint, coupling.joint_2);
+    }
+  }
+
+  void add_elements() {
+    const auto& elements = neighbours_.definition().elements;
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      const auto& actions = instant_.elements[e].actions;
+      const ElementLine* line = line_of(elements[e]);
+      std::array<std::optional<Mover>, 2> movers;
+      std::array<Vector3d, 2> points, forces;
+      for (std::size_t side = 0; side < 2; ++side) {
+        const ElementAction& action = actions[side];
+        movers[side] =
+            mover(action.body + 1, LoadPlace::Kind::kElement,
+                  static_cast<int>(e), line != nullptr ? line->joint : -1);
+        points[side] = in_P(action.p_W);
+        forces[side] = in_P(action.f_W);
+      }
+      if (!movers[0] && !movers[1]) continue;
+      if (const ElementPoint* centre = rolling_centre(elements[e])) {
+        add_rolling(movers, forces[1], points[1], *centre);
+        continue;
+      }
+      for (std::size_t side = 0; side < 2; ++side) {
+        if (!movers[side]) continue;
+        form_.add_force(*movers[side], forces[side],
+                        points[side] - movers[side]->p);
+      }
+      if (movers[0] && movers[1]) {
+        form_.add_moment(*movers[0], *movers[1], in_P(actions[1].t_W));
+      }
+      if (line == nullptr) continue;
+      if (line->kind == ElementLine::Kind::kDistance) {
+        const Vector3d along = (points[1] - points[0]).normalized();
+        form_.add_line(movers[0], movers[1], points[0], points[1],
+                       -forces[1].dot(along));
+      } else if (line->kind == ElementLine::Kind::kSlide && movers[0]) {
+        form_.add_turning(*movers[0], movers[1], points[1], forces[1]);
+      }
+    }
+  }
+
+  /// A wheel on a plane, a to b: its normal force goes through its centre and
+  /// turns with the plane; friction stays where it touches.
+  void add_rolling(const std::array<std::optional<Mover>, 2>& movers,
+                   const Vector3d& force, const Vector3d& touch,
+                   const ElementPoint& centre) {
+    Vector3d middle = in_P(centre.p_L);
+    if (centre.body != kGround) {
+      const std::size_t body = index(centre.body);
+      const BodyPlacement& wheel = rows_.x[body + 1];
+      middle = wheel.p + wheel.R * (centre.p_L - frame_.p_LM[body]);
+    }
+    const Vector3d up = (middle - touch).normalized();
+    const Vector3d pressing = force.dot(up) * up;
+    for (const std::size_t side : {0u, 1u}) {
+      if (!movers[side]) continue;
+      const double sign = side == 0 ? -1.0 : 1.0;
+      form_.add_force(*movers[side], sign * pressing, middle - movers[side]->p);
+      form_.add_force(*movers[side], sign * (force - pressing),
+                      touch - movers[side]->p);
+    }
+    if (movers[0]) form_.add_turning(*movers[0], movers[1], middle, pressing);
+  }
+
+  const Neighbours& neighbours_;
+  const SolvingFrame& frame_;
+  const NeighbourRows& rows_;
+  const Instant& instant_;
+  const std::vector<LoadPlace>& places_;
+  SecondOrderForm form_;
+};
+
+/// The rows of the body as rows of the places' motions, turns times length.
+MatrixXd rows_of_places(const Neighbours& neighbours, const NeighbourRows& rows,
+                        const std::vector<LoadPlace>& places) {
+  const SolvingFrame& frame = neighbours.frame();
+  const Matrix3d& R = rows.x[index(neighbours.slot())].R;
+  MatrixXd all = MatrixXd::Zero(rows.body.rows(), kMotion * std::ssize(places));
+  for (Index k = 0; k < rows.body.rows(); ++k) {
+    const NeighbourPlace& at = rows.places[rows.place_of[index(k)]];
+    int drive = -1;
+    const auto& drives = neighbours.definition().drives;
+    for (std::size_t d = 0; at.is_drive && d < drives.size(); ++d) {
+      if (drives[d].joint == at.joint) drive = static_cast<int>(d);
+    }
+    const auto place = LoadForm::place_of(
+        places, at.is_drive ? LoadPlace::Kind::kDrive : LoadPlace::Kind::kJoint,
+        at.is_drive ? drive : at.joint, at.joint);
+    if (!place) continue;
+    const Vector3d force = rows.body.row(k).head<3>();
+    const Vector3d to_M =
+        R * (frame.p_LM[index(neighbours.slot() - 1)] - places[*place].p_LS);
+    all.row(k).segment<3>(kMotion * static_cast<Index>(*place)) = force;
+    all.row(k).segment<3>(kMotion * static_cast<Index>(*place) + 3) =
+        rows.body.row(k).tail<3>().transpose() +
+        to_M.cross(force) / frame.length;
+  }
+  return all;
+}
+
+/// How neighbours follow the places, in unknowns of ConstraintSystem.
+struct Following {
+  MatrixXd admitted;  ///< motions of places → those that rows leave
+  MatrixXd slow;      ///< → neighbours, by least kinetic energy
+  MatrixXd loose;     ///< motions of neighbours that the places do not see
+};
+
+Following following_of(const Neighbours& neighbours, const NeighbourRows& rows,
+                       const MatrixXd& of_places) {
+  constexpr double kLight = 1e-6;  // of the heaviest: a body of no inertia
+  const Index bodies = rows.there.cols(), moves = of_places.cols();
+  Following found{MatrixXd::Identity(moves, moves),
+                  MatrixXd::Zero(bodies, moves), MatrixXd(bodies, 0)};
+  MatrixXd held = of_places;
+  MatrixXd answer(0, moves), followed(bodies, 0);
+  if (rows.free.cols() > 0) {
+    MatrixXd mass =
+        rows.free.transpose() * neighbours.masses(rows.x) * rows.free;
+    const double heaviest = mass.diagonal().maxCoeff();
+    mass.diagonal().array() += heaviest > 0.0 ? kLight * heaviest : 1.0;
+    const Eigen::LLT<MatrixXd> root(mass);
+    const MatrixXd free =
+        root.matrixL().solve(rows.free.transpose()).transpose();
+    found.loose = free;
+    if (of_places.rows() > 0) {
+      const Eigen::JacobiSVD<MatrixXd> svd(
+          rows.there * free, Eigen::ComputeFullU | Eigen::ComputeFullV);
+      const VectorXd& sigma = svd.singularValues();
+      const Index n = (sigma.array() > kRoundOff * sigma[0]).count();
+      followed = free * svd.matrixV().leftCols(n);
+      found.loose = free * svd.matrixV().rightCols(free.cols() - n);
+      const VectorXd scale = -sigma.head(n).cwiseInverse();
+      answer = scale.asDiagonal() * svd.matrixU().leftCols(n).transpose() *
+               of_places;
+      held =
+          svd.matrixU().rightCols(of_places.rows() - n).transpose() * of_places;
+    }
+  }
+  if (held.rows() > 0) {
+    const Eigen::JacobiSVD<MatrixXd> svd(held, Eigen::ComputeFullV);
+    const VectorXd& sigma = svd.singularValues();
+    const Index n = (sigma.array() > kRoundOff).count();
+    const MatrixXd kept = svd.matrixV().leftCols(n);
+    found.admitted -= kept * kept.transpose();
+  }
+  if (answer.rows() > 0) found.slow = followed * answer * found.admitted;
+  return found;
+}
+
+/// −∂²L of the places, of a form of neighbours' motions and theirs.
+MatrixXd eliminated(const MatrixXd& form, const Following& following) {
+  const Index bodies = following.slow.rows(), moves = following.slow.cols();
+  MatrixXd motions(bodies + moves, moves);
+  motions << following.slow, following.admitted;
+  const MatrixXd product = form * motions;
+  MatrixXd gain = -motions.transpose() * product;
+  if (following.loose.cols() > 0) {
+    const MatrixXd& loose = following.loose;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> held(
+        loose.transpose() * form.topLeftCorner(bodies, bodies) * loose);
+    const MatrixXd pushed = held.eigenvectors().transpose() *
+                            loose.transpose() * product.topRows(bodies);
+    const double round_off =
+        kRoundOff * form.norm() * loose.colwise().squaredNorm().maxCoeff();
+    for (Index k = 0; k < pushed.rows(); ++k) {
+      const double stiffness = held.eigenvalues()[k];
+      if (stiffness <= round_off) continue;
+      gain += pushed.row(k).transpose() * pushed.row(k) / stiffness;
+    }
+  }
+  return 0.5 * (gain + gain.transpose());
+}
+
+}  // namespace
+
+LoadGains load_gains(const Neighbours& neighbours, const Instant& instant,
+                     const std::vector<LoadPlace>& places) {
+  const NeighbourRows rows = neighbours.rows(instant);
+  const double length = neighbours.frame().length;
+  const Index moves = kMotion * std::ssize(places);
+  MatrixXd form = LoadForm(neighbours, rows, instant, places).matrix();
+  VectorXd scale = VectorXd::Ones(form.rows());  // of turns to lengths
+  for (Index i = 0; i < scale.size(); ++i) {
+    if (i % kMotion >= 3) scale[i] = 1.0 / length;
+  }
+  form = scale.asDiagonal() * form * scale.asDiagonal();
+  const Following following =
+      following_of(neighbours, rows, rows_of_places(neighbours, rows, places));
+  MatrixXd to_P = MatrixXd::Zero(moves, moves);
+  MatrixXd to_L = to_P;
+  const Matrix3d& R_PL = rows.x[index(neighbours.slot())].R;
+  for (Index i = 0; i < moves; i += 3) {
+    const double of_turns = i % kMotion == 0 ? 1.0 : length;
+    to_P.block<3, 3>(i, i) = of_turns * R_PL;
+    to_L.block<3, 3>(i, i) = R_PL.transpose() / of_turns;
+  }
+  return {to_P.transpose() * eliminated(form, following) * to_P,
+          to_L * following.admitted * to_P};
+}
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mechanism/definition/motion.h"
+#include "mechanism/neighbours/neighbours.h"
+
+namespace clevis::mechanism {
+
+/// Where the mechanism acts on a body that gives way at each such place by
+/// itself.
+struct LoadPlace {
+  enum class Kind { kJoint, kDrive, kElement } kind{};
+  int index{};           ///< of joints, drives, elements
+  Eigen::Vector3d p_LS;  ///< the point that moves [m]
+};
+
+/// Forces and moments that a body gains at places as these move, in L: each
+/// place has a displacement of its point and a turn, six numbers [m], [rad].
+struct LoadGains {
+  /// 6 n × 6 n, symmetric: forces, then moments about the points, for unit
+  /// motions [N/m], [N], [N m].
+  Eigen::MatrixXd gain;
+  /// Of a motion, the nearest one that joints leave, 6 n × 6 n; the gain is of
+  /// those.
+  Eigen::MatrixXd admitted;
+};
+
+/// What loads that keep size and direction, on neighbours and on the body,
+/// gain by second order at small slow motions of the places: neighbours are
+/// rigid and follow, as a link that presses turns about its far pin and pushes
+/// on across, or a weight on a mast has an arm. Elements' efforts stay;
+/// moments are semitangential. Neighbours that the places do not fix come to
+/// rest where loads hold them, or stay behind by their inertia.
+///
+/// With L the Lagrangian of loads and reactions, second order in the motions of
+/// places and neighbours, the gain is −∂²L, neighbours eliminated.
+/// @param instant  of a motion of the mechanism.
+/// Source: docs/theory/09_elasticity.md, "Buckling".
+LoadGains load_gains(const Neighbours& neighbours, const Instant& instant,
+                     const std::vector<LoadPlace>& places);
+
+}  // namespace clevis::mechanism

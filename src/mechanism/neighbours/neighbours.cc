@@ -1,0 +1,150 @@
+#include "mechanism/neighbours/neighbours.h"
+
+#include <algorithm>
+#include <deque>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include "base/values/index.h"
+#include "mechanism/mass_matrix/centre_frame.h"
+
+namespace clevis::mechanism {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+
+constexpr std::size_t kMostBodies = 100;
+constexpr Index kTwist = 6;
+
+/// Of the bodies at an instant, referred to the frame's points M.
+Configuration configuration(const SolvingFrame& frame, const Instant& instant) {
+  Configuration x(instant.bodies.size() + 1);
+  for (std::size_t i = 0; i < instant.bodies.size(); ++i) {
+    const Pose& pose = instant.bodies[i].pose;
+    BodyPlacement& at = x[i + 1];
+    at.R = frame.R_WP.transpose() * pose.R_WL;
+    at.q = Eigen::Quaterniond(at.R);
+    at.p = frame.R_WP.transpose() * pose.p_WL + at.R * frame.p_LM[i];
+  }
+  return x;
+}
+
+/// Slots of the bodies that are joined to one, the nearest by joints first.
+std::vector<int> neighbours_of(const SolvingFrame& frame, int slot) {
+  std::vector<int> found;
+  std::vector<bool> is_known(frame.placement.size(), false);
+  is_known[0] = is_known[index(slot)] = true;
+  std::deque<int> next{slot};
+  const auto join = [&](int here, int there) {
+    if (here != next.front() || is_known[index(there)]) return;
+    is_known[index(there)] = true;
+    found.push_back(there);
+    next.push_back(there);
+  };
+  for (; !next.empty() && found.size() < kMostBodies; next.pop_front()) {
+    for (const JointModel& joint : frame.joints) {
+      join(joint.a, joint.b);
+      join(joint.b, joint.a);
+    }
+    for (const CouplingModel& coupling : frame.couplings) {
+      const JointModel& first = frame.joints[index(coupling.joint_1)];
+      const JointModel& second = frame.joints[index(coupling.joint_2)];
+      for (const int a : {first.a, first.b}) {
+        for (const int b : {second.a, second.b}) {
+          join(a, b);
+          join(b, a);
+        }
+      }
+    }
+  }
+  return found;
+}
+
+/// Motions that rows leave, orthonormal.
+MatrixXd null_space(const MatrixXd& rows) {
+  constexpr double kRoundOff = 1e-9;  // of rows of pure numbers
+  if (rows.size() == 0) return MatrixXd::Identity(rows.cols(), rows.cols());
+  Eigen::BDCSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
+  svd.setThreshold(kRoundOff);
+  return svd.matrixV().rightCols(rows.cols() - svd.rank());
+}
+
+}  // namespace
+
+Neighbours::Neighbours(const MechanismDefinition& definition, BodyIndex body)
+    : definition_(definition),
+      frame_(frame_at_centres(definition)),
+      system_(frame_, definition.drives, Motions::kSpatial,
+              ConstraintSystem::Drives::kAll),
+      slot_(body + 1),
+      slots_(neighbours_of(frame_, slot_)) {}
+
+NeighbourRows Neighbours::rows(const Instant& instant) const {
+  NeighbourRows found;
+  found.x = configuration(frame_, instant);
+  const MatrixXd J = system_.jacobian(system_.place(found.x));
+  const auto block = [&](Index row, int of) {
+    return J.row(row).segment<kTwist>(kTwist * (of - 1));
+  };
+  std::vector<Index> own, among;
+  for (Index row = 0; row < J.rows(); ++row) {
+    if (block(row, slot_).isZero(0.0)) {
+      if (std::ranges::any_of(slots_, [&](int neighbour) {
+            return !block(row, neighbour).isZero(0.0);
+          })) {
+        among.push_back(row);
+      }
+      continue;
+    }
+    const ConstraintSystem::Row& of = system_.row_list()[index(row)];
+    const JointModel& first = frame_.joints[index(of.joint)];
+    const bool is_second =
+        of.coupling >= 0 && first.a != slot_ && first.b != slot_;
+    const NeighbourPlace place{
+        is_second ? frame_.couplings[index(of.coupling)].joint_2 : of.joint,
+        row >= system_.joint_rows()};
+    const auto known = std::ranges::find(found.places, place);
+    found.place_of.push_back(index(known - found.places.begin()));
+    if (known == found.places.end()) found.places.push_back(place);
+    own.push_back(row);
+  }
+  const auto of_neighbours = [&](const std::vector<Index>& rows) {
+    MatrixXd part(std::ssize(rows), kTwist * std::ssize(slots_));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (std::size_t k = 0; k < slots_.size(); ++k) {
+        part.row(static_cast<Index>(i))
+            .segment<kTwist>(kTwist * static_cast<Index>(k)) =
+            block(rows[i], slots_[k]);
+      }
+    }
+    return part;
+  };
+  found.body.resize(std::ssize(own), kTwist);
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    found.body.row(static_cast<Index>(i)) = block(own[i], slot_);
+  }
+  found.there = of_neighbours(own);
+  found.free = null_space(of_neighbours(among));
+  return found;
+}
+
+MatrixXd Neighbours::masses(const Configuration& x) const {
+  const Index size = kTwist * std::ssize(slots_);
+  const double square = frame_.length * frame_.length;
+  MatrixXd mass = MatrixXd::Zero(size, size);
+  for (std::size_t k = 0; k < slots_.size(); ++k) {
+    const Index at = kTwist * static_cast<Index>(k);
+    const auto& given =
+        definition_.bodies[index(slots_[k] - 1)].mass_properties;
+    const Matrix3d& R = x[index(slots_[k])].R;
+    mass.block<3, 3>(at, at) = given.mass * Matrix3d::Identity();
+    mass.block<3, 3>(at + 3, at + 3) =
+        R * given.inertia_LCm * R.transpose() / square;
+  }
+  return mass;
+}
+
+}  // namespace clevis::mechanism

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mechanism/constraints/constraint_system.h"
+#include "mechanism/constraints/solving_frame.h"
+#include "mechanism/definition/definition.h"
+#include "mechanism/definition/motion.h"
+
+namespace clevis::mechanism {
+
+/// A joint of a body, or what a drive holds of it.
+struct NeighbourPlace {
+  int joint{};
+  bool is_drive{};
+
+  bool operator==(const NeighbourPlace&) const = default;
+};
+
+/// Rows of constraints at an instant, of the unknowns of ConstraintSystem about
+/// centres of mass: those of the body with its neighbours, and those among
+/// neighbours.
+struct NeighbourRows {
+  Configuration x;
+  std::vector<NeighbourPlace> places;
+  std::vector<std::size_t> place_of;  ///< of each row of the body
+  Eigen::MatrixXd body;               ///< rows × 6
+  Eigen::MatrixXd there;  ///< the same rows, of the neighbours' unknowns
+  Eigen::MatrixXd free;   ///< orthonormal motions that rows among them leave
+};
+
+/// The bodies that joints and couplings join to one, rigid and held by their
+/// own joints, couplings and drives. The ground joins none.
+class Neighbours {
+ public:
+  /// Of more than a hundred bodies those nearest by joints.
+  /// @param definition  outlives the object.
+  Neighbours(const MechanismDefinition& definition, BodyIndex body);
+  Neighbours(const Neighbours&) = delete;
+
+  const MechanismDefinition& definition() const { return definition_; }
+  /// Every body's M is its centre of mass.
+  const SolvingFrame& frame() const { return frame_; }
+  int slot() const { return slot_; }                        ///< of the body
+  const std::vector<int>& slots() const { return slots_; }  ///< of neighbours
+  NeighbourRows rows(const Instant& instant) const;
+  /// Of the neighbours about their centres, in unknowns of ConstraintSystem
+  /// [kg].
+  Eigen::MatrixXd masses(const Configuration& x) const;
+
+ private:
+  const MechanismDefinition& definition_;
+  SolvingFrame frame_;
+  ConstraintSystem system_;
+  int slot_;
+  std::vector<int> slots_;
+};
+
+}  // namespace clevis::mechanism
