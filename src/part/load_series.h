@@ -30,6 +30,7 @@ struct SeriesInstant {
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();      ///< [rad/s]
   Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();  ///< [rad/s²]
+  bool is_between_rows{};  ///< in no row of the file, but between two
 };
 
 /// What loads do between the rows of a file.

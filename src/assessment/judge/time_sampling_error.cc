@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "loads/history/motion_instants.h"
 #include "stress/field/stress_history.h"
@@ -26,28 +27,58 @@ double doubt_of_piece(const VectorXd& peak) {
   return (highest - lowest) / 3.0;
 }
 
-/// Of the loads, at the seats where they act.
-double doubt_of_loads(const loads::LoadHistory& history, const VectorXd& peak) {
-  const std::vector<loads::InstantLoad>& instants = history.instants;
-  const auto n = static_cast<Index>(loads::motion_length(history));
-  if (history.rows == part::BetweenRows::kLinear) return 0.0;
-  if (history.unseen > 0.0) return history.unseen * peak.head(n).maxCoeff();
-  const auto time = [&](Index i) {
-    return instants[static_cast<std::size_t>(i)].time;
-  };
-  const double apart = loads::kEventSides * loads::motion_duration(history);
+/// Of the pieces of a motion that events separate.
+/// @param apart  two sides of an event are no farther [s].
+double doubt_of_pieces(const std::vector<double>& time, const VectorXd& peak,
+                       double apart) {
+  const Index n = peak.size();
   std::vector<Index> starts{0};
   for (Index i = 1; i < n; ++i) {
-    if (time(i) - time(i - 1) <= apart) starts.push_back(i);
+    const auto at = static_cast<std::size_t>(i);
+    if (time[at] - time[at - 1] <= apart) starts.push_back(i);
   }
-  if (starts.size() == 1) return stress::time_sampling_error(peak.head(n));
+  if (starts.size() == 1) return stress::time_sampling_error(peak);
   starts.push_back(n);
   double bound = 0.0;
   for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
     const VectorXd piece = peak.segment(starts[k], starts[k + 1] - starts[k]);
     bound = std::max(bound, piece.maxCoeff() + doubt_of_piece(piece));
   }
-  return bound - peak.head(n).maxCoeff();
+  return bound - peak.maxCoeff();
+}
+
+/// Of the way between rows on which instants lie.
+/// @param rows  their indices. @param peak  of all instants.
+double doubt_between(const std::vector<Index>& rows, const VectorXd& peak) {
+  const double largest = peak.maxCoeff();
+  double bound = largest;
+  for (std::size_t r = 1; r < rows.size(); ++r) {
+    const Index steps = rows[r] - rows[r - 1];
+    if (steps == 1) continue;
+    const VectorXd piece = peak.segment(rows[r - 1], steps + 1);
+    bound =
+        std::max(bound, piece.maxCoeff() + stress::time_sampling_error(piece));
+  }
+  return bound - largest;
+}
+
+/// Of the loads, at the seats where they act.
+double doubt_of_loads(const loads::LoadHistory& history, const VectorXd& peak) {
+  const auto n = static_cast<Index>(loads::motion_length(history));
+  if (history.unseen > 0.0) return history.unseen * peak.head(n).maxCoeff();
+  if (n < 2) return 0.0;
+  std::vector<Index> rows;
+  std::vector<double> times;
+  for (Index i = 0; i < n; ++i) {
+    const auto& instant = history.instants[static_cast<std::size_t>(i)];
+    if (instant.is_between_rows) continue;
+    rows.push_back(i);
+    times.push_back(instant.time);
+  }
+  const double between = doubt_between(rows, peak.head(n));
+  if (history.rows == part::BetweenRows::kLinear) return between;
+  const double apart = loads::kEventSides * loads::motion_duration(history);
+  return between + doubt_of_pieces(times, peak(rows), apart);
 }
 
 }  // namespace

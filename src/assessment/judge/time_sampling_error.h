@@ -13,7 +13,9 @@ namespace clevis::assessment {
 /// instants lie on the line between theirs but for LoadHistory::unseen: the
 /// stress, a convex function of the loads, is no higher but for that part of
 /// it. Of rows of a
-/// file between which loads change evenly it is none. Where a seat travels,
+/// file between which loads change evenly it is none, but of the way on which
+/// they do so in another frame than the part's or with its spin: instants on
+/// that are judged each by itself. Where a seat travels,
 /// LoadHistory::slide_excess of it is added.
 /// @param history  of a load set; its cases stand behind the motion, at time
 ///   0, and have no doubt.

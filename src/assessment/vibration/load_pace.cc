@@ -60,7 +60,7 @@ double added_mass(const LoadSet& set, double width) {
   // A quarter of a clamped bar's mass moves with its end.
   constexpr double kAtTheEnd = 4.2, kGyration = 3.5;  // of the width: 1/√12
   if (!set.history.hold || !set.fixed.empty()) return 0.0;
-  const MatrixXd weighed = set.history.hold(set.history.hold_time).weighed;
+  const MatrixXd weighed = set.history.hold_that_counts().weighed;
   double sum = 0.0;
   for (Index row = 0; row < weighed.rows(); ++row) {
     const bool turns = row % 6 >= 3;

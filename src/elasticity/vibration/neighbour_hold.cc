@@ -47,7 +47,7 @@ NeighbourHold neighbour_hold(const Discretization<dim>& discretization,
                              const std::string& part_name) {
   const MatrixXd none(discretization.dofs(), 0);
   if (!history.hold) return {none, none};
-  const loads::SeatHold hold = history.hold(history.hold_time);
+  const loads::SeatHold hold = history.hold_that_counts();
   const MatrixXd held = principal(acting_rows<dim>(hold.held));
   const MatrixXd weighed = principal(acting_rows<dim>(hold.weighed));
   if (held.cols() + weighed.cols() == 0) return {none, none};

@@ -83,6 +83,7 @@ struct InstantLoad {
   std::function<SeatGains()> gains = {};
   /// Of a case: what its loads leave, which `rigid` takes up; about Lo.
   Wrench relief = {};
+  bool is_between_rows{};  ///< of a file, in none of them
 };
 
 /// What the rest of the mechanism does to a part that vibrates, at an instant:
@@ -124,6 +125,9 @@ struct LoadHistory {
   double slide_excess = 0.0;
   /// Notes for the user on how the seats were modelled, a line each.
   std::vector<std::string> notes = {};
+
+  /// When it counts. @pre `hold`.
+  SeatHold hold_that_counts() const { return hold(hold_time); }
 };
 
 }  // namespace clevis::loads

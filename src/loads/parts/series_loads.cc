@@ -38,7 +38,9 @@ InstantLoad instant_of(const LoadSeries& series, const SeriesInstant& given,
                        const std::vector<GroupGeometry>& groups,
                        const std::string& place) {
   InstantLoad instant;
-  instant.label = fmt::format("{}, t = {:.6g} s", series.name, given.time);
+  instant.label = fmt::format("{}, t = {:.6g} s{}", series.name, given.time,
+                              given.is_between_rows ? " between rows" : "");
+  instant.is_between_rows = given.is_between_rows;
   instant.time = given.time;
   for (std::size_t s = 0; s < seats.size(); ++s) {
     instant.wrenches.push_back(
@@ -56,13 +58,15 @@ InstantLoad instant_of(const LoadSeries& series, const SeriesInstant& given,
   return instant;
 }
 
-/// Rests of the balance of a series, over its largest loads.
+/// Rests of the balance of a series, over its largest loads. Those of rows
+/// count; between two the file tells nothing that could be out of balance.
 class SeriesBalance {
  public:
   SeriesBalance(const LoadHistory& history, const part::MassProperties& mass,
                 double size) {
     for (const InstantLoad& instant : history.instants) {
       rests_.push_back(imbalance(history, instant, mass, size));
+      is_row_.push_back(!instant.is_between_rows);
       force_scale_ = std::max(force_scale_, rests_.back().force_scale);
       moment_scale_ = std::max(moment_scale_, rests_.back().moment_scale);
     }
@@ -73,16 +77,20 @@ class SeriesBalance {
   }
 
   const Imbalance& operator[](std::size_t i) const { return rests_[i]; }
+  /// Of the rows.
   std::size_t largest() const {
-    const auto largest =
-        std::ranges::max_element(rests_, {}, [](const Imbalance& rest) {
-          return rest.relative();
-        });
-    return static_cast<std::size_t>(largest - rests_.begin());
+    std::size_t largest = 0;
+    for (std::size_t i = 1; i < rests_.size(); ++i) {
+      if (is_row_[i] && rests_[largest].relative() < rests_[i].relative()) {
+        largest = i;
+      }
+    }
+    return largest;
   }
 
  private:
   std::vector<Imbalance> rests_;
+  std::vector<bool> is_row_;
   double force_scale_{};
   double moment_scale_{};
 };

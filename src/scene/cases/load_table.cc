@@ -158,18 +158,17 @@ LoadTable::LoadTable(const std::filesystem::path& file) {
   require_whole_orientation(file.string() + ":1:1");
   values_.resize(static_cast<Eigen::Index>(rows.size()) - 1,
                  static_cast<Eigen::Index>(columns.size()));
-  std::vector<std::string> places;
   for (std::size_t r = 1; r < rows.size(); ++r) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       values_(static_cast<Eigen::Index>(r) - 1, static_cast<Eigen::Index>(c)) =
           factors[c] * number_of(rows[r][c]);
     }
-    places.push_back(rows[r].front().place);
+    places_.push_back(rows[r].front().place);
   }
-  require_rising_times(places);
+  require_rising_times();
   if (has_orientation()) {
-    require_unit_length(places);
-    require_spin_where_turning(places);
+    require_unit_length();
+    require_spin_where_turning();
   }
 }
 
@@ -182,19 +181,17 @@ void LoadTable::require_whole_orientation(const std::string& place) const {
               "Give orientation_w, _x, _y and _z, or none of them.");
 }
 
-void LoadTable::require_rising_times(
-    const std::vector<std::string>& places) const {
+void LoadTable::require_rising_times() const {
   for (std::size_t r = 1; r < rows(); ++r) {
     if (time(r) >= time(r - 1)) continue;
-    throw Error("S006", places[r],
+    throw Error("S006", places_[r],
                 fmt::format("time falls from {:.9g} s to {:.9g} s", time(r - 1),
                             time(r)),
                 "Sort the rows by time; equal times are a step.");
   }
 }
 
-void LoadTable::require_unit_length(
-    const std::vector<std::string>& places) const {
+void LoadTable::require_unit_length() const {
   constexpr double kOff = 1e-3;
   for (std::size_t r = 0; r < rows(); ++r) {
     Vector3d axis;
@@ -203,14 +200,13 @@ void LoadTable::require_unit_length(
     }
     const double length = std::hypot(value(r, orientation_[0]), axis.norm());
     if (std::abs(length - 1.0) <= kOff) continue;
-    throw Error("S006", places[r],
+    throw Error("S006", places_[r],
                 fmt::format("the orientation has length {:.6g}", length),
                 "Give unit quaternions, the real part as orientation_w.");
   }
 }
 
-void LoadTable::require_spin_where_turning(
-    const std::vector<std::string>& places) const {
+void LoadTable::require_spin_where_turning() const {
   constexpr double kTurned = 2e-3;  // [rad]: digits of a written quaternion
   const Eigen::Quaterniond start = orientation(0);
   // Component about which it turned without a column; nothing: none.
@@ -228,7 +224,7 @@ void LoadTable::require_spin_where_turning(
     // In the world's frame and in the part's: the vectors may be of either.
     const auto in_world = missing(now * start.conjugate());
     if (!in_world || !missing(start.conjugate() * now)) continue;
-    throw Error("S003", places[r],
+    throw Error("S003", places_[r],
                 fmt::format("the part has turned about {}, but the file has no "
                             "angular_velocity_{}",
                             "xyz"[*in_world], "xyz"[*in_world]),

@@ -53,6 +53,7 @@ class LoadTable {
   Eigen::Vector3d acceleration(std::size_t row) const;
   Eigen::Vector3d angular_velocity(std::size_t row) const;
   Eigen::Vector3d angular_acceleration(std::size_t row) const;
+  const std::string& place(std::size_t row) const { return places_[row]; }
   /// From the part's frame to the world; needs has_orientation().
   Eigen::Quaterniond orientation(std::size_t row) const;
 
@@ -64,9 +65,9 @@ class LoadTable {
                               const std::string& place);
   LoadColumns& load(const std::string& name, const std::string& place);
   void require_whole_orientation(const std::string& place) const;
-  void require_rising_times(const std::vector<std::string>& places) const;
-  void require_spin_where_turning(const std::vector<std::string>& places) const;
-  void require_unit_length(const std::vector<std::string>& places) const;
+  void require_rising_times() const;
+  void require_spin_where_turning() const;
+  void require_unit_length() const;
 
   std::vector<LoadColumns> loads_;
   int time_ = -1;
@@ -74,7 +75,8 @@ class LoadTable {
   VectorColumns omega_{-1, -1, -1};
   VectorColumns alpha_{-1, -1, -1};
   std::array<int, 4> orientation_{-1, -1, -1, -1};  ///< w, x, y, z
-  Eigen::MatrixXd values_;  ///< rows × columns of the file [SI]
+  Eigen::MatrixXd values_;           ///< rows × columns of the file [SI]
+  std::vector<std::string> places_;  ///< of the rows, file:line:column
 };
 
 }  // namespace clevis::scene

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <fmt/format.h>
 
 #include "scene/cases/load_table.h"
 #include "scene/cases/read_supports.h"
+#include "scene/cases/row_loads.h"
 #include "scene/text/name_index.h"
 #include "scene/text/suggestion.h"
 
@@ -85,37 +87,36 @@ Frame read_frame(StrictTable& table, const LoadTable& loads) {
   return frame;
 }
 
-/// Rows of the file in the part's frame.
-std::vector<part::SeriesInstant> instants_of(
-    const LoadTable& loads, const std::vector<SeriesSeat>& seats, Frame frame,
-    const Vector3d& gravity) {
+std::vector<RowLoads> rows_of(const LoadTable& loads,
+                              const std::vector<SeriesSeat>& seats, Frame frame,
+                              const Vector3d& gravity) {
   std::vector<const LoadColumns*> columns;
   for (const SeriesSeat& seat : seats) {
     columns.push_back(
         &*std::ranges::find(loads.loads(), seat.name, &LoadColumns::name));
   }
-  std::vector<part::SeriesInstant> instants;
+  std::vector<RowLoads> rows;
   for (std::size_t row = 0; row < loads.rows(); ++row) {
-    const Eigen::Matrix3d R_LF =
-        frame == Frame::kWorld
-            ? Eigen::Matrix3d(loads.orientation(row).conjugate())
-            : Eigen::Matrix3d::Identity();
     part::SeriesInstant instant;
     instant.time = loads.time(row);
     for (const LoadColumns* column : columns) {
-      instant.forces.emplace_back(R_LF * loads.vector(row, column->force));
-      instant.moments.emplace_back(R_LF * loads.vector(row, column->moment));
+      instant.forces.push_back(loads.vector(row, column->force));
+      instant.moments.push_back(loads.vector(row, column->moment));
     }
     for (const LoadColumns& column : loads.loads()) {
       if (column.pressure < 0) continue;
       instant.pressures.push_back(loads.value(row, column.pressure));
     }
-    instant.acceleration = R_LF * (loads.acceleration(row) - gravity);
-    instant.angular_velocity = R_LF * loads.angular_velocity(row);
-    instant.angular_acceleration = R_LF * loads.angular_acceleration(row);
-    instants.push_back(std::move(instant));
+    instant.acceleration = loads.acceleration(row) - gravity;
+    instant.angular_velocity = loads.angular_velocity(row);
+    instant.angular_acceleration = loads.angular_acceleration(row);
+    rows.push_back({.loads = std::move(instant), .place = loads.place(row)});
+    if (frame == Frame::kWorld) {
+      rows.back().orientation = loads.orientation(row);
+    }
   }
-  return instants;
+  if (frame == Frame::kWorld) require_known_turns(rows);
+  return rows;
 }
 
 part::BetweenRows read_interpolation(StrictTable& table) {
@@ -163,10 +164,11 @@ part::LoadSeries read_history(StrictTable& table,
   }
   const auto gravity = table.find("gravity");
   const Frame frame = read_frame(table, loads);
-  series.instants = instants_of(
+  const std::vector<RowLoads> rows = rows_of(
       loads, series.seats, frame,
       gravity ? gravity->vector(Dimension::kAcceleration) : Vector3d::Zero());
   series.between = read_interpolation(table);
+  series.instants = instants_in_part(rows, series.between);
   series.has_acceleration = loads.has_acceleration();
   series.largest_imbalance =
       read_largest_imbalance(table, series.has_acceleration);

@@ -57,6 +57,29 @@ TEST(TimeSamplingError, OfLinearRowsIsNone) {
   EXPECT_EQ(time_sampling_error(history, peak), 0.0);
 }
 
+// The way between two rows on which loads are followed is judged by itself.
+TEST(TimeSamplingError, OfTheWayBetweenRows) {
+  const auto f = [](double t) {
+    return 1.0 - (t - 0.46) * (t - 0.46);
+  };
+  std::vector<double> times{-1.0};
+  for (int i = 0; i <= 12; ++i) times.push_back(i / 12.0);
+  Eigen::VectorXd peak = values(times, f);
+  loads::LoadHistory history = at(times);
+  history.rows = part::BetweenRows::kLinear;
+  for (std::size_t i = 2; i < 13; ++i) {
+    history.instants[i].is_between_rows = true;
+  }
+  const double doubt = time_sampling_error(history, peak);
+  EXPECT_GT(doubt, 0.0);
+  EXPECT_GE(peak.maxCoeff() + doubt, 1.0 - 1e-12);
+  EXPECT_LT(peak.maxCoeff() + doubt, 1.002);
+  // Where nothing is said of the loads there, the rows tell what they may do.
+  history.rows = part::BetweenRows::kUnknown;
+  EXPECT_NEAR(time_sampling_error(history, peak), doubt + f(0.0) - f(-1.0),
+              1e-12);
+}
+
 TEST(TimeSamplingError, AJumpBetweenInstantsIs) {
   const std::vector<double> times = uniform(40);
   EXPECT_GT(time_sampling_error(at(times), values(times,
