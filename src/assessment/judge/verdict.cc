@@ -362,7 +362,9 @@ bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
   const double wanted = part::wanted_buckling_factor(part.limits);
   const BucklingResult& buckling = result.buckling;
   if (!judge_euler(wanted, result)) return false;
-  if (part.limits.buckling && !buckling.factor && !buckling.remark.empty()) {
+  const bool is_open = !buckling.factor && !buckling.remark.empty();
+  // Without a limit of the user's own Euler's strut is enough.
+  if (is_open && (part.limits.buckling || !buckling.euler)) {
     set(result, part::Verdict::kNotJudged,
         "the limit of buckling is not held against: " + buckling.remark);
     return false;

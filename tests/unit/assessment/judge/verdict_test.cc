@@ -301,6 +301,21 @@ TEST(Verdict, EulersStrutDecidesWhereItIsLongerThanThePart) {
   EXPECT_EQ(judged(steel_part(), result).verdict, part::Verdict::kFail);
 }
 
+// What could not be computed is held against no limit, be it one by default;
+// a strut by Euler is enough for that.
+TEST(Verdict, BucklingThatIsNotComputedDoesNotPass) {
+  PartResult result = converged(100e6, 101e6, 102e6);
+  result.buckling.remark = "not computed: no memory";
+  const PartResult open = judged(steel_part(), result);
+  EXPECT_EQ(open.verdict, part::Verdict::kNotJudged);
+  EXPECT_NE(open.why.find("no memory"), std::string::npos) << open.why;
+  result.buckling.euler = 1.6;
+  EXPECT_EQ(judged(steel_part(), result).verdict, part::Verdict::kPass);
+  part::PartDefinition own = steel_part();
+  own.limits.buckling = 1.2;
+  EXPECT_EQ(judged(own, result).verdict, part::Verdict::kNotJudged);
+}
+
 // Stress and deflection are within; what they are worth is not.
 TEST(Verdict, PartThatTurnsFarDoesNotPass) {
   PartResult result = converged(100e6, 101e6, 102e6);
