@@ -217,7 +217,7 @@ PUBLIC = {
             " cells/topology derived/graded_mesh derived/plate derived/quadrangles"
             " derived/revolution derived/split_cells derived/sub_mesh"
             " gmsh/gmsh_element quality/mass_properties reading/mesh_reader",
-    "loads": "history/balance history/load_history history/motion_instants history/strike"
+    "loads": "history/balance history/load_history history/motion_instants history/strike history/turning_loads"
              " parts/case_loads parts/held_pins parts/part_loads parts/series_loads"
              " pressure/discrete_balance pressure/face_pressure pressure/seat_traction pressure/surface_shear"
              " pressure/wall_pressure holds/holding_groups seats/part_seats holds/seat_hold seats/seat_spans holds/slide_places",

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include "assessment/stability/buckling_check.h"
 #include "assessment/vibration/load_pace.h"
 #include "loads/history/motion_instants.h"
+#include "loads/history/turning_loads.h"
 
 namespace clevis::assessment {
 namespace {
@@ -143,19 +143,18 @@ std::optional<VectorXd> common_load(const SecondOrderLoads& loads,
   if (count < 4) return std::nullopt;
   const auto& instants = loads.instants;
   const Eigen::Vector3d first = instants.front().rigid.omega;
-  Eigen::MatrixX3d terms(count, 3);
+  VectorXd angles(count);
   double turned = 0.0;
   for (Index i = 0; i < count; ++i) {
     const InstantLoad& here = instants[static_cast<std::size_t>(i)];
     const Eigen::Vector3d& omega = here.rigid.omega;
     if ((omega - first).norm() > kSteady * first.norm()) return std::nullopt;
     turned = omega.norm() * (here.time - instants.front().time);
-    terms.row(i) << 1.0, std::cos(turned), std::sin(turned);
+    angles[i] = turned;
   }
   if (turned < std::numbers::pi) return std::nullopt;
-  const MatrixXd fit = terms.colPivHouseholderQr().solve(
-      coefficients.leftCols(count).transpose());
-  return VectorXd(fit.row(0).transpose());
+  return loads::share_that_turns_with(angles,
+                                      coefficients.leftCols(count).transpose());
 }
 
 }  // namespace clevis::assessment

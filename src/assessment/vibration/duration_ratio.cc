@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "assessment/vibration/load_pace.h"
+#include "assessment/vibration/spinning_part.h"
 
 namespace clevis::assessment {
 namespace {

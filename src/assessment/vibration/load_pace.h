@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <Eigen/Core>
 
 #include "assessment/job/part_job.h"
 #include "dynamics/load_vibration/load_path.h"
@@ -22,19 +22,11 @@ LoadSet followed_loads(const LoadSet& set);
 /// How loads go on from one instant to the next.
 dynamics::LoadPath::Between between_instants(const LoadSet& set);
 
-/// Spin about the part's longest way, at most [rad/s].
-double spin_about_length(const PartJob& job, const LoadSet& set);
-
-/// Whether that spin is fast beside the part's first period, so that its shapes
-/// turn in its own frame. @param first  period [s].
-bool spins_fast(const PartJob& job, const LoadSet& motion, double first);
-
-/// Whether loads stand so still in space that they excite no vibration of a
-/// part that spins fast; beside those that turn with it, which bend it further
-/// by its spin alone (second order). A part whose sections are uneven sags
-/// differently as it turns: they do where that is slow. @param first  period
-/// [s].
-bool stand_in_space(const PartJob& job, const LoadSet& motion, double first);
+/// Forces, and moments over the size, that act on the surface and, of a mass in
+/// the part's far corner, by inertia [N].
+/// @param mass  [kg]. @param size  [m].
+Eigen::VectorXd acting_forces(const loads::InstantLoad& instant, double mass,
+                              double size);
 
 /// Components of the forces and moments on the part's surface and of those of
 /// its inertia over the motion, less those at its start, each over its largest

@@ -16,6 +16,7 @@
 #include "assessment/vibration/duration_ratio.h"
 #include "assessment/vibration/held_stretches.h"
 #include "assessment/vibration/load_pace.h"
+#include "assessment/vibration/spinning_part.h"
 #include "assessment/vibration/vibrating_model.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"

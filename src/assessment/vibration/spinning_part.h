@@ -1,0 +1,21 @@
+#pragma once
+
+#include "assessment/job/part_job.h"
+
+namespace clevis::assessment {
+
+/// Spin about the part's longest way, at most [rad/s].
+double spin_about_length(const PartJob& job, const LoadSet& set);
+
+/// Whether that spin is fast beside the part's first period, so that its shapes
+/// turn in its own frame. @param first  period [s].
+bool spins_fast(const PartJob& job, const LoadSet& motion, double first);
+
+/// Whether loads stand so still in space that they excite no vibration of a
+/// part that spins fast; beside those that turn with it, which bend it further
+/// by its spin alone (second order). A part whose sections are uneven sags
+/// differently as it turns: they do where that is slow. @param first  period
+/// [s].
+bool stand_in_space(const PartJob& job, const LoadSet& motion, double first);
+
+}  // namespace clevis::assessment

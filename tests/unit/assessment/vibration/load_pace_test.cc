@@ -1,0 +1,189 @@
+#include "assessment/vibration/load_pace.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "assessment/part_check.h"
+#include "assessment/vibration/spinning_part.h"
+#include "unit/assessment/pulled_bar.h"
+
+namespace clevis::assessment {
+namespace {
+
+using Eigen::Vector3d;
+
+/// A bar about x whose weight turns in its frame for three turns.
+PartJob turning(double depth, double speed) {
+  PartJob job = bar(transit());
+  job.impact_loads.clear();
+  job.mesh = support::structured_mesh<3>(
+      {20, 2, 2}, 1, [&](const Vector3d& x) -> Vector3d {
+        return Vector3d(kSize.x(), depth, kSize.z())
+            .cwiseProduct(x - Vector3d(0.0, 0.5, 0.5));
+      });
+  job.mass = mesh::mass_properties(job.mesh, kCork.density);
+  constexpr int kPerTurn = 40, kTurns = 3;
+  auto& instants = job.load_sets.front().history.instants;
+  instants.clear();
+  for (int i = 0; i <= kPerTurn * kTurns; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kPerTurn;
+    loads::InstantLoad instant;
+    instant.time = angle / speed;
+    instant.rigid.omega = speed * Vector3d::UnitX();
+    instant.rigid.acceleration =
+        9.81 * Vector3d(0.0, std::cos(angle), -std::sin(angle));
+    instants.push_back(instant);
+  }
+  return job;
+}
+
+// What stands in space excites nothing of an even section; an uneven one sags
+// twice a turn more and less, at its frequency where it spins at half of that.
+TEST(LoadPace, WeightOfAPartThatSpins) {
+  constexpr double kFirst = 1e-3;  // period [s]
+  const double frequency = 2.0 * std::numbers::pi / kFirst;
+  const auto stands = [&](double depth, double share) {
+    const PartJob job = turning(depth, share * frequency);
+    EXPECT_TRUE(spins_fast(job, job.load_sets.front(), kFirst));
+    return stand_in_space(job, job.load_sets.front(), kFirst);
+  };
+  for (const double share : {0.05, 0.5, 0.7}) {
+    EXPECT_TRUE(stands(kSize.z(), share)) << share;
+  }
+  EXPECT_TRUE(stands(2.0 * kSize.z(), 0.05));
+  EXPECT_FALSE(stands(2.0 * kSize.z(), 0.5));
+  EXPECT_FALSE(stands(2.0 * kSize.z(), 0.4));
+  // A pull that stands in its frame beside the weight; one that does not.
+  PartJob pulled_too = turning(kSize.z(), 0.5 * frequency);
+  auto& instants = pulled_too.load_sets.front().history.instants;
+  for (auto& instant : instants) instant.rigid.acceleration.y() += 30.0;
+  EXPECT_TRUE(stand_in_space(pulled_too, pulled_too.load_sets.front(), kFirst));
+  for (auto& instant : instants) {
+    instant.rigid.acceleration.z() += 3.0 * std::sin(frequency * instant.time);
+  }
+  EXPECT_FALSE(
+      stand_in_space(pulled_too, pulled_too.load_sets.front(), kFirst));
+}
+
+// A shake is not small because a large force stands still beside it.
+TEST(LoadPace, ASteadyForceHidesNoShakeOfAPartThatSpins) {
+  constexpr double kFirst = 1e-3;  // period [s]
+  const double frequency = 2.0 * std::numbers::pi / kFirst;
+  PartJob job = turning(kSize.z(), 0.5 * frequency);
+  auto& instants = job.load_sets.front().history.instants;
+  for (auto& instant : instants) instant.rigid.acceleration.x() += 1e7;
+  EXPECT_TRUE(stand_in_space(job, job.load_sets.front(), kFirst));
+  for (auto& instant : instants) {
+    instant.rigid.acceleration.z() += 3.0 * std::sin(frequency * instant.time);
+  }
+  EXPECT_FALSE(stand_in_space(job, job.load_sets.front(), kFirst));
+}
+
+// What stands still in the same component hides nothing either.
+TEST(LoadPace, ChangesCountBesideWhatStandsStill) {
+  for (const double preload : {0.0, 1e3}) {
+    PartJob job = bar(transit());
+    auto& instants = job.load_sets[0].history.instants;
+    const double step = 1e-9 * transit();
+    instants = {pulled(0.0, preload), pulled(5.0 * transit(), preload),
+                pulled(5.0 * transit() + step, preload + 1.0),
+                pulled(10.0 * transit(), preload + 1.0)};
+    const auto components = load_components(job, job.load_sets.front());
+    EXPECT_FALSE(is_slow(job, job.load_sets.front(), components));
+    EXPECT_NEAR(load_spectrum(job, components, transit()).amplification, 2.0,
+                0.02);
+  }
+}
+
+// A block on a neck vibrates far slower than a bar of its size: loads that are
+// slow beside the bar are not beside the block.
+TEST(LoadPace, ANeckMakesAPartSlow) {
+  PartJob job = bar(transit());
+  job.impact_loads.clear();
+  job.load_sets[0].fixed = {{"x0", {true, true, true}}};
+  job.mesh = support::structured_mesh<3>(
+      {20, 2, 2}, 1, [](const Vector3d& x) -> Vector3d {
+        const double height =
+            0.06 + 0.94 / (1.0 + std::exp(-(x.x() - 0.5) / 0.04));
+        return kSize.cwiseProduct(
+            Vector3d(x.x(), height * (x.y() - 0.5), x.z() - 0.5));
+      });
+  job.mass = mesh::mass_properties(job.mesh, kCork.density);
+  auto& instants = job.load_sets[0].history.instants;
+  instants.clear();
+  const double rise = longest_period(job, job.load_sets.front());
+  for (int i = 0; i <= 40; ++i) {  // a step across, in ten longest periods
+    const double s = std::min(1.0, i / 20.0);
+    instants.push_back(pulled(0.5 * rise * i, 0.0));
+    instants.back().surface_loads.clear();
+    instants.back().rigid.acceleration.y() = 10.0 * s * s * (3.0 - 2.0 * s);
+  }
+  const PartResult result = check_part(job).result;
+  ASSERT_TRUE(result.first_period.has_value());
+  EXPECT_GT(*result.first_period, rise);
+}
+
+// A held part that is shaken has no force on its surface but its supports'.
+TEST(LoadPace, InertiaExcitesToo) {
+  PartJob job = bar(transit());
+  job.impact_loads.clear();
+  job.load_sets[0].fixed = {{"x0", {true, true, true}}};
+  auto& instants = job.load_sets[0].history.instants;
+  const double step = 1e-9 * transit();
+  instants.clear();
+  for (const auto& [time, shake] : {std::pair{-transit(), 0.0},
+                                    {-step, 0.0},
+                                    {0.0, 1e5},
+                                    {9.0 * transit(), 1e5}}) {
+    instants.push_back(pulled(time, 0.0));
+    instants.back().surface_loads.clear();
+    instants.back().rigid.acceleration.x() = shake;
+  }
+  EXPECT_FALSE(is_slow(job, job.load_sets.front(),
+                       load_components(job, job.load_sets.front())));
+  const PartResult result = check_part(job).result;
+  EXPECT_NEAR(result.peak.value, kCork.density * 1e5 * kSize.x(),
+              0.01 * result.peak.value);
+  EXPECT_NEAR(result.vibration.ratio.value(), 2.0, 0.06);
+}
+
+// A small force across a part may stress it more than a large one along it.
+TEST(LoadPace, SmallComponentsCountToo) {
+  PartJob job = bar(transit());
+  auto& instants = job.load_sets[0].history.instants;
+  const double step = 1e-9 * transit();
+  instants = {pulled(0.0, 1.0), pulled(5.0 * transit(), 1.0),
+              pulled(5.0 * transit() + step, 1.0),
+              pulled(10.0 * transit(), 1.0)};
+  EXPECT_TRUE(is_slow(job, job.load_sets.front(),
+                      load_components(job, job.load_sets.front())));
+  const auto across = [&](double share) {
+    for (const std::size_t i : {2U, 3U}) {
+      for (auto& load : instants[i].surface_loads) {
+        load.resultant.force.y() = share * load.resultant.force.x();
+      }
+    }
+  };
+  across(0.02);
+  const auto components = load_components(job, job.load_sets.front());
+  EXPECT_FALSE(is_slow(job, job.load_sets.front(), components));
+  EXPECT_NEAR(load_spectrum(job, components, transit()).amplification, 2.0,
+              0.02);
+  // What stands still hides nothing but round-off.
+  across(0.5e-3);
+  EXPECT_FALSE(is_slow(job, job.load_sets.front(),
+                       load_components(job, job.load_sets.front())));
+  across(1e-5);
+  EXPECT_FALSE(is_slow(job, job.load_sets.front(),
+                       load_components(job, job.load_sets.front())));
+  across(1e-10);
+  EXPECT_TRUE(is_slow(job, job.load_sets.front(),
+                      load_components(job, job.load_sets.front())));
+}
+
+}  // namespace
+}  // namespace clevis::assessment
