@@ -50,9 +50,11 @@ void fill_peak(const PartJob& job, const DegreeLadder<dim>& ladder,
   peak.verdict = to_peak_verdict(band.verdict);
   peak.has_band = ladder.sequence.size() >= 3 &&
                   band.verdict != stress::Convergence::kSingular;
-  const double at_change_points =
-      job.load_sets[level.set].history.at_change_points;
-  peak.shares.change_points = at_change_points * ladder.time_error;
+  const loads::LoadHistory& loaded = job.load_sets[level.set].history;
+  // Beside what is unseen, slides that travel between instants are in doubt.
+  peak.shares.change_points =
+      loaded.at_change_points *
+      std::min(ladder.time_error, loaded.unseen * band.value);
   peak.shares.time = ladder.time_error - peak.shares.change_points;
   peak.at = stress::position<dim>(discretization, place.at, subdivisions);
   peak.group =
