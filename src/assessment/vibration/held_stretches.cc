@@ -2,67 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include <Eigen/Core>
 
 #include "assessment/vibration/load_pace.h"
+#include "assessment/vibration/slide_way.h"
 #include "base/messages/errors.h"
 #include "elasticity/vibration/eigenmodes.h"
-#include "loads/holds/slide_places.h"
 
 namespace clevis::assessment {
 namespace {
-
-using loads::SlidePlaces;
-
-/// The time by which half of the windows' is over [s].
-double middle_of(const std::vector<VibrationWindow>& windows) {
-  double whole = 0.0;
-  for (const VibrationWindow& window : windows) {
-    whole += window.to - window.from;
-  }
-  double left = 0.5 * whole;
-  for (const VibrationWindow& window : windows) {
-    const double length = window.to - window.from;
-    if (left <= length) return window.from + left;
-    left -= length;
-  }
-  return windows.back().to;
-}
-
-/// Those of a slide's places, in their order along its wall; none: none
-/// travels.
-std::vector<HeldStretch> by_place(const PartJob& job, const LoadSet& motion) {
-  constexpr double kLittle = 0.01;
-  constexpr int kPlaces = 4;
-  const auto& instants = motion.history.instants;
-  const SlidePlaces places =
-      loads::slide_places(motion.history, kPlaces, kLittle * job.sides()[2]);
-  if (places.bins < 2) return {};
-  std::vector<HeldStretch> by_bin(static_cast<std::size_t>(places.bins));
-  int bin = SlidePlaces::kUnknown;
-  double from = instants.front().time;
-  const auto close = [&](double to) {
-    if (bin == SlidePlaces::kUnknown || !(to > from)) return;
-    by_bin[static_cast<std::size_t>(bin)].windows.push_back({from, to});
-  };
-  for (std::size_t i = 0; i < places.of.size(); ++i) {
-    const int next = places.of[i];
-    if (next == bin || next == SlidePlaces::kUnknown) continue;
-    if (bin != SlidePlaces::kUnknown) {
-      const double between = 0.5 * (instants[i - 1].time + instants[i].time);
-      close(between);
-      from = between;
-    }
-    bin = next;
-  }
-  close(instants[places.of.size() - 1].time);
-  std::erase_if(by_bin, [](const HeldStretch& stretch) {
-    return stretch.windows.empty();
-  });
-  for (HeldStretch& stretch : by_bin) {
-    stretch.hold_time = middle_of(stretch.windows);
-  }
-  return by_bin;
-}
 
 /// First period of a part that is held as at a time [s].
 double period_held(const PartJob& job, const LoadSet& set, double time) {
@@ -85,45 +35,201 @@ double period_held(const PartJob& job, const LoadSet& set, double time) {
   return longest_period(job, set);  // supports that hold it in a plane alone
 }
 
-bool are_like(double period, double other) {
+bool are_like(double shortest, double longest) {
   constexpr double kLike = 0.02;  // as the width of a resonance
-  return std::abs(period - other) <= kLike * std::max(period, other);
+  return longest - shortest <= kLike * longest;
 }
 
-std::vector<HeldStretch> found_stretches(const PartJob& job,
-                                         const LoadSet& motion) {
-  std::vector<HeldStretch> all = by_place(job, motion);
-  const auto find = [&](HeldStretch& stretch) {
-    stretch.period = period_held(job, motion, stretch.hold_time);
+/// Times that are nearer to an instant than to others.
+VibrationWindow around(const std::vector<loads::InstantLoad>& instants,
+                       std::size_t i) {
+  const auto between = [&](std::size_t later) {
+    return 0.5 * (instants[later - 1].time + instants[later].time);
   };
-  HeldStretch whole{motion.history.hold_time, {{-HUGE_VAL, HUGE_VAL}}};
-  if (all.size() < 2) {
-    find(whole);
-    return {whole};
+  return {i == 0 ? -HUGE_VAL : between(i),
+          i + 1 == instants.size() ? HUGE_VAL : between(i + 1)};
+}
+
+double duration(const std::vector<VibrationWindow>& windows) {
+  double sum = 0.0;
+  for (const VibrationWindow& window : windows) sum += window.to - window.from;
+  return sum;
+}
+
+/// Windows nearest to some instants; where these are closer together than the
+/// instants, out to them.
+std::vector<VibrationWindow> windows_at(
+    const std::vector<loads::InstantLoad>& instants,
+    const std::vector<std::size_t>& at,
+    const std::vector<VibrationWindow>& driven) {
+  std::vector<VibrationWindow> there, farther;
+  for (const std::size_t i : at) {
+    for (const VibrationWindow& window :
+         in_both({around(instants, i)}, driven)) {
+      const double time = instants[i].time;
+      there.push_back(window);
+      farther.push_back(
+          {std::min(window.from, time), std::max(window.to, time)});
+    }
   }
-  find(all.front());
-  find(all.back());
-  if (are_like(all.front().period, all.back().period)) {
-    whole.period = std::max(all.front().period, all.back().period);
-    return {whole};
+  there = joined(std::move(there));
+  return instants_within(there, instants).empty() ? joined(std::move(farther))
+                                                  : there;
+}
+
+/// First period at a place, from those of three, rising [m].
+double between_places(const std::vector<std::pair<double, double>>& known,
+                      double place) {
+  for (std::size_t k = 1; k < known.size(); ++k) {
+    const auto& [from, before] = known[k - 1];
+    const auto& [to, after] = known[k];
+    if (place > to && k + 1 < known.size()) continue;
+    if (!(to > from)) continue;
+    return before + (after - before) * (place - from) / (to - from);
   }
-  for (std::size_t i = 1; i + 1 < all.size(); ++i) find(all[i]);
-  return all;
+  return known.front().second;
 }
 
 }  // namespace
 
-const std::vector<HeldStretch>& HeldMotions::stretches(std::size_t set) {
-  auto& found = stretches_[set];
-  if (!found) {
-    found = found_stretches(job_, followed_loads(job_.load_sets[set]));
+double HeldMotions::period_at(Motion& motion, std::size_t instant) const {
+  constexpr double kSame = 1e-6;  // of the way
+  const double along =
+      (motion.places[instant] - motion.low) / (motion.high - motion.low);
+  const auto [known, is_new] =
+      motion.periods.try_emplace(std::llround(along / kSame));
+  if (is_new) {
+    known->second = period_held(job_, motion.loads,
+                                motion.loads.history.instants[instant].time);
   }
-  return *found;
+  return known->second;
+}
+
+HeldMotions::Motion& HeldMotions::motion(std::size_t set) {
+  constexpr double kLittle = 1e-3;  // of the part's size: no way
+  auto& found = motions_[set];
+  if (found) return *found;
+  found = Motion{followed_loads(job_.load_sets[set])};
+  Motion& motion = *found;
+  auto& places = motion.places;
+  places = slide_way(motion.loads.history, kLittle * job_.sides()[2]);
+  if (places.empty()) {
+    motion.longest =
+        period_held(job_, motion.loads, motion.loads.history.hold_time);
+    return motion;
+  }
+  const auto [low, high] = std::ranges::minmax_element(places);
+  motion.low = *low;
+  motion.high = *high;
+  const double middle = 0.5 * (*low + *high);
+  const auto nearest = std::ranges::min_element(places, {}, [&](double place) {
+    return std::abs(place - middle);
+  });
+  double shortest = HUGE_VAL;
+  for (const auto place : {low, high, nearest}) {
+    const double period =
+        period_at(motion, static_cast<std::size_t>(place - places.begin()));
+    shortest = std::min(shortest, period);
+    motion.longest = std::max(motion.longest, period);
+  }
+  if (are_like(shortest, motion.longest)) places.clear();
+  return motion;
 }
 
 double HeldMotions::first_period(std::size_t set) {
-  return std::ranges::max_element(stretches(set), {}, &HeldStretch::period)
-      ->period;
+  return motion(set).longest;
+}
+
+std::vector<HeldStretch> HeldMotions::stretches(
+    std::size_t set, const std::vector<VibrationWindow>& driven) {
+  constexpr int kHalvings = 3;
+  Motion& of = motion(set);
+  const auto& instants = of.loads.history.instants;
+  Instants at;
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    if (!in_both({around(instants, i)}, driven).empty()) at.push_back(i);
+  }
+  if (of.places.empty() || at.empty()) {
+    return {{of.loads.history.hold_time, windows_at(instants, at, driven)}};
+  }
+  std::ranges::stable_sort(at, {}, [&](std::size_t i) {
+    return of.places[i];
+  });
+  std::vector<HeldStretch> found;
+  split(of, at, kHalvings, driven, found);
+  return found;
+}
+
+void HeldMotions::split(Motion& motion, const Instants& at, int depth,
+                        const std::vector<VibrationWindow>& driven,
+                        std::vector<HeldStretch>& found) const {
+  const double middle =
+      0.5 * (motion.places[at.front()] + motion.places[at.back()]);
+  const auto half = std::ranges::partition_point(at, [&](std::size_t i) {
+    return motion.places[i] <= middle;
+  });
+  double shortest = HUGE_VAL, longest = 0.0;
+  for (const std::size_t i : {at.front(), at.back(), *std::prev(half)}) {
+    const double period = period_at(motion, i);
+    shortest = std::min(shortest, period);
+    longest = std::max(longest, period);
+  }
+  if (depth == 0 || half == at.end() || are_like(shortest, longest)) {
+    found.push_back(stretch_of(motion, at, driven));
+    return;
+  }
+  split(motion, {at.begin(), half}, depth - 1, driven, found);
+  split(motion, {half, at.end()}, depth - 1, driven, found);
+}
+
+HeldStretch HeldMotions::stretch_of(
+    Motion& motion, const Instants& at,
+    const std::vector<VibrationWindow>& driven) const {
+  const auto& instants = motion.loads.history.instants;
+  HeldStretch stretch{0.0, windows_at(instants, at, driven)};
+  stretch.hold_time = instants[most_excited(motion, at, stretch.windows)].time;
+  return stretch;
+}
+
+std::size_t HeldMotions::most_excited(
+    Motion& motion, const Instants& at,
+    const std::vector<VibrationWindow>& windows) const {
+  // Of the time that is driven, by place: where the slide dwells it is looked
+  // at there.
+  constexpr int kLooks = 16;
+  const auto& instants = motion.loads.history.instants;
+  std::vector<double> until;
+  double sum = 0.0;
+  for (const std::size_t i : at) {
+    until.push_back(sum += duration(in_both({around(instants, i)}, windows)));
+  }
+  const std::size_t half = at[(at.size() - 1) / 2];
+  std::vector<std::pair<double, double>> known;
+  for (const std::size_t i : {at.front(), half, at.back()}) {
+    known.emplace_back(motion.places[i], period_at(motion, i));
+  }
+  LoadSet meanwhile = motion.loads;
+  std::erase_if(meanwhile.history.instants, [&](const auto& instant) {
+    return !lies_in(windows, instant.time);
+  });
+  const auto path = load_components(job_, meanwhile);
+  std::size_t worst = half;
+  double most = 0.0;
+  for (int k = 0; k < kLooks; ++k) {
+    const double share = (k + 0.5) / kLooks;
+    const auto found = std::ranges::lower_bound(until, share * sum);
+    if (found == until.end()) continue;
+    const std::size_t i = at[static_cast<std::size_t>(found - until.begin())];
+    const double period = between_places(known, motion.places[i]);
+    const double answer =
+        dynamics::response_spectrum(path, Eigen::VectorXd::Constant(1, period),
+                                    job_.part.damping, kPaceCounts)
+            .amplification;
+    if (!(answer > most)) continue;
+    most = answer;
+    worst = i;
+  }
+  return worst;
 }
 
 std::vector<VibrationWindow> in_both(const std::vector<VibrationWindow>& a,

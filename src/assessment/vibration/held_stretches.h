@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -11,9 +12,8 @@ namespace clevis::assessment {
 
 /// Stretches of a motion through which slides hold a part at like places.
 struct HeldStretch {
-  double hold_time{};  ///< at which they are in the middle of these [s]
+  double hold_time{};  ///< at which they hold it as they do there [s]
   std::vector<VibrationWindow> windows;
-  double period{};  ///< first, with what the mechanism holds and adds [s]
 };
 
 /// How the mechanism holds a part through the motions of its load sets; worked
@@ -22,18 +22,43 @@ class HeldMotions {
  public:
   /// @param job  outlives the object.
   explicit HeldMotions(const PartJob& job)
-      : job_(job), stretches_(job.load_sets.size()) {}
+      : job_(job), motions_(job.load_sets.size()) {}
 
-  /// Of all of followed_loads(); one, at the history's own hold_time, where no
-  /// slide that holds the part travels or its first period does not change by
-  /// that.
-  const std::vector<HeldStretch>& stretches(std::size_t set);
-  /// Longest first period of its stretches [s].
+  /// Longest first period that the part has with its slide at either end of its
+  /// way or in the middle [s].
   double first_period(std::size_t set);
+  /// What lies in windows of followed_loads(), by places of the slide between
+  /// which the first period is like; of such places that counts which the loads
+  /// meanwhile excite most. One, at the history's own hold_time, where no slide
+  /// that holds the part travels or its first period does not change by that.
+  /// Each has an instant of the loads in its windows.
+  /// @param driven  rising, not empty.
+  std::vector<HeldStretch> stretches(
+      std::size_t set, const std::vector<VibrationWindow>& driven);
 
  private:
+  struct Motion {
+    LoadSet loads;                    ///< followed_loads()
+    std::vector<double> places = {};  ///< slide_way(); empty: as one [m]
+    double low{}, high{};             ///< of them [m]
+    std::map<long long, double> periods = {};  ///< first, by place [s]
+    double longest{};                          ///< HeldMotions::first_period()
+  };
+  /// Instants of a motion, by place.
+  using Instants = std::vector<std::size_t>;
+
+  Motion& motion(std::size_t set);
+  double period_at(Motion& motion, std::size_t instant) const;
+  void split(Motion& motion, const Instants& at, int depth,
+             const std::vector<VibrationWindow>& driven,
+             std::vector<HeldStretch>& found) const;
+  HeldStretch stretch_of(Motion& motion, const Instants& at,
+                         const std::vector<VibrationWindow>& driven) const;
+  std::size_t most_excited(Motion& motion, const Instants& at,
+                           const std::vector<VibrationWindow>& windows) const;
+
   const PartJob& job_;
-  std::vector<std::optional<std::vector<HeldStretch>>> stretches_;
+  std::vector<std::optional<Motion>> motions_;
 };
 
 /// What lies in both, rising. @param a, b  rising.

@@ -46,6 +46,17 @@ MatrixXd coefficients_of(const dynamics::LoadAnswer& moving) {
   return both;
 }
 
+/// What of an answer lies in windows.
+dynamics::LoadAnswer within(const std::vector<VibrationWindow>& windows,
+                            const dynamics::LoadAnswer& whole) {
+  std::vector<Index> in;
+  for (Index i = 0; i < whole.time.size(); ++i) {
+    if (lies_in(windows, whole.time[i])) in.push_back(i);
+  }
+  return {whole.time(in), whole.path(Eigen::all, in),
+          whole.added(Eigen::all, in), whole.energy(in)};
+}
+
 /// Whether two corners of a cell are the ends of an edge.
 bool is_edge(mesh::CellShape shape, unsigned a, unsigned b) {
   return shape == mesh::CellShape::kSimplex || std::has_single_bit(a ^ b);
@@ -215,8 +226,10 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(int count,
   const double front = std::max(shape_front, mesh_front_);
   found.mesh_spreads_more = mesh_front_ >= shape_front;
   const auto answer_at = [&](const VectorXd& times, double spread) {
-    return dynamics::answer_to(path, shapes.participation, shapes.squares,
-                               job_.part.damping, times, spread);
+    auto moving =
+        dynamics::answer_to(path, shapes.participation, shapes.squares,
+                            job_.part.damping, times, spread);
+    return times_.is_stretch ? within(times_.swing, moving) : moving;
   };
   const auto cut = [&](double spread) {
     return dynamics::cut_by_spread(path, shapes.participation, shapes.squares,

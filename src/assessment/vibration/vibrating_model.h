@@ -19,10 +19,12 @@ namespace clevis::assessment {
 struct VibrationTimes {
   std::vector<VibrationWindow> driven;  ///< vibration_windows()
   std::vector<VibrationWindow> swing;   ///< swing_windows() of them
+  /// Of a motion that is held otherwise at other times: these do not count.
+  bool is_stretch = false;
 };
 
 /// Peak of a part that vibrates about its quasi-static answer, over its times
-/// and all instants.
+/// and all instants; of a stretch those in its swing windows.
 template <int dim>
 struct VibratingAnswer {
   stress::PartialPeak peak;  ///< outside the singular zones

@@ -94,7 +94,8 @@ VibrationResult vibrate_high(const PartJob& job,
   auto found = high.answer(low.count, high.path(), Fronts::kJudged);
   result.peak = found.peak.value;
   const double ratio = result.peak / high.still();
-  result.ratio = ratio;
+  // The peak at rest may stand where the part is held otherwise.
+  result.ratio = times.is_stretch ? std::max(1.0, ratio) : ratio;
   result.path_error = low.path_error;
   result.degree_error = change(low.ratio, ratio);
   result.still = high.still();
@@ -177,10 +178,11 @@ void deflect(bool beside_others, const VibrationResult& found,
   const double still = result.deflection > 0.0
                            ? result.deflection_high / result.deflection - 1.0
                            : 0.0;
-  const double error = (still + found.error()) * found.deflection;
-  result.deflection = found.deflection;
-  result.deflection_low = std::max(0.0, found.deflection - error);
-  result.deflection_high = found.deflection + error;
+  const double most = std::max(result.deflection, found.deflection);
+  const double error = (still + found.error()) * most;
+  result.deflection = most;
+  result.deflection_low = std::max(0.0, most - error);
+  result.deflection_high = most + error;
 }
 
 /// At rest, by the degree of the check: the largest of a load set's motion that
@@ -309,10 +311,10 @@ std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
   moving.load_sets = {followed_loads(given)};
   const loads::LoadHistory& history = moving.load_sets.front().history;
   std::vector<Stretch> stretches;
-  for (const HeldStretch& stretch : held.stretches(s)) {
-    VibrationTimes there{in_both(times.driven, stretch.windows), {}};
-    // What is shorter than a step of the loads holds the part on its way.
-    if (instants_within(there.driven, history.instants).empty()) continue;
+  auto held_stretches = held.stretches(s, times.driven);
+  for (HeldStretch& stretch : held_stretches) {
+    VibrationTimes there{std::move(stretch.windows), {}};
+    there.is_stretch = held_stretches.size() > 1;
     there.swing = swing_windows(there.driven, result.first_period.value(),
                                 job.part.damping, history.instants.back().time);
     stretches.push_back({stretch.hold_time, std::move(there)});

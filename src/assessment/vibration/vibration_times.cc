@@ -8,6 +8,15 @@
 namespace clevis::assessment {
 namespace {
 
+void end_at(double end, std::vector<VibrationWindow>& windows) {
+  std::erase_if(windows, [end](const VibrationWindow& window) {
+    return window.from >= end;
+  });
+  for (VibrationWindow& window : windows) window.to = std::min(window.to, end);
+}
+
+}  // namespace
+
 std::vector<VibrationWindow> joined(std::vector<VibrationWindow> all) {
   std::ranges::sort(all, {}, &VibrationWindow::from);
   std::vector<VibrationWindow> apart;
@@ -20,15 +29,6 @@ std::vector<VibrationWindow> joined(std::vector<VibrationWindow> all) {
   }
   return apart;
 }
-
-void end_at(double end, std::vector<VibrationWindow>& windows) {
-  std::erase_if(windows, [end](const VibrationWindow& window) {
-    return window.from >= end;
-  });
-  for (VibrationWindow& window : windows) window.to = std::min(window.to, end);
-}
-
-}  // namespace
 
 std::vector<VibrationWindow> vibration_windows(
     const std::vector<double>& onsets, double period,
@@ -55,15 +55,18 @@ std::vector<VibrationWindow> swing_windows(
   return joined(std::move(all));
 }
 
+bool lies_in(const std::vector<VibrationWindow>& windows, double time) {
+  return std::ranges::any_of(windows, [time](const VibrationWindow& window) {
+    return time >= window.from && time <= window.to;
+  });
+}
+
 std::vector<Eigen::Index> instants_within(
     const std::vector<VibrationWindow>& windows,
     const std::vector<loads::InstantLoad>& instants) {
   std::vector<Eigen::Index> within;
   for (std::size_t i = 0; i < instants.size(); ++i) {
-    const double t = instants[i].time;
-    if (std::ranges::any_of(windows, [t](const VibrationWindow& window) {
-          return t >= window.from && t <= window.to;
-        })) {
+    if (lies_in(windows, instants[i].time)) {
       within.push_back(static_cast<Eigen::Index>(i));
     }
   }
@@ -93,11 +96,7 @@ Eigen::VectorXd with_times_near_peaks(
   std::vector<Eigen::Index> order;
   for (Eigen::Index i = 1; i + 1 < time.size(); ++i) {
     const bool tops = peak[i] >= peak[i - 1] && peak[i] >= peak[i + 1];
-    if (tops && std::ranges::any_of(windows, [&](const auto& window) {
-          return time[i] >= window.from && time[i] <= window.to;
-        })) {
-      order.push_back(i);
-    }
+    if (tops && lies_in(windows, time[i])) order.push_back(i);
   }
   std::ranges::sort(order, std::ranges::greater{}, [&](Eigen::Index i) {
     return peak[i];

@@ -13,6 +13,9 @@ struct VibrationWindow {
   double from{}, to{};  ///< [s]
 };
 
+/// Those that meet or overlap as one; rising.
+std::vector<VibrationWindow> joined(std::vector<VibrationWindow> all);
+
 /// From a first period before each onset until five after it. Joined where they
 /// meet, within the motion.
 /// @param onsets  rising [s]. @param period  first [s].
@@ -27,6 +30,8 @@ std::vector<VibrationWindow> vibration_windows(
 std::vector<VibrationWindow> swing_windows(
     const std::vector<VibrationWindow>& windows, double period, double damping,
     double end);
+
+bool lies_in(const std::vector<VibrationWindow>& windows, double time);
 
 /// Instants of the motion in the windows.
 std::vector<Eigen::Index> instants_within(

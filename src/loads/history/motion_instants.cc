@@ -6,28 +6,28 @@
 namespace clevis::loads {
 namespace {
 
-/// Along the slide, about the seat's p_LS; NaN where the zone has no edge [m].
-double middle_of(const InstantLoad& instant, std::size_t seat) {
-  if (seat >= instant.zones.size()) return NAN;
-  const ContactZone& zone = instant.zones[seat];
-  return 0.5 * (zone.low[0] + zone.high[0]);
+/// Of a zone that ends with the wall one end is not known. @param length [m].
+double middle_of(const ContactZone& zone, double length) {
+  const double from = zone.low[0], to = zone.high[0];
+  if (std::isfinite(from)) {
+    return std::isfinite(to) ? 0.5 * (from + to) : from + 0.5 * length;
+  }
+  return std::isfinite(to) ? to - 0.5 * length : NAN;
 }
 
 double longest_step_of(const LoadHistory& history, std::size_t seat) {
-  const std::size_t n = motion_length(history);
+  const std::vector<double> at = places_on_wall(history, seat);
   const double sides = kEventSides * motion_duration(history);
   double low = HUGE_VAL, high = -HUGE_VAL, longest = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double at = middle_of(history.instants[i], seat);
-    if (!std::isfinite(at)) return 0.0;
-    low = std::min(low, at);
-    high = std::max(high, at);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (!std::isfinite(at[i])) return 0.0;
+    low = std::min(low, at[i]);
+    high = std::max(high, at[i]);
     if (i == 0 ||
         history.instants[i].time - history.instants[i - 1].time <= sides) {
       continue;
     }
-    longest = std::max(longest,
-                       std::abs(at - middle_of(history.instants[i - 1], seat)));
+    longest = std::max(longest, std::abs(at[i] - at[i - 1]));
   }
   constexpr double kRest = 1e-9;  // of where it stands: round-off, no way
   const double way = high - low;
@@ -54,6 +54,25 @@ double motion_duration(const LoadHistory& history) {
   if (history.instants.empty()) return 0.0;
   return history.instants[motion_length(history) - 1].time -
          history.instants.front().time;
+}
+
+std::vector<double> places_on_wall(const LoadHistory& history,
+                                   std::size_t seat) {
+  const std::size_t n = motion_length(history);
+  const auto zone = [&](std::size_t i) {
+    const auto& zones = history.instants[i].zones;
+    return seat < zones.size() ? &zones[seat] : nullptr;
+  };
+  double length = HUGE_VAL;  // the shortest that is known
+  for (std::size_t i = 0; i < n; ++i) {
+    if (zone(i)) length = std::min(length, zone(i)->high[0] - zone(i)->low[0]);
+  }
+  if (!std::isfinite(length)) length = 0.0;
+  std::vector<double> places(n, NAN);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (zone(i)) places[i] = middle_of(*zone(i), length);
+  }
+  return places;
 }
 
 double longest_slide_step(const LoadHistory& history) {

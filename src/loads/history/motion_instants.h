@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "loads/history/load_history.h"
 
@@ -15,6 +16,12 @@ std::size_t motion_length(const LoadHistory& history);
 
 /// Duration of the motion [s].
 double motion_duration(const LoadHistory& history);
+
+/// The middle of a seat's contact zone along its wall, about the seat's p_LS,
+/// at each instant of the motion [m]. Of a zone that ends with the wall by the
+/// length of the shortest that does not; NaN where the zone has no end.
+std::vector<double> places_on_wall(const LoadHistory& history,
+                                   std::size_t seat);
 
 /// The longest way of a contact zone from one instant of the motion to the
 /// next, over all of its way [1]; 0: none travels.

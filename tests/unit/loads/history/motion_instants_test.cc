@@ -1,5 +1,8 @@
 #include "loads/history/motion_instants.h"
 
+#include <cmath>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace clevis::loads {
@@ -46,6 +49,22 @@ TEST(MotionInstants, LongestStepOfASeat) {
   history.instants[3].zones[0].low[0] = 0.01;  // it stops there
   history.instants[3].zones[0].high[0] = 0.03;
   EXPECT_NEAR(longest_slide_step(history), 1.0 / 3.0, 1e-12);
+}
+
+// Of a zone that ends with the wall one end is not known: it is as long as
+// another.
+TEST(MotionInstants, PlacesOnAWall) {
+  LoadHistory history = travelling();
+  history.instants[0].zones[0].low[0] = -ContactZone::kAll;
+  history.instants[3].zones[0].high[0] = ContactZone::kAll;
+  const std::vector<double> places = places_on_wall(history, 0);
+  ASSERT_EQ(places.size(), 4U);
+  EXPECT_NEAR(places[0], -0.04, 1e-15);
+  EXPECT_NEAR(places[2], 0.02, 1e-15);
+  EXPECT_NEAR(places[3], 0.06, 1e-15);
+  history.instants[1].zones[0] = {};
+  EXPECT_TRUE(std::isnan(places_on_wall(history, 0)[1]));
+  EXPECT_TRUE(std::isnan(places_on_wall(history, 1)[2]));  // no such zone
 }
 
 TEST(MotionInstants, SeatsThatStandHaveNoStep) {
