@@ -206,7 +206,7 @@ PUBLIC = {
                 " integrators/integrator_choice integrators/ode_system"
                 " integrators/switching_integrator",
     "mechanism": "definition/definition definition/drive_names definition/motion"
-                 " force_elements/force_element joints/joint_types"
+                 " force_elements/breakaway force_elements/force_element joints/joint_types"
                  " neighbours/load_gains neighbours/neighbour_inertia neighbours/neighbours reactions/other_sharings simulate structure/structure",
     "machine": "bearings/bearing bearings/bearing_history bearings/bearing_life"
                " devices/ejector devices/slide_lever_closed_form"

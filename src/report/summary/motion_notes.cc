@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "mechanism/force_elements/breakaway.h"
 #include "report/text/terminal.h"
 #include "report/text/units.h"
 
@@ -157,6 +158,39 @@ void add_search(const Motion& motion, std::vector<std::string>& notes) {
       motion.search->looks, motion.search->ended_at));
 }
 
+/// Whether an element's line rests at an instant, or turns back, and moves.
+bool sets_out(const Motion& motion, std::size_t element) {
+  constexpr double kRest = 1e-9;  // of the largest rate: round-off
+  double forth = 0.0, back = 0.0, least = HUGE_VAL;
+  for (const mechanism::Instant& instant : motion.instants) {
+    const double rate = instant.elements[element].rate;
+    forth = std::max(forth, rate);
+    back = std::max(back, -rate);
+    least = std::min(least, std::abs(rate));
+  }
+  const double most = std::max(forth, back);
+  return most > 0.0 && (least <= kRest * most || std::min(forth, back) > 0.0);
+}
+
+/// Where drives fix the motion friction slides as soon as its line moves.
+void add_breakaway(const MechanismDefinition& definition, const Motion& motion,
+                   std::vector<std::string>& notes) {
+  if (motion.left_free) return;
+  for (std::size_t k = 0; k < definition.elements.size(); ++k) {
+    const auto& element = definition.elements[k];
+    const double over = sudden_breakaway(element);
+    if (!(over > 1.0) || !sets_out(motion, k)) continue;
+    notes.push_back(fmt::format(
+        "friction {}: breaking away from rest takes {}; drives set it in "
+        "motion, and that is not in the loads. Give it a `stribeck_speed`, "
+        "below which it counts",
+        name_of(element),
+        std::isfinite(over)
+            ? fmt::format("{:.4g} times the effort with which it slides", over)
+            : "an effort, sliding none"));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> motion_notes(const MechanismDefinition& definition,
@@ -166,6 +200,7 @@ std::vector<std::string> motion_notes(const MechanismDefinition& definition,
   add_unjoined(definition, notes);
   add_assembly(definition, motion, notes);
   add_search(motion, notes);
+  add_breakaway(definition, motion, notes);
   return notes;
 }
 

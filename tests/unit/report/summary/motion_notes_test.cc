@@ -50,6 +50,45 @@ TEST(MotionNotes, StartWithARateIsMeant) {
   EXPECT_FALSE(tells(note, "forgotten"));
 }
 
+// Drives set a joint in motion: friction slides at once.
+TEST(MotionNotes, BreakawayThatIsInNoLoadIsTold) {
+  FrictionLaw law;
+  law.breakaway = 120.0;
+  law.kinetic = 60.0;
+  MechanismDefinition definition;
+  const auto put = [&] {
+    LineElement rub;
+    rub.name = "rub";
+    rub.law = law;
+    definition.elements = {rub};
+  };
+  put();
+  Motion motion;
+  motion.instants.resize(3);
+  for (Instant& instant : motion.instants) instant.elements.resize(1);
+  EXPECT_TRUE(motion_notes(definition, motion).empty());  // it rests
+  motion.instants[1].elements[0].rate = 0.3;
+  const std::string note = only_note(definition, motion);
+  EXPECT_TRUE(tells(note, "friction rub"));
+  EXPECT_TRUE(tells(note, "2 times"));
+  EXPECT_TRUE(tells(note, "stribeck_speed"));
+  motion.instants[0].elements[0].rate = 0.2;
+  motion.instants[2].elements[0].rate = 0.1;
+  EXPECT_TRUE(motion_notes(definition, motion).empty());  // slides throughout
+  motion.instants[2].elements[0].rate = -0.1;
+  EXPECT_EQ(motion_notes(definition, motion).size(), 1u);
+  law.kinetic = 0.0;
+  put();
+  EXPECT_TRUE(tells(only_note(definition, motion), "sliding none"));
+  law.stribeck_speed = 1e-3;
+  put();
+  EXPECT_TRUE(motion_notes(definition, motion).empty());
+  law.stribeck_speed = 0.0;
+  law.kinetic = law.breakaway;
+  put();
+  EXPECT_TRUE(motion_notes(definition, motion).empty());
+}
+
 TEST(MotionNotes, HistoryOfForcesIsNoFreedom) {
   Motion motion;
   motion.left_free = LeftFree{};
