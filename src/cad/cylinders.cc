@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "part/bore.h"
 
 namespace clevis::cad {
 namespace {
@@ -23,7 +24,15 @@ Cylinder cylinder_of(const Face& face) {
           .radius = face.radius,
           .length = face.high - face.low,
           .angle = face.angle,
+          .area = face.area,
           .hollow = face.hollow};
+}
+
+part::Bore bore_of(const Cylinder& cylinder) {
+  return {.p_LC = cylinder.point,
+          .axis_L = cylinder.axis,
+          .radius = cylinder.radius,
+          .length = cylinder.length};
 }
 
 /// Place of a point along a cylinder's axis, from its middle [m].
@@ -49,6 +58,7 @@ void merge(Cylinder& cylinder, const Cylinder& other) {
   cylinder.point += (low + high) / 2 * cylinder.axis;
   cylinder.length = high - low;
   cylinder.angle = covered / cylinder.length;
+  cylinder.area += other.area;
   cylinder.faces.insert(cylinder.faces.end(), other.faces.begin(),
                         other.faces.end());
   std::ranges::sort(cylinder.faces);
@@ -56,9 +66,12 @@ void merge(Cylinder& cylinder, const Cylinder& other) {
 
 }  // namespace
 
+double Cylinder::share() const {
+  return area / part::wall_area(bore_of(*this));
+}
+
 bool Cylinder::is_round() const {
-  constexpr double kNearly = 0.9;  // cross bores and keyways take their share
-  return angle > kNearly * 2 * std::numbers::pi;
+  return part::is_whole_wall(bore_of(*this), area);
 }
 
 std::vector<Cylinder> cylinders_of(const Solid& solid) {

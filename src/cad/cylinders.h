@@ -18,9 +18,11 @@ struct Cylinder {
   double radius{};         ///< [m]
   double length{};         ///< along the axis [m]
   double angle{};          ///< that its faces turn about the axis [rad]
+  double area{};           ///< [m²]
   bool hollow{};           ///< a bore rather than a shaft
 
-  bool is_round() const;  ///< all the way about the axis, or nearly so
+  double share() const;   ///< of the wall of a whole cylinder [1]
+  bool is_round() const;  ///< all round, as loads of pins need it
 };
 
 /// All cylinders of a solid.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -58,13 +57,9 @@ bool are_rings(const GroupGeometry& group) {
   const Vector3d& axis = group.cylinder.axis_L;
   const Eigen::Matrix3d even =
       0.5 * (Eigen::Matrix3d::Identity() - axis * axis.transpose());
-  const double tolerance = kFullCylinderTolerance * group.area;
+  const double tolerance = part::kWholeWallTolerance * group.area;
   return (group.normal_square - group.area * even).norm() <= tolerance &&
          group.area_vector.norm() <= tolerance;
-}
-
-double wall_area(const part::Bore& c) {
-  return 2.0 * std::numbers::pi * c.radius * c.length;
 }
 
 }  // namespace
@@ -122,9 +117,8 @@ Wrench about(const Vector3d& force, const Vector3d& moment,
 
 bool is_full_cylinder(const GroupGeometry& group) {
   if (!group.is_cylinder) return false;
-  const double full = wall_area(group.cylinder);
-  return std::abs(group.area - full) <= kFullCylinderTolerance * full ||
-         (group.area < full && are_rings(group));
+  return part::is_whole_wall(group.cylinder, group.area) ||
+         (group.area < part::wall_area(group.cylinder) && are_rings(group));
 }
 
 void require_full_cylinder(const GroupGeometry& group,
@@ -139,7 +133,7 @@ void require_full_cylinder(const GroupGeometry& group,
   }
   if (!is_full_cylinder(group)) {
     const part::Bore& c = group.cylinder;
-    const double full = wall_area(c);
+    const double full = part::wall_area(c);
     throw Error(
         "L002", place,
         fmt::format("\"{}\" has {:.6g} mm^2, but a full cylinder of radius "

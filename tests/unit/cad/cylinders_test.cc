@@ -63,5 +63,17 @@ TEST(Cylinders, AFilletIsNotRound) {
             "face 1");
 }
 
+TEST(Cylinders, AWallThatLoadsOfPinsRefuseIsNotRound) {
+  // A whole turn from end to end, of which a sloped end takes its share.
+  Face sloped = cylinder_face(1, 0.0, 0.0, 0.01, 0.016, true);
+  const double whole = sloped.area;
+  for (const double share : {1.0, 0.985, 0.975, 0.95}) {
+    sloped.area = share * whole;
+    const auto found = cylinders_of(solid_of({sloped}));
+    EXPECT_EQ(found.at(0).is_round(), share > 0.98);
+    EXPECT_NEAR(found[0].share(), share, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace clevis::cad

@@ -21,6 +21,7 @@ inline Face cylinder_face(int number, double x, double low, double high,
   face.radius = diameter / 2;
   face.hollow = hollow;
   face.angle = angle;
+  face.area = angle * face.radius * (high - low);
   face.centre = {x, 0.0, (low + high) / 2};
   return face;
 }
