@@ -53,17 +53,23 @@ PartAssessment assess_by(const PartJob& job, const FeModel<dim>& model,
 
 /// Nothing if the error of the model alone is above the tolerance and a better
 /// one suits.
+/// @param seconds  what the choice of the model takes is added here.
 std::optional<PartAssessment> solve_model(const Model& entry,
-                                          const PartShape& shape) {
+                                          const PartShape& shape,
+                                          PartSeconds& seconds) {
   const PartJob& job = shape.job();
+  Stopwatch watch;
   const auto settings = entry.settings(shape);
+  seconds.choose += watch.lap();
   if (!settings) return std::nullopt;
   const auto solve = [&](const auto& model) {
     PartAssessment assessment = assess_by(job, model, settings->governing);
     PartResult& result = assessment.result;
+    watch.lap();
     const double error = settings->error           ? *settings->error
                          : result.peak.value > 0.0 ? entry.error(shape)
                                                    : 0.0;
+    seconds.choose += watch.lap();
     add_model_error(job.tolerance, error, result);
     if (model.remark) model.remark(result);
     return assessment;
@@ -76,15 +82,17 @@ std::optional<PartAssessment> solve_model(const Model& entry,
 /// @throws Error F007 if not even one model has few enough unknowns.
 PartAssessment solve_models(const PartJob& job) {
   const PartShape shape(job);
+  Stopwatch watch;
   const auto models = models_for(shape);
   PartSeconds seconds;
+  seconds.choose = watch.lap();
   std::optional<PartAssessment> found;
   std::optional<Error> refused;
   std::string left_out;
   for (const Model* model : models) {
     std::optional<PartAssessment> assessment;
     try {
-      assessment = solve_model(*model, shape);
+      assessment = solve_model(*model, shape, seconds);
     } catch (const Error& error) {
       if (error.code() != "F007") throw;
       left_out +=
@@ -102,6 +110,7 @@ PartAssessment solve_models(const PartJob& job) {
   }
   if (!found) throw Error(*refused);
   found->result.stopped_because += left_out;
+  found->result.seconds.choose = seconds.choose;  // of models that failed, too
   return std::move(*found);
 }
 

@@ -48,8 +48,8 @@ thin,2.5,pull
 thick,10,"it's pulled, ""hard"""
 middle,5,pull
 '''
-SECONDS = re.compile(r'"(\w*seconds|total|mesh|assemble|factor|solve|recover|'
-                     r'write|scene_and_meshes|mechanism|loads|parts)": '
+SECONDS = re.compile(r'"(\w*seconds|total|mesh|choose|assemble|factor|solve|'
+                     r'recover|write|scene_and_meshes|mechanism|loads|parts)": '
                      r"[\d.e+-]+")
 
 

@@ -43,6 +43,7 @@ bool keeps_the_last(const Error& error) {
 
 void add(const PartSeconds& before, PartSeconds& seconds) {
   seconds.mesh += before.mesh;
+  seconds.choose += before.choose;
   seconds.assemble += before.assemble;
   seconds.factor += before.factor;
   seconds.solve += before.solve;

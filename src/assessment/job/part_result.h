@@ -318,7 +318,8 @@ struct PinReaction {
 };
 
 struct PartSeconds {
-  double mesh{}, assemble{}, factor{}, solve{}, recover{}, write{}, total{};
+  double mesh{}, choose{}, assemble{}, factor{}, solve{}, recover{}, write{};
+  double total{};
 };
 
 struct PartResult;

@@ -85,6 +85,7 @@ void add_model_error(double tolerance, double model_error, PartResult& result) {
 }
 
 void add_seconds(const PartSeconds& earlier, PartSeconds& seconds) {
+  seconds.choose += earlier.choose;
   seconds.assemble += earlier.assemble;
   seconds.factor += earlier.factor;
   seconds.solve += earlier.solve;

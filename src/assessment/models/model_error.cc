@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "assessment/job/part_zones.h"
+#include "elasticity/direct/dissection.h"
 #include "elasticity/plate/layered_solve.h"
 #include "elasticity/solid/solid_solve.h"
 #include "stress/field/stress_history.h"
@@ -202,6 +203,25 @@ bool plane_stress_is_far(const PartJob& job, const mesh::PartMesh<2>& plate,
         return layered_peaks(job, plate, set, kFirstDegree, kFewestTerms);
       });
   return difference(plane, layered) > kSure * job.tolerance;
+}
+
+bool terms_cost_more(const PartJob& job, const mesh::PartMesh<2>& plate) {
+  constexpr double kFlopsPerSecond = 3e10;  // one core of 2020
+  constexpr double kFewSeconds = 2.0;
+  // Where a peak converges slowly: the highest degree, and of hexahedra that
+  // after which finer solutions near the peak tell the rest.
+  constexpr int kTerms = 3, kSolidDegree = 3;
+  constexpr double kUnknowns = 3.0;  // of a node, and of a term
+  const auto flops = [](double unknowns, const auto& part) {
+    return std::pow(unknowns, 3.0) * elasticity::dissect(part).flops;
+  };
+  const double layered =
+      flops(kUnknowns * kTerms,
+            elasticity::discretize<2>(
+                plate, traits_of(ModelKind::kLayered).highest_degree));
+  if (layered < kFewSeconds * kFlopsPerSecond) return false;
+  return layered >
+         flops(kUnknowns, elasticity::discretize<3>(job.mesh, kSolidDegree));
 }
 
 ThicknessChoice choose_terms(const PartJob& job, const mesh::PartMesh<2>& plate,

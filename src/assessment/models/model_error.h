@@ -32,6 +32,10 @@ double plane_stress_error(const PartJob& job, const mesh::PartMesh<2>& plate,
 bool plane_stress_is_far(const PartJob& job, const mesh::PartMesh<2>& plate,
                          const std::vector<LoadSet>& governing);
 
+/// Whether terms through the thickness take longer than 3-D elasticity does,
+/// and more than some seconds, by the flops of their factorisations.
+bool terms_cost_more(const PartJob& job, const mesh::PartMesh<2>& plate);
+
 /// Thickness terms and what is still missing with them.
 struct ThicknessChoice {
   int terms{};

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "assessment/models/model_error.h"
 #include "assessment/models/plate_models.h"
 #include "assessment/models/revolution_model.h"
 #include "assessment/models/solid_model.h"
@@ -88,6 +89,18 @@ const Model& first_that_suits(const Models& models, const PartShape& shape,
   return found == std::ranges::end(models) ? kList.back() : *found;
 }
 
+/// Whether a few loads on a plate are solved in 3-D before its own models have
+/// told which of them will do.
+bool solid_is_quicker(const PartShape& shape) {
+  constexpr std::size_t kFew = 10;  // of more the choice is a small part
+  std::size_t instants = 0;
+  for (const LoadSet& set : shape.job().load_sets) {
+    instants += set.history.instants.size();
+  }
+  return instants <= kFew && shape.plate() && !why_not_solid(shape) &&
+         terms_cost_more(shape.job(), shape.plate()->quadrangles);
+}
+
 }  // namespace
 
 std::span<const Model> model_list() {
@@ -101,7 +114,9 @@ const Model& entry_of(ModelKind kind) {
 std::vector<const Model*> models_for(const PartShape& shape) {
   if (shape.job().model) return {&asked_for(shape)};
   std::vector<const Model*> models;
+  const bool in_space = solid_is_quicker(shape);
   for (const Model& model : kList) {
+    if (in_space && model.traits.kind < ModelKind::kRevolution) continue;
     if (engine_has(shape.job(), model.traits) && !model.why_not(shape)) {
       models.push_back(&model);
     }

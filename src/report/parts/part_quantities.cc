@@ -149,6 +149,7 @@ Quantities<PartSeconds> second_rows() {
   using S = PartSeconds;
   return {
       quantity<S>({"mesh_seconds", "/mesh", "s"}, &S::mesh),
+      quantity<S>({"choose_seconds", "/choose", "s"}, &S::choose),
       quantity<S>({"assemble_seconds", "/assemble", "s"}, &S::assemble),
       quantity<S>({"factor_seconds", "/factor", "s"}, &S::factor),
       quantity<S>({"solve_seconds", "/solve", "s"}, &S::solve),

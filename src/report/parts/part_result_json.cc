@@ -90,7 +90,8 @@ CLEVIS_PIPED(VibrationResult, ratio, governs, failure, not_followed, peak,
              sampling_error, path_error, at, group, time, from, to, deflection,
              model, shapes, lowest_frequency, highest_frequency, seconds)
 CLEVIS_PIPED(PinReaction, label, group, force, moment, unique)
-CLEVIS_PIPED(PartSeconds, mesh, assemble, factor, solve, recover, write, total)
+CLEVIS_PIPED(PartSeconds, mesh, choose, assemble, factor, solve, recover, write,
+             total)
 CLEVIS_PIPED(PartResult, name, verdict, why, model, engine, engine_why,
              stopped_because, notes, dofs, cells, load_columns, peak,
              singular_zones, peak_outside, held, safety_factor, deflection,

@@ -110,6 +110,28 @@ TEST(ModelList, SupportsAndLoadsDecideWhatSuits) {
   EXPECT_EQ(words_for(job), (Words{"3d"}));
 }
 
+TEST(ModelList, ManyCellsOfAPlateAreSolvedInSpace) {
+  PartJob job = pressed_ring();
+  job.mesh = support::ring_mesh<3>({.inner = 0.02,
+                                    .outer = 0.04,
+                                    .thickness = 0.02,
+                                    .radial = 32,
+                                    .angular = 96,
+                                    .axial = 1});
+  EXPECT_EQ(words_for(job), (Words{"revolution", "3d"}));
+  job.model = ModelKind::kPlaneStress;
+  EXPECT_EQ(words_for(job), (Words{"plane-stress"}));
+  job.model.reset();
+  // Many instants outweigh the choice; 3-D may not suit at all.
+  auto& instants = job.load_sets.front().history.instants;
+  instants.resize(11, instants.front());
+  EXPECT_EQ(words_for(job),
+            (Words{"plane-stress", "layered", "revolution", "3d"}));
+  instants.resize(1);
+  job.load_sets.front().fixed["x1"] = {true, true, false};
+  EXPECT_EQ(words_for(job), (Words{"plane-stress", "layered"}));
+}
+
 TEST(ModelList, OneAskedForStandsAloneOrIsRefused) {
   PartJob job = pressed_ring();
   for (const ModelTraits& model : kModels) {

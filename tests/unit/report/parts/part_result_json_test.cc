@@ -116,6 +116,7 @@ TEST(PartResultJson, RoundTripKeepsBeamChecksProbesAndSeconds) {
   EXPECT_EQ(back.probes[1].band_low, 1.4e-5);
   EXPECT_EQ(back.probes[1].band_high, 1.6e-5);
   EXPECT_EQ(back.seconds.mesh, part.seconds.mesh);
+  EXPECT_EQ(back.seconds.choose, part.seconds.choose);
   EXPECT_EQ(back.seconds.assemble, part.seconds.assemble);
   EXPECT_EQ(back.seconds.factor, part.seconds.factor);
   EXPECT_EQ(back.seconds.solve, part.seconds.solve);
