@@ -20,13 +20,17 @@ constexpr std::uintmax_t kLargest = std::uintmax_t{256} << 20;
 
 std::string head_of(const std::filesystem::path& file) {
   std::error_code failure;
-  std::ifstream stream(file, std::ios::binary);
   if (!std::filesystem::exists(file, failure)) {
     throw Error(
         "I001", file.string(), "there is no such file",
         "Check the path; a part's `geometry` is relative to the scene.");
   }
-  if (!std::filesystem::is_regular_file(file, failure) || !stream) {
+  // A pipe that nobody writes would be waited for when opened.
+  std::ifstream stream;
+  if (std::filesystem::is_regular_file(file, failure)) {
+    stream.open(file, std::ios::binary);
+  }
+  if (!stream.is_open()) {
     throw Error("I001", file.string(), "the geometry cannot be read",
                 "Check the part's `geometry`; it is relative to the scene.");
   }

@@ -65,6 +65,17 @@ std::set<int> seats(const cad::Request& request) {
   return faces;
 }
 
+/// Place on a plate's bottom below a point, which cells stand upon [mm].
+Eigen::Vector3d on_bottom(const TopoDS_Solid& solid, const cad::Plate& plate,
+                          const Eigen::Vector3d& point) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  const gp_Pnt p =
+      BRepAdaptor_Surface(TopoDS::Face(faces(plate.bottom))).Plane().Location();
+  const Eigen::Vector3d above = point - Eigen::Vector3d(p.X(), p.Y(), p.Z());
+  return point - above.dot(plate.normal) * plate.normal;
+}
+
 }  // namespace
 
 MeshSizes::MeshSizes(const TopoDS_Solid& solid, const cad::Request& request) {
@@ -73,7 +84,7 @@ MeshSizes::MeshSizes(const TopoDS_Solid& solid, const cad::Request& request) {
   largest_ /= request.finer.everywhere;
   add_faces(solid, request.finer.everywhere, request);
   thin_out();
-  refine(request.finer.at);
+  refine(solid, request);
 }
 
 void MeshSizes::add_faces(const TopoDS_Solid& solid, double fineness,
@@ -131,9 +142,10 @@ void MeshSizes::thin_out() {
   }
 }
 
-void MeshSizes::refine(const std::vector<cad::Refinement::Place>& places) {
-  for (const auto& [place, times] : places) {
-    const Eigen::Vector3d p = place / kMillimetre;
+void MeshSizes::refine(const TopoDS_Solid& solid, const cad::Request& request) {
+  for (const auto& [place, times] : request.finer.at) {
+    Eigen::Vector3d p = place / kMillimetre;
+    if (request.plate) p = on_bottom(solid, *request.plate, p);
     const gp_Pnt point(p.x(), p.y(), p.z());
     const double size = at(point);
     sources_.push_back({point, size / times, 0.5 * size});

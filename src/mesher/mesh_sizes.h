@@ -35,7 +35,7 @@ class MeshSizes {
   void add_faces(const TopoDS_Solid& solid, double fineness,
                  const cad::Request& request);
   void thin_out();
-  void refine(const std::vector<cad::Refinement::Place>& places);
+  void refine(const TopoDS_Solid& solid, const cad::Request& request);
 
   double largest_{};  ///< [mm]
   std::vector<double> on_face_;

@@ -97,6 +97,7 @@ struct SolidSource {
   std::vector<NamedFaces> faces;
   std::vector<JointFaces> joints;
   std::optional<double> mesh_size;  ///< of cells in the bulk [m]
+  std::string mesh_size_place;      ///< file:line:column
   /// Whether a plate is meshed as one, in its plane, rather than in space.
   bool sweep = true;
   double length_unit{};  ///< of a file without units [m]; 0: its own

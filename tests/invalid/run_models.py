@@ -58,6 +58,7 @@ def cases():
     yield "frames.sdf", SDF.replace('<frame name="shelf"><pose>',
                                     '<frame name="shelf"><pose relative_to="upper">'), {"S014"}
     yield "no_mass.sdf", SDF.replace("<mass>2</mass>", "<mass>0</mass>"), {"S015"}
+    yield "heavy.urdf", URDF.replace('mass value="2"', 'mass value="1e40"'), {"S006"}
     yield "minus.sdf", SDF.replace("<mass>2</mass>", "<mass>-2</mass>"), {"S014"}
     yield "no_mass.urdf", URDF.replace('mass value="2"', 'mass value="0"'), {"S015"}
     yield "minus.urdf", URDF.replace('mass value="2"', 'mass value="-2"'), {"S015"}
@@ -156,6 +157,8 @@ def faults(name, codes, folder):
         yield f"{head[1]} instead of {codes}: {head[2]}"
     if done.returncode != 10:
         yield f"exit {done.returncode} with {head[1]}"
+    if "scene.toml" in head[2]:
+        yield f"its place is in a scene that is gone: {head[2]}"
     if (folder / "scene").exists():
         yield "a folder is left behind"
     if not re.search(r"^  help: .{8,}", done.stderr, re.M):

@@ -8,6 +8,7 @@ to do, clevis itself never crashes or hangs, and nothing in a file is ever run.
 Beside the cases below, COUNT (12) copies of a STEP file are damaged at random:
 each must be described or refused with a documented exit code.
 """
+import os
 import random
 import re
 import subprocess
@@ -102,6 +103,33 @@ def cases(folder):
     yield from shapes(folder)
 
 
+def pipe(folder):
+    """One that nobody writes, in place of a geometry: what a command waits for."""
+    os.mkfifo(folder / "pipe.step")
+    for arguments in (("faces", "pipe.step"), ("init", "made", "--geometry", "pipe.step")):
+        try:
+            for text in faults(run(*arguments, cwd=folder), {"I001"}, folder):
+                yield f"{arguments[0]} of a pipe: {text}"
+        except subprocess.TimeoutExpired:
+            yield f"{arguments[0]} of a pipe: no end"
+    (folder / "pipe.step").unlink()
+
+
+def thin(folder):
+    """A plate of a hundredth of a micrometre: its scene, file and unit are told."""
+    (folder / "thin.geo").write_text(
+        'SetFactory("OpenCASCADE");\nBox(1) = {0, 0, 0, 60, 20, 0.00001};\n')
+    subprocess.run(["gmsh", "-0", "-format", "step", "-o", "thin.step", "thin.geo"],
+                   cwd=folder, check=True, timeout=60, stdout=subprocess.DEVNULL)
+    run("init", "thin", "--geometry", "thin.step", cwd=folder)
+    done = run("check", "thin/scene.toml", "--out", "out", cwd=folder)
+    yield from faults(done, {"M007"}, folder)
+    if "error[M007]: thin/thin.step: " not in done.stderr:
+        yield f"another file is named: {done.stderr}"
+    if "length_unit" in done.stderr:
+        yield f"a key that a STEP file may not have: {done.stderr}"
+
+
 def damaged(text, rng):
     for _ in range(rng.randrange(1, 20)):
         i = rng.randrange(len(text))
@@ -134,6 +162,9 @@ def main():
                 print(f"         {text}")
             bad += bool(found)
             (folder / case).unlink()
+        for text in (*pipe(folder), *thin(folder)):
+            print(f"FAILED {text}")
+            bad += 1
         rng = random.Random(SEED)
         for i in range(COUNT):
             (folder / "damaged.step").write_bytes(damaged(FORK, rng))

@@ -159,10 +159,10 @@ def commands(checks, clevis, source, folder, name):
     run(folder, "--part", "DCE", "--out", again)
     checks.expect(Drawing(again).texts == Drawing(folder / "DCE.svg").texts,
                   "--part draws what `check` drew")
-    for code, arguments in (("S007", (folder, "--part", "nobody")),
+    for code, arguments in (("U001", (folder, "--part", "nobody")),
                             ("I008", (name,)), ("I002", (folder, "--out", "/proc/picture.svg"))):
         done = run(*arguments)
-        checks.expect(done.returncode in (10, 22) and code in done.stderr,
+        checks.expect(done.returncode == (2 if code == "U001" else 22) and code in done.stderr,
                       f"{code}: {done.stderr.strip()[:90]}")
     for file in ("x.png", "x", "x.SVG"):
         done = run(folder, "--out", Path(name) / file)
@@ -178,6 +178,13 @@ def commands(checks, clevis, source, folder, name):
     done = run(old)
     checks.expect(done.returncode == 22 and "I003" in done.stderr,
                   f"a damaged view is refused: {done.stderr.strip()[:90]}")
+    stored = (folder / "result.json").read_text()
+    for damage in ('"high"', "1e999", "NaN", "null"):
+        (old / "result.json").write_text(
+            re.sub(r'("safety_factor": )[\d.]+', r"\g<1>" + damage, stored, count=1))
+        done = subprocess.run([clevis, "report", old], text=True, capture_output=True)
+        checks.expect(done.returncode == 22 and "I003" in done.stderr,
+                      f"report refuses {damage}: {done.stderr.strip()[:90]}")
 
 
 def without_mechanism(checks, clevis, name):

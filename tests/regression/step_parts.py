@@ -361,6 +361,51 @@ pressure = {{ found = "1 MPa" }}
             done = self.run_clevis("check", "bar.toml", "--max-dofs", wrong, code=2)
             self.assertIn("--max-dofs", done.stderr)
 
+    def test_places_on_a_plates_top_make_its_cells_finer(self):
+        """The mesher as clevis asks it: a place counts for its plane, however
+        high it stands above the bottom that is meshed."""
+        self.step("link.step", reference_link())
+        mesher = CLEVIS.parent / "clevis-mesher"
+
+        def ask(**more):
+            (self.folder / "request.json").write_text(json.dumps(
+                {"file": str(self.folder / "link.step"), "format": 1,  # STEP
+                 "length_unit": 0.0, "points": [], "facets": False, "mesh": "",
+                 "groups": {}, "finer": 1.0, "finer_at": [], **more}))
+            subprocess.run([mesher, "request.json", "answer.json"], cwd=self.folder,
+                           check=True, timeout=60, stdout=subprocess.DEVNULL)
+            return json.loads((self.folder / "answer.json").read_text())
+
+        bottom, top = sorted((f for f in ask()["faces"] if abs(f["normal"][2]) > 0.5),
+                             key=lambda f: f["centre"][2])
+        low, high = bottom["centre"][2], top["centre"][2]
+        plate = {"bottom": bottom["number"], "top": top["number"],
+                 "thickness": high - low, "normal": [0.0, 0.0, 1.0]}
+        meshes = []
+        for heights in ((), (low,), (high,)):
+            places = [{"at": [0.07, 0.0, z], "times": 3.0} for z in heights]
+            ask(mesh=str(self.folder / "link.msh"), plate=plate, finer_at=places)
+            meshes.append((self.folder / "link.msh").read_bytes())
+        self.assertNotEqual(meshes[0], meshes[1])
+        self.assertEqual(meshes[1], meshes[2])
+
+    def test_a_mesh_size_beyond_all_time_is_refused_at_once(self):
+        self.step("link.step", reference_link())
+        text = (SOURCE / "geometry/reference_link/scene.toml").read_text().replace(
+            'length_unit = "mm"\n', 'mesh_size = "0.01 mm"\n').replace(
+            "link.geo", "link.step").replace("[[part.case]]", """[part.faces]
+bore_A = { cylinder = { diameter = "15 mm", near = ["0 mm", "0 mm", "0 mm"] } }
+bore_B = { cylinder = { diameter = "15 mm", near = ["140 mm", "0 mm", "0 mm"] } }
+
+[[part.case]]""")
+        for name, more in (("plane", ""), ("space", '\nsweep = "never"')):
+            (self.folder / "tiny.toml").write_text(
+                text.replace('material = "steel"', 'material = "steel"' + more))
+            done = self.run_clevis("check", "tiny.toml", code=11)
+            self.assertRegex(done.stderr, r"error\[M010\]: tiny.toml:[0-9]+:[0-9]+: .*"
+                             r"mesh_size = 0.01 mm makes some .* times as many cells")
+            self.assertRegex(done.stderr, r"help: Give 0\.[0-9]+ mm or more")
+
     def test_plate_goes_as_that_of_a_geo(self):
         """The reference link from STEP, in its plane and in space, and from its
         script: bands that meet, the same deflection, models of plates."""

@@ -75,7 +75,10 @@ std::string run_gmsh(const path& geometry,
                      const std::vector<part::GeometryParameter>& parameters,
                      std::chrono::milliseconds timeout,
                      const std::string& program) {
-  if (!std::ifstream(geometry)) {
+  std::error_code ignored;
+  // A pipe that nobody writes would be waited for when opened.
+  if (!std::filesystem::is_regular_file(geometry, ignored) ||
+      !std::ifstream(geometry)) {
     throw Error("I001", geometry.string(), "the geometry cannot be read",
                 "Check the part's `geometry`; it is relative to the scene.");
   }

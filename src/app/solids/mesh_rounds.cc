@@ -41,6 +41,11 @@ bool keeps_the_last(const Error& error) {
   return error.code().starts_with('M') || error.code() == "F007";
 }
 
+/// Whether a mesh that was to be finer has come out as it was.
+bool is_same(const mesh::PartMesh<3>& a, const mesh::PartMesh<3>& b) {
+  return a.cells == b.cells && a.vertices == b.vertices;
+}
+
 void add(const PartSeconds& before, PartSeconds& seconds) {
   seconds.mesh += before.mesh;
   seconds.choose += before.choose;
@@ -98,13 +103,18 @@ CheckedPart check_in_rounds(
       job.tell("meshing finer");
       const auto listener = job.listener;
       try {
-        job = mesh_again(finer);
+        PartJob again = mesh_again(finer);
+        const bool is_finer = !is_same(job.mesh, again.mesh);
+        job = std::move(again);
         job.mesh_round = made + 1;
         job.listener = listener;
-        told.push_back(fmt::format(
-            "meshed finer where its error stands: {} cells left {:.3g} % open, "
-            "now {}",
-            cells, 100.0 * *open, job.mesh.cells.size()));
+        if (!is_finer) limits.rounds = made;
+        told.push_back(
+            is_finer
+                ? fmt::format("meshed finer where its error stands: {} cells "
+                              "left {:.3g} % open, now {}",
+                              cells, 100.0 * *open, job.mesh.cells.size())
+                : "not meshed finer: the mesh comes out as it was");
       } catch (const Error& error) {
         if (!keeps_the_last(error)) throw;
         limits.rounds = made;  // what there is will do

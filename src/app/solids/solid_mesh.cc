@@ -1,5 +1,6 @@
 #include "app/solids/solid_mesh.h"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -7,12 +8,47 @@
 #include "app/solids/solid_mesher.h"
 #include "app/solids/validated_mesh.h"
 #include "base/messages/errors.h"
+#include "base/values/stopwatch.h"
 #include "cad/face_groups.h"
 #include "cad/plate.h"
 #include "cad/select_faces.h"
 
 namespace clevis::app {
 namespace {
+
+/// Cells that a mesh of some size [m] has at least, over those that gmsh makes
+/// within its time: tetrahedra, or hexahedra of a plate in its plane.
+double share_of_time(const cad::Solid& solid, const part::SolidSource& source,
+                     double size) {
+  constexpr double kMostTetrahedra = 1e6, kMostHexahedra = 2e5;
+  constexpr double kOfCube = 4.5;  // tetrahedra, as gmsh makes them
+  const auto plate = cad::plate_of(solid);
+  return plate && source.sweep
+             ? solid.volume / plate->thickness / std::pow(size, 2.0) /
+                   kMostHexahedra
+             : kOfCube * solid.volume / std::pow(size, 3.0) / kMostTetrahedra;
+}
+
+/// @throws Error M010 if the mesher could not end within its time.
+void require_few_cells(const cad::Solid& solid,
+                       const part::PartDefinition& part,
+                       const part::SolidSource& source) {
+  if (!source.mesh_size) return;
+  const double size = *source.mesh_size;
+  const double share = share_of_time(solid, source, size);
+  if (share <= 1.0) return;
+  double enough = size;
+  while (share_of_time(solid, source, enough) > 1.0) enough *= 1.05;
+  throw Error(
+      "M010", source.mesh_size_place,
+      fmt::format("part {}: mesh_size = {:.4g} mm makes some {:.2g} times as "
+                  "many cells of {} as the mesher can",
+                  part.name, 1e3 * size, share,
+                  part.geometry.filename().string()),
+      fmt::format("Give {:.2g} mm or more, or leave it out: cells are made "
+                  "smaller by themselves where stresses ask for it.",
+                  1e3 * enough));
+}
 
 /// A mesh that is valid; curved cells that fold there (M005) do not in a
 /// finer mesh.
@@ -42,6 +78,7 @@ SolidMesh swept_mesh(const part::PartDefinition& part,
   if (!request.plate) return unfolded_mesh(part, request);
   const std::string what = cad::text(*request.plate);
   if (source.sweep) {
+    Stopwatch taken;
     try {
       SolidMesh made = unfolded_mesh(part, request);
       told.push_back(what + ": meshed in its plane" +
@@ -51,7 +88,9 @@ SolidMesh swept_mesh(const part::PartDefinition& part,
                             "is solved in space"));
       return made;
     } catch (const Error& error) {
-      if (!error.code().starts_with('M')) throw;
+      // In space it would take as long again.
+      const bool is_late = taken.lap() > kMostToMesh.count();
+      if (is_late || !error.code().starts_with('M')) throw;
       told.push_back(fmt::format("{}, meshed in space all the same: {}", what,
                                  error.problem()));
     }
@@ -79,6 +118,7 @@ SolidMesh mesh_solid_part(const part::PartDefinition& part,
   request.length_unit = source.length_unit;
   request.points = cad::points_of(source);
   const cad::Solid solid = run_mesher(request).solid;
+  require_few_cells(solid, part, source);
   cad::FaceGroups groups = cad::face_groups(solid, request.points, source);
   cad::add_rounds(solid, groups);
   request.groups = groups.faces;

@@ -11,6 +11,9 @@ namespace clevis::app {
 /// The program's name, beside clevis or in lib/clevis.
 inline constexpr const char* kMesher = "clevis-mesher";
 
+/// That the mesher is given by the clock.
+inline constexpr std::chrono::seconds kMostToMesh{120};
+
 /// What the mesher found, and the .msh if one was asked for.
 struct MesherAnswer {
   cad::Solid solid;
@@ -25,10 +28,9 @@ struct MesherAnswer {
 /// @param memory  address space of the child [byte].
 /// @throws Error M015, I001 of the file's head; as the mesher refuses; M010
 ///   if it takes too long, more memory or dies.
-MesherAnswer run_mesher(
-    cad::Request request,
-    std::chrono::milliseconds timeout = std::chrono::seconds(120),
-    std::size_t memory = std::size_t{4} << 30,
-    const std::filesystem::path& program = {});
+MesherAnswer run_mesher(cad::Request request,
+                        std::chrono::milliseconds timeout = kMostToMesh,
+                        std::size_t memory = std::size_t{4} << 30,
+                        const std::filesystem::path& program = {});
 
 }  // namespace clevis::app

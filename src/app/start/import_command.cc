@@ -20,7 +20,7 @@ ExitCode import_command(const ImportOptions& options) {
   const multibody::SceneText made =
       multibody::scene_text(run_importer(options.file), options.file.string());
   files.write_scene(made.text);
-  files.require_readable();  // what only clevis asks of a scene
+  files.require_readable(options.file);  // what only clevis asks of a scene
   const std::filesystem::path scene = files.scene();
   std::cout << fmt::format("{}: {} bodies, {} joints, {} forces\n",
                            scene.string(), made.bodies, made.joints,

@@ -52,7 +52,7 @@ ExitCode init_geometry(const InitOptions& options) {
   const GeometryScene made = geometry_scene(options.geometry);
   files.write(made.file, content_of(options.geometry));
   files.write_scene(made.text);
-  files.require_readable();
+  files.require_readable(options.geometry);
   std::cout << fmt::format(
       "{0}: {1}\nNext:\n  clevis faces {2} --picture {3}\n"
       "  clevis check --report {2}\n",

@@ -27,8 +27,9 @@ class NewScene {
   void write_scene(std::string_view text);
 
   /// Whether clevis reads the scene that was written: its refusal leaves
-  /// nothing behind. @throws Error S….
-  void require_readable() const;
+  /// nothing behind, and names the file that the scene was made of and the
+  /// body, joint or force in it. @throws Error S….
+  void require_readable(const std::filesystem::path& source) const;
 
  private:
   void remove() const;

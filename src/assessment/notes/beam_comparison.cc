@@ -56,8 +56,8 @@ BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
   } else {
     comparison.reason =
         job.impacts.empty()
-            ? "the supports by `fixed` are no plane sections, and no formula "
-              "of lugs applies"
+            ? "the supports are no plane sections, and no formula of lugs "
+              "applies"
             : "the beam models of a blow stand in its own table";
   }
   return comparison;

@@ -12,7 +12,8 @@ std::vector<std::string> part_notes(const PartJob& job) {
   const double size = mesh::size_of(job.mesh);
   if (size < kSmall || size > kLarge) {
     notes.push_back(fmt::format(
-        "the part is {:.3g} m large: see that its length_unit is right", size));
+        "the part is {:.3g} m large: see that the unit of its lengths is right",
+        size));
   }
   for (const std::string& group : job.mesh.empty_groups) {
     notes.push_back(fmt::format(

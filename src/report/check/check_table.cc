@@ -31,22 +31,17 @@ std::string or_dash(const std::optional<double>& value, double unit,
 
 std::vector<TextTable::Cell> part_row(const PartResult& part) {
   const assessment::PeakStress& peak = part.peak;
-  // Zero without its sign: the middle plane is not at -0.0 mm.
-  const auto coordinate = [](double metres) {
-    const double tenths = std::round(millimetres(metres) * 10.0);
-    return tenths == 0.0 ? 0.0 : tenths / 10.0;
-  };
   return {
       {part.name},
       {fmt::format("{:#.5g}", megapascals(peak.value))},
       {fmt::format("[{:#.5g}, {:#.5g}]", megapascals(peak.band_low),
                    megapascals(peak.band_high))},
-      {fmt::format("{} ({:.1f}, {:.1f}, {:.1f})", peak.group,
-                   coordinate(peak.at.x()), coordinate(peak.at.y()),
-                   coordinate(peak.at.z()))},
+      {peak.group + " " + place_text(peak.at)},
       {peak.label},
       {part.model},
-      {fmt::format("{:#.4g}", part.safety_factor)},
+      {judged_peak(part).value > 0.0  // of no stress there is none
+           ? fmt::format("{:#.4g}", part.safety_factor)
+           : "-"},
       {fmt::format("{:#.4g}", millimetres(part.deflection))},
       {or_dash(part.beam.peak_stress, 1e6, "{:#.4g}")},
       {or_dash(part.beam.ratio_fe_to_beam, 1.0, "{:.3f}")},
@@ -83,12 +78,11 @@ void add_zones(TextTable& table, const PartResult& part) {
   if (!part.peak_outside) return;
   const assessment::PeakStress& outside = *part.peak_outside;
   table.add_note(fmt::format(
-      "away from the singular zones: {:#.5g} [{:#.5g}, {:#.5g}] MPa at {} "
-      "({:.1f}, {:.1f}, {:.1f}), {}",
+      "away from the singular zones: {:#.5g} [{:#.5g}, {:#.5g}] MPa at {} {}, "
+      "{}",
       megapascals(outside.value), megapascals(outside.band_low),
-      megapascals(outside.band_high), outside.group,
-      millimetres(outside.at.x()), millimetres(outside.at.y()),
-      millimetres(outside.at.z()), text(outside.verdict)));
+      megapascals(outside.band_high), outside.group, place_text(outside.at),
+      text(outside.verdict)));
 }
 
 void add_pin_reactions(TextTable& table, const PartResult& part) {

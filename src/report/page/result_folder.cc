@@ -5,6 +5,7 @@
 
 #include "base/messages/errors.h"
 #include "report/check/result_json.h"
+#include "report/compare/result_reader.h"
 #include "report/text/json_node.h"
 #include "report/text/json_text.h"
 #include "report/view/input_file.h"
@@ -78,6 +79,7 @@ ResultKind result_kind(const fs::path& folder) {
 StoredPage read_result_folder(const fs::path& folder, ResultKind kind) {
   const fs::path file = result_file(folder, kind);
   StoredFile result = read_stored(file, "result");
+  if (kind == ResultKind::kCheck) read_result(file);  // refuses damaged values
   remove_seconds(result.json);
   const JsonNode document(result.json, file.string() + ":");
   const StoredFile motion =

@@ -187,17 +187,15 @@ std::string vibration_text(const PartResult& part) {
   }
   if (!v.ratio) return "";
   return fmt::format(
-      "{} with vibration: {:#.5g} [{:#.5g}, {:#.5g}] MPa at {} ({:.1f}, "
-      "{:.1f}, "
-      "{:.1f}), t = {:.6g} s, {:.3f} of the quasi-static peak\n"
+      "{} with vibration: {:#.5g} [{:#.5g}, {:#.5g}] MPa at {} {}, "
+      "t = {:.6g} s, {:.3f} of the quasi-static peak\n"
       "  {}, {} shapes of {:.4g} to {:.4g} kHz, {:.6g} s to {:.6g} s; error "
       "{:.2g} % (degree {:.2g}, shapes {:.2g}, samples {:.2g}, instants "
       "{:.2g}); {:.2f} s\n",
       printable(part.name), megapascals(v.peak), megapascals(v.band_low),
-      megapascals(v.band_high), v.group, millimetres(v.at.x()),
-      millimetres(v.at.y()), millimetres(v.at.z()), v.time, *v.ratio, v.model,
-      v.shapes, v.lowest_frequency / 1e3, v.highest_frequency / 1e3, v.from,
-      v.to, kPercent * v.error(), kPercent * v.degree_error,
+      megapascals(v.band_high), v.group, place_text(v.at), v.time, *v.ratio,
+      v.model, v.shapes, v.lowest_frequency / 1e3, v.highest_frequency / 1e3,
+      v.from, v.to, kPercent * v.error(), kPercent * v.degree_error,
       kPercent * v.shape_error, kPercent * v.sampling_error,
       kPercent * v.path_error, v.seconds);
 }

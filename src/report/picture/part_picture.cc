@@ -125,7 +125,7 @@ std::string stored_part_picture(const StoredPage& page,
   }
   const auto names = part_names(page);
   throw Error(
-      "S007", "--part", fmt::format("the result has no part \"{}\"", part),
+      "U001", "--part", fmt::format("the result has no part \"{}\"", part),
       names.empty() ? "It has none."
                     : fmt::format("It has {}.", fmt::join(names, ", ")));
 }

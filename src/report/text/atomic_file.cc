@@ -16,18 +16,21 @@
 
 #include "base/messages/errors.h"
 #include "base/system/interrupts.h"
+#include "report/text/json_text.h"
 
 namespace clevis::report {
 namespace {
 
-constexpr std::size_t kLongestName = 64;
+constexpr std::size_t kLongestName = 64, kLongestOwnName = 128;  // [bytes]
+constexpr std::string_view kPlain =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
 constexpr const char* kFrames = "frames";  // the subfolder of a series
 
 [[noreturn]] void refuse(const std::filesystem::path& file,
                          const std::string& step, const std::string& reason) {
   throw Error("I002", file.string(), "cannot " + step + ": " + reason,
               "Check that the folder may be written and that the disk is not "
-              "full, or choose another folder with --out.");
+              "full.");
 }
 
 /// The temporary file: closed and removed unless it was renamed.
@@ -94,10 +97,19 @@ bool is_gone(int process) {
 /// Whether the file is the temporary one of a process that is gone.
 bool is_left_over(const std::string& name) {
   static const std::regex kPattern(
-      R"(\.([A-Za-z0-9._-]{1,64})\.(\d{1,9})-[0-9a-f]{8}\.tmp)");
+      R"(\.([^/]{1,128})\.(\d{1,9})-[0-9a-f]{8}\.tmp)");
   std::smatch match;
   if (!std::regex_match(name, match, kPattern)) return false;
   return is_gone(std::stoi(match[2]));
+}
+
+/// Whether a text begins with a control of Latin-1 (U+0080 to U+009F), a blank
+/// or mark of general punctuation (U+2000 to U+207F), which may turn the
+/// direction, or U+FEFF.
+bool is_unseen(std::string_view text) {
+  return (text.starts_with("\xC2") && text.size() > 1 && text[1] < '\xA0') ||
+         text.starts_with("\xE2\x80") || text.starts_with("\xE2\x81") ||
+         text.starts_with("\xEF\xBB\xBF");
 }
 
 /// Makes the rename itself survive a power cut. Not every file system allows
@@ -113,19 +125,34 @@ void sync_folder(const std::filesystem::path& folder) {
 }  // namespace
 
 bool is_file_name(std::string_view name) {
-  constexpr std::string_view kAllowed =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
   return !name.empty() && name.size() <= kLongestName && name != "." &&
          name != ".." &&
-         name.find_first_not_of(kAllowed) == std::string_view::npos;
+         name.find_first_not_of(kPlain) == std::string_view::npos;
+}
+
+bool is_own_file_name(std::string_view name) {
+  if (name.empty() || name.size() > kLongestOwnName || name == "." ||
+      name == ".." || name.front() == ' ' || name.back() == ' ' ||
+      valid_utf8(std::string(name)) != name) {
+    return false;
+  }
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool is_ascii = static_cast<unsigned char>(name[i]) < 0x80;
+    if (is_ascii ? kPlain.find(name[i]) == kPlain.npos && name[i] != ' '
+                 : is_unseen(name.substr(i))) {
+      return false;
+    }
+  }
+  return true;
 }
 
 void write_file(const std::filesystem::path& file, std::string_view content) {
   const std::string name = file.filename().string();
-  if (!is_file_name(name)) {
+  if (!is_own_file_name(name)) {
     throw Error("I002", file.string(),
                 "\"" + name + "\" is not allowed as the name of a file",
-                "Use names of 1 to 64 letters, digits, '.', '_' or '-'.");
+                "Use a name of letters, digits, '.', '_', '-' and blanks "
+                "within, 128 bytes at most.");
   }
   const std::filesystem::path target = std::filesystem::absolute(file);
   std::error_code failure;

@@ -12,6 +12,11 @@ namespace clevis::report {
 /// they name a file.
 bool is_file_name(std::string_view name);
 
+/// Whether a name that a user gives on the command line may: also blanks within
+/// and letters of all scripts (valid UTF-8), 128 bytes in all, which every file
+/// system of today takes; no controls, no marks that turn the direction.
+bool is_own_file_name(std::string_view name);
+
 /// Writes `content` so that `file` is at every moment either the old content
 /// or the whole new one, also after a crash or Ctrl-C: temporary name in the
 /// same folder, fsync, rename. Missing folders are created. A symbolic link

@@ -24,6 +24,14 @@ namespace {
 }  // namespace
 
 std::string file_text(const std::filesystem::path& file) {
+  std::error_code failure;
+  // A pipe that nobody writes would be waited for when opened.
+  const auto status = std::filesystem::status(file, failure);
+  if (std::filesystem::exists(status) &&
+      !std::filesystem::is_regular_file(status)) {
+    throw Error("I001", file.string(), "is not a regular file",
+                "Give the path of a file.");
+  }
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse(file);
   return {std::istreambuf_iterator<char>(stream), {}};

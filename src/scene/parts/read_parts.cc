@@ -93,6 +93,7 @@ void read_solid(StrictTable& table, bool is_solid, part::SolidSource& solid) {
   }
   if (const auto size = table.find("mesh_size")) {
     solid.mesh_size = size->positive(Dimension::kLength);
+    solid.mesh_size_place = size->place();
   }
   if (const auto sweep = table.find("sweep")) {
     solid.sweep = sweep->choice<bool>({{"auto", true}, {"never", false}});
@@ -103,15 +104,17 @@ part::Limits read_limits(StrictTable table) {
   constexpr double kLargestFactor = 1000.0;
   part::Limits limits;
   if (const auto factor = table.find("safety_factor")) {
-    limits.safety_factor = factor->number(0.0, kLargestFactor);
-    if (*limits.safety_factor < 1.0) {
+    const auto& node = factor->node();
+    const double wanted = node.is_number() ? *node.value<double>() : 0.0;
+    if (0.0 < wanted && wanted < 1.0) {
       throw factor->refusal(
           "S006",
           fmt::format("= {} lets the part yield, where linear elasticity says "
                       "nothing of it",
-                      *limits.safety_factor),
+                      wanted),
           "Give a factor from 1 to 1000, on the yield strength.");
     }
+    limits.safety_factor = factor->number(1.0, kLargestFactor);
   }
   if (const auto deflection = table.find("deflection")) {
     limits.deflection = deflection->positive(Dimension::kLength);

@@ -79,6 +79,16 @@ TEST(MeshRounds, CheckTheLastMeshWithAllDegrees) {
   EXPECT_EQ(checked.assessment.result.notes.size(), 2U);
 }
 
+TEST(MeshRounds, EndWhereTheMeshComesOutAsItWas) {
+  Rounds run{{0.05, 0.05}};
+  run.more = 0;
+  const CheckedPart checked = run.start(1000, 5);
+  EXPECT_EQ(run.may_be_finer, (std::vector{true, false}));
+  ASSERT_EQ(checked.assessment.result.notes.size(), 1U);
+  EXPECT_EQ(checked.assessment.result.notes[0],
+            "not meshed finer: the mesh comes out as it was");
+}
+
 TEST(MeshRounds, CountTheSecondsOfAll) {
   Rounds run{{0.05, 0.004}};
   const auto& seconds = run.start(1000, 2).assessment.result.seconds;

@@ -49,7 +49,7 @@ assessment::PartResult sample_part(const std::string& name) {
   part.self_checks = {1e-12, 2e-13, 3e-14, 4e-7, true};
   part.probes = {{"D", "stress_yy", 5.5e6, 5.4e6, 5.6e6},
                  {"T", "displacement_x", 1.5e-5, 1.4e-5, 1.6e-5}};
-  part.seconds = {0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.21};
+  part.seconds = {0.01, 0.005, 0.02, 0.03, 0.04, 0.05, 0.06, 0.21};
   part.mass = 0.75;
   return part;
 }

@@ -89,7 +89,7 @@ TEST(StudyOutput, JsonHoldsReferenceAndRuns) {
 
 TEST(StudyOutput, RunComesBackFromAWorkerAsItWas) {
   study::Run run = with_probe().runs[5];
-  run.seconds = {1, 2, 3, 4, 5, 0, 15};
+  run.seconds = {1, 0, 2, 3, 4, 5, 0, 15};
   run.checked.emplace();
   run.checked->band_low = 1e6 / 3.0;
   run.checked->band_high = 2e6;

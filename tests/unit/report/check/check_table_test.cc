@@ -7,6 +7,7 @@
 
 #include "part/verdict.h"
 #include "report/text/text_table.h"
+#include "report/text/units.h"
 #include "unit/report/sample_report.h"
 
 namespace clevis::report {
@@ -123,6 +124,22 @@ TEST(CheckTable, FailuresAndInterruptionAreTold) {
                     "AB: not computed: part AB: residual 0.1 (F003) Report "
                     "the scene."));
   EXPECT_TRUE(holds(table, "verdict: not judged (interrupted"));
+}
+
+TEST(CheckTable, PlacesOfTinyPartsHaveDigits) {
+  EXPECT_EQ(place_text({12.54e-3, -2.96e-3, -1e-9}), "(12.5, -3.0, 0.0)");
+  EXPECT_EQ(place_text({0.123e-3, -0.04e-3, -1e-12}), "(0.123, -0.040, 0.000)");
+  EXPECT_EQ(place_text({0.0123e-3, 0.0, 0.0}), "(0.0123, 0.0000, 0.0000)");
+  EXPECT_EQ(place_text({0.0, 0.0, 0.0}), "(0.0, 0.0, 0.0)");
+}
+
+TEST(CheckTable, NoStressHasNoSafety) {
+  CheckReport report = sample_report();
+  report.parts[0].peak.value = 0.0;
+  report.parts[0].peak_outside.reset();
+  report.parts[0].safety_factor = 0.0;
+  EXPECT_TRUE(holds(lines_of(check_table(report, Colour::kNone))[4],
+                    "plane stress, p = 4       - "));
 }
 
 TEST(CheckTable, WhatBeamTheoryDoesNotSayIsADash) {

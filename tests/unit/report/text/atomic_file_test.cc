@@ -63,6 +63,25 @@ TEST(AtomicFile, NamesThatLeaveTheWhitelistAreRefused) {
   EXPECT_EQ(entries(folder.path()), 0);
 }
 
+TEST(AtomicFile, OwnNamesMayHaveBlanksAndLettersOfAllScripts) {
+  for (const std::string& name :
+       {std::string("my plot 2.svg"), std::string("Tr\xc3\xa4ger.html"),
+        std::string("\xe6\xa2\x81.json"), std::string(128, 'x')}) {
+    EXPECT_TRUE(is_own_file_name(name)) << name;
+    const TestFolder folder;
+    write_file(folder / name, "content");
+    EXPECT_EQ(content_of(folder / name), "content");
+    EXPECT_EQ(entries(folder.path()), 1);
+  }
+  for (const std::string& name :
+       {std::string(), std::string(".."), std::string(" a"), std::string("a "),
+        std::string("a\nb"), std::string("a\0b", 3), std::string("a:b"),
+        std::string("a?"), std::string("a\xff"), std::string("a\xc2\x85"),
+        std::string("gpj.\xe2\x80\xae"), std::string(129, 'x')}) {
+    EXPECT_FALSE(is_own_file_name(name)) << name;
+  }
+}
+
 // The test may run as root, whom permissions do not stop: a file in the
 // place of a folder and a folder in the place of a file do.
 TEST(AtomicFile, FailureNamesTheReasonAndLeavesNothing) {
