@@ -7,14 +7,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "part/bore.h"
-
 namespace clevis::cad {
 namespace {
 
 using Eigen::Vector3d;
 
 constexpr double kSame = 1e-3;  // of the radius: lengths that are meant equal
+
+/// Of the normals away from the axis, which point from it to the surface.
+Vector3d area_vector(const Face& face) {
+  const Vector3d from_axis = face.centre - face.axis_point;
+  return face.area / face.radius *
+         (from_axis - from_axis.dot(face.axis) * face.axis);
+}
 
 Cylinder cylinder_of(const Face& face) {
   const double middle = (face.low + face.high) / 2;
@@ -24,7 +29,7 @@ Cylinder cylinder_of(const Face& face) {
           .radius = face.radius,
           .length = face.high - face.low,
           .angle = face.angle,
-          .area = face.area,
+          .wall = {face.area, area_vector(face), face.normal_square},
           .hollow = face.hollow};
 }
 
@@ -58,7 +63,9 @@ void merge(Cylinder& cylinder, const Cylinder& other) {
   cylinder.point += (low + high) / 2 * cylinder.axis;
   cylinder.length = high - low;
   cylinder.angle = covered / cylinder.length;
-  cylinder.area += other.area;
+  cylinder.wall.area += other.wall.area;
+  cylinder.wall.area_vector += other.wall.area_vector;
+  cylinder.wall.normal_square += other.wall.normal_square;
   cylinder.faces.insert(cylinder.faces.end(), other.faces.begin(),
                         other.faces.end());
   std::ranges::sort(cylinder.faces);
@@ -67,11 +74,12 @@ void merge(Cylinder& cylinder, const Cylinder& other) {
 }  // namespace
 
 double Cylinder::share() const {
-  return area / part::wall_area(bore_of(*this));
+  return wall.area / part::wall_area(bore_of(*this));
 }
 
 bool Cylinder::is_round() const {
-  return part::is_whole_wall(bore_of(*this), area);
+  constexpr double kLeast = 0.9;  // tips of teeth are alike on all sides, too
+  return share() > kLeast && part::is_whole_wall(bore_of(*this), wall);
 }
 
 std::vector<Cylinder> cylinders_of(const Solid& solid) {

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "cad/face.h"
+#include "part/bore.h"
 
 namespace clevis::cad {
 
@@ -18,11 +19,12 @@ struct Cylinder {
   double radius{};         ///< [m]
   double length{};         ///< along the axis [m]
   double angle{};          ///< that its faces turn about the axis [rad]
-  double area{};           ///< [m²]
+  part::Wall wall = {};    ///< that its faces are
   bool hollow{};           ///< a bore rather than a shaft
 
-  double share() const;   ///< of the wall of a whole cylinder [1]
-  bool is_round() const;  ///< all round, as loads of pins need it
+  double share() const;  ///< of the wall of a whole cylinder [1]
+  /// All round, as loads of pins need it, and no tips of teeth.
+  bool is_round() const;
 };
 
 /// All cylinders of a solid.

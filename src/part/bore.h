@@ -26,11 +26,26 @@ inline double wall_area(const Bore& bore) {
   return 2.0 * std::numbers::pi * bore.radius * bore.length;
 }
 
-/// Whether a pin's pressure, which needs the wall all round, can go on a wall
-/// of this area [m²]: keyways, slots, cross bores and sloped ends take theirs.
-inline bool is_whole_wall(const Bore& bore, double area) {
+/// What there is of a cylinder's wall; n is its unit normal, either way.
+struct Wall {
+  double area{};                                          ///< [m²]
+  Eigen::Vector3d area_vector = Eigen::Vector3d::Zero();  ///< ∫ n dA [m²]
+  Eigen::Matrix3d normal_square = Eigen::Matrix3d::Zero();  ///< ∫ n nᵀ dA [m²]
+};
+
+/// Whether a pin's pressure, which needs the wall all round, can go on a wall:
+/// keyways, slots, cross bores and sloped ends take theirs. What is there may
+/// be rings, or miss a little alike on all sides: of whole rings normals across
+/// the axis are alike in all directions.
+inline bool is_whole_wall(const Bore& bore, const Wall& wall) {
   const double full = wall_area(bore);
-  return std::abs(area - full) <= kWholeWallTolerance * full;
+  if (std::abs(wall.area - full) <= kWholeWallTolerance * full) return true;
+  const Eigen::Matrix3d even = 0.5 * (Eigen::Matrix3d::Identity() -
+                                      bore.axis_L * bore.axis_L.transpose());
+  const double tolerance = kWholeWallTolerance * wall.area;
+  return wall.area < full &&
+         (wall.normal_square - wall.area * even).norm() <= tolerance &&
+         wall.area_vector.norm() <= tolerance;
 }
 
 }  // namespace clevis::part

@@ -52,16 +52,6 @@ void take_up(const Wrench& left, const part::MassProperties& mass,
   instant.rigid.alpha += more.alpha;
 }
 
-/// Of whole rings normals across the axis are alike in all directions.
-bool are_rings(const GroupGeometry& group) {
-  const Vector3d& axis = group.cylinder.axis_L;
-  const Eigen::Matrix3d even =
-      0.5 * (Eigen::Matrix3d::Identity() - axis * axis.transpose());
-  const double tolerance = part::kWholeWallTolerance * group.area;
-  return (group.normal_square - group.area * even).norm() <= tolerance &&
-         group.area_vector.norm() <= tolerance;
-}
-
 }  // namespace
 
 Wrench inertia_load(const RigidAcceleration& rigid,
@@ -116,9 +106,9 @@ Wrench about(const Vector3d& force, const Vector3d& moment,
 }
 
 bool is_full_cylinder(const GroupGeometry& group) {
-  if (!group.is_cylinder) return false;
-  return part::is_whole_wall(group.cylinder, group.area) ||
-         (group.area < part::wall_area(group.cylinder) && are_rings(group));
+  return group.is_cylinder &&
+         part::is_whole_wall(group.cylinder, {group.area, group.area_vector,
+                                              group.normal_square});
 }
 
 void require_full_cylinder(const GroupGeometry& group,
