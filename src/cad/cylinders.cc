@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -14,13 +15,6 @@ using Eigen::Vector3d;
 
 constexpr double kSame = 1e-3;  // of the radius: lengths that are meant equal
 
-/// Of the normals away from the axis, which point from it to the surface.
-Vector3d area_vector(const Face& face) {
-  const Vector3d from_axis = face.centre - face.axis_point;
-  return face.area / face.radius *
-         (from_axis - from_axis.dot(face.axis) * face.axis);
-}
-
 Cylinder cylinder_of(const Face& face) {
   const double middle = (face.low + face.high) / 2;
   return {.faces = {face.number},
@@ -29,15 +23,7 @@ Cylinder cylinder_of(const Face& face) {
           .radius = face.radius,
           .length = face.high - face.low,
           .angle = face.angle,
-          .wall = {face.area, area_vector(face), face.normal_square},
           .hollow = face.hollow};
-}
-
-part::Bore bore_of(const Cylinder& cylinder) {
-  return {.p_LC = cylinder.point,
-          .axis_L = cylinder.axis,
-          .radius = cylinder.radius,
-          .length = cylinder.length};
 }
 
 /// Place of a point along a cylinder's axis, from its middle [m].
@@ -63,9 +49,6 @@ void merge(Cylinder& cylinder, const Cylinder& other) {
   cylinder.point += (low + high) / 2 * cylinder.axis;
   cylinder.length = high - low;
   cylinder.angle = covered / cylinder.length;
-  cylinder.wall.area += other.wall.area;
-  cylinder.wall.area_vector += other.wall.area_vector;
-  cylinder.wall.normal_square += other.wall.normal_square;
   cylinder.faces.insert(cylinder.faces.end(), other.faces.begin(),
                         other.faces.end());
   std::ranges::sort(cylinder.faces);
@@ -73,13 +56,9 @@ void merge(Cylinder& cylinder, const Cylinder& other) {
 
 }  // namespace
 
-double Cylinder::share() const {
-  return wall.area / part::wall_area(bore_of(*this));
-}
-
 bool Cylinder::is_round() const {
-  constexpr double kLeast = 0.9;  // tips of teeth are alike on all sides, too
-  return share() > kLeast && part::is_whole_wall(bore_of(*this), wall);
+  constexpr double kNearly = 0.9;  // cross bores and keyways take their share
+  return angle > kNearly * 2 * std::numbers::pi;
 }
 
 std::vector<Cylinder> cylinders_of(const Solid& solid) {

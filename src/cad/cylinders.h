@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 #include "cad/face.h"
-#include "part/bore.h"
 
 namespace clevis::cad {
 
@@ -19,12 +18,9 @@ struct Cylinder {
   double radius{};         ///< [m]
   double length{};         ///< along the axis [m]
   double angle{};          ///< that its faces turn about the axis [rad]
-  part::Wall wall = {};    ///< that its faces are
   bool hollow{};           ///< a bore rather than a shaft
 
-  double share() const;  ///< of the wall of a whole cylinder [1]
-  /// All round, as loads of pins need it, and no tips of teeth.
-  bool is_round() const;
+  bool is_round() const;  ///< all the way about the axis, or nearly so
 };
 
 /// All cylinders of a solid.

@@ -11,7 +11,6 @@
 
 #include "base/messages/errors.h"
 #include "cad/unit_slip.h"
-#include "part/bore.h"
 
 namespace clevis::cad {
 namespace {
@@ -137,11 +136,7 @@ std::string text_of(const Miss& miss) {
     add(fmt::format("its end {:.4g} mm off along it", 1e3 * miss.along));
   }
   if (!miss.cylinder.is_round()) {
-    add(
-        fmt::format("only {:.3g} % of a whole cylinder's wall, of which a pin "
-                    "needs {:.3g} %",
-                    100.0 * miss.cylinder.share(),
-                    100.0 * (1.0 - part::kWholeWallTolerance)));
+    add(fmt::format("only {:.3g} deg of a turn", degrees(miss.cylinder.angle)));
   }
   return fmt::format("{} ({})", text_of(miss.cylinder), off);
 }

@@ -67,13 +67,4 @@ std::vector<PinBore> pin_bores(const Solid& solid) {
   return found;
 }
 
-std::vector<Cylinder> open_bores(const Solid& solid) {
-  constexpr double kLeast = 0.6;  // of a wall; the end of a slot is a half
-  std::vector<Cylinder> found = cylinders_of(solid);
-  std::erase_if(found, [](const Cylinder& cylinder) {
-    return !cylinder.hollow || cylinder.is_round() || cylinder.share() < kLeast;
-  });
-  return found;
-}
-
 }  // namespace clevis::cad

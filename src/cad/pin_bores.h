@@ -28,8 +28,4 @@ struct PinBore {
 /// area stands for all.
 std::vector<PinBore> pin_bores(const Solid& solid);
 
-/// Bores that no pin may fill: a keyway, a slot, a cross bore or a sloped end
-/// takes too much of their walls. Concave fillets and ends of slots are none.
-std::vector<Cylinder> open_bores(const Solid& solid);
-
 }  // namespace clevis::cad

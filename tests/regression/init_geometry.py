@@ -45,11 +45,6 @@ Cylinder(5) = {0, 0, -20, 0, 0, 40, 4}; Cylinder(6) = {100, 0, -20, 0, 0, 40, 4}
 BooleanDifference(7) = { Volume{4}; Delete; }{ Volume{5, 6}; Delete; };
 """
 
-# A link whose wider bore has a keyway: 93 % of its wall is there.
-KEYWAY = LINK + """Box(8) = {-8, -1.5, -1, 4, 3, 10};
-BooleanDifference(9) = { Volume{7}; Delete; }{ Volume{8}; Delete; };
-"""
-
 BALL = """SetFactory("OpenCASCADE");
 Sphere(1) = {0, 0, 0, 10};
 """
@@ -204,15 +199,6 @@ class InitGeometry(unittest.TestCase):
         self.assertEqual(part["faces"]["base"], {"plane": {"normal": [-1, 0, 0]}})
         self.assertEqual(newtons(part["case"][0]["pins"]["bore_A"]), [2000, 0, 0])
         self.assertEqual(self.check("eye")[1], "pass")
-
-    def test_a_bore_with_a_keyway_is_left_out(self):
-        """Loads of pins need the wall all round: the plane end holds instead."""
-        scene, text = self.init("keyway", self.shape("keyway.step", KEYWAY))
-        for told in (text, self.told):
-            self.assertRegex(told, r"left out: hollow arc of diameter 12 mm.*: 9\d(\.\d)? % "
-                             r"of a whole cylinder's wall, of which a pin needs 98 %")
-        self.assertNotIn("bore_B", text)
-        self.check("keyway", codes=(0, 1, 4))
 
     def test_without_bores_the_ends_are_pulled_apart(self):
         self.init("block", self.shape("block.step", BLOCK))

@@ -8,18 +8,15 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "app/solids/solid_mesh.h"
 #include "app/solids/solid_mesher.h"
 #include "app/start/first_case_text.h"
 #include "base/messages/errors.h"
 #include "cad/first_case.h"
-#include "cad/pin_bores.h"
 #include "cad/plate.h"
 #include "cad/selector_choice.h"
 #include "multibody/names.h"
-#include "part/bore.h"
 #include "part/solid_source.h"
 #include "report/text/atomic_file.h"
 
@@ -123,24 +120,6 @@ std::vector<Vector3d> points_of(const std::vector<Named>& all) {
               "a label, and write the scene with { label = \"NAME\" }.");
 }
 
-/// Of bores that a user may miss in the scene, a line each.
-std::vector<std::string> left_out(const cad::Solid& solid) {
-  const auto open = cad::open_bores(solid);
-  std::vector<std::string> lines;
-  for (std::size_t i = 0; i < std::min(open.size(), kMostBores); ++i) {
-    lines.push_back(fmt::format(
-        "left out: {}: {:.3g} % of a whole cylinder's wall, of which a pin "
-        "needs {:.3g} %",
-        cad::text_of(open[i]), 100.0 * open[i].share(),
-        100.0 * (1.0 - part::kWholeWallTolerance)));
-  }
-  if (open.size() > kMostBores) {
-    lines.push_back(
-        fmt::format("left out: {} more of its kind", open.size() - kMostBores));
-  }
-  return lines;
-}
-
 /// @param solid  with the distances of the groups' points.
 /// @throws Error M017 if a face that the case needs cannot be told from others.
 std::string faces_text(const cad::Solid& solid, const std::vector<Named>& all,
@@ -221,7 +200,6 @@ GeometryScene geometry_scene(const fs::path& file) {
 
   const FirstCaseText text = first_case_text(first);
   const std::size_t n_bores = first.bores.size();
-  const std::vector<std::string> missed = left_out(solid);
   GeometryScene made = named_after(file);
   made.text =
       scene_text(made, solid) + part_text(made) +
@@ -232,11 +210,9 @@ GeometryScene geometry_scene(const fs::path& file) {
            ? fmt::format("# and {} more bores: clevis faces {}\n",
                          n_bores - kMostBores, made.file)
            : "") +
-      (missed.empty() ? "" : fmt::format("# {}\n", fmt::join(missed, "\n# "))) +
       "\n" + text.toml;
   made.told = fmt::format("{} alone, {}\n  {}", made.file, text.about,
                           plain(about(solid)));
-  for (const std::string& line : missed) made.told.append("\n  ").append(line);
   return made;
 }
 

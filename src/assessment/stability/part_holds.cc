@@ -37,7 +37,7 @@ std::vector<Instants> by_place(const loads::LoadHistory& history) {
   constexpr int kPlaces = 16, kEnds = 256;  // bins: an end is the last of many
   std::vector<Instants> found;
   for (const int bins : {kPlaces, kEnds}) {
-    const auto places = loads::slide_places(history, bins, 0.0);
+    const auto places = loads::slide_places(history, bins);
     std::map<int, Instants> at_place;
     for (std::size_t i = 0; i < places.of.size(); ++i) {
       if (places.of[i] == loads::SlidePlaces::kUnknown) continue;

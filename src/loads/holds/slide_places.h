@@ -15,8 +15,8 @@ struct SlidePlaces {
   std::vector<int> of;  ///< bin by instant of the motion, or kUnknown
 };
 
-/// @param bins   so many, where the slide travels.
-/// @param least  way of the slide under which its places are one [m].
-SlidePlaces slide_places(const LoadHistory& history, int bins, double least);
+/// Of the one that goes the longest way. @param bins  so many, where it
+/// travels.
+SlidePlaces slide_places(const LoadHistory& history, int bins);
 
 }  // namespace clevis::loads

@@ -63,28 +63,5 @@ TEST(Cylinders, AFilletIsNotRound) {
             "face 1");
 }
 
-TEST(Cylinders, AWallThatLoadsOfPinsRefuseIsNotRound) {
-  // A keyway from end to end.
-  for (const double share : {1.0, 0.985, 0.975, 0.95}) {
-    const auto found = cylinders_of(solid_of(
-        {cylinder_face(1, 0.0, 0.0, 0.01, 0.016, true, share * 2 * kPi)}));
-    EXPECT_EQ(found.at(0).is_round(), share > 0.98);
-    EXPECT_NEAR(found[0].share(), share, 1e-12);
-  }
-  // A whole turn whose ends follow a round: alike on all sides, or nearly so.
-  Face saddle = cylinder_face(1, 0.0, 0.0, 0.01, 0.016, true);
-  for (const double share : {0.95, 0.85}) {
-    Face less = saddle;
-    less.area *= share;
-    less.normal_square *= share;
-    EXPECT_EQ(cylinders_of(solid_of({less})).at(0).is_round(), share > 0.9);
-  }
-  saddle.area *= 0.95;
-  saddle.normal_square *= 0.95;
-  saddle.normal_square(0, 0) *= 1.05;
-  saddle.normal_square(1, 1) *= 0.95;
-  EXPECT_FALSE(cylinders_of(solid_of({saddle})).at(0).is_round());
-}
-
 }  // namespace
 }  // namespace clevis::cad

@@ -62,18 +62,6 @@ TEST(PinBores, EarsAreOneBoreAndACounterboreIsNone) {
   EXPECT_EQ(bores[1].faces(), std::vector{3});
 }
 
-TEST(PinBores, OpenOnesAreToldApart) {
-  const Solid solid = solid_of(
-      {cylinder_face(1, 0.0, 0.0, 0.01, 0.02, true),
-       cylinder_face(2, 0.03, 0.0, 0.01, 0.02, true, 1.9 * std::numbers::pi),
-       cylinder_face(3, 0.06, 0.0, 0.01, 0.02, true, std::numbers::pi),
-       cylinder_face(4, 0.09, 0.0, 0.01, 0.02, false, 1.9 * std::numbers::pi)});
-  const auto open = open_bores(solid);
-  ASSERT_EQ(open.size(), 1u);
-  EXPECT_EQ(open[0].faces, std::vector{2});
-  EXPECT_EQ(pin_bores(solid).size(), 1u);
-}
-
 /// Across the pulled bore, no moment about the axis of the held one.
 void expect_held(const FirstCase& made) {
   ASSERT_TRUE(made.held && made.pulled);
