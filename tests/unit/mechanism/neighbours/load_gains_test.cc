@@ -139,7 +139,11 @@ TEST(LoadGains, TurnWithTheBody) {
 
 // Two bodies that slide on each other, pushed apart, are one link to who leans
 // on them, and let him come nearer.
-TEST(LoadGains, CylinderOfTwoBodiesPushesOnAcross) {
+// Wherever the frames of the slide are along it.
+class LoadGainsOfACylinder : public ::testing::TestWithParam<double> {};
+
+TEST_P(LoadGainsOfACylinder, PushesOnAcross) {
+  const double on_tube = GetParam();
   MechanismDefinition definition;
   definition.bodies = {bar(Vector3d(-0.1, 0.0, 0.0)),
                        bar(Vector3d(0.03, 0.0, 0.0)),
@@ -153,6 +157,7 @@ TEST(LoadGains, CylinderOfTwoBodiesPushesOnAcross) {
     frame->R_LJ.col(1) = Vector3d::UnitZ();
     frame->R_LJ.col(2) = Vector3d::UnitX();
   }
+  definition.joints[1].frame_a.p_LJ.x() = on_tube;
   LineElement spring;
   spring.line = {.kind = ElementLine::Kind::kJoint, .joint = 1};
   definition.elements = {spring};
@@ -166,7 +171,8 @@ TEST(LoadGains, CylinderOfTwoBodiesPushesOnAcross) {
   instant.joints[0].f_W = force;
   instant.joints[2].f_W = -force;
   ElementState state;
-  state.actions[0] = {.body = 2, .p_W = instant.joints[1].p_WJ, .f_W = force};
+  state.actions[0] = {
+      .body = 2, .p_W = on_tube * Vector3d::UnitX(), .f_W = force};
   state.actions[1] = {.body = 1, .p_W = instant.joints[1].p_WJ, .f_W = -force};
   instant.elements = {state};
   const auto found =
@@ -175,6 +181,9 @@ TEST(LoadGains, CylinderOfTwoBodiesPushesOnAcross) {
   const Matrix3d wanted = Vector3d(0.0, kGain, kGain).asDiagonal();
   EXPECT_LT((of_displacements(found) - wanted).norm(), 1e-6 * kGain);
 }
+
+INSTANTIATE_TEST_SUITE_P(Slides, LoadGainsOfACylinder,
+                         ::testing::Values(0.05, 0.1, -0.02));
 
 /// A body that is welded to body 0 at the origin under a force.
 LoadGains of_mast(const Vector3d& at, const Vector3d& force,
