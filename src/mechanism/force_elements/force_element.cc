@@ -45,6 +45,12 @@ const ElementPoint* rolling_centre(const ForceElement& element) {
   return contact == nullptr ? nullptr : &contact->center;
 }
 
+bool turns_with_first(const ForceElement& element) {
+  const ElementLine* line = line_of(element);
+  return line != nullptr ? line->kind != ElementLine::Kind::kDistance
+                         : std::holds_alternative<BushingElement>(element);
+}
+
 bool is_angle(const ForceElement& element,
               const std::vector<JointDefinition>& joints) {
   const ElementLine* line = line_of(element);

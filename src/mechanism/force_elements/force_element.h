@@ -33,6 +33,9 @@ const ElementLine* line_of(const ForceElement& element);
 /// The point of body b that its normal force goes through however b turns: the
 /// centre of a wheel on a plane; or null.
 const ElementPoint* rolling_centre(const ForceElement& element);
+/// Whether its force keeps its direction in body a, and acts there in the point
+/// where it acts on b: along an axis of a joint or of a, or of a bushing.
+bool turns_with_first(const ForceElement& element);
 /// Whether it measures an angle and gives a moment.
 bool is_angle(const ForceElement& element,
               const std::vector<JointDefinition>& joints);

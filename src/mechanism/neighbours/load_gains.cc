@@ -295,10 +295,8 @@ class LoadForm {
         forces[side] = in_P(action.f_W);
       }
       if (!movers[0] && !movers[1]) continue;
-      // Along an axis of a both act in one point, wherever a's force is put.
-      const bool is_along_axis =
-          line != nullptr && line->kind != ElementLine::Kind::kDistance;
-      if (is_along_axis) points[0] = points[1];
+      const bool turns = turns_with_first(elements[e]);
+      if (turns) points[0] = points[1];
       if (const ElementPoint* centre = rolling_centre(elements[e])) {
         add_rolling(movers, forces[1], points[1], *centre);
         continue;
@@ -311,13 +309,13 @@ class LoadForm {
       if (movers[0] && movers[1]) {
         form_.add_moment(*movers[0], *movers[1], in_P(actions[1].t_W));
       }
-      if (line == nullptr) continue;
-      if (line->kind == ElementLine::Kind::kDistance) {
+      if (turns && movers[0]) {
+        form_.add_turning(*movers[0], movers[1], points[1], forces[1]);
+      }
+      if (line != nullptr && line->kind == ElementLine::Kind::kDistance) {
         const Vector3d along = (points[1] - points[0]).normalized();
         form_.add_line(movers[0], movers[1], points[0], points[1],
                        -forces[1].dot(along));
-      } else if (is_along_axis && movers[0]) {
-        form_.add_turning(*movers[0], movers[1], points[1], forces[1]);
       }
     }
   }

@@ -1,6 +1,7 @@
 // What loads gain as a body gives way at its joints, against statics by hand.
 #include "mechanism/neighbours/load_gains.h"
 
+#include <cmath>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -253,6 +254,29 @@ TEST(LoadGains, OfAWheelGoesThroughItsCentre) {
       load_gains(Neighbours(definition, 0), instant,
                  {{LoadPlace::Kind::kJoint, 0, Vector3d::Zero()}});
   EXPECT_NEAR(found.gain(5, 5), kForce * kAxle, kRoundOff * kForce);
+}
+
+// A bushing's force keeps its direction in body a, where it acts at b's point.
+TEST(LoadGains, OfABushingTurnsWithItsFirstBody) {
+  MechanismDefinition definition;
+  definition.bodies = {bar(Vector3d(-0.1, 0.0, 0.0))};
+  definition.elements = {BushingElement{}};
+  Instant instant;
+  instant.bodies.resize(1);
+  const Vector3d at(0.3, 0.0, 0.0), force(-kForce, 0.0, 0.0);
+  ElementState state;
+  state.actions[0] = {.body = 0, .p_W = at, .f_W = force};
+  state.actions[1] = {.body = kGround, .p_W = at, .f_W = -force};
+  instant.elements = {state};
+  const std::vector<LoadPlace> places{
+      {LoadPlace::Kind::kElement, 0, Vector3d::Zero()}};
+  const auto found = load_gains(Neighbours(definition, 0), instant, places);
+  // −F e(θ) at a fixed point in space: across F θ, and of its arm h as well.
+  EXPECT_NEAR(found.gain(5, 5), -kForce * 0.3, kRoundOff * kForce);
+  EXPECT_NEAR(std::abs(found.gain(1, 5)), kForce, kRoundOff * kForce);
+  definition.elements = {ConstantForce{}};
+  const auto dead = load_gains(Neighbours(definition, 0), instant, places);
+  EXPECT_NEAR(dead.gain(5, 5), kForce * 0.3, kRoundOff * kForce);
 }
 
 // A weight that hangs on a pendulum hangs straight again; one that stands on
