@@ -330,29 +330,26 @@ peak_stress = "5 %"
     return file
 
 
+def least_load(length, low, high, is_below):
+    """k² EI [N] of the least k for which is_below(k) ends; low, high: of kl, in it."""
+    low, high = low / length * (1 + 1e-12) + 1e-9, high / length * (1 - 1e-12)
+    for _ in range(200):
+        k = (low + high) / 2
+        low, high = (k, high) if is_below(k) else (low, k)
+    return low**2 * MODULUS * INERTIA
+
+
 def through_a_point(length, strut):
     """Load of a column that is clamped at its foot, through a point a strut's length
     behind its end: P = k² EI with tan kl = k (l + strut) [N]."""
-    low, high = 1e-6, math.pi / 2 / length * (1 - 1e-12)
-    for _ in range(200):
-        k = (low + high) / 2
-        if math.tan(k * length) < k * (length + strut):
-            low = k
-        else:
-            high = k
-    return low**2 * MODULUS * INERTIA
+    return least_load(length, 0, math.pi / 2,
+                      lambda k: math.tan(k * length) < k * (length + strut))
 
 
 def on_a_mast(length, height):
     """The same under a weight on a mast: kl tan kl = l/height [N]."""
-    low, high = 1e-6, math.pi / 2 / length * (1 - 1e-12)
-    for _ in range(200):
-        k = (low + high) / 2
-        if k * height * math.tan(k * length) < 1:
-            low = k
-        else:
-            high = k
-    return low**2 * MODULUS * INERTIA
+    return least_load(length, 0, math.pi / 2,
+                      lambda k: k * height * math.tan(k * length) < 1)
 
 
 def swinging(folder, far):
@@ -389,14 +386,8 @@ peak_stress = "5 %"
 
 def in_a_guide(length, far):
     """Load of a strut between a ball and a stiff guide on a pin: tan kl = -k far [N]."""
-    low, high = math.pi / 2 / length * (1 + 1e-12), math.pi / length
-    for _ in range(200):
-        k = (low + high) / 2
-        if math.tan(k * length) < -k * far:
-            low = k
-        else:
-            high = k
-    return low**2 * MODULUS * INERTIA
+    return least_load(length, math.pi / 2, math.pi,
+                      lambda k: math.tan(k * length) < -k * far)
 
 
 def parallelogram(clevis, folder, moment):

@@ -119,8 +119,10 @@ class SetCheck {
     }
     std::ranges::sort(order);
     for (const auto& [most, hold] : order) {
-      take_points(all, held, hold);
-      look_by_linear_theory(part, hold, lowest[hold]);
+      if (held.holds() > 1) {
+        take_points(all, held, hold);
+        look_by_linear_theory(part, hold, lowest[hold]);
+      }
       look_at(part, hold, found);
       if (with) bound_with_neighbours(*with, found);
       if (!found.is_stable) return;
@@ -145,7 +147,7 @@ class SetCheck {
   std::optional<double> with_neighbours(const std::vector<double>& lowest) {
     constexpr double kAdded = 0.95;
     const auto& history = set_.history;
-    if (!history.hold || history.hold(history.hold_time).weighed.cols() == 0) {
+    if (!history.hold || history.hold_that_counts().weighed.cols() == 0) {
       return std::nullopt;
     }
     const double with =

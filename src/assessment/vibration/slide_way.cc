@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "loads/history/motion_instants.h"
-#include "loads/holds/holding_groups.h"
+#include "loads/holds/slide_places.h"
 
 namespace clevis::assessment {
 namespace {
@@ -29,35 +27,12 @@ void fill(std::vector<double>& places) {
 }  // namespace
 
 std::vector<double> slide_way(const loads::LoadHistory& motion, double least) {
-  const auto& seats = motion.seats;
-  if (std::ranges::none_of(seats, [](const loads::Seat& seat) {
-        return seat.slide.has_value();
-      })) {
-    return {};
-  }
-  const auto holds = loads::holding_groups(motion);
-  std::vector<double> found;
-  double longest = least;
-  for (std::size_t s = 0; s < seats.size(); ++s) {
-    const bool slides_and_holds =
-        seats[s].slide && std::ranges::any_of(holds, [&](const auto& groups) {
-          return std::ranges::find(groups, seats[s].group) != groups.end();
-        });
-    if (!slides_and_holds) continue;
-    std::vector<double> places = loads::places_on_wall(motion, s);
-    if (std::ranges::none_of(places, [](double place) {
-          return std::isfinite(place);
-        })) {
-      continue;
-    }
-    places.resize(motion.instants.size(), NAN);
-    fill(places);
-    const auto [low, high] = std::ranges::minmax(places);
-    if (!(high - low > longest)) continue;
-    longest = high - low;
-    found = std::move(places);
-  }
-  return found;
+  std::vector<double> places = loads::places_of_slide(motion);
+  if (places.empty()) return {};
+  places.resize(motion.instants.size(), NAN);
+  fill(places);
+  const auto [low, high] = std::ranges::minmax(places);
+  return high - low > least ? places : std::vector<double>{};
 }
 
 }  // namespace clevis::assessment

@@ -11,9 +11,19 @@
 namespace clevis::loads {
 namespace {
 
-/// Places of the slide that goes the longest way of those that hold the part,
-/// by instant of the motion: twice the middles of its zones [m], NaN where they
-/// are not known; nothing: no slide holds it.
+/// The least and the largest of places that are known.
+std::pair<double, double> ends_of(const std::vector<double>& places) {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const double place : places) {
+    if (!std::isfinite(place)) continue;
+    low = std::min(low, place);
+    high = std::max(high, place);
+  }
+  return {low, high};
+}
+
+}  // namespace
+
 std::vector<double> places_of_slide(const LoadHistory& history) {
   const auto& seats = history.seats;
   if (std::ranges::none_of(seats, [](const Seat& seat) {
@@ -31,12 +41,7 @@ std::vector<double> places_of_slide(const LoadHistory& history) {
       continue;
     }
     std::vector<double> places = places_on_wall(history, s);
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    for (const double place : places) {
-      if (!std::isfinite(place)) continue;
-      low = std::min(low, place);
-      high = std::max(high, place);
-    }
+    const auto [low, high] = ends_of(places);
     if (!(high - low > longest)) continue;
     longest = high - low;
     found = std::move(places);
@@ -44,17 +49,10 @@ std::vector<double> places_of_slide(const LoadHistory& history) {
   return found;
 }
 
-}  // namespace
-
 SlidePlaces slide_places(const LoadHistory& history, int bins) {
   const std::vector<double> places = places_of_slide(history);
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  for (const double place : places) {
-    if (!std::isfinite(place)) continue;
-    low = std::min(low, place);
-    high = std::max(high, place);
-  }
-  if (!(low <= high)) return {};
+  if (places.empty()) return {};
+  const auto [low, high] = ends_of(places);
   const double way = high - low;
   constexpr double kRests = 1e-9;  // [m]
   SlidePlaces found{.bins = way > kRests ? bins : 1,

@@ -6,6 +6,11 @@
 
 namespace clevis::loads {
 
+/// Middles of what is touched of the wall of a slide that holds a part, by
+/// instant of the motion [m], as of places_on_wall(); of the slide that goes
+/// the longest way. Empty: none is known.
+std::vector<double> places_of_slide(const LoadHistory& history);
+
 /// The places that a slide which holds a part takes on its wall in a motion, in
 /// bins of equal width.
 struct SlidePlaces {

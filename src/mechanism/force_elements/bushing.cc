@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "mechanism/element_base/acting_element.h"
+#include "mechanism/joints/cross_matrix.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -12,12 +13,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
-
-Matrix3d cross_matrix(const Vector3d& v) {
-  Matrix3d m;
-  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return m;
-}
 
 /// Rate of a rotation vector per angular velocity in the frame that it turns
 /// from: I − ½ [θ] + (1 − ½θ cot ½θ)/θ² [θ]².

@@ -11,6 +11,7 @@
 #include <Eigen/SVD>
 
 #include "base/values/index.h"
+#include "mechanism/joints/cross_matrix.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -24,12 +25,6 @@ using Eigen::VectorXd;
 constexpr Index kMotion = 6;
 constexpr double kRoundOff = 1e-9;
 using Motion6 = Eigen::Matrix<double, kMotion, 1>;
-
-Matrix3d cross_matrix(const Vector3d& a) {
-  Matrix3d m;
-  m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return m;
-}
 
 /// A body, or the body at one of its places, that moves by itself.
 struct Mover {
@@ -132,6 +127,21 @@ class SecondOrderForm {
   MatrixXd H_;
 };
 
+/// The place of a joint or a drive; a drive without one acts at its joint's.
+std::optional<std::size_t> place_of(const std::vector<LoadPlace>& places,
+                                    LoadPlace::Kind kind, int index,
+                                    int joint) {
+  const auto find = [&](LoadPlace::Kind wanted, int of) {
+    return std::ranges::find_if(places, [&](const LoadPlace& place) {
+      return place.kind == wanted && place.index == of;
+    });
+  };
+  auto found = find(kind, index);
+  if (found == places.end()) found = find(LoadPlace::Kind::kJoint, joint);
+  if (found == places.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - places.begin());
+}
+
 /// Loads and reactions of an instant as a form of the motions of neighbours,
 /// then places.
 class LoadForm {
@@ -149,21 +159,6 @@ class LoadForm {
     add_elements();
   }
   const MatrixXd& matrix() const { return form_.matrix(); }
-
-  /// The place of a joint or a drive; a drive without one acts at its joint's.
-  static std::optional<std::size_t> place_of(
-      const std::vector<LoadPlace>& places, LoadPlace::Kind kind, int index,
-      int joint) {
-    const auto find = [&](LoadPlace::Kind wanted, int of) {
-      return std::ranges::find_if(places, [&](const LoadPlace& place) {
-        return place.kind == wanted && place.index == of;
-      });
-    };
-    auto found = find(kind, index);
-    if (found == places.end()) found = find(LoadPlace::Kind::kJoint, joint);
-    if (found == places.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - places.begin());
-  }
 
  private:
   Vector3d in_P(const Vector3d& in_W) const {
@@ -364,7 +359,7 @@ MatrixXd rows_of_places(const Neighbours& neighbours, const NeighbourRows& rows,
     for (std::size_t d = 0; at.is_drive && d < drives.size(); ++d) {
       if (drives[d].joint == at.joint) drive = static_cast<int>(d);
     }
-    const auto place = LoadForm::place_of(
+    const auto place = place_of(
         places, at.is_drive ? LoadPlace::Kind::kDrive : LoadPlace::Kind::kJoint,
         at.is_drive ? drive : at.joint, at.joint);
     if (!place) continue;
