@@ -115,6 +115,9 @@ struct PartDefinition {
   std::vector<ForceSeat> force_seats;
   Limits limits;
   double damping{};  ///< of its vibrations, over the critical [1]
+  /// Its joints neither yield nor have play: all that they hold counts in
+  /// buckling and second order, also what is more than six conditions.
+  bool ideal_joints = false;
   std::vector<LoadCaseDefinition> cases;
   std::vector<LoadSeries> series;
   std::vector<ImpactDefinition> impacts;

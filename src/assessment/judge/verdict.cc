@@ -373,12 +373,14 @@ bool judge_buckling(const part::PartDefinition& part, PartResult& result) {
     return judge_swinging_buckling(wanted, result);
   }
   const bool fails = buckling.band_high < wanted;
+  const std::string doubt = fails                  ? ""
+                            : buckling.if_all_hold ? ": " + buckling.remark
+                                                   : ": mesh finer";
   set(result, fails ? part::Verdict::kFail : part::Verdict::kNotJudged,
       fmt::format("buckling: the part buckles under {:.4g} [{:.4g}, {:.4g}] "
                   "times the loads of {}, {:.4g} is wanted{}{}",
                   *buckling.factor, buckling.band_low, buckling.band_high,
-                  buckling.label, wanted, fails ? "" : ": mesh finer",
-                  free_end(part, buckling)));
+                  buckling.label, wanted, doubt, free_end(part, buckling)));
   return false;
 }
 

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "assessment/sharing/sharing_check.h"
 #include "assessment/stability/buckling_model.h"
@@ -198,7 +201,8 @@ BucklingCheck climb(const PartJob& job, BucklingModel& model, double swing,
 }
 
 /// The loads as they are checked.
-std::vector<Candidate> checked_loads(const PartJob& job) {
+/// @param with_all  as of part_holds().
+std::vector<Candidate> checked_loads(const PartJob& job, bool with_all) {
   std::vector<Candidate> candidates;
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const LoadSet& set = job.load_sets[s];
@@ -207,7 +211,7 @@ std::vector<Candidate> checked_loads(const PartJob& job) {
     const auto& instants = set.history.instants;
     const bool is_motion = motion > 1;  // of cases alone the first counts
     const auto add = [&](loads::LoadHistory history, bool moves) {
-      auto holds = part_holds(set, history);
+      auto holds = part_holds(set, history, with_all);
       candidates.push_back({s, std::move(history), std::move(holds), moves});
     };
     loads::LoadHistory first = set.history;
@@ -230,7 +234,7 @@ std::vector<Candidate> other_sharings(const PartJob& job) {
     if (sharing.others.empty()) continue;
     loads::LoadHistory history = sharing.checked;
     history.instants = heaviest_of_others(job, sharing);
-    auto holds = part_holds(set, history);
+    auto holds = part_holds(set, history, job.part.ideal_joints);
     candidates.push_back({sharing.set, std::move(history), std::move(holds)});
   }
   return candidates;
@@ -257,7 +261,34 @@ void lower_for_fluids(const PartJob& job, BucklingResult& result) {
       "need a quarter less, which is in the band";
 }
 
+double largest_of(const std::vector<Swing>& swings) {
+  double largest = 1.0;
+  for (const Swing& swing : swings) {
+    largest = std::max(largest, swing.largest());
+  }
+  return largest;
+}
+
 }  // namespace
+
+bool widen_by_all_holds(const PartJob& job, const std::vector<Swing>& swings,
+                        BucklingModel& model, BucklingResult& result) {
+  if (job.part.ideal_joints || result.if_all_hold || !result.factor ||
+      std::ranges::none_of(job.load_sets, is_held_by_more_than_six)) {
+    return false;
+  }
+  const auto ideal =
+      climb(job, model, largest_of(swings), checked_loads(job, true)).result;
+  if (!ideal.factor || ideal.band_high <= result.band_high) return false;
+  result.if_all_hold = ideal.factor;
+  result.band_high = ideal.band_high;
+  const std::string more = fmt::format(
+      "joints hold it by more than six conditions, of which six count here; "
+      "{:.4g} if all hold, without play and yielding (joints = \"ideal\")",
+      *ideal.factor);
+  result.remark += (result.remark.empty() ? "" : "; ") + more;
+  return true;
+}
 
 BucklingCheck check_buckling(const PartJob& job,
                              const std::vector<Swing>& swings,
@@ -265,9 +296,8 @@ BucklingCheck check_buckling(const PartJob& job,
   Stopwatch watch;
   BucklingCheck check;
   if (job.load_sets.empty()) return check;
-  double swing = 1.0;
-  for (const Swing& of_set : swings) swing = std::max(swing, of_set.largest());
-  check = climb(job, model, swing, checked_loads(job));
+  const double swing = largest_of(swings);
+  check = climb(job, model, swing, checked_loads(job, job.part.ideal_joints));
   auto others = other_sharings(job);
   if (check.result.factor && !others.empty()) {
     const auto of_others = climb(job, model, swing, std::move(others)).result;
@@ -281,6 +311,10 @@ BucklingCheck check_buckling(const PartJob& job,
   if (check.shape && is_held_in_plane && check.result.remark.empty()) {
     check.result.remark =
         "across its plane it counts as held where it is held in it";
+  }
+  if (check.result.factor &&
+      check.result.band_low < part::wanted_buckling_factor(job.part.limits)) {
+    widen_by_all_holds(job, swings, model, check.result);
   }
   check.seconds = watch.lap();
   return check;

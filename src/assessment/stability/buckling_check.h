@@ -33,4 +33,10 @@ BucklingCheck check_buckling(const PartJob& job,
                              const std::vector<Swing>& swings,
                              BucklingModel& model);
 
+/// Of a part that joints hold by more than six conditions: its band goes on to
+/// the factor that it has if all hold.
+/// @return whether the band has grown.
+bool widen_by_all_holds(const PartJob& job, const std::vector<Swing>& swings,
+                        BucklingModel& model, BucklingResult& result);
+
 }  // namespace clevis::assessment

@@ -79,12 +79,13 @@ const loads::InstantLoad& hardest_of(const loads::LoadHistory& history,
 }
 
 /// Sets all that the mechanism holds at a time where the groups do not hold by
-/// themselves.
-void set_held(const loads::LoadHistory& history, double time,
+/// themselves, or more than six conditions are to hold.
+void set_held(const loads::LoadHistory& history, double time, bool with_all,
               HoldingSeats& hold) {
   if (!history.hold) return;
   auto held = loads::held_groups(history, time);
-  if (!loads::hold_by_themselves(held, hold.groups)) {
+  hold.with_all = with_all && loads::are_more_than_six(held);
+  if (hold.with_all || !loads::hold_by_themselves(held, hold.groups)) {
     hold.held = std::move(held);
   }
 }
@@ -92,13 +93,15 @@ void set_held(const loads::LoadHistory& history, double time,
 }  // namespace
 
 std::vector<HoldingSeats> part_holds(const LoadSet& set,
-                                     const loads::LoadHistory& history) {
+                                     const loads::LoadHistory& history,
+                                     bool with_all) {
   std::vector<HoldingSeats> whole;
   for (auto& groups : loads::holding_groups(history)) {
     whole.push_back({std::move(groups)});
-    set_held(history, history.hold_time, whole.back());
+    set_held(history, history.hold_time, with_all, whole.back());
   }
   if (!set.fixed.empty() || !set.foundations.empty()) return whole;
+  if (whole.front().with_all) whole.resize(1);  // all hold, whatever the groups
   const std::size_t motion = loads::motion_length(history);
   const auto places = by_place(history);
   const auto times = motion > 1 ? by_time(motion) : std::vector<Instants>{};
@@ -112,7 +115,7 @@ std::vector<HoldingSeats> part_holds(const LoadSet& set,
       const loads::InstantLoad& hardest = hardest_of(history, at);
       HoldingSeats hold{one.groups};
       if (slides) hold.touched = {history.seats, hardest.zones};
-      set_held(history, hardest.time, hold);
+      set_held(history, hardest.time, with_all, hold);
       hold.instants = at;
       holds.push_back(std::move(hold));
       for (const Eigen::Index i : at) {
@@ -128,6 +131,13 @@ std::vector<HoldingSeats> part_holds(const LoadSet& set,
     if (!is_at_none) holds.push_back(std::move(hold));
   }
   return holds;
+}
+
+bool is_held_by_more_than_six(const LoadSet& set) {
+  const loads::LoadHistory& history = set.history;
+  return set.fixed.empty() && set.foundations.empty() && history.hold &&
+         loads::are_more_than_six(
+             loads::held_groups(history, history.hold_time));
 }
 
 }  // namespace clevis::assessment

@@ -13,9 +13,15 @@ namespace clevis::assessment {
 /// each as the instant with the largest forces has it. All of a slide's wall
 /// holds where it is not known what is touched. Where the groups do not hold by
 /// themselves, all that the mechanism holds does, at sixteen instants.
+/// Of more than six conditions those count that the part's rigid motions feel
+/// most, unless all are to hold.
 /// @param history  of the set's, or of a sharing of it: a motion first, then
 ///   cases.
 std::vector<elasticity::HoldingSeats> part_holds(
-    const LoadSet& set, const loads::LoadHistory& history);
+    const LoadSet& set, const loads::LoadHistory& history,
+    bool with_all = false);
+
+/// Whether the mechanism holds a load set's part by more than six conditions.
+bool is_held_by_more_than_six(const LoadSet& set);
 
 }  // namespace clevis::assessment

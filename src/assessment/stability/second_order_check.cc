@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <list>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -13,10 +14,10 @@
 #include <Eigen/Core>
 #include <fmt/format.h>
 
-#include "assessment/job/part_zones.h"
 #include "assessment/judge/verdict.h"
+#include "assessment/stability/buckling_check.h"
 #include "assessment/stability/buckling_model.h"
-#include "assessment/stability/checked_linear.h"
+#include "assessment/stability/held_points.h"
 #include "assessment/stability/part_holds.h"
 #include "assessment/stability/second_order_loads.h"
 #include "assessment/vibration/load_pace.h"
@@ -24,26 +25,14 @@
 #include "elasticity/buckling/second_order.h"
 #include "elasticity/problem/dof_limit.h"
 #include "part/buckling_limit.h"
-#include "stress/field/deflection.h"
-#include "stress/zones/zone_mask.h"
 
 namespace clevis::assessment {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using elasticity::SecondOrderPart;
 using loads::InstantLoad;
-
-constexpr int kSubdivisions = 2;
-
-/// What the part yields to a load at most, over linear theory's [1].
-/// @param yield  1/λ + (Ω/ω)² of buckling and whirling.
-double rise_at(double yield) {
-  constexpr double kMost = 100.0;
-  return yield < 1.0 ? std::min(kMost, 1.0 / (1.0 - yield)) : kMost;
-}
 
 /// How many instants are solved for that may decide a limit.
 int most_solved(const PartSpace& space) {
@@ -65,13 +54,10 @@ class SetCheck {
         set_(job.load_sets[looked.set]),
         looked_(looked),
         result_(result),
-        judged_(judged_peak(result)),
-        swing_(swing_of(result, looked.set)),
+        linear_(job, space, looked, rows, result),
         softer_(softer_by_the_band(of_lowest_degree, result.buckling)),
         admitted_peak_(admitted_peak(job.part, result)),
-        admitted_deflection_(admitted_deflection(job.part, result)),
-        zone_of_(zones()),
-        checked_(result, rows, looked.set, swing_) {}
+        admitted_deflection_(admitted_deflection(job.part, result)) {}
 
   void run(SecondOrderResult& found) {
     loads::LoadHistory history = set_.history;
@@ -82,7 +68,7 @@ class SetCheck {
         .material = job_.part.material,
         .history = history,
         .fixed = model_.supports(set_),
-        .holds = part_holds(set_, history),
+        .holds = part_holds(set_, history, job_.part.ideal_joints),
         .name = job_.part.name,
         .foundations = set_.foundations,
         .plane = space_.plane ? &*space_.plane : nullptr};
@@ -95,43 +81,30 @@ class SetCheck {
     }
     const auto with =
         looked_.may_be_fast ? with_neighbours(lowest) : std::nullopt;
-    if (looked_.pressed == 0.0 && is_slow(std::ranges::min(lowest)) && !with) {
+    if (linear_.pressed() == 0.0 && linear_.is_slow(std::ranges::min(lowest)) &&
+        !with) {
       return;
     }
     const SecondOrderPart part(problem, held);
     if (!part.is_stressed()) return;
-    common_ = common_load(looked_, part.coefficients());
-    const auto all = load_points(
-        looked_, part.coefficients(),
-        [&](Index instant) {
-          return part.gain(instant);
-        },
-        [&](const InstantLoad& instant) {
-          return checked_.refers_to(instant.label, instant.time);
-        });
-    // The hold first with which some instant may rise to most.
-    std::vector<std::pair<double, std::size_t>> order;
+    linear_.take_points(part);
+    std::list<HeldPoints> holds;
     for (std::size_t hold = 0; hold < held.holds(); ++hold) {
-      take_points(all, held, hold);
-      if (points_.empty()) continue;
-      order.emplace_back(-look_by_linear_theory(part, hold, lowest[hold]),
-                         hold);
+      holds.emplace_back(linear_, part, held, hold, lowest[hold]);
+      if (holds.back().size() == 0) holds.pop_back();
     }
-    std::ranges::sort(order);
-    for (const auto& [most, hold] : order) {
-      if (held.holds() > 1) {
-        take_points(all, held, hold);
-        look_by_linear_theory(part, hold, lowest[hold]);
-      }
-      look_at(part, hold, found);
-      if (with) bound_with_neighbours(*with, found);
+    // The hold first with which some instant may rise to most.
+    holds.sort([](const HeldPoints& one, const HeldPoints& other) {
+      return one.most() > other.most();
+    });
+    for (const HeldPoints& points : holds) {
+      look_at(part, points, found);
+      if (with) bound_with_neighbours(*with, points, found);
       if (!found.is_stable) return;
     }
   }
 
  private:
-  using Measured = std::pair<VectorXd, VectorXd>;  ///< by instant [Pa], [m]
-
   /// K_G of a degree whose cells are too stiff counts as the band of the
   /// buckling factor has it, with what a fluid's pressure needs less.
   static double softer_by_the_band(double of_lowest_degree,
@@ -152,7 +125,7 @@ class SetCheck {
     }
     const double with =
         2.0 * std::numbers::pi / held_.first_period(looked_.set);
-    if (with > kAdded * std::ranges::min(lowest) || is_slow(with)) {
+    if (with > kAdded * std::ranges::min(lowest) || linear_.is_slow(with)) {
       return std::nullopt;
     }
     return with;
@@ -160,136 +133,50 @@ class SetCheck {
 
   /// Their share of the rise is bounded.
   /// @param with  frequency with them [rad/s].
-  void bound_with_neighbours(double with, SecondOrderResult& found) const {
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const double more = yield(points_[i], with);
-      found.bound = std::max(found.bound, at_most(i, true, more));
+  void bound_with_neighbours(double with, const HeldPoints& points,
+                             SecondOrderResult& found) const {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double more = linear_.yield(points.point(i), with);
+      found.bound = std::max(found.bound, points.at_most(i, true, more));
       found.deflection_bound =
-          std::max(found.deflection_bound, at_most(i, false, more));
+          std::max(found.deflection_bound, points.at_most(i, false, more));
     }
   }
 
-  /// Of the lattice: in any zone, where one is left out.
-  Eigen::MatrixXi zones() const {
-    std::vector<stress::SingularZone> zones;
-    if (&judged_ != &result_.peak) {
-      zones = part_zones<3>(job_, job_.overall_mesh(), set_);
-    }
-    return stress::zone_of_points<3>(space_.whole, kSubdivisions, zones);
-  }
-
-  Measured measured(const MatrixXd& columns, const MatrixXd& amounts) const {
-    elasticity::DisplacementBasis<3> basis;
-    basis.discretization = space_.whole;
-    basis.columns = columns;
-    basis.coefficients = amounts;
-    return {stress::peaks_outside<3>(basis, job_.part.material, kSubdivisions,
-                                     zone_of_),
-            stress::largest_deflection<3>(basis).of_instant};
-  }
-
-  /// Those of a hold, each with the next that it goes on to.
-  void take_points(const std::vector<LoadPoint>& all,
-                   const elasticity::HeldPart& held, std::size_t hold) {
-    points_.clear();
-    is_first_hold_.clear();
-    const auto is_held = [&](std::size_t i, std::size_t by) {
-      return held.is_held(by, all[i].instant);
-    };
-    const auto is_taken = [&](std::size_t i) {
-      return is_held(i, hold) ||
-             (i > 0 && all[i - 1].goes_on && is_held(i - 1, hold));
-    };
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (!is_taken(i)) continue;
-      points_.push_back(all[i]);
-      points_.back().goes_on = all[i].goes_on && is_taken(i + 1);
-      bool is_first = is_held(i, hold);
-      for (std::size_t by = 0; by < hold; ++by) is_first &= !is_held(i, by);
-      is_first_hold_.push_back(is_first);
-    }
-  }
-
-  /// The points with a hold. @param lowest  frequency [rad/s].
-  /// @return what one of them reaches at most [Pa].
-  double look_by_linear_theory(const SecondOrderPart& part, std::size_t hold,
-                               double lowest) {
-    columns_ = part.columns(hold);
-    MatrixXd amounts(columns_.cols(), static_cast<Index>(points_.size()));
-    for (Index i = 0; i < amounts.cols(); ++i) {
-      amounts.col(i) = points_[static_cast<std::size_t>(i)].amounts;
-    }
-    const auto here = measured(columns_, amounts);
-    linear_ = checked_.of(points_, here.first, here.second);
-    is_seen_ = here.first.maxCoeff() > 0.0 || amounts.isZero() ||
-               !(judged_.value > 0.0);
-    yields_.clear();
-    for (const LoadPoint& point : points_) {
-      yields_.push_back(yield(point, lowest));
-    }
-    if (common_) {
-      const auto [stress, way] = measured(columns_, *common_);
-      common_peak_ = stress[0];
-      common_deflection_ = way[0];
-    }
-    double most = 0.0;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      most = std::max(most, at_most(i, true, yields_[i]));
-    }
-    return most;
-  }
-
-  void look_at(const SecondOrderPart& part, std::size_t hold,
+  void look_at(const SecondOrderPart& part, const HeldPoints& points,
                SecondOrderResult& found) {
-    if (!is_seen_) {
+    if (!points.is_seen()) {
       found.failure = "its zones cover every point that it is looked at by";
       return;
     }
     for (const bool by_stress : {true, false}) {
-      solve_most(part, hold, by_stress, found);
+      solve_most(part, points, by_stress, found);
       if (!found.is_stable || !found.failure.empty()) return;
     }
-    look_at_growth(part, hold, found);
-  }
-
-  /// What the instant reaches at most [Pa] or [m].
-  /// @param yield  1/λ + (Ω/ω)².
-  double at_most(std::size_t i, bool by_stress, double yield) const {
-    const LinearPoint& of = linear_[i];
-    const double value = by_stress ? of.peak : of.deflects;
-    const double spun =
-        std::min(value, by_stress ? common_peak_ : common_deflection_);
-    const double swung =
-        by_stress ? swing(points_[i]).stress : swing(points_[i]).deflection;
-    return swung * (value + (rise_at(yield) - 1.0) *
-                                (is_spun_in_part(points_[i]) ? spun : value));
+    look_at_growth(part, points, found);
   }
 
   /// The one that may rise to most, and those that may decide the limit.
-  void solve_most(const SecondOrderPart& part, std::size_t hold, bool by_stress,
-                  SecondOrderResult& found) {
+  void solve_most(const SecondOrderPart& part, const HeldPoints& points,
+                  bool by_stress, SecondOrderResult& found) {
     constexpr double kAlike = 1e-3;
-    std::vector<std::size_t> order(points_.size());
     std::vector<LoadPoint> solved;
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) {
-      return at_most(i, by_stress, yields_[i]);
-    });
     const double admitted = by_stress ? admitted_peak_ : admitted_deflection_;
     double& bound = by_stress ? found.bound : found.deflection_bound;
     left_ = most_solved(space_);
     left_between_ = 4 * left_;
     followed_.clear();
     bool& is_first = by_stress ? is_first_by_stress_ : is_first_by_deflection_;
-    for (const std::size_t i : order) {
-      const LoadPoint& point = points_[i];
+    for (const std::size_t i : points.by_most(by_stress)) {
+      const LoadPoint& point = points.point(i);
+      const double yield = points.yield(i);
       // The check's deflection is by an instant's first hold.
-      if (!(yields_[i] > 0.0) || !(by_stress || is_first_hold_[i])) continue;
+      if (!(yield > 0.0) || !(by_stress || points.is_first_hold(i))) continue;
       const bool decides =
-          at_most(i, by_stress, yields_[i]) > admitted || yields_[i] >= 1.0;
+          points.at_most(i, by_stress) > admitted || yield >= 1.0;
       if (!decides && !is_first) continue;
       if (left_ <= 0) {
-        bound = std::max(bound, at_most(i, by_stress, yields_[i]));
+        bound = std::max(bound, points.at_most(i, by_stress));
         continue;
       }
       if (std::ranges::none_of(solved, [&](const LoadPoint& known) {
@@ -298,11 +185,10 @@ class SetCheck {
         is_first = false;
         --left_;
         solved.push_back(point);
-        take(part, point, linear_[i], yields_[i], hold, is_first_hold_[i],
-             found);
+        take(part, points, i, point, points.linear(i), yield, found);
       }
-      if (decides && !follow_on(part, hold, i, by_stress, found)) {
-        bound = std::max(bound, at_most(i, by_stress, yields_[i]));
+      if (decides && !follow_on(part, points, i, by_stress, found)) {
+        bound = std::max(bound, points.at_most(i, by_stress));
       }
       if (!found.is_stable || !found.failure.empty()) return;
     }
@@ -311,15 +197,15 @@ class SetCheck {
   /// Between an instant and the next stress and deflection of second order may
   /// be larger than at both: what presses falls as what bends rises.
   /// @return whether that could be looked at.
-  bool follow_on(const SecondOrderPart& part, std::size_t hold, std::size_t i,
-                 bool by_stress, SecondOrderResult& found) {
+  bool follow_on(const SecondOrderPart& part, const HeldPoints& points,
+                 std::size_t i, bool by_stress, SecondOrderResult& found) {
     constexpr double kFar = 0.05;
     constexpr int kShares = 4, kHalvings = 2;
     constexpr int kSolved = kShares - 1 + 2 * kHalvings;
     for (const std::size_t from : {i - 1, i}) {
       if (i == 0 && from != i) continue;
-      if (!points_[from].goes_on || followed_.contains(from) ||
-          points_[from].is_like(points_[from + 1], kFar)) {
+      if (!points.point(from).goes_on || followed_.contains(from) ||
+          points.point(from).is_like(points.point(from + 1), kFar)) {
         continue;
       }
       if (left_between_ < kSolved) return false;
@@ -328,7 +214,7 @@ class SetCheck {
       double best = 0.5, step = 1.0 / kShares, most = -1.0;
       const auto look = [&](double share) {
         if (!found.is_stable || !found.failure.empty()) return;
-        const Reached reached = take_between(part, hold, from, share, found);
+        const Reached reached = take_between(part, points, from, share, found);
         const double value = by_stress ? reached.peak : reached.deflection;
         if (value <= most) return;
         most = value;
@@ -349,36 +235,13 @@ class SetCheck {
     double peak{}, deflection{};  ///< [Pa], [m]
   };
 
-  Reached take_between(const SecondOrderPart& part, std::size_t hold,
+  Reached take_between(const SecondOrderPart& part, const HeldPoints& points,
                        std::size_t from, double share,
                        SecondOrderResult& found) {
-    const LoadPoint point = between(points_[from], points_[from + 1], share);
-    const auto [stress, way] = measured(columns_, point.amounts);
-    const LinearPoint linear =
-        linear_[from].between(linear_[from + 1], stress[0], way[0]);
-    return take(part, point, linear, std::max(yields_[from], yields_[from + 1]),
-                hold, is_first_hold_[from], found);
-  }
-
-  /// Whether no spin of the instants counts beside a frequency [rad/s].
-  bool is_slow(double frequency) const {
-    return std::ranges::all_of(looked_.instants, [&](const auto& instant) {
-      return instant.rigid.omega.norm() <= kSlowSpin * frequency;
-    });
-  }
-
-  /// 1/λ + (Ω/ω)² at most; 0: first order is enough.
-  double yield(const LoadPoint& point, double lowest) const {
-    const double spin = point.omega.norm() / lowest;
-    return looked_.pressed + (!(spin <= kSlowSpin) ? spin * spin : 0.0);
-  }
-
-  /// Whether all that rises is what the motion's loads have in common.
-  bool is_spun_in_part(const LoadPoint& point) const {
-    return common_ && point.is_motion && looked_.pressed == 0.0;
-  }
-  Swing swing(const LoadPoint& point) const {
-    return point.is_motion ? swing_ : Swing{};  // cases stand still
+    const LoadPoint point =
+        between(points.point(from), points.point(from + 1), share);
+    return take(part, points, from, point, points.linear_between(from, point),
+                std::max(points.yield(from), points.yield(from + 1)), found);
   }
 
   /// @param more  of K_G's stresses than of linear theory's [1].
@@ -386,7 +249,8 @@ class SetCheck {
                                  const LoadPoint& point, double more,
                                  const Eigen::Vector3d& omega,
                                  std::size_t hold) const {
-    const VectorXd spun = common_ && point.is_motion ? *common_ : point.amounts;
+    const auto& common = linear_.common();
+    const VectorXd spun = common && point.is_motion ? *common : point.amounts;
     return part.answer({.stressing = more * point.amounts,
                         .gain = more * point.gain,
                         .spun = spun,
@@ -423,21 +287,23 @@ class SetCheck {
       return std::nullopt;
     }
     const auto [stress, moved] =
-        measured(solved.displacement, MatrixXd::Ones(1, 1));
+        linear_.measured(solved.displacement, MatrixXd::Ones(1, 1));
     const auto over = [](double now, double before) {
       return before > 0.0 ? std::max(1.0, now / before) : 1.0;
     };
     return Rise{over(stress[0], linear.here), over(moved[0], linear.moved)};
   }
 
-  Reached take(const SecondOrderPart& part, const LoadPoint& point,
-               const LinearPoint& linear, double yield, std::size_t hold,
-               bool is_first_hold, SecondOrderResult& found) {
-    const Swing swing = this->swing(point);
+  /// @param i  of the points: where it is, or the one before it.
+  Reached take(const SecondOrderPart& part, const HeldPoints& points,
+               std::size_t i, const LoadPoint& point, const LinearPoint& linear,
+               double yield, SecondOrderResult& found) {
+    const std::size_t hold = points.hold();
+    const Swing swing = linear_.swing(point);
     auto rise =
         rise_of(part, point, linear, softer_ * swing.largest(), hold, found);
     if (!rise) return {};
-    if (softer_ * swing.largest() > 1.0 && yield > looked_.pressed) {
+    if (softer_ * swing.largest() > 1.0 && yield > linear_.pressed()) {
       // What spins may be stiffened by its stresses.
       const auto less = rise_of(part, point, linear, 1.0, hold, found);
       if (!less) return {};
@@ -459,7 +325,9 @@ class SetCheck {
                        (linear.is_peak_known ? linear.peak : linear.here));
     }
     constexpr double kRises = 1.001;  // else linear theory's own stands
-    if (!is_first_hold || !(rise->deflection > kRises)) return reached;
+    if (!points.is_first_hold(i) || !(rise->deflection > kRises)) {
+      return reached;
+    }
     reached.deflection = swing.deflection * rise->deflection * linear.deflects;
     if (reached.deflection > found.deflection) {
       found.deflection = reached.deflection;
@@ -476,26 +344,27 @@ class SetCheck {
 
   /// Loads that grow spin the part as well: of those whose spin counts, whether
   /// it bears as much more as buckling wants.
-  void look_at_growth(const SecondOrderPart& part, std::size_t hold,
+  void look_at_growth(const SecondOrderPart& part, const HeldPoints& points,
                       SecondOrderResult& found) const {
     constexpr std::size_t kMost = 4;
     const double wanted = part::wanted_buckling_factor(job_.part.limits);
-    std::vector<std::size_t> order(points_.size());
+    std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::erase_if(order, [&](std::size_t i) {
-      const double yield = yields_[i];
-      return !(yield > looked_.pressed) || yield * wanted < 1.0;
+      const double yield = points.yield(i);
+      return !(yield > linear_.pressed()) || yield * wanted < 1.0;
     });
     std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) {
-      return yields_[i];
+      return points.yield(i);
     });
     if (order.size() > kMost) order.resize(kMost);
     for (const std::size_t i : order) {
-      const LoadPoint& point = points_[i];
+      const LoadPoint& point = points.point(i);
       // What spins may be stiffened by its stresses.
-      for (const double more : {softer_ * swing(point).largest(), 1.0}) {
+      for (const double more :
+           {softer_ * linear_.swing(point).largest(), 1.0}) {
         if (answer(part, point, wanted * more, std::sqrt(wanted) * point.omega,
-                   hold)
+                   points.hold())
                 .state == SecondOrderPart::State::kStable) {
           continue;
         }
@@ -513,22 +382,10 @@ class SetCheck {
   const LoadSet& set_;
   const SecondOrderLoads& looked_;
   const PartResult& result_;
-  const PeakStress& judged_;
-  Swing swing_;
+  LinearSet linear_;
   double softer_;
   double admitted_peak_, admitted_deflection_;
-  Eigen::MatrixXi zone_of_;
-  CheckedLinear checked_;
-  std::vector<LoadPoint> points_;    ///< with the hold
-  std::vector<bool> is_first_hold_;  ///< whether it is their instants' first
-  std::vector<LinearPoint> linear_;  ///< of the points, with the hold
-  std::vector<double> yields_;  ///< 1/λ + (Ω/ω)² at most; 0: first order
-  MatrixXd columns_;            ///< of the hold
-  /// What is spun alone, of a part that turns on.
-  std::optional<VectorXd> common_;
-  double common_peak_{}, common_deflection_{};  ///< [Pa], [m]
-  std::set<std::size_t> followed_;              ///< points, on to the next
-  bool is_seen_{};  ///< stress of the points, or there is none
+  std::set<std::size_t> followed_;  ///< points, on to the next
   /// Nothing was solved for yet, with any hold.
   bool is_first_by_stress_ = true, is_first_by_deflection_ = true;
   /// So many instants may be solved for, and places between them.
@@ -553,7 +410,7 @@ void bound(const PartJob& job, const SecondOrderLoads& looked,
   if (is_fast) found.failure = error.problem();
   if (looked.pressed == 0.0) return;
   const Swing swing = swing_of(result, looked.set);
-  const double rise = rise_at(looked.pressed);
+  const double rise = rise_at_most(looked.pressed);
   found.bound =
       std::max(found.bound, rise * swing.stress * judged_peak(result).value);
   found.deflection_bound =
@@ -579,13 +436,12 @@ void note(const PartResult& result, std::vector<std::string>& notes) {
   }
 }
 
-}  // namespace
-
-void check_second_order(const PartJob& job, const std::vector<InstantRow>& rows,
-                        double of_lowest_degree, HeldMotions& held,
-                        BucklingModel& model, PartResult& result) {
+SecondOrderResult second_order(const PartJob& job,
+                               const std::vector<InstantRow>& rows,
+                               double of_lowest_degree, HeldMotions& held,
+                               BucklingModel& model, const PartResult& result) {
   std::optional<PartSpace> space;
-  SecondOrderResult& found = result.second_order;
+  SecondOrderResult found;
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const SecondOrderLoads looked = second_order_loads(job, s, result);
     if (looked.instants.empty()) continue;
@@ -602,6 +458,27 @@ void check_second_order(const PartJob& job, const std::vector<InstantRow>& rows,
       bound(job, looked, error, result, found);
     }
     if (!found.is_stable) break;
+  }
+  return found;
+}
+
+}  // namespace
+
+void check_second_order(const PartJob& job, const std::vector<InstantRow>& rows,
+                        double of_lowest_degree, HeldMotions& held,
+                        BucklingModel& model, PartResult& result) {
+  const auto check = [&] {
+    result.second_order =
+        second_order(job, rows, of_lowest_degree, held, model, result);
+  };
+  check();
+  const SecondOrderResult& found = result.second_order;
+  const bool decides =
+      found.least_peak > admitted_peak(job.part, result) ||
+      found.least_deflection > admitted_deflection(job.part, result);
+  if (decides &&
+      widen_by_all_holds(job, result.swings, model, result.buckling)) {
+    check();  // what is certain of its rise
   }
   note(result, result.notes);
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 
 #include "dynamics/systems/block_krylov.h"
 #include "elasticity/algebra/dense_product.h"
@@ -60,7 +61,7 @@ class TrialSpace {
   void add(const MatrixXd& unknowns) {
     const Index before = unknowns_.cols() > 0 ? shapes_.cols() : 0;
     append(unknowns, unknowns_);
-    append(part_.shapes(unknowns, 0), shapes_);
+    append(part_.displacements(unknowns, 0), shapes_);
     motions_ = stressed_.pushes().motions(shapes_);
     const MatrixXd more = stressed_.stress().forms(shapes_, before);
     forms_.conservativeResize(forms_.rows() + more.rows(), Eigen::NoChange);
@@ -69,16 +70,22 @@ class TrialSpace {
   }
   /// Largest 1/λ of an instant in the space.
   double yield(Index instant, std::size_t hold) const {
+    if (of_hold_[hold].cols() == 0) return 0.0;
     return solved(instant, hold, Eigen::EigenvaluesOnly)
         .eigenvalues()
         .tail<1>()[0];
   }
   /// Unknowns of the shapes with the largest.
   MatrixXd best(Index instant, std::size_t hold, Index count) const {
-    return unknowns_ * to_orthonormal_ *
+    const MatrixXd& shapes = of_hold_[hold];
+    if (shapes.cols() == 0) {
+      return dynamics::random_block(part_.equations(),
+                                    std::min(count, part_.equations()));
+    }
+    return unknowns_ * shapes.bottomRows(unknowns_.cols()) *
            solved(instant, hold, Eigen::ComputeEigenvectors)
                .eigenvectors()
-               .rightCols(std::min(count, to_orthonormal_.cols()));
+               .rightCols(std::min(count, shapes.cols()));
   }
 
  private:
@@ -93,17 +100,31 @@ class TrialSpace {
         scale.asDiagonal() * gram * scale.asDiagonal());
     constexpr double kSame = 1e-9;  // what is dependent is left out
     const Index kept = (metric.eigenvalues().array() > kSame).count();
-    to_orthonormal_ =
+    const MatrixXd to_orthonormal =
         scale.asDiagonal() * metric.eigenvectors().rightCols(kept) *
         metric.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
     of_hold_.clear();
     for (std::size_t hold = 0; hold < part_.holds(); ++hold) {
+      const MatrixXd held = to_orthonormal * left_free(to_orthonormal, hold);
       const MatrixXd rigid =
           part_.broken(shapes_.rightCols(unknowns_.cols()), hold);
-      MatrixXd shapes(shapes_.cols(), kept);
-      shapes << -rigid * to_orthonormal_, to_orthonormal_;
+      MatrixXd shapes(shapes_.cols(), held.cols());
+      shapes << -rigid * held, held;
       of_hold_.push_back(std::move(shapes));
     }
+  }
+  /// Of orthonormal shapes the combinations that a hold beyond six conditions
+  /// leaves free, orthonormal.
+  MatrixXd left_free(const MatrixXd& to_orthonormal, std::size_t hold) const {
+    constexpr double kHeld = 1e-6;
+    const Index kept = to_orthonormal.cols();
+    const MatrixXd& beyond = part_.beyond(hold);
+    if (beyond.cols() == 0) return MatrixXd::Identity(kept, kept);
+    const Eigen::JacobiSVD<MatrixXd> svd(
+        transposed_product(beyond, unknowns_) * to_orthonormal,
+        Eigen::ComputeFullV);
+    const Index held = (svd.singularValues().array() > kHeld).count();
+    return svd.matrixV().rightCols(kept - held);
   }
   Eigen::SelfAdjointEigenSolver<MatrixXd> solved(
       Index instant, std::size_t hold, Eigen::DecompositionOptions what) const {
@@ -126,7 +147,7 @@ class TrialSpace {
 
   const StressedPart& stressed_;
   const HeldPart& part_;
-  MatrixXd unknowns_, to_orthonormal_;
+  MatrixXd unknowns_;
   MatrixXd shapes_;   ///< rigid ones, then those of the unknowns with one hold
   MatrixXd forms_;    ///< of the shapes, a column per load column
   MatrixXd motions_;  ///< of seats that are pushed, in the shapes

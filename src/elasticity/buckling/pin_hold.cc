@@ -276,6 +276,7 @@ PinHold::PinHold(const Discretization<3>& discretization,
   conditions_ = scaled(conditions.of_groups(), *rigid_);
   NodeFunctionals held = conditions.of_wrenches();
   if (held.rows.rows() == 0) return;
+  if (hold.with_all) all_ = held;
   conditions_ = scaled(felt(std::move(held), conditions_, *rigid_), *rigid_);
 }
 
@@ -291,6 +292,13 @@ MatrixXd PinHold::balance(const MatrixXd& f) const {
   MatrixXd balanced = f;
   conditions_.add(-transposed_product(*rigid_, f), balanced);
   return balanced;
+}
+
+MatrixXd PinHold::beyond() const {
+  MatrixXd forces = MatrixXd::Zero(rigid_->rows(), all_.rows.rows());
+  if (forces.cols() == 0) return forces;
+  all_.add(MatrixXd::Identity(forces.cols(), forces.cols()), forces);
+  return balance(forces);
 }
 
 }  // namespace clevis::elasticity

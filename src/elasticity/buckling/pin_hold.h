@@ -28,6 +28,7 @@ struct HoldingSeats {
   /// What holds in the place of the groups, which hold what is left; empty: the
   /// groups alone.
   std::vector<loads::GroupHold> held = {};
+  bool with_all = false;  ///< of `held` also what is beyond six conditions
   std::vector<Eigen::Index> instants = {};  ///< rising; empty: all
 
   bool is_at(Eigen::Index instant) const {
@@ -56,7 +57,8 @@ NodeFunctionals nodes_of(const Eigen::MatrixXd& columns);
 /// one centre, all of its mean rotation; with none, all nodes'. Of what is held
 /// otherwise (HoldingSeats::held) as many combinations as the part's rigid
 /// motions feel, those that feel them most. Six conditions on rigid motions, so
-/// that loads in balance leave them without reaction.
+/// that loads in balance leave them without reaction; what is held beyond them
+/// strains the part and is told apart (beyond()).
 class PinHold {
  public:
   /// @param hold  groups without faces, as the sides of a layer over a plane
@@ -78,10 +80,14 @@ class PinHold {
   /// Pᵀ f: forces with the conditions' reactions, in balance, dofs × columns
   /// [N].
   Eigen::MatrixXd balance(const Eigen::MatrixXd& f) const;
+  /// Forces on the nodes that reactions beyond the six make, in balance by
+  /// these, dofs × columns [N]; none, unless all are to hold.
+  Eigen::MatrixXd beyond() const;
 
  private:
   std::shared_ptr<const Eigen::MatrixXd> rigid_;
   NodeFunctionals conditions_;  ///< six, of unit effect on rigid()
+  NodeFunctionals all_;         ///< of all that is held, where all are to hold
 };
 
 }  // namespace clevis::elasticity

@@ -62,7 +62,7 @@ SecondOrderPart::Answer SecondOrderPart::answer(const Loads& loads,
   const bool spins = !loads.omega.isZero();
   const MassMatrix mass = spins ? part_.mass() : MassMatrix{};
   const auto yields = [&](const VectorXd& y, bool with_spin) -> VectorXd {
-    const MatrixXd u = part_.shapes(y, hold);
+    const MatrixXd u = part_.displacements(y, hold);
     MatrixXd forces = -multiply(geometric, u);
     stressed_.pushes().add(u, loads.gain, forces);
     if (with_spin) forces += spin_forces(mass, loads.omega, u);
@@ -70,13 +70,15 @@ SecondOrderPart::Answer SecondOrderPart::answer(const Loads& loads,
   };
   VectorXd sum = VectorXd::Zero(part_.equations());
   const auto add = [&](const VectorXd& load, bool with_spin) {
+    // What the loads strain against a hold beyond six conditions stays.
+    const VectorXd free = part_.freed(load, hold), stays = load - free;
     VectorXd unknowns;
     const State state = solve(
         [&](const VectorXd& y) {
           return yields(y, with_spin);
         },
-        load, unknowns);
-    sum += unknowns;
+        stays.isZero(0.0) ? free : free + yields(stays, with_spin), unknowns);
+    sum += stays + unknowns;
     return state;
   };
   Answer result;
@@ -84,7 +86,7 @@ SecondOrderPart::Answer SecondOrderPart::answer(const Loads& loads,
   if (result.state == State::kStable && !loads.still.isZero()) {
     result.state = add(stressed_.loaded() * loads.still, false);
   }
-  result.displacement = part_.shapes(sum, hold);
+  result.displacement = part_.displacements(sum, hold);
   // A shape that the loads do not excite may have no stiffness left, too.
   if (spins && result.state == State::kStable) {
     result.state = add(dynamics::random_block(part_.equations(), 1), true);

@@ -47,6 +47,11 @@ class SecondOrderPart {
   Eigen::MatrixXd columns(std::size_t hold) const {
     return part_.held(stressed_.displaced(), hold);
   }
+  /// Displacements under amounts of them [m].
+  Eigen::VectorXd linear(const Eigen::VectorXd& amounts,
+                         std::size_t hold) const {
+    return part_.held(stressed_.displaced() * amounts, hold);
+  }
   /// Of an instant.
   Eigen::MatrixXd gain(Eigen::Index instant) const {
     return stressed_.pushes().gain(instant);

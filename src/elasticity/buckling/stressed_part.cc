@@ -3,6 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Eigenvalues>
+
+#include "elasticity/algebra/dense_product.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/nodal_loads/load_vectors.h"
 #include "elasticity/problem/refinement.h"
@@ -14,6 +17,20 @@ namespace {
 using Eigen::MatrixXd;
 
 constexpr double kCompressionTolerance = 1e-4;
+
+/// Columns that span the same, orthonormal.
+MatrixXd span_of(const MatrixXd& columns) {
+  constexpr double kDependent = 1e-6;
+  if (columns.cols() == 0) return columns;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(
+      transposed_product(columns, columns));
+  const Eigen::VectorXd& squares = gram.eigenvalues();
+  const Eigen::Index n =
+      (squares.array() > kDependent * squares[squares.size() - 1]).count();
+  return product(columns,
+                 gram.eigenvectors().rightCols(n) *
+                     squares.tail(n).cwiseSqrt().cwiseInverse().asDiagonal());
+}
 
 }  // namespace
 
@@ -34,19 +51,34 @@ HeldPart::HeldPart(const BucklingProblem& problem)
       coordinates_(problem.coordinates ? problem.coordinates
                                        : energy_coordinates(problem)),
       pairs_(node_pairs(part_.cell_nodes, part_.nodes)) {
-  if (!is_free_) return;
-  for (const HoldingSeats& hold : problem.holds) {
-    holds_.emplace_back(part_, hold, problem.name,
-                        holds_.empty() ? nullptr : &holds_.front());
+  if (is_free_) {
+    for (const HoldingSeats& hold : problem.holds) {
+      holds_.emplace_back(part_, hold, problem.name,
+                          holds_.empty() ? nullptr : &holds_.front());
+      beyond_.push_back(
+          span_of(coordinates_->of_loads(holds_.back().beyond())));
+    }
   }
+  if (beyond_.empty()) beyond_.emplace_back(equations(), 0);
 }
 
 MatrixXd HeldPart::held(const MatrixXd& u, std::size_t hold) const {
   return holds_.empty() ? u : holds_[hold].project(u);
 }
 
-MatrixXd HeldPart::shapes(const MatrixXd& unknowns, std::size_t hold) const {
+MatrixXd HeldPart::displacements(const MatrixXd& unknowns,
+                                 std::size_t hold) const {
   return held(coordinates_->displacements(unknowns), hold);
+}
+
+MatrixXd HeldPart::shapes(const MatrixXd& unknowns, std::size_t hold) const {
+  return displacements(freed(unknowns, hold), hold);
+}
+
+MatrixXd HeldPart::freed(const MatrixXd& unknowns, std::size_t hold) const {
+  const MatrixXd& beyond = beyond_[hold];
+  if (beyond.cols() == 0) return unknowns;
+  return unknowns - product(beyond, transposed_product(beyond, unknowns));
 }
 
 MatrixXd HeldPart::rigid() const {
@@ -62,8 +94,8 @@ MatrixXd HeldPart::unknowns(const MatrixXd& u) const {
 }
 
 MatrixXd HeldPart::answer(const MatrixXd& forces, std::size_t hold) const {
-  return coordinates_->of_loads(holds_.empty() ? forces
-                                               : holds_[hold].balance(forces));
+  if (holds_.empty()) return coordinates_->of_loads(forces);
+  return freed(coordinates_->of_loads(holds_[hold].balance(forces)), hold);
 }
 
 dynamics::SelfAdjoint HeldPart::answer_to(

@@ -36,9 +36,22 @@ class HeldPart {
   const NodePairs& pairs() const { return pairs_; }
   const EnergyCoordinates& coordinates() const { return *coordinates_; }
 
-  /// Displacements as the hold has them.
+  /// Displacements as the hold has them, whatever it holds beyond six
+  /// conditions [m].
+  Eigen::MatrixXd displacements(const Eigen::MatrixXd& unknowns,
+                                std::size_t hold) const;
+  /// Those of the unknowns that it leaves free.
   Eigen::MatrixXd shapes(const Eigen::MatrixXd& unknowns,
                          std::size_t hold) const;
+  /// Unknowns less what strains a part that is held by more than six
+  /// conditions.
+  Eigen::MatrixXd freed(const Eigen::MatrixXd& unknowns,
+                        std::size_t hold) const;
+  /// What a hold beyond six conditions takes out of unknowns: orthonormal,
+  /// equations × columns.
+  const Eigen::MatrixXd& beyond(std::size_t hold) const {
+    return beyond_[hold];
+  }
   /// Displacements [m] less the rigid motion that the hold does not let them.
   Eigen::MatrixXd held(const Eigen::MatrixXd& u, std::size_t hold) const;
   /// Motions of a free part as a whole, dofs × 6, pure numbers; of a held one
@@ -48,7 +61,7 @@ class HeldPart {
   Eigen::MatrixXd broken(const Eigen::MatrixXd& u, std::size_t hold) const;
   /// Y of a displacement, whatever rigid motion is in it: Fᵀ φ = F⁻¹ K φ.
   Eigen::MatrixXd unknowns(const Eigen::MatrixXd& u) const;
-  /// F⁻¹ of nodal forces, balanced by the hold's reactions.
+  /// F⁻¹ of nodal forces, balanced by the hold's reactions, freed().
   Eigen::MatrixXd answer(const Eigen::MatrixXd& forces, std::size_t hold) const;
   /// F⁻¹ S F⁻ᵀ: K⁻¹ S as it acts on Y, without a product with K.
   /// @param forces  S u [N] on displacements [m], dofs × columns.
@@ -66,6 +79,7 @@ class HeldPart {
   std::shared_ptr<const EnergyCoordinates> coordinates_;
   NodePairs pairs_;
   std::vector<PinHold> holds_;
+  std::vector<Eigen::MatrixXd> beyond_;  ///< by hold; one at least
 };
 
 /// The part's energy coordinates, for problems that differ in their loads only.

@@ -174,6 +174,10 @@ bool hold_by_themselves(const std::vector<GroupHold>& held,
   return true;
 }
 
+bool are_more_than_six(const std::vector<GroupHold>& held) {
+  return !held.empty() && held.front().wrenches.cols() > kWrench;
+}
+
 std::vector<HoldingGroups> holding_groups(const LoadHistory& history) {
   if (!history.hold) return pairs_of(bearing_groups(history));
   constexpr double kNearest = 1e-3;  // of the size: no line between them

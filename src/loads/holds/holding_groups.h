@@ -39,4 +39,8 @@ std::vector<GroupHold> held_groups(const LoadHistory& history, double time);
 bool hold_by_themselves(const std::vector<GroupHold>& held,
                         const HoldingGroups& groups);
 
+/// Whether more than six independent conditions hold: what they hold each
+/// depends on what the joints yield and on their play.
+bool are_more_than_six(const std::vector<GroupHold>& held);
+
 }  // namespace clevis::loads

@@ -58,7 +58,7 @@ CLEVIS_PIPED(PeakStress, value, band_low, band_high, discretization_error,
 CLEVIS_PIPED(ZoneResult, name, exponent, exponent_measured, at, radius, governs,
              has_section, edge_of)
 CLEVIS_PIPED(BucklingResult, factor, band_low, band_high, instant, label,
-             of_motions, model, remark, euler, strut_is_longer)
+             of_motions, model, remark, euler, strut_is_longer, if_all_hold)
 CLEVIS_PIPED(Swing, stress, deflection)
 CLEVIS_PIPED(SecondOrderResult, is_stable, bears_growth, peak, stress, label,
              deflection, deflection_rise, least_peak, least_deflection, bound,

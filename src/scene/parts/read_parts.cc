@@ -177,6 +177,10 @@ PartOfGeometry read_part(StrictTable& table, const Names& names,
     constexpr double kLargestDamping = 0.5;
     part.damping = damping->number(0.0, kLargestDamping);
   }
+  if (const auto joints = table.find("joints")) {
+    part.ideal_joints =
+        joints->choice<bool>({{"yielding", false}, {"ideal", true}});
+  }
   NameIndex cases("case");
   for (StrictTable& entry : table.tables("case")) {
     const Value name = entry["name"];

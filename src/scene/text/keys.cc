@@ -194,7 +194,7 @@ constexpr Key kPart[] = {"name",        "geometry",  "parameters", "mesh",
                          "length_unit", "thickness", "material",   "pins",
                          "drives",      "forces",    "limits",     "damping",
                          "case",        "history",   "faces",      "mesh_size",
-                         "sweep",       "refine"};
+                         "sweep",       "refine",    "joints"};
 constexpr Key kPartFaces[] = {"cylinder", "plane", "nearest", "label",
                               "all_of"};
 constexpr Key kCylinder[] = {"diameter", "near", "axis"};
