@@ -135,7 +135,8 @@ ROOMS = {
         "buckling": "lowest buckling factor",
     },
     "stress": {
-        "field": "stress and displacement in cells, over time, at probes, on surfaces",
+        "field": "stress in cells, over time, at probes, on surfaces",
+        "displacement": "relative to what holds the part: its largest, and how far it is from small",
         "many_instants": "thousands of instants of a field: by few columns, at few points",
         "sections": "mean stress in plane sections, and of what a held face carries",
         "corners": "edges and corners of a part: angle, support beside them, exponent, and which are facets",
@@ -235,7 +236,8 @@ PUBLIC = {
                   " solid/neighbourhood solid/open_reactions solid/plane_loads"
                   " solid/seat_compliance solid/solid_solve vibration/eigenmodes"
                   " vibration/load_vibration vibration/strike_response",
-    "stress": "field/deflection field/finite_motion field/touched_reference"
+    "stress": "displacement/deflection displacement/finite_motion"
+              " displacement/held_reference displacement/touched_reference"
               " many_instants/field_reduction many_instants/point_stress field/point_history field/probe field/stress_history field/surface_mesh peaks/energy_error peaks/local_peak peaks/lattice_maximum peaks/meeting_points"
               " peaks/peak_band peaks/peak_zoom peaks/slow_sequence surface/surface_deviation surface/surface_kink"
               " sections/support_face corners/facet corners/round_depth zones/end_of_shear zones/singular_zone zones/zone_mask zones/zone_strength output/field_output",

@@ -6,7 +6,7 @@
 
 #include "assessment/impact/free_vibration.h"
 #include "dynamics/strike/strike_steps.h"
-#include "stress/field/deflection.h"
+#include "stress/displacement/deflection.h"
 
 namespace clevis::assessment {
 namespace {

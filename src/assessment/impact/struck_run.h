@@ -8,7 +8,7 @@
 #include "assessment/job/part_job.h"
 #include "dynamics/strike/strike.h"
 #include "elasticity/vibration/strike_response.h"
-#include "stress/field/deflection.h"
+#include "stress/displacement/deflection.h"
 #include "stress/sections/support_face.h"
 #include "stress/zones/singular_zone.h"
 

@@ -11,8 +11,8 @@
 #include "assessment/judge/finite_motion.h"
 #include "assessment/ladder/probe_band.h"
 #include "base/messages/errors.h"
-#include "stress/field/deflection.h"
-#include "stress/field/finite_motion.h"
+#include "stress/displacement/deflection.h"
+#include "stress/displacement/finite_motion.h"
 #include "stress/peaks/energy_error.h"
 
 namespace clevis::assessment {

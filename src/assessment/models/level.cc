@@ -10,8 +10,9 @@
 #include "base/values/stopwatch.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "loads/holds/holding_groups.h"
-#include "stress/field/deflection.h"
-#include "stress/field/touched_reference.h"
+#include "stress/displacement/deflection.h"
+#include "stress/displacement/held_reference.h"
+#include "stress/displacement/touched_reference.h"
 #include "stress/peaks/peak_zoom.h"
 #include "stress/sections/support_face.h"
 
@@ -99,8 +100,10 @@ void note_held(const PartJob& job, const LoadSet& set,
 
 }  // namespace
 
-std::vector<std::string> reference_groups(const LoadSet& set) {
-  return loads::holding_groups(set.history).front();
+loads::PartHold reference_hold(const LoadSet& set) {
+  const loads::LoadHistory& history = set.history;
+  return loads::hold_at(history, loads::holding_groups(history).front(),
+                        history.hold_time);
 }
 
 template <int dim>
@@ -129,10 +132,14 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
     seconds.factor += basis->seconds.factor;
     seconds.solve += basis->seconds.solve;
     if (set.fixed.empty() && set.foundations.empty()) {
-      const auto groups = reference_groups(set);
-      stress::remove_rigid_motion<dim>(*basis, groups);
+      const loads::PartHold hold = reference_hold(set);
+      stress::remove_rigid_motion<dim>(*basis, hold);
+      bool is_touched = false;
       if constexpr (dim == 3) {
-        stress::refer_to_touched(set.history, groups, *basis);
+        is_touched = stress::refer_to_touched(set.history, hold.groups, *basis);
+      }
+      if (!is_touched) {
+        stress::refer_to_instants<dim>(set.history, hold.groups, *basis);
       }
     }
     Stopwatch watch;

@@ -10,7 +10,8 @@
 #include "assessment/job/part_job.h"
 #include "assessment/models/fe_model.h"
 #include "elasticity/problem/displacement_basis.h"
-#include "stress/field/deflection.h"
+#include "loads/holds/holding_groups.h"
+#include "stress/displacement/deflection.h"
 #include "stress/field/probe.h"
 
 namespace clevis::assessment {
@@ -33,9 +34,8 @@ struct Level {
   const stress::StressHistory& history() const { return histories[set]; }
 };
 
-/// Surfaces of the seats that hold the part, which deflections refer to: two at
-/// the most.
-std::vector<std::string> reference_groups(const LoadSet& set);
+/// What holds the part as a whole, to which deflections refer.
+loads::PartHold reference_hold(const LoadSet& set);
 
 /// Solves load sets of a part with one degree of a model; displacements
 /// relative to its pins.

@@ -274,16 +274,18 @@ double largest_of(const std::vector<Swing>& swings) {
 bool widen_by_all_holds(const PartJob& job, const std::vector<Swing>& swings,
                         BucklingModel& model, BucklingResult& result) {
   if (job.part.ideal_joints || result.if_all_hold || !result.factor ||
-      std::ranges::none_of(job.load_sets, is_held_by_more_than_six)) {
+      std::ranges::none_of(job.load_sets, is_held_redundantly)) {
     return false;
   }
   const auto ideal =
       climb(job, model, largest_of(swings), checked_loads(job, true)).result;
-  if (!ideal.factor || ideal.band_high <= result.band_high) return false;
+  constexpr double kMore = 1.01;
+  if (!ideal.factor || *ideal.factor < kMore * *result.factor) return false;
   result.if_all_hold = ideal.factor;
   result.band_high = ideal.band_high;
   const std::string more = fmt::format(
-      "joints hold it by more than six conditions, of which six count here; "
+      "joints hold it more often than balance needs, of which only that counts "
+      "here; "
       "{:.4g} if all hold, without play and yielding (joints = \"ideal\")",
       *ideal.factor);
   result.remark += (result.remark.empty() ? "" : "; ") + more;

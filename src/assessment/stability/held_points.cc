@@ -6,7 +6,7 @@
 
 #include "assessment/job/part_zones.h"
 #include "assessment/judge/verdict.h"
-#include "stress/field/deflection.h"
+#include "stress/displacement/deflection.h"
 #include "stress/zones/zone_mask.h"
 
 namespace clevis::assessment {

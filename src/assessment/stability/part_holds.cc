@@ -78,16 +78,45 @@ const loads::InstantLoad& hardest_of(const loads::LoadHistory& history,
   }));
 }
 
-/// Sets all that the mechanism holds at a time where the groups do not hold by
-/// themselves, or more than six conditions are to hold.
-void set_held(const loads::LoadHistory& history, double time, bool with_all,
-              HoldingSeats& hold) {
-  if (!history.hold) return;
-  auto held = loads::held_groups(history, time);
-  hold.with_all = with_all && loads::are_more_than_six(held);
-  if (hold.with_all || !loads::hold_by_themselves(held, hold.groups)) {
-    hold.held = std::move(held);
+/// How groups hold at a time.
+/// @param with_all  whether all that is held counts, where it is redundant.
+HoldingSeats hold_of(const loads::LoadHistory& history,
+                     const loads::HoldingGroups& groups, double time,
+                     bool with_all) {
+  HoldingSeats hold;
+  if (with_all && history.hold) {
+    hold.held = loads::held_groups(history, time);
+    hold.with_all = loads::is_redundant(hold.held);
+    hold.groups = groups;
+    if (hold.with_all) return hold;
   }
+  auto found = loads::hold_at(history, groups, time);
+  hold.groups = std::move(found.groups);
+  hold.held = std::move(found.held);
+  return hold;
+}
+
+bool are_alike(const HoldingSeats& one, const HoldingSeats& other) {
+  return !one.touched && !other.touched && one.groups == other.groups &&
+         one.with_all == other.with_all &&
+         loads::are_alike(one.held, other.held);
+}
+
+/// With the instants of holds that are alike.
+void add(HoldingSeats hold, std::vector<HoldingSeats>& holds) {
+  const auto known =
+      std::ranges::find_if(holds, [&](const HoldingSeats& other) {
+        return are_alike(hold, other);
+      });
+  if (known == holds.end()) {
+    holds.push_back(std::move(hold));
+    return;
+  }
+  known->instants.insert(known->instants.end(), hold.instants.begin(),
+                         hold.instants.end());
+  std::ranges::sort(known->instants);
+  const auto same = std::ranges::unique(known->instants);
+  known->instants.erase(same.begin(), same.end());
 }
 
 }  // namespace
@@ -96,9 +125,8 @@ std::vector<HoldingSeats> part_holds(const LoadSet& set,
                                      const loads::LoadHistory& history,
                                      bool with_all) {
   std::vector<HoldingSeats> whole;
-  for (auto& groups : loads::holding_groups(history)) {
-    whole.push_back({std::move(groups)});
-    set_held(history, history.hold_time, with_all, whole.back());
+  for (const auto& groups : loads::holding_groups(history)) {
+    whole.push_back(hold_of(history, groups, history.hold_time, with_all));
   }
   if (!set.fixed.empty() || !set.foundations.empty()) return whole;
   if (whole.front().with_all) whole.resize(1);  // all hold, whatever the groups
@@ -109,15 +137,14 @@ std::vector<HoldingSeats> part_holds(const LoadSet& set,
   for (const HoldingSeats& one : whole) {
     const bool slides = has_slide(one, history.seats) && !places.empty();
     std::vector<bool> is_known(history.instants.size(), false);
-    for (const Instants& at : slides             ? places
-                              : one.held.empty() ? std::vector<Instants>{}
-                                                 : times) {
+    for (const Instants& at : slides         ? places
+                              : history.hold ? times
+                                             : std::vector<Instants>{}) {
       const loads::InstantLoad& hardest = hardest_of(history, at);
-      HoldingSeats hold{one.groups};
+      HoldingSeats hold = hold_of(history, one.groups, hardest.time, with_all);
       if (slides) hold.touched = {history.seats, hardest.zones};
-      set_held(history, hardest.time, with_all, hold);
       hold.instants = at;
-      holds.push_back(std::move(hold));
+      add(std::move(hold), holds);
       for (const Eigen::Index i : at) {
         is_known[static_cast<std::size_t>(i)] = true;
       }
@@ -128,16 +155,18 @@ std::vector<HoldingSeats> part_holds(const LoadSet& set,
     }
     const bool is_at_none = hold.instants.empty();
     if (hold.instants.size() == is_known.size()) hold.instants.clear();
-    if (!is_at_none) holds.push_back(std::move(hold));
+    if (!is_at_none) add(std::move(hold), holds);
+  }
+  for (HoldingSeats& hold : holds) {
+    if (hold.instants.size() == history.instants.size()) hold.instants.clear();
   }
   return holds;
 }
 
-bool is_held_by_more_than_six(const LoadSet& set) {
+bool is_held_redundantly(const LoadSet& set) {
   const loads::LoadHistory& history = set.history;
   return set.fixed.empty() && set.foundations.empty() && history.hold &&
-         loads::are_more_than_six(
-             loads::held_groups(history, history.hold_time));
+         loads::is_redundant(loads::held_groups(history, history.hold_time));
 }
 
 }  // namespace clevis::assessment

@@ -56,8 +56,11 @@ class SetCheck {
         result_(result),
         linear_(job, space, looked, rows, result),
         softer_(softer_by_the_band(of_lowest_degree, result.buckling)),
-        admitted_peak_(admitted_peak(job.part, result)),
-        admitted_deflection_(admitted_deflection(job.part, result)) {}
+        admitted_peak_(buckles(job, result) ? HUGE_VAL
+                                            : admitted_peak(job.part, result)),
+        admitted_deflection_(buckles(job, result)
+                                 ? HUGE_VAL
+                                 : admitted_deflection(job.part, result)) {}
 
   void run(SecondOrderResult& found) {
     loads::LoadHistory history = set_.history;
@@ -74,13 +77,12 @@ class SetCheck {
         .plane = space_.plane ? &*space_.plane : nullptr};
     model_.factor(set_, problem);
     const elasticity::HeldPart held(problem);
+    const bool may_be_fast = this->may_be_fast();
     std::vector<double> lowest;
     for (std::size_t hold = 0; hold < held.holds(); ++hold) {
-      lowest.push_back(looked_.may_be_fast ? held.lowest_frequency(hold)
-                                           : HUGE_VAL);
+      lowest.push_back(may_be_fast ? held.lowest_frequency(hold) : HUGE_VAL);
     }
-    const auto with =
-        looked_.may_be_fast ? with_neighbours(lowest) : std::nullopt;
+    const auto with = may_be_fast ? with_neighbours(lowest) : std::nullopt;
     if (linear_.pressed() == 0.0 && linear_.is_slow(std::ranges::min(lowest)) &&
         !with) {
       return;
@@ -105,6 +107,14 @@ class SetCheck {
   }
 
  private:
+  /// It fails by that: nothing else decides.
+  static bool buckles(const PartJob& job, const PartResult& result) {
+    const double wanted = part::wanted_buckling_factor(job.part.limits);
+    const BucklingResult& buckling = result.buckling;
+    return buckling.euler_fails(wanted) ||
+           (buckling.factor && buckling.band_high < wanted);
+  }
+
   /// K_G of a degree whose cells are too stiff counts as the band of the
   /// buckling factor has it, with what a fluid's pressure needs less.
   static double softer_by_the_band(double of_lowest_degree,
@@ -114,17 +124,28 @@ class SetCheck {
                : 1.0;
   }
 
+  /// With all that the mechanism holds and weighs [rad/s].
+  double first_frequency() {
+    return 2.0 * std::numbers::pi / held_.first_period(looked_.set);
+  }
+
+  /// Whether spin may count beside the frequency with one of the holds, which
+  /// may leave the part softer than all that the mechanism holds.
+  bool may_be_fast() {
+    constexpr double kSofter = 10.0;  // a beam clamped at one end or both: 6.4
+    return looked_.may_be_fast && !linear_.is_slow(first_frequency() / kSofter);
+  }
+
   /// Masses that the mechanism adds, as a disc on a shaft, lower the frequency
   /// beside which the part spins [rad/s]; nothing: it does not count.
   /// @param lowest  frequencies of the part alone [rad/s].
   std::optional<double> with_neighbours(const std::vector<double>& lowest) {
-    constexpr double kAdded = 0.95;
+    constexpr double kAdded = 0.999;
     const auto& history = set_.history;
     if (!history.hold || history.hold_that_counts().weighed.cols() == 0) {
       return std::nullopt;
     }
-    const double with =
-        2.0 * std::numbers::pi / held_.first_period(looked_.set);
+    const double with = first_frequency();
     if (with > kAdded * std::ranges::min(lowest) || linear_.is_slow(with)) {
       return std::nullopt;
     }
@@ -250,7 +271,8 @@ class SetCheck {
                                  const Eigen::Vector3d& omega,
                                  std::size_t hold) const {
     const auto& common = linear_.common();
-    const VectorXd spun = common && point.is_motion ? *common : point.amounts;
+    const bool turns = common && point.is_motion && !omega.isZero();
+    const VectorXd spun = turns ? *common : point.amounts;
     return part.answer({.stressing = more * point.amounts,
                         .gain = more * point.gain,
                         .spun = spun,
@@ -274,9 +296,10 @@ class SetCheck {
   /// Takes the part's state in where there is none.
   std::optional<Rise> rise_of(const SecondOrderPart& part,
                               const LoadPoint& point, const LinearPoint& linear,
-                              double more, std::size_t hold,
+                              double more, const Eigen::Vector3d& omega,
+                              std::size_t hold,
                               SecondOrderResult& found) const {
-    const auto solved = answer(part, point, more, point.omega, hold);
+    const auto solved = answer(part, point, more, omega, hold);
     if (solved.state == SecondOrderPart::State::kOpen) {
       found.failure = "its solution at " + point.label + " does not settle";
       return std::nullopt;
@@ -300,12 +323,15 @@ class SetCheck {
                double yield, SecondOrderResult& found) {
     const std::size_t hold = points.hold();
     const Swing swing = linear_.swing(point);
-    auto rise =
-        rise_of(part, point, linear, softer_ * swing.largest(), hold, found);
+    const bool spins = yield > linear_.pressed();
+    const Eigen::Vector3d omega =
+        spins ? point.omega : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    auto rise = rise_of(part, point, linear, softer_ * swing.largest(), omega,
+                        hold, found);
     if (!rise) return {};
-    if (softer_ * swing.largest() > 1.0 && yield > linear_.pressed()) {
+    if (softer_ * swing.largest() > 1.0 && spins) {
       // What spins may be stiffened by its stresses.
-      const auto less = rise_of(part, point, linear, 1.0, hold, found);
+      const auto less = rise_of(part, point, linear, 1.0, omega, hold, found);
       if (!less) return {};
       rise->stress = std::max(rise->stress, less->stress);
       rise->deflection = std::max(rise->deflection, less->deflection);
@@ -421,6 +447,12 @@ void note(const PartResult& result, std::vector<std::string>& notes) {
   constexpr double kSays = 1.01;
   const SecondOrderResult& found = result.second_order;
   if (!found.is_stable) return;
+  if (found.bound > kSays * std::max(found.peak, judged_peak(result).value)) {
+    notes.push_back(fmt::format(
+        "second order: loads, and masses of other bodies that it spins, act on "
+        "what they displace: up to {:.4g} MPa, which is the verdict's bound",
+        1e-6 * found.bound));
+  }
   if (found.peak > 0.0 && found.stress > kSays) {
     notes.push_back(fmt::format(
         "second order: loads act on what they displace, {:.4g} MPa ({}), "

@@ -21,7 +21,8 @@
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
 #include "loads/history/motion_instants.h"
-#include "stress/field/deflection.h"
+#include "stress/displacement/deflection.h"
+#include "stress/displacement/held_reference.h"
 
 namespace clevis::assessment {
 namespace {
@@ -111,7 +112,7 @@ VibrationResult vibrate_high(const PartJob& job,
   result.highest_frequency = found.highest;
   result.model = fmt::format("{}, p = {}", model, degree);
   if (set.fixed.empty() && set.foundations.empty()) {
-    stress::remove_rigid_motion<dim>(found.basis, reference_groups(set));
+    stress::remove_rigid_motion<dim>(found.basis, reference_hold(set));
   }
   constexpr int kSixth = 6;  // of the times
   result.deflection =

@@ -286,8 +286,10 @@ BucklingMode lowest_of_all(const StressedPart& part, TrialSpace& space) {
 BucklingMode lowest_buckling(const BucklingProblem& problem) {
   const HeldPart held(problem);
   const StressedPart part(problem, held);
-  if (part.coefficients().rows() == 0)
-    return none_below(problem.highest);  // not stressed
+  // Without stress, what the mechanism brings may still push it over.
+  if (part.coefficients().rows() == 0 && part.pushes().is_empty()) {
+    return none_below(problem.highest);
+  }
   if (problem.known != nullptr && part.instants() == 1 &&
       part.part().holds() == 1) {
     return lowest_near(part,

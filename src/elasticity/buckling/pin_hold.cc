@@ -210,7 +210,7 @@ NodeFunctionals scaled(NodeFunctionals conditions, const MatrixXd& rigid) {
 /// held by the groups' conditions, of unit effect.
 NodeFunctionals felt(NodeFunctionals wrenches, const NodeFunctionals& groups,
                      const MatrixXd& rigid) {
-  constexpr double kFeels = 0.05;  // of what is felt most
+  constexpr double kFeels = 1e-4;  // of what is felt most
   const Eigen::JacobiSVD<MatrixXd> svd(
       wrenches.of(rigid), Eigen::ComputeFullU | Eigen::ComputeFullV);
   const VectorXd& sigma = svd.singularValues();

@@ -1,12 +1,12 @@
 #include "elasticity/buckling/seat_pushes.h"
 
-#include <array>
 #include <map>
 #include <utility>
 
 #include "elasticity/assembly/supports.h"
 #include "elasticity/fe_space/group_trace.h"
 #include "elasticity/nodal_loads/seat_means.h"
+#include "elasticity/nodal_loads/surface_loads.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -19,43 +19,86 @@ using Eigen::VectorXd;
 constexpr Index kMotion = 6;
 using Wrench6 = Eigen::Matrix<double, kMotion, 1>;
 
-/// A seat's surface: its mean motions, which are nodal forces of unit wrenches
-/// as well.
+/// sym(Σ fᵢ rᵢᵀ) of nodal forces f [N] at r from the seat's point [N m].
+Matrix3d virial_of(const Eigen::Ref<const VectorXd>& forces,
+                   const std::vector<Index>& nodes,
+                   const Eigen::Matrix3Xd& positions,
+                   const Eigen::Vector3d& point) {
+  Matrix3d sum = Matrix3d::Zero();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    sum += forces.segment<3>(3 * static_cast<Index>(i)) *
+           (positions.col(nodes[i]) - point).transpose();
+  }
+  return 0.5 * (sum + sum.transpose());
+}
+
+/// A seat's surface.
 struct SeatSurface {
+  /// Its mean motions, which are nodal forces of unit wrenches as well.
   NodeFunctionals motions;
-  /// sym(Σ fᵢ rᵢᵀ) of the nodal forces of each unit wrench [m], [1].
-  std::array<Matrix3d, kMotion> virials;
+  std::vector<Matrix3d> virials;  ///< of its loads, by instant [N m]
 };
+
+/// Virials of a slide: what it touches travels, its loads count as they act on
+/// the mean motions; a guide's pressure on a round wall as through its axis.
+std::vector<Matrix3d> virials_of_slide(const NodeFunctionals& motions,
+                                       const Eigen::Matrix3Xd& positions,
+                                       const loads::LoadHistory& history,
+                                       std::size_t s) {
+  const loads::Seat& seat = history.seats[s];
+  std::vector<Matrix3d> virials(history.instants.size(), Matrix3d::Zero());
+  if (seat.kind == loads::SeatKind::kBearing) return virials;
+  for (std::size_t i = 0; i < virials.size(); ++i) {
+    const loads::Wrench& wrench = history.instants[i].wrenches[s];
+    Wrench6 amounts;
+    amounts << wrench.force, wrench.moment;
+    virials[i] = virial_of(motions.rows.transpose() * amounts, motions.nodes,
+                           positions, seat.p_LS);
+  }
+  return virials;
+}
 
 SeatSurface surface_of(const Discretization<3>& discretization,
                        const Eigen::Matrix3Xd& positions,
-                       const loads::Seat& seat, const std::string& part_name) {
+                       const loads::LoadHistory& history, std::size_t s,
+                       const std::string& part_name) {
+  const loads::Seat& seat = history.seats[s];
   SeatSurface surface{
       nodes_of(seat_means(discretization, {seat}, {}, part_name)), {}};
-  const NodeFunctionals& of = surface.motions;
-  for (Index k = 0; k < kMotion; ++k) {
-    Matrix3d sum = Matrix3d::Zero();
-    for (Index i = 0; i < std::ssize(of.nodes); ++i) {
-      const Index node = of.nodes[static_cast<std::size_t>(i)];
-      sum += of.rows.row(k).segment<3>(3 * i).transpose() *
-             (positions.col(node) - seat.p_LS).transpose();
-    }
-    surface.virials[static_cast<std::size_t>(k)] =
-        0.5 * (sum + sum.transpose());
+  if (seat.slide) {
+    surface.virials = virials_of_slide(surface.motions, positions, history, s);
+    return surface;
+  }
+  const SurfaceLoads loads = seat_loads(discretization, history, s, part_name);
+  const std::vector<Index> nodes(loads.nodes.begin(), loads.nodes.end());
+  for (Index i = 0; i < loads.values.cols(); ++i) {
+    surface.virials.push_back(
+        virial_of(loads.values.col(i), nodes, positions, seat.p_LS));
   }
   return surface;
 }
 
-/// Moment that nodal forces of a wrench gain as they keep their direction on a
-/// surface that turns, which their stresses have in K_G [N m].
-Matrix3d gain_of_dead(const SeatSurface& surface, const loads::Wrench& wrench) {
-  Wrench6 amounts;
-  amounts << wrench.force, wrench.moment;
-  Matrix3d virial = Matrix3d::Zero();
-  for (Index k = 0; k < kMotion; ++k) {
-    virial += amounts[k] * surface.virials[static_cast<std::size_t>(k)];
-  }
+/// Moment that nodal forces gain as they keep their direction on a surface that
+/// turns, which their stresses have in K_G [N m]. What is pressed by a pin, or
+/// welded, turns in its neighbour: its force goes through the seat's point.
+Matrix3d gain_of_dead(const Matrix3d& virial) {
   return virial - virial.trace() * Matrix3d::Identity();
+}
+
+/// Gains of an instant; of a case none, on the seats that pins press.
+loads::SeatGains gains_of(const loads::LoadHistory& history,
+                          const loads::InstantLoad& instant) {
+  if (instant.gains) return instant.gains();
+  loads::SeatGains none;
+  for (std::size_t s = 0; s < history.seats.size(); ++s) {
+    const loads::Seat& seat = history.seats[s];
+    if (seat.kind == loads::SeatKind::kBearing && !seat.slide) {
+      none.seats.push_back(s);
+    }
+  }
+  const Index motions = kMotion * std::ssize(none.seats);
+  none.gain = MatrixXd::Zero(motions, motions);
+  return none;
 }
 
 }  // namespace
@@ -73,14 +116,15 @@ SeatPushes::SeatPushes(const Discretization<3>& discretization,
     const auto found = surfaces.find(s);
     if (found != surfaces.end()) return found->second;
     return surfaces
-        .emplace(s, surface_of(discretization, positions, history.seats[s],
-                               part_name))
+        .emplace(s,
+                 surface_of(discretization, positions, history, s, part_name))
         .first->second;
   };
-  for (const loads::InstantLoad& instant : history.instants) {
+  for (std::size_t i = 0; i < history.instants.size(); ++i) {
+    const loads::InstantLoad& instant = history.instants[i];
     Push& push = of_instant_.emplace_back();
-    if (!instant.gains) continue;
-    const loads::SeatGains found = instant.gains();
+    const loads::SeatGains found = gains_of(history, instant);
+    if (found.seats.empty()) continue;
     MatrixXd dead = MatrixXd::Zero(found.gain.rows(), found.gain.cols());
     VectorXd scale = VectorXd::Ones(found.gain.rows());  // of turns to lengths
     double forces = 0.0;
@@ -90,15 +134,12 @@ SeatPushes::SeatPushes(const Discretization<3>& discretization,
       const Index turn = kMotion * static_cast<Index>(k) + 3;
       scale.segment<3>(turn).setConstant(1.0 / size);
       forces += wrench.force.norm() + wrench.moment.norm() / size;
-      // A pin's force goes through its axis, where no turn moves it.
-      if (seat.kind != loads::SeatKind::kBearing &&
-          has_faces(discretization, seat.group)) {
+      if (has_faces(discretization, seat.group)) {
         dead.block<3, 3>(turn, turn) =
-            gain_of_dead(surface(found.seats[k]), wrench);
+            gain_of_dead(surface(found.seats[k]).virials[i]);
       }
     }
-    const MatrixXd gain =
-        found.gain - found.admitted.transpose() * dead * found.admitted;
+    const MatrixXd gain = found.gain - dead;
     std::vector<Index> kept;
     for (std::size_t k = 0; k < found.seats.size(); ++k) {
       const Index at = kMotion * static_cast<Index>(k);
@@ -113,9 +154,9 @@ SeatPushes::SeatPushes(const Discretization<3>& discretization,
       const auto [first, is_new] =
           known.try_emplace(found.seats[k], kMotion * std::ssize(seats_));
       if (is_new) seats_.push_back(surface(found.seats[k]).motions);
-      for (Index i = 0; i < kMotion; ++i) {
-        kept.push_back(at + i);
-        push.motions.push_back(first->second + i);
+      for (Index motion = 0; motion < kMotion; ++motion) {
+        kept.push_back(at + motion);
+        push.motions.push_back(first->second + motion);
       }
     }
     push.gain = gain(kept, kept);

@@ -185,6 +185,20 @@ void append(const MatrixXd& columns, const MatrixXd& coefficients,
   loads.coefficients.bottomRows(more) = coefficients;
 }
 
+/// Whether loads cancel node by node but for round-off, as of a joint that
+/// takes up at once what another brings: they stress nothing.
+bool cancel(const MatrixXd& columns, const MatrixXd& coefficients) {
+  constexpr double kRoundOff = 1e-11;
+  if (columns.cols() < 2) return false;
+  double gross = 0.0;
+  for (Index k = 0; k < columns.cols(); ++k) {
+    gross += columns.col(k).cwiseAbs().sum() *
+             coefficients.row(k).cwiseAbs().maxCoeff();
+  }
+  return ColumnSplit(columns).largest_column_sum(coefficients) <=
+         kRoundOff * gross;
+}
+
 /// Leaves out the columns that hardly count beside the largest.
 void drop_small_columns(double scale, LoadBasis& loads) {
   constexpr double kNothing = 1e-13;
@@ -219,7 +233,12 @@ LoadBasis load_columns(const Discretization<dim>& discretization,
     append_surface<dim>(surface, dofs, columns);
   }
   append_body<dim>(discretization, history, density, columns);
-  return columns.join();
+  LoadBasis loads = columns.join();
+  if (cancel(loads.columns, loads.coefficients)) {
+    loads.columns.resize(dofs, 0);
+    loads.coefficients.resize(0, loads.coefficients.cols());
+  }
+  return loads;
 }
 
 template <int dim>

@@ -147,10 +147,10 @@ SurfaceLoads sliding_loads(const Discretization<dim>& discretization,
 }
 
 template <int dim>
-SurfaceLoads seat_loads(const Discretization<dim>& discretization,
-                        const loads::LoadHistory& history,
-                        std::size_t seat_index, const std::string& part_name,
-                        FaceTables<dim>& tables) {
+SurfaceLoads loads_of_seat(const Discretization<dim>& discretization,
+                           const loads::LoadHistory& history,
+                           std::size_t seat_index, const std::string& part_name,
+                           FaceTables<dim>& tables) {
   const loads::Seat& seat = history.seats[seat_index];
   if (seat.slide) {
     return sliding_loads(discretization, history, seat_index, part_name,
@@ -214,13 +214,22 @@ SurfaceLoads face_loads(const Discretization<dim>& discretization,
 }  // namespace
 
 template <int dim>
+SurfaceLoads seat_loads(const Discretization<dim>& discretization,
+                        const loads::LoadHistory& history, std::size_t seat,
+                        const std::string& part_name) {
+  FaceTables<dim> tables;
+  return loads_of_seat(discretization, history, seat, part_name, tables);
+}
+
+template <int dim>
 std::vector<SurfaceLoads> surface_loads(
     const Discretization<dim>& discretization,
     const loads::LoadHistory& history, const std::string& part_name) {
   std::vector<SurfaceLoads> result;
   FaceTables<dim> tables;
   for (std::size_t s = 0; s < history.seats.size(); ++s) {
-    result.push_back(seat_loads(discretization, history, s, part_name, tables));
+    result.push_back(
+        loads_of_seat(discretization, history, s, part_name, tables));
   }
   const auto faces = history.instants.front().surface_loads.size();
   for (std::size_t s = 0; s < faces; ++s) {
@@ -229,6 +238,9 @@ std::vector<SurfaceLoads> surface_loads(
   return result;
 }
 
+template SurfaceLoads seat_loads<3>(const Discretization<3>&,
+                                    const loads::LoadHistory&, std::size_t,
+                                    const std::string&);
 template std::vector<SurfaceLoads> surface_loads<2>(const Discretization<2>&,
                                                     const loads::LoadHistory&,
                                                     const std::string&);

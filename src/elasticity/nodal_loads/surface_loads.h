@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,17 @@ struct SurfaceLoads {
   Eigen::MatrixXd values;
 };
 
-/// Loads of all seats, then of all loaded faces: bearing or linear traction at
-/// the quadrature points of the group, plus the correction that makes the
-/// discrete resultant the wrench to round-off.
+/// Loads of a seat: bearing or linear traction at the quadrature points of its
+/// group, plus the correction that makes the discrete resultant the wrench to
+/// round-off.
 /// @throws Error M003 if the mesh lacks a group, L002 if a bearing seat's
 ///   group is no cylinder.
+template <int dim>
+SurfaceLoads seat_loads(const Discretization<dim>& discretization,
+                        const loads::LoadHistory& history, std::size_t seat,
+                        const std::string& part_name);
+
+/// Loads of all seats, then of all loaded faces.
 template <int dim>
 std::vector<SurfaceLoads> surface_loads(
     const Discretization<dim>& discretization,

@@ -65,8 +65,7 @@ struct RigidAcceleration {
 /// then turns, [m], [rad].
 struct SeatGains {
   std::vector<std::size_t> seats;
-  Eigen::MatrixXd gain;      ///< symmetric [N/m], [N], [N m]
-  Eigen::MatrixXd admitted;  ///< motion → the nearest that joints leave
+  Eigen::MatrixXd gain;  ///< symmetric [N/m], [N], [N m]
 };
 
 /// All loads of a part at an instant (or in a case); in balance unless fixed.

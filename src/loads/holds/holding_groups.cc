@@ -89,6 +89,108 @@ std::vector<GroupHold> holds_of(const LoadHistory& history, double time) {
   return holds;
 }
 
+/// What is held of all groups, moments over the part's size.
+class HeldSpan {
+ public:
+  explicit HeldSpan(const std::vector<GroupHold>& held) : held_(held) {
+    std::vector<Seat> places;
+    for (const GroupHold& hold : held) places.push_back({.p_LS = hold.p_LS});
+    size_ = size_of(places);
+    MatrixXd all(kWrench * std::ssize(held), held.front().wrenches.cols());
+    for (std::size_t g = 0; g < held.size(); ++g) {
+      all.middleRows<kWrench>(kWrench * static_cast<Index>(g)) =
+          held[g].wrenches;
+      all.middleRows<3>(kWrench * static_cast<Index>(g) + 3) /= size_;
+    }
+    span_ = orthonormal(all);
+  }
+
+  bool is_like(const HeldSpan& other) const {
+    constexpr double kLike = 1e-4;
+    return span_.cols() == other.span_.cols() &&
+           (other.span_ - span_ * (span_.transpose() * other.span_)).norm() <
+               kLike;
+  }
+
+  /// More columns than forces and moments on the whole part.
+  bool is_redundant() const {
+    constexpr double kFelt = 1e-6;
+    MatrixXd net = MatrixXd::Zero(kWrench, span_.cols());
+    for (std::size_t g = 0; g < held_.size(); ++g) {
+      const MatrixXd here =
+          span_.middleRows<kWrench>(kWrench * static_cast<Index>(g));
+      const Vector3d arm = (held_[g].p_LS - held_.front().p_LS) / size_;
+      net += here;
+      for (Index k = 0; k < here.cols(); ++k) {
+        const Vector3d force = here.col(k).head<3>();
+        net.col(k).tail<3>() += arm.cross(force);
+      }
+    }
+    if (net.cols() == 0) return false;
+    Eigen::JacobiSVD<MatrixXd> svd(net);
+    svd.setThreshold(kFelt);
+    return svd.rank() < net.cols();
+  }
+
+  /// Groups in the order in which all that they stand for is held; empty: it is
+  /// not in any.
+  HoldingGroups order_of(const HoldingGroups& groups) const {
+    const Index first = index_of(groups.front());
+    if (groups.size() == 1) {
+      for (Index k = 0; k < kWrench; ++k) {
+        if (!holds(span_, unit(first, k < 3, Vector3d::Unit(k % 3)))) {
+          return {};
+        }
+      }
+      return groups;
+    }
+    const Index second = index_of(groups.back());
+    const Vector3d line = place(second) - place(first);
+    if (!(line.norm() > 0.0)) return {};
+    const Vector3d along = line.normalized();
+    const Vector3d across = along.unitOrthogonal();
+    // What is held along the line bends nothing.
+    MatrixXd all(span_.rows(), span_.cols() + 2);
+    all << span_, unit(first, true, along), unit(second, true, along);
+    const MatrixXd span = orthonormal(all);
+    for (const Index group : {first, second}) {
+      if (!holds(span, unit(group, true, across)) ||
+          !holds(span, unit(group, true, along.cross(across)))) {
+        return {};
+      }
+    }
+    if (holds(span, unit(first, false, along))) return groups;
+    if (holds(span, unit(second, false, along))) {
+      return {groups.back(), groups.front()};
+    }
+    return {};
+  }
+
+ private:
+  Index index_of(const std::string& group) const {
+    return std::ranges::find(held_, group, &GroupHold::group) - held_.begin();
+  }
+  const Vector3d& place(Index group) const {
+    return held_[static_cast<std::size_t>(group)].p_LS;
+  }
+
+  /// A force or a moment on a group.
+  Eigen::VectorXd unit(Index group, bool is_force,
+                       const Vector3d& direction) const {
+    Eigen::VectorXd wrench = Eigen::VectorXd::Zero(span_.rows());
+    wrench.segment<3>(kWrench * group + (is_force ? 0 : 3)) = direction;
+    return wrench;
+  }
+  static bool holds(const MatrixXd& span, const Eigen::VectorXd& wrench) {
+    constexpr double kMixed = 1e-6;  // with what others hold
+    return (wrench - span * (span.transpose() * wrench)).norm() < kMixed;
+  }
+
+  const std::vector<GroupHold>& held_;
+  double size_{};
+  MatrixXd span_;
+};
+
 /// Whether rows of wrenches are held, each direction of them.
 bool holds_all(const MatrixXd& rows) {
   if (rows.cols() < rows.rows()) return false;
@@ -134,48 +236,23 @@ std::vector<GroupHold> held_groups(const LoadHistory& history, double time) {
   return held;
 }
 
-bool hold_by_themselves(const std::vector<GroupHold>& held,
-                        const HoldingGroups& groups) {
-  constexpr double kMixed = 0.1;  // of a unit force
-  if (groups.empty()) return true;
-  const auto at = [&](const std::string& group) {
-    return std::ranges::find(held, group, &GroupHold::group) - held.begin();
-  };
-  const auto first = at(groups.front());
-  const GroupHold& one = held[static_cast<std::size_t>(first)];
-  if (groups.size() == 1) return holds_all(with_rest_of_others(one, held));
-  const auto second = at(groups.back());
-  const Vector3d line =
-      (held[static_cast<std::size_t>(second)].p_LS - one.p_LS).normalized();
-  if (!(line.norm() > 0.0)) return false;
-  // What is held along the line, and about it, bends nothing.
-  const Index rows = kWrench * std::ssize(held);
-  MatrixXd all = MatrixXd::Zero(rows, one.wrenches.cols() + 4);
-  for (std::size_t g = 0; g < held.size(); ++g) {
-    all.block(kWrench * static_cast<Index>(g), 0, kWrench,
-              one.wrenches.cols()) = held[g].wrenches;
-  }
-  Index column = one.wrenches.cols();
-  for (const auto of : {first, second}) {
-    all.block<3, 1>(kWrench * of, column++) = line;
-    all.block<3, 1>(kWrench * of + 3, column++) = line;
-  }
-  const MatrixXd span = orthonormal(all);
-  for (const auto of : {first, second}) {
-    for (const Vector3d& across :
-         {line.unitOrthogonal(), line.cross(line.unitOrthogonal()).eval()}) {
-      Eigen::VectorXd force = Eigen::VectorXd::Zero(rows);
-      force.segment<3>(kWrench * of) = across;
-      if ((force - span * (span.transpose() * force)).norm() > kMixed) {
-        return false;
-      }
-    }
-  }
-  return true;
+PartHold hold_at(const LoadHistory& history, const HoldingGroups& groups,
+                 double time) {
+  if (!history.hold || groups.empty()) return {groups};
+  auto held = held_groups(history, time);
+  auto order = HeldSpan(held).order_of(groups);
+  if (!order.empty()) return {std::move(order)};
+  return {groups, std::move(held)};
 }
 
-bool are_more_than_six(const std::vector<GroupHold>& held) {
-  return !held.empty() && held.front().wrenches.cols() > kWrench;
+bool are_alike(const std::vector<GroupHold>& one,
+               const std::vector<GroupHold>& other) {
+  if (one.size() != other.size()) return false;
+  return one.empty() || HeldSpan(one).is_like(HeldSpan(other));
+}
+
+bool is_redundant(const std::vector<GroupHold>& held) {
+  return !held.empty() && HeldSpan(held).is_redundant();
 }
 
 std::vector<HoldingGroups> holding_groups(const LoadHistory& history) {

@@ -34,13 +34,27 @@ struct GroupHold {
 /// At a time [s]. @pre the history has a hold.
 std::vector<GroupHold> held_groups(const LoadHistory& history, double time);
 
-/// Whether two groups hold across the line between them each by itself, and one
-/// holds all: then no more needs to be known than their names.
-bool hold_by_themselves(const std::vector<GroupHold>& held,
-                        const HoldingGroups& groups);
+/// How a part is held as a whole.
+struct PartHold {
+  /// Of two the first holds the turn about the line between both.
+  HoldingGroups groups;
+  /// In their place all that the mechanism holds; the groups hold what is left.
+  /// Empty: the groups alone.
+  std::vector<GroupHold> held = {};
+};
 
-/// Whether more than six independent conditions hold: what they hold each
+/// At a time [s]: by the groups alone where each of their six conditions is
+/// among what the mechanism holds, or where nothing is known of that.
+/// @param groups  of holding_groups().
+PartHold hold_at(const LoadHistory& history, const HoldingGroups& groups,
+                 double time);
+
+/// Whether the same is held but for 1e-4 of unit wrenches.
+bool are_alike(const std::vector<GroupHold>& one,
+               const std::vector<GroupHold>& other);
+
+/// Whether more is held than balance needs: how much each bears, and bends,
 /// depends on what the joints yield and on their play.
-bool are_more_than_six(const std::vector<GroupHold>& held);
+bool is_redundant(const std::vector<GroupHold>& held);
 
 }  // namespace clevis::loads

@@ -56,7 +56,6 @@ SeatGains NeighboursOverMotion::found_gains(const Place& place) const {
   std::vector<mechanism::LoadPlace> acting = acting_;
   MatrixXd to_point = MatrixXd::Identity(kMotion * std::ssize(acting),
                                          kMotion * std::ssize(acting));
-  MatrixXd from_point = to_point;
   const int body = neighbours_.slot() - 1;
   const auto& pose = place.instant.bodies[static_cast<std::size_t>(body)].pose;
   for (std::size_t s = 0; s < acting.size(); ++s) {
@@ -69,13 +68,11 @@ SeatGains NeighboursOverMotion::found_gains(const Place& place) const {
     for (Index k = 0; k < 3; ++k) {
       const Vector3d turned = Vector3d::Unit(k).cross(way);
       to_point.block<3, 1>(at, at + 3 + k) = turned;
-      from_point.block<3, 1>(at, at + 3 + k) = -turned;
     }
   }
   const auto found = load_gains(neighbours_, place.instant, acting);
   SeatGains gains{std::vector<std::size_t>(seats_.size()),
-                  to_point.transpose() * found.gain * to_point,
-                  from_point * found.admitted * to_point};
+                  to_point.transpose() * found.gain * to_point};
   std::iota(gains.seats.begin(), gains.seats.end(), std::size_t{0});
   return gains;
 }

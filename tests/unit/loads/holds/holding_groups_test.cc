@@ -90,6 +90,43 @@ TEST(HoldingGroups, PartlyHeldAtBothSeats) {
             (Groups{{"bore_A", "bore_B"}}));
 }
 
+// A ball on A, a rod across at B in both directions, and the roll.
+TEST(HoldAt, TheRollIsHeldWhereItsJointHoldsIt) {
+  const HoldingGroups groups = {"bore_A", "bore_B"};
+  const auto at_first = hold_at(lever(unit({0, 1, 2, 13, 14, 3})), groups, 0.0);
+  EXPECT_EQ(at_first.groups, groups);
+  EXPECT_TRUE(at_first.held.empty());
+  const auto at_second =
+      hold_at(lever(unit({0, 1, 2, 13, 14, 15})), groups, 0.0);
+  EXPECT_EQ(at_second.groups, (HoldingGroups{"bore_B", "bore_A"}));
+  EXPECT_TRUE(at_second.held.empty());
+}
+
+// A rod off the axis holds across and the roll in one.
+TEST(HoldAt, MixedConditionsHoldInPlaceOfGroups) {
+  MatrixXd held(18, 6);
+  held << unit({0, 1, 2, 14, 3}), unit({13}) + 0.01 * unit({15});
+  const auto found = hold_at(lever(held), {"bore_A", "bore_B"}, 0.0);
+  EXPECT_EQ(found.held.size(), 2U);
+  EXPECT_FALSE(is_redundant(found.held));
+}
+
+// What is held along the line bends nothing: a link at B that stands oblique.
+TEST(HoldAt, AnObliqueLinkHoldsAcross) {
+  MatrixXd held(18, 6);
+  held << unit({0, 1, 2, 14, 3}), unit({13}) + unit({12});
+  EXPECT_TRUE(hold_at(lever(held), {"bore_A", "bore_B"}, 0.0).held.empty());
+}
+
+TEST(HoldAt, RedundantIsWhatBalanceDoesNotNeed) {
+  const auto redundant = [](const MatrixXd& held) {
+    return is_redundant(held_groups(lever(held), 0.0));
+  };
+  EXPECT_FALSE(redundant(unit({0, 1, 2, 13, 14, 15})));
+  EXPECT_TRUE(redundant(unit({0, 1, 2, 12, 13, 14})));  // two balls
+  EXPECT_TRUE(redundant(unit({0, 1, 2, 3, 4, 5, 13})));
+}
+
 TEST(HoldingGroups, OfCasesEachTwoBearingSeats) {
   LoadHistory history;
   history.seats = {{.name = "1", .group = "a", .kind = SeatKind::kBearing},

@@ -1,4 +1,4 @@
-#include "stress/field/finite_motion.h"
+#include "stress/displacement/finite_motion.h"
 
 #include <cmath>
 #include <vector>

@@ -14,7 +14,8 @@ namespace clevis::stress {
 /// evenly with the place of the slide these are interpolated, to 3e-4 of the
 /// mean displacement. Solids of revolution are left as they are.
 /// @param groups  of the seats that hold, as of remove_rigid_motion().
-void refer_to_touched(const loads::LoadHistory& history,
+/// @return whether it is such a part.
+bool refer_to_touched(const loads::LoadHistory& history,
                       const std::vector<std::string>& groups,
                       elasticity::DisplacementBasis<3>& basis);
 

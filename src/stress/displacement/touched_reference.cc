@@ -1,4 +1,4 @@
-#include "stress/field/touched_reference.h"
+#include "stress/displacement/touched_reference.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,9 +60,12 @@ class TouchedMotions {
   }
 
   void solve(std::size_t i) {
-    const elasticity::HoldingSeats groups{
-        groups_, elasticity::TouchedSeats{history_.seats, zones(i)}};
-    const elasticity::PinHold hold(basis_.discretization, groups);
+    auto held = loads::hold_at(history_, groups_, history_.instants[i].time);
+    const elasticity::HoldingSeats seats{
+        std::move(held.groups),
+        elasticity::TouchedSeats{history_.seats, zones(i)},
+        std::move(held.held)};
+    const elasticity::PinHold hold(basis_.discretization, seats);
     broken_[i] = hold.broken(basis_.columns);
     if (rigid_.size() == 0) rigid_ = hold.rigid();
   }
@@ -154,12 +157,14 @@ class TouchedMotions {
 
 }  // namespace
 
-void refer_to_touched(const loads::LoadHistory& history,
+bool refer_to_touched(const loads::LoadHistory& history,
                       const std::vector<std::string>& groups,
                       elasticity::DisplacementBasis<3>& basis) {
-  if (basis.discretization.is_revolved || basis.columns.cols() == 0) return;
+  if (basis.discretization.is_revolved || basis.columns.cols() == 0) {
+    return false;
+  }
   const TouchedMotions motions(history, groups, basis);
-  if (motions.count() == 0) return;
+  if (motions.count() == 0) return false;
   MatrixXd moved = MatrixXd::Zero(kRigid, basis.coefficients.cols());
   for (std::size_t i = 0; i < motions.count(); ++i) {
     const auto at = static_cast<Index>(i);
@@ -171,6 +176,7 @@ void refer_to_touched(const loads::LoadHistory& history,
   basis.coefficients.conservativeResize(rank + kRigid, Eigen::NoChange);
   basis.coefficients.bottomRows(kRigid) = moved;
   basis.is_mirrored = false;
+  return true;
 }
 
 }  // namespace clevis::stress

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include <Eigen/Core>
 
 #include "elasticity/problem/displacement_basis.h"
@@ -17,18 +14,6 @@ struct Deflection {
   int instant{};
   Eigen::VectorXd of_instant;  ///< largest of each [m]
 };
-
-/// Removes from every column of the basis the rigid motion of the part's
-/// pins: the mean displacement of the first seat's surface, the rotation that
-/// keeps the mean of the second seat's surface on the line between both, and
-/// (dim = 3) the first surface's mean rotation about that line. With one seat,
-/// or two about one centre, all of its mean rotation; with none that of all
-/// nodes. Means are over the surface's area.
-/// @param groups  of the surface, of the first two seats; a plane mesh has none
-///   of its upper and lower side, which do not count.
-template <int dim>
-void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
-                         const std::vector<std::string>& groups);
 
 /// The largest nodal displacement over all instants.
 template <int dim>

@@ -1,19 +1,13 @@
-#include "stress/field/deflection.h"
+#include "stress/displacement/deflection.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/assembly/supports.h"
-#include "elasticity/fe_space/group_trace.h"
-#include "elasticity/nodal_loads/load_vectors.h"
 #include "stress/field/cell_field.h"
 
 namespace clevis::stress {
@@ -22,115 +16,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Seats nearer than this, over the part's size, have no line between them to
-/// speak of: their slip over the distance would be a turn of any size.
-constexpr double kNearestSeats = 1e-3;
-
 constexpr Index kBlock = 64;  // instants, so that few displacements are held
-
-/// Mean displacement and mean rotation of a surface group per basis column.
-template <int dim>
-struct SurfaceMotion {
-  Eigen::Matrix<double, dim, 1> centre;  ///< [m]
-  MatrixXd translation;                  ///< dim × rank [m]
-  MatrixXd rotation;                     ///< 1 or 3 × rank [rad]
-};
-
-using NodeWeights = std::map<int, double>;
-
-/// Area ∫ N dA that belongs to each node of a group [m²].
-template <int dim>
-NodeWeights surface_weights(
-    const elasticity::Discretization<dim>& discretization,
-    const std::string& name) {
-  const auto& groups = discretization.groups;
-  const auto found = std::ranges::find(groups, name, &mesh::SurfaceGroup::name);
-  elasticity::FaceTables<dim> tables;
-  const auto trace = elasticity::group_trace(
-      discretization, static_cast<int>(found - groups.begin()), tables);
-  NodeWeights weights;
-  Index begin = 0;
-  for (const auto& face : trace.faces) {
-    const Index n = face.values->rows();
-    const Eigen::VectorXd areas =
-        face.values->transpose() * trace.quadrature.weights.segment(begin, n);
-    for (std::size_t k = 0; k < face.nodes.size(); ++k) {
-      weights[face.nodes[k]] += areas[static_cast<Index>(k)];
-    }
-    begin += n;
-  }
-  return weights;
-}
-
-/// Volume ∫ N dV that belongs to each node [m³]: the mean does not depend on
-/// where the mesh is fine.
-template <int dim>
-NodeWeights volume_weights(
-    const elasticity::Discretization<dim>& discretization) {
-  const Eigen::VectorXd volumes = elasticity::node_volumes<dim>(discretization);
-  NodeWeights weights;
-  for (Index node = 0; node < volumes.size(); ++node) {
-    weights[static_cast<int>(node)] = volumes[node];
-  }
-  return weights;
-}
-
-/// Rigid motion nearest to the displacements of nodes, about their centre.
-template <int dim>
-SurfaceMotion<dim> mean_motion(
-    const elasticity::DisplacementBasis<dim>& basis,
-    const NodeWeights& node_weights,
-    const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions) {
-  const auto n = static_cast<Index>(node_weights.size());
-  Eigen::Matrix<double, dim, Eigen::Dynamic> at(dim, n);
-  MatrixXd u(dim * n, basis.columns.cols());
-  Eigen::VectorXd weights(dim * n);
-  Index k = 0;
-  for (const auto& [node, weight] : node_weights) {
-    at.col(k) = positions.col(node);
-    u.middleRows<dim>(dim * k) =
-        basis.columns.template middleRows<dim>(dim * node);
-    weights.segment<dim>(dim * k).setConstant(weight);
-    ++k;
-  }
-  SurfaceMotion<dim> motion;
-  motion.centre = Eigen::Matrix<double, dim, 1>::Zero();
-  double total = 0.0;
-  for (Index i = 0; i < n; ++i) {
-    motion.centre += weights[dim * i] * at.col(i);
-    total += weights[dim * i];
-  }
-  motion.centre /= total;
-  const MatrixXd modes = elasticity::rigid_modes<dim>(at, motion.centre, 1.0);
-  const MatrixXd weighted = weights.asDiagonal() * modes;
-  const MatrixXd fit = (weighted.transpose() * modes)
-                           .fullPivLu()
-                           .solve(weighted.transpose() * u);
-  motion.translation = fit.topRows<dim>();
-  motion.rotation = fit.bottomRows(elasticity::kRigidModes<dim> - dim);
-  return motion;
-}
-
-/// Rotation that keeps the second centre on the line; about the line itself
-/// the first surface's own.
-template <int dim>
-MatrixXd line_rotation(const SurfaceMotion<dim>& first,
-                       const SurfaceMotion<dim>& second) {
-  const Eigen::Matrix<double, dim, 1> line = second.centre - first.centre;
-  const MatrixXd relative = second.translation - first.translation;
-  if constexpr (dim == 2) {
-    const Eigen::RowVector2d normal(-line[1], line[0]);
-    return normal * relative / line.squaredNorm();
-  } else {
-    const Eigen::Vector3d d = line.normalized();
-    MatrixXd rotation = d * (d.transpose() * first.rotation);
-    for (Index k = 0; k < relative.cols(); ++k) {
-      const Eigen::Vector3d slip = relative.col(k);
-      rotation.col(k) += line.cross(slip) / line.squaredNorm();
-    }
-    return rotation;
-  }
-}
 
 /// Largest displacement of each node over all instants [m].
 template <int dim>
@@ -266,40 +152,6 @@ MatrixXd rise_of_surface(const elasticity::DisplacementBasis<2>& basis,
 }  // namespace
 
 template <int dim>
-void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
-                         const std::vector<std::string>& groups) {
-  const auto positions = elasticity::node_positions(basis.discretization);
-  std::vector<std::string> seat_groups;
-  std::ranges::copy_if(
-      groups, std::back_inserter(seat_groups), [&](const std::string& name) {
-        return elasticity::has_faces(basis.discretization, name);
-      });
-  const auto motion_of = [&](const std::string& group) {
-    return mean_motion<dim>(
-        basis, surface_weights<dim>(basis.discretization, group), positions);
-  };
-  const auto first =
-      seat_groups.empty()
-          ? mean_motion<dim>(basis, volume_weights<dim>(basis.discretization),
-                             positions)
-          : motion_of(seat_groups.front());
-  MatrixXd rotation = first.rotation;
-  if (seat_groups.size() > 1) {
-    const auto second = motion_of(seat_groups[1]);
-    const double size =
-        (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff())
-            .norm();
-    if ((second.centre - first.centre).norm() > kNearestSeats * size) {
-      rotation = line_rotation<dim>(first, second);
-    }
-  }
-  MatrixXd rigid(elasticity::kRigidModes<dim>, rotation.cols());
-  rigid << first.translation, rotation;
-  basis.columns -= elasticity::product(
-      elasticity::rigid_modes<dim>(positions, first.centre, 1.0), rigid);
-}
-
-template <int dim>
 Deflection largest_deflection(const elasticity::DisplacementBasis<dim>& basis) {
   const auto found = largest_of(basis.columns, dim, basis.coefficients);
   Eigen::Vector3d at(0.0, 0.0, basis.discretization.mid_plane_z);
@@ -345,10 +197,6 @@ double largest_deflection_of_many(
   return u.reshaped(dim, u.size() / dim).colwise().norm().maxCoeff();
 }
 
-template void remove_rigid_motion<2>(elasticity::DisplacementBasis<2>&,
-                                     const std::vector<std::string>&);
-template void remove_rigid_motion<3>(elasticity::DisplacementBasis<3>&,
-                                     const std::vector<std::string>&);
 template Deflection largest_deflection<2>(
     const elasticity::DisplacementBasis<2>&);
 template Deflection largest_deflection<3>(
