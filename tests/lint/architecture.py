@@ -132,6 +132,7 @@ ROOMS = {
         "plate": "terms through the thickness of a plate",
         "revolution": "Fourier terms about an axis",
         "vibration": "modes, answer to a strike and to a load history",
+        "holds": "how pins hold a free part as a whole: mean motions of surfaces, and conditions on them",
         "buckling": "lowest buckling factor",
     },
     "stress": {
@@ -228,7 +229,7 @@ PUBLIC = {
                 " systems/block_krylov systems/eigenmodes systems/held_system systems/linear_system systems/weighed_system",
     "beam": "estimates/beam_estimate estimates/ejector estimates/struck_part",
     "elasticity": "algebra/dense_product algebra/principal_columns algebra/rank_team assembly/stiffness assembly/supports"
-                  " buckling/buckling buckling/buckling_problem buckling/pin_hold buckling/second_order"
+                  " buckling/buckling buckling/buckling_problem buckling/second_order holds/pin_hold"
                   " buckling/stressed_part dealii/dealii_service direct/dissection fe_space/discretization fe_space/group_trace"
                   " fe_space/tabulation nodal_loads/load_vectors plate/layered_solve"
                   " plate/plate_layer problem/displacement_basis problem/dof_limit"

@@ -8,8 +8,8 @@
 #include <Eigen/Core>
 
 #include "elasticity/buckling/energy_coordinates.h"
-#include "elasticity/buckling/pin_hold.h"
 #include "elasticity/fe_space/discretization.h"
+#include "elasticity/holds/pin_hold.h"
 #include "elasticity/problem/nodal_field.h"
 #include "loads/history/load_history.h"
 #include "part/material.h"

@@ -35,13 +35,13 @@ Matrix3d virial_of(const Eigen::Ref<const VectorXd>& forces,
 /// A seat's surface.
 struct SeatSurface {
   /// Its mean motions, which are nodal forces of unit wrenches as well.
-  NodeFunctionals motions;
+  NodeFunctionals<3> motions;
   std::vector<Matrix3d> virials;  ///< of its loads, by instant [N m]
 };
 
 /// Virials of a slide: what it touches travels, its loads count as they act on
 /// the mean motions; a guide's pressure on a round wall as through its axis.
-std::vector<Matrix3d> virials_of_slide(const NodeFunctionals& motions,
+std::vector<Matrix3d> virials_of_slide(const NodeFunctionals<3>& motions,
                                        const Eigen::Matrix3Xd& positions,
                                        const loads::LoadHistory& history,
                                        std::size_t s) {
@@ -64,7 +64,7 @@ SeatSurface surface_of(const Discretization<3>& discretization,
                        const std::string& part_name) {
   const loads::Seat& seat = history.seats[s];
   SeatSurface surface{
-      nodes_of(seat_means(discretization, {seat}, {}, part_name)), {}};
+      mean_motions(seat_mean(discretization, seat, {}, part_name)), {}};
   if (seat.slide) {
     surface.virials = virials_of_slide(surface.motions, positions, history, s);
     return surface;

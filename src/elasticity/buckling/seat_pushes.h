@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/buckling/pin_hold.h"
 #include "elasticity/fe_space/discretization.h"
+#include "elasticity/holds/mean_motions.h"
 #include "loads/history/load_history.h"
 
 namespace clevis::elasticity {
@@ -35,7 +35,7 @@ class SeatPushes {
     std::vector<Eigen::Index> motions;  ///< of motions()
     Eigen::MatrixXd gain;
   };
-  std::vector<NodeFunctionals> seats_;  ///< mean motions, six each
+  std::vector<NodeFunctionals<3>> seats_;  ///< mean motions, six each
   std::vector<Push> of_instant_;
 };
 

@@ -52,9 +52,9 @@ HeldPart::HeldPart(const BucklingProblem& problem)
                                        : energy_coordinates(problem)),
       pairs_(node_pairs(part_.cell_nodes, part_.nodes)) {
   if (is_free_) {
+    motions_ = std::make_unique<MeanMotions<3>>(part_);
     for (const HoldingSeats& hold : problem.holds) {
-      holds_.emplace_back(part_, hold, problem.name,
-                          holds_.empty() ? nullptr : &holds_.front());
+      holds_.emplace_back(part_, *motions_, hold, problem.name);
       beyond_.push_back(
           span_of(coordinates_->of_loads(holds_.back().beyond())));
     }
@@ -82,7 +82,7 @@ MatrixXd HeldPart::freed(const MatrixXd& unknowns, std::size_t hold) const {
 }
 
 MatrixXd HeldPart::rigid() const {
-  return holds_.empty() ? MatrixXd(part_.dofs(), 0) : holds_[0].rigid();
+  return motions_ ? motions_->rigid() : MatrixXd(part_.dofs(), 0);
 }
 
 MatrixXd HeldPart::broken(const MatrixXd& u, std::size_t hold) const {

@@ -12,8 +12,8 @@
 #include "elasticity/assembly/node_pairs.h"
 #include "elasticity/buckling/buckling_problem.h"
 #include "elasticity/buckling/energy_coordinates.h"
-#include "elasticity/buckling/pin_hold.h"
 #include "elasticity/buckling/seat_pushes.h"
+#include "elasticity/holds/pin_hold.h"
 
 namespace clevis::elasticity {
 
@@ -78,7 +78,8 @@ class HeldPart {
   bool is_free_;
   std::shared_ptr<const EnergyCoordinates> coordinates_;
   NodePairs pairs_;
-  std::vector<PinHold> holds_;
+  std::unique_ptr<MeanMotions<3>> motions_;  ///< of a free part
+  std::vector<PinHold<3>> holds_;
   std::vector<Eigen::MatrixXd> beyond_;  ///< by hold; one at least
 };
 

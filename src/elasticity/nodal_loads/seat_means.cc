@@ -7,11 +7,11 @@
 
 namespace clevis::elasticity {
 
+namespace {
+
 template <int dim>
-Eigen::MatrixXd seat_means(const Discretization<dim>& discretization,
-                           std::vector<loads::Seat> seats,
-                           const std::vector<loads::ContactZone>& zones,
-                           const std::string& part_name) {
+loads::LoadHistory unit_wrenches(std::vector<loads::Seat> seats,
+                                 const std::vector<loads::ContactZone>& zones) {
   loads::LoadHistory unit;
   unit.seats = std::move(seats);
   for (loads::Seat& seat : unit.seats) seat.kind = loads::SeatKind::kMean;
@@ -26,7 +26,27 @@ Eigen::MatrixXd seat_means(const Discretization<dim>& discretization,
       unit.instants.push_back(std::move(instant));
     }
   }
-  return assemble_loads(discretization, unit, 0.0, part_name);
+  return unit;
+}
+
+}  // namespace
+
+template <int dim>
+Eigen::MatrixXd seat_means(const Discretization<dim>& discretization,
+                           std::vector<loads::Seat> seats,
+                           const std::vector<loads::ContactZone>& zones,
+                           const std::string& part_name) {
+  return assemble_loads(discretization,
+                        unit_wrenches<dim>(std::move(seats), zones), 0.0,
+                        part_name);
+}
+
+SurfaceLoads seat_mean(const Discretization<3>& discretization,
+                       loads::Seat seat,
+                       const std::vector<loads::ContactZone>& zones,
+                       const std::string& part_name) {
+  return seat_loads(discretization, unit_wrenches<3>({std::move(seat)}, zones),
+                    0, part_name);
 }
 
 template Eigen::MatrixXd seat_means<2>(const Discretization<2>&,

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/fe_space/discretization.h"
+#include "elasticity/nodal_loads/surface_loads.h"
 #include "loads/history/load_history.h"
 
 namespace clevis::elasticity {
@@ -33,5 +34,12 @@ Eigen::MatrixXd seat_means(const Discretization<dim>& discretization,
                            std::vector<loads::Seat> seats,
                            const std::vector<loads::ContactZone>& zones,
                            const std::string& part_name);
+
+/// The same of one seat, on the nodes of its group alone.
+/// @param zones  of the seat, one; empty: all of the group.
+SurfaceLoads seat_mean(const Discretization<3>& discretization,
+                       loads::Seat seat,
+                       const std::vector<loads::ContactZone>& zones,
+                       const std::string& part_name);
 
 }  // namespace clevis::elasticity

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/buckling/pin_hold.h"
+#include "elasticity/holds/pin_hold.h"
 
 namespace clevis::stress {
 namespace {
@@ -42,6 +42,7 @@ class TouchedMotions {
     displacement_ = basis.columns.norm() /
                     std::sqrt(static_cast<double>(basis.discretization.nodes));
     if (count_ == 0) return;
+    motions_.emplace(basis.discretization);
     solve(0);
     if (count_ == 1) return;
     solve(count_ - 1);
@@ -52,7 +53,7 @@ class TouchedMotions {
   /// 6 × columns.
   const MatrixXd& broken(std::size_t i) const { return broken_[i]; }
   /// Of rigid motions, dofs × 6. @pre count() > 0.
-  const MatrixXd& rigid() const { return rigid_; }
+  const MatrixXd& rigid() const { return motions_->rigid(); }
 
  private:
   const std::vector<loads::ContactZone>& zones(std::size_t i) const {
@@ -65,9 +66,8 @@ class TouchedMotions {
         std::move(held.groups),
         elasticity::TouchedSeats{history_.seats, zones(i)},
         std::move(held.held)};
-    const elasticity::PinHold hold(basis_.discretization, seats);
+    const elasticity::PinHold<3> hold(basis_.discretization, *motions_, seats);
     broken_[i] = hold.broken(basis_.columns);
-    if (rigid_.size() == 0) rigid_ = hold.rigid();
   }
 
   /// Share of the way of the slides from one instant to another; nothing where
@@ -152,7 +152,7 @@ class TouchedMotions {
   std::size_t count_ = 0;            ///< instants of the motion
   std::vector<MatrixXd> broken_;
   double displacement_ = 0.0;  ///< of a node, in the mean, over the columns [m]
-  MatrixXd rigid_;
+  std::optional<elasticity::MeanMotions<3>> motions_;
 };
 
 }  // namespace
