@@ -15,6 +15,13 @@ using Eigen::Vector3d;
 
 constexpr double kSame = 1e-3;  // of the radius: lengths that are meant equal
 
+/// Of the normals away from the axis, which point from it to the surface.
+Vector3d area_vector(const Face& face) {
+  const Vector3d from_axis = face.centre - face.axis_point;
+  return face.area / face.radius *
+         (from_axis - from_axis.dot(face.axis) * face.axis);
+}
+
 Cylinder cylinder_of(const Face& face) {
   const double middle = (face.low + face.high) / 2;
   return {.faces = {face.number},
@@ -23,6 +30,7 @@ Cylinder cylinder_of(const Face& face) {
           .radius = face.radius,
           .length = face.high - face.low,
           .angle = face.angle,
+          .wall = {face.area, area_vector(face), face.normal_square},
           .hollow = face.hollow};
 }
 
@@ -49,6 +57,7 @@ void merge(Cylinder& cylinder, const Cylinder& other) {
   cylinder.point += (low + high) / 2 * cylinder.axis;
   cylinder.length = high - low;
   cylinder.angle = covered / cylinder.length;
+  cylinder.wall += other.wall;
   cylinder.faces.insert(cylinder.faces.end(), other.faces.begin(),
                         other.faces.end());
   std::ranges::sort(cylinder.faces);

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "cad/face.h"
+#include "part/bore.h"
 
 namespace clevis::cad {
 
@@ -18,6 +19,7 @@ struct Cylinder {
   double radius{};         ///< [m]
   double length{};         ///< along the axis [m]
   double angle{};          ///< that its faces turn about the axis [rad]
+  part::Wall wall = {};    ///< that its faces are
   bool hollow{};           ///< a bore rather than a shaft
 
   bool is_round() const;  ///< all the way about the axis, or nearly so

@@ -21,6 +21,18 @@ Vector3d vector_of(const json& v) {
   return {v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()};
 }
 
+json matrix_json(const Eigen::Matrix3d& m) {
+  json columns = json::array();
+  for (int c = 0; c < 3; ++c) columns.push_back(vector_json(m.col(c)));
+  return columns;
+}
+
+Eigen::Matrix3d matrix_of(const json& columns) {
+  Eigen::Matrix3d m;
+  for (int c = 0; c < 3; ++c) m.col(c) = vector_of(columns.at(std::size_t(c)));
+  return m;
+}
+
 json list_json(const std::vector<Vector3d>& points) {
   json list = json::array();
   for (const Vector3d& point : points) list.push_back(vector_json(point));
@@ -55,6 +67,7 @@ json face_json(const Face& face) {
           {"radius", face.radius},
           {"hollow", face.hollow},
           {"angle", face.angle},
+          {"normal_square", matrix_json(face.normal_square)},
           {"low", face.low},
           {"high", face.high},
           {"label", face.label},
@@ -77,6 +90,7 @@ Face face_of(const json& text) {
   face.radius = text.at("radius");
   face.hollow = text.at("hollow");
   face.angle = text.at("angle");
+  face.normal_square = matrix_of(text.at("normal_square"));
   face.low = text.at("low");
   face.high = text.at("high");
   face.label = text.at("label");

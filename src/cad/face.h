@@ -36,7 +36,9 @@ struct Face {
   bool hollow{};    ///< the part lies outside: a bore, a concave fillet
   double angle{};   ///< about the axis [rad], a full turn: 2π
   double low{}, high{};  ///< along the axis from its point [m]
-  std::string label;     ///< of a STEP file's entity; empty: none, or "NONE"
+  /// Of cylinders: ∫ n nᵀ dA of their normals [m²].
+  Eigen::Matrix3d normal_square = Eigen::Matrix3d::Zero();
+  std::string label;  ///< of a STEP file's entity; empty: none, or "NONE"
   std::vector<int> neighbours;  ///< numbers of the faces behind its edges
 };
 

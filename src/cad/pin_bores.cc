@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace clevis::cad {
@@ -20,8 +21,10 @@ PinBore bore_of(std::vector<Cylinder> pieces) {
     low = std::min(low, at - piece.length / 2);
     high = std::max(high, at + piece.length / 2);
     bore.length += piece.length;
+    bore.wall += piece.wall;
   }
   bore.middle += (low + high) / 2 * first.axis;
+  bore.extent = high - low;
   bore.pieces = std::move(pieces);
   return bore;
 }
@@ -35,7 +38,35 @@ std::array<long long, 4> rank(const PinBore& bore) {
           micrometres(bore.middle.y()), micrometres(bore.middle.z())};
 }
 
+/// Of the hollow cylinders, whose ends of slots and fillets are left out.
+std::vector<PinBore> hollow_bores(const Solid& solid) {
+  constexpr double kLeast = 0.6;  // of a turn; the end of a slot is a half
+  std::vector<Cylinder> hollow = cylinders_of(solid);
+  std::erase_if(hollow, [](const Cylinder& cylinder) {
+    return !cylinder.hollow || cylinder.angle < kLeast * 2 * std::numbers::pi;
+  });
+  std::vector<PinBore> bores;
+  for (auto& pieces : by_axis(hollow)) {
+    bores.push_back(bore_of(std::move(pieces)));
+  }
+  std::ranges::sort(bores, {}, rank);
+  return bores;
+}
+
 }  // namespace
+
+double PinBore::share() const {
+  return wall.area / (std::numbers::pi * diameter * length);
+}
+
+bool PinBore::takes_pin() const {
+  return std::ranges::all_of(pieces, &Cylinder::is_round) &&
+         part::is_whole_wall({.p_LC = middle,
+                              .axis_L = axis,
+                              .radius = diameter / 2,
+                              .length = extent},
+                             wall);
+}
 
 std::vector<int> PinBore::faces() const {
   std::vector<int> numbers;
@@ -47,13 +78,9 @@ std::vector<int> PinBore::faces() const {
 }
 
 std::vector<PinBore> pin_bores(const Solid& solid) {
-  std::vector<Cylinder> round = cylinders_of(solid);
-  std::erase_if(round, [](const Cylinder& cylinder) {
-    return !cylinder.hollow || !cylinder.is_round();
-  });
   std::vector<PinBore> found;
-  for (auto& pieces : by_axis(round)) {
-    PinBore bore = bore_of(std::move(pieces));
+  for (PinBore& bore : hollow_bores(solid)) {
+    if (!bore.takes_pin()) continue;
     const auto same = std::ranges::find_if(found, [&](const PinBore& other) {
       return are_coaxial(other.pieces.front(), bore.middle, bore.axis);
     });
@@ -64,6 +91,12 @@ std::vector<PinBore> pin_bores(const Solid& solid) {
     }
   }
   std::ranges::sort(found, {}, rank);
+  return found;
+}
+
+std::vector<PinBore> open_bores(const Solid& solid) {
+  std::vector<PinBore> found = hollow_bores(solid);
+  std::erase_if(found, &PinBore::takes_pin);
   return found;
 }
 

@@ -9,8 +9,7 @@
 
 namespace clevis::cad {
 
-/// A bore that a pin may fill: pieces of one diameter on one axis, each all the
-/// way round.
+/// A bore: pieces of one diameter on one axis.
 struct PinBore {
   std::vector<Cylinder> pieces;  ///< both ears of a fork are two
   Eigen::Vector3d middle =
@@ -18,14 +17,25 @@ struct PinBore {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit vector
   double diameter{};                                ///< [m]
   double length{};                                  ///< of all pieces [m]
+  double extent{};       ///< between the outer ends [m]
+  part::Wall wall = {};  ///< of all pieces
 
   double bearing_area() const { return diameter * length; }  ///< [m²]
-  std::vector<int> faces() const;                            ///< numbers
+  /// Of the wall that the pieces would have all the way round [1].
+  double share() const;
+  /// Whether loads of pins take it: closed all round, no tips of teeth.
+  bool takes_pin() const;
+  std::vector<int> faces() const;  ///< numbers
 };
 
-/// The bores of a solid, the widest first; equal ones by x, then y, then z. Of
-/// several diameters on one axis (a counterbore) the one of the largest bearing
-/// area stands for all.
+/// Those bores of a solid that a pin may fill, the widest first; equal ones by
+/// x, then y, then z. Of several diameters on one axis (a counterbore) the one
+/// of the largest bearing area stands for all.
 std::vector<PinBore> pin_bores(const Solid& solid);
+
+/// Bores that no pin may fill, the widest first: a keyway, a slot, a cross bore
+/// or a sloped end takes too much of their walls. Concave fillets and ends of
+/// slots are none.
+std::vector<PinBore> open_bores(const Solid& solid);
 
 }  // namespace clevis::cad

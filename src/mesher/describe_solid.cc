@@ -20,6 +20,7 @@
 #include <fmt/format.h>
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
+#include <gp_Mat.hxx>
 #include <gp_Sphere.hxx>
 #include <gp_Torus.hxx>
 
@@ -119,6 +120,24 @@ void set_side(const BRepAdaptor_Surface& surface, const Patch& patch,
   face.hollow = face.radius > 0.0 && from_axis.dot(face.normal) < 0.0;
 }
 
+/// Of a cylinder's normals ∫ n nᵀ dA [m²], n the way from its axis over its
+/// radius.
+/// @param inertia  ∫ (|r|² 1 − r rᵀ) dA about the area's centre [mm⁴].
+Eigen::Matrix3d normal_square(const cad::Face& face, const gp_Mat& inertia) {
+  Eigen::Matrix3d about_centre;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) about_centre(i, j) = inertia(i + 1, j + 1);
+  }
+  about_centre *= std::pow(kMillimetre, 4.0);
+  const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
+  const Vector3d off = face.centre - face.axis_point;
+  const Eigen::Matrix3d square = 0.5 * about_centre.trace() * one -
+                                 about_centre +
+                                 face.area * off * off.transpose();
+  const Eigen::Matrix3d across = one - face.axis * face.axis.transpose();
+  return across * square * across / (face.radius * face.radius);
+}
+
 /// Plane, cylinder, cone, sphere or torus: OpenCASCADE integrates over it
 /// exactly.
 bool is_elementary(const TopoDS_Shape& face) {
@@ -141,6 +160,9 @@ cad::Face described(const TopoDS_Face& shape, int number) {
   BRepTools::UVBounds(shape, patch.u0, patch.u1, patch.v0, patch.v1);
   set_surface(surface, patch, face);
   set_side(surface, patch, shape.Orientation() == TopAbs_REVERSED, face);
+  if (face.kind == cad::SurfaceKind::kCylinder) {
+    face.normal_square = normal_square(face, area.MatrixOfInertia());
+  }
   return face;
 }
 

@@ -45,6 +45,21 @@ Cylinder(5) = {0, 0, -20, 0, 0, 40, 4}; Cylinder(6) = {100, 0, -20, 0, 0, 40, 4}
 BooleanDifference(7) = { Volume{4}; Delete; }{ Volume{5, 6}; Delete; };
 """
 
+# A link whose wider bore has a keyway: 93 % of its wall is there.
+KEYWAY = LINK + """Cylinder(20) = {0, 0, -1, 0, 0, 10, 6.5};
+BooleanDifference(21) = { Volume{7}; Delete; }{ Volume{20}; Delete; };
+Box(8) = {-8.5, -1.5, -1, 4, 3, 10};
+BooleanDifference(9) = { Volume{21}; Delete; }{ Volume{8}; Delete; };
+"""
+
+# Two walls that meet in a sharp inner corner, with a bore.
+CORNER = """SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 40, 20, 8}; Box(2) = {0, 0, 0, 8, 20, 40};
+BooleanUnion(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };
+Cylinder(4) = {-1, 10, 28, 10, 0, 0, 5};
+BooleanDifference(5) = { Volume{3}; Delete; }{ Volume{4}; Delete; };
+"""
+
 BALL = """SetFactory("OpenCASCADE");
 Sphere(1) = {0, 0, 0, 10};
 """
@@ -199,6 +214,32 @@ class InitGeometry(unittest.TestCase):
         self.assertEqual(part["faces"]["base"], {"plane": {"normal": [-1, 0, 0]}})
         self.assertEqual(newtons(part["case"][0]["pins"]["bore_A"]), [2000, 0, 0])
         self.assertEqual(self.check("eye")[1], "pass")
+
+    def test_a_bore_with_a_keyway_is_left_out(self):
+        """Loads of pins need the wall all round: the other bore is pulled off a
+        plane face."""
+        scene, text = self.init("keyway", self.shape("keyway.step", KEYWAY))
+        for told in (text, self.told):
+            self.assertRegex(told, r"left out, for a pin presses on whole walls alone and "
+                             r"here are 92\.\d+ % of one: bore of diameter 13 mm, 8 mm long")
+            self.assertIn("`foundation`", told)
+        part = scene["part"][0]
+        self.assertEqual(set(part["faces"]), {"bore_A", "base"})
+        self.assertEqual(list(part["case"][0]["pins"]), ["bore_A"])
+        self.assertIn("diameter 12 mm", text)
+        self.check("keyway", codes=(0, 4))
+
+    def test_a_sharp_corner_is_not_judged_until_the_scene_says_so(self):
+        _, text = self.init("corner", self.shape("corner.step", CORNER))
+        self.assertIn('singular_zones = "exclude"', text)
+        part, verdict = self.check("corner", codes=(4,))
+        self.assertEqual(verdict, "not judged")
+        self.assertIn("singular_zones", json.dumps(part))
+        # The remedy that scene and result name.
+        (self.folder / "corner/scene.toml").write_text(text.replace(
+            "limits = { safety_factor = 1.5",
+            'limits = { safety_factor = 1.5, singular_zones = "exclude"'))
+        self.assertEqual(self.check("corner")[1], "pass")
 
     def test_without_bores_the_ends_are_pulled_apart(self):
         self.init("block", self.shape("block.step", BLOCK))

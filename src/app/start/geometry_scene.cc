@@ -8,12 +8,14 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/solids/solid_mesh.h"
 #include "app/solids/solid_mesher.h"
 #include "app/start/first_case_text.h"
 #include "base/messages/errors.h"
 #include "cad/first_case.h"
+#include "cad/pin_bores.h"
 #include "cad/plate.h"
 #include "cad/selector_choice.h"
 #include "multibody/names.h"
@@ -42,6 +44,8 @@ constexpr std::string_view kLimits =
     R"(material = "steel"
 # The peak stress may reach yield_strength / safety_factor.
 # A limit of the deflection can stand beside it: deflection = "0.1 mm".
+# A sharp inner corner has no finite stress, so the part is not judged: round it
+# in the CAD file, or judge the rest by singular_zones = "exclude" beside it.
 limits = { safety_factor = 1.5 }
 
 )";
@@ -118,6 +122,27 @@ std::vector<Vector3d> points_of(const std::vector<Named>& all) {
                           named.group, named.about),
               "Give it a name in the CAD system, which `clevis faces` shows as "
               "a label, and write the scene with { label = \"NAME\" }.");
+}
+
+/// Of bores that a user may miss in the scene, a line each.
+std::vector<std::string> left_out(const cad::Solid& solid) {
+  const auto open = cad::open_bores(solid);
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < std::min(open.size(), kMostBores); ++i) {
+    lines.push_back(
+        fmt::format("left out, for a pin presses on whole walls alone and here "
+                    "are {:.3g} % "
+                    "of one: {}",
+                    100.0 * open[i].share(), cad::list_of(open[i].pieces)));
+  }
+  if (open.size() > kMostBores) {
+    lines.push_back(
+        fmt::format("left out: {} more of its kind", open.size() - kMostBores));
+  }
+  if (!open.empty()) {
+    lines.push_back("hold these by `foundation`, load them by `traction`");
+  }
+  return lines;
 }
 
 /// @param solid  with the distances of the groups' points.
@@ -200,6 +225,7 @@ GeometryScene geometry_scene(const fs::path& file) {
 
   const FirstCaseText text = first_case_text(first);
   const std::size_t n_bores = first.bores.size();
+  const std::vector<std::string> missed = left_out(solid);
   GeometryScene made = named_after(file);
   made.text =
       scene_text(made, solid) + part_text(made) +
@@ -210,9 +236,11 @@ GeometryScene geometry_scene(const fs::path& file) {
            ? fmt::format("# and {} more bores: clevis faces {}\n",
                          n_bores - kMostBores, made.file)
            : "") +
+      (missed.empty() ? "" : fmt::format("# {}\n", fmt::join(missed, "\n# "))) +
       "\n" + text.toml;
   made.told = fmt::format("{} alone, {}\n  {}", made.file, text.about,
                           plain(about(solid)));
+  for (const std::string& line : missed) made.told.append("\n  ").append(line);
   return made;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -51,20 +50,6 @@ void take_up(const Wrench& left, const part::MassProperties& mass,
   const RigidAcceleration more = relieving_acceleration(left, mass);
   instant.rigid.acceleration += more.acceleration;
   instant.rigid.alpha += more.alpha;
-}
-
-/// Of whole rings normals across the axis are alike in all directions.
-bool are_rings(const GroupGeometry& group) {
-  const Vector3d& axis = group.cylinder.axis_L;
-  const Eigen::Matrix3d even =
-      0.5 * (Eigen::Matrix3d::Identity() - axis * axis.transpose());
-  const double tolerance = kFullCylinderTolerance * group.area;
-  return (group.normal_square - group.area * even).norm() <= tolerance &&
-         group.area_vector.norm() <= tolerance;
-}
-
-double wall_area(const part::Bore& c) {
-  return 2.0 * std::numbers::pi * c.radius * c.length;
 }
 
 }  // namespace
@@ -121,10 +106,9 @@ Wrench about(const Vector3d& force, const Vector3d& moment,
 }
 
 bool is_full_cylinder(const GroupGeometry& group) {
-  if (!group.is_cylinder) return false;
-  const double full = wall_area(group.cylinder);
-  return std::abs(group.area - full) <= kFullCylinderTolerance * full ||
-         (group.area < full && are_rings(group));
+  return group.is_cylinder &&
+         part::is_whole_wall(group.cylinder, {group.area, group.area_vector,
+                                              group.normal_square});
 }
 
 void require_full_cylinder(const GroupGeometry& group,
@@ -139,7 +123,7 @@ void require_full_cylinder(const GroupGeometry& group,
   }
   if (!is_full_cylinder(group)) {
     const part::Bore& c = group.cylinder;
-    const double full = wall_area(c);
+    const double full = part::wall_area(c);
     throw Error(
         "L002", place,
         fmt::format("\"{}\" has {:.6g} mm^2, but a full cylinder of radius "

@@ -25,11 +25,6 @@ const GroupGeometry& find_group(const std::vector<GroupGeometry>& groups,
                                 const std::string& name,
                                 const std::string& place);
 
-/// Part of a whole cylinder's area that a group's may differ by [1]. A mesh
-/// with exact geometry has it to 1e-6; a bore that is open on one side misses
-/// far more.
-inline constexpr double kFullCylinderTolerance = 0.02;
-
 /// A group that a pin presses on.
 /// @throws Error L002 if it is not a circular cylinder, whole all round.
 void require_full_cylinder(const GroupGeometry& group,

@@ -49,7 +49,7 @@ WallMoments wall_of(const part::Bore& bore, const Matrix3Xd& points,
                           .first = height.dot(share),
                           .second = height.cwiseAbs2().dot(share)};
   return std::abs(found.length - bore.length) <=
-                 kFullCylinderTolerance * bore.length
+                 part::kWholeWallTolerance * bore.length
              ? full_wall(bore)
              : found;
 }

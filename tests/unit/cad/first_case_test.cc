@@ -24,6 +24,9 @@ Face bore(int number, const Vector3d& middle, const Vector3d& axis,
   face.axis_point = middle;
   face.axis = axis.normalized();
   face.centre = middle;
+  face.normal_square =
+      face.area / 2 *
+      (Eigen::Matrix3d::Identity() - face.axis * face.axis.transpose());
   return face;
 }
 
@@ -46,6 +49,53 @@ TEST(PinBores, WidestFirstThenByPlace) {
     order.push_back(one.faces().front());
   }
   EXPECT_EQ(order, (std::vector{3, 4, 2, 1}));  // no shaft, no half bore
+}
+
+/// What a cross bore or a saddle takes of the wall of a face.
+Face less(Face face, double share, double even = 1.0) {
+  face.area *= share;
+  face.normal_square *= share;
+  face.normal_square(0, 0) *= even;
+  face.normal_square(1, 1) *= 2.0 - even;
+  return face;
+}
+
+TEST(PinBores, WallsThatLoadsOfPinsRefuseAreOpen) {
+  const Vector3d z = Vector3d::UnitZ();
+  const auto open_among = [](std::vector<Face> faces) {
+    std::vector<int> open;
+    const Solid solid = solid_of(std::move(faces));
+    for (const PinBore& one : open_bores(solid)) {
+      open.push_back(one.faces().front());
+    }
+    EXPECT_EQ(open.size() + pin_bores(solid).size(), solid.faces.size());
+    return open;
+  };
+  // A keyway of 3 %, one of 1 %, one of a quarter.
+  const double turn = 2 * std::numbers::pi;
+  EXPECT_EQ(
+      open_among({cylinder_face(1, 0.0, 0.0, 0.01, 0.02, true, 0.97 * turn),
+                  cylinder_face(2, 0.03, 0.0, 0.01, 0.02, true, 0.99 * turn),
+                  cylinder_face(3, 0.06, 0.0, 0.01, 0.02, true, 0.75 * turn)}),
+      (std::vector{1, 3}));
+  // What is missing may miss alike on all sides, as at both ends of a cross
+  // bore of a shaft, but not on two.
+  EXPECT_EQ(open_among({less(bore(1, {0, 0, 0}, z, 0.02), 0.89),
+                        less(bore(2, {0.03, 0, 0}, z, 0.02), 0.95, 1.05)}),
+            (std::vector{2}));
+}
+
+TEST(PinBores, ConcaveFilletsAndTipsOfTeethAreNone) {
+  const double pi = std::numbers::pi;
+  std::vector<Face> teeth{cylinder_face(1, 0.05, 0.0, 0.01, 0.02, true, pi)};
+  for (int k = 0; k < 10; ++k) {  // half of the turn, alike on all sides
+    Face tip = cylinder_face(2 + k, 0.0, 0.0, 0.01, 0.03, true, pi / 10);
+    tip.centre = {0.015 * std::cos(k * pi / 5), 0.015 * std::sin(k * pi / 5),
+                  0.005};
+    teeth.push_back(tip);
+  }
+  EXPECT_TRUE(pin_bores(solid_of(teeth)).empty());
+  EXPECT_TRUE(open_bores(solid_of(teeth)).empty());
 }
 
 TEST(PinBores, EarsAreOneBoreAndACounterboreIsNone) {

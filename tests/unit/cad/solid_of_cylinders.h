@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -21,7 +22,12 @@ inline Face cylinder_face(int number, double x, double low, double high,
   face.radius = diameter / 2;
   face.hollow = hollow;
   face.angle = angle;
-  face.centre = {x, 0.0, (low + high) / 2};
+  face.area = angle * face.radius * (high - low);
+  const double chord = std::sin(angle / 2) / (angle / 2);  // over the arc
+  face.centre = {x + face.radius * chord, 0.0, (low + high) / 2};
+  const double turn = std::sin(angle) / angle;
+  face.normal_square.diagonal() =
+      face.area / 2 * Eigen::Vector3d(1.0 + turn, 1.0 - turn, 0.0);
   return face;
 }
 
