@@ -92,6 +92,18 @@ def check_refusals(clevis, checks, folder):
                       "  as JSON", error)
 
 
+def check_part_names(clevis, checks, folder):
+    """A name that no part of the scene has is one of the command line."""
+    scene = Path(folder) / "link/scene.toml"
+    subprocess.run([clevis, "init", scene.parent, "--template", "part"], check=True,
+                   capture_output=True)
+    for command in (["mesh"], ["check", "--mesh"], ["modes"], ["study"], ["export"]):
+        run = call(clevis, [*command, scene, "--part", "nix"])
+        checks.expect(run.returncode == 2 and "error[U001]: --part: " in run.stderr
+                      and "Its parts: link." in run.stderr,
+                      f"{command[0]} --part of another name", run)
+
+
 def check_first_steps(clevis, checks):
     run = call(clevis, [])
     checks.expect(run.returncode == 2 and not run.stdout
@@ -171,6 +183,7 @@ def main():
     checks = Checks()
     with tempfile.TemporaryDirectory() as folder:
         check_refusals(clevis, checks, folder)
+        check_part_names(clevis, checks, folder)
     check_first_steps(clevis, checks)
     check_help(clevis, checks)
     check_start(clevis, checks, Path(scenes))

@@ -25,7 +25,6 @@
 #include "report/text/terminal.h"
 #include "report/text/text_table.h"
 #include "scene/scene.h"
-#include "scene/text/suggestion.h"
 
 namespace clevis::app {
 namespace {
@@ -74,9 +73,9 @@ std::vector<Asked> parts_of_scene(const FacesOptions& options) {
                 "itself.");
   }
   throw Error(
-      "S007", "PART",
+      "U001", "PART",
       fmt::format("the scene has no solid of the name \"{}\"", options.part),
-      scene::suggestion(options.part, solids));
+      fmt::format("Its solids: {}.", fmt::join(solids, ", ")));
 }
 
 /// @param facets  whether triangles of the faces are wanted.

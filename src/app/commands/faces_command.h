@@ -8,7 +8,7 @@ namespace clevis::app {
 
 /// Prints the faces of a CAD file, or of the parts of a scene that are solids
 /// with the groups that their joints and selectors find.
-/// @throws Error M…; S007 if the scene has no such part, S003 if it is no
+/// @throws Error M…; U001 if the scene has no such part, S003 if it is no
 ///   solid; M017 behind the table if a joint or selector finds no faces.
 ExitCode faces_command(const FacesOptions& options);
 

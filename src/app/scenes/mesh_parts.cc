@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/scenes/geometry_constants.h"
 #include "app/scenes/geometry_stamp.h"
@@ -17,7 +18,6 @@
 #include "report/text/atomic_file.h"
 #include "scene/scene.h"
 #include "scene/text/name_index.h"
-#include "scene/text/suggestion.h"
 
 namespace clevis::app {
 namespace {
@@ -52,9 +52,9 @@ std::vector<GeometryPart> parts_to_mesh(const scene::Scene& scene,
   }
   if (!wanted.empty()) {
     const std::string_view unknown = *wanted.begin();
-    throw Error("S007", "--part",
+    throw Error("U001", "--part",
                 fmt::format("the scene has no part \"{}\"", unknown),
-                scene::suggestion(unknown, known));
+                fmt::format("Its parts: {}.", fmt::join(known, ", ")));
   }
   return result;
 }
