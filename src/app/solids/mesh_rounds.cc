@@ -46,6 +46,15 @@ bool is_same(const mesh::PartMesh<3>& a, const mesh::PartMesh<3>& b) {
   return a.cells == b.cells && a.vertices == b.vertices;
 }
 
+/// Whether a mesh of hardly more cells than before leaves little for another:
+/// the next degree, which costs less than one more round, closes it.
+bool is_for_next_degree(std::size_t before, std::size_t now, double open,
+                        double tolerance) {
+  constexpr double kHardlyMore = 1.1, kCloses = 3.0;
+  return static_cast<double>(now) < kHardlyMore * static_cast<double>(before) &&
+         open < kCloses * tolerance;
+}
+
 void add(const PartSeconds& before, PartSeconds& seconds) {
   seconds.mesh += before.mesh;
   seconds.choose += before.choose;
@@ -82,20 +91,22 @@ CheckedPart check_in_rounds(
   cad::Refinement finer;
   PartSeconds before;
   std::vector<std::string> told;
+  bool takes_all_degrees = false;
   for (int made = 0;; ++made) {
     const std::size_t cells = job.mesh.cells.size();
-    job.may_be_meshed_finer = made < limits.rounds && cells <= kMostCells;
+    const bool has_rounds = made < limits.rounds && cells <= kMostCells;
+    job.may_be_meshed_finer = has_rounds && !takes_all_degrees;
     auto assessment = check(job);
     add(before, assessment.result.seconds);
     const auto open = open_by_mesh(assessment.result, job.tolerance);
     const bool is_late =
         limits.seconds && assessment.result.seconds.total > *limits.seconds;
-    if (is_late && is_open(assessment.result) && job.may_be_meshed_finer) {
+    if (is_late && is_open(assessment.result) && has_rounds) {
       told.push_back(fmt::format(
-          "no finer mesh and no higher degree: the part took {:.3g} "
-          "s, --max-time allows {:.3g} s",
+          "no finer mesh{}: the part took {:.3g} s, --max-time allows {:.3g} s",
+          job.may_be_meshed_finer ? " and no higher degree" : "",
           assessment.result.seconds.total, *limits.seconds));
-    } else if (open && job.may_be_meshed_finer) {
+    } else if (open && has_rounds) {
       Stopwatch watch;
       before = assessment.result.seconds;
       finer = finer_mesh(std::move(finer), assessment.open_places,
@@ -109,6 +120,8 @@ CheckedPart check_in_rounds(
         job.mesh_round = made + 1;
         job.listener = listener;
         if (!is_finer) limits.rounds = made;
+        takes_all_degrees = is_for_next_degree(cells, job.mesh.cells.size(),
+                                               *open, job.tolerance);
         told.push_back(
             is_finer
                 ? fmt::format("meshed finer where its error stands: {} cells "

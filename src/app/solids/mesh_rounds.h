@@ -35,7 +35,9 @@ struct RoundLimits {
 /// Checks a part on finer and finer meshes until the mesh leaves its peak open
 /// by no more than the tolerance, a limit is met, or it has 20 000 cells, of
 /// which the next would take minutes. The last mesh is checked with all
-/// degrees, and so is the last that could be made, unless the time is over.
+/// degrees, and so is the last that could be made, unless the time is over, and
+/// one of hardly more cells than the one before it, where that was open by
+/// little.
 /// Notes tell each round; seconds are those of all.
 /// @param check   as assessment::check_part().
 /// @param mesh_again  the part on a mesh with such a refinement.

@@ -72,6 +72,26 @@ TEST(MeshRounds, EndWhereTheMeshLeavesNoMoreThanTheTolerance) {
             std::string::npos);
 }
 
+TEST(MeshRounds, CheckAMeshOfHardlyMoreCellsWithAllDegrees) {
+  Rounds run{{0.0109, 0.0018}};
+  run.more = 30;  // 3 %
+  EXPECT_EQ(run.start(1000, 2).job.mesh.cells.size(), 1030U);
+  EXPECT_EQ(run.may_be_finer, (std::vector{true, false}));
+  // Where that does not close it another mesh does, if there may be one.
+  Rounds stays{{0.02, 0.015, 0.004}};
+  stays.more = 30;
+  EXPECT_EQ(stays.start(1000, 2).job.mesh.cells.size(), 1060U);
+  EXPECT_EQ(stays.may_be_finer, (std::vector{true, false, false}));
+  // Far off, or of many more cells: the mesh comes first.
+  Rounds far{{0.05, 0.004}}, more{{0.0109, 0.004}};
+  far.more = 30;
+  more.more = 150;
+  far.start(1000, 2);
+  more.start(1000, 2);
+  EXPECT_EQ(far.may_be_finer, (std::vector{true, true}));
+  EXPECT_EQ(more.may_be_finer, (std::vector{true, true}));
+}
+
 TEST(MeshRounds, CheckTheLastMeshWithAllDegrees) {
   Rounds run{{0.05, 0.03, 0.02}};
   const CheckedPart checked = run.start(1000, 2);
