@@ -219,10 +219,33 @@ double way_to_hollow(const SingularZone& zone,
   return most;
 }
 
+/// Digits after the point of places [mm]: one of parts from 10 mm on, and as
+/// many more as a smaller part needs to tell its corners apart.
+template <int dim>
+int decimals(const mesh::PartMesh<dim>& mesh) {
+  constexpr int kMost = 6;
+  Eigen::AlignedBox<double, dim> box;
+  for (const auto& vertex : mesh.vertices) box.extend(vertex);
+  const double size = 1e3 * box.diagonal().norm();  // [mm]
+  if (!(size > 0.0)) return 1;
+  return std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 1,
+                    kMost);
+}
+
+template <int dim>
+std::string name_of(const std::string& kind, const Vector3d& at, int digits) {
+  const double steps = std::pow(10.0, digits);  // adding zero turns -0 into 0
+  const Vector3d mm = (at * 1e3 * steps).array().round() / steps + 0.0;
+  return dim == 2 ? fmt::format("{} at ({:.{}f}, {:.{}f}) mm", kind, mm.x(),
+                                digits, mm.y(), digits)
+                  : fmt::format("{} at ({:.{}f}, {:.{}f}, {:.{}f}) mm", kind,
+                                mm.x(), digits, mm.y(), digits, mm.z(), digits);
+}
+
 template <int dim>
 SingularZone make_zone(const mesh::PartMesh<dim>& mesh,
                        const std::vector<RoundSurface>& rounds,
-                       const std::vector<HollowPoint>& hollows,
+                       const std::vector<HollowPoint>& hollows, int digits,
                        const std::vector<const Candidate*>& members) {
   SingularZone zone;
   const Candidate& middle = *members[members.size() / 2];
@@ -248,11 +271,7 @@ SingularZone make_zone(const mesh::PartMesh<dim>& mesh,
       std::min(kRadiusOfWall * wall, kRadiusOfWay * way_to_round(zone, rounds));
   zone.radius =
       kRadiusOfWay * way_to_hollow(zone, hollows, zone.radius / kRadiusOfWay);
-  const Vector3d mm = (zone.at * 1e4).array().round() / 10.0 + 0.0;
-  zone.name = dim == 2 ? fmt::format("{} at ({:.1f}, {:.1f}) mm", middle.kind,
-                                     mm.x(), mm.y())
-                       : fmt::format("{} at ({:.1f}, {:.1f}, {:.1f}) mm",
-                                     middle.kind, mm.x(), mm.y(), mm.z());
+  zone.name = name_of<dim>(middle.kind, zone.at, digits);
   return zone;
 }
 
@@ -272,11 +291,12 @@ std::vector<SingularZone> singular_zones(const mesh::PartMesh<dim>& mesh,
     chains[root[k]].push_back(&all[k]);
   }
   std::vector<SingularZone> zones;
+  const int digits = decimals<dim>(mesh);
   const auto rounds = round_surfaces(mesh);
   const auto hollows = all.empty() ? std::vector<HollowPoint>()
                                    : hollow_points(corners, is_facet);
   for (const auto& [first, members] : chains) {
-    zones.push_back(make_zone<dim>(mesh, rounds, hollows, members));
+    zones.push_back(make_zone<dim>(mesh, rounds, hollows, digits, members));
   }
   return zones;
 }

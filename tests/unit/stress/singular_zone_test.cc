@@ -192,6 +192,20 @@ TEST(SingularZone, ClampHasItsTwoEnds) {
   EXPECT_NEAR(zones[0].radius, 0.1 * std::sqrt(2.0) * 0.02, 1e-12);
 }
 
+// Corners of a small part are told apart by their names.
+TEST(SingularZone, SmallPartsHaveMoreDigits) {
+  auto mesh =
+      support::structured_mesh<2>({2, 2}, 1, [](const Vector2d& x) -> Vector2d {
+        return 40e-6 * x;
+      });
+  mesh.thickness = 10e-6;
+  const auto zones =
+      singular_zones<2>(mesh, kSteel, {{"x0", {true, true, false}}});
+  ASSERT_EQ(zones.size(), 2U);
+  EXPECT_EQ(zones[0].name, "edge of x0 at (0.0000, 0.0000) mm");
+  EXPECT_EQ(zones[1].name, "edge of x0 at (0.0000, 0.0400) mm");
+}
+
 // A groove in the side beside a clamp, whatever its group is called: the zone
 // at the clamp's end must not swallow its peak.
 TEST(SingularZone, EndsHalfWayToAGroove) {
