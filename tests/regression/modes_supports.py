@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""`clevis modes` on the supports of a blow and of a plane case, and one failure.
+"""`clevis modes` on the supports of a blow and of a plane case, one failure, and
+--max-dofs.
 
     modes_supports.py CLEVIS ROOT
 
@@ -9,6 +10,7 @@ that its case leaves free is told, and the others are computed.
 """
 import json
 import math
+import re
 import subprocess
 import sys
 import tempfile
@@ -54,6 +56,15 @@ fixed = {{ root = ["x", "y", "z"] }}
 """
 
 
+def limited(clevis, scene, folder, most):
+    """The plate's modes by solutions of no more degrees of freedom."""
+    run = subprocess.run(
+        [clevis, "modes", str(scene), "--part", "plate", "--modes", "4", "--out",
+         f"{folder}/limited", "--max-dofs", str(most), "--json"],
+        capture_output=True, text=True)
+    return json.loads(run.stdout)
+
+
 def main():
     clevis, root = sys.argv[1:3]
     with tempfile.TemporaryDirectory() as folder:
@@ -67,6 +78,10 @@ def main():
              folder + "/out", "--json"], capture_output=True, text=True)
         if not run.stdout.startswith("{") or "parts" not in run.stdout:
             sys.exit(run.stdout + run.stderr)
+        [refused] = limited(clevis, scene, folder, 100)["failures"]
+        fewest = re.match(r".*?(\d+) degrees of freedom, --max-dofs allows 100",
+                          refused["problem"])
+        [coarse] = limited(clevis, scene, folder, fewest[1] if fewest else 1000)["parts"]
         files = [path.name for path in Path(folder, "out").iterdir()]
     document = json.loads(run.stdout)
     rod, plate = document["parts"]
@@ -84,6 +99,9 @@ def main():
          not 1 - SHEAR < first / euler < 1),
         (f"plate by {plate['model']}", plate["model"] != "plane stress" or
          not plate["converged"]),
+        (f"refused {refused}", refused["code"] != "F007" or not fewest),
+        (f"first degree alone: {coarse['degree']}",
+         coarse["degree"] != 2 or coarse["converged"]),
         ("plate moves across", any(mode["participation_z"] != 0
                                    for mode in plate["modes"])),
         (f"files {files}", "plate_mode_1.vtu" not in files)) if wrong]

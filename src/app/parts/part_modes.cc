@@ -12,6 +12,7 @@
 #include "assessment/models/model_list.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
+#include "elasticity/fe_space/discretization.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "elasticity/vibration/eigenmodes.h"
 #include "report/text/atomic_file.h"
@@ -55,6 +56,8 @@ Climbed<dim> climb(const mesh::PartMesh<dim>& mesh,
   for (int degree = kFirst; degree <= kHighest; ++degree) {
     std::optional<Eigenmodes<dim>> found;
     try {
+      elasticity::require_dofs(elasticity::discretize<dim>(mesh, degree).dofs(),
+                               request.max_dofs, "part " + part.name);
       found = elasticity::eigenmodes<dim>(problem, degree, request.count);
     } catch (const Error& error) {
       const bool is_too_large =

@@ -9,6 +9,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/scenes/load_scene.h"
+#include "elasticity/problem/dof_limit.h"
 #include "part/supports.h"
 
 namespace clevis::app {
@@ -21,6 +22,7 @@ struct ModesRequest {
   int count{};         ///< of modes, rigid ones of a free part counted in
   double tolerance{};  ///< of the frequencies, for the climb of degrees [1]
   part::Foundations foundations = {};
+  elasticity::DofLimit max_dofs = std::nullopt;  ///< asked for
 };
 
 /// Climbs degrees until the frequencies settle; writes NAME_mode_N.vtu (of the
@@ -28,7 +30,8 @@ struct ModesRequest {
 /// of every elastic mode. A plate whose supports hold nothing across its plane
 /// vibrates in it, by plane stress.
 /// @return the entry of modes.json.
-/// @throws Error of elasticity::eigenmodes, I002.
+/// @throws Error of elasticity::eigenmodes, F007 if the first degree has more
+///   than `max_dofs`, I002.
 nlohmann::ordered_json part_modes(const LoadedPart& part,
                                   const ModesRequest& request,
                                   const std::filesystem::path& folder);

@@ -33,6 +33,10 @@ Run declare_modes(CLI::App& command) {
       .add_option("--tolerance", request->tolerance,
                   "of the frequencies, e.g. 1%")
       ->type_name("RATIO");
+  add_max_dofs(command, options,
+               "degrees of freedom that a solution may have: higher degrees "
+               "are left out, and the frequencies not settled [what memory "
+               "holds]");
   add_output(command, options);
   return run_request(request, modes_command);
 }

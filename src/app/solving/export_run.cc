@@ -32,7 +32,8 @@ void refuse_bed(const PartJob& job, const assessment::LoadSet& loads) {
   throw Error("F005", "part " + job.part.name,
               "a case rests on a `foundation`, which CalculiX has no "
               "elements for",
-              "Export the part without this case.");
+              "Give the face `fixed` in place of `foundation` for the export, "
+              "which is a stiffer hold, or leave this case out.");
 }
 
 calculix::Model model_of(const PartJob& job, std::size_t set,

@@ -50,9 +50,10 @@ std::vector<SolverTask> tasks_of(const LoadedScene& loaded,
         std::ranges::find(options.parts, name) == options.parts.end()) {
       continue;
     }
-    for (const auto& request : modes_requests(
+    for (ModesRequest& request : modes_requests(
              part, loaded.body_of(name) != mechanism::kGround, options.modes,
              options.tolerance.value_or(kTolerance))) {
+      request.max_dofs = options.max_dofs;
       tasks.push_back({fmt::format("modes of {}, {}", name, request.supports),
                        [&part, request, folder] {
                          return part_modes(part, request, folder).dump();
