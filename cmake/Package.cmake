@@ -12,7 +12,8 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
         PATTERN "*.txt")
 # The documents link to these: they lie beside one another as in the sources.
 install(DIRECTORY results/studies DESTINATION ${CMAKE_INSTALL_DOCDIR}/results
-        FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.txt" PATTERN "*.csv")
+        FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.png" PATTERN "*.txt"
+        PATTERN "*.csv")
 foreach(name compare error faces impact modes plan result scene simulate study
         transmission view_motion view_part)
   install(FILES docs/${name}.schema.json

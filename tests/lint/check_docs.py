@@ -3,8 +3,8 @@
 
     check_docs.py CLEVIS
 
-Every relative link of a *.md leads to a file (and heading), every `./...`
-command exists, every `clevis COMMAND --option` is one that `clevis --help`
+Every relative link of a *.md leads to a file (and heading) that the package
+installs with it, every `./...` command exists, every `clevis COMMAND --option` is one that `clevis --help`
 knows, the exit codes in README.md are those of base/messages/exit_code.h, the pages of the scene
 file name every key of its schema, have an example of every type of force and a test each, and no tracked
 text names a folder of one developer's machine or leaves work open.
@@ -49,6 +49,38 @@ def link_faults(document):
             yield f"link to {target}: no such file"
         elif anchor and file.suffix == ".md" and anchor not in anchors(file):
             yield f"link to {target}: no such heading"
+
+
+def is_installed(name, rules):
+    """By the rules of cmake/Package.cmake: files, and folders with patterns."""
+    files, folders = rules
+    return name in files or any(
+        name.startswith(folder + "/") and Path(name).suffix in endings
+        for folder, endings in folders)
+
+
+def install_rules():
+    text = (ROOT / "cmake/Package.cmake").read_text()
+    files = set(re.search(r"install\(FILES (.*?) TYPE DOC\)", text)[1].split())
+    folders = [(folder, set(re.findall(r'PATTERN "\*(\.\w+)"', rest)))
+               for folder, rest in re.findall(
+                   r"install\(DIRECTORY (\S+) DESTINATION \${CMAKE_INSTALL_DOCDIR}(.*?)\)\n",
+                   text, re.S)]
+    return files, folders
+
+
+def package_faults():
+    rules = install_rules()
+    for document in documents():
+        name = document.relative_to(ROOT).as_posix()
+        if not is_installed(name, rules):
+            continue
+        for target in re.findall(r"\]\(([^):#]+)", document.read_text()):
+            file = (document.parent / target).resolve()
+            if file.is_dir() or not file.is_relative_to(ROOT):
+                continue
+            if not is_installed(file.relative_to(ROOT).as_posix(), rules):
+                yield f"{name}: link to {target}: the package does not install it"
 
 
 def code_of(document):
@@ -140,6 +172,7 @@ def main():
                             *command_faults(document, clevis))]
     faults += [f"README.md: {fault}" for fault in exit_code_faults()]
     faults += scene_faults()
+    faults += package_faults()
     faults += text_faults()
     print("\n".join(faults) or f"{len(documents())} documents hold")
     return len(faults) > 0
