@@ -10,6 +10,7 @@
                                                  that other tests left in FOLDER
     report_page.py CLEVIS SOURCE blow            a part under a blow
     report_page.py CLEVIS SOURCE opening         a part whose worst instant is not the first
+    report_page.py CLEVIS SOURCE failed          a part that could not be computed
     report_page.py CLEVIS SOURCE hostile         texts of a scene that would be code
 
 Returns 77 (skipped) without Node.js, the packages of viewer/package-lock.json
@@ -152,6 +153,19 @@ def opening(clevis, source):
         return node(source, "test/report.mjs", "--brief", Path(name) / "report.html", name)
 
 
+def failed(clevis, source):
+    with tempfile.TemporaryDirectory() as name:
+        made = Path(name) / "crank_rocker"
+        run_clevis(clevis, "init", made, "--template", "four-bar")
+        subprocess.run([clevis, "check", "--mesh", "--report", "--max-dofs", "100",
+                        "--out", name, made / "scene.toml"], capture_output=True)
+        result = json.loads((Path(name) / "result.json").read_text())
+        if result["parts"] or len(result["failures"]) != 1:
+            print("the part is computed: no test")
+            return 1
+        return node(source, "test/report.mjs", "--brief", Path(name) / "report.html", name)
+
+
 def hostile(clevis, source):
     code = ("</script><script>document.title='owned'</script>"
             "<img src=x onerror=alert(1)>")
@@ -175,7 +189,7 @@ def main():
     if what == "bundle":
         return node(source, "build.mjs", "--check")
     return {"page": page, "simulate": simulate, "motions": motions, "alone": alone,
-            "blow": blow, "opening": opening, "hostile": hostile}[what](
+            "blow": blow, "opening": opening, "failed": failed, "hostile": hostile}[what](
         clevis, source, *rest)
 
 

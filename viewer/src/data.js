@@ -200,6 +200,12 @@ export async function load() {
     if (!json) break;
     parts.push(new Part(json, result.parts[p]));
   }
-  return { result, motion, parts, isCheck: "verdict" in result,
+  const shapes = [];  // of parts that could not be computed
+  for (let s = 0; ; ++s) {
+    const json = await unpacked(`shape-${s}`);
+    if (!json) break;
+    shapes.push(new Part(json, {}));
+  }
+  return { result, motion, parts, shapes, isCheck: "verdict" in result,
            watch: stored("watch") };
 }

@@ -48,16 +48,20 @@ export class Stage {
   }
 
   #build() {
-    const { motion, parts } = this.data;
-    const bodies = new Set(parts.map((part) => part.body).filter(Boolean));
+    const { motion, parts, shapes } = this.data;
+    const bodies = new Set([...parts, ...shapes].map((part) => part.body)
+      .filter(Boolean));
     this.surfaces = parts.map((part) => new Surface(part, this.shared));
-    this.box = extent(motion, this.surfaces);
+    this.shapes = shapes.map((part) => new Surface(part, this.shared));
+    const all = [...this.surfaces, ...this.shapes];
+    this.box = extent(motion, all);
     this.size = Math.max(this.box.isEmpty() ? 0
       : this.box.getSize(new Vector3()).length(),
-                         ...this.surfaces.map((s) => s.size), 1e-3);
+                         ...all.map((s) => s.size), 1e-3);
     this.mechanism = new Mechanism(motion, bodies, this.size);
     this.loose = new Group();
-    this.surfaces.forEach((surface) => {
+    for (const shape of this.shapes) shape.show(0, 0, false);  // grey
+    all.forEach((surface) => {
       const body = motion.bodies.findIndex((b) => b.name === surface.part.body);
       (body < 0 ? this.loose : this.mechanism.bodies[body]).add(surface.mesh);
       this.#add_zones(surface);
@@ -89,7 +93,7 @@ export class Stage {
   /** What is shown, as a box in the world [mm]. */
   #shown() {
     const box = new Box3();
-    for (const surface of this.surfaces) {
+    for (const surface of [...this.surfaces, ...this.shapes]) {
       if (this.state.part ? surface.part === this.state.part
                           : surface.mesh.parent === this.loose) {
         box.union(surface.box.clone().applyMatrix4(surface.mesh.matrixWorld));
@@ -167,6 +171,7 @@ export class Stage {
       }
     }
     const alone = part !== null;
+    for (const shape of this.shapes) shape.mesh.visible = !alone;
     for (const body of this.mechanism.bodies) {
       for (const child of body.children) {
         if (!child.userData.surface) child.visible = !alone;

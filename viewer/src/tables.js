@@ -34,7 +34,7 @@ export function verdicts(data, onPart) {
   }
   return [table("Verdict by part: peak von Mises stress, its band and its limit",
     ["Part", "Verdict", "Peak in its band", "Where and when", "Safety", "Why"], rows),
-    barLegend(data.parts.some(stressLimit))];
+    data.parts.length > 0 && barLegend(data.parts.some(stressLimit))];
 }
 
 function pairs(caption, entries) {

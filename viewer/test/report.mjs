@@ -99,6 +99,23 @@ async function tryReport(file, folder) {
     assert.equal(keys.includes("limit"), limits > 0);
     assert.equal(keys.includes("band"), (isCheck?.parts.length ?? 0) > 0);
   });
+  await check("parts that could not be computed are drawn by their meshes", async () => {
+    const drawn = await page.evaluate(() => {
+      const { data, stage } = globalThis.clevisReport;
+      return stage.shapes.map((shape) => {
+        const { position } = shape.geometry.attributes;
+        const x = Array.from({ length: position.count }, (_, v) => position.getX(v));
+        const body = data.motion.bodies.findIndex((b) => b.name === shape.part.body);
+        const others = body < 0 ? 0 : stage.mechanism.bodies[body].children
+          .filter((child) => child !== shape.mesh).length;
+        return { name: shape.part.name, others, seen: shape.mesh.visible &&
+          shape.mesh.parent !== null && !shape.known.value &&
+          Math.max(...x) - Math.min(...x) > 0.1 * shape.size };
+      });
+    });
+    assert.deepEqual(drawn, (isCheck?.failures ?? []).map(({ part }) =>
+      ({ name: part, others: 0, seen: true })));
+  });
   await picture("report.png");
   const moves = await page.evaluate(() =>
     globalThis.clevisReport.data.motion.bodies.length > 0);

@@ -92,6 +92,16 @@ std::string check_one(const PartJob& job,
   }
 }
 
+/// Of a part whose check failed, so that a report shows it as it is and no bare
+/// line between its joints.
+void write_shape(const PartJob& job, const std::string& body,
+                 const fs::path& folder) {
+  try {
+    report::write_part_view(shape_view(job, body), folder);
+  } catch (const std::exception&) {  // a picture less; the failure is told
+  }
+}
+
 /// Solid parts first: they take longest, and the last one to start decides
 /// when all are done.
 void longest_first(std::vector<PartJob>& jobs) {
@@ -162,6 +172,13 @@ void check_parts(LoadedScene& loaded, const mechanism::Motion& motion,
       stage.set(what);
     };
   }
+  const auto carrier_of = [&](const PartJob& job) {
+    const auto body = loaded.body_of(job.part.name);
+    return body == mechanism::kGround
+               ? ""
+               : loaded.scene.mechanism.bodies[static_cast<std::size_t>(body)]
+                     .name;
+  };
   const auto check = [&](std::size_t index) {
     const auto checked_part = [&] {
       return check_on_finer_meshes(loaded, motion, jobs[index],
@@ -172,11 +189,9 @@ void check_parts(LoadedScene& loaded, const mechanism::Motion& motion,
       return check_one(jobs[index], checked_part,
                        {std::nullopt, options.linear_vtu}, team, "", folder);
     }
-    const auto& carrier =
-        loaded.scene.mechanism.bodies[static_cast<std::size_t>(body)];
     return check_one(jobs[index], checked_part,
                      {MovingPart{&motion, body}, options.linear_vtu}, team,
-                     carrier.name, folder);
+                     carrier_of(jobs[index]), folder);
   };
   SharedCount at_work(
       std::min(processors(options), static_cast<int>(jobs.size())));
@@ -195,8 +210,12 @@ void check_parts(LoadedScene& loaded, const mechanism::Motion& motion,
     const auto job = std::ranges::find(jobs, name, [](const PartJob& j) {
       return j.part.name;
     });
+    const std::size_t failed = report.failures.size();
     take_outcome(outcomes[static_cast<std::size_t>(job - jobs.begin())], name,
                  report);
+    if (report.failures.size() > failed) {
+      write_shape(*job, carrier_of(*job), folder);
+    }
   }
 }
 

@@ -4,6 +4,8 @@
 #include <set>
 #include <span>
 
+#include "elasticity/fe_space/discretization.h"
+#include "elasticity/problem/displacement_basis.h"
 #include "report/summary/line_refinement.h"
 #include "stress/field/surface_mesh.h"
 
@@ -298,6 +300,37 @@ report::PartView surface_view(const assessment::PartJob& job,
   }
   for (const auto& instant : fields.history) {
     view.history.push_back(view_instant(instant));
+  }
+  return view;
+}
+
+report::PartView shape_view(const assessment::PartJob& job,
+                            const std::string& body) {
+  constexpr int kSubdivisions = 2;  // rounds are seen as such
+  elasticity::DisplacementBasis<3> still;
+  still.discretization = elasticity::discretize<3>(job.mesh, 1);
+  still.columns = Eigen::MatrixXd::Zero(still.discretization.dofs(), 1);
+  still.coefficients = Eigen::MatrixXd::Zero(1, 1);
+  Skin skin;
+  skin.field =
+      stress::instant_field<3>(still, job.part.material, kSubdivisions, 0);
+  skin.surface = stress::surface_mesh<3>(job.mesh.shape, skin.field);
+  const Eigen::MatrixX3d positions = positions_of(skin);
+  const auto shared = stress::share_points(
+      positions, Eigen::MatrixXd(positions.rows(), 0), 0.0);
+  report::PartView view;
+  view.definition = job.part;
+  view.body = body;
+  view.positions = positions(shared.kept, Eigen::all);
+  view.cell_triangles = cell_triangles(skin.surface);
+  view.triangles = skin.surface.triangles;
+  for (auto& triangle : view.triangles) {
+    for (int& point : triangle) {
+      point = shared.number[static_cast<std::size_t>(point)];
+    }
+  }
+  for (int place = 0; place < static_cast<int>(shared.kept.size()); ++place) {
+    view.places.push_back(place);
   }
   return view;
 }

@@ -15,4 +15,8 @@ report::PartView surface_view(const assessment::PartJob& job,
                               const std::optional<MovingPart>& moving,
                               const std::string& body);
 
+/// The same of a part whose check failed: its surface, without fields.
+report::PartView shape_view(const assessment::PartJob& job,
+                            const std::string& body);
+
 }  // namespace clevis::app

@@ -63,6 +63,9 @@ std::string report_page(const StoredPage& page, std::optional<int> watch_run) {
   for (std::size_t p = 0; p < page.parts.size(); ++p) {
     html += packed_element(fmt::format("part-{}", p), page.parts[p]);
   }
+  for (std::size_t s = 0; s < page.shapes.size(); ++s) {
+    html += packed_element(fmt::format("shape-{}", s), page.shapes[s]);
+  }
   if (watch_run) {
     html += data_element("watch", fmt::format(R"({{"run":{},"mark":"{}"}})",
                                               *watch_run, kWatchMark));

@@ -97,6 +97,12 @@ StoredPage read_result_folder(const fs::path& folder, ResultKind kind) {
                                      "view of the part", kPartViewSchema)
                              .text);
   }
+  for (const JsonNode& failure : document.at("failures").elements()) {
+    const fs::path shape = part_view_file(folder, failure.at("part").text());
+    if (!fs::is_regular_file(shape)) continue;
+    page.shapes.push_back(
+        read_stored(shape, "view of the part", kPartViewSchema).text);
+  }
   return page;
 }
 

@@ -14,6 +14,8 @@ struct StoredPage {
   std::string result;              ///< result.json or simulate.json
   std::string motion;              ///< view/motion.json
   std::vector<std::string> parts;  ///< view/part_NAME.json, in their order
+  /// The same of parts that could not be computed, as far as it is there.
+  std::vector<std::string> shapes = {};
 };
 
 /// Kind of result in the folder; of both the check.
