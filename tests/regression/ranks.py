@@ -8,6 +8,7 @@ bits; other commands do their work once; a rank that is killed ends all.
 """
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -116,6 +117,18 @@ def memory(clevis, folder):
     return [int((Path(folder) / f"rank{rank}").read_text()) / 1e3 for rank in (0, 1)]
 
 
+def shown(clevis, folder):
+    """What a user sees on a terminal of the first rank."""
+    script = Path(folder) / "terminal"
+    script.write_text('#!/bin/sh\nexec /usr/bin/env python3 -c "\n'
+                      "import os, pty, sys\n"
+                      "sys.exit(os.waitstatus_to_exitcode(pty.spawn(sys.argv[1:])))\n"
+                      '" "$@"\n')
+    script.chmod(0o755)
+    return run(2, script, clevis, "check", SHARED, "--model", "plane-stress", "--engine",
+               "dealii", "--out", f"{folder}/shown").stdout
+
+
 def killed(clevis, folder):
     """Seconds from the end of one rank by force to that of mpirun, its code."""
     process = subprocess.Popen(
@@ -165,6 +178,9 @@ def main():
         refused = run(2, clevis, "check", "geometry/none.toml")
         checks.expect(refused.returncode == 22 and refused.stderr.count("none.toml") == 1,
                       f"a missing scene is refused once: {refused.returncode}")
+        progress = re.findall(r"\[ *\] 0/1 +\d+\.\d s +\w+: degree \d",
+                              shown(clevis, place("").resolve()))
+        checks.expect(bool(progress), f"the first rank shows its progress: {progress[:1]}")
         seconds, code = killed(clevis, place("killed"))
         checks.expect(seconds < MOST_SECONDS and code != 0,
                       f"a killed rank ends all in {seconds:.1f} s, exit {code}")

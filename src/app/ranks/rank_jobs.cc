@@ -56,7 +56,8 @@ void leave_to_first_rank(LoadedScene& loaded, std::vector<PartJob>& jobs) {
 
 std::vector<WorkerOutcome> run_on_ranks(
     const elasticity::RankTeam& team, const std::vector<PartJob>& jobs,
-    const std::function<std::string(std::size_t)>& check) {
+    const std::function<std::string(std::size_t)>& check,
+    const std::function<void(std::size_t)>& finished) {
   const auto ranks = static_cast<std::size_t>(mpi_ranks());
   const auto rank = static_cast<std::size_t>(mpi_rank());
   std::vector<WorkerOutcome> outcomes(rank == 0 ? jobs.size() : 0);
@@ -64,6 +65,7 @@ std::vector<WorkerOutcome> run_on_ranks(
   for (std::size_t j = 0; j < jobs.size(); ++j) {
     if (!jobs[j].is_shared) dealt.push_back(j);
   }
+  std::size_t done = 0;
   for (std::size_t first = 0; first < dealt.size(); first += ranks) {
     const std::size_t mine = first + rank;
     const auto texts =
@@ -71,6 +73,7 @@ std::vector<WorkerOutcome> run_on_ranks(
     for (std::size_t r = 0; r < texts.size(); ++r) {
       if (first + r >= dealt.size()) break;
       outcomes[dealt[first + r]] = {WorkerOutcome::Kind::kDone, texts[r]};
+      finished(++done);
     }
   }
   for (std::size_t j = 0; j < jobs.size(); ++j) {
@@ -78,6 +81,7 @@ std::vector<WorkerOutcome> run_on_ranks(
     if (rank == 0) {
       outcomes[j] = {WorkerOutcome::Kind::kDone, check(j)};
       elasticity::dismiss_dealii();
+      finished(++done);
     } else {
       serve(team, jobs[j].part.name);
     }

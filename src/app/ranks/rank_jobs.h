@@ -23,10 +23,12 @@ void leave_to_first_rank(LoadedScene& loaded,
 /// Checks parts on the ranks of an MPI run: small ones are dealt out, one to
 /// a rank at a time; shared ones are checked by the first, and solved by all.
 /// @param check  of the part with this index, on each rank that has it.
+/// @param finished  hears on rank 0 how many parts are done.
 /// @return on rank 0 of all parts, elsewhere nothing.
 std::vector<WorkerOutcome> run_on_ranks(
     const elasticity::RankTeam& team,
     const std::vector<assessment::PartJob>& jobs,
-    const std::function<std::string(std::size_t)>& check);
+    const std::function<std::string(std::size_t)>& check,
+    const std::function<void(std::size_t)>& finished);
 
 }  // namespace clevis::app

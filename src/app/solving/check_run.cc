@@ -157,6 +157,27 @@ std::vector<WorkerOutcome> run_on_processes(
   return outcomes;
 }
 
+/// Progress of rank 0: what it is at itself, and how many parts all have done.
+class RankProgress {
+ public:
+  void listen(std::vector<PartJob>& jobs) {
+    total_ = static_cast<int>(jobs.size());
+    for (PartJob& job : jobs) {
+      job.listener = [this, name = job.part.name](const std::string& what) {
+        progress_.update(done_, total_, name + ": " + what);
+      };
+    }
+  }
+  void finished(std::size_t parts) {
+    done_ = static_cast<int>(parts);
+    if (done_ == total_) progress_.clear();
+  }
+
+ private:
+  report::Progress progress_;
+  int done_ = 0, total_ = 0;
+};
+
 /// Checks all parts, on the ranks of a team if there is one; results in the
 /// scene's order.
 void check_parts(LoadedScene& loaded, const mechanism::Motion& motion,
@@ -193,16 +214,21 @@ void check_parts(LoadedScene& loaded, const mechanism::Motion& motion,
                      {MovingPart{&motion, body}, options.linear_vtu}, team,
                      carrier_of(jobs[index]), folder);
   };
+  RankProgress rank_progress;
   SharedCount at_work(
       std::min(processors(options), static_cast<int>(jobs.size())));
   if (team != nullptr) {
     choose_shared(jobs);
     if (mpi_rank() > 0) leave_to_first_rank(loaded, jobs);
+    if (mpi_rank() == 0) rank_progress.listen(jobs);
   } else {
     share_processors(processors(options), at_work);
   }
   const auto outcomes =
-      team != nullptr ? run_on_ranks(*team, jobs, check)
+      team != nullptr ? run_on_ranks(*team, jobs, check,
+                                     [&](std::size_t done) {
+                                       rank_progress.finished(done);
+                                     })
                       : run_on_processes(jobs, options, check, at_work, stages);
   if (mpi_rank() > 0) return;
   report::remove_unfinished(folder);  // of workers that were stopped or died
