@@ -91,9 +91,10 @@ WorkerOutcome finish(Worker& worker) {
           fmt::format("its process ended with code {}", WEXITSTATUS(status))};
 }
 
-/// Lets the workers end in order, not for long.
+/// Lets the workers end in order, 3 s at most: those that run a child end it
+/// and remove its folder, which takes a while on a busy machine.
 void stop(std::vector<Worker>& workers) {
-  constexpr int kTries = 100;
+  constexpr int kTries = 600;
   constexpr std::chrono::milliseconds kPause(5);
   for (const Worker& worker : workers) kill(worker.process, SIGTERM);
   const auto has_ended = [](const Worker& worker) {
