@@ -83,8 +83,8 @@ class MeshCommand(unittest.TestCase):
 
     def test_refuses_an_unknown_part(self):
         done = self.run_mesh("--part", "AD")
-        self.assertEqual(done.returncode, 10, done.stderr)
-        self.assertIn("S007", done.stderr)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("U001", done.stderr)
         self.assertIn("AB", done.stderr)
 
     def draw_step(self, length):
