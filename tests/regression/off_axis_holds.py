@@ -104,12 +104,10 @@ limits = {{ safety_factor = 1, singular_zones = "exclude", deflection = "0.5 mm"
 
 def main():
     clevis = Path(sys.argv[1]).resolve()
-    faults = []
+    checks = support.Checks()
 
-    def expect(what, value, exact, tolerance=0.015):
-        print(f"{what}: {value:.5g}, {exact:.5g} by theory")
-        if not abs(value - exact) <= tolerance * abs(exact):
-            faults.append(f"{what}: {value:.6g} instead of {exact:.6g}")
+    def expect(what, value, exact):
+        checks.near(what, value, exact, 0.015)
 
     # Roll bends the bar at its middle by what the rod there is off the axis.
     ball = scene_text.joint("A", "spherical", "ground", "bar")
@@ -131,24 +129,22 @@ def main():
         part = check(clevis, joints + mast(25, 1500, -250),
                      'ty = "root", tz = "root", U = "tip", mast = "near"')
         expect(f"roll held at the tip, {name} first", part["buckling"]["factor"], exact)
-        if part["verdict"] != "fail":
-            faults.append(f"{name} first: {part['verdict']}")
+        checks.expect(part["verdict"] == "fail", f"{name} first: {part['verdict']}")
 
     # A rod along y holds nothing along z.
     part = check(clevis, fork(0) + rod("d", 150, "y") + push("bar", (300, 0, 0), 20),
                  'weld = "root", d = "mid"', '[part.forces]\npush = { face = "tip" }\n')
     expect("deflection of a cantilever beside a rod, mm", part["deflection_mm"],
            1e3 * 20 * LENGTH**3 / (3 * BENDING))
-    if part["verdict"] != "fail":
-        faults.append(f"beside a rod: {part['verdict']}")
+    checks.expect(part["verdict"] == "fail", f"beside a rod: {part['verdict']}")
 
     # Hinged behind its root: displacement and turn there are one condition.
     part = check(clevis, fork(60) + rod("d", 150, "y") + push("bar", (300, 0, 0), 20, "y"),
                  'weld = "root", d = "mid"', '[part.forces]\npush = { face = "tip" }\n')
     expect("deflection of a bar on a fork, mm", part["deflection_mm"],
            1e3 * bent_on_fork(20, 0.06, 0.15))
-    sys.exit("\n".join(faults) or None)
+    return checks.exit_code()
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

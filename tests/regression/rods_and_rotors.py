@@ -13,11 +13,12 @@ import math
 import subprocess
 import sys
 import tempfile
+from functools import partial
 from pathlib import Path
 
 import scene_text
 import support
-from round_bar import DENSITY, DIAMETER, INERTIA, MODULUS, round_bar
+from round_bar import DENSITY, DIAMETER, INERTIA, MODULUS, check_of, round_bar
 
 FIRST = 168.6  # Hz, of the shaft between its bearings, π/2 √(EI/ρA)/l²
 
@@ -303,13 +304,7 @@ def main():
     clevis = Path(sys.argv[1]).resolve()
     checks = support.Checks()
 
-    def check(make, *arguments):
-        with tempfile.TemporaryDirectory() as name:
-            answer = support.check(clevis, make(Path(name), *arguments),
-                                   exits=support.JUDGED)
-        print(f"{make.__name__} {arguments[:1]}: {answer.part['verdict']}, "
-              f"{answer.part['why']}", flush=True)
-        return answer
+    check = partial(check_of, clevis)
 
     for strut, kind in ((100, "rod"), (100, "link"), (100, "cylinder"), (300, "mast"),
                         (2000, "rod"), (-495, "rope")):

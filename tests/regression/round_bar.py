@@ -1,5 +1,7 @@
 """A round bar of steel, meshed by gmsh, that scripts share."""
 import math
+import tempfile
+from pathlib import Path
 
 import support
 
@@ -43,3 +45,12 @@ Physical Surface("{group}") = {{{wall}[]}};""")
     lines.append('Physical Surface("right") = {now[]}; Physical Volume("body") ='
                  " {volumes[]}; Mesh.ElementOrder = 2;")
     support.gmsh(folder, "\n".join(lines) + "\n", name="bar")
+
+
+def check_of(clevis, make, *arguments):
+    """Answer to a scene that make(folder, *arguments) writes."""
+    with tempfile.TemporaryDirectory() as name:
+        answer = support.check(clevis, make(Path(name), *arguments), exits=support.JUDGED)
+    print(f"{make.__name__} {arguments[:1]}: {answer.part['verdict']}, "
+          f"{answer.part['why']}", flush=True)
+    return answer

@@ -10,12 +10,12 @@ vibrates at its place.
 import json
 import math
 import sys
-import tempfile
+from functools import partial
 from pathlib import Path
 
 import scene_text
 import support
-from round_bar import DENSITY, DIAMETER, INERTIA, MODULUS, round_bar
+from round_bar import DENSITY, DIAMETER, INERTIA, MODULUS, check_of, round_bar
 
 
 def guided(folder, drive, loads, simulation):
@@ -121,13 +121,7 @@ def main():
     clevis = Path(sys.argv[1]).resolve()
     checks = support.Checks()
 
-    def check(make, *arguments):
-        with tempfile.TemporaryDirectory() as name:
-            answer = support.check(clevis, make(Path(name), *arguments),
-                                   exits=support.JUDGED)
-        print(f"{make.__name__} {arguments[:1]}: {answer.part['verdict']}, "
-              f"{answer.part['why']}", flush=True)
-        return answer
+    check = partial(check_of, clevis)
 
     out = 520.0
     part = check(rod, '["-18 kN", "-1 N", "0 N"]').part

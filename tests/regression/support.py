@@ -101,6 +101,10 @@ class Checks:
             self.faults.append(claim)
         return holds
 
+    def near(self, claim, value, exact, tolerance):
+        return self.expect(abs(value - exact) <= tolerance * abs(exact),
+                           f"{claim}: {value:.5g}, {exact:.5g} by theory")
+
     def holds(self, band, truth, claim, slack=0.0):
         """slack: what the truth itself may be off [1]."""
         low, high = band

@@ -285,8 +285,8 @@ bool widen_by_all_holds(const PartJob& job, const std::vector<Swing>& swings,
   result.band_high = ideal.band_high;
   const std::string more = fmt::format(
       "joints hold it more often than balance needs, of which only that counts "
-      "here; "
-      "{:.4g} if all hold, without play and yielding (joints = \"ideal\")",
+      "here; {:.4g} if all hold, without play and yielding (joints = "
+      "\"ideal\")",
       *ideal.factor);
   result.remark += (result.remark.empty() ? "" : "; ") + more;
   return true;

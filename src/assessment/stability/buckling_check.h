@@ -33,8 +33,8 @@ BucklingCheck check_buckling(const PartJob& job,
                              const std::vector<Swing>& swings,
                              BucklingModel& model);
 
-/// Of a part that joints hold by more than six conditions: its band goes on to
-/// the factor that it has if all hold.
+/// Of a part that joints hold more often than balance needs: its band goes on
+/// to the factor that it has if all hold.
 /// @return whether the band has grown.
 bool widen_by_all_holds(const PartJob& job, const std::vector<Swing>& swings,
                         BucklingModel& model, BucklingResult& result);

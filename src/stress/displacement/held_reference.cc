@@ -61,8 +61,9 @@ void refer_to_instants(const loads::LoadHistory& history,
                        elasticity::DisplacementBasis<dim>& basis) {
   constexpr Index kMotions = elasticity::kRigidModes<dim>;
   const Index rank = basis.columns.cols();
+  if (rank == 0 || basis.discretization.is_revolved) return;
   const auto holds = changing_holds(history, groups);
-  if (holds.empty() || rank == 0 || basis.discretization.is_revolved) return;
+  if (holds.empty()) return;
   elasticity::MeanMotions<dim> motions(basis.discretization);
   MatrixXd moved = MatrixXd::Zero(kMotions, basis.coefficients.cols());
   for (std::size_t i = 0; i < holds.size(); ++i) {
