@@ -94,8 +94,8 @@ struct BucklingResult {
   std::optional<double> euler;  ///< of the strut beside it, if it is one [1]
   /// It reaches through a slide into another body: it decides, too.
   bool strut_is_longer = false;
-  /// If all that joints hold of the part counts, where that is more than balance
-  /// needs and the band goes on to it [1].
+  /// If all that joints hold of the part counts, where that is more than
+  /// balance needs and the band goes on to it [1].
   std::optional<double> if_all_hold = {};
 
   /// Whether anything is: a factor, or why there is none.
