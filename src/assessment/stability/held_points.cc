@@ -46,12 +46,12 @@ LinearSet::LinearSet(const PartJob& job, const PartSpace& space,
       zone_of_(zones_of(job, space, looked.set, &judged_ != &result.peak)),
       checked_(result, rows, looked.set, swing_) {}
 
-void LinearSet::take_points(const elasticity::SecondOrderPart& part) {
+void LinearSet::take_points(const elasticity::StressedPart& part) {
   common_ = common_load(looked_, part.coefficients());
   points_ = load_points(
       looked_, part.coefficients(),
       [&](Index instant) {
-        return part.gain(instant);
+        return part.pushes().gain(instant);
       },
       [&](const loads::InstantLoad& instant) {
         return checked_.refers_to(instant.label, instant.time);
@@ -94,13 +94,13 @@ bool LinearSet::is_seen(const Measured& here) const {
 }
 
 HeldPoints::HeldPoints(const LinearSet& set,
-                       const elasticity::SecondOrderPart& part,
+                       const elasticity::StressedPart& part,
                        const elasticity::HeldPart& held, std::size_t hold,
                        double lowest)
     : set_(set), part_(part), hold_(hold) {
   take_points(held);
   if (points_.empty()) return;
-  const MatrixXd columns = part.columns(hold);
+  const MatrixXd columns = part.displaced(hold);
   MatrixXd amounts(columns.cols(), static_cast<Index>(points_.size()));
   for (Index i = 0; i < amounts.cols(); ++i) {
     amounts.col(i) = points_[static_cast<std::size_t>(i)].amounts;
@@ -167,8 +167,8 @@ std::vector<std::size_t> HeldPoints::by_most(bool by_stress) const {
 
 LinearPoint HeldPoints::linear_between(std::size_t from,
                                        const LoadPoint& between) const {
-  const auto [stress, way] =
-      set_.measured(part_.linear(between.amounts, hold_), MatrixXd::Ones(1, 1));
+  const auto [stress, way] = set_.measured(
+      part_.displaced(between.amounts, hold_), MatrixXd::Ones(1, 1));
   return linear_[from].between(linear_[from + 1], stress[0], way[0]);
 }
 

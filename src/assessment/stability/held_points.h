@@ -11,7 +11,7 @@
 #include "assessment/stability/buckling_model.h"
 #include "assessment/stability/checked_linear.h"
 #include "assessment/stability/second_order_loads.h"
-#include "elasticity/buckling/second_order.h"
+#include "elasticity/buckling/stressed_part.h"
 
 namespace clevis::assessment {
 
@@ -31,7 +31,7 @@ class LinearSet {
             const PartResult& result);
 
   /// Of the set's loads.
-  void take_points(const elasticity::SecondOrderPart& part);
+  void take_points(const elasticity::StressedPart& part);
   const std::vector<LoadPoint>& points() const { return points_; }
   /// What is spun alone, of a part that turns on.
   const std::optional<Eigen::VectorXd>& common() const { return common_; }
@@ -76,7 +76,7 @@ class HeldPoints {
  public:
   /// @param set, part  outlive the object.
   /// @param lowest  frequency [rad/s].
-  HeldPoints(const LinearSet& set, const elasticity::SecondOrderPart& part,
+  HeldPoints(const LinearSet& set, const elasticity::StressedPart& part,
              const elasticity::HeldPart& held, std::size_t hold, double lowest);
 
   std::size_t hold() const { return hold_; }
@@ -107,7 +107,7 @@ class HeldPoints {
   void take_points(const elasticity::HeldPart& held);
 
   const LinearSet& set_;
-  const elasticity::SecondOrderPart& part_;
+  const elasticity::StressedPart& part_;
   std::size_t hold_;
   std::vector<LoadPoint> points_;
   std::vector<bool> is_first_hold_;

@@ -20,9 +20,10 @@
 #include "assessment/stability/held_points.h"
 #include "assessment/stability/part_holds.h"
 #include "assessment/stability/second_order_loads.h"
+#include "assessment/stability/solved_points.h"
 #include "assessment/vibration/load_pace.h"
 #include "base/messages/errors.h"
-#include "elasticity/buckling/second_order.h"
+#include "elasticity/buckling/stressed_part.h"
 #include "elasticity/problem/dof_limit.h"
 #include "part/buckling_limit.h"
 
@@ -31,7 +32,7 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using elasticity::SecondOrderPart;
+using elasticity::StressedPart;
 using loads::InstantLoad;
 
 /// How many instants are solved for that may decide a limit.
@@ -87,7 +88,7 @@ class SetCheck {
         !with) {
       return;
     }
-    const SecondOrderPart part(problem, held);
+    const elasticity::StressedPart part(problem, held);
     if (!part.is_stressed()) return;
     linear_.take_points(part);
     std::list<HeldPoints> holds;
@@ -100,7 +101,8 @@ class SetCheck {
       return one.most() > other.most();
     });
     for (const HeldPoints& points : holds) {
-      look_at(part, points, found);
+      SolvedPoints solved(linear_, part, points, softer_, result_, found);
+      look_at(points, solved, found);
       if (with) bound_with_neighbours(*with, points, found);
       if (!found.is_stable) return;
     }
@@ -164,24 +166,24 @@ class SetCheck {
     }
   }
 
-  void look_at(const SecondOrderPart& part, const HeldPoints& points,
+  void look_at(const HeldPoints& points, SolvedPoints& solved,
                SecondOrderResult& found) {
     if (!points.is_seen()) {
       found.failure = "its zones cover every point that it is looked at by";
       return;
     }
     for (const bool by_stress : {true, false}) {
-      solve_most(part, points, by_stress, found);
+      solve_most(points, by_stress, solved, found);
       if (!found.is_stable || !found.failure.empty()) return;
     }
-    look_at_growth(part, points, found);
+    solved.look_at_growth(part::wanted_buckling_factor(job_.part.limits));
   }
 
   /// The one that may rise to most, and those that may decide the limit.
-  void solve_most(const SecondOrderPart& part, const HeldPoints& points,
-                  bool by_stress, SecondOrderResult& found) {
+  void solve_most(const HeldPoints& points, bool by_stress,
+                  SolvedPoints& solved, SecondOrderResult& found) {
     constexpr double kAlike = 1e-3;
-    std::vector<LoadPoint> solved;
+    std::vector<LoadPoint> known;
     const double admitted = by_stress ? admitted_peak_ : admitted_deflection_;
     double& bound = by_stress ? found.bound : found.deflection_bound;
     left_ = most_solved(space_);
@@ -200,15 +202,15 @@ class SetCheck {
         bound = std::max(bound, points.at_most(i, by_stress));
         continue;
       }
-      if (std::ranges::none_of(solved, [&](const LoadPoint& known) {
-            return point.is_like(known, kAlike);
+      if (std::ranges::none_of(known, [&](const LoadPoint& other) {
+            return point.is_like(other, kAlike);
           })) {
         is_first = false;
         --left_;
-        solved.push_back(point);
-        take(part, points, i, point, points.linear(i), yield, found);
+        known.push_back(point);
+        solved.take(i);
       }
-      if (decides && !follow_on(part, points, i, by_stress, found)) {
+      if (decides && !follow_on(points, i, by_stress, solved, found)) {
         bound = std::max(bound, points.at_most(i, by_stress));
       }
       if (!found.is_stable || !found.failure.empty()) return;
@@ -218,8 +220,8 @@ class SetCheck {
   /// Between an instant and the next stress and deflection of second order may
   /// be larger than at both: what presses falls as what bends rises.
   /// @return whether that could be looked at.
-  bool follow_on(const SecondOrderPart& part, const HeldPoints& points,
-                 std::size_t i, bool by_stress, SecondOrderResult& found) {
+  bool follow_on(const HeldPoints& points, std::size_t i, bool by_stress,
+                 SolvedPoints& solved, const SecondOrderResult& found) {
     constexpr double kFar = 0.05;
     constexpr int kShares = 4, kHalvings = 2;
     constexpr int kSolved = kShares - 1 + 2 * kHalvings;
@@ -235,7 +237,7 @@ class SetCheck {
       double best = 0.5, step = 1.0 / kShares, most = -1.0;
       const auto look = [&](double share) {
         if (!found.is_stable || !found.failure.empty()) return;
-        const Reached reached = take_between(part, points, from, share, found);
+        const SolvedPoints::Reached reached = solved.take_between(from, share);
         const double value = by_stress ? reached.peak : reached.deflection;
         if (value <= most) return;
         most = value;
@@ -250,155 +252,6 @@ class SetCheck {
       }
     }
     return true;
-  }
-
-  struct Reached {
-    double peak{}, deflection{};  ///< [Pa], [m]
-  };
-
-  Reached take_between(const SecondOrderPart& part, const HeldPoints& points,
-                       std::size_t from, double share,
-                       SecondOrderResult& found) {
-    const LoadPoint point =
-        between(points.point(from), points.point(from + 1), share);
-    return take(part, points, from, point, points.linear_between(from, point),
-                std::max(points.yield(from), points.yield(from + 1)), found);
-  }
-
-  /// @param more  of K_G's stresses than of linear theory's [1].
-  SecondOrderPart::Answer answer(const SecondOrderPart& part,
-                                 const LoadPoint& point, double more,
-                                 const Eigen::Vector3d& omega,
-                                 std::size_t hold) const {
-    const auto& common = linear_.common();
-    const bool turns = common && point.is_motion && !omega.isZero();
-    const VectorXd spun = turns ? *common : point.amounts;
-    return part.answer({.stressing = more * point.amounts,
-                        .gain = more * point.gain,
-                        .spun = spun,
-                        .still = point.amounts - spun,
-                        .omega = omega},
-                       hold);
-  }
-
-  /// What the least of the buckling factors leaves of a rise that its most has.
-  double certain(double rise) const {
-    const BucklingResult& buckling = result_.buckling;
-    const double low = buckling.band_low - 1.0;
-    const double high = buckling.band_high - 1.0;
-    return buckling.factor && low > 0.0 ? 1.0 + (rise - 1.0) * low / high : 1.0;
-  }
-
-  /// Over linear theory's [1].
-  struct Rise {
-    double stress = 1.0, deflection = 1.0;
-  };
-  /// Takes the part's state in where there is none.
-  std::optional<Rise> rise_of(const SecondOrderPart& part,
-                              const LoadPoint& point, const LinearPoint& linear,
-                              double more, const Eigen::Vector3d& omega,
-                              std::size_t hold,
-                              SecondOrderResult& found) const {
-    const auto solved = answer(part, point, more, omega, hold);
-    if (solved.state == SecondOrderPart::State::kOpen) {
-      found.failure = "its solution at " + point.label + " does not settle";
-      return std::nullopt;
-    }
-    if (solved.state == SecondOrderPart::State::kUnstable) {
-      found.is_stable = false;
-      found.label = point.label;
-      return std::nullopt;
-    }
-    const auto [stress, moved] =
-        linear_.measured(solved.displacement, MatrixXd::Ones(1, 1));
-    const auto over = [](double now, double before) {
-      return before > 0.0 ? std::max(1.0, now / before) : 1.0;
-    };
-    return Rise{over(stress[0], linear.here), over(moved[0], linear.moved)};
-  }
-
-  /// @param i  of the points: where it is, or the one before it.
-  Reached take(const SecondOrderPart& part, const HeldPoints& points,
-               std::size_t i, const LoadPoint& point, const LinearPoint& linear,
-               double yield, SecondOrderResult& found) {
-    const std::size_t hold = points.hold();
-    const Swing swing = linear_.swing(point);
-    const bool spins = yield > linear_.pressed();
-    const Eigen::Vector3d omega =
-        spins ? point.omega : Eigen::Vector3d(Eigen::Vector3d::Zero());
-    auto rise = rise_of(part, point, linear, softer_ * swing.largest(), omega,
-                        hold, found);
-    if (!rise) return {};
-    if (softer_ * swing.largest() > 1.0 && spins) {
-      // What spins may be stiffened by its stresses.
-      const auto less = rise_of(part, point, linear, 1.0, omega, hold, found);
-      if (!less) return {};
-      rise->stress = std::max(rise->stress, less->stress);
-      rise->deflection = std::max(rise->deflection, less->deflection);
-    }
-    Reached reached;
-    reached.peak = swing.stress * rise->stress * linear.peak;
-    if (reached.peak > found.peak) {
-      found.peak = reached.peak;
-      found.stress = rise->stress;
-      found.label = point.label;
-    }
-    const bool is_still = swing.largest() == 1.0;
-    if (is_still) {
-      found.least_peak =
-          std::max(found.least_peak,
-                   certain(rise->stress) *
-                       (linear.is_peak_known ? linear.peak : linear.here));
-    }
-    constexpr double kRises = 1.001;  // else linear theory's own stands
-    if (!points.is_first_hold(i) || !(rise->deflection > kRises)) {
-      return reached;
-    }
-    reached.deflection = swing.deflection * rise->deflection * linear.deflects;
-    if (reached.deflection > found.deflection) {
-      found.deflection = reached.deflection;
-      found.deflection_rise = rise->deflection;
-    }
-    if (is_still) {
-      found.least_deflection = std::max(
-          found.least_deflection,
-          certain(rise->deflection) *
-              (linear.is_deflection_known ? linear.deflects : linear.moved));
-    }
-    return reached;
-  }
-
-  /// Loads that grow spin the part as well: of those whose spin counts, whether
-  /// it bears as much more as buckling wants.
-  void look_at_growth(const SecondOrderPart& part, const HeldPoints& points,
-                      SecondOrderResult& found) const {
-    constexpr std::size_t kMost = 4;
-    const double wanted = part::wanted_buckling_factor(job_.part.limits);
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::erase_if(order, [&](std::size_t i) {
-      const double yield = points.yield(i);
-      return !(yield > linear_.pressed()) || yield * wanted < 1.0;
-    });
-    std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) {
-      return points.yield(i);
-    });
-    if (order.size() > kMost) order.resize(kMost);
-    for (const std::size_t i : order) {
-      const LoadPoint& point = points.point(i);
-      // What spins may be stiffened by its stresses.
-      for (const double more :
-           {softer_ * linear_.swing(point).largest(), 1.0}) {
-        if (answer(part, point, wanted * more, std::sqrt(wanted) * point.omega,
-                   points.hold())
-                .state == SecondOrderPart::State::kStable) {
-          continue;
-        }
-        found.bears_growth = false;
-        found.label = point.label;
-        return;
-      }
-    }
   }
 
   const PartJob& job_;

@@ -24,7 +24,7 @@ namespace clevis::assessment {
 /// @param rows  of the check at rest.
 /// @param of_lowest_degree  buckling factor by the model's [1]; 0: not known.
 /// @pre `result` has its peak, its buckling and its vibration.
-/// @throws Error of elasticity::SecondOrderPart but F001, F002, F004, F007,
+/// @throws Error of elasticity::StressedPart but F001, F002, F004, F007,
 ///   M005.
 void check_second_order(const PartJob& job, const std::vector<InstantRow>& rows,
                         double of_lowest_degree, HeldMotions& held,

@@ -39,7 +39,7 @@ struct LoadPoint {
   Eigen::Vector3d omega;    ///< in L [rad/s]
   Eigen::VectorXd amounts;  ///< of load columns
   Eigen::Index instant{};   ///< of the loads; between two the first
-  Eigen::MatrixXd gain;     ///< SecondOrderPart::gain()
+  Eigen::MatrixXd gain;     ///< SeatPushes::gain()
 
   /// Whether loads and spin are nearly the same.
   /// @param share  of each that they may be apart [1].

@@ -105,7 +105,8 @@ loads::SeatGains gains_of(const loads::LoadHistory& history,
 
 SeatPushes::SeatPushes(const Discretization<3>& discretization,
                        const loads::LoadHistory& history,
-                       const std::string& part_name) {
+                       const std::string& part_name)
+    : dofs_(discretization.dofs()) {
   constexpr double kNothing = 1e-9;  // of the forces
   std::map<std::size_t, SeatSurface> surfaces;
   std::map<std::size_t, Index> known;  // first motions of the history's seats
@@ -174,11 +175,21 @@ MatrixXd SeatPushes::gain(Index instant) const {
 void SeatPushes::add(const MatrixXd& u, const MatrixXd& gain,
                      MatrixXd& forces) const {
   if (is_empty()) return;
-  const MatrixXd pushing = gain * motions(u);
+  add_forces(gain * motions(u), forces);
+}
+
+void SeatPushes::add_forces(const MatrixXd& pushing, MatrixXd& forces) const {
   for (std::size_t k = 0; k < seats_.size(); ++k) {
     seats_[k].add(pushing.middleRows<kMotion>(kMotion * static_cast<Index>(k)),
                   forces);
   }
+}
+
+MatrixXd SeatPushes::unit_forces() const {
+  const Index motions = kMotion * std::ssize(seats_);
+  MatrixXd forces = MatrixXd::Zero(dofs_, motions);
+  add_forces(MatrixXd::Identity(motions, motions), forces);
+  return forces;
 }
 
 MatrixXd SeatPushes::motions(const MatrixXd& u) const {

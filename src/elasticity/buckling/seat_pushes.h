@@ -27,14 +27,20 @@ class SeatPushes {
   /// Adds the forces [N] on displacements u (dofs × columns [m]).
   void add(const Eigen::MatrixXd& u, const Eigen::MatrixXd& gain,
            Eigen::MatrixXd& forces) const;
+  /// Of a unit of each motion, dofs × motions.
+  Eigen::MatrixXd unit_forces() const;
   /// Mean motions of the seats, 6 per seat × columns [m], [rad].
   Eigen::MatrixXd motions(const Eigen::MatrixXd& u) const;
 
  private:
+  void add_forces(const Eigen::MatrixXd& pushing,
+                  Eigen::MatrixXd& forces) const;
+
   struct Push {
     std::vector<Eigen::Index> motions;  ///< of motions()
     Eigen::MatrixXd gain;
   };
+  Eigen::Index dofs_;
   std::vector<NodeFunctionals<3>> seats_;  ///< mean motions, six each
   std::vector<Push> of_instant_;
 };

@@ -40,11 +40,11 @@ class HeldPart {
   /// conditions [m].
   Eigen::MatrixXd displacements(const Eigen::MatrixXd& unknowns,
                                 std::size_t hold) const;
-  /// Those of the unknowns that it leaves free.
+  /// Those of the unknowns that it leaves free [m].
   Eigen::MatrixXd shapes(const Eigen::MatrixXd& unknowns,
                          std::size_t hold) const;
   /// Unknowns less what strains a part that is held by more than six
-  /// conditions.
+  /// conditions [√J].
   Eigen::MatrixXd freed(const Eigen::MatrixXd& unknowns,
                         std::size_t hold) const;
   /// What a hold beyond six conditions takes out of unknowns: orthonormal,
@@ -61,7 +61,7 @@ class HeldPart {
   Eigen::MatrixXd broken(const Eigen::MatrixXd& u, std::size_t hold) const;
   /// Y of a displacement, whatever rigid motion is in it: Fᵀ φ = F⁻¹ K φ.
   Eigen::MatrixXd unknowns(const Eigen::MatrixXd& u) const;
-  /// F⁻¹ of nodal forces, balanced by the hold's reactions, freed().
+  /// F⁻¹ of nodal forces [N], balanced by the hold's reactions, freed().
   Eigen::MatrixXd answer(const Eigen::MatrixXd& forces, std::size_t hold) const;
   /// F⁻¹ S F⁻ᵀ: K⁻¹ S as it acts on Y, without a product with K.
   /// @param forces  S u [N] on displacements [m], dofs × columns.
@@ -96,15 +96,26 @@ class StressedPart {
 
   const HeldPart& part() const { return part_; }
   Eigen::Index instants() const { return coefficients_.cols(); }
+  bool is_stressed() const { return coefficients_.rows() > 0; }
   double highest() const { return highest_; }
+  /// Amounts of the load columns, columns × instants [1].
   const Eigen::MatrixXd& coefficients() const { return coefficients_; }
   const InitialStress& stress() const { return *stress_; }
   const SeatPushes& pushes() const { return pushes_; }
-  /// Unknowns of linear theory under the load columns.
+  /// Unknowns of linear theory under the load columns [√J].
   const Eigen::MatrixXd& loaded() const { return loaded_; }
   /// Their displacements, of a free part up to a rigid motion, dofs × columns
   /// [m].
   const Eigen::MatrixXd& displaced() const { return displaced_; }
+  /// The same as a hold has them [m].
+  Eigen::MatrixXd displaced(std::size_t hold) const {
+    return part_.held(displaced_, hold);
+  }
+  /// Under amounts of the load columns [m].
+  Eigen::VectorXd displaced(const Eigen::VectorXd& amounts,
+                            std::size_t hold) const {
+    return part_.held(displaced_ * amounts, hold);
+  }
 
  private:
   const HeldPart& part_;
