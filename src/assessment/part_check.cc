@@ -10,7 +10,6 @@
 
 #include "assessment/impact/impact_check.h"
 #include "assessment/judge/model_band.h"
-#include "assessment/judge/verdict.h"
 #include "assessment/ladder/degree_climb.h"
 #include "assessment/ladder/degree_ladder.h"
 #include "assessment/ladder/model_result.h"
@@ -24,6 +23,8 @@
 #include "assessment/sharing/sharing_check.h"
 #include "assessment/stability/buckling_check.h"
 #include "assessment/stability/second_order_check.h"
+#include "assessment/verdict/hidden_stress.h"
+#include "assessment/verdict/verdict.h"
 #include "assessment/vibration/vibration_check.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"

@@ -148,7 +148,8 @@ ROOMS = {
     },
     "assessment": {
         "job": "what the check of a part needs, and what it gives",
-        "judge": "bands, doubt, verdict",
+        "judge": "bands and doubt",
+        "verdict": "a part against its limits",
         "notes": "what a user should know beside the verdict; beam theory",
         "models": "the list of models: what suits a part, how each solves it, its error against the next",
         "places": "where the peak may stand, and finer solutions there",

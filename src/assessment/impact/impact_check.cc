@@ -18,7 +18,6 @@
 #include "assessment/impact/struck_run.h"
 #include "assessment/impact/wave_front_refinement.h"
 #include "assessment/judge/model_band.h"
-#include "assessment/judge/verdict.h"
 #include "assessment/models/model_list.h"
 #include "base/messages/errors.h"
 #include "elasticity/vibration/eigenmodes.h"

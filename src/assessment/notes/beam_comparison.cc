@@ -4,10 +4,14 @@
 
 #include <fmt/format.h>
 
-#include "assessment/judge/verdict.h"
 #include "beam/estimates/beam_estimate.h"
 
 namespace clevis::assessment {
+namespace {
+
+constexpr double kLargestConcentration = 5.0;  // of holes and fillets
+
+}  // namespace
 
 BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
   BeamComparison comparison;
@@ -61,6 +65,35 @@ BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
             : "the beam models of a blow stand in its own table";
   }
   return comparison;
+}
+
+std::string explain_ratio(const PeakStress& peak, const BeamComparison& beam) {
+  if (!beam.ratio_fe_to_beam) return "no beam formula applies";
+  const double ratio = *beam.ratio_fe_to_beam;
+  if (ratio >= 0.8 && ratio <= 1.25) return "";
+  const std::string& group = peak.group;
+  if (ratio > 1.25) {
+    if (ratio > kLargestConcentration) {
+      return fmt::format("\"{}\" does not describe what loads {}",
+                         beam.governing, group);
+    }
+    if (group.starts_with("bore_")) {
+      return fmt::format(
+          "the hole concentrates the stress at {} by {:.2f} over the nominal "
+          "\"{}\"",
+          group, ratio, beam.governing);
+    }
+    if (group.starts_with("round_") || group.starts_with("fillet")) {
+      return fmt::format(
+          "the change of section at {} concentrates the stress by {:.2f}",
+          group, ratio);
+    }
+    return fmt::format("the load path near {} is not a slender beam's", group);
+  }
+  return fmt::format(
+      "\"{}\" is a nominal value for slender parts; here the part is stocky "
+      "and the load spreads",
+      beam.governing);
 }
 
 }  // namespace clevis::assessment

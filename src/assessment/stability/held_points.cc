@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "assessment/job/part_zones.h"
-#include "assessment/judge/verdict.h"
 #include "stress/displacement/deflection.h"
 #include "stress/zones/zone_mask.h"
 

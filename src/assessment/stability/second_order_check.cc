@@ -14,13 +14,13 @@
 #include <Eigen/Core>
 #include <fmt/format.h>
 
-#include "assessment/judge/verdict.h"
 #include "assessment/stability/buckling_check.h"
 #include "assessment/stability/buckling_model.h"
 #include "assessment/stability/held_points.h"
 #include "assessment/stability/part_holds.h"
 #include "assessment/stability/second_order_loads.h"
 #include "assessment/stability/solved_points.h"
+#include "assessment/verdict/governing_peak.h"
 #include "assessment/vibration/load_pace.h"
 #include "base/messages/errors.h"
 #include "elasticity/buckling/stressed_part.h"

@@ -45,7 +45,7 @@ Index size_of(const std::vector<ClassFactor>& classes) {
 class SolidCoordinates : public EnergyCoordinates {
  public:
   SolidCoordinates(const Discretization<3>& part,
-                   const part::Material& material, const PartHold& hold,
+                   const part::Material& material, const PartSupports& hold,
                    const std::string& name)
       : dofs_(part.dofs()) {
     const std::string place = "part " + name;
@@ -161,7 +161,7 @@ class PlateCoordinates : public EnergyCoordinates {
 
 std::unique_ptr<EnergyCoordinates> solid_coordinates(
     const Discretization<3>& part, const part::Material& material,
-    const PartHold& hold, const std::string& name) {
+    const PartSupports& hold, const std::string& name) {
   return std::make_unique<SolidCoordinates>(part, material, hold, name);
 }
 

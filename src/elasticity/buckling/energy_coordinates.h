@@ -26,7 +26,7 @@ class EnergyCoordinates {
 };
 
 /// What holds a part.
-struct PartHold {
+struct PartSupports {
   const part::Supports& fixed;           ///< empty: nothing
   const part::Foundations& foundations;  ///< elastic beds under faces
 };
@@ -36,7 +36,7 @@ struct PartHold {
 /// @throws Error F001, F002, F004, M005.
 std::unique_ptr<EnergyCoordinates> solid_coordinates(
     const Discretization<3>& part, const part::Material& material,
-    const PartHold& hold, const std::string& name);
+    const PartSupports& hold, const std::string& name);
 
 /// Of a plate: classes of what stretches it and what bends it.
 /// @param layer  over the plane, of degree 3 through the thickness.

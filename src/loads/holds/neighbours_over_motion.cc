@@ -72,7 +72,7 @@ SeatGains NeighboursOverMotion::found_gains(const Place& place) const {
   }
   const auto found = load_gains(neighbours_, place.instant, acting);
   SeatGains gains{std::vector<std::size_t>(seats_.size()),
-                  to_point.transpose() * found.gain * to_point};
+                  to_point.transpose() * found * to_point};
   std::iota(gains.seats.begin(), gains.seats.end(), std::size_t{0});
   return gains;
 }

@@ -449,8 +449,8 @@ MatrixXd eliminated(const MatrixXd& form, const Following& following) {
 
 }  // namespace
 
-LoadGains load_gains(const Neighbours& neighbours, const Instant& instant,
-                     const std::vector<LoadPlace>& places) {
+MatrixXd load_gains(const Neighbours& neighbours, const Instant& instant,
+                    const std::vector<LoadPlace>& places) {
   const NeighbourRows rows = neighbours.rows(instant);
   const double length = neighbours.frame().length;
   const Index moves = kMotion * std::ssize(places);
@@ -463,15 +463,12 @@ LoadGains load_gains(const Neighbours& neighbours, const Instant& instant,
   const Following following =
       following_of(neighbours, rows, rows_of_places(neighbours, rows, places));
   MatrixXd to_P = MatrixXd::Zero(moves, moves);
-  MatrixXd to_L = to_P;
   const Matrix3d& R_PL = rows.x[index(neighbours.slot())].R;
   for (Index i = 0; i < moves; i += 3) {
     const double of_turns = i % kMotion == 0 ? 1.0 : length;
     to_P.block<3, 3>(i, i) = of_turns * R_PL;
-    to_L.block<3, 3>(i, i) = R_PL.transpose() / of_turns;
   }
-  return {to_P.transpose() * eliminated(form, following) * to_P,
-          to_L * following.admitted * to_P};
+  return to_P.transpose() * eliminated(form, following) * to_P;
 }
 
 }  // namespace clevis::mechanism

@@ -17,17 +17,6 @@ struct LoadPlace {
   Eigen::Vector3d p_LS;  ///< the point that moves [m]
 };
 
-/// Forces and moments that a body gains at places as these move, in L: each
-/// place has a displacement of its point and a turn, six numbers [m], [rad].
-struct LoadGains {
-  /// 6 n × 6 n, symmetric: forces, then moments about the points, for unit
-  /// motions [N/m], [N], [N m].
-  Eigen::MatrixXd gain;
-  /// Of a motion, the nearest one that joints leave, 6 n × 6 n; the gain is of
-  /// those.
-  Eigen::MatrixXd admitted;
-};
-
 /// What loads that keep size and direction, on neighbours and on the body,
 /// gain by second order at small slow motions of the places: neighbours are
 /// rigid and follow, as a link that presses turns about its far pin and pushes
@@ -37,9 +26,15 @@ struct LoadGains {
 ///
 /// With L the Lagrangian of loads and reactions, second order in the motions of
 /// places and neighbours, the gain is −∂²L, neighbours eliminated.
+/// Each place has a displacement of its point and a turn, six numbers [m],
+/// [rad], in L; of motions that the joints do not leave, the gain is that of
+/// the nearest that they do.
+/// @return 6 n × 6 n, symmetric: forces, then moments about the points, for
+/// unit
+///   motions [N/m], [N], [N m].
 /// @param instant  of a motion of the mechanism.
 /// Source: docs/theory/09_elasticity.md, "Buckling".
-LoadGains load_gains(const Neighbours& neighbours, const Instant& instant,
-                     const std::vector<LoadPlace>& places);
+Eigen::MatrixXd load_gains(const Neighbours& neighbours, const Instant& instant,
+                           const std::vector<LoadPlace>& places);
 
 }  // namespace clevis::mechanism

@@ -56,12 +56,22 @@ void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
 }
 
 template <int dim>
+void add_rigid_motions(const MatrixXd& rigid, const MatrixXd& amounts,
+                       elasticity::DisplacementBasis<dim>& basis) {
+  const Index motions = rigid.cols(), rank = basis.columns.cols();
+  basis.columns.conservativeResize(Eigen::NoChange, rank + motions);
+  basis.columns.rightCols(motions) = rigid;
+  basis.coefficients.conservativeResize(rank + motions, Eigen::NoChange);
+  basis.coefficients.bottomRows(motions) = amounts;
+  basis.is_mirrored = false;
+}
+
+template <int dim>
 void refer_to_instants(const loads::LoadHistory& history,
                        const loads::HoldingGroups& groups,
                        elasticity::DisplacementBasis<dim>& basis) {
   constexpr Index kMotions = elasticity::kRigidModes<dim>;
-  const Index rank = basis.columns.cols();
-  if (rank == 0 || basis.discretization.is_revolved) return;
+  if (basis.columns.cols() == 0 || basis.discretization.is_revolved) return;
   const auto holds = changing_holds(history, groups);
   if (holds.empty()) return;
   elasticity::MeanMotions<dim> motions(basis.discretization);
@@ -71,17 +81,15 @@ void refer_to_instants(const loads::LoadHistory& history,
     moved.col(at) = -pin_hold(basis, motions, holds[i]).broken(basis.columns) *
                     basis.coefficients.col(at);
   }
-  basis.columns.conservativeResize(Eigen::NoChange, rank + kMotions);
-  basis.columns.rightCols(kMotions) = motions.rigid();
-  basis.coefficients.conservativeResize(rank + kMotions, Eigen::NoChange);
-  basis.coefficients.bottomRows(kMotions) = moved;
-  basis.is_mirrored = false;
+  add_rigid_motions(motions.rigid(), moved, basis);
 }
 
 template void remove_rigid_motion<2>(elasticity::DisplacementBasis<2>&,
                                      const loads::PartHold&);
 template void remove_rigid_motion<3>(elasticity::DisplacementBasis<3>&,
                                      const loads::PartHold&);
+template void add_rigid_motions<3>(const MatrixXd&, const MatrixXd&,
+                                   elasticity::DisplacementBasis<3>&);
 template void refer_to_instants<2>(const loads::LoadHistory&,
                                    const loads::HoldingGroups&,
                                    elasticity::DisplacementBasis<2>&);

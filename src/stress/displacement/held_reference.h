@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include "elasticity/problem/displacement_basis.h"
 #include "loads/history/load_history.h"
 #include "loads/holds/holding_groups.h"
@@ -18,6 +20,14 @@ namespace clevis::stress {
 template <int dim>
 void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
                          const loads::PartHold& hold);
+
+/// Adds rigid motions to the displacements of each instant.
+/// @param rigid    displacements, dofs × motions [1].
+/// @param amounts  motions × instants [m].
+template <int dim>
+void add_rigid_motions(const Eigen::MatrixXd& rigid,
+                       const Eigen::MatrixXd& amounts,
+                       elasticity::DisplacementBasis<dim>& basis);
 
 /// Of a part that the mechanism holds otherwise at other instants of a motion:
 /// its displacements refer to each one's hold. The basis gets the rigid motions

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "elasticity/holds/pin_hold.h"
+#include "stress/displacement/held_reference.h"
 
 namespace clevis::stress {
 namespace {
@@ -170,12 +171,7 @@ bool refer_to_touched(const loads::LoadHistory& history,
     const auto at = static_cast<Index>(i);
     moved.col(at) = -motions.broken(i) * basis.coefficients.col(at);
   }
-  const Index rank = basis.columns.cols();
-  basis.columns.conservativeResize(Eigen::NoChange, rank + kRigid);
-  basis.columns.rightCols(kRigid) = motions.rigid();
-  basis.coefficients.conservativeResize(rank + kRigid, Eigen::NoChange);
-  basis.coefficients.bottomRows(kRigid) = moved;
-  basis.is_mirrored = false;
+  add_rigid_motions(motions.rigid(), moved, basis);
   return true;
 }
 
