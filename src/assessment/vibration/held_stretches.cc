@@ -14,27 +14,6 @@
 namespace clevis::assessment {
 namespace {
 
-/// First period of a part that is held as at a time [s].
-double period_held(const PartJob& job, const LoadSet& set, double time) {
-  loads::LoadHistory history = set.history;
-  history.hold_time = time;
-  const bool is_simplex = job.mesh.shape == mesh::CellShape::kSimplex;
-  for (const int degree : {2, is_simplex ? 1 : 2}) {  // memory may hold less
-    try {
-      return elasticity::first_period<3>({.mesh = job.overall_mesh(),
-                                          .material = job.part.material,
-                                          .history = history,
-                                          .fixed = set.fixed,
-                                          .name = job.part.name,
-                                          .foundations = set.foundations},
-                                         degree);
-    } catch (const Error&) {
-      continue;
-    }
-  }
-  return longest_period(job, set);  // supports that hold it in a plane alone
-}
-
 bool are_like(double shortest, double longest) {
   constexpr double kLike = 0.02;  // as the width of a resonance
   return longest - shortest <= kLike * longest;
@@ -92,6 +71,33 @@ double between_places(const std::vector<std::pair<double, double>>& known,
 
 }  // namespace
 
+double HeldMotions::period_held(Motion& motion, double time) const {
+  if (motion.solvers.empty()) {
+    const bool is_simplex = job_.mesh.shape == mesh::CellShape::kSimplex;
+    for (const int degree : {2, 1}) {  // memory may hold less
+      if (degree == 1 && !is_simplex) continue;
+      motion.solvers.emplace_back(
+          elasticity::ElasticProblem<3>{
+              .mesh = job_.overall_mesh(),
+              .material = job_.part.material,
+              .history = motion.loads.history,
+              .fixed = motion.loads.fixed,
+              .name = job_.part.name,
+              .foundations = motion.loads.foundations},
+          degree);
+    }
+  }
+  for (auto& solver : motion.solvers) {
+    try {
+      return solver.at(time);
+    } catch (const Error&) {
+      continue;
+    }
+  }
+  // Supports that hold it in a plane alone.
+  return longest_period(job_, motion.loads);
+}
+
 double HeldMotions::period_at(Motion& motion, std::size_t instant) const {
   constexpr double kSame = 1e-6;  // of the way
   const double along =
@@ -99,8 +105,8 @@ double HeldMotions::period_at(Motion& motion, std::size_t instant) const {
   const auto [known, is_new] =
       motion.periods.try_emplace(std::llround(along / kSame));
   if (is_new) {
-    known->second = period_held(job_, motion.loads,
-                                motion.loads.history.instants[instant].time);
+    known->second =
+        period_held(motion, motion.loads.history.instants[instant].time);
   }
   return known->second;
 }
@@ -109,13 +115,12 @@ HeldMotions::Motion& HeldMotions::motion(std::size_t set) {
   constexpr double kLittle = 1e-3;  // of the part's size: no way
   auto& found = motions_[set];
   if (found) return *found;
-  found = Motion{followed_loads(job_.load_sets[set])};
+  found.emplace(followed_loads(job_.load_sets[set]));
   Motion& motion = *found;
   auto& places = motion.places;
   places = slide_way(motion.loads.history, kLittle * job_.sides()[2]);
   if (places.empty()) {
-    motion.longest =
-        period_held(job_, motion.loads, motion.loads.history.hold_time);
+    motion.longest = period_held(motion, motion.loads.history.hold_time);
     return motion;
   }
   const auto [low, high] = std::ranges::minmax_element(places);

@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "assessment/job/part_job.h"
 #include "assessment/vibration/vibration_times.h"
+#include "elasticity/vibration/eigenmodes.h"
 
 namespace clevis::assessment {
 
@@ -38,7 +40,13 @@ class HeldMotions {
 
  private:
   struct Motion {
-    LoadSet loads;                    ///< followed_loads()
+    explicit Motion(LoadSet followed) : loads(std::move(followed)) {}
+    // The solvers refer to the loads.
+    Motion(const Motion&) = delete;
+    Motion& operator=(const Motion&) = delete;
+
+    LoadSet loads;  ///< followed_loads()
+    std::vector<elasticity::FirstPeriods<3>> solvers = {};
     std::vector<double> places = {};  ///< slide_way(); empty: as one [m]
     double low{}, high{};             ///< of them [m]
     std::map<long long, double> periods = {};  ///< first, by place [s]
@@ -48,6 +56,8 @@ class HeldMotions {
   using Instants = std::vector<std::size_t>;
 
   Motion& motion(std::size_t set);
+  /// First period as the part is held at a time [s].
+  double period_held(Motion& motion, double time) const;
   double period_at(Motion& motion, std::size_t instant) const;
   void split(Motion& motion, const Instants& at, int depth,
              const std::vector<VibrationWindow>& driven,

@@ -45,15 +45,19 @@ Eigenmodes<dim> eigenmodes(const ElasticProblem<dim>& problem, int degree,
 }
 
 template <int dim>
-double first_period(const ElasticProblem<dim>& problem, int degree) {
+double FirstPeriods<dim>::at(double hold_time) {
   constexpr double kTolerance = 1e-3;  // the period to its square
-  // What the ground holds of a free part has fewer.
-  const int most_rigid = problem.fixed.empty() && problem.foundations.empty()
-                             ? (dim == 2 ? 3 : 6)
-                             : 0;
-  const auto part = vibrating_part(problem, degree);
-  const auto modes = dynamics::lowest_modes(part.system, most_rigid + 1,
-                                            "part " + problem.name, kTolerance);
+  constexpr int kSmall = 60'000;       // equations
+  if (!part_) part_ = supported_part(problem_, degree_);
+  const bool is_small = part_->system.size < kSmall;
+  loads::LoadHistory history = problem_.history;
+  history.hold_time = hold_time;
+  const auto part =
+      held_by_mechanism(is_small ? *part_ : *std::exchange(part_, std::nullopt),
+                        history, problem_.name);
+  const auto rigid = static_cast<int>(part.system.rigid.cols());
+  const auto modes = dynamics::lowest_modes(
+      part.system, rigid + 1, "part " + problem_.name, kTolerance);
   return 2.0 * std::numbers::pi / std::sqrt(modes.squares[modes.rigid]);
 }
 
@@ -69,8 +73,8 @@ double period_along(const ElasticProblem<dim>& problem, int degree,
 
 template Eigenmodes<2> eigenmodes<2>(const ElasticProblem<2>&, int, int);
 template Eigenmodes<3> eigenmodes<3>(const ElasticProblem<3>&, int, int);
-template double first_period<2>(const ElasticProblem<2>&, int);
-template double first_period<3>(const ElasticProblem<3>&, int);
+template class FirstPeriods<2>;
+template class FirstPeriods<3>;
 template double period_along<2>(const ElasticProblem<2>&, int,
                                 const Eigen::Vector3d&);
 template double period_along<3>(const ElasticProblem<3>&, int,

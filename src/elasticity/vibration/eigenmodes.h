@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -8,6 +10,7 @@
 #include "elasticity/fe_space/discretization.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/problem/elastic_problem.h"
+#include "elasticity/vibration/vibrating_part.h"
 
 namespace clevis::elasticity {
 
@@ -35,11 +38,25 @@ template <int dim>
 Eigenmodes<dim> eigenmodes(const ElasticProblem<dim>& problem, int degree,
                            int count);
 
-/// Period of the lowest elastic vibration, of a part without supports held
-/// where the ground holds its seats [s]. Quick with degree 2: within a per cent
-/// or so on meshes that suit stress.
+/// Periods of the lowest elastic vibration, of a part without supports as the
+/// mechanism holds it at several times. Quick with degree 2: within a per cent
+/// or so on meshes that suit stress. A small part's factor stays for the next.
 template <int dim>
-double first_period(const ElasticProblem<dim>& problem, int degree);
+class FirstPeriods {
+ public:
+  /// @param problem  its mesh, material and loads outlive the object.
+  FirstPeriods(ElasticProblem<dim> problem, int degree)
+      : problem_(std::move(problem)), degree_(degree) {}
+
+  /// @param hold_time  as of loads::LoadHistory [s]. @return [s].
+  /// @throws Error F001, F002, F003, F004, M005.
+  double at(double hold_time);
+
+ private:
+  ElasticProblem<dim> problem_;
+  int degree_;
+  std::optional<VibratingPart<dim>> part_;  ///< as its supports hold it
+};
 
 /// Of a held part the period of that among the lowest sixteen vibrations in
 /// which most of the mass moves along a direction [s]: bending for a blow

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -39,6 +40,19 @@ BlockOperator product_with(std::shared_ptr<const UpperTriangle> upper) {
   };
 }
 
+/// The factor of the last shift stays; the next one takes its memory.
+std::function<BlockOperator(double)> last_kept(
+    std::function<BlockOperator(double)> factor) {
+  const auto last = std::make_shared<std::pair<double, BlockOperator>>();
+  return [last, factor = std::move(factor)](double shift) {
+    if (!last->second || last->first != shift) {
+      last->second = nullptr;
+      *last = {shift, factor(shift)};
+    }
+    return last->second;
+  };
+}
+
 /// A square of a circular frequency that lies below the first elastic one of
 /// bodies up to some hundred times as long as thick [1/s²].
 double low_square(const part::Material& material, double size) {
@@ -60,7 +74,7 @@ void require_memory_for(const Discretization<dim>& discretization,
 }  // namespace
 
 template <int dim>
-VibratingPart<dim> vibrating_part(const ElasticProblem<dim>& problem,
+VibratingPart<dim> supported_part(const ElasticProblem<dim>& problem,
                                   int degree) {
   const std::string place = "part " + problem.name;
   VibratingPart<dim> part;
@@ -97,15 +111,16 @@ VibratingPart<dim> vibrating_part(const ElasticProblem<dim>& problem,
   part.system.size = part.numbers.count;
   part.system.stiffness = product_with(k);
   part.system.mass = product_with(m);
-  part.system.factor = [k, m, dissection, place,
-                        equation = part.numbers.equation](double shift) {
-    const auto factor = std::make_shared<const FrontalCholesky>(
-        shift == 0.0 ? *k : weighted_sum(*k, shift, *m),
-        front_tree(*dissection, dim, equation), place);
-    return [factor](const MatrixXd& b) {
-      return factor->solve(b);
-    };
-  };
+  part.system.factor =
+      last_kept([k, m, dissection, place,
+                 equation = part.numbers.equation](double shift) {
+        const auto factor = std::make_shared<const FrontalCholesky>(
+            shift == 0.0 ? *k : weighted_sum(*k, shift, *m),
+            front_tree(*dissection, dim, equation), place);
+        return [factor](const MatrixXd& b) {
+          return factor->solve(b);
+        };
+      });
   part.system.rigid.resize(part.system.size, 0);
   const Eigen::Matrix<double, dim, 1> low = positions.rowwise().minCoeff();
   const Eigen::Matrix<double, dim, 1> high = positions.rowwise().maxCoeff();
@@ -113,18 +128,33 @@ VibratingPart<dim> vibrating_part(const ElasticProblem<dim>& problem,
   part.system.low_square = low_square(problem.material, size);
   if (held.empty() && bed.empty()) {
     part.system.rigid = rigid_modes<dim>(positions, 0.5 * (low + high), size);
-    NeighbourHold hold =
-        neighbour_hold(part.discretization, problem.history, problem.name);
-    part.held = std::move(hold.held);
-    if (hold.weighed.cols() > 0) {
-      part.system = dynamics::weighed_system(part.system, hold.weighed);
-    }
   }
   part.free = part.system;
-  if (part.held.cols() > 0) {
-    part.system = dynamics::held_system(part.free, part.held);
-  }
+  part.held.resize(part.system.size, 0);
   return part;
+}
+
+template <int dim>
+VibratingPart<dim> held_by_mechanism(VibratingPart<dim> part,
+                                     const loads::LoadHistory& history,
+                                     const std::string& part_name) {
+  if (part.free.rigid.cols() == 0) return part;
+  NeighbourHold hold = neighbour_hold(part.discretization, history, part_name);
+  part.held = std::move(hold.held);
+  if (hold.weighed.cols() > 0) {
+    part.free = dynamics::weighed_system(part.free, hold.weighed);
+  }
+  part.system = part.held.cols() > 0
+                    ? dynamics::held_system(part.free, part.held)
+                    : part.free;
+  return part;
+}
+
+template <int dim>
+VibratingPart<dim> vibrating_part(const ElasticProblem<dim>& problem,
+                                  int degree) {
+  return held_by_mechanism(supported_part(problem, degree), problem.history,
+                           problem.name);
 }
 
 template <int dim>
@@ -169,6 +199,10 @@ Eigen::VectorXd unit_load(const VibratingPart<dim>& part,
 }
 
 #define CLEVIS_INSTANTIATE(dim)                                               \
+  template VibratingPart<dim> supported_part<dim>(const ElasticProblem<dim>&, \
+                                                  int);                       \
+  template VibratingPart<dim> held_by_mechanism<dim>(                         \
+      VibratingPart<dim>, const loads::LoadHistory&, const std::string&);     \
   template VibratingPart<dim> vibrating_part<dim>(const ElasticProblem<dim>&, \
                                                   int);                       \
   template Eigen::VectorXd unit_load<dim>(                                    \

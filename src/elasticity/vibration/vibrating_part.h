@@ -27,9 +27,22 @@ struct VibratingPart {
   double mass{};                ///< of the discrete part [kg]
 };
 
-/// @param problem  of its loads only what the mechanism holds is asked for.
+/// Of its supports and beds alone; its loads are not asked for.
 /// @param degree   of the displacement, 1…4 (simplices 1…2).
 /// @throws Error F001, F002, F004, M005.
+template <int dim>
+VibratingPart<dim> supported_part(const ElasticProblem<dim>& problem,
+                                  int degree);
+
+/// The same as the mechanism holds it, if nothing else does.
+/// @throws Error see surface_loads.
+template <int dim>
+VibratingPart<dim> held_by_mechanism(VibratingPart<dim> part,
+                                     const loads::LoadHistory& history,
+                                     const std::string& part_name);
+
+/// Both. @param problem  of its loads only what the mechanism holds is asked
+///   for.
 template <int dim>
 VibratingPart<dim> vibrating_part(const ElasticProblem<dim>& problem,
                                   int degree);
