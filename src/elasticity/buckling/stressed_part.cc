@@ -54,7 +54,7 @@ HeldPart::HeldPart(const BucklingProblem& problem)
   if (is_free_) {
     motions_ = std::make_unique<MeanMotions<3>>(part_);
     for (const HoldingSeats& hold : problem.holds) {
-      holds_.emplace_back(part_, *motions_, hold, problem.name);
+      holds_.emplace_back(*motions_, hold, problem.name);
       beyond_.push_back(
           span_of(coordinates_->of_loads(holds_.back().beyond())));
     }

@@ -1,6 +1,7 @@
 #include "elasticity/holds/mean_motions.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -150,16 +151,24 @@ MeanMotion<dim> MeanMotions<dim>::mean_motion(const VectorXd& weights) const {
   return motion;
 }
 
-MeanMotion<3> touched_motion(const Discretization<3>& discretization,
-                             const TouchedSeats& touched, std::size_t s,
-                             const std::string& part_name) {
+template <int dim>
+MeanMotion<3> MeanMotions<dim>::of_touched(
+    const TouchedSeats& touched, std::size_t s,
+    const std::string& part_name) requires(dim == 3) {
   const loads::Seat& seat = touched.seats[s];
+  const loads::ContactZone& zone = touched.zones[s];
+  auto wall = walls_.find(seat.group);
+  if (wall == walls_.end()) {
+    wall = walls_
+               .emplace(std::piecewise_construct,
+                        std::forward_as_tuple(seat.group),
+                        std::forward_as_tuple(discretization_, seat, part_name))
+               .first;
+  }
   MeanMotion<3> motion;
-  motion.of = mean_motions(
-      seat_mean(discretization, seat, {touched.zones[s]}, part_name));
-  const Eigen::Matrix3Xd positions = node_positions(discretization);
+  motion.of = mean_motions(seat_mean(wall->second, seat, zone));
   const Vector3d way =
-      middle_of(positions(Eigen::all, motion.of.nodes), seat, touched.zones[s]);
+      middle_of(positions_(Eigen::all, motion.of.nodes), seat, zone);
   motion.centre = seat.p_LS + way;
   for (Index k = 0; k < 3; ++k) {  // u + θ × way
     motion.of.rows.row(k) +=

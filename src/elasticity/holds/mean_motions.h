@@ -62,6 +62,10 @@ class MeanMotions {
   const MeanMotion<dim>& of_group(const std::string& group);
   /// By volume of all nodes.
   const MeanMotion<dim>& of_part();
+  /// Of what is touched of a slide's wall, about its middle.
+  /// @throws Error M003.
+  MeanMotion<3> of_touched(const TouchedSeats& touched, std::size_t seat,
+                           const std::string& part_name) requires(dim == 3);
 
  private:
   MeanMotion<dim> mean_motion(const Eigen::VectorXd& weights) const;
@@ -71,13 +75,8 @@ class MeanMotions {
   double size_;
   Eigen::MatrixXd rigid_;
   std::map<std::string, MeanMotion<dim>> of_groups_;
+  std::map<std::string, SlideWall<dim>> walls_;  ///< by the seat's group
   std::optional<MeanMotion<dim>> of_part_;
 };
-
-/// Of what is touched of a slide's wall, about its middle.
-/// @throws Error M003.
-MeanMotion<3> touched_motion(const Discretization<3>& discretization,
-                             const TouchedSeats& touched, std::size_t seat,
-                             const std::string& part_name);
 
 }  // namespace clevis::elasticity

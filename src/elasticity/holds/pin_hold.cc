@@ -38,13 +38,9 @@ void append(const NodeFunctionals<dim>& more, NodeFunctionals<dim>& all) {
 template <int dim>
 class Conditions {
  public:
-  Conditions(const Discretization<dim>& discretization,
-             MeanMotions<dim>& motions, const HoldingSeats& hold,
+  Conditions(MeanMotions<dim>& motions, const HoldingSeats& hold,
              const std::string& part_name)
-      : discretization_(discretization),
-        motions_(motions),
-        hold_(hold),
-        part_name_(part_name) {}
+      : motions_(motions), hold_(hold), part_name_(part_name) {}
 
   /// As many as rigid motions, not scaled.
   NodeFunctionals<dim> of_groups() {
@@ -110,8 +106,8 @@ class Conditions {
       if (known != touched_.end()) return known->second;
       if (const auto seat = touched_seat(group)) {
         return touched_
-            .emplace(group, touched_motion(discretization_, *hold_.touched,
-                                           *seat, part_name_))
+            .emplace(group,
+                     motions_.of_touched(*hold_.touched, *seat, part_name_))
             .first->second;
       }
     }
@@ -128,7 +124,6 @@ class Conditions {
     return static_cast<std::size_t>(seat - seats.begin());
   }
 
-  const Discretization<dim>& discretization_;
   MeanMotions<dim>& motions_;
   const HoldingSeats& hold_;
   const std::string& part_name_;
@@ -169,11 +164,10 @@ NodeFunctionals<dim> felt(NodeFunctionals<dim> wrenches,
 }  // namespace
 
 template <int dim>
-PinHold<dim>::PinHold(const Discretization<dim>& discretization,
-                      MeanMotions<dim>& motions, const HoldingSeats& hold,
+PinHold<dim>::PinHold(MeanMotions<dim>& motions, const HoldingSeats& hold,
                       const std::string& part_name)
     : rigid_(motions.rigid()) {
-  Conditions<dim> conditions(discretization, motions, hold, part_name);
+  Conditions<dim> conditions(motions, hold, part_name);
   conditions_ = scaled(conditions.of_groups(), rigid_);
   NodeFunctionals<dim> held = conditions.of_wrenches();
   if (held.rows.rows() == 0) return;

@@ -44,8 +44,8 @@ class PinHold {
   ///   mesh, do not count; a plane mesh knows no touched zones.
   /// @param part_name  for messages.
   /// @throws Error M003.
-  PinHold(const Discretization<dim>& discretization, MeanMotions<dim>& motions,
-          const HoldingSeats& hold, const std::string& part_name = "");
+  PinHold(MeanMotions<dim>& motions, const HoldingSeats& hold,
+          const std::string& part_name = "");
 
   /// Of MeanMotions::rigid(), motions × columns: what of displacements u (dofs
   /// × columns [m]) breaks the conditions.

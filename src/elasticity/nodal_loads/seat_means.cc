@@ -41,6 +41,11 @@ Eigen::MatrixXd seat_means(const Discretization<dim>& discretization,
                         part_name);
 }
 
+SurfaceLoads seat_mean(const SlideWall<3>& wall, loads::Seat seat,
+                       const loads::ContactZone& zone) {
+  return wall.of(unit_wrenches<3>({std::move(seat)}, {zone}), 0);
+}
+
 SurfaceLoads seat_mean(const Discretization<3>& discretization,
                        loads::Seat seat,
                        const std::vector<loads::ContactZone>& zones,

@@ -42,4 +42,8 @@ SurfaceLoads seat_mean(const Discretization<3>& discretization,
                        const std::vector<loads::ContactZone>& zones,
                        const std::string& part_name);
 
+/// Of what is touched of a wall.
+SurfaceLoads seat_mean(const SlideWall<3>& wall, loads::Seat seat,
+                       const loads::ContactZone& zone);
+
 }  // namespace clevis::elasticity

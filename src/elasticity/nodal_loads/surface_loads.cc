@@ -8,9 +8,7 @@
 
 #include "base/messages/errors.h"
 #include "elasticity/algebra/dense_product.h"
-#include "elasticity/fe_space/group_trace.h"
 #include "elasticity/nodal_loads/sliding_tractions.h"
-#include "elasticity/nodal_loads/zone_trace.h"
 #include "loads/pressure/discrete_balance.h"
 #include "loads/pressure/face_pressure.h"
 #include "loads/pressure/seat_traction.h"
@@ -95,57 +93,6 @@ class TractionHistory {
   MatrixXd values_;
 };
 
-/// Of a seat whose counterpart touches another zone at every instant.
-template <int dim>
-SurfaceLoads sliding_loads(const Discretization<dim>& discretization,
-                           const loads::LoadHistory& history,
-                           std::size_t seat_index, const std::string& part_name,
-                           FaceTables<dim>& tables) {
-  const loads::Seat& seat = history.seats[seat_index];
-  std::vector<int> groups = {find_group(discretization, seat.group, part_name)};
-  if (!seat.slide->opposite.empty()) {
-    groups.push_back(
-        find_group(discretization, seat.slide->opposite, part_name));
-  }
-  SurfaceLoads result;
-  for (const int group : groups) {
-    const auto nodes = group_nodes(discretization, group);
-    result.nodes.insert(result.nodes.end(), nodes.begin(), nodes.end());
-  }
-  std::ranges::sort(result.nodes);
-  result.nodes.erase(std::unique(result.nodes.begin(), result.nodes.end()),
-                     result.nodes.end());
-  const auto instants = history.instants.size();
-  result.values = MatrixXd::Zero(dim * static_cast<Index>(result.nodes.size()),
-                                 static_cast<Index>(instants));
-  const WallFaces<dim> wall(discretization, groups, tables);
-  const SlidingTractions tractions(
-      history, seat_index,
-      discretization.groups[static_cast<std::size_t>(groups.front())].cylinder,
-      part_name);
-  std::optional<ZoneTrace<dim>> zone;
-  loads::ContactZone touched;
-  for (std::size_t i = 0; i < instants; ++i) {
-    const loads::ContactZone now = tractions.zone(i);
-    if (!zone || (now.low != touched.low).any() ||
-        (now.high != touched.high).any()) {
-      zone.emplace(wall, bounds_of(seat, now));
-      touched = now;
-    }
-    const GroupTrace& trace = zone->trace();
-    TractionHistory<dim> here(trace.quadrature.weights.size(), 1);
-    here.set(0, tractions.at(i, trace.quadrature, trace.outward));
-    const SurfaceLoads part = here.integrate(trace);
-    for (std::size_t k = 0; k < part.nodes.size(); ++k) {
-      const Index at = std::ranges::lower_bound(result.nodes, part.nodes[k]) -
-                       result.nodes.begin();
-      result.values.col(static_cast<Index>(i)).template segment<dim>(dim * at) =
-          part.values.col(0).template segment<dim>(dim * static_cast<Index>(k));
-    }
-  }
-  return result;
-}
-
 template <int dim>
 SurfaceLoads loads_of_seat(const Discretization<dim>& discretization,
                            const loads::LoadHistory& history,
@@ -153,8 +100,8 @@ SurfaceLoads loads_of_seat(const Discretization<dim>& discretization,
                            FaceTables<dim>& tables) {
   const loads::Seat& seat = history.seats[seat_index];
   if (seat.slide) {
-    return sliding_loads(discretization, history, seat_index, part_name,
-                         tables);
+    return SlideWall<dim>(discretization, seat, part_name)
+        .of(history, seat_index);
   }
   const int group = find_group(discretization, seat.group, part_name);
   const auto& cylinder =
@@ -214,6 +161,60 @@ SurfaceLoads face_loads(const Discretization<dim>& discretization,
 }  // namespace
 
 template <int dim>
+SlideWall<dim>::SlideWall(const Discretization<dim>& discretization,
+                          const loads::Seat& seat, const std::string& part_name)
+    : part_name_(part_name), tables_(std::make_unique<FaceTables<dim>>()) {
+  groups_ = {find_group(discretization, seat.group, part_name)};
+  if (!seat.slide->opposite.empty()) {
+    groups_.push_back(
+        find_group(discretization, seat.slide->opposite, part_name));
+  }
+  for (const int group : groups_) {
+    const auto nodes = group_nodes(discretization, group);
+    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
+  }
+  std::ranges::sort(nodes_);
+  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+  faces_ = std::make_unique<WallFaces<dim>>(discretization, groups_, *tables_);
+}
+
+template <int dim>
+SurfaceLoads SlideWall<dim>::of(const loads::LoadHistory& history,
+                                std::size_t seat_index) const {
+  const loads::Seat& seat = history.seats[seat_index];
+  const auto instants = history.instants.size();
+  SurfaceLoads result{nodes_,
+                      MatrixXd::Zero(dim * static_cast<Index>(nodes_.size()),
+                                     static_cast<Index>(instants))};
+  const SlidingTractions tractions(
+      history, seat_index,
+      faces_->discretization->groups[static_cast<std::size_t>(groups_.front())]
+          .cylinder,
+      part_name_);
+  std::optional<ZoneTrace<dim>> zone;
+  loads::ContactZone touched;
+  for (std::size_t i = 0; i < instants; ++i) {
+    const loads::ContactZone now = tractions.zone(i);
+    if (!zone || (now.low != touched.low).any() ||
+        (now.high != touched.high).any()) {
+      zone.emplace(*faces_, bounds_of(seat, now));
+      touched = now;
+    }
+    const GroupTrace& trace = zone->trace();
+    TractionHistory<dim> here(trace.quadrature.weights.size(), 1);
+    here.set(0, tractions.at(i, trace.quadrature, trace.outward));
+    const SurfaceLoads part = here.integrate(trace);
+    for (std::size_t k = 0; k < part.nodes.size(); ++k) {
+      const Index at =
+          std::ranges::lower_bound(nodes_, part.nodes[k]) - nodes_.begin();
+      result.values.col(static_cast<Index>(i)).template segment<dim>(dim * at) =
+          part.values.col(0).template segment<dim>(dim * static_cast<Index>(k));
+    }
+  }
+  return result;
+}
+
+template <int dim>
 SurfaceLoads seat_loads(const Discretization<dim>& discretization,
                         const loads::LoadHistory& history, std::size_t seat,
                         const std::string& part_name) {
@@ -238,6 +239,8 @@ std::vector<SurfaceLoads> surface_loads(
   return result;
 }
 
+template class SlideWall<2>;
+template class SlideWall<3>;
 template SurfaceLoads seat_loads<3>(const Discretization<3>&,
                                     const loads::LoadHistory&, std::size_t,
                                     const std::string&);

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "elasticity/fe_space/discretization.h"
+#include "elasticity/fe_space/group_trace.h"
+#include "elasticity/nodal_loads/zone_trace.h"
 #include "loads/history/load_history.h"
 
 namespace clevis::elasticity {
@@ -27,6 +30,26 @@ template <int dim>
 SurfaceLoads seat_loads(const Discretization<dim>& discretization,
                         const loads::LoadHistory& history, std::size_t seat,
                         const std::string& part_name);
+
+/// The wall that a slide's counterpart travels over, made once for loads that
+/// are asked for again and again.
+template <int dim>
+class SlideWall {
+ public:
+  /// @param seat  that slides. @param discretization  outlives the object.
+  /// @throws Error M003.
+  SlideWall(const Discretization<dim>& discretization, const loads::Seat& seat,
+            const std::string& part_name);
+
+  /// Of a seat on this wall [N]. @throws Error L002, L007.
+  SurfaceLoads of(const loads::LoadHistory& history, std::size_t seat) const;
+
+ private:
+  std::string part_name_;
+  std::vector<int> groups_, nodes_;
+  std::unique_ptr<FaceTables<dim>> tables_;
+  std::unique_ptr<const WallFaces<dim>> faces_;
+};
 
 /// Loads of all seats, then of all loaded faces.
 template <int dim>

@@ -15,12 +15,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 template <int dim>
-elasticity::PinHold<dim> pin_hold(
-    const elasticity::DisplacementBasis<dim>& basis,
-    elasticity::MeanMotions<dim>& motions, const loads::PartHold& hold) {
-  return {basis.discretization,
-          motions,
-          {.groups = hold.groups, .held = hold.held}};
+elasticity::PinHold<dim> pin_hold(elasticity::MeanMotions<dim>& motions,
+                                  const loads::PartHold& hold) {
+  return {motions, {.groups = hold.groups, .held = hold.held}};
 }
 
 /// Of the motion's instants; none where all are alike.
@@ -52,7 +49,7 @@ template <int dim>
 void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
                          const loads::PartHold& hold) {
   elasticity::MeanMotions<dim> motions(basis.discretization);
-  basis.columns = pin_hold(basis, motions, hold).project(basis.columns);
+  basis.columns = pin_hold(motions, hold).project(basis.columns);
 }
 
 template <int dim>
@@ -78,7 +75,7 @@ void refer_to_instants(const loads::LoadHistory& history,
   MatrixXd moved = MatrixXd::Zero(kMotions, basis.coefficients.cols());
   for (std::size_t i = 0; i < holds.size(); ++i) {
     const auto at = static_cast<Index>(i);
-    moved.col(at) = -pin_hold(basis, motions, holds[i]).broken(basis.columns) *
+    moved.col(at) = -pin_hold(motions, holds[i]).broken(basis.columns) *
                     basis.coefficients.col(at);
   }
   add_rigid_motions(motions.rigid(), moved, basis);

@@ -67,7 +67,7 @@ class TouchedMotions {
         std::move(held.groups),
         elasticity::TouchedSeats{history_.seats, zones(i)},
         std::move(held.held)};
-    const elasticity::PinHold<3> hold(basis_.discretization, *motions_, seats);
+    const elasticity::PinHold<3> hold(*motions_, seats);
     broken_[i] = hold.broken(basis_.columns);
   }
 
