@@ -27,8 +27,9 @@ struct NodeFunctionals {
   void add(const Eigen::MatrixXd& amounts, Eigen::MatrixXd& forces) const;
 };
 
-/// Mean motions of a seat (seat_mean()), six.
-NodeFunctionals<3> mean_motions(const SurfaceLoads& of_unit_wrenches);
+/// Mean motions of a seat (seat_mean()), as many as rigid ones.
+template <int dim>
+NodeFunctionals<dim> mean_motions(const SurfaceLoads& of_unit_wrenches);
 
 /// The rigid motion nearest to displacements of some nodes: of the centre, then
 /// the rotation about it.
@@ -74,10 +75,12 @@ class MeanMotions {
   std::optional<MeanMotion<dim>> of_part_;
 };
 
-/// Of what is touched of a slide's wall, about its middle.
+/// Of what is touched of a slide's wall, about its middle. On a plane mesh the
+/// zone reaches from lid to lid.
 /// @throws Error M003.
-MeanMotion<3> touched_motion(const Discretization<3>& discretization,
-                             const TouchedSeats& touched, std::size_t seat,
-                             const std::string& part_name);
+template <int dim>
+MeanMotion<dim> touched_motion(const Discretization<dim>& discretization,
+                               const TouchedSeats& touched, std::size_t seat,
+                               const std::string& part_name);
 
 }  // namespace clevis::elasticity

@@ -37,7 +37,8 @@ Eigen::MatrixXd seat_means(const Discretization<dim>& discretization,
 
 /// The same of one seat, on the nodes of its group alone.
 /// @param zones  of the seat, one; empty: all of the group.
-SurfaceLoads seat_mean(const Discretization<3>& discretization,
+template <int dim>
+SurfaceLoads seat_mean(const Discretization<dim>& discretization,
                        loads::Seat seat,
                        const std::vector<loads::ContactZone>& zones,
                        const std::string& part_name);

@@ -238,6 +238,9 @@ std::vector<SurfaceLoads> surface_loads(
   return result;
 }
 
+template SurfaceLoads seat_loads<2>(const Discretization<2>&,
+                                    const loads::LoadHistory&, std::size_t,
+                                    const std::string&);
 template SurfaceLoads seat_loads<3>(const Discretization<3>&,
                                     const loads::LoadHistory&, std::size_t,
                                     const std::string&);
