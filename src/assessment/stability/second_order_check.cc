@@ -22,8 +22,10 @@
 #include "assessment/stability/second_order_loads.h"
 #include "assessment/vibration/load_pace.h"
 #include "base/messages/errors.h"
+#include "elasticity/assembly/supports.h"
 #include "elasticity/buckling/second_order.h"
 #include "elasticity/problem/dof_limit.h"
+#include "loads/holds/holding_groups.h"
 #include "part/buckling_limit.h"
 
 namespace clevis::assessment {
@@ -66,12 +68,13 @@ class SetCheck {
     loads::LoadHistory history = set_.history;
     history.instants = looked_.instants;
     history.repeats.clear();
+    holds_ = part_holds(set_, history, job_.part.ideal_joints);
     elasticity::BucklingProblem problem{
         .discretization = space_.whole,
         .material = job_.part.material,
         .history = history,
         .fixed = model_.supports(set_),
-        .holds = part_holds(set_, history, job_.part.ideal_joints),
+        .holds = holds_,
         .name = job_.part.name,
         .foundations = set_.foundations,
         .plane = space_.plane ? &*space_.plane : nullptr};
@@ -338,6 +341,11 @@ class SetCheck {
     }
     Reached reached;
     reached.peak = swing.stress * rise->stress * linear.peak;
+    if (is_bent_by_a_pin(point, hold)) {
+      found.bound =
+          std::max(found.bound, swing.stress * linear.peak *
+                                    std::max(rise->stress, rise->deflection));
+    }
     if (reached.peak > found.peak) {
       found.peak = reached.peak;
       found.stress = rise->stress;
@@ -366,6 +374,30 @@ class SetCheck {
               (linear.is_deflection_known ? linear.deflects : linear.moved));
     }
     return reached;
+  }
+
+  /// Whether a pin that holds takes a moment across its axis. That grows as the
+  /// part gives way, by no more than the deflection; the solution spreads what
+  /// it grows by over the bore, where pressure at its ends stresses more.
+  bool is_bent_by_a_pin(const LoadPoint& point, std::size_t hold) const {
+    constexpr double kBends = 1e-3;  // of the largest force at the part's size
+    const auto& seats = set_.history.seats;
+    const auto& wrenches =
+        looked_.instants[static_cast<std::size_t>(point.instant)].wrenches;
+    const auto positions = elasticity::node_positions(space_.whole);
+    const double size =
+        (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff())
+            .norm();
+    double force = 0.0, moment = 0.0;
+    for (std::size_t s = 0; s < seats.size(); ++s) {
+      force = std::max(force, wrenches[s].force.norm());
+      if (seats[s].kind == loads::SeatKind::kBearing &&
+          std::ranges::find(holds_[hold].groups, loads::holder_of(seats, s)) !=
+              holds_[hold].groups.end()) {
+        moment = std::max(moment, wrenches[s].moment.norm());
+      }
+    }
+    return moment > kBends * force * size;
   }
 
   /// Loads that grow spin the part as well: of those whose spin counts, whether
@@ -411,6 +443,7 @@ class SetCheck {
   LinearSet linear_;
   double softer_;
   double admitted_peak_, admitted_deflection_;
+  std::vector<elasticity::HoldingSeats> holds_;
   std::set<std::size_t> followed_;  ///< points, on to the next
   /// Nothing was solved for yet, with any hold.
   bool is_first_by_stress_ = true, is_first_by_deflection_ = true;
@@ -450,7 +483,8 @@ void note(const PartResult& result, std::vector<std::string>& notes) {
   if (found.bound > kSays * std::max(found.peak, judged_peak(result).value)) {
     notes.push_back(fmt::format(
         "second order: loads, and masses of other bodies that it spins, act on "
-        "what they displace: up to {:.4g} MPa, which is the verdict's bound",
+        "what they displace, and pins bend what they hold: up to {:.4g} MPa, "
+        "which is the verdict's bound",
         1e-6 * found.bound));
   }
   if (found.peak > 0.0 && found.stress > kSays) {
