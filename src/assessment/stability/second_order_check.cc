@@ -376,9 +376,10 @@ class SetCheck {
     return reached;
   }
 
-  /// Whether a pin that holds takes a moment across its axis. That grows as the
-  /// part gives way, by no more than the deflection; the solution spreads what
-  /// it grows by over the bore, where pressure at its ends stresses more.
+  /// Whether a pin that holds, no guide, takes a moment across its axis. That
+  /// grows as the part gives way, by no more than the deflection; the solution
+  /// spreads what it grows by over the bore, where pressure at its ends
+  /// stresses more.
   bool is_bent_by_a_pin(const LoadPoint& point, std::size_t hold) const {
     constexpr double kBends = 1e-3;  // of the largest force at the part's size
     const auto& seats = set_.history.seats;
@@ -391,7 +392,7 @@ class SetCheck {
     double force = 0.0, moment = 0.0;
     for (std::size_t s = 0; s < seats.size(); ++s) {
       force = std::max(force, wrenches[s].force.norm());
-      if (seats[s].kind == loads::SeatKind::kBearing &&
+      if (seats[s].kind == loads::SeatKind::kBearing && !seats[s].slide &&
           std::ranges::find(holds_[hold].groups, loads::holder_of(seats, s)) !=
               holds_[hold].groups.end()) {
         moment = std::max(moment, wrenches[s].moment.norm());
