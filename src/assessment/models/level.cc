@@ -134,11 +134,7 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
     if (set.fixed.empty() && set.foundations.empty()) {
       const loads::PartHold hold = reference_hold(set);
       stress::remove_rigid_motion<dim>(*basis, hold);
-      bool is_touched = false;
-      if constexpr (dim == 3) {
-        is_touched = stress::refer_to_touched(set.history, hold.groups, *basis);
-      }
-      if (!is_touched) {
+      if (!stress::refer_to_touched<dim>(set.history, hold.groups, *basis)) {
         stress::refer_to_instants<dim>(set.history, hold.groups, *basis);
       }
     }

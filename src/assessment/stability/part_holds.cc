@@ -1,6 +1,7 @@
 #include "assessment/stability/part_holds.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <utility>
 
@@ -25,10 +26,14 @@ double largest_force(const loads::InstantLoad& instant) {
 
 bool has_slide(const HoldingSeats& hold,
                const std::vector<loads::Seat>& seats) {
-  return std::ranges::any_of(seats, [&](const loads::Seat& seat) {
-    return seat.slide &&
-           std::ranges::find(hold.groups, seat.group) != hold.groups.end();
-  });
+  for (std::size_t s = 0; s < seats.size(); ++s) {
+    if (seats[s].slide &&
+        std::ranges::find(hold.groups, loads::holder_of(seats, s)) !=
+            hold.groups.end()) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Instants of a motion by places of its slides, both ends by themselves as

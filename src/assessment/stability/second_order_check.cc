@@ -23,8 +23,10 @@
 #include "assessment/verdict/governing_peak.h"
 #include "assessment/vibration/load_pace.h"
 #include "base/messages/errors.h"
+#include "elasticity/assembly/supports.h"
 #include "elasticity/buckling/stressed_part.h"
 #include "elasticity/problem/dof_limit.h"
+#include "loads/holds/holding_groups.h"
 #include "part/buckling_limit.h"
 
 namespace clevis::assessment {
@@ -67,12 +69,13 @@ class SetCheck {
     loads::LoadHistory history = set_.history;
     history.instants = looked_.instants;
     history.repeats.clear();
+    holds_ = part_holds(set_, history, job_.part.ideal_joints);
     elasticity::BucklingProblem problem{
         .discretization = space_.whole,
         .material = job_.part.material,
         .history = history,
         .fixed = model_.supports(set_),
-        .holds = part_holds(set_, history, job_.part.ideal_joints),
+        .holds = holds_,
         .name = job_.part.name,
         .foundations = set_.foundations,
         .plane = space_.plane ? &*space_.plane : nullptr};
@@ -101,7 +104,8 @@ class SetCheck {
       return one.most() > other.most();
     });
     for (const HeldPoints& points : holds) {
-      SolvedPoints solved(linear_, part, points, softer_, result_, found);
+      SolvedPoints solved(linear_, part, points, bent(points.hold()), softer_,
+                          result_, found);
       look_at(points, solved, found);
       if (with) bound_with_neighbours(*with, points, found);
       if (!found.is_stable) return;
@@ -109,6 +113,18 @@ class SetCheck {
   }
 
  private:
+  /// bent_by_pins() with a hold.
+  std::vector<bool> bent(std::size_t hold) const {
+    const auto positions = elasticity::node_positions(space_.whole);
+    const double size =
+        (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff())
+            .norm();
+    const bool is_free = hold < holds_.size();
+    return bent_by_pins(
+        set_.history.seats, looked_,
+        is_free ? holds_[hold].groups : std::vector<std::string>{}, size);
+  }
+
   /// It fails by that: nothing else decides.
   static bool buckles(const PartJob& job, const PartResult& result) {
     const double wanted = part::wanted_buckling_factor(job.part.limits);
@@ -264,6 +280,7 @@ class SetCheck {
   LinearSet linear_;
   double softer_;
   double admitted_peak_, admitted_deflection_;
+  std::vector<elasticity::HoldingSeats> holds_;
   std::set<std::size_t> followed_;  ///< points, on to the next
   /// Nothing was solved for yet, with any hold.
   bool is_first_by_stress_ = true, is_first_by_deflection_ = true;
@@ -303,7 +320,8 @@ void note(const PartResult& result, std::vector<std::string>& notes) {
   if (found.bound > kSays * std::max(found.peak, judged_peak(result).value)) {
     notes.push_back(fmt::format(
         "second order: loads, and masses of other bodies that it spins, act on "
-        "what they displace: up to {:.4g} MPa, which is the verdict's bound",
+        "what they displace, and pins bend what they hold: up to {:.4g} MPa, "
+        "which is the verdict's bound",
         1e-6 * found.bound));
   }
   if (found.peak > 0.0 && found.stress > kSays) {

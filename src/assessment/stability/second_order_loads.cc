@@ -58,6 +58,28 @@ void keep_bends(const std::vector<LoadPoint>& points, std::size_t from,
 
 }  // namespace
 
+std::vector<bool> bent_by_pins(const std::vector<loads::Seat>& seats,
+                               const SecondOrderLoads& loads,
+                               const std::vector<std::string>& holders,
+                               double size) {
+  constexpr double kBends = 1e-3;  // of the largest force at the part's size
+  std::vector<bool> bent;
+  for (const auto& instant : loads.instants) {
+    double force = 0.0, moment = 0.0;
+    for (std::size_t s = 0; s < seats.size(); ++s) {
+      const loads::Wrench& wrench = instant.wrenches[s];
+      force = std::max(force, wrench.force.norm());
+      if (seats[s].kind == loads::SeatKind::kBearing && !seats[s].slide &&
+          std::ranges::find(holders, loads::holder_of(seats, s)) !=
+              holders.end()) {
+        moment = std::max(moment, wrench.moment.norm());
+      }
+    }
+    bent.push_back(moment > kBends * force * size);
+  }
+  return bent;
+}
+
 Swing swing_of(const PartResult& result, std::size_t set) {
   return result.swings.empty() ? Swing{} : result.swings[set];
 }

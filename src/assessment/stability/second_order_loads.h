@@ -65,6 +65,16 @@ LoadPoint between(const LoadPoint& from, const LoadPoint& to, double share);
 std::optional<Eigen::VectorXd> common_load(const SecondOrderLoads& loads,
                                            const Eigen::MatrixXd& coefficients);
 
+/// By instant, whether a pin of groups that hold, no guide, takes a moment
+/// across its axis. That grows as the part gives way, by no more than the
+/// deflection; a solution that spreads what it grows by over the bore does not
+/// see that pressure at its ends stresses more.
+/// @param holders  loads::holder_of(). @param size  of the part [m].
+std::vector<bool> bent_by_pins(const std::vector<loads::Seat>& seats,
+                               const SecondOrderLoads& loads,
+                               const std::vector<std::string>& holders,
+                               double size);
+
 /// Of a load set's motion.
 Swing swing_of(const PartResult& result, std::size_t set);
 

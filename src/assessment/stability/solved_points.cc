@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace clevis::assessment {
@@ -13,10 +14,12 @@ using Eigen::VectorXd;
 
 SolvedPoints::SolvedPoints(const LinearSet& linear,
                            const elasticity::StressedPart& part,
-                           const HeldPoints& points, double softer,
-                           const PartResult& result, SecondOrderResult& found)
+                           const HeldPoints& points, std::vector<bool> bent,
+                           double softer, const PartResult& result,
+                           SecondOrderResult& found)
     : linear_(linear),
       points_(points),
+      bent_(std::move(bent)),
       softer_(softer),
       result_(result),
       found_(found),
@@ -92,6 +95,11 @@ SolvedPoints::Reached SolvedPoints::take(std::size_t i, const LoadPoint& point,
   }
   Reached reached;
   reached.peak = swing.stress * rise->stress * linear.peak;
+  if (bent_[static_cast<std::size_t>(point.instant)]) {
+    found_.bound =
+        std::max(found_.bound, swing.stress * linear.peak *
+                                   std::max(rise->stress, rise->deflection));
+  }
   if (reached.peak > found_.peak) {
     found_.peak = reached.peak;
     found_.stress = rise->stress;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -15,12 +16,13 @@ namespace clevis::assessment {
 /// Points of a load set with one hold of the part, solved in second order.
 class SolvedPoints {
  public:
+  /// @param bent    bent_by_pins() with the hold.
   /// @param softer  of K_G's stresses than of linear theory's [1].
   /// @param found   takes in what is solved: the largest, or that nothing
   /// holds.
   ///   All outlive the object.
   SolvedPoints(const LinearSet& linear, const elasticity::StressedPart& part,
-               const HeldPoints& points, double softer,
+               const HeldPoints& points, std::vector<bool> bent, double softer,
                const PartResult& result, SecondOrderResult& found);
 
   struct Reached {
@@ -55,6 +57,7 @@ class SolvedPoints {
 
   const LinearSet& linear_;
   const HeldPoints& points_;
+  std::vector<bool> bent_;  ///< by instant
   double softer_;
   const PartResult& result_;
   SecondOrderResult& found_;

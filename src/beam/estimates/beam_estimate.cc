@@ -109,7 +109,8 @@ double strut_length(const PinLine& line, const Span& span,
   };
   std::vector<double> held;
   for (const std::size_t seat : line.seats) {
-    if (std::ranges::find(hold, history.seats[seat].group) != hold.end()) {
+    if (std::ranges::find(hold, loads::holder_of(history.seats, seat)) !=
+        hold.end()) {
       held.push_back(position(seat));
     }
   }

@@ -105,7 +105,7 @@ Reference reference_of(const PinLine& line, const loads::LoadHistory& history,
   std::vector<double> at;
   for (const std::string& group : hold) {
     const auto seat = std::ranges::find(line.seats, group, [&](std::size_t i) {
-      return history.seats[i].group;
+      return loads::holder_of(history.seats, i);
     });
     if (seat != line.seats.end()) at.push_back(position(*seat));
   }

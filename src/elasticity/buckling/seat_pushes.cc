@@ -1,5 +1,7 @@
 #include "elasticity/buckling/seat_pushes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -7,6 +9,7 @@
 #include "elasticity/fe_space/group_trace.h"
 #include "elasticity/nodal_loads/seat_means.h"
 #include "elasticity/nodal_loads/surface_loads.h"
+#include "loads/history/motion_instants.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -32,30 +35,113 @@ Matrix3d virial_of(const Eigen::Ref<const VectorXd>& forces,
   return 0.5 * (sum + sum.transpose());
 }
 
+/// A place of a surface, and its share [1].
+using Share = std::pair<std::size_t, double>;
+
 /// A seat's surface.
 struct SeatSurface {
-  /// Its mean motions, which are nodal forces of unit wrenches as well.
-  NodeFunctionals<3> motions;
-  std::vector<Matrix3d> virials;  ///< of its loads, by instant [N m]
+  /// Its mean motions, which are nodal forces of unit wrenches as well; of a
+  /// slide those of what is touched, at some of its places.
+  std::vector<NodeFunctionals<3>> motions;
+  std::vector<std::vector<Share>> shares;  ///< of the places, by instant
+  std::vector<Matrix3d> virials;           ///< of its loads, by instant [N m]
 };
 
-/// Virials of a slide: what it touches travels, its loads count as they act on
-/// the mean motions; a guide's pressure on a round wall as through its axis.
-std::vector<Matrix3d> virials_of_slide(const NodeFunctionals<3>& motions,
+/// Instants of a slide's motion whose places are spread evenly over its way,
+/// by rising place.
+/// @param places  [m]; nothing known: NaN.
+std::vector<std::size_t> spread_places(const std::vector<double>& places) {
+  constexpr int kSteps = 8;  // what lies between is linear to 1/64 of its bow
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const double place : places) {
+    if (!std::isfinite(place)) continue;
+    low = std::min(low, place);
+    high = std::max(high, place);
+  }
+  std::vector<std::size_t> found;
+  if (!(low <= high)) return found;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double wanted = low + (high - low) * k / kSteps;
+    const auto off = [&](double place) {
+      return std::isfinite(place) ? std::abs(place - wanted) : HUGE_VAL;
+    };
+    const auto nearest = static_cast<std::size_t>(
+        std::ranges::min_element(places, {}, off) - places.begin());
+    if (found.empty() || places[nearest] > places[found.back()]) {
+      found.push_back(nearest);
+    }
+  }
+  return found;
+}
+
+/// Of a place between some that rise.
+std::vector<Share> shares_of(double place, const std::vector<double>& known) {
+  const auto above = std::ranges::upper_bound(known, place);
+  if (above == known.begin()) return {{0, 1.0}};
+  const auto next = static_cast<std::size_t>(above - known.begin());
+  if (above == known.end()) return {{next - 1, 1.0}};
+  const double share =
+      (place - known[next - 1]) / (known[next] - known[next - 1]);
+  return {{next - 1, 1.0 - share}, {next, share}};
+}
+
+/// Virials of a slide: its loads count as they act on the mean motions of what
+/// is touched; a guide's pressure on a round wall as through its axis.
+std::vector<Matrix3d> virials_of_slide(const SeatSurface& surface,
                                        const Eigen::Matrix3Xd& positions,
                                        const loads::LoadHistory& history,
-                                       std::size_t s) {
+                                       std::size_t s,
+                                       const std::vector<double>& places) {
   const loads::Seat& seat = history.seats[s];
   std::vector<Matrix3d> virials(history.instants.size(), Matrix3d::Zero());
-  if (seat.kind == loads::SeatKind::kBearing) return virials;
   for (std::size_t i = 0; i < virials.size(); ++i) {
     const loads::Wrench& wrench = history.instants[i].wrenches[s];
+    if (seat.kind == loads::SeatKind::kBearing) {
+      if (i >= places.size() || !std::isfinite(places[i])) continue;
+      const Matrix3d sum =
+          wrench.force * (places[i] * seat.slide->along_L).transpose();
+      virials[i] = 0.5 * (sum + sum.transpose());
+      continue;
+    }
     Wrench6 amounts;
     amounts << wrench.force, wrench.moment;
-    virials[i] = virial_of(motions.rows.transpose() * amounts, motions.nodes,
-                           positions, seat.p_LS);
+    for (const auto& [place, share] : surface.shares[i]) {
+      const auto& motions = surface.motions[place];
+      virials[i] += share * virial_of(motions.rows.transpose() * amounts,
+                                      motions.nodes, positions, seat.p_LS);
+    }
   }
   return virials;
+}
+
+/// Of a slide.
+SeatSurface touched_surface(const Discretization<3>& discretization,
+                            const Eigen::Matrix3Xd& positions,
+                            const loads::LoadHistory& history, std::size_t s,
+                            const std::string& part_name) {
+  const loads::Seat& seat = history.seats[s];
+  const SlideWall<3> wall(discretization, seat, part_name);
+  const auto motions = [&](const std::vector<loads::ContactZone>& zones) {
+    return mean_motions<3>(seat_mean(wall, seat, zones));
+  };
+  const std::vector<double> places = loads::places_on_wall(history, s);
+  SeatSurface surface;
+  std::vector<double> known;
+  for (const std::size_t i : spread_places(places)) {
+    known.push_back(places[i]);
+    surface.motions.push_back(motions({history.instants[i].zones[s]}));
+  }
+  const std::size_t whole = surface.motions.size();
+  for (std::size_t i = 0; i < history.instants.size(); ++i) {
+    const bool is_known = i < places.size() && std::isfinite(places[i]);
+    if (!is_known && surface.motions.size() == whole) {
+      surface.motions.push_back(motions({}));
+    }
+    surface.shares.push_back(is_known ? shares_of(places[i], known)
+                                      : std::vector<Share>{{whole, 1.0}});
+  }
+  surface.virials = virials_of_slide(surface, positions, history, s, places);
+  return surface;
 }
 
 SeatSurface surface_of(const Discretization<3>& discretization,
@@ -63,12 +149,13 @@ SeatSurface surface_of(const Discretization<3>& discretization,
                        const loads::LoadHistory& history, std::size_t s,
                        const std::string& part_name) {
   const loads::Seat& seat = history.seats[s];
-  SeatSurface surface{
-      mean_motions(seat_mean(discretization, seat, {}, part_name)), {}};
   if (seat.slide) {
-    surface.virials = virials_of_slide(surface.motions, positions, history, s);
-    return surface;
+    return touched_surface(discretization, positions, history, s, part_name);
   }
+  SeatSurface surface;
+  surface.motions.push_back(
+      mean_motions<3>(seat_mean(discretization, seat, {}, part_name)));
+  surface.shares.assign(history.instants.size(), {{0, 1.0}});
   const SurfaceLoads loads = seat_loads(discretization, history, s, part_name);
   const std::vector<Index> nodes(loads.nodes.begin(), loads.nodes.end());
   for (Index i = 0; i < loads.values.cols(); ++i) {
@@ -109,7 +196,8 @@ SeatPushes::SeatPushes(const Discretization<3>& discretization,
     : dofs_(discretization.dofs()) {
   constexpr double kNothing = 1e-9;  // of the forces
   std::map<std::size_t, SeatSurface> surfaces;
-  std::map<std::size_t, Index> known;  // first motions of the history's seats
+  // First motions of the history's seats, at their places.
+  std::map<std::pair<std::size_t, std::size_t>, Index> known;
   const auto positions = node_positions(discretization);
   const double size =
       (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).norm();
@@ -141,7 +229,8 @@ SeatPushes::SeatPushes(const Discretization<3>& discretization,
       }
     }
     const MatrixXd gain = found.gain - dead;
-    std::vector<Index> kept;
+    std::vector<Index> kept;     // rows of the gain, by motion
+    std::vector<double> shares;  // of a seat's motion, likewise
     for (std::size_t k = 0; k < found.seats.size(); ++k) {
       const Index at = kMotion * static_cast<Index>(k);
       if (!has_faces(discretization, history.seats[found.seats[k]].group) ||
@@ -152,15 +241,20 @@ SeatPushes::SeatPushes(const Discretization<3>& discretization,
               kNothing * forces) {
         continue;
       }
-      const auto [first, is_new] =
-          known.try_emplace(found.seats[k], kMotion * std::ssize(seats_));
-      if (is_new) seats_.push_back(surface(found.seats[k]).motions);
-      for (Index motion = 0; motion < kMotion; ++motion) {
-        kept.push_back(at + motion);
-        push.motions.push_back(first->second + motion);
+      const SeatSurface& here = surface(found.seats[k]);
+      for (const auto& [place, share] : here.shares[i]) {
+        const auto [first, is_new] = known.try_emplace(
+            {found.seats[k], place}, kMotion * std::ssize(seats_));
+        if (is_new) seats_.push_back(here.motions[place]);
+        for (Index motion = 0; motion < kMotion; ++motion) {
+          kept.push_back(at + motion);
+          shares.push_back(share);
+          push.motions.push_back(first->second + motion);
+        }
       }
     }
-    push.gain = gain(kept, kept);
+    const Eigen::Map<const VectorXd> by(shares.data(), std::ssize(shares));
+    push.gain = by.asDiagonal() * gain(kept, kept) * by.asDiagonal();
   }
 }
 

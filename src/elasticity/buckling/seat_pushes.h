@@ -14,7 +14,8 @@ namespace clevis::elasticity {
 
 /// What loads that follow a part's seats (loads::SeatGains) add to what its
 /// stresses do: forces and moments on seats in proportion to the mean motions
-/// of their surfaces.
+/// of their surfaces, of a slide of what is touched then: between eight places
+/// along its way linear.
 class SeatPushes {
  public:
   /// @param part_name  for messages. @throws Error M003.
@@ -29,7 +30,7 @@ class SeatPushes {
            Eigen::MatrixXd& forces) const;
   /// Of a unit of each motion, dofs × motions.
   Eigen::MatrixXd unit_forces() const;
-  /// Mean motions of the seats, 6 per seat × columns [m], [rad].
+  /// Mean motions of the seats at their places, six each × columns [m], [rad].
   Eigen::MatrixXd motions(const Eigen::MatrixXd& u) const;
 
  private:
@@ -41,7 +42,7 @@ class SeatPushes {
     Eigen::MatrixXd gain;
   };
   Eigen::Index dofs_;
-  std::vector<NodeFunctionals<3>> seats_;  ///< mean motions, six each
+  std::vector<NodeFunctionals<3>> seats_;  ///< mean motions, by place
   std::vector<Push> of_instant_;
 };
 

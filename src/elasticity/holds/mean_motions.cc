@@ -88,15 +88,16 @@ void NodeFunctionals<dim>::add(const MatrixXd& amounts,
   }
 }
 
-NodeFunctionals<3> mean_motions(const SurfaceLoads& of_unit_wrenches) {
+template <int dim>
+NodeFunctionals<dim> mean_motions(const SurfaceLoads& of_unit_wrenches) {
   const auto& [nodes, values] = of_unit_wrenches;
-  NodeFunctionals<3> motions;
+  NodeFunctionals<dim> motions;
   std::vector<Index> touched;  // of a slide's wall
   for (std::size_t k = 0; k < nodes.size(); ++k) {
-    const auto row = static_cast<Index>(3 * k);
-    if (values.middleRows<3>(row).isZero(0.0)) continue;
+    const auto row = static_cast<Index>(dim * k);
+    if (values.template middleRows<dim>(row).isZero(0.0)) continue;
     motions.nodes.push_back(nodes[k]);
-    for (Index d = 0; d < 3; ++d) touched.push_back(row + d);
+    for (Index d = 0; d < dim; ++d) touched.push_back(row + d);
   }
   motions.rows = values(touched, Eigen::all).transpose();
   return motions;
@@ -152,31 +153,37 @@ MeanMotion<dim> MeanMotions<dim>::mean_motion(const VectorXd& weights) const {
 }
 
 template <int dim>
-MeanMotion<3> MeanMotions<dim>::of_touched(
-    const TouchedSeats& touched, std::size_t s,
-    const std::string& part_name) requires(dim == 3) {
+MeanMotion<dim> MeanMotions<dim>::of_touched(const TouchedSeats& touched,
+                                             std::size_t s,
+                                             const std::string& part_name) {
+  constexpr Index kTurns = kRigidModes<dim> - dim;
   const loads::Seat& seat = touched.seats[s];
   const loads::ContactZone& zone = touched.zones[s];
-  auto wall = walls_.find(seat.group);
+  const std::pair walls(seat.group, seat.slide->opposite);
+  auto wall = walls_.find(walls);
   if (wall == walls_.end()) {
     wall = walls_
-               .emplace(std::piecewise_construct,
-                        std::forward_as_tuple(seat.group),
+               .emplace(std::piecewise_construct, std::forward_as_tuple(walls),
                         std::forward_as_tuple(discretization_, seat, part_name))
                .first;
   }
-  MeanMotion<3> motion;
-  motion.of = mean_motions(seat_mean(wall->second, seat, zone));
-  const Vector3d way =
-      middle_of(positions_(Eigen::all, motion.of.nodes), seat, zone);
-  motion.centre = seat.p_LS + way;
-  for (Index k = 0; k < 3; ++k) {  // u + θ × way
+  MeanMotion<dim> motion;
+  motion.of = mean_motions<dim>(seat_mean(wall->second, seat, {zone}));
+  Eigen::Matrix3Xd at(3, std::ssize(motion.of.nodes));
+  at.bottomRows(1).setConstant(discretization_.mid_plane_z);
+  at.topRows(dim) = positions_(Eigen::all, motion.of.nodes);
+  const Vector3d way = middle_of(at, seat, zone);
+  motion.centre = (seat.p_LS + way).template head<dim>();
+  for (Index k = 0; k < dim; ++k) {  // u + θ × way
     motion.of.rows.row(k) +=
-        way.cross(Vector3d::Unit(k)).transpose() * motion.of.rows.bottomRows(3);
+        way.cross(Vector3d::Unit(k)).template tail<kTurns>().transpose() *
+        motion.of.rows.template bottomRows<kTurns>();
   }
   return motion;
 }
 
+template NodeFunctionals<2> mean_motions<2>(const SurfaceLoads&);
+template NodeFunctionals<3> mean_motions<3>(const SurfaceLoads&);
 template struct NodeFunctionals<2>;
 template struct NodeFunctionals<3>;
 template class MeanMotions<2>;

@@ -27,8 +27,9 @@ struct NodeFunctionals {
   void add(const Eigen::MatrixXd& amounts, Eigen::MatrixXd& forces) const;
 };
 
-/// Mean motions of a seat (seat_mean()), six.
-NodeFunctionals<3> mean_motions(const SurfaceLoads& of_unit_wrenches);
+/// Mean motions of a seat (seat_mean()), as many as rigid ones.
+template <int dim>
+NodeFunctionals<dim> mean_motions(const SurfaceLoads& of_unit_wrenches);
 
 /// The rigid motion nearest to displacements of some nodes: of the centre, then
 /// the rotation about it.
@@ -62,10 +63,11 @@ class MeanMotions {
   const MeanMotion<dim>& of_group(const std::string& group);
   /// By volume of all nodes.
   const MeanMotion<dim>& of_part();
-  /// Of what is touched of a slide's wall, about its middle.
+  /// Of what is touched of a slide's wall, about its middle. On a plane mesh
+  /// the zone reaches from lid to lid.
   /// @throws Error M003.
-  MeanMotion<3> of_touched(const TouchedSeats& touched, std::size_t seat,
-                           const std::string& part_name) requires(dim == 3);
+  MeanMotion<dim> of_touched(const TouchedSeats& touched, std::size_t seat,
+                             const std::string& part_name);
 
  private:
   MeanMotion<dim> mean_motion(const Eigen::VectorXd& weights) const;
@@ -75,7 +77,8 @@ class MeanMotions {
   double size_;
   Eigen::MatrixXd rigid_;
   std::map<std::string, MeanMotion<dim>> of_groups_;
-  std::map<std::string, SlideWall<dim>> walls_;  ///< by the seat's group
+  /// By the seat's groups.
+  std::map<std::pair<std::string, std::string>, SlideWall<dim>> walls_;
   std::optional<MeanMotion<dim>> of_part_;
 };
 

@@ -47,7 +47,7 @@ class Conditions {
     std::vector<std::string> groups;
     std::ranges::copy_if(hold_.groups, std::back_inserter(groups),
                          [&](const std::string& name) {
-                           return motions_.has_faces(name);
+                           return motions_.has_faces(loads::group_of(name));
                          });
     if (groups.empty()) return motions_.of_part().of;
     const MeanMotion<dim>& first = motion_of(groups[0]);
@@ -75,7 +75,7 @@ class Conditions {
   NodeFunctionals<dim> of_wrenches() {
     NodeFunctionals<dim> all;
     for (const loads::GroupHold& held : hold_.held) {
-      if (!motions_.has_faces(held.group)) continue;
+      if (!motions_.has_faces(loads::group_of(held.group))) continue;
       const MeanMotion<dim>& motion = motion_of(held.group);
       append({motion.of.nodes,
               about(motion.centre, held).transpose() * motion.of.rows},
@@ -100,34 +100,31 @@ class Conditions {
     return wrenches;
   }
 
-  const MeanMotion<dim>& motion_of(const std::string& group) {
-    if constexpr (dim == 3) {
-      const auto known = touched_.find(group);
-      if (known != touched_.end()) return known->second;
-      if (const auto seat = touched_seat(group)) {
-        return touched_
-            .emplace(group,
-                     motions_.of_touched(*hold_.touched, *seat, part_name_))
-            .first->second;
-      }
+  const MeanMotion<dim>& motion_of(const std::string& holder) {
+    const auto known = touched_.find(holder);
+    if (known != touched_.end()) return known->second;
+    if (const auto seat = touched_seat(holder)) {
+      return touched_
+          .emplace(holder,
+                   motions_.of_touched(*hold_.touched, *seat, part_name_))
+          .first->second;
     }
-    return motions_.of_group(group);
+    return motions_.of_group(loads::group_of(holder));
   }
 
-  std::optional<std::size_t> touched_seat(const std::string& group) const {
+  std::optional<std::size_t> touched_seat(const std::string& holder) const {
     if (!hold_.touched) return std::nullopt;
     const auto& seats = hold_.touched->seats;
-    const auto seat = std::ranges::find_if(seats, [&](const loads::Seat& one) {
-      return one.group == group && one.slide.has_value();
-    });
-    if (seat == seats.end()) return std::nullopt;
-    return static_cast<std::size_t>(seat - seats.begin());
+    for (std::size_t s = 0; s < seats.size(); ++s) {
+      if (seats[s].slide && loads::holder_of(seats, s) == holder) return s;
+    }
+    return std::nullopt;
   }
 
   MeanMotions<dim>& motions_;
   const HoldingSeats& hold_;
   const std::string& part_name_;
-  std::map<std::string, MeanMotion<dim>> touched_;  ///< by group
+  std::map<std::string, MeanMotion<dim>> touched_;  ///< by holder
 };
 
 /// Of unit effect on rigid motions.

@@ -41,7 +41,7 @@ class PinHold {
  public:
   /// @param motions  of the part; outlive the object.
   /// @param hold  groups without faces, as the sides of a layer over a plane
-  ///   mesh, do not count; a plane mesh knows no touched zones.
+  ///   mesh, do not count.
   /// @param part_name  for messages.
   /// @throws Error M003.
   PinHold(MeanMotions<dim>& motions, const HoldingSeats& hold,

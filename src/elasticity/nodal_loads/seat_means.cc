@@ -41,17 +41,19 @@ Eigen::MatrixXd seat_means(const Discretization<dim>& discretization,
                         part_name);
 }
 
-SurfaceLoads seat_mean(const SlideWall<3>& wall, loads::Seat seat,
-                       const loads::ContactZone& zone) {
-  return wall.of(unit_wrenches<3>({std::move(seat)}, {zone}), 0);
-}
-
-SurfaceLoads seat_mean(const Discretization<3>& discretization,
+template <int dim>
+SurfaceLoads seat_mean(const Discretization<dim>& discretization,
                        loads::Seat seat,
                        const std::vector<loads::ContactZone>& zones,
                        const std::string& part_name) {
-  return seat_loads(discretization, unit_wrenches<3>({std::move(seat)}, zones),
-                    0, part_name);
+  return seat_loads(discretization,
+                    unit_wrenches<dim>({std::move(seat)}, zones), 0, part_name);
+}
+
+template <int dim>
+SurfaceLoads seat_mean(const SlideWall<dim>& wall, loads::Seat seat,
+                       const std::vector<loads::ContactZone>& zones) {
+  return wall.of(unit_wrenches<dim>({std::move(seat)}, zones), 0);
 }
 
 template Eigen::MatrixXd seat_means<2>(const Discretization<2>&,
@@ -62,5 +64,16 @@ template Eigen::MatrixXd seat_means<3>(const Discretization<3>&,
                                        std::vector<loads::Seat>,
                                        const std::vector<loads::ContactZone>&,
                                        const std::string&);
+template SurfaceLoads seat_mean<2>(const Discretization<2>&, loads::Seat,
+                                   const std::vector<loads::ContactZone>&,
+                                   const std::string&);
+template SurfaceLoads seat_mean<3>(const Discretization<3>&, loads::Seat,
+                                   const std::vector<loads::ContactZone>&,
+                                   const std::string&);
+
+template SurfaceLoads seat_mean<2>(const SlideWall<2>&, loads::Seat,
+                                   const std::vector<loads::ContactZone>&);
+template SurfaceLoads seat_mean<3>(const SlideWall<3>&, loads::Seat,
+                                   const std::vector<loads::ContactZone>&);
 
 }  // namespace clevis::elasticity

@@ -37,13 +37,15 @@ Eigen::MatrixXd seat_means(const Discretization<dim>& discretization,
 
 /// The same of one seat, on the nodes of its group alone.
 /// @param zones  of the seat, one; empty: all of the group.
-SurfaceLoads seat_mean(const Discretization<3>& discretization,
+template <int dim>
+SurfaceLoads seat_mean(const Discretization<dim>& discretization,
                        loads::Seat seat,
                        const std::vector<loads::ContactZone>& zones,
                        const std::string& part_name);
 
-/// Of what is touched of a wall.
-SurfaceLoads seat_mean(const SlideWall<3>& wall, loads::Seat seat,
-                       const loads::ContactZone& zone);
+/// The same of a slide's.
+template <int dim>
+SurfaceLoads seat_mean(const SlideWall<dim>& wall, loads::Seat seat,
+                       const std::vector<loads::ContactZone>& zones);
 
 }  // namespace clevis::elasticity

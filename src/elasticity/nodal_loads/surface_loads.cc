@@ -241,6 +241,9 @@ std::vector<SurfaceLoads> surface_loads(
 
 template class SlideWall<2>;
 template class SlideWall<3>;
+template SurfaceLoads seat_loads<2>(const Discretization<2>&,
+                                    const loads::LoadHistory&, std::size_t,
+                                    const std::string&);
 template SurfaceLoads seat_loads<3>(const Discretization<3>&,
                                     const loads::LoadHistory&, std::size_t,
                                     const std::string&);

@@ -13,6 +13,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
 constexpr Index kWrench = 6;
+constexpr char kOwn = '\n';  // before a holder's own name, in no group's
 // Of a unit wrench: what is held at so small an angle gives way as a whole.
 constexpr double kHolds = 0.1;
 
@@ -71,10 +72,11 @@ std::vector<GroupHold> holds_of(const LoadHistory& history, double time) {
   std::vector<GroupHold> holds;
   for (std::size_t s = 0; s < history.seats.size(); ++s) {
     const Seat& seat = history.seats[s];
-    auto hold = std::ranges::find(holds, seat.group, &GroupHold::group);
+    const std::string holder = holder_of(history.seats, s);
+    auto hold = std::ranges::find(holds, holder, &GroupHold::group);
     if (hold == holds.end()) {
       holds.push_back(
-          {seat.group, seat.p_LS, MatrixXd::Zero(kWrench, held.cols())});
+          {holder, seat.p_LS, MatrixXd::Zero(kWrench, held.cols())});
       hold = std::prev(holds.end());
     }
     const MatrixXd here =
@@ -228,6 +230,16 @@ MatrixXd with_rest_of_others(const GroupHold& hold,
 }
 
 }  // namespace
+
+std::string holder_of(const std::vector<Seat>& seats, std::size_t seat) {
+  const Seat& here = seats[seat];
+  const auto sharing = std::ranges::count(seats, here.group, &Seat::group);
+  return here.slide && sharing > 1 ? here.group + kOwn + here.name : here.group;
+}
+
+std::string group_of(const std::string& holder) {
+  return holder.substr(0, holder.find(kOwn));
+}
 
 std::vector<GroupHold> held_groups(const LoadHistory& history, double time) {
   auto held = holds_of(history, time);

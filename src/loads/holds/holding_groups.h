@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,16 @@
 
 namespace clevis::loads {
 
-/// Groups that hold a part as a whole, first in the order of the seats.
+/// Groups that hold a part as a whole, first in the order of the seats; by
+/// holder_of().
 using HoldingGroups = std::vector<std::string>;
+
+/// What a seat holds by: its group; of a slide that shares it with other seats
+/// a name of its own, for it touches a place of its own on the wall.
+std::string holder_of(const std::vector<Seat>& seats, std::size_t seat);
+
+/// The group of a holder.
+std::string group_of(const std::string& holder);
 
 /// The ways in which the mechanism holds a part: by two groups, neither of
 /// which gives way across the line between both; else by one that lets it
@@ -26,7 +35,7 @@ std::vector<HoldingGroups> holding_groups(const LoadHistory& history);
 /// mechanism holds: columns of wrenches, 6 × columns, the same for all groups.
 /// A guide that turns about a pin holds across only together with a turn.
 struct GroupHold {
-  std::string group;
+  std::string group;         ///< by holder_of()
   Eigen::Vector3d p_LS;      ///< of its first seat [m]
   Eigen::MatrixXd wrenches;  ///< forces [N], moments [N m]
 };

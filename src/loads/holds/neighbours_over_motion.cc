@@ -13,6 +13,7 @@ namespace clevis::loads {
 namespace {
 
 using Eigen::Index;
+using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
@@ -56,12 +57,13 @@ SeatGains NeighboursOverMotion::found_gains(const Place& place) const {
   std::vector<mechanism::LoadPlace> acting = acting_;
   MatrixXd to_point = MatrixXd::Identity(kMotion * std::ssize(acting),
                                          kMotion * std::ssize(acting));
+  MatrixXd of_way = MatrixXd::Zero(to_point.rows(), to_point.cols());
   const int body = neighbours_.slot() - 1;
   const auto& pose = place.instant.bodies[static_cast<std::size_t>(body)].pose;
   for (std::size_t s = 0; s < acting.size(); ++s) {
     if (!seats_[s].slide) continue;
-    const auto& reaction =
-        place.instant.joints[static_cast<std::size_t>(acting[s].index)];
+    const auto joint = static_cast<std::size_t>(acting[s].index);
+    const auto& reaction = place.instant.joints[joint];
     acting[s].p_LS = pose.R_WL.transpose() * (reaction.p_WJ - pose.p_WL);
     const Vector3d way = acting[s].p_LS - seats_[s].p_LS;
     const Index at = kMotion * static_cast<Index>(s);
@@ -69,10 +71,16 @@ SeatGains NeighboursOverMotion::found_gains(const Place& place) const {
       const Vector3d turned = Vector3d::Unit(k).cross(way);
       to_point.block<3, 1>(at, at + 3 + k) = turned;
     }
+    // The way from the seat's point to the joint's turns, too.
+    const double sign = definition_.joints[joint].body_b == body ? 1.0 : -1.0;
+    const Matrix3d outer =
+        sign * pose.R_WL.transpose() * reaction.f_W * way.transpose();
+    of_way.block<3, 3>(at + 3, at + 3) = 0.5 * (outer + outer.transpose()) -
+                                         outer.trace() * Matrix3d::Identity();
   }
   const auto found = load_gains(neighbours_, place.instant, acting);
   SeatGains gains{std::vector<std::size_t>(seats_.size()),
-                  to_point.transpose() * found * to_point};
+                  to_point.transpose() * found * to_point + of_way};
   std::iota(gains.seats.begin(), gains.seats.end(), std::size_t{0});
   return gains;
 }

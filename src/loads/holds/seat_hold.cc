@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "mechanism/definition/drive_names.h"
 #include "mechanism/neighbours/neighbour_inertia.h"
 
 namespace clevis::loads {
@@ -41,17 +42,21 @@ SeatHold seat_hold(const mechanism::Neighbours& neighbours,
                    const mechanism::Instant& instant,
                    const std::vector<Seat>& seats) {
   const auto found = mechanism::neighbour_inertia(neighbours, instant);
-  const auto& joints = neighbours.definition().joints;
+  const auto& definition = neighbours.definition();
   std::vector<Index> seat_of;
   for (const auto& place : found.places) {
     const std::string& joint =
-        joints[static_cast<std::size_t>(place.joint)].name;
+        definition.joints[static_cast<std::size_t>(place.joint)].name;
     const auto named = [&](const std::string& name) {
       return std::ranges::find(seats, name, &Seat::name);
     };
     const auto of_joint = named(joint);
-    const auto of_drive =
-        place.is_drive ? named("drive " + joint) : seats.end();
+    auto of_drive = place.is_drive ? named("drive " + joint) : seats.end();
+    for (const auto& drive : definition.drives) {  // several share one face
+      if (!place.is_drive || of_drive != seats.end()) break;
+      if (drive.joint != place.joint) continue;
+      of_drive = named("drive " + mechanism::drive_name(definition, drive));
+    }
     seat_of.push_back((of_drive != seats.end() ? of_drive : of_joint) -
                       seats.begin());
   }

@@ -36,7 +36,7 @@ std::vector<double> places_of_slide(const LoadHistory& history) {
   double longest = -1.0;
   for (std::size_t s = 0; s < seats.size(); ++s) {
     if (!seats[s].slide || std::ranges::none_of(holds, [&](const auto& groups) {
-          return std::ranges::find(groups, seats[s].group) != groups.end();
+          return std::ranges::find(groups, holder_of(seats, s)) != groups.end();
         })) {
       continue;
     }

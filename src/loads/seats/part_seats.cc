@@ -108,26 +108,33 @@ std::vector<DrivenSeat> driven_seats(const SeatContext& context) {
   const auto& drives = context.definition.drives;
   for (const part::DriveSeat& wanted : context.part.drive_seats) {
     const std::string place = context.place("drive " + wanted.drive);
-    DrivenSeat driven;
-    driven.joint = body_joint(context, wanted.drive, place);
-    const auto drive =
-        std::ranges::find(drives, static_cast<int>(driven.joint.index),
-                          &mechanism::DriveDefinition::joint);
-    if (drive == drives.end()) {
+    const BodyJoint joint = body_joint(context, wanted.drive, place);
+    const auto count = std::ranges::count(drives, static_cast<int>(joint.index),
+                                          &mechanism::DriveDefinition::joint);
+    if (count == 0) {
       throw Error("L004", place,
                   fmt::format("joint \"{}\" has no drive", wanted.drive),
                   "Name a driven joint, or delete the entry under `drives`.");
     }
-    driven.drive = static_cast<std::size_t>(drive - drives.begin());
-    driven.turns = mechanism::drives_angle(context.definition, *drive);
     const GroupGeometry& face = find_group(context.groups, wanted.group, place);
-    driven.area = face.area;
-    driven.seat = {.name = "drive " + wanted.drive,
-                   .group = wanted.group,
-                   .kind = SeatKind::kPressure,
-                   .p_LS = face.centroid};
-    driven.pressurized = pressurized_groups(context, wanted.pressurized, place);
-    seats.push_back(std::move(driven));
+    const auto pressurized =
+        pressurized_groups(context, wanted.pressurized, place);
+    for (std::size_t d = 0; d < drives.size(); ++d) {
+      if (drives[d].joint != static_cast<int>(joint.index)) continue;
+      const std::string name =
+          count == 1 ? wanted.drive
+                     : mechanism::drive_name(context.definition, drives[d]);
+      seats.push_back(
+          {.joint = joint,
+           .drive = d,
+           .turns = mechanism::drives_angle(context.definition, drives[d]),
+           .seat = {.name = "drive " + name,
+                    .group = wanted.group,
+                    .kind = SeatKind::kPressure,
+                    .p_LS = face.centroid},
+           .area = face.area,
+           .pressurized = pressurized});
+    }
   }
   return seats;
 }

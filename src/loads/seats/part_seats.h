@@ -21,7 +21,8 @@ void require_seats(const SeatContext& context);
 /// @throws Error L002, L003, L004, M003.
 std::vector<JointSeat> joint_seats(const SeatContext& context);
 
-/// Seats of the drives, in the order of the part's definition.
+/// Seats of the drives, in the order of the part's definition; of several
+/// drives of one joint one each, on the same face.
 /// @throws Error L002, L004, M003.
 std::vector<DrivenSeat> driven_seats(const SeatContext& context);
 

@@ -74,15 +74,30 @@ bool is_loaded_elsewhere(const MechanismDefinition& definition,
          is_loaded_elsewhere(definition, joint.body_b);
 }
 
+/// Without the links that forces strain elsewhere: how those share is not
+/// known, so that joints alone do, of any compliance.
+MechanismDefinition without_loaded_links(const MechanismDefinition& given) {
+  MechanismDefinition definition = given;
+  for (std::size_t i = 0; i < given.bodies.size(); ++i) {
+    if (is_loaded_elsewhere(given, static_cast<BodyIndex>(i))) {
+      definition.bodies[i].compliance.reset();
+    }
+  }
+  return definition;
+}
+
+bool has_elastic_links(const MechanismDefinition& definition) {
+  return std::ranges::any_of(definition.bodies, [](const BodyDefinition& body) {
+    return body.compliance.has_value();
+  });
+}
+
 double range_of(const MechanismDefinition& definition, std::size_t joint) {
   const JointDefinition& of = definition.joints[joint];
   if (is_loaded_elsewhere(definition, of)) return kUnknownCompliance;
   if (of.compliance) return kGivenCompliance;
-  const bool elastic =
-      std::ranges::any_of(definition.bodies, [](const BodyDefinition& body) {
-        return body.compliance.has_value();
-      });
-  return elastic ? kBesideElasticLinks : kUnknownCompliance;
+  return has_elastic_links(definition) ? kBesideElasticLinks
+                                       : kUnknownCompliance;
 }
 
 std::vector<Coordinate> open_coordinates(const MechanismDefinition& definition,
@@ -179,24 +194,24 @@ struct OtherSharings::Solver {
   static constexpr std::size_t kMostCoordinates = 6;  // 64 corners
 
   Solver(const MechanismDefinition& given, const Motion& motion_of)
-      : definition(given),
+      : definition(without_loaded_links(given)),
         motion(motion_of),
         frame(definition),
         system(frame, definition.drives,
                frame.planar ? Motions::kInPlane : Motions::kSpatial,
                ConstraintSystem::Drives::kAll),
         equilibrium(definition, frame, system),
-        coordinates(open_coordinates(definition, motion, frame.length)) {
+        coordinates(open_coordinates(given, motion, frame.length)) {
     corners = coordinates.size() <= kMostCoordinates
                   ? all_corners(coordinates.size())
                   : some_corners(coordinates);
     std::erase_if(corners, [&](const Corner& corner) {
       return corner.empty() ||
-             changes_nothing(coordinates, corner, !frame.links.empty());
+             changes_nothing(coordinates, corner, has_elastic_links(given));
     });
     for (const Coordinate& coordinate : coordinates) {
       const JointDefinition& joint = definition.joints[coordinate.joint];
-      leaves_forces_out |= is_loaded_elsewhere(definition, joint);
+      leaves_forces_out |= is_loaded_elsewhere(given, joint);
       auto& names = joint.compliance ? given_names : unknown_names;
       if (names.empty() || names.back() != joint.name) {
         names.push_back(joint.name);

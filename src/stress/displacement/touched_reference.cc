@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "elasticity/assembly/supports.h"
 #include "elasticity/holds/pin_hold.h"
 #include "stress/displacement/held_reference.h"
 
@@ -19,19 +20,18 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr Index kRigid = 6;
-
 /// What of the columns the hold takes out, by instant of a motion.
+template <int dim>
 class TouchedMotions {
  public:
   TouchedMotions(const loads::LoadHistory& history,
                  std::vector<std::string> groups,
-                 const elasticity::DisplacementBasis<3>& basis)
+                 const elasticity::DisplacementBasis<dim>& basis)
       : history_(history), groups_(std::move(groups)), basis_(basis) {
     for (std::size_t k = 0; k < history.seats.size(); ++k) {
-      const loads::Seat& seat = history.seats[k];
-      if (seat.slide &&
-          std::ranges::find(groups_, seat.group) != groups_.end()) {
+      if (history.seats[k].slide &&
+          std::ranges::find(groups_, loads::holder_of(history.seats, k)) !=
+              groups_.end()) {
         slides_.push_back(k);
       }
     }
@@ -51,9 +51,9 @@ class TouchedMotions {
   }
 
   std::size_t count() const { return count_; }
-  /// 6 × columns.
+  /// Rigid motions × columns.
   const MatrixXd& broken(std::size_t i) const { return broken_[i]; }
-  /// Of rigid motions, dofs × 6. @pre count() > 0.
+  /// Of rigid motions, dofs × motions. @pre count() > 0.
   const MatrixXd& rigid() const { return motions_->rigid(); }
 
  private:
@@ -67,7 +67,7 @@ class TouchedMotions {
         std::move(held.groups),
         elasticity::TouchedSeats{history_.seats, zones(i)},
         std::move(held.held)};
-    const elasticity::PinHold<3> hold(*motions_, seats);
+    const elasticity::PinHold<dim> hold(*motions_, seats);
     broken_[i] = hold.broken(basis_.columns);
   }
 
@@ -148,23 +148,23 @@ class TouchedMotions {
 
   const loads::LoadHistory& history_;
   std::vector<std::string> groups_;
-  const elasticity::DisplacementBasis<3>& basis_;
+  const elasticity::DisplacementBasis<dim>& basis_;
   std::vector<std::size_t> slides_;  ///< seats that hold
   std::size_t count_ = 0;            ///< instants of the motion
   std::vector<MatrixXd> broken_;
   double displacement_ = 0.0;  ///< of a node, in the mean, over the columns [m]
-  std::optional<elasticity::MeanMotions<3>> motions_;
+  std::optional<elasticity::MeanMotions<dim>> motions_;
 };
 
 }  // namespace
 
+template <int dim>
 bool refer_to_touched(const loads::LoadHistory& history,
                       const std::vector<std::string>& groups,
-                      elasticity::DisplacementBasis<3>& basis) {
-  if (basis.discretization.is_revolved || basis.columns.cols() == 0) {
-    return false;
-  }
-  const TouchedMotions motions(history, groups, basis);
+                      elasticity::DisplacementBasis<dim>& basis) {
+  constexpr Index kRigid = elasticity::kRigidModes<dim>;
+  if (basis.columns.cols() == 0) return false;
+  const TouchedMotions<dim> motions(history, groups, basis);
   if (motions.count() == 0) return false;
   MatrixXd moved = MatrixXd::Zero(kRigid, basis.coefficients.cols());
   for (std::size_t i = 0; i < motions.count(); ++i) {
@@ -174,5 +174,12 @@ bool refer_to_touched(const loads::LoadHistory& history,
   add_rigid_motions(motions.rigid(), moved, basis);
   return true;
 }
+
+template bool refer_to_touched<2>(const loads::LoadHistory&,
+                                  const std::vector<std::string>&,
+                                  elasticity::DisplacementBasis<2>&);
+template bool refer_to_touched<3>(const loads::LoadHistory&,
+                                  const std::vector<std::string>&,
+                                  elasticity::DisplacementBasis<3>&);
 
 }  // namespace clevis::stress

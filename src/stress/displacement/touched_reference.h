@@ -12,11 +12,12 @@ namespace clevis::stress {
 /// counterpart touches of the wall at each instant, not to all of it. The basis
 /// gets the rigid motions for that. Between instants whose mean motions change
 /// evenly with the place of the slide these are interpolated, to 3e-4 of the
-/// mean displacement. Solids of revolution are left as they are.
+/// mean displacement.
 /// @param groups  of the seats that hold, as of remove_rigid_motion().
 /// @return whether it is such a part.
+template <int dim>
 bool refer_to_touched(const loads::LoadHistory& history,
                       const std::vector<std::string>& groups,
-                      elasticity::DisplacementBasis<3>& basis);
+                      elasticity::DisplacementBasis<dim>& basis);
 
 }  // namespace clevis::stress
