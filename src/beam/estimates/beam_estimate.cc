@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "beam/estimates/deflection.h"
+#include "beam/estimates/slide_positions.h"
 #include "beam/sections/lug.h"
 #include "beam/sections/pin_line.h"
 #include "beam/theory/formulas.h"
@@ -225,15 +226,17 @@ BeamEstimate estimate(const PartModel& model, const part::Material& material,
   BeamEstimate estimate;
   if (is_self_balanced(history, mass)) {
     const auto holds = loads::holding_groups(history);
-    for (const PinLine& line : pin_lines(model, mass, groups, history)) {
-      for (const Span& span : line.spans) {
-        add_span_stresses(span, history, estimate.stresses);
-        add_buckling(line, span, history, holds, material.youngs_modulus,
-                     buckling_length, estimate);
+    for (const loads::LoadHistory& here : at_slide_positions(history)) {
+      for (const PinLine& line : pin_lines(model, mass, groups, here)) {
+        for (const Span& span : line.spans) {
+          add_span_stresses(span, here, estimate.stresses);
+          add_buckling(line, span, here, holds, material.youngs_modulus,
+                       buckling_length, estimate);
+        }
+        estimate.deflection = std::max(
+            estimate.deflection, beam_deflection(line, here, holds.front(),
+                                                 material.youngs_modulus));
       }
-      estimate.deflection = std::max(
-          estimate.deflection, beam_deflection(line, history, holds.front(),
-                                               material.youngs_modulus));
     }
   }
   for (std::size_t i = 0; i < history.seats.size(); ++i) {

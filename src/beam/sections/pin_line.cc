@@ -23,10 +23,20 @@ struct Row {
   std::vector<std::size_t> seats;
 };
 
-// Half the length that a seat's cylinder takes along a line [m].
-double reach(const loads::Seat& seat,
+// Half the length that a seat's cylinder takes along a line, of a slide what is
+// touched [m].
+double reach(const loads::LoadHistory& history, std::size_t index,
              const std::vector<loads::GroupGeometry>& groups,
              const Vector3d& direction) {
+  const loads::Seat& seat = history.seats[index];
+  if (seat.slide && !history.instants.empty() &&
+      index < history.instants.front().zones.size()) {
+    const loads::ContactZone& zone = history.instants.front().zones[index];
+    const double length = zone.high[0] - zone.low[0];
+    if (std::isfinite(length)) {
+      return 0.5 * length * std::abs(direction.dot(seat.slide->along_L));
+    }
+  }
   const auto group =
       std::ranges::find(groups, seat.group, &loads::GroupGeometry::name);
   if (group == groups.end() || !group->is_cylinder) return 0.0;
@@ -100,7 +110,7 @@ bool passes_a_third_seat(const loads::LoadHistory& history,
   for (std::size_t i = 0; i < history.seats.size(); ++i) {
     if (i == span.from || i == span.to) continue;
     const double distance = (history.seats[i].p_LS - point).dot(direction);
-    if (std::abs(distance) < reach(history.seats[i], groups, direction)) {
+    if (std::abs(distance) < reach(history, i, groups, direction)) {
       return true;
     }
   }
@@ -116,8 +126,8 @@ Span build_span(const PartModel& model, const part::MassProperties& mass,
   span.to = to;
   const Vector3d p_LF = history.seats[from].p_LS;
   span.length = (history.seats[to].p_LS - p_LF).dot(direction);
-  const double start = reach(history.seats[from], groups, direction);
-  const double end = span.length - reach(history.seats[to], groups, direction);
+  const double start = reach(history, from, groups, direction);
+  const double end = span.length - reach(history, to, groups, direction);
   if (end <= start) return span;
   std::vector<double> wanted, planes;
   for (int k = 0; k < kStationsPerSpan; ++k) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -275,6 +277,45 @@ TEST(BeamEstimate, TriangularPartHasThreeLines) {
     EXPECT_LT(s, 0.14 - 7.5e-3);
   }
   EXPECT_EQ(lines[1].spans.at(0).stations.size(), 25u);
+}
+
+// A bar in a guide that travels, under a carriage that travels: it is bent
+// where both stand, not at the middle of the wall that they share.
+TEST(BeamEstimate, BarIsBentBetweenSlidesWhereTheyStand) {
+  const Bar bar{.start = 0.0, .end = 0.4, .height = 10e-3};
+  const double P = 100.0, half = 5e-3;
+  const std::vector<std::pair<double, double>> places{
+      {0.05, 0.10}, {0.08, 0.31}, {0.20, 0.35}};  // of guide and carriage
+  loads::LoadHistory history;
+  for (const char* const name : {"guide", "carriage"}) {
+    history.seats.push_back({.name = name,
+                             .group = "wall",
+                             .kind = loads::SeatKind::kTraction,
+                             .p_LS = {0.2, 0.0, 0.0},
+                             .slide = loads::SlideWall{}});
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    loads::InstantLoad instant;
+    instant.time = 0.5 * static_cast<double>(i);
+    const Vector3d force(0.0, P, 0.0);
+    const auto [guide, carriage] = places[i];
+    for (const double at : {guide, carriage}) {
+      const Vector3d way(at - 0.2, 0.0, 0.0);
+      loads::ContactZone zone;
+      zone.low[0] = way.x() - half;
+      zone.high[0] = way.x() + half;
+      instant.zones.push_back(zone);
+      const Vector3d f = at == guide ? Vector3d(-force) : force;
+      instant.wrenches.push_back({f, way.cross(f)});
+    }
+    instant.wrenches[0].moment.z() -= P * (carriage - guide);
+    history.instants.push_back(std::move(instant));
+  }
+  const BeamStress worst =
+      worst_of(estimate_bar(bar, {}, history), "axial + bending");
+  EXPECT_NEAR(worst.stress, P * 0.23 / bar.section_modulus(), 1.0);
+  EXPECT_EQ(worst.instant, 0.5);
+  EXPECT_EQ(worst.where, "guide-carriage at 0 mm");
 }
 
 TEST(Formulas, EulerLoadOfTheRod) {
