@@ -65,8 +65,8 @@ template <int dim>
 void SharedSolver<dim>::solve_column(const Vector& load, Vector& solution) {
   constexpr int kSweeps = 6;
   constexpr int kMostIterations = 500;
-  constexpr double kFirst = 1e-10;
-  constexpr double kLater = 1e-3;
+  constexpr double kFirst = 1e-9;
+  constexpr double kLater = 0.1;  // enough to tell what the first one left
   constexpr double kWanted = 1e-11;
   Vector residual(load);
   Vector step;
