@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """`mpirun -np N clevis`: one part shared among ranks gives the serial check to
-1e-8 and the same bits each time, solids and such with fewer cells than ranks too;
+1e-8 and the same bits each time, solids and such with fewer cells than ranks too,
+whose bytes on their way are counted;
 ranks beside the first hold the solver's share alone; parts dealt out give the serial
 bits; other commands do their work once; a rank that is killed ends all.
 
@@ -91,7 +92,7 @@ traction = {{ x1 = ["10 MPa", "20 MPa", "0 MPa"] }}
 
 
 def shares(clevis, checks, place, name, options, counts):
-    """One part on several numbers of ranks against the serial check."""
+    """One part on several numbers of ranks against the serial check; the last result."""
     serial, files = checked(clevis, 1, place(f"{name}1"), *options)
     for ranks in counts:
         result, its_files = checked(clevis, ranks, place(f"{name}{ranks}"), *options)
@@ -99,6 +100,15 @@ def shares(clevis, checks, place, name, options, counts):
         checks.expect(count > 4 and difference < AGREEMENT,
                       f"{name}: {ranks} ranks share it, {count} numbers within {difference:.1e}")
         checks.expect(its_files == files, f"{name}: {ranks} ranks write the serial files")
+    return result
+
+
+def one_face_sent(checks, result):
+    """Of two cells on two ranks the rows of one face go there and back."""
+    degree = int(re.search(r"p = (\d)", result["/parts/0/model"])[1])
+    told = re.search(r"([0-9.]+) kB between ranks", result["/parts/0/engine_why"])[1]
+    expected = f"{2 * 3 * (degree + 1) ** 2 * 8 / 1e3:.1f}"
+    checks.expect(told == expected, f"degree {degree}: {told} kB in a product, {expected} by hand")
 
 
 def memory(clevis, folder):
@@ -161,8 +171,9 @@ def main():
         checks.expect(again == once, "4 ranks give the same bits again")
         shares(clevis, checks, place, "solid",
                (SCENE, "--part", "FE2", "--model", "3d", "--engine", "dealii"), (3,))
-        shares(clevis, checks, place, "two cells",
-               (few_cells(Path(folder)), "--model", "3d", "--engine", "dealii"), (4,))
+        two = shares(clevis, checks, place, "two cells",
+                     (few_cells(Path(folder)), "--model", "3d", "--engine", "dealii"), (4,))
+        one_face_sent(checks, two)
         first, other = memory(clevis, place("").resolve())
         checks.expect(other < 0.75 * first,
                       f"the other rank has {other:.0f} MB, the first {first:.0f} MB")

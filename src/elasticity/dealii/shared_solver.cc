@@ -19,6 +19,8 @@ SharedSolver<dim>::SharedSolver(const DealiiTask<dim>* task, MPI_Comm ranks)
       multigrid_(part_, space_) {
   stiffness_.reinit(space_, part_.gauss_points, part_.stiffness, part_.beds);
   report_.levels = static_cast<int>(multigrid_.levels());
+  report_.bytes_sent = dealii::Utilities::MPI::sum(
+      static_cast<double>(stiffness_.bytes_sent()), ranks);
   take_rows(task);
 }
 
