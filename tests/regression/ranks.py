@@ -3,7 +3,8 @@
 1e-8 and the same bits each time, solids and such with fewer cells than ranks too,
 whose bytes on their way are counted;
 ranks beside the first hold the solver's share alone; parts dealt out give the serial
-bits; other commands do their work once; a rank that is killed ends all.
+bits; other commands do their work once, and frequencies
+of what would be shared are refused; a rank that is killed ends all.
 
     ranks.py CLEVIS ROOT
 """
@@ -189,6 +190,10 @@ def main():
         refused = run(2, clevis, "check", "geometry/none.toml")
         checks.expect(refused.returncode == 22 and refused.stderr.count("none.toml") == 1,
                       f"a missing scene is refused once: {refused.returncode}")
+        modes = run(2, clevis, "modes", SCENE, "--part", "FE2", "--set", "part.FE2.refine=3",
+                    "--out", place("modes"))
+        checks.expect(modes.returncode == 12 and modes.stderr.count("error[F005]: part FE2") == 1,
+                      f"frequencies of a part that ranks share are refused: {modes.returncode}")
         progress = re.findall(r"\[ *\] 0/1 +\d+\.\d s +\w+: degree \d",
                               shown(clevis, place("").resolve()))
         checks.expect(bool(progress), f"the first rank shows its progress: {progress[:1]}")
