@@ -140,8 +140,8 @@ def shown(clevis, folder):
                "dealii", "--out", f"{folder}/shown").stdout
 
 
-def killed(clevis, folder):
-    """Seconds from the end of one rank by force to that of mpirun, its code."""
+def killed(clevis, folder, rank):
+    """Seconds from the end of a rank by force to that of mpirun, its code."""
     process = subprocess.Popen(
         command(2, clevis, "check", SCENE, "--model", "3d", "--engine", "dealii",
                 "--tolerance", "0.05%", "--out", folder),
@@ -153,7 +153,7 @@ def killed(clevis, folder):
                  if "clevis" in Path(f"/proc/{pid}/cmdline").read_text().split("\0")[0]]
         time.sleep(0.05)
     time.sleep(2.0)  # on their way
-    os.kill(int(ranks[-1]), signal.SIGKILL)
+    os.kill(int(ranks[rank]), signal.SIGKILL)
     start = time.monotonic()
     process.communicate(timeout=60)
     return time.monotonic() - start, process.returncode
@@ -197,11 +197,12 @@ def main():
         progress = re.findall(r"\[ *\] 0/1 +\d+\.\d s +\w+: degree \d",
                               shown(clevis, place("").resolve()))
         checks.expect(bool(progress), f"the first rank shows its progress: {progress[:1]}")
-        seconds, code = killed(clevis, place("killed"))
-        checks.expect(seconds < MOST_SECONDS and code != 0,
-                      f"a killed rank ends all in {seconds:.1f} s, exit {code}")
-        checks.expect(not (place("killed") / "result.json").exists(),
-                      "and leaves no result.json")
+        for rank in (0, 1):
+            seconds, code = killed(clevis, place(f"killed{rank}"), rank)
+            checks.expect(seconds < MOST_SECONDS and code == 128 + signal.SIGKILL,
+                          f"rank {rank} killed ends all in {seconds:.1f} s, exit {code}")
+            left = [f.name for f in place(f"killed{rank}").iterdir()]
+            checks.expect(left == [".lock"], f"and leaves no result: {left}")
     return checks.exit_code()
 
 
