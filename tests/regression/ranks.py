@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """`mpirun -np N clevis`: one part shared among ranks gives the serial check to
-1e-8 and the same bits each time, solids and such with fewer cells than ranks too;
+1e-8 and the same bits each time, solids and such with fewer cells than ranks too,
+whose bytes on their way are counted;
 ranks beside the first hold the solver's share alone; parts dealt out give the serial
-bits; other commands do their work once; a rank that is killed ends all.
+bits; other commands do their work once, and frequencies
+of what would be shared are refused; a rank that is killed ends all.
 
     ranks.py CLEVIS ROOT
 """
@@ -91,7 +93,7 @@ traction = {{ x1 = ["10 MPa", "20 MPa", "0 MPa"] }}
 
 
 def shares(clevis, checks, place, name, options, counts):
-    """One part on several numbers of ranks against the serial check."""
+    """One part on several numbers of ranks against the serial check; the last result."""
     serial, files = checked(clevis, 1, place(f"{name}1"), *options)
     for ranks in counts:
         result, its_files = checked(clevis, ranks, place(f"{name}{ranks}"), *options)
@@ -99,6 +101,15 @@ def shares(clevis, checks, place, name, options, counts):
         checks.expect(count > 4 and difference < AGREEMENT,
                       f"{name}: {ranks} ranks share it, {count} numbers within {difference:.1e}")
         checks.expect(its_files == files, f"{name}: {ranks} ranks write the serial files")
+    return result
+
+
+def one_face_sent(checks, result):
+    """Of two cells on two ranks the rows of one face go there and back."""
+    degree = int(re.search(r"p = (\d)", result["/parts/0/model"])[1])
+    told = re.search(r"([0-9.]+) kB between ranks", result["/parts/0/engine_why"])[1]
+    expected = f"{2 * 3 * (degree + 1) ** 2 * 8 / 1e3:.1f}"
+    checks.expect(told == expected, f"degree {degree}: {told} kB in a product, {expected} by hand")
 
 
 def memory(clevis, folder):
@@ -129,8 +140,8 @@ def shown(clevis, folder):
                "dealii", "--out", f"{folder}/shown").stdout
 
 
-def killed(clevis, folder):
-    """Seconds from the end of one rank by force to that of mpirun, its code."""
+def killed(clevis, folder, rank):
+    """Seconds from the end of a rank by force to that of mpirun, its code."""
     process = subprocess.Popen(
         command(2, clevis, "check", SCENE, "--model", "3d", "--engine", "dealii",
                 "--tolerance", "0.05%", "--out", folder),
@@ -142,7 +153,7 @@ def killed(clevis, folder):
                  if "clevis" in Path(f"/proc/{pid}/cmdline").read_text().split("\0")[0]]
         time.sleep(0.05)
     time.sleep(2.0)  # on their way
-    os.kill(int(ranks[-1]), signal.SIGKILL)
+    os.kill(int(ranks[rank]), signal.SIGKILL)
     start = time.monotonic()
     process.communicate(timeout=60)
     return time.monotonic() - start, process.returncode
@@ -161,8 +172,9 @@ def main():
         checks.expect(again == once, "4 ranks give the same bits again")
         shares(clevis, checks, place, "solid",
                (SCENE, "--part", "FE2", "--model", "3d", "--engine", "dealii"), (3,))
-        shares(clevis, checks, place, "two cells",
-               (few_cells(Path(folder)), "--model", "3d", "--engine", "dealii"), (4,))
+        two = shares(clevis, checks, place, "two cells",
+                     (few_cells(Path(folder)), "--model", "3d", "--engine", "dealii"), (4,))
+        one_face_sent(checks, two)
         first, other = memory(clevis, place("").resolve())
         checks.expect(other < 0.75 * first,
                       f"the other rank has {other:.0f} MB, the first {first:.0f} MB")
@@ -178,14 +190,19 @@ def main():
         refused = run(2, clevis, "check", "geometry/none.toml")
         checks.expect(refused.returncode == 22 and refused.stderr.count("none.toml") == 1,
                       f"a missing scene is refused once: {refused.returncode}")
+        modes = run(2, clevis, "modes", SCENE, "--part", "FE2", "--set", "part.FE2.refine=3",
+                    "--out", place("modes"))
+        checks.expect(modes.returncode == 12 and modes.stderr.count("error[F005]: part FE2") == 1,
+                      f"frequencies of a part that ranks share are refused: {modes.returncode}")
         progress = re.findall(r"\[ *\] 0/1 +\d+\.\d s +\w+: degree \d",
                               shown(clevis, place("").resolve()))
         checks.expect(bool(progress), f"the first rank shows its progress: {progress[:1]}")
-        seconds, code = killed(clevis, place("killed"))
-        checks.expect(seconds < MOST_SECONDS and code != 0,
-                      f"a killed rank ends all in {seconds:.1f} s, exit {code}")
-        checks.expect(not (place("killed") / "result.json").exists(),
-                      "and leaves no result.json")
+        for rank in (0, 1):
+            seconds, code = killed(clevis, place(f"killed{rank}"), rank)
+            checks.expect(seconds < MOST_SECONDS and code == 128 + signal.SIGKILL,
+                          f"rank {rank} killed ends all in {seconds:.1f} s, exit {code}")
+            left = [f.name for f in place(f"killed{rank}").iterdir()]
+            checks.expect(left == [".lock"], f"and leaves no result: {left}")
     return checks.exit_code()
 
 

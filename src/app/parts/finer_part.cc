@@ -79,7 +79,8 @@ CheckedPart check_on_finer_meshes(const LoadedScene& loaded,
                                   const PartJob& job,
                                   const RoundLimits& limits) {
   if (!part::is_solid_file(job.part.geometry) || job.is_shared) {
-    return {job, assessment::check_part(job)};
+    assessment::PartAssessment assessment = assessment::check_part(job);
+    return {job, std::move(assessment)};  // copied when its memory is free
   }
   const auto index = static_cast<std::size_t>(
       std::ranges::find(loaded.scene.parts, job.part.name,

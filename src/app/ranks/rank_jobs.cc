@@ -29,13 +29,16 @@ void serve(const elasticity::RankTeam& team, const std::string& part) {
 
 }  // namespace
 
-void choose_shared(std::vector<PartJob>& jobs) {
+bool pays_to_share(const mesh::PartMesh<3>& mesh) {
   constexpr std::size_t kManyCells = 5000;
+  return mesh.shape == mesh::CellShape::kTensor &&
+         mesh.cells.size() >= kManyCells;
+}
+
+void choose_shared(std::vector<PartJob>& jobs) {
   for (PartJob& job : jobs) {
     job.is_shared = job.engine == Engine::kDealii ||
-                    (job.engine == Engine::kAuto &&
-                     job.mesh.shape == mesh::CellShape::kTensor &&
-                     job.mesh.cells.size() >= kManyCells);
+                    (job.engine == Engine::kAuto && pays_to_share(job.mesh));
   }
 }
 

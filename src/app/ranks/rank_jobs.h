@@ -12,8 +12,11 @@
 
 namespace clevis::app {
 
+/// Whether a part is hexahedral with so many cells that sharing it pays.
+bool pays_to_share(const mesh::PartMesh<3>& mesh);
+
 /// Which parts all ranks solve together: those that deal.II is asked for, else
-/// hexahedral ones with so many cells that sharing pays.
+/// those that pays_to_share().
 void choose_shared(std::vector<assessment::PartJob>& jobs);
 
 /// Frees what the first rank alone needs: meshes and loads of shared parts.

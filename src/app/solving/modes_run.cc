@@ -12,9 +12,11 @@
 #include "app/parts/part_modes.h"
 #include "app/parts/solver_jobs.h"
 #include "app/processes/folder_lock.h"
+#include "app/ranks/rank_jobs.h"
 #include "app/request/output_folder.h"
 #include "app/scenes/load_scene.h"
 #include "base/system/interrupts.h"
+#include "base/system/mpi_run.h"
 #include "report/text/atomic_file.h"
 #include "report/text/json_text.h"
 #include "report/text/text_table.h"
@@ -39,6 +41,17 @@ void require_known(const LoadedScene& loaded, const Options& options) {
               "the scene has no [[part]]", "Add one with a mesh or geometry.");
 }
 
+/// Frequencies have no shared solver: other ranks would wait in silence.
+void require_alone(const LoadedPart& part) {
+  if (mpi_ranks() == 1 || !pays_to_share(part.mesh)) return;
+  throw Error(
+      "F005", "part " + part.definition.name,
+      fmt::format("ranks of MPI cannot share its frequencies ({} cells)",
+                  part.mesh.cells.size()),
+      "Run clevis modes without mpirun, or with --part the smaller "
+      "parts alone.");
+}
+
 std::vector<SolverTask> tasks_of(const LoadedScene& loaded,
                                  const Options& options,
                                  const fs::path& folder) {
@@ -50,6 +63,7 @@ std::vector<SolverTask> tasks_of(const LoadedScene& loaded,
         std::ranges::find(options.parts, name) == options.parts.end()) {
       continue;
     }
+    require_alone(part);
     for (ModesRequest& request : modes_requests(
              part, loaded.body_of(name) != mechanism::kGround, options.modes,
              options.tolerance.value_or(kTolerance))) {

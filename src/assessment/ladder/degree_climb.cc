@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -331,19 +332,19 @@ DegreeLadder<dim> climb_with_all(const PartJob& job, const FeModel<dim>& model,
   return climb.finish();
 }
 
-}  // namespace
-
+/// The first degrees solved for the governing instants alone. Nothing where
+/// they do not hold the peak, or all are needed.
 template <int dim>
-DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
-                                const std::vector<LoadSet>& governing,
-                                PartSeconds& seconds) {
+std::optional<DegreeLadder<dim>> climb_with_few(
+    const PartJob& job, const FeModel<dim>& model,
+    const std::vector<LoadSet>& governing, PartSeconds& seconds) {
   // From the third degree on any may be the last: solved for all at once, but
   // for the third where it cannot be.
   constexpr int kFirstDegrees = 3;
   const GoverningInstants chosen(job, governing);
   Climb<dim> climb(job, model, seconds);
   if (chosen.sets().empty() || climb.ladder().zones.has_zones()) {
-    return climb_with_all(job, model, seconds);
+    return std::nullopt;
   }
   const auto admitted = admitted_load_errors(job, chosen);
   bool is_of_all = false;  // the degree that was taken last
@@ -365,7 +366,7 @@ DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
     is_of_all = true;
     const Level<dim>& level = climb.ladder().level;
     if (!chosen.contains(level.set, level.history().peak_instant)) {
-      return climb_with_all(job, model, seconds);
+      return std::nullopt;
     }
     const bool is_last = !is_taken || climb.is_in_vain();
     if (is_last) climb.end(job.load_sets);
@@ -373,6 +374,17 @@ DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
     if (is_last || climb.is_within()) break;
   }
   return climb.finish();
+}
+
+}  // namespace
+
+template <int dim>
+DegreeLadder<dim> climb_degrees(const PartJob& job, const FeModel<dim>& model,
+                                const std::vector<LoadSet>& governing,
+                                PartSeconds& seconds) {
+  auto ladder = climb_with_few(job, model, governing, seconds);
+  if (ladder) return std::move(*ladder);
+  return climb_with_all(job, model, seconds);  // what few took is free again
 }
 
 template DegreeLadder<2> climb_degrees<2>(const PartJob&, const FeModel<2>&,

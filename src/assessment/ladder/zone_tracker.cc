@@ -23,7 +23,7 @@ constexpr double kResolved = 5.0;  // of the radius: three cells to the wall
 template <int dim>
 ZoneTracker<dim>::ZoneTracker(const PartJob& job,
                               const mesh::PartMesh<dim>& mesh)
-    : job_(job), mesh_(mesh) {
+    : job_(job), given_(&mesh) {
   for (const LoadSet& set : job.load_sets) {
     Set& own = sets_.emplace_back();
     for (auto& zone : part_zones<dim>(job, mesh, set)) {
@@ -62,7 +62,7 @@ void ZoneTracker<dim>::grade(const mesh::PartMesh<dim>& mesh) {
         zone.rings = stress::rings_of(graded, static_cast<std::size_t>(index));
       }
     }
-    mesh_ = graded.mesh;
+    graded_ = graded.mesh;
   }
 }
 
@@ -184,7 +184,7 @@ std::vector<OpenPlace> ZoneTracker<dim>::coarse_places() const {
       if (excess < kSmall) continue;
       for (const unsigned v : zone.zone.vertices) {
         Eigen::Vector3d at = Eigen::Vector3d::Zero();
-        at.head<dim>() = mesh_.vertices[v];
+        at.head<dim>() = this->mesh().vertices[v];
         places.push_back({at, excess});
       }
     }

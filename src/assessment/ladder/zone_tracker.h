@@ -32,11 +32,13 @@ struct OutsidePeak {
 template <int dim>
 class ZoneTracker {
  public:
-  /// @param job  outlives the object.
+  /// @param job, mesh  outlive the object.
   ZoneTracker(const PartJob& job, const mesh::PartMesh<dim>& mesh);
 
   /// The mesh to solve on: the given one, or graded.
-  const mesh::PartMesh<dim>& mesh() const { return mesh_; }
+  const mesh::PartMesh<dim>& mesh() const {
+    return graded_ ? *graded_ : *given_;
+  }
 
   bool has_zones() const;
 
@@ -91,7 +93,8 @@ class ZoneTracker {
   static double growth(const Zone& zone);
 
   const PartJob& job_;
-  mesh::PartMesh<dim> mesh_;
+  const mesh::PartMesh<dim>* given_;
+  std::optional<mesh::PartMesh<dim>> graded_;
   std::vector<Set> sets_;
   std::vector<Taken> taken_;
   std::vector<OutsidePeak> outside_;

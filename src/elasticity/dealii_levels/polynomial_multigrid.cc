@@ -1,5 +1,8 @@
 #include "elasticity/dealii_levels/polynomial_multigrid.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/precondition.h>
 #include <deal.II/multigrid/mg_coarse.h>
@@ -15,12 +18,19 @@ namespace {
 
 using Single = dealii::LinearAlgebra::distributed::Vector<float>;
 
-// Cells four times as long as wide leave the smoother eigenvalues down to a
-// hundredth of the largest that no coarser degree has. A polynomial of that
-// degree halves the cycles of one of degree 4 over a twentieth, and the solves
-// of the coarsest level with them.
-constexpr double kSmoothed = 100.0;  ///< largest over smallest eigenvalue
-constexpr unsigned kSmoothingDegree = 8;
+/// A polynomial for the smoother, by the cells' aspect: stretched ones leave it
+/// small eigenvalues that no coarser degree has. On cubes degree 4 takes least
+/// time; on longer cells a higher degree takes as many products in fewer
+/// cycles.
+struct SmoothingPolynomial {
+  explicit SmoothingPolynomial(double aspect)
+      : degree(static_cast<unsigned>(
+            std::lround(std::clamp(2.0 * aspect, 4.0, 20.0)))),
+        range(1.5 * degree * degree) {}
+
+  unsigned degree;
+  double range;  ///< largest over smallest eigenvalue that it damps
+};
 
 template <int dim>
 class Coarsest : public dealii::MGCoarseGridBase<Single> {
@@ -62,18 +72,19 @@ struct PolynomialMultigrid<dim>::Levels {
   std::unique_ptr<dealii::Multigrid<Single>> cycle;
   std::unique_ptr<dealii::PreconditionMG<dim, Single, Transfer>> whole;
 
-  void smooth(unsigned top);
+  void smooth(unsigned top, const SmoothingPolynomial& polynomial);
 };
 
 template <int dim>
-void PolynomialMultigrid<dim>::Levels::smooth(unsigned top) {
+void PolynomialMultigrid<dim>::Levels::smooth(
+    unsigned top, const SmoothingPolynomial& polynomial) {
   dealii::MGLevelObject<typename Smoother::AdditionalData> data(0, top);
   for (unsigned level = 0; level <= top; ++level) {
     auto inverse = std::make_shared<dealii::DiagonalMatrix<Single>>();
     if (level > 0) inverse->get_vector() = inverse_diagonal(stiffness[level]);
     data[level].preconditioner = inverse;
-    data[level].smoothing_range = kSmoothed;
-    data[level].degree = kSmoothingDegree;
+    data[level].smoothing_range = polynomial.range;
+    data[level].degree = polynomial.degree;
     data[level].eig_cg_n_iterations = 15;
   }
   smoother.initialize(stiffness, data);
@@ -108,7 +119,7 @@ PolynomialMultigrid<dim>::PolynomialMultigrid(const EnginePart& part,
       l.steps, [&l](unsigned level, Single& vector) {
         l.stiffness[level].initialize_dof_vector(vector);
       });
-  l.smooth(top);
+  l.smooth(top, SmoothingPolynomial(part.aspect));
   {
     StiffnessOperator<dim, double> coarse;
     coarse.reinit(*spaces[0], spaces[0]->degree() + 1, part.stiffness,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -30,6 +31,11 @@ class StiffnessOperator : public dealii::Subscriptor {
 
   void initialize_dof_vector(Vector& vector) const;
   dealii::types::global_dof_index m() const;
+
+  /// What the rank sends in a product: of each row that it shares and another
+  /// rank owns, the part of its sum; of its own rows, x to those that share
+  /// them [bytes].
+  std::size_t bytes_sent() const;
 
   void vmult(Vector& y, const Vector& x) const;
   void Tvmult(Vector& y, const Vector& x) const { vmult(y, x); }

@@ -154,6 +154,12 @@ dealii::types::global_dof_index StiffnessOperator<dim, Number>::m() const {
 }
 
 template <int dim, typename Number>
+std::size_t StiffnessOperator<dim, Number>::bytes_sent() const {
+  const auto& rows = *lanes_->cells.get_vector_partitioner();
+  return sizeof(Number) * (rows.n_ghost_indices() + rows.n_import_indices());
+}
+
+template <int dim, typename Number>
 void StiffnessOperator<dim, Number>::Lanes::apply_cells(
     const Cells& from, Vector& y, const Vector& x, const Range& range) const {
   Evaluation<dim, Number> cell(from);

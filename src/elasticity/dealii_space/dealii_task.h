@@ -35,6 +35,7 @@ struct DealiiReport {
   int iterations{};     ///< conjugate gradients, all sweeps
   double correction{};  ///< of the last sweep over the solution [1]
   int levels{};         ///< degrees of the multigrid
+  double bytes_sent{};  ///< by all ranks in a product with K
 };
 
 }  // namespace clevis::elasticity

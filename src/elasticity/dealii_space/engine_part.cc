@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "elasticity/assembly/stiffness.h"
+#include "elasticity/multigrid/large_part.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -48,6 +49,7 @@ EnginePart engine_part(const DealiiTask<dim>& task) {
           .geometry_degree = discretization.geometry_degree,
           .gauss_points = points_a_direction(discretization),
           .nodes = discretization.nodes,
+          .aspect = cell_aspect(discretization),
           .most_factored = task.most_factored,
           .stiffness = {lame.lambda * discretization.thickness,
                         lame.mu * discretization.thickness},

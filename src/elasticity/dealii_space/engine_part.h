@@ -30,13 +30,14 @@ struct EnginePart {
   int geometry_degree{};
   int gauss_points{};      ///< of the stiffness, a direction
   int nodes{};             ///< of the discretisation
+  double aspect{};         ///< cell_aspect() of the discretisation [1]
   double most_factored{};  ///< equations of the coarsest level
   CellStiffness stiffness;
   std::vector<BedFace> beds;
   std::string place;  ///< for messages ("part DCE")
   void serialize(auto& archive, unsigned) {
-    archive& degree& geometry_degree& gauss_points& nodes& most_factored;
-    archive& stiffness& beds& place;
+    archive& degree& geometry_degree& gauss_points& nodes& aspect;
+    archive& most_factored& stiffness& beds& place;
   }
 };
 

@@ -7,6 +7,20 @@
 #include "elasticity/direct/memory_forecast.h"
 
 namespace clevis::elasticity {
+namespace {
+
+/// Where a corner stands among the points of a tensor cell.
+Eigen::Index corner_column(unsigned corner, Eigen::Index degree, unsigned dim) {
+  Eigen::Index column = 0;
+  Eigen::Index stride = degree;
+  for (unsigned d = 0; d < dim; ++d) {
+    if ((corner >> d & 1U) != 0) column += stride;
+    stride *= degree + 1;
+  }
+  return column;
+}
+
+}  // namespace
 
 bool suits_multigrid(const Discretization<3>& discretization,
                      const part::Material& material) {
@@ -42,24 +56,21 @@ bool prefers_multigrid(const Discretization<3>& discretization,
          cell_aspect(discretization) < kAnisotropic;
 }
 
-double cell_aspect(const Discretization<3>& discretization) {
+template <int dim>
+double cell_aspect(const Discretization<dim>& discretization) {
   const auto n = static_cast<Eigen::Index>(discretization.geometry_degree);
-  const std::array<Eigen::Index, 3> stride{n, n * (n + 1),
-                                           n * (n + 1) * (n + 1)};
   std::vector<double> ratios;
   for (const auto& points : discretization.cell_points) {
-    double longest = 0.0;
-    double shortest = 0.0;
-    for (std::size_t d = 0; d < 3; ++d) {
-      const auto a = stride[(d + 1) % 3];
-      const auto b = stride[(d + 2) % 3];
-      double length = 0.0;
-      for (const auto at : {Eigen::Index{0}, a, b, a + b}) {
-        length += 0.25 * (points.col(at + stride[d]) - points.col(at)).norm();
+    std::array<double, dim> lengths{};  // summed over parallel sides
+    for (unsigned corner = 0; corner < 1U << dim; ++corner) {
+      const auto from = points.col(corner_column(corner, n, dim));
+      for (unsigned d = 0; d < dim; ++d) {
+        const unsigned other = corner | 1U << d;
+        if (other == corner) continue;
+        lengths[d] += (points.col(corner_column(other, n, dim)) - from).norm();
       }
-      longest = d == 0 ? length : std::max(longest, length);
-      shortest = d == 0 ? length : std::min(shortest, length);
     }
+    const auto [shortest, longest] = std::ranges::minmax(lengths);
     ratios.push_back(longest / shortest);
   }
   if (ratios.empty()) return 1.0;
@@ -68,5 +79,8 @@ double cell_aspect(const Discretization<3>& discretization) {
   std::nth_element(ratios.begin(), ratios.begin() + at, ratios.end());
   return ratios[static_cast<std::size_t>(at)];
 }
+
+template double cell_aspect<2>(const Discretization<2>&);
+template double cell_aspect<3>(const Discretization<3>&);
 
 }  // namespace clevis::elasticity

@@ -32,7 +32,8 @@ bool prefers_multigrid(const Discretization<3>& discretization,
                        const part::Material& material, const DirectCost& direct,
                        double columns, double memory);
 
-/// Longest over shortest side that 95 % of the hexahedra do not exceed [1].
-double cell_aspect(const Discretization<3>& discretization);
+/// Longest over shortest side that 95 % of the tensor cells do not exceed [1].
+template <int dim>
+double cell_aspect(const Discretization<dim>& discretization);
 
 }  // namespace clevis::elasticity

@@ -257,6 +257,10 @@ void solve_by_dealii(const ElasticProblem<dim>& problem,
   }
   result.engine.why += fmt::format("; at most {} iterations over {} degrees",
                                    iterations, solver->report().levels);
+  if (const double sent = solver->report().bytes_sent; sent > 0.0) {
+    result.engine.why += fmt::format(
+        ", {:.1f} kB between ranks in each product with K", 1e-3 * sent);
+  }
   const StiffnessAction action{[&](const MatrixXd& u) {
                                  return bedded.forces(u);
                                },
