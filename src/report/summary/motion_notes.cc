@@ -75,6 +75,18 @@ void add_freedom(const MechanismDefinition& definition, const Motion& motion,
           : "If a drive was forgotten, add it; else say motion = \"dynamic\""));
 }
 
+/// Jupiter has 25 m/s²; 9810 were meant as mm/s².
+void add_gravity(const MechanismDefinition& definition,
+                 std::vector<std::string>& notes) {
+  constexpr double kEarth = 9.81, kLargest = 30.0;  // [m/s²]
+  const double gravity = definition.gravity_W.norm();
+  if (gravity <= kLargest) return;
+  notes.push_back(fmt::format(
+      "gravity is {:.4g} m/s^2, {:.4g} times the earth's: see that its unit is "
+      "right",
+      gravity, gravity / kEarth));
+}
+
 /// Bodies that no joint holds, where others are held.
 void add_unjoined(const MechanismDefinition& definition,
                   std::vector<std::string>& notes) {
@@ -196,6 +208,7 @@ void add_breakaway(const MechanismDefinition& definition, const Motion& motion,
 std::vector<std::string> motion_notes(const MechanismDefinition& definition,
                                       const Motion& motion) {
   std::vector<std::string> notes;
+  add_gravity(definition, notes);
   add_freedom(definition, motion, notes);
   add_unjoined(definition, notes);
   add_assembly(definition, motion, notes);

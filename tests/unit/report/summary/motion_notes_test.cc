@@ -30,6 +30,17 @@ TEST(MotionNotes, NothingIsSaidOfAMotionThatDrivesFix) {
   EXPECT_TRUE(motion_notes({}, {}).empty());
 }
 
+// 9810 m/s² were meant as mm/s²; Jupiter has 25.
+TEST(MotionNotes, GravityThatNoMachineMeetsIsAskedAbout) {
+  MechanismDefinition definition;
+  definition.gravity_W = {0.0, -25.0, 0.0};
+  EXPECT_TRUE(motion_notes(definition, {}).empty());
+  definition.gravity_W = {0.0, 0.0, -9810.0};
+  const std::string note = only_note(definition, {});
+  EXPECT_TRUE(tells(note, "gravity is 9810 m/s^2, 1000 times the earth's"));
+  EXPECT_TRUE(tells(note, "see that its unit is right"));
+}
+
 // Weight alone moves it: a drive was probably forgotten.
 TEST(MotionNotes, ForgottenDriveIsAskedFor) {
   const std::string note = only_note({}, left_free());
