@@ -75,6 +75,38 @@ void add_freedom(const MechanismDefinition& definition, const Motion& motion,
           : "If a drive was forgotten, add it; else say motion = \"dynamic\""));
 }
 
+/// Jupiter has 25 m/s²; 9810 were meant as mm/s².
+void add_gravity(const MechanismDefinition& definition,
+                 std::vector<std::string>& notes) {
+  constexpr double kEarth = 9.81, kLargest = 30.0;  // [m/s²]
+  const double gravity = definition.gravity_W.norm();
+  if (gravity <= kLargest) return;
+  notes.push_back(fmt::format(
+      "gravity is {:.4g} m/s^2, {:.4g} times the earth's: see that its unit is "
+      "right",
+      gravity, gravity / kEarth));
+}
+
+/// Of all bodies of a mass and a trace of inertia a ball is the least dense.
+/// Bodies that are given as all but points are spared.
+void add_dense_bodies(const MechanismDefinition& definition,
+                      std::vector<std::string>& notes) {
+  constexpr double kLargest = 10.0 * 25000.0;  // [kg/m³], of materials: 25000
+  for (const BodyDefinition& body : definition.bodies) {
+    const double mass = body.mass_properties.mass;
+    const double inertia = body.mass_properties.inertia_LCm.trace();
+    if (!body.part.empty() || !(mass > 0.0) || !(inertia > 0.0)) continue;
+    const double radius = std::sqrt(inertia / (1.2 * mass));
+    const double density =
+        mass / (4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3));
+    if (density <= kLargest) continue;
+    notes.push_back(fmt::format(
+        "body {} of {:.4g} kg has so little inertia that it would have {:.2g} "
+        "kg/m^3 at least: see that the units of its mass and inertia are right",
+        body.name, mass, density));
+  }
+}
+
 /// Bodies that no joint holds, where others are held.
 void add_unjoined(const MechanismDefinition& definition,
                   std::vector<std::string>& notes) {
@@ -196,6 +228,8 @@ void add_breakaway(const MechanismDefinition& definition, const Motion& motion,
 std::vector<std::string> motion_notes(const MechanismDefinition& definition,
                                       const Motion& motion) {
   std::vector<std::string> notes;
+  add_gravity(definition, notes);
+  add_dense_bodies(definition, notes);
   add_freedom(definition, motion, notes);
   add_unjoined(definition, notes);
   add_assembly(definition, motion, notes);

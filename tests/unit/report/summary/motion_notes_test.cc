@@ -30,6 +30,40 @@ TEST(MotionNotes, NothingIsSaidOfAMotionThatDrivesFix) {
   EXPECT_TRUE(motion_notes({}, {}).empty());
 }
 
+// 9810 m/s² were meant as mm/s²; Jupiter has 25.
+TEST(MotionNotes, GravityThatNoMachineMeetsIsAskedAbout) {
+  MechanismDefinition definition;
+  definition.gravity_W = {0.0, -25.0, 0.0};
+  EXPECT_TRUE(motion_notes(definition, {}).empty());
+  definition.gravity_W = {0.0, 0.0, -9810.0};
+  const std::string note = only_note(definition, {});
+  EXPECT_TRUE(tells(note, "gravity is 9810 m/s^2, 1000 times the earth's"));
+  EXPECT_TRUE(tells(note, "see that its unit is right"));
+}
+
+// A steel bar of 120 × 20 × 10 mm, its mass of 188 g typed as kg.
+TEST(MotionNotes, BodyDenserThanAnyIsAskedAbout) {
+  MechanismDefinition definition;
+  definition.bodies.resize(1);
+  BodyDefinition& body = definition.bodies[0];
+  body.name = "crank";
+  body.mass_properties.mass = 0.188;
+  body.mass_properties.inertia_LCm.diagonal() << 7.8e-6, 227e-6, 232e-6;
+  EXPECT_TRUE(motion_notes(definition, {}).empty());
+  body.mass_properties.mass = 188.0;
+  const std::string note = only_note(definition, {});
+  EXPECT_TRUE(tells(note, "body crank of 188 kg"));
+  EXPECT_TRUE(tells(note, "units of its mass and inertia"));
+  // A ball of lead is no denser than lead, whatever its size.
+  const double mass = 4.0 / 3.0 * 3.14159 * 1e-9 * 11340.0;  // of 1 mm
+  body.mass_properties.mass = mass;
+  body.mass_properties.inertia_LCm =
+      0.4 * mass * 1e-6 * Eigen::Matrix3d::Identity();
+  EXPECT_TRUE(motion_notes(definition, {}).empty());
+  body.mass_properties.inertia_LCm *= 1e-2;  // radius/10, density·1000
+  EXPECT_TRUE(tells(only_note(definition, {}), "1.1e+07 kg/m^3"));
+}
+
 // Weight alone moves it: a drive was probably forgotten.
 TEST(MotionNotes, ForgottenDriveIsAskedFor) {
   const std::string note = only_note({}, left_free());
