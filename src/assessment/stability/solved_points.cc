@@ -23,7 +23,7 @@ SolvedPoints::SolvedPoints(const LinearSet& linear,
       softer_(softer),
       result_(result),
       found_(found),
-      solver_(part, points.hold()) {}
+      part_(part) {}
 
 SolvedPoints::Reached SolvedPoints::take(std::size_t i) {
   return take(i, points_.point(i), points_.linear(i), points_.yield(i));
@@ -42,11 +42,12 @@ SolvedPoints::Solver::Answer SolvedPoints::answer(
   const auto& common = linear_.common();
   const bool turns = common && point.is_motion && !omega.isZero();
   const VectorXd spun = turns ? *common : point.amounts;
-  return solver_.answer({.stressing = more * point.amounts,
-                         .gain = more * point.gain,
-                         .spun = spun,
-                         .still = point.amounts - spun,
-                         .omega = omega});
+  if (!solver_) solver_.emplace(part_, points_.hold());
+  return solver_->answer({.stressing = more * point.amounts,
+                          .gain = more * point.gain,
+                          .spun = spun,
+                          .still = point.amounts - spun,
+                          .omega = omega});
 }
 
 double SolvedPoints::certain(double rise) const {

@@ -61,7 +61,8 @@ class SolvedPoints {
   double softer_;
   const PartResult& result_;
   SecondOrderResult& found_;
-  Solver solver_;
+  const elasticity::StressedPart& part_;
+  std::optional<Solver> solver_;  ///< where one is asked for
 };
 
 }  // namespace clevis::assessment
