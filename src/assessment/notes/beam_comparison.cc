@@ -7,11 +7,6 @@
 #include "beam/estimates/beam_estimate.h"
 
 namespace clevis::assessment {
-namespace {
-
-constexpr double kLargestConcentration = 5.0;  // of holes and fillets
-
-}  // namespace
 
 BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
   BeamComparison comparison;
@@ -68,6 +63,7 @@ BeamComparison compare_with_beam(const PartJob& job, const PartResult& result) {
 }
 
 std::string explain_ratio(const PeakStress& peak, const BeamComparison& beam) {
+  constexpr double kLargestConcentration = 5.0;  // of holes and fillets
   if (!beam.ratio_fe_to_beam) return "no beam formula applies";
   const double ratio = *beam.ratio_fe_to_beam;
   if (ratio >= 0.8 && ratio <= 1.25) return "";

@@ -26,21 +26,6 @@ std::vector<std::vector<double>> places_of(const loads::LoadHistory& history) {
   return places;
 }
 
-struct Way {
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  double length() const { return std::max(0.0, high - low); }
-};
-
-Way way_of(const std::vector<double>& places) {
-  Way way;
-  for (const double place : places) {
-    if (!std::isfinite(place)) continue;
-    way.low = std::min(way.low, place);
-    way.high = std::max(way.high, place);
-  }
-  return way;
-}
-
 /// Moves a seat; the wrenches stay the same on the whole part.
 void move(loads::LoadHistory& history, std::size_t seat, const Vector3d& to) {
   const Vector3d arm = history.seats[seat].p_LS - to;
@@ -63,17 +48,22 @@ std::vector<loads::LoadHistory> at_slide_positions(
       })) {
     return {history};
   }
+  std::vector<double> low;
   double longest = kRests;
-  for (const auto& of : places)
-    longest = std::max(longest, way_of(of).length());
+  for (const auto& of : places) {
+    const auto ends = loads::ends_of(of);
+    low.push_back(ends.first);
+    longest = std::max(longest, ends.second - ends.first);
+  }
   // Instants by the piece of its way in which each slide stands; those behind
   // the motion, and without a place, by themselves.
   std::map<std::vector<int>, std::vector<std::size_t>> pieces;
   for (std::size_t i = 0; i < history.instants.size(); ++i) {
     std::vector<int> piece;
-    for (const auto& of : places) {
+    for (std::size_t s = 0; s < places.size(); ++s) {
+      const auto& of = places[s];
       const bool is_known = i < of.size() && std::isfinite(of[i]);
-      const double along = is_known ? of[i] - way_of(of).low : -longest;
+      const double along = is_known ? of[i] - low[s] : -longest;
       piece.push_back(
           std::min(kPieces - 1, static_cast<int>(kPieces * along / longest)));
     }

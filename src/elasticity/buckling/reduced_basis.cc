@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include <Eigen/Cholesky>
@@ -31,16 +32,28 @@ ReducedBasis::Places ReducedBasis::keep(const MatrixXd& columns) {
   return places;
 }
 
+bool ReducedBasis::has_room(Index columns) const {
+  constexpr double kMostBytes = 512e6;
+  return 8.0 * static_cast<double>(equations()) *
+             static_cast<double>(kept_.cols() + columns) <=
+         kMostBytes;
+}
+
+void ReducedBasis::clear() {
+  const Index sources = std::ssize(sources_);
+  kept_.conservativeResize(Eigen::NoChange, sources);
+  gram_.conservativeResize(sources, sources);
+  vectors_.resize(Eigen::NoChange, 0);
+  own_.clear();
+  for (Places& places : terms_) places.clear();
+}
+
 MatrixXd ReducedBasis::beside(const MatrixXd& columns) const {
   constexpr double kDependent = 1e-6;
-  constexpr double kMostBytes = 512e6;  // of what is kept
-  const double bytes = 8.0 * static_cast<double>(equations());
-  const double room = kMostBytes / bytes - static_cast<double>(kept_.cols());
-  const auto most = static_cast<Index>(
-      std::max(0.0, room / (1.0 + static_cast<double>(terms()))));
-  MatrixXd found(columns.rows(), std::min(most, columns.cols()));
+  const auto each = static_cast<Index>(1 + terms());  // with its images
+  MatrixXd found(columns.rows(), columns.cols());
   Index n = 0;
-  for (Index i = 0; i < columns.cols() && n < found.cols(); ++i) {
+  for (Index i = 0; i < columns.cols() && has_room(each * (n + 1)); ++i) {
     VectorXd column = columns.col(i);
     for (int pass = 0; pass < 2; ++pass) {
       column -= vectors_ * (vectors_.transpose() * column);

@@ -22,6 +22,10 @@ class ReducedBasis {
   /// Orthonormal, equations × size().
   const Eigen::MatrixXd& vectors() const { return vectors_; }
 
+  /// Whether what is kept leaves memory for so many columns more.
+  bool has_room(Eigen::Index columns) const;
+  /// Leaves the sources and the terms without an image.
+  void clear();
   /// What columns have beside the basis, orthonormal; less where memory ends.
   Eigen::MatrixXd beside(const Eigen::MatrixXd& columns) const;
   /// @param vectors  of beside() [1]. @param images  by each of the terms [1].

@@ -52,12 +52,8 @@ struct SeatSurface {
 /// @param places  [m]; nothing known: NaN.
 std::vector<std::size_t> spread_places(const std::vector<double>& places) {
   constexpr int kSteps = 8;  // what lies between is linear to 1/64 of its bow
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  for (const double place : places) {
-    if (!std::isfinite(place)) continue;
-    low = std::min(low, place);
-    high = std::max(high, place);
-  }
+  const auto ends = loads::ends_of(places);
+  const double low = ends.first, high = ends.second;
   std::vector<std::size_t> found;
   if (!(low <= high)) return found;
   for (int k = 0; k <= kSteps; ++k) {

@@ -134,6 +134,11 @@ SecondOrderSolver::Action SecondOrderSolver::without_spin(Action action) const {
 }
 
 void SecondOrderSolver::append(Term term) {
+  if (!basis_.has_room(basis_.size())) {  // it starts anew
+    basis_.clear();
+    displaced_.resize(Eigen::NoChange, 0);
+    motions_.resize(Eigen::NoChange, 0);
+  }
   basis_.append_term(image(term, displaced_));
   terms_.push_back(std::move(term));
 }
@@ -158,11 +163,8 @@ void SecondOrderSolver::append(const MatrixXd& unknowns) {
 std::function<VectorXd(const VectorXd&)> SecondOrderSolver::answer_to(
     const Action& action) const {
   const NodePairs& pairs = part_.part().pairs();
-  const auto zero = [&] {
-    return MassMatrix{pairs.row_start, pairs.column,
-                      std::vector<double>(pairs.column.size(), 0.0)};
-  };
-  MassMatrix geometric = zero();
+  MassMatrix geometric{pairs.row_start, pairs.column,
+                       std::vector<double>(pairs.column.size(), 0.0)};
   std::shared_ptr<const MassMatrix> mass;
   Matrix3d spin = Matrix3d::Zero();
   for (std::size_t k = 0; k < terms_.size(); ++k) {

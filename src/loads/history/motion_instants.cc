@@ -75,6 +75,16 @@ std::vector<double> places_on_wall(const LoadHistory& history,
   return places;
 }
 
+std::pair<double, double> ends_of(const std::vector<double>& places) {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const double place : places) {
+    if (!std::isfinite(place)) continue;
+    low = std::min(low, place);
+    high = std::max(high, place);
+  }
+  return {low, high};
+}
+
 double longest_slide_step(const LoadHistory& history) {
   double longest = 0.0;
   for (std::size_t s = 0; s < history.seats.size(); ++s) {

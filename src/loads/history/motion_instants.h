@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "loads/history/load_history.h"
@@ -22,6 +23,9 @@ double motion_duration(const LoadHistory& history);
 /// length of the shortest that does not; NaN where the zone has no end.
 std::vector<double> places_on_wall(const LoadHistory& history,
                                    std::size_t seat);
+
+/// The least and the largest of places that are known [m]; of none inf, -inf.
+std::pair<double, double> ends_of(const std::vector<double>& places);
 
 /// The longest way of a contact zone from one instant of the motion to the
 /// next, over all of its way [1]; 0: none travels.

@@ -9,20 +9,6 @@
 #include "loads/holds/holding_groups.h"
 
 namespace clevis::loads {
-namespace {
-
-/// The least and the largest of places that are known.
-std::pair<double, double> ends_of(const std::vector<double>& places) {
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  for (const double place : places) {
-    if (!std::isfinite(place)) continue;
-    low = std::min(low, place);
-    high = std::max(high, place);
-  }
-  return {low, high};
-}
-
-}  // namespace
 
 std::vector<double> places_of_slide(const LoadHistory& history) {
   const auto& seats = history.seats;

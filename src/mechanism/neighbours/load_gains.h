@@ -29,9 +29,8 @@ struct LoadPlace {
 /// Each place has a displacement of its point and a turn, six numbers [m],
 /// [rad], in L; of motions that the joints do not leave, the gain is that of
 /// the nearest that they do.
-/// @return 6 n × 6 n, symmetric: forces, then moments about the points, for
-/// unit
-///   motions [N/m], [N], [N m].
+/// @return forces, then moments about the points, for unit motions, 6 n × 6 n,
+///   symmetric [N/m], [N], [N m].
 /// @param instant  of a motion of the mechanism.
 /// Source: docs/theory/09_elasticity.md, "Buckling".
 Eigen::MatrixXd load_gains(const Neighbours& neighbours, const Instant& instant,

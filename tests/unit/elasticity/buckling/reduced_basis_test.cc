@@ -93,6 +93,23 @@ TEST(ReducedBasis, SolvesWhatItHasSeen) {
             1e-10 * y.norm());
 }
 
+// Where memory ends it starts anew: no vector, and all of b is left.
+TEST(ReducedBasis, ClearedItKeepsItsTermsAndSources) {
+  Known known;
+  const VectorXd b = known.basis.vectors().col(2);
+  known.basis.clear();
+  EXPECT_EQ(known.basis.size(), 0);
+  const auto none = known.basis.solve(known.action(0.4, -0.3, 0.5), b);
+  ASSERT_TRUE(none.is_stable);
+  EXPECT_NEAR(none.residual, b.norm(), 1e-12);
+  known.append(b);
+  const auto solution = known.basis.solve(known.action(0.4, -0.3, 0.5), b);
+  ASSERT_TRUE(solution.is_stable);
+  const VectorXd y = known.basis.vectors() * solution.amounts;
+  const VectorXd residual = b - y + known.whole(0.4, -0.3, 0.5) * y;
+  EXPECT_NEAR(solution.residual, residual.norm(), 1e-7);
+}
+
 TEST(ReducedBasis, ShapeWithoutStiffnessIsFoundInIt) {
   Known known;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(known.first);
