@@ -110,51 +110,49 @@ std::vector<stress::SingularZone> steep_zones(const PartJob& job,
   return zones;
 }
 
+loads::LoadHistory held_at(double time, loads::LoadHistory history) {
+  history.hold_time = time;
+  return history;
+}
+
 }  // namespace
 
 template <int dim>
-VibratingModel<dim>::VibratingModel(const PartJob& job,
-                                    const mesh::PartMesh<dim>& mesh,
-                                    const LoadSet& set, int degree,
-                                    const VibrationTimes& times)
+RestingModel<dim>::RestingModel(const PartJob& job,
+                                const mesh::PartMesh<dim>& mesh,
+                                const LoadSet& set, int degree)
     : job_(job),
       set_(set),
-      times_(times),
-      part_({.mesh = mesh,
-             .material = job.part.material,
-             .history = set.history,
-             .fixed = set.fixed,
-             .name = job.part.name,
-             .foundations = set.foundations},
-            degree, instants_within(times.driven, set.history.instants)),
+      degree_(degree),
+      part_(elasticity::part_at_rest<dim>({.mesh = mesh,
+                                           .material = job.part.material,
+                                           .history = set.history,
+                                           .fixed = set.fixed,
+                                           .name = job.part.name,
+                                           .foundations = set.foundations},
+                                          degree)),
       mesh_front_(kNodes * node_spacing(mesh, degree) *
                   std::sqrt(job.part.material.density /
                             job.part.material.youngs_modulus)),
       zones_(steep_zones<dim>(job, mesh, set)),
       path_(make_path()),
-      still_(peak_of(part_.statics())) {}
+      peak_(make_peak()) {}
 
 template <int dim>
-dynamics::LoadPath VibratingModel<dim>::make_path() const {
+dynamics::LoadPath RestingModel<dim>::make_path() const {
   const auto& instants = set_.history.instants;
   VectorXd time(static_cast<Index>(instants.size()));
   for (Index i = 0; i < time.size(); ++i) {
     time[i] = instants[static_cast<std::size_t>(i)].time;
   }
-  return {time, part_.statics().coefficients,
+  return {time, part_.statics.coefficients,
           loads::kEventSides * loads::motion_duration(set_.history),
           between_instants(set_)};
 }
 
 template <int dim>
-VectorXd VibratingModel<dim>::even_times(double lowest) const {
-  return merged(
-      times_within(times_.driven, 1.0 / (kDrivenPerPeriod * lowest), kDriven),
-      times_within(times_.swing, 1.0 / (kSwingPerPeriod * lowest), kSwing));
-}
-
-template <int dim>
-stress::PartialPeak VibratingModel<dim>::peak_of(const Basis& basis) const {
+stress::PartialPeak RestingModel<dim>::make_peak() const {
+  const auto& basis = part_.statics;
   const auto history = stress::stress_history<dim>(basis, job_.part.material,
                                                    kSubdivisions<dim>);
   const auto zone_of = stress::zone_of_points<dim>(basis.discretization,
@@ -164,11 +162,30 @@ stress::PartialPeak VibratingModel<dim>::peak_of(const Basis& basis) const {
 }
 
 template <int dim>
+VibratingModel<dim>::VibratingModel(const RestingModel<dim>& rest,
+                                    double hold_time,
+                                    const VibrationTimes& times)
+    : rest_(rest),
+      times_(times),
+      part_(rest.part(), held_at(hold_time, rest.loads().history),
+            rest.job().part.name,
+            instants_within(times.driven, rest.loads().history.instants)) {}
+
+template <int dim>
+VectorXd VibratingModel<dim>::even_times(double lowest) const {
+  return merged(
+      times_within(times_.driven, 1.0 / (kDrivenPerPeriod * lowest), kDriven),
+      times_within(times_.swing, 1.0 / (kSwingPerPeriod * lowest), kSwing));
+}
+
+template <int dim>
 std::vector<Index> VibratingModel<dim>::times_to_look_at(
     const VectorXd& time) const {
   constexpr Index kSixth = 6;
   const double peak =
-      set_.history.instants[static_cast<std::size_t>(still_.instant)].time;
+      rest_.loads()
+          .history.instants[static_cast<std::size_t>(rest_.peak().instant)]
+          .time;
   std::vector<Index> all;
   for (Index i = 0; i < time.size(); ++i) {
     if (i % kSixth == 0 || time[i] == peak) all.push_back(i);
@@ -180,11 +197,11 @@ template <int dim>
 std::vector<stress::FieldPoint> VibratingModel<dim>::points_near_peak(
     const Basis& basis) const {
   constexpr double kNear = 0.75;
-  const auto zone_of = stress::zone_of_points<dim>(basis.discretization,
-                                                   kSubdivisions<dim>, zones_);
+  const auto zone_of = stress::zone_of_points<dim>(
+      basis.discretization, kSubdivisions<dim>, rest_.zones());
   const auto coarse = stress::stress_history<dim>(
-      stress::reduced_field<dim>(basis, job_.part.material), job_.part.material,
-      kSubdivisions<dim>);
+      stress::reduced_field<dim>(basis, rest_.job().part.material),
+      rest_.job().part.material, kSubdivisions<dim>);
   const Eigen::ArrayXXd outside =
       (zone_of.array() >= 0).select(-1.0, coarse.worst.array());
   const double least = kNear * outside.maxCoeff();
@@ -202,7 +219,7 @@ template <int dim>
 elasticity::DisplacementBasis<dim> VibratingModel<dim>::basis_of(
     const typename elasticity::LoadVibration<dim>::Shapes& shapes,
     const dynamics::LoadAnswer& moving) const {
-  const auto& still = part_.statics();
+  const auto& still = rest_.part().statics;
   Basis basis;
   basis.discretization = still.discretization;
   basis.columns.resize(still.columns.rows(),
@@ -223,12 +240,12 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(int count,
   found.lowest = hertz.minCoeff();
   found.highest = hertz.maxCoeff();
   const double shape_front = kFront / shapes.squares.cwiseSqrt().maxCoeff();
-  const double front = std::max(shape_front, mesh_front_);
-  found.mesh_spreads_more = mesh_front_ >= shape_front;
+  const double front = std::max(shape_front, rest_.mesh_front());
+  found.mesh_spreads_more = rest_.mesh_front() >= shape_front;
   const auto answer_at = [&](const VectorXd& times, double spread) {
     auto moving =
         dynamics::answer_to(path, shapes.participation, shapes.squares,
-                            job_.part.damping, times, spread);
+                            rest_.job().part.damping, times, spread);
     return times_.is_stretch ? within(times_.swing, moving) : moving;
   };
   const auto cut = [&](double spread) {
@@ -244,7 +261,7 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(int count,
   const auto points = points_near_peak(found.basis);
   if (points.empty()) return found;  // the zones are all there is
   const auto& discretization = found.basis.discretization;
-  const stress::PointStress<dim> near(discretization, job_.part.material,
+  const stress::PointStress<dim> near(discretization, rest_.job().part.material,
                                       kSubdivisions<dim>, points,
                                       found.basis.columns);
   const VectorXd times = with_times_near_peaks(
@@ -271,7 +288,7 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(int count,
     if (cut(front) > 0.0) {
       found.front_error =
           std::abs(peak_at(0.0) / found.peak.value - 1.0) +
-          2.0 * cut(kUnspread * front) * still_.value / found.peak.value;
+          2.0 * cut(kUnspread * front) * rest_.peak().value / found.peak.value;
     }
     found.spread_error = error_of_spread(found.peak.value, peak_at(2.0 * front),
                                          peak_at(4.0 * front));
@@ -284,6 +301,8 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(int count,
   return found;
 }
 
+template class RestingModel<2>;
+template class RestingModel<3>;
 template class VibratingModel<2>;
 template class VibratingModel<3>;
 

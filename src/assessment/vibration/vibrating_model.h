@@ -46,14 +46,51 @@ struct VibratingAnswer {
 
 enum class Fronts { kTaken, kJudged };
 
-/// A part under the loads of its motion at one degree.
+/// A part at rest under the loads of its motion at one degree: what its
+/// vibrations in all stretches of the motion are about.
+template <int dim>
+class RestingModel {
+ public:
+  /// @param job, mesh, set  outlive the object.
+  /// @throws Error of elasticity::part_at_rest.
+  RestingModel(const PartJob& job, const mesh::PartMesh<dim>& mesh,
+               const LoadSet& set, int degree);
+
+  const PartJob& job() const { return job_; }
+  const LoadSet& loads() const { return set_; }
+  const elasticity::PartAtRest<dim>& part() const { return part_; }
+  int degree() const { return degree_; }
+  /// Of the quasi-static answer.
+  const dynamics::LoadPath& path() const { return path_; }
+  /// Quasi-static peak over all instants.
+  const stress::PartialPeak& peak() const { return peak_; }
+  const std::vector<stress::SingularZone>& zones() const { return zones_; }
+  /// Shortest spread of a sharp change that the mesh carries [s].
+  double mesh_front() const { return mesh_front_; }
+
+ private:
+  dynamics::LoadPath make_path() const;
+  stress::PartialPeak make_peak() const;
+
+  const PartJob& job_;
+  const LoadSet& set_;
+  int degree_;
+  elasticity::PartAtRest<dim> part_;
+  double mesh_front_;
+  std::vector<stress::SingularZone> zones_;
+  dynamics::LoadPath path_;
+  stress::PartialPeak peak_;
+};
+
+/// The same in vibration, in a stretch of the motion.
 template <int dim>
 class VibratingModel {
  public:
-  /// @param job, mesh, set, times  outlive the object.
+  /// @param rest, times  outlive the object.
+  /// @param hold_time    when the mechanism holds it so [s].
   /// @throws Error of elasticity::LoadVibration.
-  VibratingModel(const PartJob& job, const mesh::PartMesh<dim>& mesh,
-                 const LoadSet& set, int degree, const VibrationTimes& times);
+  VibratingModel(const RestingModel<dim>& rest, double hold_time,
+                 const VibrationTimes& times);
 
   /// @param path    that of the loads, or thinned.
   /// @param fronts  whether the errors of front and spread are wanted, two or
@@ -61,19 +98,12 @@ class VibratingModel {
   VibratingAnswer<dim> answer(int shapes, const dynamics::LoadPath& path,
                               Fronts fronts);
 
-  /// Of the quasi-static answer.
-  const dynamics::LoadPath& path() const { return path_; }
-  /// Quasi-static peak over all instants [Pa].
-  double still() const { return still_.value; }
-
  private:
   using Basis = elasticity::DisplacementBasis<dim>;
 
-  dynamics::LoadPath make_path() const;
   /// Even times, closer where the loads drive the vibration than where it
   /// swings out. @param lowest  frequency [Hz].
   Eigen::VectorXd even_times(double lowest) const;
-  stress::PartialPeak peak_of(const Basis& basis) const;
   /// Every sixth time, and that of the quasi-static peak.
   std::vector<Eigen::Index> times_to_look_at(const Eigen::VectorXd& time) const;
   /// Lattice points outside the zones that come near the peak.
@@ -81,14 +111,9 @@ class VibratingModel {
   Basis basis_of(const typename elasticity::LoadVibration<dim>::Shapes& shapes,
                  const dynamics::LoadAnswer& moving) const;
 
-  const PartJob& job_;
-  const LoadSet& set_;
+  const RestingModel<dim>& rest_;
   const VibrationTimes& times_;
   elasticity::LoadVibration<dim> part_;
-  double mesh_front_;  ///< shortest spread that the mesh carries [s]
-  std::vector<stress::SingularZone> zones_;
-  dynamics::LoadPath path_;
-  stress::PartialPeak still_;  ///< quasi-static
 };
 
 }  // namespace clevis::assessment

@@ -54,16 +54,16 @@ struct LowVibration {
   double shape_error{}, path_error{};  ///< as of VibrationResult
 };
 template <int dim>
-LowVibration vibrate_low(const PartJob& job, const mesh::PartMesh<dim>& mesh,
-                         const LoadSet& set, const VibrationTimes& times) {
+LowVibration vibrate_low(const RestingModel<dim>& rest,
+                         const Stretch& stretch) {
   LowVibration result{.count = kFewest};
   int& count = result.count;
-  VibratingModel<dim> low(job, mesh, set, highest_degree(mesh) - 1, times);
-  const double settled = 0.3 * job.tolerance;
-  double before = low.answer(count, low.path(), Fronts::kTaken).peak.value;
+  VibratingModel<dim> low(rest, stretch.hold_time, stretch.times);
+  const double settled = 0.3 * rest.job().tolerance;
+  double before = low.answer(count, rest.path(), Fronts::kTaken).peak.value;
   for (;;) {
     count *= 2;
-    const auto more = low.answer(count, low.path(), Fronts::kJudged);
+    const auto more = low.answer(count, rest.path(), Fronts::kJudged);
     const double moved =
         std::max(change(before, more.peak.value), more.front_error);
     result.shape_error = std::max(kSpread, moved);
@@ -74,32 +74,32 @@ LowVibration vibrate_low(const PartJob& job, const mesh::PartMesh<dim>& mesh,
       break;
     }
   }
-  result.still = low.still();
+  result.still = rest.peak().value;
   result.ratio = result.still > 0.0 ? before / result.still : 0.0;
   result.path_error =
-      change(low.answer(count, thinned(low.path()), Fronts::kTaken).peak.value,
+      change(low.answer(count, thinned(rest.path()), Fronts::kTaken).peak.value,
              before) /
       3.0;
   return result;
 }
 
 template <int dim>
-VibrationResult vibrate_high(const PartJob& job,
-                             const mesh::PartMesh<dim>& mesh,
-                             const LoadSet& set, const VibrationTimes& times,
-                             const LowVibration& low, std::string_view model) {
+VibrationResult vibrate_high(const RestingModel<dim>& rest,
+                             const Stretch& stretch, const LowVibration& low,
+                             std::string_view model) {
   VibrationResult result;
-  const int degree = highest_degree(mesh);
-  VibratingModel<dim> high(job, mesh, set, degree, times);
-  if (!(high.still() > 0.0)) return {};  // the zones are all that is loaded
-  auto found = high.answer(low.count, high.path(), Fronts::kJudged);
+  const double still = rest.peak().value;
+  if (!(still > 0.0)) return {};  // the zones are all that is loaded
+  const VibrationTimes& times = stretch.times;
+  VibratingModel<dim> high(rest, stretch.hold_time, times);
+  auto found = high.answer(low.count, rest.path(), Fronts::kJudged);
   result.peak = found.peak.value;
-  const double ratio = result.peak / high.still();
+  const double ratio = result.peak / still;
   // The peak at rest may stand where the part is held otherwise.
   result.ratio = times.is_stretch ? std::max(1.0, ratio) : ratio;
   result.path_error = low.path_error;
   result.degree_error = change(low.ratio, ratio);
-  result.still = high.still();
+  result.still = still;
   result.still_error = change(low.still, result.still);
   // The spread is less with more shapes: both tell what these would change.
   result.shape_error = std::max(low.shape_error, found.spread_error);
@@ -110,7 +110,9 @@ VibrationResult vibrate_high(const PartJob& job,
   result.shapes = found.shapes;
   result.lowest_frequency = found.lowest;
   result.highest_frequency = found.highest;
-  result.model = fmt::format("{}, p = {}", model, degree);
+  result.model = fmt::format("{}, p = {}", model, rest.degree());
+  LoadSet set = rest.loads();
+  set.history.hold_time = stretch.hold_time;
   if (set.fixed.empty() && set.foundations.empty()) {
     stress::remove_rigid_motion<dim>(found.basis, reference_hold(set));
   }
@@ -137,23 +139,26 @@ VibrationResult larger_of(VibrationResult a, VibrationResult b) {
 /// by the high one.
 template <int dim>
 VibrationResult vibrate(const PartJob& job, const mesh::PartMesh<dim>& mesh,
-                        LoadSet set, const std::vector<Stretch>& stretches,
+                        const LoadSet& set,
+                        const std::vector<Stretch>& stretches,
                         std::string_view model) {
   constexpr double kNear = 0.9;
+  const int degree = highest_degree(mesh);
   std::vector<LowVibration> lows;
   double largest = 0.0;
-  for (const Stretch& stretch : stretches) {
-    set.history.hold_time = stretch.hold_time;
-    lows.push_back(vibrate_low<dim>(job, mesh, set, stretch.times));
-    largest = std::max(largest, lows.back().ratio);
+  {
+    const RestingModel<dim> rest(job, mesh, set, degree - 1);
+    for (const Stretch& stretch : stretches) {
+      lows.push_back(vibrate_low<dim>(rest, stretch));
+      largest = std::max(largest, lows.back().ratio);
+    }
   }
+  const RestingModel<dim> rest(job, mesh, set, degree);
   VibrationResult found;
   for (std::size_t k = 0; k < stretches.size(); ++k) {
     if (lows[k].ratio < kNear * largest) continue;
-    set.history.hold_time = stretches[k].hold_time;
-    found = larger_of(
-        std::move(found),
-        vibrate_high<dim>(job, mesh, set, stretches[k].times, lows[k], model));
+    found = larger_of(std::move(found),
+                      vibrate_high<dim>(rest, stretches[k], lows[k], model));
   }
   return found;
 }

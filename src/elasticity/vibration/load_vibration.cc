@@ -44,11 +44,18 @@ void require_held(const dynamics::LinearSystem& system, const MatrixXd& answers,
 }  // namespace
 
 template <int dim>
-LoadVibration<dim>::LoadVibration(const ElasticProblem<dim>& problem,
-                                  int degree, const std::vector<Index>& driving)
-    : statics_(solve(problem, degree)), part_(vibrating_part(problem, degree)) {
+PartAtRest<dim> part_at_rest(const ElasticProblem<dim>& problem, int degree) {
+  return {solve(problem, degree), supported_part(problem, degree)};
+}
+
+template <int dim>
+LoadVibration<dim>::LoadVibration(const PartAtRest<dim>& rest,
+                                  const loads::LoadHistory& history,
+                                  const std::string& name,
+                                  const std::vector<Index>& driving)
+    : part_(held_by_mechanism(rest.part, history, name)) {
   const auto& system = part_.system;
-  MatrixXd answers = restrict_rows(statics_.columns, part_.numbers);
+  MatrixXd answers = restrict_rows(rest.statics.columns, part_.numbers);
   if (part_.held.cols() > 0) {
     answers = dynamics::moved_to_constraints(part_.free, part_.held, answers);
   }
@@ -57,9 +64,10 @@ LoadVibration<dim>::LoadVibration(const ElasticProblem<dim>& problem,
     const MatrixXd rigid = dynamics::mass_orthonormal(system, system.rigid);
     answers -= product(rigid, transposed_product(rigid, weighted_));
   }
-  MatrixXd at(statics_.coefficients.rows(), static_cast<Index>(driving.size()));
+  const MatrixXd& coefficients = rest.statics.coefficients;
+  MatrixXd at(coefficients.rows(), static_cast<Index>(driving.size()));
   for (Index i = 0; i < at.cols(); ++i) {
-    at.col(i) = statics_.coefficients.col(driving[static_cast<std::size_t>(i)]);
+    at.col(i) = coefficients.col(driving[static_cast<std::size_t>(i)]);
   }
   const MatrixXd gram = transposed_product(answers, system.stiffness(answers));
   const MatrixXd combinations =
@@ -68,7 +76,7 @@ LoadVibration<dim>::LoadVibration(const ElasticProblem<dim>& problem,
   driving_loads_ = combinations.cols();
   const MatrixXd start = product(answers, combinations);
   if (part_.held.cols() > 0) {
-    require_held(system, start, "part " + problem.name);
+    require_held(system, start, "part " + name);
   }
   space_ = std::make_unique<dynamics::LoadShapes>(system, start);
 }
@@ -80,6 +88,8 @@ typename LoadVibration<dim>::Shapes LoadVibration<dim>::shapes(int count) {
           transposed_product(found.columns, weighted_)};
 }
 
+template PartAtRest<2> part_at_rest<2>(const ElasticProblem<2>&, int);
+template PartAtRest<3> part_at_rest<3>(const ElasticProblem<3>&, int);
 template class LoadVibration<2>;
 template class LoadVibration<3>;
 

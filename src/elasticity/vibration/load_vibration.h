@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,37 +13,49 @@
 
 namespace clevis::elasticity {
 
-/// A part under its load history: the quasi-static answer to every instant, and
-/// the shapes in which it can vibrate about that.
+/// A part at rest under every instant of its load history, and its equations:
+/// what its vibration is about, however its mechanism holds it.
+template <int dim>
+struct PartAtRest {
+  DisplacementBasis<dim> statics;  ///< quasi-static answer
+  VibratingPart<dim> part;         ///< as supported_part()
+};
+
+/// @param problem  its supports hold the part, or it floats: then the loads
+///   are in balance with its inertia at every instant.
+/// @param degree   of the displacement, 1…4 (simplices 1…2).
+/// @throws Error as solve() and supported_part().
+template <int dim>
+PartAtRest<dim> part_at_rest(const ElasticProblem<dim>& problem, int degree);
+
+/// The shapes in which a part can vibrate about its answer at rest under a load
+/// history. A part that floats vibrates without rigid motion, its seats held
+/// and weighed in the mean by the mechanism.
 template <int dim>
 class LoadVibration {
  public:
-  /// @param problem  its supports hold the part, or it floats: then the loads
-  ///   are in balance with its inertia at every instant, and it vibrates
-  ///   without rigid motion, its seats held and weighed in the mean by the
-  ///   mechanism.
-  /// @param degree   of the displacement, 1…4 (simplices 1…2).
+  /// @param history  that of `rest`, its hold_time when the mechanism holds it.
+  /// @param name     of the part.
   /// @param driving  instants whose loads the vibration comes from.
-  /// @throws Error as solve() and vibrating_part().
-  LoadVibration(const ElasticProblem<dim>& problem, int degree,
+  /// @throws Error F008, and as held_by_mechanism().
+  LoadVibration(const PartAtRest<dim>& rest, const loads::LoadHistory& history,
+                const std::string& name,
                 const std::vector<Eigen::Index>& driving);
   LoadVibration(const LoadVibration&) = delete;  // space_ looks at part_
   LoadVibration& operator=(const LoadVibration&) = delete;
 
-  const DisplacementBasis<dim>& statics() const { return statics_; }
   /// Different loads at the driving instants, to 2 % of the energy norm.
   Eigen::Index driving_loads() const { return driving_loads_; }
 
   struct Shapes {
     Eigen::MatrixXd columns;        ///< dofs × shapes [1/√kg]
     Eigen::VectorXd squares;        ///< ω² [1/s²], rising
-    Eigen::MatrixXd participation;  ///< shapesᵀ M U, U of statics()
+    Eigen::MatrixXd participation;  ///< shapesᵀ M U, U of the statics
   };
   /// At least so many, or all that the loads excite.
   Shapes shapes(int count);
 
  private:
-  DisplacementBasis<dim> statics_;
   VibratingPart<dim> part_;
   Eigen::MatrixXd weighted_;  ///< M U
   Eigen::Index driving_loads_{};

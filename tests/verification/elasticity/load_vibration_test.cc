@@ -79,24 +79,25 @@ void expect_wave(int shapes, double tolerance) {
            {0.0, 0.0}, {0.0, 0.0}, {rise, 1.0}, {rise, 1.0}, {end, 1.0}}) {
     history.instants.push_back(pulled(t, share));
   }
-  elasticity::LoadVibration<dim> part({mesh, kCork, history, {}, "bar"}, 3,
-                                      {2});
+  const auto rest =
+      elasticity::part_at_rest<dim>({mesh, kCork, history, {}, "bar"}, 3);
+  elasticity::LoadVibration<dim> part(rest, history, "bar", {2});
   EXPECT_EQ(part.driving_loads(), 1);
   const auto found = part.shapes(shapes);
   VectorXd time(5);
   for (Index i = 0; i < 5; ++i) {
     time[i] = history.instants[static_cast<std::size_t>(i)].time;
   }
-  const dynamics::LoadPath path(time, part.statics().coefficients,
+  const dynamics::LoadPath path(time, rest.statics.coefficients,
                                 1e-9 * transit);
   const auto answer =
       dynamics::answer_to(path, found.participation, found.squares, 0.0,
                           VectorXd::LinSpaced(301, 0.0, end));
   elasticity::DisplacementBasis<dim> all;
-  all.discretization = part.statics().discretization;
+  all.discretization = rest.statics.discretization;
   all.columns.resize(found.columns.rows(),
-                     part.statics().columns.cols() + found.columns.cols());
-  all.columns << part.statics().columns, found.columns;
+                     rest.statics.columns.cols() + found.columns.cols());
+  all.columns << rest.statics.columns, found.columns;
   all.coefficients.resize(all.columns.cols(), answer.time.size());
   all.coefficients << answer.path, answer.added;
   // The middle of the bar: the first corner of the eleventh cell.
@@ -112,7 +113,7 @@ void expect_wave(int shapes, double tolerance) {
   // Half of the pull at rest in the accelerated bar, all of it in the wave.
   EXPECT_NEAR(largest, kPull, tolerance * kPull);
   const VectorXd still =
-      stress::point_history<dim>(part.statics(), kCork, {10, 0}, 1);
+      stress::point_history<dim>(rest.statics, kCork, {10, 0}, 1);
   EXPECT_NEAR(still[4], 0.5 * kPull, 1e-9 * kPull);
 }
 
