@@ -182,6 +182,11 @@ void note_energy_over_time(const std::vector<InstantRow>& rows, bool repeats,
   if (!repeats) result.mean_strain_energy = mean_strain_energy(rows);
 }
 
+/// Before all others: a number that is wrong by its unit makes them idle.
+void tell_first(const std::vector<std::string>& notes, PartResult& result) {
+  result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
+}
+
 }  // namespace
 
 PartAssessment check_part(const PartJob& given) {
@@ -235,9 +240,8 @@ PartAssessment check_part(const PartJob& given) {
   check_sharing(given, result);
   judge(job.part, result);
   explain_unsettled(result);
-  for (std::string& note : part_notes(job)) {
-    result.notes.push_back(std::move(note));
-  }
+  tell_first(part_notes(job), result);
+  tell_first(strength_notes(job, result.safety_factor), result);
   result.seconds.total = watch.lap();
   return assessment;
 }

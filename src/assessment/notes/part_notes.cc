@@ -1,5 +1,8 @@
 #include "assessment/notes/part_notes.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "mesh/cells/topology.h"
@@ -17,9 +20,11 @@ void note_size(double size, Notes& notes) {
       size));
 }
 
-/// Stiff foams yield at 1 MPa, the best wires at 4 GPa.
+constexpr double kStrong = 5e9;  // the best wires yield at 4e9 [Pa]
+
+/// Stiff foams yield at 1 MPa.
 void note_yield_strength(const part::Material& material, Notes& notes) {
-  constexpr double kWeak = 1e6, kStrong = 5e9, kMega = 1e6;  // [Pa]
+  constexpr double kWeak = 1e6, kMega = 1e6;  // [Pa]
   if (kWeak <= material.yield_strength && material.yield_strength <= kStrong) {
     return;
   }
@@ -40,18 +45,86 @@ void note_deflection_limit(const part::Limits& limits, double size,
       *limits.deflection / kMilli, size / kMilli));
 }
 
-/// As of gravity in mm/s² whose unit was typed as m/s²; pistons of engines
-/// reach it, too.
-void note_acceleration(const part::LoadCaseDefinition& load_case,
+/// Parts that stand alone, whose lengths no joint's place confirms.
+bool stands_alone(const part::PartDefinition& part) {
+  return !part.cases.empty() || !part.series.empty();
+}
+
+/// What the numbers of the mesh and of the density were taken for.
+void note_extent(const PartJob& job, Notes& notes) {
+  constexpr double kMilli = 1e-3;
+  if (!stands_alone(job.part)) return;
+  const Eigen::Vector3d sides = job.sides() / kMilli;
+  notes.push_back(fmt::format("size {:.4g} x {:.4g} x {:.4g} mm, {:.4g} kg",
+                              sides[2], sides[1], sides[0], job.mass.mass));
+}
+
+/// A sheet that thin holds no pin.
+void note_thickness(const PartJob& job, Notes& notes) {
+  constexpr double kThin = 1e-3, kMilli = 1e-3;
+  const Eigen::Vector3d sides = job.sides();
+  if (sides[0] >= kThin * sides[2]) return;
+  notes.push_back(fmt::format(
+      "the part is {:.4g} mm thick, less than a thousandth of its {:.4g} mm: "
+      "see that the unit of its thickness is right",
+      sides[0] / kMilli, sides[2] / kMilli));
+}
+
+/// Of one kind of material all three are known but for a factor of some tens.
+void note_stiffness(const part::Material& material, Notes& notes) {
+  constexpr double kFastest = 20e3;  // sound in diamond: 18e3 [m/s]
+  constexpr double kHeavy = 2000.0;  // rubber and foams are lighter [kg/m³]
+  constexpr double kSoft = 0.4e9;    // PTFE, as heavy as that, has 0.5e9 [Pa]
+  constexpr double kStretch = 0.1;   // plastics yield at 0.05 [1]
+  constexpr double kGiga = 1e9, kMega = 1e6;
+  const double modulus = material.youngs_modulus;
+  const double sound = std::sqrt(modulus / material.density);
+  const double stretch = material.yield_strength / modulus;
+  if (sound > kFastest || (material.density > kHeavy && modulus < kSoft)) {
+    notes.push_back(fmt::format(
+        "{} has {:.4g} GPa at {:.4g} kg/m^3, as no material: see that the "
+        "units of its Young's modulus and density are right",
+        material.name, modulus / kGiga, material.density));
+  }
+  if (modulus >= kSoft && stretch > kStretch &&
+      material.yield_strength <= kStrong) {
+    notes.push_back(fmt::format(
+        "{} yields at {:.4g} MPa, a strain of {:.2g} %: see that the units of "
+        "its yield strength and Young's modulus are right",
+        material.name, material.yield_strength / kMega, 100.0 * stretch));
+  }
+}
+
+/// Cork has zero, beryllium 0.03; foams are below zero, if made so.
+void note_poissons_ratio(const part::Material& material, Notes& notes) {
+  constexpr double kLeast = 0.03;
+  const double ratio = material.poissons_ratio;
+  if (ratio == 0.0 || ratio >= kLeast) return;
+  notes.push_back(fmt::format(
+      "Poisson's ratio of {} is {:.4g}, as of hardly any material: see that it "
+      "is right",
+      material.name, ratio));
+}
+
+/// As of mm/s² that were typed as m/s²; pistons and blows reach it, too.
+/// @param acceleration  minus gravity [m/s²].
+void note_acceleration(const std::string& load, double acceleration,
                        Notes& notes) {
-  constexpr double kEarth = 9.81;              // [m/s²]
-  constexpr double kLargest = 500.0 * kEarth;  // [m/s²]
-  const double acceleration = load_case.acceleration.norm();
+  constexpr double kEarth = 9.81;             // [m/s²]
+  constexpr double kLargest = 50.0 * kEarth;  // [m/s²]
   if (acceleration <= kLargest) return;
   notes.push_back(fmt::format(
-      "case {}: its acceleration minus gravity is {:.4g} m/s^2, {:.4g} times "
-      "the earth's gravity: see that its unit is right",
-      load_case.name, acceleration, acceleration / kEarth));
+      "{}: its acceleration minus gravity is {:.4g} m/s^2, {:.4g} times the "
+      "earth's gravity: see that its unit is right",
+      load, acceleration, acceleration / kEarth));
+}
+
+void note_series(const part::LoadSeries& series, Notes& notes) {
+  double largest = 0.0;
+  for (const part::SeriesInstant& instant : series.instants) {
+    largest = std::max(largest, instant.acceleration.norm());
+  }
+  note_acceleration("history " + series.name, largest, notes);
 }
 
 }  // namespace
@@ -59,18 +132,42 @@ void note_acceleration(const part::LoadCaseDefinition& load_case,
 std::vector<std::string> part_notes(const PartJob& job) {
   Notes notes;
   const double size = mesh::size_of(job.mesh);
+  note_extent(job, notes);
   note_size(size, notes);
+  note_thickness(job, notes);
   note_yield_strength(job.part.material, notes);
+  note_stiffness(job.part.material, notes);
+  note_poissons_ratio(job.part.material, notes);
   note_deflection_limit(job.part.limits, size, notes);
   for (const auto& load_case : job.part.cases) {
-    note_acceleration(load_case, notes);
+    note_acceleration("case " + load_case.name, load_case.acceleration.norm(),
+                      notes);
   }
+  for (const auto& series : job.part.series) note_series(series, notes);
   for (const std::string& group : job.mesh.empty_groups) {
     notes.push_back(fmt::format(
         "the physical group {} of the mesh holds no surface of the part",
         group));
   }
   return notes;
+}
+
+std::vector<std::string> strength_notes(const PartJob& job,
+                                        double safety_factor) {
+  constexpr double kIdle = 100.0, kHopeless = 0.01;
+  if (safety_factor > kIdle && stands_alone(job.part)) {
+    return {fmt::format(
+        "its loads use less than a hundredth of its strength (safety factor "
+        "{:.4g}): see that the units of loads and lengths are right",
+        safety_factor)};
+  }
+  if (0.0 < safety_factor && safety_factor < kHopeless) {
+    return {fmt::format(
+        "its loads would need {:.0f} times its strength: see that the units of "
+        "loads, lengths and speeds are right",
+        1.0 / safety_factor)};
+  }
+  return {};
 }
 
 }  // namespace clevis::assessment

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -75,35 +76,62 @@ void add_freedom(const MechanismDefinition& definition, const Motion& motion,
           : "If a drive was forgotten, add it; else say motion = \"dynamic\""));
 }
 
-/// Jupiter has 25 m/s²; 9810 were meant as mm/s².
+/// The moon has 1.6 m/s², Jupiter 25; 9810 were meant as mm/s².
 void add_gravity(const MechanismDefinition& definition,
                  std::vector<std::string>& notes) {
-  constexpr double kEarth = 9.81, kLargest = 30.0;  // [m/s²]
+  constexpr double kEarth = 9.81, kLeast = 1.0, kLargest = 30.0;  // [m/s²]
   const double gravity = definition.gravity_W.norm();
-  if (gravity <= kLargest) return;
+  if (gravity == 0.0 || (kLeast <= gravity && gravity <= kLargest)) return;
   notes.push_back(fmt::format(
       "gravity is {:.4g} m/s^2, {:.4g} times the earth's: see that its unit is "
       "right",
       gravity, gravity / kEarth));
 }
 
-/// Of all bodies of a mass and a trace of inertia a ball is the least dense.
+/// Of the ellipsoid that has a body's mass and inertia [kg/m³]. Of all bodies
+/// of one density the ellipsoid has the least inertia: no body is less dense.
+/// @param least  semi-axis, over the largest: inertias of laminae and of rods
+///               are given without it [1].
+double density_of_ellipsoid(const part::MassProperties& given, double least) {
+  const Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
+                               given.inertia_LCm, Eigen::EigenvaluesOnly)
+                               .eigenvalues();
+  const Vector3d squares =
+      (5.0 / given.mass *
+       (Vector3d::Constant(0.5 * moments.sum()) - moments).array())
+          .max(0.0);
+  const Vector3d axes = squares.cwiseSqrt();
+  return given.mass / (4.0 / 3.0 * std::numbers::pi *
+                       axes.cwiseMax(least * axes.maxCoeff()).prod());
+}
+
 /// Bodies that are given as all but points are spared.
-void add_dense_bodies(const MechanismDefinition& definition,
-                      std::vector<std::string>& notes) {
+void add_densities(const MechanismDefinition& definition,
+                   std::vector<std::string>& notes) {
   constexpr double kLargest = 10.0 * 25000.0;  // [kg/m³], of materials: 25000
+  constexpr double kLeast = 10.0;  // frames of thin tubes have more [kg/m³]
+  constexpr double kThick = 1.0 / 20.0, kThin = 1.0 / 50.0;
   for (const BodyDefinition& body : definition.bodies) {
-    const double mass = body.mass_properties.mass;
-    const double inertia = body.mass_properties.inertia_LCm.trace();
-    if (!body.part.empty() || !(mass > 0.0) || !(inertia > 0.0)) continue;
-    const double radius = std::sqrt(inertia / (1.2 * mass));
-    const double density =
-        mass / (4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3));
-    if (density <= kLargest) continue;
-    notes.push_back(fmt::format(
-        "body {} of {:.4g} kg has so little inertia that it would have {:.2g} "
-        "kg/m^3 at least: see that the units of its mass and inertia are right",
-        body.name, mass, density));
+    const part::MassProperties& given = body.mass_properties;
+    if (!body.part.empty() || !(given.mass > 0.0) ||
+        !(given.inertia_LCm.trace() > 0.0)) {
+      continue;
+    }
+    const double most = density_of_ellipsoid(given, kThin);
+    const double least = density_of_ellipsoid(given, kThick);
+    if (least > kLargest) {
+      notes.push_back(fmt::format(
+          "body {} of {:.4g} kg has so little inertia that it would have "
+          "{:.2g} kg/m^3 at least: see that the units of its mass and inertia "
+          "are right",
+          body.name, given.mass, least));
+    } else if (most < kLeast) {
+      notes.push_back(fmt::format(
+          "body {} of {:.4g} kg has so much inertia that it would have {:.2g} "
+          "kg/m^3 as a solid: see that the units of its mass and inertia are "
+          "right",
+          body.name, given.mass, most));
+    }
   }
 }
 
@@ -229,7 +257,7 @@ std::vector<std::string> motion_notes(const MechanismDefinition& definition,
                                       const Motion& motion) {
   std::vector<std::string> notes;
   add_gravity(definition, notes);
-  add_dense_bodies(definition, notes);
+  add_densities(definition, notes);
   add_freedom(definition, motion, notes);
   add_unjoined(definition, notes);
   add_assembly(definition, motion, notes);

@@ -9,10 +9,10 @@
 namespace clevis::report {
 
 /// Notes on how a motion came about, one sentence each: gravity that no
-/// machine meets; bodies denser than any; freedom that no drive fixes and that
-/// was integrated, from which start; bodies that assembly moved far from their
-/// placement, or that had none; a search for the largest loads that did not
-/// come to its end; friction whose breakaway is in no load.
+/// machine meets; bodies denser or lighter than any; freedom that no drive
+/// fixes and that was integrated, from which start; bodies that assembly moved
+/// far from their placement, or that had none; a search for the largest loads
+/// that did not come to its end; friction whose breakaway is in no load.
 std::vector<std::string> motion_notes(
     const mechanism::MechanismDefinition& definition,
     const mechanism::Motion& motion);

@@ -27,6 +27,20 @@ std::string only_note(const PartJob& job) {
   return notes.empty() ? "" : notes.front();
 }
 
+/// Notes behind that of its size, of a part that stands alone.
+std::vector<std::string> asked(const PartJob& job) {
+  auto notes = part_notes(job);
+  EXPECT_TRUE(notes.at(0).starts_with("size ")) << notes.at(0);
+  notes.erase(notes.begin());
+  return notes;
+}
+
+std::string only_asked(const PartJob& job) {
+  const auto notes = asked(job);
+  EXPECT_EQ(notes.size(), 1u);
+  return notes.empty() ? "" : notes.front();
+}
+
 TEST(PartNotes, NothingIsSaidOfASoundPart) {
   EXPECT_TRUE(part_notes(steel_link()).empty());
 }
@@ -67,14 +81,97 @@ TEST(PartNotes, DeflectionLimitAsLargeAsThePartIsAskedAbout) {
 
 TEST(PartNotes, AccelerationAsOfMillimetresIsAskedAbout) {
   PartJob job = steel_link();
-  job.part.cases.resize(1);
-  job.part.cases[0].name = "drop";
-  job.part.cases[0].acceleration.y() = 2000.0;
+  part::LoadSeries& bench = job.part.series.emplace_back();
+  bench.name = "bench";
+  bench.instants.resize(2);
+  bench.instants[1].acceleration.y() = 400.0;
+  EXPECT_TRUE(asked(job).empty());
+  bench.instants[1].acceleration.y() = 2000.0;  // 2 m/s²
+  EXPECT_EQ(only_asked(job),
+            "history bench: its acceleration minus gravity is 2000 m/s^2, "
+            "203.9 times the "
+            "earth's gravity: see that its unit is right");
+  job.part.series.clear();
+  part::LoadCaseDefinition& drop = job.part.cases.emplace_back();
+  drop.name = "drop";
+  drop.acceleration.y() = 400.0;
+  EXPECT_TRUE(asked(job).empty());
+  drop.acceleration.y() = 2000.0;
+  EXPECT_EQ(only_asked(job),
+            "case drop: its acceleration minus gravity is 2000 m/s^2, 203.9 "
+            "times the earth's "
+            "gravity: see that its unit is right");
+}
+
+// Nothing else says what its mesh's numbers were taken for.
+TEST(PartNotes, SizeAndMassOfAPartThatStandsAloneAreTold) {
+  PartJob job = steel_link();
+  job.mass.mass = 0.314;
   EXPECT_TRUE(part_notes(job).empty());
-  job.part.cases[0].acceleration.y() = 9810.0;
+  job.part.cases.resize(1);
+  EXPECT_EQ(only_note(job), "size 200 x 20 x 10 mm, 0.314 kg");
+  for (Vector3d& vertex : job.mesh.vertices) vertex *= 10.0;  // cm for mm
+  EXPECT_EQ(only_note(job), "size 2000 x 200 x 100 mm, 0.314 kg");
+}
+
+TEST(PartNotes, ThicknessOfAFoilIsAskedAbout) {
+  PartJob job = steel_link();
+  for (Vector3d& vertex : job.mesh.vertices) vertex.z() *= 1e-3;
   EXPECT_EQ(only_note(job),
-            "case drop: its acceleration minus gravity is 9810 m/s^2, 1000 "
-            "times the earth's gravity: see that its unit is right");
+            "the part is 0.01 mm thick, less than a thousandth of its 200 mm: "
+            "see that the unit of its thickness is right");
+  for (Vector3d& vertex : job.mesh.vertices) vertex.z() *= 30.0;
+  EXPECT_TRUE(part_notes(job).empty());
+}
+
+// Young's modulus [Pa], Poisson's ratio, density [kg/m³], yield strength [Pa].
+TEST(PartNotes, MaterialsAreAskedAboutThatNobodyHas) {
+  const part::Material sound[] = {
+      {"diamond", 1050e9, 0.1, 3500.0, 2e9},
+      {"beryllium", 303e9, 0.032, 1850.0, 240e6},
+      {"lead", 16e9, 0.44, 11340.0, 5e6},
+      {"PTFE", 0.5e9, 0.46, 2200.0, 12e6},
+      {"polyethylene", 0.2e9, 0.45, 920.0, 10e6},
+      {"rubber", 0.02e9, 0.4999, 1100.0, 15e6},
+      {"wire", 210e9, 0.3, 7850.0, 3.5e9},
+      {"carbon fibre", 150e9, 0.0, 1600.0, 1.5e9},
+  };
+  for (const part::Material& material : sound) {
+    PartJob job = steel_link();
+    job.part.material = material;
+    EXPECT_TRUE(part_notes(job).empty()) << material.name;
+  }
+  const part::Material wrong[] = {
+      {"steel", 0.21e9, 0.3, 7850.0, 100e6},  // MPa for GPa
+      {"aluminium", 0.07e9, 0.33, 2700.0, 60e6},
+      {"steel", 210e9, 0.3, 78.5, 355e6},    // a hundredth
+      {"steel", 2.1e9, 0.3, 7850.0, 355e6},  // yields at 17 %
+      {"steel", 210e9, 0.0003, 7850.0, 355e6},
+      {"steel", 210e9, -0.3, 7850.0, 355e6},
+  };
+  for (const part::Material& material : wrong) {
+    PartJob job = steel_link();
+    job.part.material = material;
+    EXPECT_NE(only_note(job).find("see that"), std::string::npos)
+        << material.youngs_modulus << ' ' << material.poissons_ratio;
+  }
+}
+
+TEST(PartNotes, LoadsThatUseHardlyAnyStrengthAreAskedAbout) {
+  PartJob job = steel_link();
+  EXPECT_TRUE(strength_notes(job, 0.02).empty());
+  ASSERT_EQ(strength_notes(job, 1e-3).size(), 1u);
+  EXPECT_NE(strength_notes(job, 1e-3)[0].find("1000 times its strength"),
+            std::string::npos);
+  // In a mechanism joints tell its size, and many parts only carry their
+  // weight.
+  EXPECT_TRUE(strength_notes(job, 4414.0).empty());
+  job.part.cases.resize(1);
+  EXPECT_TRUE(strength_notes(job, 0.0).empty());  // nothing stresses it
+  EXPECT_TRUE(strength_notes(job, 99.0).empty());
+  ASSERT_EQ(strength_notes(job, 432.0).size(), 1u);
+  EXPECT_NE(strength_notes(job, 432.0)[0].find("safety factor 432"),
+            std::string::npos);
 }
 
 }  // namespace

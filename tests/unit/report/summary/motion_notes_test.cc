@@ -39,6 +39,10 @@ TEST(MotionNotes, GravityThatNoMachineMeetsIsAskedAbout) {
   const std::string note = only_note(definition, {});
   EXPECT_TRUE(tells(note, "gravity is 9810 m/s^2, 1000 times the earth's"));
   EXPECT_TRUE(tells(note, "see that its unit is right"));
+  definition.gravity_W = {0.0, 0.0, -9.81e-3};
+  EXPECT_TRUE(tells(only_note(definition, {}), "gravity is 0.00981 m/s^2"));
+  definition.gravity_W = {0.0, 0.0, -1.6};
+  EXPECT_TRUE(motion_notes(definition, {}).empty());
 }
 
 // A steel bar of 120 × 20 × 10 mm, its mass of 188 g typed as kg.
@@ -62,6 +66,31 @@ TEST(MotionNotes, BodyDenserThanAnyIsAskedAbout) {
   EXPECT_TRUE(motion_notes(definition, {}).empty());
   body.mass_properties.inertia_LCm *= 1e-2;  // radius/10, density·1000
   EXPECT_TRUE(tells(only_note(definition, {}), "1.1e+07 kg/m^3"));
+}
+
+// Mass and inertia wrong by the same factor keep the radius of gyration.
+TEST(MotionNotes, MassAndInertiaWrongByOneFactorAreAskedAbout) {
+  MechanismDefinition definition;
+  definition.bodies.resize(1);
+  BodyDefinition& body = definition.bodies[0];
+  body.name = "rod";
+  part::MassProperties& given = body.mass_properties;
+  const auto take = [&](double factor) {
+    // A round bar of steel, 1 m long, 20 mm thick.
+    given.mass = factor * 2.466;
+    given.inertia_LCm.diagonal() << factor * 1.233e-4, factor * 0.20556,
+        factor * 0.20556;
+  };
+  take(1.0);
+  EXPECT_TRUE(motion_notes(definition, {}).empty());
+  take(1e3);
+  EXPECT_TRUE(tells(only_note(definition, {}), "so little inertia"));
+  take(1e-3);
+  EXPECT_TRUE(tells(only_note(definition, {}), "5.5 kg/m^3 as a solid"));
+  // A lamina's inertia, as of planar mechanisms: 140 × 20 × 5 mm, 0.11 kg.
+  given.mass = 0.11;
+  given.inertia_LCm.diagonal() << 3.67e-6, 179.7e-6, 183.37e-6;
+  EXPECT_TRUE(motion_notes(definition, {}).empty());
 }
 
 // Weight alone moves it: a drive was probably forgotten.
