@@ -101,6 +101,19 @@ HoldingSeats hold_of(const loads::LoadHistory& history,
   return hold;
 }
 
+/// Where both of two groups hold the roll about the line between them, either
+/// may have the play: both ways.
+std::vector<HoldingSeats> holds_of(const loads::LoadHistory& history,
+                                   const loads::HoldingGroups& groups,
+                                   double time, bool with_all) {
+  std::vector<HoldingSeats> found = {hold_of(history, groups, time, with_all)};
+  if (groups.size() != 2 || !found.front().held.empty()) return found;
+  HoldingSeats other =
+      hold_of(history, {groups.back(), groups.front()}, time, with_all);
+  if (other.groups != found.front().groups) found.push_back(std::move(other));
+  return found;
+}
+
 bool are_alike(const HoldingSeats& one, const HoldingSeats& other) {
   return !one.touched && !other.touched && one.groups == other.groups &&
          one.with_all == other.with_all &&
@@ -129,38 +142,48 @@ void add(HoldingSeats hold, std::vector<HoldingSeats>& holds) {
 std::vector<HoldingSeats> part_holds(const LoadSet& set,
                                      const loads::LoadHistory& history,
                                      bool with_all) {
-  std::vector<HoldingSeats> whole;
+  std::vector<std::vector<HoldingSeats>> whole;
   for (const auto& groups : loads::holding_groups(history)) {
-    whole.push_back(hold_of(history, groups, history.hold_time, with_all));
+    whole.push_back(holds_of(history, groups, history.hold_time, with_all));
   }
-  if (!set.fixed.empty() || !set.foundations.empty()) return whole;
-  if (whole.front().with_all) whole.resize(1);  // all hold, whatever the groups
+  std::vector<HoldingSeats> holds;
+  if (!set.fixed.empty() || !set.foundations.empty()) {
+    for (const auto& ways : whole) holds.push_back(ways.front());
+    return holds;
+  }
+  // All hold, whatever the groups.
+  if (whole.front().front().with_all) whole.resize(1);
   const std::size_t motion = loads::motion_length(history);
   const auto places = by_place(history);
   const auto times = motion > 1 ? by_time(motion) : std::vector<Instants>{};
-  std::vector<HoldingSeats> holds;
-  for (const HoldingSeats& one : whole) {
+  for (const auto& ways : whole) {
+    const HoldingSeats& one = ways.front();
     const bool slides = has_slide(one, history.seats) && !places.empty();
     std::vector<bool> is_known(history.instants.size(), false);
     for (const Instants& at : slides         ? places
                               : history.hold ? times
                                              : std::vector<Instants>{}) {
       const loads::InstantLoad& hardest = hardest_of(history, at);
-      HoldingSeats hold = hold_of(history, one.groups, hardest.time, with_all);
-      if (slides) hold.touched = {history.seats, hardest.zones};
-      hold.instants = at;
-      add(std::move(hold), holds);
+      for (HoldingSeats& hold :
+           holds_of(history, one.groups, hardest.time, with_all)) {
+        if (slides) hold.touched = {history.seats, hardest.zones};
+        hold.instants = at;
+        add(std::move(hold), holds);
+      }
       for (const Eigen::Index i : at) {
         is_known[static_cast<std::size_t>(i)] = true;
       }
     }
-    HoldingSeats hold = one;
+    Instants rest;
     for (std::size_t i = 0; i < is_known.size(); ++i) {
-      if (!is_known[i]) hold.instants.push_back(static_cast<Eigen::Index>(i));
+      if (!is_known[i]) rest.push_back(static_cast<Eigen::Index>(i));
     }
-    const bool is_at_none = hold.instants.empty();
-    if (hold.instants.size() == is_known.size()) hold.instants.clear();
-    if (!is_at_none) add(std::move(hold), holds);
+    if (rest.empty()) continue;
+    if (rest.size() == is_known.size()) rest.clear();
+    for (HoldingSeats hold : ways) {
+      hold.instants = rest;
+      add(std::move(hold), holds);
+    }
   }
   for (HoldingSeats& hold : holds) {
     if (hold.instants.size() == history.instants.size()) hold.instants.clear();

@@ -37,6 +37,7 @@ HoldingGroups bearing_groups(const LoadHistory& history) {
       groups.push_back(seat.group);
     }
   }
+  std::ranges::sort(groups);
   return groups;
 }
 
@@ -270,7 +271,8 @@ bool is_redundant(const std::vector<GroupHold>& held) {
 std::vector<HoldingGroups> holding_groups(const LoadHistory& history) {
   if (!history.hold) return pairs_of(bearing_groups(history));
   constexpr double kNearest = 1e-3;  // of the size: no line between them
-  const std::vector<GroupHold> holds = holds_of(history, history.hold_time);
+  std::vector<GroupHold> holds = holds_of(history, history.hold_time);
+  std::ranges::sort(holds, {}, &GroupHold::group);
   const double size = size_of(history.seats);
   std::vector<HoldingGroups> found;
   for (auto one = holds.begin(); one != holds.end(); ++one) {

@@ -10,8 +10,8 @@
 
 namespace clevis::loads {
 
-/// Groups that hold a part as a whole, first in the order of the seats; by
-/// holder_of().
+/// Groups that hold a part as a whole, by holder_of(), in the order of their
+/// names: that of a scene's tables decides nothing.
 using HoldingGroups = std::vector<std::string>;
 
 /// What a seat holds by: its group; of a slide that shares it with other seats

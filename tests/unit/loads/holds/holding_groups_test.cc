@@ -1,5 +1,6 @@
 #include "loads/holds/holding_groups.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -127,6 +128,15 @@ TEST(HoldAt, RedundantIsWhatBalanceDoesNotNeed) {
   EXPECT_TRUE(redundant(unit({0, 1, 2, 3, 4, 5, 13})));
 }
 
+// Names, not the order of a scene's tables, say which comes first.
+TEST(HoldingGroups, ComeInTheOrderOfTheirNames) {
+  LoadHistory history = lever(unit({0, 1, 2, 12, 13, 14}));
+  for (Seat& seat : history.seats) {
+    seat.group = seat.group == "bore_A" ? "right" : "left";
+  }
+  EXPECT_EQ(holding_groups(history), (Groups{{"left", "right"}}));
+}
+
 TEST(HoldingGroups, OfCasesEachTwoBearingSeats) {
   LoadHistory history;
   history.seats = {{.name = "1", .group = "a", .kind = SeatKind::kBearing},
@@ -134,6 +144,7 @@ TEST(HoldingGroups, OfCasesEachTwoBearingSeats) {
                    {.name = "3", .group = "face", .kind = SeatKind::kTraction},
                    {.name = "4", .group = "c", .kind = SeatKind::kBearing},
                    {.name = "5", .group = "a", .kind = SeatKind::kBearing}};
+  std::ranges::reverse(history.seats);
   EXPECT_EQ(holding_groups(history),
             (Groups{{"a", "b"}, {"a", "c"}, {"b", "c"}}));
 }
