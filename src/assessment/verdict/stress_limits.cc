@@ -112,7 +112,7 @@ std::optional<Judgement> judge_stress(const part::PartDefinition& part,
         part::Verdict::kNotJudged,
         fmt::format(
             "its vibration {} ({}), without {} the peak is {:.4g} MPa",
-            is_cut ? "is not known to the end" : "could not be computed",
+            is_cut ? "is not wholly known" : "could not be computed",
             vibration.failure.empty() ? vibration.not_followed
                                       : vibration.failure,
             is_cut ? "the rest" : "it", peak.value / kMega)};

@@ -176,4 +176,20 @@ dynamics::ResponseSpectrum load_spectrum(const PartJob& job,
                            job.part.damping, kPaceCounts);
 }
 
+double rise_near(const PartJob& job, const dynamics::LoadPath& components,
+                 double first, double low, double high) {
+  constexpr double kLeast = 0.1;
+  constexpr Index kPeriods = 65;
+  low = std::max(low, kLeast);
+  if (!(low < high) || components.coordinates() == 0) return 1.0;
+  const auto answer = [&](const VectorXd& squares) {
+    return response_spectrum(components,
+                             first * squares.cwiseSqrt().cwiseInverse(),
+                             job.part.damping, kPaceCounts)
+        .amplification;
+  };
+  return std::max(1.0, answer(VectorXd::LinSpaced(kPeriods, low, high)) /
+                           answer(VectorXd::Ones(1)));
+}
+
 }  // namespace clevis::assessment

@@ -61,6 +61,12 @@ dynamics::ResponseSpectrum load_spectrum(const PartJob& job,
                                          const dynamics::LoadPath& components,
                                          double first);
 
+/// Largest answer of oscillators of frequencies near the first over that of the
+/// first itself [1].
+/// @param low, high  squares of these over the first's [1].
+double rise_near(const PartJob& job, const dynamics::LoadPath& components,
+                 double first, double low, double high);
+
 /// Of a part's first vibration along its longest way: 2 l/√(E/ρ) [s]. What is
 /// over before the part bends may still run along it and meet its like.
 double period_of_waves(const PartJob& job);

@@ -125,6 +125,26 @@ double uneven_swing(const PartJob& job, double share) {
   return uneven * std::max(0.0, 1.0 / rest - 1.0);
 }
 
+/// Turn about other axes than the part's length [rad/s].
+double turn_across(const loads::InstantLoad& instant, const Vector3d& axis) {
+  const Vector3d& omega = instant.rigid.omega;
+  return (omega - omega.dot(axis) * axis).norm();
+}
+
+/// Of what stiffens and what pulls on, over the square of the fastest turn: of
+/// a cantilever 1.2 and 1.6 times its root's arm over its length, outwards 1.
+double largest_shift(const PartJob& job, const LoadSet& motion, double fastest,
+                     const Vector3d& axis) {
+  constexpr double kOwn = 1.25, kArm = 1.6, kTurns = 0.3;
+  double arm = 0.0;  // of the part's origin, by what it is accelerated [m]
+  for (const loads::InstantLoad& instant : motion.history.instants) {
+    const double turn = turn_across(instant, axis);
+    if (!(turn > kTurns * fastest)) continue;
+    arm = std::max(arm, instant.rigid.acceleration.norm() / (turn * turn));
+  }
+  return kOwn + kArm * arm / job.sides()[2];
+}
+
 }  // namespace
 
 double spin_about_length(const PartJob& job, const LoadSet& set) {
@@ -170,6 +190,22 @@ bool stand_in_space(const PartJob& job, const LoadSet& motion, double first) {
   if (change_in_space <= kStill * change + kRoundOff * largest) return true;
   return load_spectrum(job, load_components(job, in_space), first)
              .amplification <= kPaceCounts;
+}
+
+TurningPart turning_part(const PartJob& job, const LoadSet& motion,
+                         double first) {
+  constexpr double kCounts = 0.02;  // moves a frequency by 5e-4 or less
+  const Vector3d axis = length_axis(job);
+  double fastest = 0.0;
+  for (const loads::InstantLoad& instant : motion.history.instants) {
+    fastest = std::max(fastest, turn_across(instant, axis));
+  }
+  TurningPart part{.speed = fastest * first / (2.0 * std::numbers::pi)};
+  if (part.speed >= kCounts) {
+    part.shift =
+        largest_shift(job, motion, fastest, axis) * part.speed * part.speed;
+  }
+  return part;
 }
 
 }  // namespace clevis::assessment

@@ -18,4 +18,16 @@ bool spins_fast(const PartJob& job, const LoadSet& motion, double first);
 /// [s].
 bool stand_in_space(const PartJob& job, const LoadSet& motion, double first);
 
+/// A part that turns about another axis than its length.
+struct TurningPart {
+  double speed{};  ///< fastest over the first frequency [1]
+  /// By how much its own inertia, which pulls it straight and pulls on what it
+  /// displaces outwards, moves the square of the first frequency at most [1].
+  double shift{};
+};
+
+/// @param first  period at rest [s].
+TurningPart turning_part(const PartJob& job, const LoadSet& motion,
+                         double first);
+
 }  // namespace clevis::assessment

@@ -331,7 +331,62 @@ std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
   return found;
 }
 
+/// Why a part's vibration is not known where its first frequency is not that of
+/// its shapes at rest; empty: it is.
+/// @param first   period [s]. @param factor  of buckling [1].
+std::string not_known_moved(const PartJob& job, const LoadSet& given,
+                            double first, double factor) {
+  // Pulses and steps answer 1 to 2: above is a load's own frequency.
+  constexpr double kTurned = 1.1, kOwn = 2.0, kSlender = 10.0;
+  constexpr double kGuided = 1.25;  // squares, by regression.sliding_rods
+  const LoadSet motion = followed_loads(given);
+  if (spins_fast(job, motion, first)) return {};  // not_known_spinning()
+  const dynamics::LoadPath components = load_components(job, motion);
+  const TurningPart turning = turning_part(job, motion, first);
+  double low = 1.0 - turning.shift, high = 1.0 + turning.shift;
+  double rise = rise_near(job, components, first, low, high);
+  if (rise > kTurned) {
+    return fmt::format(
+        "it turns at {:.2g} of its first frequency, and where its inertia "
+        "stiffens or softens it is not computed: it may swing {:.2g} times as "
+        "far",
+        turning.speed, rise);
+  }
+  if (factor < kSlender) low -= 1.0 / factor;
+  rise = rise_near(job, components, first, low, high);
+  if (rise > kOwn) {
+    return fmt::format(
+        "it buckles at {:.4g} times its loads, which lowers its first "
+        "frequency to where it may swing {:.2g} times as far",
+        factor, rise);
+  }
+  const bool slides =
+      std::ranges::any_of(motion.history.seats, [](const loads::Seat& seat) {
+        return !!seat.slide;
+      });
+  if (slides) high *= kGuided;
+  rise = rise_near(job, components, first, low, high);
+  if (rise <= kOwn) return {};
+  return fmt::format(
+      "a guide holds it, and its first frequency may be 11 % higher than "
+      "computed, where it may swing {:.2g} times as far",
+      rise);
+}
+
 }  // namespace
+
+void doubt_moved_frequencies(const PartJob& job, PartResult& result) {
+  if (!result.first_period || !result.vibration.not_followed.empty()) return;
+  for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
+    const auto& factors = result.buckling.of_motions;
+    std::string unknown =
+        not_known_moved(job, job.load_sets[s], *result.first_period,
+                        s < factors.size() ? factors[s] : HUGE_VAL);
+    if (unknown.empty()) continue;
+    result.vibration.not_followed = std::move(unknown);
+    return;
+  }
+}
 
 void check_vibration(const PartJob& job, const std::vector<InstantRow>& rows,
                      HeldMotions& held, PartResult& result) {

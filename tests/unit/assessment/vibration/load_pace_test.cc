@@ -83,6 +83,40 @@ TEST(LoadPace, ASteadyForceHidesNoShakeOfAPartThatSpins) {
   EXPECT_FALSE(stand_in_space(job, job.load_sets.front(), kFirst));
 }
 
+// A cantilever's ω² rises by 1.19 Ω² across its plane of turning, 1.57 more for
+// each length that its root is away from the axis.
+TEST(LoadPace, TurningAcrossItsLengthMovesAPartsFrequency) {
+  constexpr double kFirst = 1e-3;  // period [s]
+  const double frequency = 2.0 * std::numbers::pi / kFirst;
+  PartJob job = turning(kSize.z(), 0.3 * frequency);
+  EXPECT_EQ(turning_part(job, job.load_sets.front(), kFirst).shift, 0.0);
+  const double length = job.sides()[2];
+  for (const double arm : {0.0, 2.0}) {
+    for (auto& instant : job.load_sets.front().history.instants) {
+      const double turn = 0.3 * frequency;
+      instant.rigid.omega = turn * Vector3d::UnitZ();
+      instant.rigid.acceleration =
+          -turn * turn * arm * length * Vector3d::UnitX();
+    }
+    const auto part = turning_part(job, job.load_sets.front(), kFirst);
+    EXPECT_NEAR(part.speed, 0.3, 1e-9);
+    const double theory = 0.3 * 0.3 * (1.19 + 1.57 * arm);
+    EXPECT_GE(part.shift, theory);
+    EXPECT_LE(part.shift, 1.06 * theory);
+  }
+}
+
+// A sine a tenth above the first frequency, which it would meet.
+TEST(LoadPace, OscillatorsNearTheFirstMeetTheLoad) {
+  constexpr double kFirst = 1e-3;  // period [s]
+  PartJob job = turning(kSize.z(), 1.1 * 2.0 * std::numbers::pi / kFirst);
+  job.part.damping = 0.01;
+  const auto components = load_components(job, job.load_sets.front());
+  EXPECT_EQ(rise_near(job, components, kFirst, 1.0, 1.0), 1.0);
+  EXPECT_LT(rise_near(job, components, kFirst, 0.8, 1.0), 1.05);
+  EXPECT_GT(rise_near(job, components, kFirst, 1.0, 1.3), 1.3);
+}
+
 // What stands still in the same component hides nothing either.
 TEST(LoadPace, ChangesCountBesideWhatStandsStill) {
   for (const double preload : {0.0, 1e3}) {
