@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include "assessment/sharing/sharing_check.h"
@@ -240,6 +242,63 @@ std::vector<Candidate> other_sharings(const PartJob& job) {
   return candidates;
 }
 
+/// The fluid in long bores of a part, p A [N]: it presses a bent tube on as an
+/// axial load of that size would, and pulls it straight as a dead load.
+double fluid_columns(const PartJob& job, const loads::InstantLoad& instant) {
+  constexpr double kLong = 2.0, kInside = 0.98;  // of the diameter
+  const double across = job.sides()[1];
+  double sum = 0.0;
+  for (const loads::SurfaceLoad& load : instant.surface_loads) {
+    const auto group =
+        std::ranges::find(job.groups, load.group, &loads::GroupGeometry::name);
+    if (group == job.groups.end() || !group->is_cylinder) continue;
+    const part::Bore& bore = group->cylinder;
+    const double diameter = 2.0 * bore.radius;
+    if (bore.length < kLong * diameter || diameter > kInside * across) continue;
+    sum += std::max(0.0, load.pressure) * std::numbers::pi * bore.radius *
+           bore.radius;
+  }
+  return sum;
+}
+
+/// Euler's load of the part as a bar of one section: between two pins, or held
+/// by supports on one face [N].
+double load_of_bar(const PartJob& job, const LoadSet& set) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> inertia(
+      job.mass.inertia_LCm, Eigen::EigenvaluesOnly);
+  const Eigen::Vector3d& moments = inertia.eigenvalues();
+  const double length = job.sides()[2];
+  // Of the mass along the least of its widths.
+  const double square = 0.5 * moments.sum() - moments[2];
+  const double free_end = set.fixed.size() == 1 ? 0.25 : 1.0;
+  const part::Material& material = job.part.material;
+  return free_end * std::numbers::pi * std::numbers::pi *
+         material.youngs_modulus * square /
+         (material.density * length * length * length);
+}
+
+/// Where dead pressure pulls tubes straight that a fluid's bends on, the band
+/// reaches down by twice that.
+void lower_for_columns(const PartJob& job, BucklingResult& result) {
+  double most = 0.0;  // over Euler's load
+  for (const LoadSet& set : job.load_sets) {
+    const double euler = load_of_bar(job, set);
+    for (const loads::InstantLoad& instant : set.history.instants) {
+      most = std::max(most, fluid_columns(job, instant) / euler);
+    }
+  }
+  const double low = 1.0 / (1.0 / result.band_low + 2.0 * most);
+  constexpr double kCounts = 0.99;
+  if (low > kCounts * result.band_low) return;
+  const bool is_bound = result.is_lower_bound() &&
+                        low >= part::wanted_buckling_factor(job.part.limits);
+  result.band_low = low;
+  if (is_bound) result.factor = result.band_high = low;
+  result.remark =
+      "pressure keeps its direction; a fluid's in a long bore bends the part "
+      "on as an axial load, which is in the band as of a bar";
+}
+
 /// Pressure counts as a dead load. A fluid's turns with its face: a ring, or a
 /// long tube, buckles under three quarters of it ([TimoshenkoGere]).
 void lower_for_fluids(const PartJob& job, BucklingResult& result) {
@@ -306,6 +365,7 @@ BucklingCheck check_buckling(const PartJob& job,
     check.result.band_low = std::min(check.result.band_low, of_others.band_low);
   }
   if (check.shape) lower_for_fluids(job, check.result);
+  if (check.result.factor) lower_for_columns(job, check.result);
   const bool is_held_in_plane =
       std::ranges::any_of(job.load_sets, [&](const LoadSet& set) {
         return model.supports(set) != set.fixed;

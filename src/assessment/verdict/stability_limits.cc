@@ -116,9 +116,9 @@ std::optional<Judgement> judge_buckling(const part::PartDefinition& part,
     return judge_swinging_buckling(wanted, result);
   }
   const bool fails = buckling.band_high < wanted;
-  const std::string doubt = fails                  ? ""
-                            : buckling.if_all_hold ? ": " + buckling.remark
-                                                   : ": mesh finer";
+  const std::string doubt = fails                     ? ""
+                            : buckling.remark.empty() ? ": mesh finer"
+                                                      : ": " + buckling.remark;
   return Judgement{
       fails ? part::Verdict::kFail : part::Verdict::kNotJudged,
       fmt::format("buckling: the part buckles under {:.4g} [{:.4g}, {:.4g}] "
