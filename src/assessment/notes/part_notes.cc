@@ -75,7 +75,7 @@ void note_stiffness(const part::Material& material, Notes& notes) {
   constexpr double kFastest = 20e3;  // sound in diamond: 18e3 [m/s]
   constexpr double kHeavy = 2000.0;  // rubber and foams are lighter [kg/m³]
   constexpr double kSoft = 0.4e9;    // PTFE, as heavy as that, has 0.5e9 [Pa]
-  constexpr double kStretch = 0.1;   // plastics yield at 0.05 [1]
+  constexpr double kStretch = 0.5;   // plastics yield at 0.05 [1]
   constexpr double kGiga = 1e9, kMega = 1e6;
   const double modulus = material.youngs_modulus;
   const double sound = std::sqrt(modulus / material.density);

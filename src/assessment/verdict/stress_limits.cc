@@ -110,12 +110,11 @@ std::optional<Judgement> judge_stress(const part::PartDefinition& part,
     const bool is_cut = vibration.failure.empty() && vibration.ratio;
     return Judgement{
         part::Verdict::kNotJudged,
-        fmt::format(
-            "its vibration {} ({}), without {} the peak is {:.4g} MPa",
-            is_cut ? "is not wholly known" : "could not be computed",
-            vibration.failure.empty() ? vibration.not_followed
-                                      : vibration.failure,
-            is_cut ? "the rest" : "it", peak.value / kMega)};
+        fmt::format("its vibration {} ({}), without {} the peak is {:.4g} MPa",
+                    is_cut ? "is not wholly known" : "could not be computed",
+                    vibration.failure.empty() ? vibration.not_followed
+                                              : vibration.failure,
+                    is_cut ? "the rest" : "it", peak.value / kMega)};
   }
   return std::nullopt;
 }

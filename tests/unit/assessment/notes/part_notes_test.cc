@@ -145,7 +145,7 @@ TEST(PartNotes, MaterialsAreAskedAboutThatNobodyHas) {
       {"steel", 0.21e9, 0.3, 7850.0, 100e6},  // MPa for GPa
       {"aluminium", 0.07e9, 0.33, 2700.0, 60e6},
       {"steel", 210e9, 0.3, 78.5, 355e6},    // a hundredth
-      {"steel", 2.1e9, 0.3, 7850.0, 355e6},  // yields at 17 %
+      {"steel", 0.6e9, 0.3, 7850.0, 355e6},  // yields at 59 %
       {"steel", 210e9, 0.0003, 7850.0, 355e6},
       {"steel", 210e9, -0.3, 7850.0, 355e6},
   };
