@@ -143,12 +143,12 @@ StressedPart::StressedPart(const BucklingProblem& problem, const HeldPart& part)
       pushes_(problem.discretization, problem.history, problem.name) {
   const Discretization<3>& space = problem.discretization;
   const double density = problem.material.density;
-  LoadBasis loads = load_columns(space, problem.history, density, problem.name);
+  SplitLoads all = load_columns(space, problem.history, density, problem.name);
   if (part.is_free()) {
     SolveChecks checks;
-    balance_free_part<3>(space, node_positions(space), density, loads, checks);
+    balance_free_part<3>(space, node_positions(space), density, all, checks);
   }
-  loads = compress(loads, kCompressionTolerance);
+  const LoadBasis loads = compress(all, kCompressionTolerance);
   coefficients_ = loads.coefficients;
   loaded_ = part.coordinates().of_loads(loads.columns);
   displaced_ = part.coordinates().displacements(loaded_);

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
-#include "elasticity/algebra/column_split.h"
 #include "elasticity/algebra/dense_product.h"
 
 namespace clevis::elasticity {
@@ -126,8 +127,8 @@ Orthonormal orthonormalise_by_passes(const MatrixXd& columns) {
 
 /// By the Gram matrix where the columns are clearly independent, or some are
 /// combinations of the others but for what does not count; else by passes.
-/// @param choose  combinations of the split columns that these are.
-Orthonormal orthonormalise(const ColumnSplit& split, const MatrixXd& choose,
+/// @param choose  combinations of `columns` that these are.
+Orthonormal orthonormalise(const SplitColumns& columns, const MatrixXd& choose,
                            const MatrixXd& gram) {
   constexpr double kIndependent = 1e-3;
   const Index count = gram.cols();
@@ -140,10 +141,11 @@ Orthonormal orthonormalise(const ColumnSplit& split, const MatrixXd& choose,
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram);
   const auto& lambda = eigen.eigenvalues();
   const Index kept = (lambda.array() > kIndependent * kIndependent).count();
-  const MatrixXd dropped =
-      split.times(choose * eigen.eigenvectors().leftCols(count - kept));
-  if (!(dropped.colwise().norm().array() <= kCounts).all()) {
-    return orthonormalise_by_passes(split.times(choose));
+  const MatrixXd dropped = eigen.eigenvectors().leftCols(count - kept);
+  for (Index k = 0; k < dropped.cols(); ++k) {
+    if (!(columns.times(choose * dropped.col(k)).norm() <= kCounts)) {
+      return orthonormalise_by_passes(columns.times(choose));
+    }
   }
   const MatrixXd directions = eigen.eigenvectors().rightCols(kept);
   const VectorXd size = lambda.tail(kept).cwiseSqrt();
@@ -166,19 +168,55 @@ LoadBasis compress(const MatrixXd& history, double tolerance) {
                        VectorXd::Ones(history.cols()));
 }
 
-double largest_instant(const LoadBasis& loads) {
-  if (loads.coefficients.rows() == 0) return 0.0;
-  return largest_instant(ColumnSplit(loads.columns).gram(), loads.coefficients);
+SplitLoads split(LoadBasis loads) {
+  constexpr Index kSmallShare = 4;  // of the rows, for it to be worth while
+  const MatrixXd& columns = loads.columns;
+  std::vector<Index> few, wide;
+  std::vector<bool> occurs(static_cast<std::size_t>(columns.rows()), false);
+  for (Index k = 0; k < columns.cols(); ++k) {
+    const auto column = columns.col(k).array();
+    if (kSmallShare * (column != 0.0).count() > columns.rows()) {
+      wide.push_back(k);
+      continue;
+    }
+    few.push_back(k);
+    for (Index row = 0; row < columns.rows(); ++row) {
+      if (column[row] != 0.0) occurs[static_cast<std::size_t>(row)] = true;
+    }
+  }
+  std::vector<Index> rows;
+  for (Index row = 0; row < columns.rows(); ++row) {
+    if (occurs[static_cast<std::size_t>(row)]) rows.push_back(row);
+  }
+  if (few.empty() || kSmallShare * std::ssize(rows) > columns.rows()) {
+    return {{{}, MatrixXd(0, 0), std::move(loads.columns)},
+            std::move(loads.coefficients)};
+  }
+  MatrixXd coefficients(loads.coefficients.rows(), loads.coefficients.cols());
+  coefficients << loads.coefficients(few, Eigen::all),
+      loads.coefficients(wide, Eigen::all);
+  return {{rows, columns(rows, few), columns(Eigen::all, wide)},
+          std::move(coefficients)};
 }
 
-LoadBasis compress(const LoadBasis& loads, double tolerance, double scale,
+double largest_instant(const SplitLoads& loads) {
+  if (loads.coefficients.rows() == 0) return 0.0;
+  return largest_instant(loads.columns.gram(), loads.coefficients);
+}
+
+double largest_instant(const LoadBasis& loads) {
+  if (loads.coefficients.rows() == 0) return 0.0;
+  return largest_instant(transposed_product(loads.columns, loads.columns),
+                         loads.coefficients);
+}
+
+LoadBasis compress(const SplitLoads& loads, double tolerance, double scale,
                    const VectorXd& admitted) {
   const Index count = loads.columns.cols();
   LoadBasis none{MatrixXd(loads.columns.rows(), 0),
                  MatrixXd(0, loads.coefficients.cols())};
   if (count == 0) return none;
-  const ColumnSplit split(loads.columns);
-  const MatrixXd gram = split.gram();
+  const MatrixXd gram = loads.columns.gram();
   if (scale == 0.0) scale = largest_instant(gram, loads.coefficients);
   const VectorXd size = gram.diagonal().cwiseSqrt();
   // The part that counts, to unit length: X chooses it of the columns.
@@ -196,7 +234,7 @@ LoadBasis compress(const LoadBasis& loads, double tolerance, double scale,
   choose.conservativeResize(Eigen::NoChange, kept);
   coefficients.conservativeResize(kept, Eigen::NoChange);
   const Orthonormal orthonormal =
-      orthonormalise(split, choose, choose.transpose() * gram * choose);
+      orthonormalise(loads.columns, choose, choose.transpose() * gram * choose);
   const VectorXd weights =
       admitted.size() == 0
           ? VectorXd(VectorXd::Ones(coefficients.cols()))
@@ -204,8 +242,8 @@ LoadBasis compress(const LoadBasis& loads, double tolerance, double scale,
   LoadBasis basis =
       compress_over(product(orthonormal.coordinates, coefficients), tolerance,
                     scale, weights);
-  basis.columns =
-      split.times(product(choose, product(orthonormal.combine, basis.columns)));
+  basis.columns = loads.columns.times(
+      product(choose, product(orthonormal.combine, basis.columns)));
   return basis;
 }
 

@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "elasticity/algebra/column_split.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/nodal_loads/surface_loads.h"
 
@@ -83,48 +82,60 @@ MatrixXd spanning_columns(const MatrixXd& values, double tolerance) {
   return result;
 }
 
-/// Collects columns and the coefficients that go with them.
-class Columns {
- public:
-  Columns(Index dofs, Index instants) : dofs_(dofs), instants_(instants) {}
-
-  void append(MatrixXd columns, MatrixXd coefficients) {
-    count_ += columns.cols();
-    columns_.push_back(std::move(columns));
-    coefficients_.push_back(std::move(coefficients));
-  }
-
-  LoadBasis join() const {
-    LoadBasis result;
-    result.columns.resize(dofs_, count_);
-    result.coefficients.resize(count_, instants_);
-    Index at = 0;
-    for (std::size_t k = 0; k < columns_.size(); ++k) {
-      const Index n = columns_[k].cols();
-      result.columns.middleCols(at, n) = columns_[k];
-      result.coefficients.middleRows(at, n) = coefficients_[k];
-      at += n;
-    }
-    return result;
-  }
-
- private:
-  Index dofs_, instants_, count_ = 0;
-  std::vector<MatrixXd> columns_, coefficients_;
+/// Columns at some of the rows, and what goes with them by instant.
+struct SurfaceColumns {
+  std::vector<Index> rows;  ///< of the part
+  MatrixXd columns, coefficients;
 };
 
 template <int dim>
-void append_surface(const SurfaceLoads& surface, Index dofs, Columns& columns) {
+SurfaceColumns surface_columns(const SurfaceLoads& surface) {
   constexpr double kTolerance = 1e-9;  // far below that of the load basis
-  if (!(surface.values.cwiseAbs().maxCoeff() > 0.0)) return;
-  const MatrixXd basis = spanning_columns(surface.values, kTolerance);
-  MatrixXd scattered = MatrixXd::Zero(dofs, basis.cols());
-  for (std::size_t k = 0; k < surface.nodes.size(); ++k) {
-    scattered.middleRows<dim>(dim * surface.nodes[k]) =
-        basis.middleRows<dim>(dim * static_cast<Index>(k));
+  SurfaceColumns found;
+  if (!(surface.values.cwiseAbs().maxCoeff() > 0.0)) return found;
+  for (const int node : surface.nodes) {
+    for (int k = 0; k < dim; ++k) found.rows.push_back(dim * Index{node} + k);
   }
-  columns.append(std::move(scattered),
-                 transposed_product(basis, surface.values));
+  found.columns = spanning_columns(surface.values, kTolerance);
+  found.coefficients = transposed_product(found.columns, surface.values);
+  return found;
+}
+
+/// Of all surfaces, over the rows of any of them.
+SplitLoads joined(const std::vector<SurfaceColumns>& surfaces, Index dofs,
+                  Index instants) {
+  std::vector<Index> rows;
+  Index count = 0;
+  for (const SurfaceColumns& surface : surfaces) {
+    rows.insert(rows.end(), surface.rows.begin(), surface.rows.end());
+    count += surface.columns.cols();
+  }
+  std::ranges::sort(rows);
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  MatrixXd columns = MatrixXd::Zero(std::ssize(rows), count);
+  MatrixXd coefficients(count, instants);
+  Index at = 0;
+  for (const SurfaceColumns& surface : surfaces) {
+    const Index n = surface.columns.cols();
+    if (n == 0) continue;
+    for (std::size_t k = 0; k < surface.rows.size(); ++k) {
+      const auto row = std::ranges::lower_bound(rows, surface.rows[k]);
+      columns.row(row - rows.begin()).segment(at, n) =
+          surface.columns.row(static_cast<Index>(k));
+    }
+    coefficients.middleRows(at, n) = surface.coefficients;
+    at += n;
+  }
+  return {{std::move(rows), std::move(columns), MatrixXd(dofs, 0)},
+          std::move(coefficients)};
+}
+
+void append(const MatrixXd& columns, const MatrixXd& coefficients,
+            SplitLoads& loads) {
+  const Index before = loads.columns.cols(), more = columns.cols();
+  loads.columns.append(columns);
+  loads.coefficients.conservativeResize(before + more, Eigen::NoChange);
+  loads.coefficients.bottomRows(more) = coefficients;
 }
 
 /// −ρ (a + α×p + ω×(ω×p)) is linear in p: a column per power of p and
@@ -132,7 +143,7 @@ void append_surface(const SurfaceLoads& surface, Index dofs, Columns& columns) {
 template <int dim>
 void append_body(const Discretization<dim>& discretization,
                  const loads::LoadHistory& history, double density,
-                 Columns& columns) {
+                 SplitLoads& loads) {
   const auto instants = static_cast<Index>(history.instants.size());
   MatrixXd field(4 * dim, instants);  // acceleration = Σ_j field(j, a) p_j
   for (Index i = 0; i < instants; ++i) {
@@ -147,14 +158,19 @@ void append_body(const Discretization<dim>& discretization,
   }
   if (field.isZero(0.0)) return;
   const MatrixXd moments = node_moments(discretization);
+  std::vector<Index> acting;
   for (Index row = 0; row < field.rows(); ++row) {
-    if (field.row(row).isZero(0.0)) continue;
-    MatrixXd column = MatrixXd::Zero(dim * moments.rows(), 1);
-    for (Index node = 0; node < moments.rows(); ++node) {
-      column(dim * node + row % dim) = -density * moments(node, row / dim);
-    }
-    columns.append(std::move(column), field.row(row));
+    if (!field.row(row).isZero(0.0)) acting.push_back(row);
   }
+  MatrixXd columns = MatrixXd::Zero(discretization.dofs(), std::ssize(acting));
+  for (std::size_t k = 0; k < acting.size(); ++k) {
+    const Index row = acting[k];
+    for (Index node = 0; node < moments.rows(); ++node) {
+      columns(dim * node + row % dim, static_cast<Index>(k)) =
+          -density * moments(node, row / dim);
+    }
+  }
+  append(columns, field(acting, Eigen::all), loads);
 }
 
 /// Consistent mass times rigid motions (translations, rotations about Lo):
@@ -176,43 +192,28 @@ MatrixXd rigid_inertia(const MatrixXd& moments, double density) {
   return inertia;
 }
 
-void append(const MatrixXd& columns, const MatrixXd& coefficients,
-            LoadBasis& loads) {
-  const Index before = loads.columns.cols(), more = columns.cols();
-  loads.columns.conservativeResize(Eigen::NoChange, before + more);
-  loads.columns.rightCols(more) = columns;
-  loads.coefficients.conservativeResize(before + more, Eigen::NoChange);
-  loads.coefficients.bottomRows(more) = coefficients;
-}
-
 /// Whether loads cancel node by node but for round-off, as of a joint that
 /// takes up at once what another brings: they stress nothing.
-bool cancel(const MatrixXd& columns, const MatrixXd& coefficients) {
+bool cancel(const SplitLoads& loads) {
   constexpr double kRoundOff = 1e-11;
-  if (columns.cols() < 2) return false;
-  double gross = 0.0;
-  for (Index k = 0; k < columns.cols(); ++k) {
-    gross += columns.col(k).cwiseAbs().sum() *
-             coefficients.row(k).cwiseAbs().maxCoeff();
-  }
-  return ColumnSplit(columns).largest_column_sum(coefficients) <=
+  if (loads.columns.cols() < 2) return false;
+  const double gross = loads.columns.magnitudes().dot(
+      loads.coefficients.cwiseAbs().rowwise().maxCoeff());
+  return loads.columns.largest_column_sum(loads.coefficients) <=
          kRoundOff * gross;
 }
 
 /// Leaves out the columns that hardly count beside the largest.
-void drop_small_columns(double scale, LoadBasis& loads) {
+void drop_small_columns(double scale, SplitLoads& loads) {
   constexpr double kNothing = 1e-13;
-  Index kept = 0;
-  for (Index k = 0; k < loads.columns.cols(); ++k) {
-    const double size = loads.columns.col(k).cwiseAbs().sum() *
-                        loads.coefficients.row(k).cwiseAbs().maxCoeff();
-    if (size <= kNothing * scale) continue;
-    loads.columns.col(kept) = loads.columns.col(k);
-    loads.coefficients.row(kept) = loads.coefficients.row(k);
-    ++kept;
+  const Eigen::VectorXd sizes = loads.columns.magnitudes().cwiseProduct(
+      loads.coefficients.cwiseAbs().rowwise().maxCoeff());
+  std::vector<Index> kept;
+  for (Index k = 0; k < sizes.size(); ++k) {
+    if (sizes[k] > kNothing * scale) kept.push_back(k);
   }
-  loads.columns.conservativeResize(Eigen::NoChange, kept);
-  loads.coefficients.conservativeResize(kept, Eigen::NoChange);
+  loads.columns.keep(kept);
+  loads.coefficients = loads.coefficients(kept, Eigen::all).eval();
 }
 
 }  // namespace
@@ -223,21 +224,19 @@ Eigen::VectorXd node_volumes(const Discretization<dim>& discretization) {
 }
 
 template <int dim>
-LoadBasis load_columns(const Discretization<dim>& discretization,
-                       const loads::LoadHistory& history, double density,
-                       const std::string& part_name) {
+SplitLoads load_columns(const Discretization<dim>& discretization,
+                        const loads::LoadHistory& history, double density,
+                        const std::string& part_name) {
   const Index dofs = discretization.dofs();
-  Columns columns(dofs, static_cast<Index>(history.instants.size()));
+  const auto instants = static_cast<Index>(history.instants.size());
+  std::vector<SurfaceColumns> surfaces;
   for (const SurfaceLoads& surface :
        surface_loads(discretization, history, part_name)) {
-    append_surface<dim>(surface, dofs, columns);
+    surfaces.push_back(surface_columns<dim>(surface));
   }
-  append_body<dim>(discretization, history, density, columns);
-  LoadBasis loads = columns.join();
-  if (cancel(loads.columns, loads.coefficients)) {
-    loads.columns.resize(dofs, 0);
-    loads.coefficients.resize(0, loads.coefficients.cols());
-  }
+  SplitLoads loads = joined(surfaces, dofs, instants);
+  append_body<dim>(discretization, history, density, loads);
+  if (cancel(loads)) return {SplitColumns(dofs), MatrixXd(0, instants)};
   return loads;
 }
 
@@ -246,10 +245,9 @@ MatrixXd assemble_loads(const Discretization<dim>& discretization,
                         const loads::LoadHistory& history, double density,
                         const std::string& part_name) {
   const auto instants = static_cast<Index>(history.instants.size());
-  Columns columns(discretization.dofs(), instants);
-  append_body<dim>(discretization, history, density, columns);
-  const LoadBasis body = columns.join();
-  MatrixXd result = product(body.columns, body.coefficients);
+  SplitLoads body{SplitColumns(discretization.dofs()), MatrixXd(0, instants)};
+  append_body<dim>(discretization, history, density, body);
+  MatrixXd result = body.columns.times(body.coefficients);
   for (const SurfaceLoads& surface :
        surface_loads(discretization, history, part_name)) {
     for (std::size_t k = 0; k < surface.nodes.size(); ++k) {
@@ -263,12 +261,11 @@ MatrixXd assemble_loads(const Discretization<dim>& discretization,
 template <int dim>
 LoadBalance balance_loads(const Discretization<dim>& discretization,
                           double density, const MatrixXd& modes,
-                          LoadBasis& loads) {
+                          SplitLoads& loads) {
   LoadBalance balance;
-  const double scale =
-      ColumnSplit(loads.columns).largest_column_sum(loads.coefficients);
+  const double scale = loads.columns.largest_column_sum(loads.coefficients);
   if (!(scale > 0.0)) return balance;
-  const MatrixXd residual = transposed_product(modes, loads.columns);
+  const MatrixXd residual = loads.columns.transposed_times(modes);
   const MatrixXd inertia =
       rigid_inertia<dim>(node_moments(discretization), density);
   const MatrixXd acceleration =
@@ -279,7 +276,7 @@ LoadBalance balance_loads(const Discretization<dim>& discretization,
   drop_small_columns(scale, loads);
   if (loads.columns.cols() == 0) return balance;
   balance.rest =
-      product(transposed_product(modes, loads.columns), loads.coefficients)
+      product(loads.columns.transposed_times(modes), loads.coefficients)
           .cwiseAbs()
           .maxCoeff() /
       scale;
@@ -301,14 +298,14 @@ double balance_loads(const Discretization<dim>& discretization, double density,
 
 #define CLEVIS_INSTANTIATE(dim)                                               \
   template Eigen::VectorXd node_volumes<dim>(const Discretization<dim>&);     \
-  template LoadBasis load_columns<dim>(const Discretization<dim>&,            \
-                                       const loads::LoadHistory&, double,     \
-                                       const std::string&);                   \
+  template SplitLoads load_columns<dim>(const Discretization<dim>&,           \
+                                        const loads::LoadHistory&, double,    \
+                                        const std::string&);                  \
   template MatrixXd assemble_loads<dim>(const Discretization<dim>&,           \
                                         const loads::LoadHistory&, double,    \
                                         const std::string&);                  \
   template LoadBalance balance_loads<dim>(const Discretization<dim>&, double, \
-                                          const MatrixXd&, LoadBasis&);       \
+                                          const MatrixXd&, SplitLoads&);      \
   template double balance_loads<dim>(const Discretization<dim>&, double,      \
                                      const MatrixXd&, MatrixXd&);
 CLEVIS_INSTANTIATE(2)

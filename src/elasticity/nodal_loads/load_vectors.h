@@ -18,11 +18,11 @@ namespace clevis::elasticity {
 /// @param density [kg/m³].
 /// @throws Error see surface_loads.
 template <int dim>
-LoadBasis load_columns(const Discretization<dim>& discretization,
-                       const loads::LoadHistory& history, double density,
-                       const std::string& part_name);
+SplitLoads load_columns(const Discretization<dim>& discretization,
+                        const loads::LoadHistory& history, double density,
+                        const std::string& part_name);
 
-/// The same without compression: dofs × instants [N].
+/// The same as a field for each instant: dofs × instants [N].
 template <int dim>
 Eigen::MatrixXd assemble_loads(const Discretization<dim>& discretization,
                                const loads::LoadHistory& history,
@@ -47,7 +47,7 @@ struct LoadBalance {
 template <int dim>
 LoadBalance balance_loads(const Discretization<dim>& discretization,
                           double density, const Eigen::MatrixXd& modes,
-                          LoadBasis& loads);
+                          SplitLoads& loads);
 
 /// The same of loads as dofs × instants [N].
 /// @return the residual before [1].

@@ -115,7 +115,7 @@ DisplacementBasis<3> solve_layered(const ElasticProblem<2>& problem, int degree,
                  unknowns * plane.nodes, usable_memory(), place);
   const auto positions = node_positions(layer);
   const bool is_free = problem.fixed.empty();
-  LoadBasis history =
+  SplitLoads history =
       load_columns(layer, problem.history, density, problem.name);
   if (is_free) {
     balance_free_part<3>(layer, positions, density, history, result.checks);
@@ -130,13 +130,14 @@ DisplacementBasis<3> solve_layered(const ElasticProblem<2>& problem, int degree,
   const Plate plate{plane,         layer,       integrals, problem.material,
                     problem.fixed, problem.name};
   const double all = largest_instant(history);
+  const MatrixXd columns = history.columns.whole();
   int parities = 0;
   for (const Parity parity : {Parity::kStretching, Parity::kBending}) {
     const ThicknessReduction reduction(parity, terms);
     watch.lap();
-    LoadBasis loads = compress(
-        LoadBasis{reduction.reduce(history.columns), history.coefficients},
-        kCompressionTolerance, all, problem.admitted_load_error);
+    LoadBasis loads =
+        compress(split({reduction.reduce(columns), history.coefficients}),
+                 kCompressionTolerance, all, problem.admitted_load_error);
     if (is_free) {
       restore_balance(
           reduction.rigid_modes(node_positions(plane), plane.thickness),

@@ -84,7 +84,7 @@ template <int dim>
 void balance_free_part(
     const Discretization<dim>& discretization,
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions, double density,
-    LoadBasis& loads, SolveChecks& checks) {
+    SplitLoads& loads, SolveChecks& checks) {
   const auto balance =
       balance_loads(discretization, density, modes_of<dim>(positions), loads);
   checks.relief = balance.relief;
@@ -184,15 +184,15 @@ void require_checks(const SolveChecks& checks, int geometry_degree,
   require(checks.energy, kEnergy, "energy", part_name);
 }
 
-#define CLEVIS_INSTANTIATE(dim)                                              \
-  template StiffnessAction action_of<dim>(const StiffnessMatrix<dim>&);      \
-  template void balance_free_part<dim>(                                      \
-      const Discretization<dim>&,                                            \
-      const Eigen::Matrix<double, dim, Eigen::Dynamic>&, double, MatrixXd&,  \
-      SolveChecks&);                                                         \
-  template void balance_free_part<dim>(                                      \
-      const Discretization<dim>&,                                            \
-      const Eigen::Matrix<double, dim, Eigen::Dynamic>&, double, LoadBasis&, \
+#define CLEVIS_INSTANTIATE(dim)                                               \
+  template StiffnessAction action_of<dim>(const StiffnessMatrix<dim>&);       \
+  template void balance_free_part<dim>(                                       \
+      const Discretization<dim>&,                                             \
+      const Eigen::Matrix<double, dim, Eigen::Dynamic>&, double, MatrixXd&,   \
+      SolveChecks&);                                                          \
+  template void balance_free_part<dim>(                                       \
+      const Discretization<dim>&,                                             \
+      const Eigen::Matrix<double, dim, Eigen::Dynamic>&, double, SplitLoads&, \
       SolveChecks&);
 CLEVIS_INSTANTIATE(2)
 CLEVIS_INSTANTIATE(3)

@@ -52,7 +52,7 @@ template <int dim>
 void balance_free_part(
     const Discretization<dim>& discretization,
     const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions, double density,
-    LoadBasis& loads, SolveChecks& checks);
+    SplitLoads& loads, SolveChecks& checks);
 
 /// Takes what round-off has brought out of balance, as in combinations of many
 /// columns, out of the columns of a free part's loads (dofs × columns).

@@ -272,13 +272,26 @@ void solve_by_dealii(const ElasticProblem<dim>& problem,
   result.seconds.solve += watch.lap();
 }
 
+/// Of a free part in balance.
+template <int dim>
+LoadBasis compressed_loads(
+    const ElasticProblem<dim>& problem, const Discretization<dim>& whole,
+    const Eigen::Matrix<double, dim, Eigen::Dynamic>& positions,
+    SolveChecks& checks) {
+  const double density = problem.material.density;
+  SplitLoads all = load_columns(whole, problem.history, density, problem.name);
+  if (problem.fixed.empty() && problem.foundations.empty()) {
+    balance_free_part<dim>(whole, positions, density, all, checks);
+  }
+  return compress(all, kCompressionTolerance, 0.0, problem.admitted_load_error);
+}
+
 }  // namespace
 
 template <int dim>
 DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
   Stopwatch watch;
   const std::string place = "part " + problem.name;
-  const double density = problem.material.density;
   const bool has_bed = !problem.foundations.empty();
   const bool is_free = problem.fixed.empty() && !has_bed;
   DisplacementBasis<dim> result;
@@ -299,12 +312,7 @@ DisplacementBasis<dim> solve(const ElasticProblem<dim>& problem, int degree) {
                         : common_mirrors<dim>(whole, positions, fixed));
   const Discretization<dim>& part = folding.part;
   require_memory_for(problem, folding, place);
-  LoadBasis loads = load_columns(whole, problem.history, density, problem.name);
-  if (is_free) {
-    balance_free_part<dim>(whole, positions, density, loads, result.checks);
-  }
-  loads =
-      compress(loads, kCompressionTolerance, 0.0, problem.admitted_load_error);
+  LoadBasis loads = compressed_loads(problem, whole, positions, result.checks);
   if (is_free) {
     restore_balance(
         rigid_modes<dim>(positions, positions.rowwise().mean(), 1.0),

@@ -75,14 +75,15 @@ template <int dim>
 std::map<int, Matrix3Xd> reactions(
     const elasticity::DisplacementBasis<dim>& basis,
     const part::Material& material, const std::vector<SupportPiece>& pieces,
-    const MatrixXd& loads) {
+    const elasticity::SplitColumns& loads) {
   const Index rank = basis.columns.cols();
   std::map<int, Matrix3Xd> found;
   for (const SupportPiece& piece : pieces) {
     for (const int node : piece.nodes) {
       Matrix3Xd& at = found[node];
       at = Matrix3Xd::Zero(3, rank + loads.cols());
-      at.topRightCorner(dim, loads.cols()) = -loads.middleRows(dim * node, dim);
+      at.topRightCorner(dim, loads.cols()) =
+          -loads.middle_rows(dim * Index{node}, dim);
     }
   }
   const NodalForces<dim> forces_of(basis.discretization, material);
@@ -132,9 +133,8 @@ std::vector<SupportFace> support_faces(
   const auto& discretization = basis.discretization;
   const auto pieces = support_pieces<dim>(discretization, fixed);
   if (pieces.empty()) return {};
-  elasticity::LoadBasis loads;
-  loads.columns.resize(discretization.dofs(), 0);
-  loads.coefficients.resize(0, basis.coefficients.cols());
+  elasticity::SplitLoads loads{elasticity::SplitColumns(discretization.dofs()),
+                               MatrixXd(0, basis.coefficients.cols())};
   if (!history.instants.empty()) {
     loads = elasticity::load_columns<dim>(discretization, history,
                                           material.density, part_name);

@@ -5,7 +5,7 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include "elasticity/algebra/column_split.h"
+#include "elasticity/algebra/split_columns.h"
 #include "elasticity/solid/plane_loads.h"
 
 namespace clevis::elasticity {
@@ -83,26 +83,45 @@ MatrixXd few_and_wide() {
   return columns;
 }
 
-TEST(ColumnSplit, HasTheProductsOfTheWhole) {
+TEST(SplitColumns, HasTheProductsOfTheWhole) {
   const MatrixXd mixed = few_and_wide();
-  const MatrixXd x = MatrixXd::Random(5, 7);
-  for (const MatrixXd& columns :
+  const MatrixXd x = MatrixXd::Random(5, 7), modes = MatrixXd::Random(900, 3);
+  for (const MatrixXd& given :
        {mixed, MatrixXd(mixed(Eigen::all, std::vector<int>{0, 2, 4, 0, 2})),
         MatrixXd(MatrixXd::Random(900, 5))}) {
-    const ColumnSplit split(columns);
+    const SplitLoads loads = split({given, MatrixXd::Identity(5, 5)});
+    const MatrixXd columns = given * loads.coefficients.transpose();
+    const SplitColumns& parts = loads.columns;
     const MatrixXd gram = columns.transpose() * columns;
     const MatrixXd times = columns * x;
-    EXPECT_LT((split.gram() - gram).norm(), 1e-13 * gram.norm());
-    EXPECT_LT((split.times(x) - times).norm(), 1e-13 * times.norm());
+    const MatrixXd across = modes.transpose() * columns;
+    EXPECT_EQ(parts.whole(), columns);
+    EXPECT_EQ(parts.middle_rows(4, 3), columns.middleRows(4, 3));
+    EXPECT_LT((parts.gram() - gram).norm(), 1e-13 * gram.norm());
+    EXPECT_LT((parts.times(x) - times).norm(), 1e-13 * times.norm());
+    EXPECT_LT((parts.transposed_times(modes) - across).norm(),
+              1e-13 * across.norm());
     const double sum = times.cwiseAbs().colwise().sum().maxCoeff();
-    EXPECT_NEAR(split.largest_column_sum(x), sum, 1e-12 * sum);
+    EXPECT_NEAR(parts.largest_column_sum(x), sum, 1e-12 * sum);
+    EXPECT_NEAR(parts.magnitudes()[1], columns.col(1).lpNorm<1>(), 1e-12 * sum);
   }
+}
+
+TEST(SplitColumns, KeepsWhatItIsToldAndTakesMoreBehind) {
+  const SplitLoads loads = split({few_and_wide(), MatrixXd::Identity(5, 5)});
+  SplitColumns parts = loads.columns;
+  const MatrixXd before = parts.whole(), more = MatrixXd::Random(900, 1);
+  parts.keep({1, 3, 4});
+  parts.append(more);
+  MatrixXd wanted(900, 4);
+  wanted << before.col(1), before.rightCols(2), more;
+  EXPECT_EQ(parts.whole(), wanted);
 }
 
 TEST(LoadBasis, DependentColumnsAreTheirHistory) {
   const LoadBasis loads{few_and_wide(), MatrixXd::Random(5, 20)};
   const MatrixXd history = loads.columns * loads.coefficients;
-  const auto basis = compress(loads, 1e-7);
+  const auto basis = compress(split(loads), 1e-7);
   EXPECT_EQ(basis.columns.cols(), 4);
   EXPECT_LT((basis.columns * basis.coefficients - history).norm(),
             1e-11 * history.norm());
@@ -117,9 +136,9 @@ TEST(LoadBasis, InstantsKeepWhatIsAdmittedOfEach) {
   constexpr double kTolerance = 1e-7;
   Eigen::VectorXd admitted = Eigen::VectorXd::Zero(12);
   admitted.tail(8).setConstant(3e-2);
-  const auto basis = compress(loads, kTolerance, largest, admitted);
+  const auto basis = compress(split(loads), kTolerance, largest, admitted);
   EXPECT_LT(basis.columns.cols(),
-            compress(loads, kTolerance, largest).columns.cols());
+            compress(split(loads), kTolerance, largest).columns.cols());
   const Eigen::RowVectorXd error =
       (history - basis.columns * basis.coefficients).colwise().norm() / largest;
   EXPECT_LE(error.head(4).maxCoeff(), 1.5 * kTolerance);
