@@ -70,6 +70,11 @@ bool Cylinder::is_round() const {
   return angle > kNearly * 2 * std::numbers::pi;
 }
 
+bool Cylinder::closes_about_pin() const {
+  constexpr double kLeast = 0.75;
+  return angle > kLeast * 2 * std::numbers::pi;
+}
+
 std::vector<Cylinder> cylinders_of(const Solid& solid) {
   std::vector<Cylinder> found;
   for (const Face& face : solid.faces) {

@@ -23,6 +23,9 @@ struct Cylinder {
   bool hollow{};           ///< a bore rather than a shaft
 
   bool is_round() const;  ///< all the way about the axis, or nearly so
+  /// But for less than a quarter of a turn, as wide as keyways are: ends of
+  /// slots and fillets have a half.
+  bool closes_about_pin() const;
 };
 
 /// All cylinders of a solid.

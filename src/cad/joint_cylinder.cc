@@ -1,6 +1,7 @@
 #include "cad/joint_cylinder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -51,14 +52,26 @@ std::vector<Cylinder> about_point(const std::vector<Cylinder>& cylinders,
   return {*below, *above};
 }
 
-/// Coaxial cylinders that are bores (or shafts), by diameter, where they lie
-/// about the joint's point.
+/// What may take a joint, bores (or shafts) that go all round or those that a
+/// keyway or a slot opens.
+struct Sort {
+  bool hollow, is_round;
+
+  bool has(const Cylinder& cylinder) const {
+    return cylinder.hollow == hollow &&
+           (is_round ? cylinder.is_round()
+                     : !cylinder.is_round() && cylinder.closes_about_pin());
+  }
+};
+
+/// Coaxial cylinders of a sort, by diameter, where they lie about the joint's
+/// point.
 std::vector<std::vector<Cylinder>> candidates(const std::vector<Cylinder>& all,
                                               const part::JointFaces& joint,
-                                              bool hollow) {
+                                              const Sort& sort) {
   std::vector<std::vector<Cylinder>> by_diameter;
   for (const Cylinder& cylinder : all) {
-    if (cylinder.hollow != hollow || !cylinder.is_round() ||
+    if (!sort.has(cylinder) ||
         !are_coaxial(cylinder, joint.p_LJ, joint.axis_L)) {
       continue;
     }
@@ -167,7 +180,7 @@ bool fits_scaled(const std::vector<Cylinder>& all,
   part::JointFaces scaled = joint;
   scaled.p_LJ *= factor;
   const double aside = scaled.p_LJ.cross(joint.axis_L).norm();
-  return std::ranges::any_of(candidates(all, scaled, true),
+  return std::ranges::any_of(candidates(all, scaled, {true, true}),
                              [&](const auto& group) {
                                return group.front().radius < aside;
                              });
@@ -178,8 +191,11 @@ bool fits_scaled(const std::vector<Cylinder>& all,
 std::vector<Cylinder> joint_cylinders(const Solid& solid,
                                       const part::JointFaces& joint) {
   const std::vector<Cylinder> all = cylinders_of(solid);
-  for (const bool hollow : {true, false}) {
-    const auto found = candidates(all, joint, hollow);
+  // What goes all round comes first: a curved slot about a joint is none.
+  constexpr std::array<Sort, 4> kSorts = {
+      {{true, true}, {false, true}, {true, false}, {false, false}}};
+  for (const Sort& sort : kSorts) {
+    const auto found = candidates(all, joint, sort);
     if (found.size() == 1) return found.front();
     if (found.empty()) continue;
     std::vector<Cylinder> listed;

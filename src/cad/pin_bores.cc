@@ -59,13 +59,18 @@ double PinBore::share() const {
   return wall.area / (std::numbers::pi * diameter * length);
 }
 
-bool PinBore::takes_pin() const {
-  return std::ranges::all_of(pieces, &Cylinder::is_round) &&
-         part::is_whole_wall({.p_LC = middle,
+bool PinBore::is_whole() const {
+  return part::is_whole_wall({.p_LC = middle,
                               .axis_L = axis,
                               .radius = diameter / 2,
                               .length = extent},
                              wall);
+}
+
+bool PinBore::takes_pin() const {
+  constexpr double kLeast = 0.6;  // cross bores and sloped ends count, too
+  return std::ranges::all_of(pieces, &Cylinder::closes_about_pin) &&
+         share() > kLeast;
 }
 
 std::vector<int> PinBore::faces() const {

@@ -23,7 +23,9 @@ struct PinBore {
   double bearing_area() const { return diameter * length; }  ///< [m²]
   /// Of the wall that the pieces would have all the way round [1].
   double share() const;
-  /// Whether loads of pins take it: closed all round, no tips of teeth.
+  bool is_whole() const;  ///< as loads of pins see it
+  /// Whether a pin may fill it: it closes about that but for a keyway or a
+  /// slot, and is no tips of teeth.
   bool takes_pin() const;
   std::vector<int> faces() const;  ///< numbers
 };

@@ -221,8 +221,8 @@ PUBLIC = {
             " derived/revolution derived/split_cells derived/sub_mesh"
             " gmsh/gmsh_element quality/mass_properties reading/mesh_reader",
     "loads": "history/balance history/load_history history/motion_instants history/strike history/turning_loads"
-             " parts/case_loads parts/held_pins parts/part_loads parts/series_loads"
-             " pressure/discrete_balance pressure/face_pressure pressure/seat_traction pressure/surface_shear"
+             " parts/case_loads parts/held_pins parts/part_loads parts/partial_walls parts/series_loads"
+             " pressure/discrete_balance pressure/face_pressure pressure/load_scale pressure/pin_pressure pressure/seat_traction pressure/surface_shear"
              " pressure/wall_pressure holds/holding_groups seats/part_seats holds/seat_hold seats/seat_spans holds/slide_places",
     "dynamics": "load_vibration/load_answer load_vibration/load_path"
                 " load_vibration/response_spectrum"

@@ -215,19 +215,24 @@ class InitGeometry(unittest.TestCase):
         self.assertEqual(newtons(part["case"][0]["pins"]["bore_A"]), [2000, 0, 0])
         self.assertEqual(self.check("eye")[1], "pass")
 
-    def test_a_bore_with_a_keyway_is_left_out(self):
-        """Loads of pins need the wall all round: the other bore is pulled off a
-        plane face."""
+    def test_a_bore_with_a_keyway_takes_its_pin(self):
+        """The wall that is there carries the pin, and the part's notes say so."""
         scene, text = self.init("keyway", self.shape("keyway.step", KEYWAY))
-        for told in (text, self.told):
-            self.assertRegex(told, r"left out, for a pin presses on whole walls alone and "
-                             r"here are 92\.\d+ % of one: bore of diameter 13 mm, 8 mm long")
-            self.assertIn("`foundation`", told)
+        self.assertRegex(text, r"bore_A: diameter 13 mm, 8 mm long, 92\.\d+ % of its wall")
         part = scene["part"][0]
-        self.assertEqual(set(part["faces"]), {"bore_A", "base"})
-        self.assertEqual(list(part["case"][0]["pins"]), ["bore_A"])
-        self.assertIn("diameter 12 mm", text)
-        self.check("keyway", codes=(0, 4))
+        self.assertEqual(set(part["faces"]), {"bore_A", "bore_B"})
+        self.assertEqual(list(part["case"][0]["pins"]), ["bore_B"])
+        found, _ = self.check("keyway", codes=(0, 4))
+        self.assertRegex("\n".join(found["notes"]),
+                         r'bore_A presses on "bore_A", of whose wall 92\.\d+ % is there')
+
+    def test_a_bore_with_a_wide_slot_is_left_out(self):
+        _, text = self.init("slot", self.shape("slot.step", KEYWAY.replace(
+            "{-8.5, -1.5, -1, 4, 3, 10}", "{-8.5, -5.5, -1, 8.5, 11, 10}")))
+        for told in (text, self.told):
+            self.assertRegex(told, r"left out, for a pin needs most of a wall and here are "
+                             r"\d+(\.\d+)? % of one: bore of diameter 13 mm, 8 mm long")
+            self.assertIn("`foundation`", told)
 
     def test_a_sharp_corner_is_not_judged_until_the_scene_says_so(self):
         _, text = self.init("corner", self.shape("corner.step", CORNER))

@@ -12,8 +12,10 @@
 #include "app/parts/open_sharing.h"
 #include "base/messages/errors.h"
 #include "loads/holds/seat_hold.h"
+#include "loads/parts/partial_walls.h"
 #include "loads/parts/series_loads.h"
 #include "loads/seats/seat_spans.h"
+#include "mesh/quality/mass_properties.h"
 
 namespace clevis::app {
 namespace {
@@ -150,6 +152,26 @@ void add_cases(const LoadedPart& part, PartJob& job) {
   }
 }
 
+/// @throws Error L002 of walls that cannot carry their pins.
+void note_partial_walls(const LoadedPart& part, PartJob& job) {
+  const auto wall_of = [&](const loads::GroupGeometry& group) {
+    const auto index = std::ranges::find(part.mesh.groups, group.name,
+                                         &mesh::SurfaceGroup::name) -
+                       part.mesh.groups.begin();
+    auto sample = mesh::sample_surface(part.mesh, static_cast<int>(index));
+    return loads::PartialWall{
+        std::move(sample.points), std::move(sample.areas),
+        mesh::spans_along(part.mesh, static_cast<int>(index),
+                          group.cylinder.p_LC, group.cylinder.axis_L)};
+  };
+  for (LoadSet& set : job.load_sets) {
+    loads::note_partial_walls(
+        part.groups, wall_of,
+        fmt::format("{}: part {}", part.definition.place, part.definition.name),
+        set.history);
+  }
+}
+
 const JointDefinition* joint_of(
     const mechanism::MechanismDefinition& definition, BodyIndex body,
     mechanism::JointType type) {
@@ -226,6 +248,7 @@ PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
   }
   add_series(part, job);
   add_cases(part, job);
+  note_partial_walls(part, job);
   job.impacts = impact_jobs(definition, motion, part.definition, part.groups);
   if (body != mechanism::kGround) {
     job.impact_loads = impact_loads(definition, motion);

@@ -69,7 +69,7 @@ std::string rounded(double value, double size) {
 }
 
 /// "diameter 16 mm, 18 mm long in 2 pieces, middle (40, 0, 0) mm, axis
-/// (0, 0, 1)".
+/// (0, 0, 1)"; with a keyway "16 mm long, 93 % of its wall, …".
 std::string about_bore(const cad::PinBore& bore) {
   const double diameter = 1e3 * bore.diameter;  // [mm]
   const auto text = [&](double length) {
@@ -78,8 +78,11 @@ std::string about_bore(const cad::PinBore& bore) {
   const Vector3d& p = bore.middle;
   const std::size_t n = bore.pieces.size();
   return fmt::format(
-      "diameter {:.6g} mm, {} mm long{}, middle ({}, {}, {}) mm, axis ({})",
+      "diameter {:.6g} mm, {} mm long{}{}, middle ({}, {}, {}) mm, axis ({})",
       diameter, text(bore.length), n > 1 ? fmt::format(" in {} pieces", n) : "",
+      bore.is_whole()
+          ? ""
+          : fmt::format(", {:.3g} % of its wall", 100.0 * bore.share()),
       text(p.x()), text(p.y()), text(p.z()), cad::components(bore.axis));
 }
 
@@ -130,9 +133,8 @@ std::vector<std::string> left_out(const cad::Solid& solid) {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < std::min(open.size(), kMostBores); ++i) {
     lines.push_back(
-        fmt::format("left out, for a pin presses on whole walls alone and here "
-                    "are {:.3g} % "
-                    "of one: {}",
+        fmt::format("left out, for a pin needs most of a wall and here are "
+                    "{:.3g} % of one: {}",
                     100.0 * open[i].share(), cad::list_of(open[i].pieces)));
   }
   if (open.size() > kMostBores) {

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/messages/errors.h"
+#include "loads/history/balance.h"
+#include "loads/pressure/pin_pressure.h"
 #include "loads/pressure/wall_pressure.h"
 
 namespace clevis::elasticity {
@@ -13,6 +15,17 @@ namespace clevis::elasticity {
 using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
+
+void refuse_open_wall(const std::string& part_name, const loads::Seat& seat,
+                      const std::string& label) {
+  throw Error(
+      "L002", "part " + part_name + ", " + seat.name,
+      fmt::format("{}: the pin leaves \"{}\" where it is open; its wall "
+                  "only takes pressure",
+                  label, seat.group),
+      "Name the faces that hold the pin there, too, or load those that "
+      "take it by `traction`.");
+}
 
 part::Bore touched(const part::Bore& cylinder, const loads::Seat& seat,
                    const loads::ContactZone& zone) {
@@ -34,24 +47,13 @@ SlidingTractions::SlidingTractions(const loads::LoadHistory& history,
       seat_index_(seat),
       seat_(history.seats[seat]),
       cylinder_(cylinder),
-      part_name_(part_name) {
+      part_name_(part_name),
+      scale_(history, seat) {
   if (seat_.kind == loads::SeatKind::kBearing && !cylinder) {
     throw Error("L002", "part " + part_name + ", group " + seat_.group,
                 "a guide bears on this group, but it is no circular cylinder",
                 "Name the group bore_* or round_* if it is round.");
   }
-  // Of all seats: a slide that only guides carries round-off.
-  double reach = 0.0;
-  for (const auto& other : history.seats) {
-    reach = std::max(reach, (other.p_LS - seat_.p_LS).norm());
-  }
-  for (const auto& instant : history.instants) {
-    for (const loads::Wrench& wrench : instant.wrenches) {
-      largest_force_ = std::max(largest_force_, wrench.force.norm());
-      largest_moment_ = std::max(largest_moment_, wrench.moment.norm());
-    }
-  }
-  largest_moment_ += reach * largest_force_;
 }
 
 loads::ContactZone SlidingTractions::zone(std::size_t instant) const {
@@ -63,16 +65,13 @@ loads::BearingTraction SlidingTractions::bearing(std::size_t instant) const {
   const loads::Wrench& wrench =
       history_.instants[instant].wrenches[seat_index_];
   const part::Bore bore = touched(*cylinder_, seat_, zone(instant));
-  return {
-      bore,
-      {.force = wrench.force,
-       .moment = wrench.moment + (seat_.p_LS - bore.p_LC).cross(wrench.force)}};
+  return {bore,
+          loads::about(wrench.force, wrench.moment, seat_.p_LS, bore.p_LC)};
 }
 
 Matrix3Xd SlidingTractions::at(std::size_t instant,
                                const loads::GroupQuadrature& quadrature,
                                const Matrix3Xd& outward) const {
-  constexpr double kNegligible = 1e-7;  // of the largest over the motion
   const auto& load = history_.instants[instant];
   const loads::Wrench& wrench = load.wrenches[seat_index_];
   const Index n = quadrature.weights.size();
@@ -85,10 +84,16 @@ Matrix3Xd SlidingTractions::at(std::size_t instant,
   }
   Matrix3Xd tractions = Matrix3Xd::Zero(3, n);
   if (seat_.kind == loads::SeatKind::kBearing) {
-    tractions = bearing(instant).tractions(quadrature.points, outward);
+    const part::Bore bore = touched(*cylinder_, seat_, zone(instant));
+    const loads::PinPressure guide(bore, quadrature, outward);
+    if (const auto pressed = guide.tractions(
+            loads::about(wrench.force, wrench.moment, seat_.p_LS, bore.p_LC))) {
+      tractions = *pressed;
+    } else if (!scale_.is_negligible(wrench)) {
+      refuse_open_wall(part_name_, seat_, load.label);
+    }
   } else if (seat_.kind != loads::SeatKind::kMean &&
-             (wrench.force.norm() > kNegligible * largest_force_ ||
-              wrench.moment.norm() > kNegligible * largest_moment_)) {
+             !scale_.is_negligible(wrench)) {
     const auto pressure =
         loads::wall_pressure(quadrature, outward, wrench, seat_.p_LS);
     if (!pressure) {

@@ -8,6 +8,7 @@
 
 #include "loads/history/load_history.h"
 #include "loads/pressure/discrete_balance.h"
+#include "loads/pressure/load_scale.h"
 #include "loads/pressure/seat_traction.h"
 #include "part/bore.h"
 
@@ -31,8 +32,8 @@ class SlidingTractions {
 
   /// @param quadrature  of what of the zone the mesh has.
   /// @return [Pa], whose discrete resultant is the wrench.
-  /// @throws Error L007 if the walls would have to pull, or the mesh has
-  ///   nothing there.
+  /// @throws Error L007 if flat walls would have to pull, or the mesh has
+  ///   nothing there; L002 if a cylinder would.
   Eigen::Matrix3Xd at(std::size_t instant,
                       const loads::GroupQuadrature& quadrature,
                       const Eigen::Matrix3Xd& outward) const;
@@ -43,8 +44,14 @@ class SlidingTractions {
   const loads::Seat& seat_;
   std::optional<part::Bore> cylinder_;
   std::string part_name_;
-  double largest_force_{}, largest_moment_{};
+  loads::LoadScale scale_;
 };
+
+/// Of a cylinder whose wall would have to pull at an instant.
+/// @throws Error L002.
+[[noreturn]] void refuse_open_wall(const std::string& part_name,
+                                   const loads::Seat& seat,
+                                   const std::string& label);
 
 /// Part of a cylinder that a zone covers.
 part::Bore touched(const part::Bore& cylinder, const loads::Seat& seat,

@@ -11,7 +11,8 @@
 #include "elasticity/nodal_loads/sliding_tractions.h"
 #include "loads/pressure/discrete_balance.h"
 #include "loads/pressure/face_pressure.h"
-#include "loads/pressure/seat_traction.h"
+#include "loads/pressure/load_scale.h"
+#include "loads/pressure/pin_pressure.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -114,20 +115,21 @@ SurfaceLoads loads_of_seat(const Discretization<dim>& discretization,
   const GroupTrace trace = group_trace(discretization, group, tables);
   const auto n = trace.quadrature.weights.size();
   TractionHistory<dim> history_here(n, history.instants.size());
-  std::optional<loads::WallPoints> wall;
-  loads::WallMoments moments;
+  std::optional<loads::PinPressure> pin;
   if (seat.kind == loads::SeatKind::kBearing) {
-    wall.emplace(*cylinder, trace.quadrature.points, trace.outward);
-    moments = loads::wall_of(*cylinder, trace.quadrature.points,
-                             trace.quadrature.weights);
+    pin.emplace(*cylinder, trace.quadrature, trace.outward);
   }
+  const loads::LoadScale scale(history, seat_index);
   const loads::DiscreteBalance balance(trace.quadrature, seat.p_LS);
   for (std::size_t i = 0; i < history.instants.size(); ++i) {
     const loads::Wrench& wrench = history.instants[i].wrenches[seat_index];
     Matrix3Xd tractions = Matrix3Xd::Zero(3, n);
-    if (wall) {
-      tractions =
-          loads::BearingTraction(*cylinder, wrench, moments).tractions(*wall);
+    if (pin) {
+      if (const auto pressed = pin->tractions(wrench)) {
+        tractions = *pressed;
+      } else if (!scale.is_negligible(wrench)) {
+        refuse_open_wall(part_name, seat, history.instants[i].label);
+      }
     } else if (seat.kind == loads::SeatKind::kPressure) {
       tractions =
           loads::face_pressure(trace.quadrature, trace.outward, wrench.force);

@@ -25,7 +25,7 @@ struct SurfaceLoads {
 /// group, plus the correction that makes the discrete resultant the wrench to
 /// round-off.
 /// @throws Error M003 if the mesh lacks a group, L002 if a bearing seat's
-///   group is no cylinder.
+///   group is no cylinder, or would have to pull.
 template <int dim>
 SurfaceLoads seat_loads(const Discretization<dim>& discretization,
                         const loads::LoadHistory& history, std::size_t seat,

@@ -111,28 +111,18 @@ bool is_full_cylinder(const GroupGeometry& group) {
                                               group.normal_square});
 }
 
-void require_full_cylinder(const GroupGeometry& group,
-                           const std::string& place) {
-  if (!group.is_cylinder) {
-    throw Error("L002", place,
-                fmt::format("a pin cannot press on \"{}\": it is not a "
-                            "circular cylinder",
-                            group.name),
-                "Give a bore_* or round_* group, or load the surface by "
-                "`traction`.");
-  }
-  if (!is_full_cylinder(group)) {
-    const part::Bore& c = group.cylinder;
-    const double full = part::wall_area(c);
-    throw Error(
-        "L002", place,
-        fmt::format("\"{}\" has {:.6g} mm^2, but a full cylinder of radius "
-                    "{:.6g} mm and length {:.6g} mm has {:.6g} mm^2",
-                    group.name, group.area * 1e6, c.radius * 1e3,
-                    c.length * 1e3, full * 1e6),
-        "Put one whole cylinder into the group: a bearing load needs the wall "
-        "all round.");
-  }
+bool closes_about_pin(const GroupGeometry& group) {
+  return group.is_cylinder && group.area_vector.norm() < kOpenFace * group.area;
+}
+
+void require_cylinder(const GroupGeometry& group, const std::string& place) {
+  if (group.is_cylinder) return;
+  throw Error("L002", place,
+              fmt::format("a pin cannot press on \"{}\": it is not a circular "
+                          "cylinder",
+                          group.name),
+              "Give a bore_* or round_* group, or load the surface by "
+              "`traction`.");
 }
 
 std::string vector_text(const Vector3d& v, double scale) {

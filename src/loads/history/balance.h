@@ -26,9 +26,8 @@ const GroupGeometry& find_group(const std::vector<GroupGeometry>& groups,
                                 const std::string& place);
 
 /// A group that a pin presses on.
-/// @throws Error L002 if it is not a circular cylinder, whole all round.
-void require_full_cylinder(const GroupGeometry& group,
-                           const std::string& place);
+/// @throws Error L002 if it is not a circular cylinder.
+void require_cylinder(const GroupGeometry& group, const std::string& place);
 
 /// "(1, 0, -2.5)" for messages; components that are round-off of `scale` are
 /// shown as 0. Scale in the units of v.
@@ -42,6 +41,13 @@ Wrench about(const Eigen::Vector3d& force, const Eigen::Vector3d& moment,
 /// Whether a group is a circular cylinder, whole all round: without gaps, or in
 /// rings on one axis, as the ears of a fork.
 bool is_full_cylinder(const GroupGeometry& group);
+
+/// |∫ n dA| over the area of a face that no longer closes round [1].
+inline constexpr double kOpenFace = 0.3;
+
+/// Whether it is one that closes about a pin but for a quarter of a turn: a
+/// keyway or a slot takes less, a saddle has less.
+bool closes_about_pin(const GroupGeometry& group);
 
 /// Residual force [N] and moment about Lo [N m] of an instant: seats, surface
 /// loads and inertia.

@@ -22,7 +22,7 @@ LoadHistory case_loads(const part::PartDefinition& part,
                    .omega = load_case.angular_velocity};
   for (const auto& [name, force] : load_case.pins) {
     const GroupGeometry& group = find_group(groups, name, place);
-    require_full_cylinder(group, place);
+    require_cylinder(group, place);
     history.seats.push_back({.name = name,
                              .group = name,
                              .kind = SeatKind::kBearing,

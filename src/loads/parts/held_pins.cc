@@ -197,7 +197,7 @@ PinReactions pins_in(const std::vector<std::string>& bores,
   std::vector<part::Bore> pins;
   for (const std::string& name : bores) {
     const GroupGeometry& group = find_group(groups, name, place);
-    require_full_cylinder(group, place);
+    require_cylinder(group, place);
     pins.push_back(group.cylinder);
   }
   return {std::move(pins), size};

@@ -27,7 +27,7 @@ Seat seat_of(const part::SeriesSeat& given,
     seat.p_LS = group.centroid;
     return seat;
   }
-  require_full_cylinder(group, place);
+  require_cylinder(group, place);
   seat.kind = SeatKind::kBearing;
   seat.p_LS = group.cylinder.p_LC;
   return seat;

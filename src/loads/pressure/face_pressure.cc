@@ -1,14 +1,15 @@
 #include "loads/pressure/face_pressure.h"
 
+#include "loads/history/balance.h"
+
 namespace clevis::loads {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 Vector3d mean_normal(const Vector3d& area_vector, double area) {
-  constexpr double kOpen = 0.3;  // of the area
-  return area_vector.norm() < kOpen * area ? Vector3d(Vector3d::Zero())
-                                           : area_vector.normalized();
+  return area_vector.norm() < kOpenFace * area ? Vector3d(Vector3d::Zero())
+                                               : area_vector.normalized();
 }
 
 Matrix3Xd face_pressure(const GroupQuadrature& quadrature,

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "loads/history/balance.h"
 #include "loads/pressure/face_pressure.h"
 
 namespace clevis::loads {
@@ -23,8 +24,10 @@ struct Shear {
 };
 
 /// A pin's wall takes force along and moment about its axis evenly.
-Shear of_bearing(const part::Bore& bore, const Wrench& wrench) {
-  const double wall = 2.0 * kPi * bore.radius * bore.length;
+Shear of_bearing(const GroupGeometry& group, const Wrench& wrench) {
+  const part::Bore& bore = group.cylinder;
+  const double wall =
+      is_full_cylinder(group) ? part::wall_area(bore) : group.area;
   const Vector3d& axis = bore.axis_L;
   return {wrench.force.dot(axis) / wall * axis,
           std::abs(wrench.moment.dot(axis)) / (bore.radius * wall)};
@@ -88,7 +91,7 @@ SurfaceShear surface_shear(const LoadHistory& history,
       pressure = std::max(pressure, wrench.force.norm() / group->area);
       put(i, *group,
           seat.kind == SeatKind::kBearing && group->is_cylinder
-              ? of_bearing(group->cylinder, wrench)
+              ? of_bearing(*group, wrench)
               : of_face(*group, wrench.force, wrench.moment));
     }
     for (const SurfaceLoad& load : instant.surface_loads) {

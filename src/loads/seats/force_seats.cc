@@ -66,7 +66,7 @@ ForceSeat force_seat(const SeatContext& context,
                  .p_LS = group.centroid};
   const ForceElement& element = context.definition.elements[result.index];
   const ElementLine* line = line_of(element);
-  if (is_full_cylinder(group)) {
+  if (closes_about_pin(group)) {
     result.seat.kind = SeatKind::kBearing;
     result.seat.p_LS = group.cylinder.p_LC;
     if (line != nullptr && line->kind == ElementLine::Kind::kJoint) {

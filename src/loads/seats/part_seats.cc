@@ -55,7 +55,7 @@ Seat joint_seat(const SeatContext& context, const part::Seat& wanted,
                 (group.area + other.area);
     return seat;
   }
-  require_full_cylinder(group, place);
+  require_cylinder(group, place);
   seat.kind = SeatKind::kBearing;
   seat.p_LS = group.cylinder.p_LC;
   return seat;

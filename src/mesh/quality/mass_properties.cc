@@ -1,6 +1,7 @@
 #include "mesh/quality/mass_properties.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <Eigen/Dense>
 
@@ -76,9 +77,11 @@ void add_tetrahedra(const PartMesh<3>& mesh, Moments& moments) {
 }
 
 /// Points of a group's faces with their area vectors times the weights.
+/// @param order  points a direction.
 template <class Visitor>
-void visit_triangles(const PartMesh<3>& mesh, int group, const Visitor& visit) {
-  const auto rule = simplex_gauss<2>(2 * mesh.degree + 4);
+void visit_triangles(const PartMesh<3>& mesh, int group, int order,
+                     const Visitor& visit) {
+  const auto rule = simplex_gauss<2>(order);
   const auto table = simplex_lagrange<2>(mesh.degree, rule.points);
   for (const BoundaryFace& face : mesh.boundary) {
     if (face.group != group) continue;
@@ -171,12 +174,11 @@ part::MassProperties mass_properties(const PartMesh<2>& mesh, double density) {
 
 namespace {
 
+/// @param order  points a direction.
 template <class Visitor>
-void visit_quadrangles(const PartMesh<3>& mesh, int group,
+void visit_quadrangles(const PartMesh<3>& mesh, int group, int order,
                        const Visitor& visit) {
-  // The area element is no polynomial on a curved face; a smooth function,
-  // for which this many points reach rounding.
-  const Quadrature rule = gauss(4 * mesh.degree + 4);
+  const Quadrature rule = gauss(order);
   const Eigen::VectorXd nodes = gauss_lobatto(mesh.degree);
   const LagrangeBasis inner = lagrange(nodes, rule.points);
   const std::array<LagrangeBasis, 2> ends = {
@@ -215,14 +217,67 @@ FaceProperties face_properties(const PartMesh<3>& mesh, int group) {
     }
   };
   if (mesh.shape == CellShape::kSimplex) {
-    visit_triangles(mesh, group, add);
+    visit_triangles(mesh, group, 2 * mesh.degree + 4, add);
   } else {
-    visit_quadrangles(mesh, group, add);
+    // The area element is no polynomial on a curved face; a smooth function,
+    // for which this many points reach rounding.
+    visit_quadrangles(mesh, group, 4 * mesh.degree + 4, add);
   }
   properties.area = moments.zeroth;
   properties.centroid = moments.centroid();
   properties.second_moment = moments.inertia();
   return properties;
+}
+
+SurfaceSample sample_surface(const PartMesh<3>& mesh, int group) {
+  constexpr int kOrder = 4;
+  std::vector<Vector3d> points, areas;
+  const auto add = [&](const Vector3d& p, const Vector3d& area) {
+    points.push_back(p);
+    areas.push_back(area);
+  };
+  if (mesh.shape == CellShape::kSimplex) {
+    visit_triangles(mesh, group, kOrder, add);
+  } else {
+    visit_quadrangles(mesh, group, kOrder, add);
+  }
+  SurfaceSample sample{Matrix3Xd(3, Index(points.size())),
+                       Matrix3Xd(3, Index(points.size()))};
+  for (std::size_t q = 0; q < points.size(); ++q) {
+    sample.points.col(Index(q)) = points[q];
+    sample.areas.col(Index(q)) = areas[q];
+  }
+  return sample;
+}
+
+std::vector<std::pair<double, double>> spans_along(const PartMesh<3>& mesh,
+                                                   int group,
+                                                   const Vector3d& point,
+                                                   const Vector3d& axis) {
+  constexpr double kTouching = 1e-6;  // of a face
+  std::vector<std::pair<double, double>> faces;
+  for (const BoundaryFace& face : mesh.boundary) {
+    if (face.group != group) continue;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const unsigned vertex : face_vertices(mesh, face.cell, face.face)) {
+      if (vertex == kNoVertex) continue;
+      const double at = axis.dot(mesh.vertices[vertex] - point);
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+    faces.emplace_back(low, high);
+  }
+  std::ranges::sort(faces);
+  std::vector<std::pair<double, double>> spans;
+  for (const auto& [low, high] : faces) {
+    const double slack = kTouching * (high - low);
+    if (spans.empty() || low > spans.back().second + slack) {
+      spans.emplace_back(low, high);
+    } else {
+      spans.back().second = std::max(spans.back().second, high);
+    }
+  }
+  return spans;
 }
 
 Matrix3Xd face_corners(const PartMesh<3>& mesh, int group) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "mesh/cells/part_mesh.h"
@@ -30,6 +33,20 @@ struct FaceProperties {
 
 /// @param group  index into mesh.groups; -1: all faces without a name.
 FaceProperties face_properties(const PartMesh<3>& mesh, int group);
+
+/// Points of a quadrature of a group's faces [m], and outward normals times
+/// weights there [m²], one a column.
+struct SurfaceSample {
+  Eigen::Matrix3Xd points, areas;
+};
+SurfaceSample sample_surface(const PartMesh<3>& mesh, int group);
+
+/// Where a group has faces along an axis: stretches from a point on it, rising
+/// and apart [m].
+std::vector<std::pair<double, double>> spans_along(const PartMesh<3>& mesh,
+                                                   int group,
+                                                   const Eigen::Vector3d& point,
+                                                   const Eigen::Vector3d& axis);
 
 /// Corners of a group's faces, each once a face [m].
 Eigen::Matrix3Xd face_corners(const PartMesh<3>& mesh, int group);

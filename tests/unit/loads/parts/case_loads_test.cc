@@ -196,16 +196,11 @@ TEST(CaseLoads, TractionActsAtTheCentroid) {
   EXPECT_NEAR(load.resultant.moment.x(), -50.0 * 2.5e-3, 1e-9);
 }
 
-TEST(CaseLoads, PinNeedsAFullCylinder) {
+TEST(CaseLoads, PinNeedsACylinder) {
   part::LoadCaseDefinition c;
   c.name = "flat";
   c.pins["left"] = Vector3d(1.0, 0.0, 0.0);
   EXPECT_EQ(code_of(c), "L002");
-  std::vector<GroupGeometry> half = groups();
-  half[0].area *= 0.5;
-  EXPECT_THROW(
-      case_loads(part_definition(), pulled(-1.0, 1.0), half, box_mass()),
-      Error);
 }
 
 // A spinning body held by nothing: the centre's acceleration must be given,
