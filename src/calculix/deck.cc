@@ -2,9 +2,11 @@
 
 #include <cctype>
 #include <iterator>
+#include <map>
 #include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
@@ -14,6 +16,7 @@ namespace {
 
 constexpr double kMillimetres = 1e3;                 // per metre
 constexpr double kMegapascals = 1e-6;                // per pascal
+constexpr double kNewtonsPerMillimetre = 1e-3;       // per N/m
 constexpr double kTonnesPerCubicMillimetre = 1e-12;  // per kg/m³
 constexpr double kNegligible = 1e-12;
 // 13 digits: CalculiX reads no more than 20 characters of a number.
@@ -72,6 +75,34 @@ void write_groups(std::ostream& out, const Model& model) {
   }
 }
 
+/// Springs of one kind and stiffness share a set, as CalculiX wants one for
+/// each stiffness.
+void write_springs(std::ostream& out, const Model& model) {
+  std::map<std::string, std::vector<const Spring*>> alike;
+  for (const Spring& spring : model.springs) {
+    const std::string degrees =
+        spring.other < 0 ? fmt::format("{}", spring.component + 1)
+                         : fmt::format("{}, {}", spring.component + 1,
+                                       spring.other_component + 1);
+    alike[fmt::format("{}\n{:.13g}\n", degrees,
+                      kNewtonsPerMillimetre * spring.stiffness)]
+        .push_back(&spring);
+  }
+  std::size_t number = model.elements.size(), set = 0;
+  for (const auto& [law, springs] : alike) {
+    const bool is_to_ground = springs.front()->other < 0;
+    const std::string name = fmt::format("SPRINGS_{}", ++set);
+    fmt::print(out, "*ELEMENT, TYPE=SPRING{}, ELSET={}\n", is_to_ground ? 1 : 2,
+               name);
+    for (const Spring* spring : springs) {
+      fmt::print(out, "{}, {}", ++number, spring->node + 1);
+      if (!is_to_ground) fmt::print(out, ", {}", spring->other + 1);
+      out << "\n";
+    }
+    fmt::print(out, "*SPRING, ELSET={}\n{}", name, law);
+  }
+}
+
 /// A label as a comment: control characters would end the line.
 std::string comment(const std::string& label) {
   std::string result;
@@ -114,10 +145,12 @@ void write_deck(std::ostream& out, const Model& model) {
   fmt::print(out,
              "*MATERIAL, NAME=MATERIAL\n*ELASTIC\n{:.13g}, {:.13g}\n"
              "*DENSITY\n{:.13g}\n"
-             "*SOLID SECTION, ELSET=EALL, MATERIAL=MATERIAL\n*BOUNDARY\n",
+             "*SOLID SECTION, ELSET=EALL, MATERIAL=MATERIAL\n",
              kMegapascals * model.material.youngs_modulus,
              model.material.poissons_ratio,
              kTonnesPerCubicMillimetre * model.material.density);
+  write_springs(out, model);
+  if (!model.supports.empty()) out << "*BOUNDARY\n";
   for (const Support& support : model.supports) {
     fmt::print(out, "{}, {}, {}\n", support.node + 1, support.component + 1,
                support.component + 1);

@@ -34,13 +34,19 @@ std::vector<int> fixed_dofs(const elasticity::Discretization<3>& discretization,
   return held;
 }
 
-/// The rigid modes that held components leave, as combinations of all.
-MatrixXd free_modes(const MatrixXd& modes, const std::vector<int>& held) {
+/// The rigid modes that held components and beds leave, as combinations of all.
+MatrixXd free_modes(const MatrixXd& modes, const std::vector<int>& held,
+                    const elasticity::FoundationStiffness<3>& beds) {
   constexpr double kLoose = 1e-9;
   MatrixXd gram = MatrixXd::Zero(modes.cols(), modes.cols());
   for (const int dof : held) {
     gram += modes.row(dof).transpose() * modes.row(dof) /
             static_cast<double>(held.size());
+  }
+  if (!beds.empty()) {
+    const MatrixXd bedded = beds.on_modes(modes);
+    gram += bedded / bedded.trace() * modes.squaredNorm() /
+            static_cast<double>(modes.rows());
   }
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram);
   const Index count = (eigen.eigenvalues().array() <= kLoose).count();
@@ -51,11 +57,12 @@ MatrixXd free_modes(const MatrixXd& modes, const std::vector<int>& held) {
 
 std::vector<int> determinate_dofs(
     const elasticity::Discretization<3>& discretization,
-    const elasticity::ElasticProblem<3>& problem, const MatrixXd& modes,
+    const elasticity::ElasticProblem<3>& problem,
+    const elasticity::FoundationStiffness<3>& beds, const MatrixXd& modes,
     const MatrixXd& loads) {
   constexpr double kBalanced = 1e-9;
   std::vector<int> held = fixed_dofs(discretization, problem);
-  const MatrixXd loose = modes * free_modes(modes, held);
+  const MatrixXd loose = modes * free_modes(modes, held, beds);
   if (loose.cols() == 0) return held;
   const double scale = loads.cwiseAbs().colwise().sum().maxCoeff();
   if ((loose.transpose() * loads).cwiseAbs().maxCoeff() > kBalanced * scale) {

@@ -5,6 +5,7 @@
 
 #include "calculix/determinate.h"
 #include "calculix/node_reduction.h"
+#include "elasticity/assembly/foundation.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/nodal_loads/load_vectors.h"
 #include "elasticity/problem/elastic_problem.h"
@@ -98,7 +99,10 @@ Model make_model(const elasticity::ElasticProblem<3>& problem,
   }
   model.groups = groups_of(discretization, reduction);
 
-  const bool is_free = problem.fixed.empty();
+  const elasticity::FoundationStiffness<3> beds(
+      discretization, problem.foundations, problem.name);
+  model.springs = bed_springs(beds, reduction);
+  const bool is_free = problem.fixed.empty() && beds.empty();
   const MatrixXd modes = elasticity::rigid_modes<3>(
       positions, positions.rowwise().mean(),
       (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).norm());
@@ -109,7 +113,7 @@ Model make_model(const elasticity::ElasticProblem<3>& problem,
                               loads);
   }
   for (const int dof :
-       determinate_dofs(discretization, problem, modes, loads)) {
+       determinate_dofs(discretization, problem, beds, modes, loads)) {
     const int number = reduction.number(dof / 3);
     if (number >= 0) model.supports.push_back({number, dof % 3});
   }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "calculix/bed_springs.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "part/material.h"
@@ -41,6 +42,7 @@ struct Model {
   std::vector<std::vector<int>> elements;  ///< in CalculiX's node order
   std::vector<Group> groups;
   std::vector<Support> supports;
+  std::vector<Spring> springs;      ///< of elastic beds
   Eigen::MatrixXd loads;            ///< 3 × nodes rows, a column per step [N]
   std::vector<std::string> labels;  ///< of the steps: instant or case
 
@@ -50,8 +52,9 @@ struct Model {
 /// The part as CalculiX sees it: its hexahedra with the geometry of 20 nodes
 /// (mid nodes on the exact surfaces), tetrahedra with 10. Loads are clevis's
 /// own, integrated consistently with the elements' shape functions, body loads
-/// included; a free part is put in balance. Rigid modes that no support holds
-/// and no load drives are held at determinate components.
+/// included; a free part is put in balance. Elastic beds become springs of the
+/// same stiffness. Rigid modes that nothing holds and no load drives are held
+/// at determinate components.
 /// Source: docs/theory.md, "Export to CalculiX".
 /// @throws Error F001 if a load drives a free mode; M003, L002 of groups.
 Model make_model(const elasticity::ElasticProblem<3>& problem,

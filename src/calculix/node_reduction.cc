@@ -1,5 +1,6 @@
 #include "calculix/node_reduction.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -75,6 +76,7 @@ NodeReduction::NodeReduction(
   }
   std::vector<bool> is_done(number_.size(), false);
   for (const auto& cell : discretization.cell_nodes) follow_in(cell, is_done);
+  std::ranges::stable_sort(followers_, {}, &Follower::node);
 }
 
 void NodeReduction::follow_in(const std::vector<int>& cell_nodes,
@@ -91,6 +93,19 @@ void NodeReduction::follow_in(const std::vector<int>& cell_nodes,
            complete(static_cast<Index>(k), static_cast<Index>(a))});
     }
   }
+}
+
+std::vector<std::pair<int, double>> NodeReduction::followed_by(int node) const {
+  if (number(node) >= 0) return {{number(node), 1.0}};
+  std::vector<std::pair<int, double>> result;
+  const auto of_node = std::ranges::equal_range(
+      followers_, static_cast<Index>(node), {}, &Follower::node);
+  for (const Follower& follower : of_node) {
+    if (follower.weight != 0.0) {
+      result.emplace_back(follower.to, follower.weight);
+    }
+  }
+  return result;
 }
 
 MatrixXd NodeReduction::reduce(const MatrixXd& full) const {

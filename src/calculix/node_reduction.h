@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -21,6 +22,10 @@ class NodeReduction {
   int number(int node) const { return number_[static_cast<std::size_t>(node)]; }
   /// Local functions at the nodes of an element, in CalculiX's order.
   const std::vector<std::size_t>& functions() const { return functions_; }
+
+  /// The nodes of the elements that a node moves with, by their new numbers,
+  /// and their shares; of one of theirs itself.
+  std::vector<std::pair<int, double>> followed_by(int node) const;
 
   /// Tᵀ f: what the dropped nodes carry goes to those that they follow.
   /// @param full  loads, 3 × nodes of the discretisation rows [N].

@@ -112,9 +112,10 @@ study::Run run_calculix(const PartJob& job, const CalculixRequest& request) {
   const bool is_tensor = job.mesh.shape == mesh::CellShape::kTensor;
   const auto mesh =
       is_tensor ? mesh::split_cells(job.mesh, request.split) : job.mesh;
-  const auto model = calculix::make_model(
-      {mesh, job.part.material, history, set.fixed, job.part.name},
-      request.hexahedron);
+  elasticity::ElasticProblem<3> problem{mesh, job.part.material, history,
+                                        set.fixed, job.part.name};
+  problem.foundations = set.foundations;
+  const auto model = calculix::make_model(problem, request.hexahedron);
   const TemporaryFolder folder;
   {
     std::ofstream deck(folder.path() / "part.inp");

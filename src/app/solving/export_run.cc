@@ -26,16 +26,6 @@ namespace fs = std::filesystem;
 using assessment::PartJob;
 using nlohmann::ordered_json;
 
-/// Springs between nodes would be another bed than the one that is checked.
-void refuse_bed(const PartJob& job, const assessment::LoadSet& loads) {
-  if (loads.foundations.empty()) return;
-  throw Error("F005", "part " + job.part.name,
-              "a case rests on a `foundation`, which CalculiX has no "
-              "elements for",
-              "Give the face `fixed` in place of `foundation` for the export, "
-              "which is a stiffer hold, or leave this case out.");
-}
-
 calculix::Model model_of(const PartJob& job, std::size_t set,
                          const Options& options) {
   const bool is_tensor = job.mesh.shape == mesh::CellShape::kTensor;
@@ -43,10 +33,10 @@ calculix::Model model_of(const PartJob& job, std::size_t set,
       is_tensor ? mesh::split_cells(job.mesh, std::max(1, options.split))
                 : job.mesh;
   const auto& loads = job.load_sets[set];
-  refuse_bed(job, loads);
-  return calculix::make_model(
-      {mesh, job.part.material, loads.history, loads.fixed, job.part.name},
-      hexahedron_of(options));
+  elasticity::ElasticProblem<3> problem{mesh, job.part.material, loads.history,
+                                        loads.fixed, job.part.name};
+  problem.foundations = loads.foundations;
+  return calculix::make_model(problem, hexahedron_of(options));
 }
 
 /// Writes a deck per set of loads with the same supports, NAME.inp,
