@@ -32,17 +32,13 @@ constexpr std::size_t kMostBores = 8;  // that are listed
 
 constexpr std::string_view kMaterial =
     R"(# Structural steel S355. Put in the numbers of your own.
-[material.steel]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-density = "7850 kg/m^3"
-yield_strength = "355 MPa"
+[material]
+steel = { youngs_modulus = "210 GPa", poissons_ratio = 0.3, density = "7850 kg/m^3", yield_strength = "355 MPa" }
 
 )";
 
 constexpr std::string_view kLimits =
-    R"(material = "steel"
-# The peak stress may reach yield_strength / safety_factor.
+    R"(# The peak stress may reach yield_strength / safety_factor.
 # A limit of the deflection can stand beside it: deflection = "0.1 mm".
 # A sharp inner corner has no finite stress, so the part is not judged: round it
 # in the CAD file, or judge the rest by singular_zones = "exclude" beside it.

@@ -129,6 +129,16 @@ part::Limits read_limits(StrictTable table) {
   return limits;
 }
 
+/// Where it is not named, the scene's only one.
+const part::Material& material_of(
+    StrictTable& table, const Names& names,
+    const std::vector<part::Material>& materials) {
+  if (!table.has("material") && materials.size() == 1) return materials.front();
+  const Value material = table["material"];
+  return materials[static_cast<std::size_t>(
+      names.materials.find(material.name(), material))];
+}
+
 }  // namespace
 
 PartOfGeometry read_part(StrictTable& table, const Names& names,
@@ -169,9 +179,7 @@ PartOfGeometry read_part(StrictTable& table, const Names& names,
   if (const auto thickness = table.find("thickness")) {
     part.thickness = thickness->positive(Dimension::kLength);
   }
-  const Value material = table["material"];
-  part.material = materials[static_cast<std::size_t>(
-      names.materials.find(material.name(), material))];
+  part.material = material_of(table, names, materials);
   if (table.has("limits")) part.limits = read_limits(table.table("limits"));
   if (const auto damping = table.find("damping")) {
     constexpr double kLargestDamping = 0.5;

@@ -335,6 +335,23 @@ TEST(SceneReader, SurvivesKeysOfManyLevels) {
   EXPECT_EQ(refusal_of_text("a = " + std::string(100'000, '[')), "S001");
 }
 
+TEST(SceneReader, PartsTakeTheOnlyMaterial) {
+  const std::string steel =
+      "= { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, density = "
+      "\"7850 kg/m^3\", yield_strength = \"355 MPa\" }\n";
+  const auto scene = [](const std::string& materials) {
+    return "schema = 1\nname = \"rod\"\n[material]\n" + materials +
+           "[[part]]\nname = \"rod\"\nmesh = \"rod.msh\"\nlength_unit = "
+           "\"mm\"\n[[part.case]]\nname = \"pull\"\npressure = { a = \"1 MPa\" "
+           "}"
+           "\nfixed = { b = [\"x\", \"y\", \"z\"] }\n";
+  };
+  EXPECT_EQ(refusal_of_text(scene("steel " + steel)), "accepted");
+  EXPECT_EQ(refusal_of_text(scene("steel " + steel + "brass " + steel)),
+            "S003");
+  EXPECT_EQ(refusal_of_text(scene("")), "S003");
+}
+
 TEST(SceneReader, BomBeforeAValidSceneIsIgnored) {
   std::ifstream file(kScenes / "impacts.toml");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
