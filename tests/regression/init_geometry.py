@@ -231,7 +231,7 @@ class InitGeometry(unittest.TestCase):
             "{-8.5, -1.5, -1, 4, 3, 10}", "{-8.5, -5.5, -1, 8.5, 11, 10}")))
         for told in (text, self.told):
             self.assertRegex(told, r"left out, for a pin needs most of a wall and here are "
-                             r"\d+(\.\d+)? % of one: bore of diameter 13 mm, 8 mm long")
+                             r"\d+(\.\d+)? % of one: hollow arc of diameter 13 mm, 8 mm long")
             self.assertIn("`foundation`", told)
 
     def test_a_sharp_corner_is_not_judged_until_the_scene_says_so(self):
