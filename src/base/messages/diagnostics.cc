@@ -180,8 +180,7 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "The load on the group has a component that its surface cannot take. Of a "
      "bore with a keyway or a slot the wall that is there carries the pin, as "
      "long as that presses no more than twice as hard as on a whole wall; a "
-     "wall "
-     "that is open where the pin pulls carries nothing."},
+     "wall that is open where the pin pulls carries nothing."},
     {"L003", kModelInvalid, "bore and joint do not coincide",
      "A pin's bore in the part's mesh lies elsewhere than the joint in the "
      "mechanism: the lengths in the scene and in the geometry disagree by more "
