@@ -21,6 +21,7 @@ from pathlib import Path
 import scene_text
 import round_bar
 import support
+from held_ends import solve
 from round_bar import check_of
 
 LENGTH, SIDE, MODULUS, DENSITY, GRAVITY = 0.3, 0.01, 210e9, 7850.0, 9.81
@@ -86,22 +87,6 @@ def first_shape(speed, powers=range(2, 8), steps=300):
     root = MODULUS * INERTIA * sum(v * basis(p, 0.0, 2) for v, p in zip(shape, powers))
     force = integral(lambda x: sum(v * basis(p, x) for v, p in zip(shape, powers)))
     return math.sqrt(square), root, force
-
-
-def solve(matrix, rhs):
-    rows = [row[:] + [value] for row, value in zip(matrix, rhs)]
-    n = len(rows)
-    for k in range(n):
-        pivot = max(range(k, n), key=lambda i: abs(rows[i][k]))
-        rows[k], rows[pivot] = rows[pivot], rows[k]
-        for i in range(k + 1, n):
-            ratio = rows[i][k] / rows[k][k]
-            rows[i] = [a - ratio * b for a, b in zip(rows[i], rows[k])]
-    x = [0.0] * n
-    for k in reversed(range(n)):
-        x[k] = (rows[k][n] - sum(rows[k][j] * x[j]
-                                 for j in range(k + 1, n))) / rows[k][k]
-    return x
 
 
 def steady_stress(speed):
