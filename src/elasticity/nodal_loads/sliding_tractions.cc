@@ -16,17 +16,6 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-void refuse_open_wall(const std::string& part_name, const loads::Seat& seat,
-                      const std::string& label) {
-  throw Error(
-      "L002", "part " + part_name + ", " + seat.name,
-      fmt::format("{}: the pin leaves \"{}\" where it is open; its wall "
-                  "only takes pressure",
-                  label, seat.group),
-      "Name the faces that hold the pin there, too, or load those that "
-      "take it by `traction`.");
-}
-
 part::Bore touched(const part::Bore& cylinder, const loads::Seat& seat,
                    const loads::ContactZone& zone) {
   const double half = 0.5 * cylinder.length;
@@ -90,7 +79,8 @@ Matrix3Xd SlidingTractions::at(std::size_t instant,
             loads::about(wrench.force, wrench.moment, seat_.p_LS, bore.p_LC))) {
       tractions = *pressed;
     } else if (!scale_.is_negligible(wrench)) {
-      refuse_open_wall(part_name_, seat_, load.label);
+      loads::refuse_open_wall("part " + part_name_ + ", " + seat_.name,
+                              seat_.group, load.label);
     }
   } else if (seat_.kind != loads::SeatKind::kMean &&
              !scale_.is_negligible(wrench)) {

@@ -47,12 +47,6 @@ class SlidingTractions {
   loads::LoadScale scale_;
 };
 
-/// Of a cylinder whose wall would have to pull at an instant.
-/// @throws Error L002.
-[[noreturn]] void refuse_open_wall(const std::string& part_name,
-                                   const loads::Seat& seat,
-                                   const std::string& label);
-
 /// Part of a cylinder that a zone covers.
 part::Bore touched(const part::Bore& cylinder, const loads::Seat& seat,
                    const loads::ContactZone& zone);

@@ -128,7 +128,8 @@ SurfaceLoads loads_of_seat(const Discretization<dim>& discretization,
       if (const auto pressed = pin->tractions(wrench)) {
         tractions = *pressed;
       } else if (!scale.is_negligible(wrench)) {
-        refuse_open_wall(part_name, seat, history.instants[i].label);
+        loads::refuse_open_wall("part " + part_name + ", " + seat.name,
+                                seat.group, history.instants[i].label);
       }
     } else if (seat.kind == loads::SeatKind::kPressure) {
       tractions =

@@ -46,14 +46,8 @@ Largest largest_of(const LoadHistory& history, std::size_t seat,
     const Wrench& wrench = instant.wrenches[seat];
     if (scale.is_negligible(wrench)) continue;
     const auto pressure = pin.largest_pressure(wrench);
-    if (!pressure) {
-      throw Error("L002", place,
-                  fmt::format("{}: the pin leaves \"{}\" where it is open; its "
-                              "wall only takes pressure",
-                              instant.label, history.seats[seat].group),
-                  "Name the faces that hold the pin there, too, or load those "
-                  "that take it by `traction`.");
-    }
+    if (!pressure)
+      refuse_open_wall(place, history.seats[seat].group, instant.label);
     found.closed =
         std::max(found.closed, largest_bearing_pressure(bore, wrench, whole));
     if (*pressure <= found.there) continue;

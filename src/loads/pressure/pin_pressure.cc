@@ -4,6 +4,9 @@
 #include <cassert>
 #include <numbers>
 
+#include <fmt/format.h>
+
+#include "base/messages/errors.h"
 #include "loads/pressure/wall_pressure.h"
 
 namespace clevis::loads {
@@ -74,6 +77,16 @@ double largest_bearing_pressure(const part::Bore& bore, const Wrench& wrench,
   return 2.0 / (std::numbers::pi * bore.radius) *
          std::max(bearing.line_load(bore.p_LC - end).norm(),
                   bearing.line_load(bore.p_LC + end).norm());
+}
+
+void refuse_open_wall(const std::string& place, const std::string& group,
+                      const std::string& label) {
+  throw Error("L002", place,
+              fmt::format("{}: the pin leaves \"{}\" where it is open; its "
+                          "wall only takes pressure",
+                          label, group),
+              "Name the faces that hold the pin there, too, or load those that "
+              "take it by `traction`.");
 }
 
 }  // namespace clevis::loads

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include <Eigen/Core>
 
@@ -51,5 +52,12 @@ class PinPressure {
 /// @param wall    of the bore.
 double largest_bearing_pressure(const part::Bore& bore, const Wrench& wrench,
                                 const WallMoments& wall);
+
+/// Of a pin that its wall could only hold by pulling.
+/// @param place  of the error. @param label  of the instant.
+/// @throws Error L002.
+[[noreturn]] void refuse_open_wall(const std::string& place,
+                                   const std::string& group,
+                                   const std::string& label);
 
 }  // namespace clevis::loads
