@@ -103,7 +103,9 @@ std::string write_shape(const part::PartDefinition& part,
       request.number > 1 ? fmt::format("_{}", request.number) : "";
   const std::string name =
       fmt::format("{}{}_mode_{}.vtu", part.name, set, mode + 1);
-  report::write_file(folder / name, output.vtu(stress::CellOrder::kLagrange));
+  report::write_file(folder / name, [&](const report::TextSink& sink) {
+    output.write(stress::CellOrder::kLagrange, sink);
+  });
   return name;
 }
 

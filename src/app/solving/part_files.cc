@@ -89,6 +89,13 @@ std::vector<std::string> series_of(const std::vector<std::string>& parts,
   return entries;
 }
 
+void write_vtu(const std::filesystem::path& file,
+               const stress::FieldOutput& output, stress::CellOrder order) {
+  report::write_file(file, [&](const report::TextSink& sink) {
+    output.write(order, sink);
+  });
+}
+
 void write_frames(const assessment::PartAssessment& assessment,
                   const MovingPart& moving,
                   const std::filesystem::path& folder) {
@@ -103,8 +110,8 @@ void write_frames(const assessment::PartAssessment& assessment,
     const stress::FieldOutput output(
         assessment.fields.dim, assessment.fields.shape,
         assessment.fields.at(frames[f], subdivisions), {}, pose);
-    report::write_file(folder / frame_name(assessment.result.name, f),
-                       output.vtu(stress::CellOrder::kLinear));
+    write_vtu(folder / frame_name(assessment.result.name, f), output,
+              stress::CellOrder::kLinear);
   }
   report::write_file(folder / (assessment.result.name + ".pvd"),
                      pvd(series_of({assessment.result.name}, *moving.motion)));
@@ -128,18 +135,17 @@ void write_part_files(const assessment::PartAssessment& assessment,
       fields.at(fields.peak_instant, fields.worst.subdivisions),
       worst_scalars(fields, yield_strength));
   const std::string& name = assessment.result.name;
-  report::write_file(folder / (name + ".vtu"),
-                     output.vtu(stress::CellOrder::kLagrange));
+  write_vtu(folder / (name + ".vtu"), output, stress::CellOrder::kLagrange);
   // Simplices have linear cells in either.
   if (files.linear_cells && fields.shape == mesh::CellShape::kTensor) {
-    report::write_file(folder / (name + "_linear.vtu"),
-                       output.vtu(stress::CellOrder::kLinear));
+    write_vtu(folder / (name + "_linear.vtu"), output,
+              stress::CellOrder::kLinear);
   }
   if (fields.buckling) {
     const stress::FieldOutput shape(3, fields.buckling->shape,
                                     fields.buckling->field, {});
-    report::write_file(folder / (name + "_buckling.vtu"),
-                       shape.vtu(stress::CellOrder::kLagrange));
+    write_vtu(folder / (name + "_buckling.vtu"), shape,
+              stress::CellOrder::kLagrange);
   }
   report::write_file(folder / (name + "_history.csv"),
                      history_csv(fields.history));

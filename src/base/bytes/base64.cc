@@ -1,6 +1,5 @@
 #include "base/bytes/base64.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -29,19 +28,28 @@ std::array<int, 256> digit_values() {
 
 std::string base64(std::span<const std::byte> bytes) {
   std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t here = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      bits = bits << 8 |
-             (k < here ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= here ? kDigits[bits >> (18 - 6 * k) & 63U] : '=';
-    }
-  }
+  append_base64(bytes, text);
   return text;
+}
+
+void append_base64(std::span<const std::byte> bytes, std::string& text) {
+  const std::size_t begin = text.size();
+  text.resize(begin + base64_size(bytes.size()), '=');
+  char* to = text.data() + begin;
+  const auto put = [&to](std::uint32_t bits, int digits) {
+    for (int k = 0; k < digits; ++k)
+      to[k] = kDigits[bits >> (18 - 6 * k) & 63U];
+    to += 4;
+  };
+  const auto byte = [&](std::size_t i) {
+    return std::to_integer<std::uint32_t>(bytes[i]);
+  };
+  std::size_t i = 0;
+  for (; i + 3 <= bytes.size(); i += 3) {
+    put(byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2), 4);
+  }
+  if (bytes.size() - i == 1) put(byte(i) << 16, 2);
+  if (bytes.size() - i == 2) put(byte(i) << 16 | byte(i + 1) << 8, 3);
 }
 
 std::vector<std::byte> bytes_of_base64(std::string_view text,

@@ -147,6 +147,13 @@ bool is_own_file_name(std::string_view name) {
 }
 
 void write_file(const std::filesystem::path& file, std::string_view content) {
+  write_file(file, [&](const TextSink& sink) {
+    sink(content);
+  });
+}
+
+void write_file(const std::filesystem::path& file,
+                const std::function<void(const TextSink&)>& write) {
   const std::string name = file.filename().string();
   if (!is_own_file_name(name)) {
     throw Error("I002", file.string(),
@@ -166,7 +173,9 @@ void write_file(const std::filesystem::path& file, std::string_view content) {
   std::filesystem::create_directories(target.parent_path(), failure);
   if (failure) refuse(target.parent_path(), "create folder", failure.message());
   TemporaryFile temporary(target);
-  temporary.write(content);
+  write([&](std::string_view piece) {
+    temporary.write(piece);
+  });
   temporary.publish();
   sync_folder(target.parent_path());
 }

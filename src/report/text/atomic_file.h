@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 namespace clevis::report {
@@ -25,6 +26,14 @@ bool is_own_file_name(std::string_view name);
 /// @throws Error I002 with the system's reason if the name is not allowed or
 ///   the folder or file cannot be written; no temporary file stays behind.
 void write_file(const std::filesystem::path& file, std::string_view content);
+
+/// Takes the next piece of a file.
+using TextSink = std::function<void(std::string_view)>;
+
+/// Likewise, of a content that need not stand in memory at once.
+/// @param write  hands all pieces on; where it throws, `file` stays as it was.
+void write_file(const std::filesystem::path& file,
+                const std::function<void(const TextSink&)>& write);
 
 /// Removes from `folder` and its `frames` what processes that are gone left
 /// inside write_file(), nothing else. Nobody else may be writing there.

@@ -16,25 +16,46 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr Index kBlock = 64;  // instants, so that few displacements are held
-
-/// Largest displacement of each node over all instants [m].
-template <int dim>
-Eigen::VectorXd largest_of_nodes(const MatrixXd& columns,
-                                 const MatrixXd& coefficients) {
-  Eigen::VectorXd largest = Eigen::VectorXd::Zero(columns.rows() / dim);
-  for (Index begin = 0; begin < coefficients.cols(); begin += kBlock) {
-    const Index count = std::min(kBlock, coefficients.cols() - begin);
-    const MatrixXd u =
-        elasticity::product(columns, coefficients.middleCols(begin, count));
-    for (Index i = 0; i < count; ++i) {
-      largest = largest.cwiseMax(u.col(i)
-                                     .reshaped(dim, largest.size())
-                                     .colwise()
-                                     .squaredNorm()
-                                     .transpose());
+/// Visits the displacements of some nodes at some instants, after each other so
+/// that few are held: visit(u, first node, first instant), u with directions of
+/// nodes × instants [m].
+/// @param columns  directions × nodes, per basis column [m].
+template <typename Visit>
+void visit_displacements(const MatrixXd& columns, Index directions,
+                         const MatrixXd& coefficients, const Visit& visit) {
+  constexpr Index kInstants = 64;
+  const Index most_rows = 1024 * directions;
+  for (Index row = 0; row < columns.rows(); row += most_rows) {
+    const MatrixXd some =
+        columns.middleRows(row, std::min(most_rows, columns.rows() - row));
+    for (Index begin = 0; begin < coefficients.cols(); begin += kInstants) {
+      const Index count = std::min(kInstants, coefficients.cols() - begin);
+      visit(elasticity::product(some, coefficients.middleCols(begin, count)),
+            row / directions, begin);
     }
   }
+}
+
+/// Squares of the displacements of nodes at an instant [m²].
+auto squares(const MatrixXd& u, Index directions, Index instant) {
+  return u.col(instant)
+      .reshaped(directions, u.rows() / directions)
+      .colwise()
+      .squaredNorm();
+}
+
+/// Largest displacement of each node over all instants [m].
+Eigen::VectorXd largest_of_nodes(const MatrixXd& columns, Index directions,
+                                 const MatrixXd& coefficients) {
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(columns.rows() / directions);
+  visit_displacements(
+      columns, directions, coefficients,
+      [&](const MatrixXd& u, Index first, Index) {
+        auto here = largest.segment(first, u.rows() / directions);
+        for (Index i = 0; i < u.cols(); ++i) {
+          here = here.cwiseMax(squares(u, directions, i).transpose());
+        }
+      });
   return largest.cwiseSqrt();
 }
 
@@ -50,27 +71,23 @@ LargestOfNodes largest_of(const MatrixXd& columns, Index directions,
                           const MatrixXd& coefficients) {
   LargestOfNodes result;
   result.of_instant = Eigen::VectorXd::Zero(coefficients.cols());
-  double largest = -1.0;
-  for (Index begin = 0; begin < coefficients.cols(); begin += kBlock) {
-    const Index count = std::min(kBlock, coefficients.cols() - begin);
-    const MatrixXd u =
-        elasticity::product(columns, coefficients.middleCols(begin, count));
-    for (Index i = 0; i < count; ++i) {
-      Index node = 0;
-      const double squared =
-          u.col(i)
-              .reshaped(directions, columns.rows() / directions)
-              .colwise()
-              .squaredNorm()
-              .maxCoeff(&node);
-      result.of_instant[begin + i] = std::sqrt(squared);
-      if (squared <= largest) continue;
-      largest = squared;
-      result.node = node;
-      result.instant = begin + i;
-    }
-  }
-  result.value = std::sqrt(std::max(0.0, largest));
+  Eigen::VectorX<Index> nodes =
+      Eigen::VectorX<Index>::Zero(coefficients.cols());
+  visit_displacements(columns, directions, coefficients,
+                      [&](const MatrixXd& u, Index first, Index begin) {
+                        for (Index i = 0; i < u.cols(); ++i) {
+                          Index node = 0;
+                          const double squared =
+                              squares(u, directions, i).maxCoeff(&node);
+                          double& largest = result.of_instant[begin + i];
+                          if (squared <= largest) continue;
+                          largest = squared;
+                          nodes[begin + i] = first + node;
+                        }
+                      });
+  result.of_instant = result.of_instant.cwiseSqrt();
+  result.value = result.of_instant.maxCoeff(&result.instant);
+  result.node = nodes[result.instant];
   return result;
 }
 
@@ -181,8 +198,8 @@ double largest_deflection_of_many(
     const elasticity::DisplacementBasis<dim>& basis, int stride) {
   constexpr double kNear = 0.75;
   const Index instants = basis.coefficients.cols();
-  const Eigen::VectorXd largest = largest_of_nodes<dim>(
-      basis.columns,
+  const Eigen::VectorXd largest = largest_of_nodes(
+      basis.columns, dim,
       basis.coefficients(Eigen::all,
                          Eigen::seqN(Index{0}, (instants + stride - 1) / stride,
                                      Index{stride})));

@@ -44,7 +44,8 @@ std::string array_of(std::size_t cells, const std::string& attributes,
 }
 
 /// Of tasks, in their order; made by two threads, for packing is most of it.
-std::string texts_of(const std::vector<std::function<std::string()>>& tasks) {
+std::vector<std::string> texts_of(
+    const std::vector<std::function<std::string()>>& tasks) {
   std::vector<std::string> texts(tasks.size());
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
@@ -59,14 +60,12 @@ std::string texts_of(const std::vector<std::function<std::string()>>& tasks) {
   }
   work();
   if (other.valid()) other.get();
-  std::string all;
-  for (const std::string& text : texts) all += text;
-  return all;
+  return texts;
 }
 
-std::string values_of(const InstantField& field,
-                      const std::vector<ScalarField>& scalars,
-                      const part::Pose& pose) {
+std::vector<std::string> values_of(const InstantField& field,
+                                   const std::vector<ScalarField>& scalars,
+                                   const part::Pose& pose) {
   const std::size_t cells = field.points.size();
   std::vector<std::function<std::string()>> arrays;
   arrays.emplace_back([&, cells] {
@@ -146,19 +145,24 @@ FieldOutput::FieldOutput(int dim, mesh::CellShape shape,
           })),
       values_(values_of(field, scalars, pose)) {}
 
-std::string FieldOutput::vtu(CellOrder order) const {
+void FieldOutput::write(
+    CellOrder order, const std::function<void(std::string_view)>& sink) const {
   const VtkCells vtk = cells_of(dim_, shape_, subdivisions_, order);
-  return fmt::format(
-             "<?xml version=\"1.0\"?>\n"
-             "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
-             "compressor=\"vtkZLibDataCompressor\" "
-             "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
-             "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-             cells_ * points_of_a_cell_,
-             cells_ * static_cast<int>(vtk.points.size())) +
-         "<Points>\n" + points_ + "</Points>\n<Cells>\n" +
-         topology(vtk, cells_, points_of_a_cell_) + "</Cells>\n<PointData>\n" +
-         values_ + "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  sink(
+      fmt::format("<?xml version=\"1.0\"?>\n"
+                  "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+                  "compressor=\"vtkZLibDataCompressor\" "
+                  "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
+                  "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
+                  "<Points>\n",
+                  cells_ * points_of_a_cell_,
+                  cells_ * static_cast<int>(vtk.points.size())));
+  sink(points_);
+  sink("</Points>\n<Cells>\n");
+  sink(topology(vtk, cells_, points_of_a_cell_));
+  sink("</Cells>\n<PointData>\n");
+  for (const std::string& array : values_) sink(array);
+  sink("</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
 }
 
 }  // namespace clevis::stress

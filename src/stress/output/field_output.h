@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,14 +35,16 @@ class FieldOutput {
               const std::vector<ScalarField>& scalars,
               const part::Pose& pose = {});
 
-  /// The file; both orders share the values.
-  std::string vtu(CellOrder order) const;
+  /// Hands the file on, piece after piece; both orders share the values.
+  void write(CellOrder order,
+             const std::function<void(std::string_view)>& sink) const;
 
  private:
   int dim_;
   mesh::CellShape shape_;
   int subdivisions_, cells_, points_of_a_cell_;
-  std::string points_, values_;  ///< as they stand in the file
+  std::string points_;               ///< as they stand in the file
+  std::vector<std::string> values_;  ///< likewise, array after array
 };
 
 }  // namespace clevis::stress

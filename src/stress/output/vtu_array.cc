@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -21,9 +22,13 @@ std::string array_of(std::span<const std::byte> bytes, const char* type,
       1, static_cast<std::uint32_t>(bytes.size()),
       static_cast<std::uint32_t>(bytes.size()),
       static_cast<std::uint32_t>(packed.size())};
-  return fmt::format(
-      "<DataArray type=\"{}\" {} format=\"binary\">\n{}{}\n</DataArray>\n",
-      type, attributes, base64(std::as_bytes(std::span(head))), base64(packed));
+  std::string text =
+      fmt::format("<DataArray type=\"{}\" {} format=\"binary\">\n{}", type,
+                  attributes, base64(std::as_bytes(std::span(head))));
+  constexpr std::string_view kEnd = "\n</DataArray>\n";
+  text.reserve(text.size() + base64_size(packed.size()) + kEnd.size());
+  append_base64(packed, text);
+  return text.append(kEnd);
 }
 
 }  // namespace

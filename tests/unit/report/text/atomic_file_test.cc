@@ -48,6 +48,23 @@ TEST(AtomicFile, KeepsEveryByte) {
   EXPECT_TRUE(content_of(folder / "field.vtu") == bytes);
 }
 
+TEST(AtomicFile, OfPiecesIsOldOrWhole) {
+  const TestFolder folder;
+  const fs::path file = folder / "field.vtu";
+  write_file(file, [](const TextSink& sink) {
+    sink("one, ");
+    sink("two");
+  });
+  EXPECT_EQ(content_of(file), "one, two");
+  const auto fails = [](const TextSink& sink) {
+    sink("half");
+    throw Error("X001", "test", "problem", "hint");
+  };
+  EXPECT_THROW(write_file(file, fails), Error);
+  EXPECT_EQ(content_of(file), "one, two");
+  EXPECT_EQ(entries(folder / ""), 1) << "temporary file left behind";
+}
+
 TEST(AtomicFile, NamesThatLeaveTheWhitelistAreRefused) {
   EXPECT_TRUE(is_file_name("DCE-2_b.vtu"));
   EXPECT_TRUE(is_file_name(std::string(64, 'x')));

@@ -32,7 +32,12 @@ std::string vtu(const InstantField& field, CellOrder order,
   ScalarField worst{"worst_von_mises", "Pa", {}};
   worst.values = Eigen::MatrixXd::Ones(
       field.points[0].rows(), static_cast<Eigen::Index>(field.points.size()));
-  return FieldOutput(3, shape, field, {worst}, pose).vtu(order);
+  std::string text;
+  FieldOutput(3, shape, field, {worst}, pose)
+      .write(order, [&](std::string_view piece) {
+        text += piece;
+      });
+  return text;
 }
 
 int number(const std::string& text, const std::string& attribute) {
