@@ -1,5 +1,7 @@
 #include "elasticity/assembly/equations.h"
 
+#include <utility>
+
 namespace clevis::elasticity {
 
 using Eigen::Index;
@@ -15,38 +17,76 @@ EquationNumbers number_equations(int dofs, const std::vector<int>& held) {
   return numbers;
 }
 
+namespace {
+
+/// The part of a row of equations that a row of nodes' blocks holds: appended,
+/// without what is held or below the diagonal.
+/// @param dof  of the row.
+/// @param put  (equation, value)
+template <int dim, typename Put>
+void visit_row(const StiffnessMatrix<dim>& stiffness,
+               const std::vector<int>& equation, std::size_t dof,
+               const Put& put) {
+  const std::size_t node = dof / dim;
+  const auto a = static_cast<Index>(dof % dim);
+  const int row = equation[dof];
+  for (int k = stiffness.row_start[node]; k < stiffness.row_start[node + 1];
+       ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const int* columns =
+        &equation[dim * static_cast<std::size_t>(stiffness.column[at])];
+    for (int b = 0; b < dim; ++b) {
+      put(columns[b], stiffness.block[at](a, b), columns[b] >= row);
+    }
+  }
+}
+
+}  // namespace
+
 template <int dim>
 UpperTriangle free_equations(const StiffnessMatrix<dim>& stiffness,
                              const EquationNumbers& numbers) {
-  const std::vector<int>& equation = numbers.equation;
   UpperTriangle upper;
   upper.row_start.push_back(0);
   upper.column.resize(stiffness.column.size() * dim * dim);
   upper.value.resize(upper.column.size());
   std::size_t next = 0;
-  for (int node = 0; node < stiffness.nodes(); ++node) {
-    const auto n = static_cast<std::size_t>(node);
-    for (int a = 0; a < dim; ++a) {
-      const int row = equation[dim * n + static_cast<std::size_t>(a)];
-      if (row < 0) continue;
-      for (int k = stiffness.row_start[n]; k < stiffness.row_start[n + 1];
-           ++k) {
-        const auto at = static_cast<std::size_t>(k);
-        const int* columns =
-            &equation[dim * static_cast<std::size_t>(stiffness.column[at])];
-        for (int b = 0; b < dim; ++b) {
-          // Written in any case, kept unless held or below the diagonal.
-          upper.column[next] = columns[b];
-          upper.value[next] = stiffness.block[at](a, b);
-          next += columns[b] >= row ? 1 : 0;
-        }
-      }
-      upper.row_start.push_back(entry_number(next));
-    }
+  for (std::size_t dof = 0; dof < numbers.equation.size(); ++dof) {
+    if (numbers.equation[dof] < 0) continue;
+    visit_row<dim>(stiffness, numbers.equation, dof,
+                   [&](int column, double value, bool counts) {
+                     // Written in any case, kept if it counts.
+                     upper.column[next] = column;
+                     upper.value[next] = value;
+                     next += counts ? 1 : 0;
+                   });
+    upper.row_start.push_back(entry_number(next));
   }
   upper.column.resize(next);
   upper.value.resize(next);
   return upper;
+}
+
+template <int dim>
+MatrixRows free_rows(const StiffnessMatrix<dim>& stiffness,
+                     const EquationNumbers& numbers) {
+  std::vector<std::size_t> dof_of;  // of each equation
+  for (std::size_t dof = 0; dof < numbers.equation.size(); ++dof) {
+    if (numbers.equation[dof] >= 0) dof_of.push_back(dof);
+  }
+  return {numbers.count, [&stiffness, &numbers, dof_of = std::move(dof_of)](
+                             int row, MatrixRows::Room& room) {
+            room.columns.clear();
+            room.values.clear();
+            visit_row<dim>(stiffness, numbers.equation,
+                           dof_of[static_cast<std::size_t>(row)],
+                           [&](int column, double value, bool counts) {
+                             if (!counts) return;
+                             room.columns.push_back(column);
+                             room.values.push_back(value);
+                           });
+            return MatrixRows::Row{room.columns, room.values};
+          }};
 }
 
 MatrixXd restrict_rows(const MatrixXd& full, const EquationNumbers& numbers) {
@@ -68,6 +108,10 @@ MatrixXd extend_rows(const MatrixXd& reduced, const EquationNumbers& numbers) {
   return result;
 }
 
+template MatrixRows free_rows<2>(const StiffnessMatrix<2>&,
+                                 const EquationNumbers&);
+template MatrixRows free_rows<3>(const StiffnessMatrix<3>&,
+                                 const EquationNumbers&);
 template UpperTriangle free_equations<2>(const StiffnessMatrix<2>&,
                                          const EquationNumbers&);
 template UpperTriangle free_equations<3>(const StiffnessMatrix<3>&,

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/algebra/sparse_cholesky.h"
+#include "elasticity/algebra/matrix_rows.h"
 #include "elasticity/assembly/stiffness.h"
 
 namespace clevis::elasticity {
@@ -22,6 +22,12 @@ EquationNumbers number_equations(int dofs, const std::vector<int>& held);
 template <int dim>
 UpperTriangle free_equations(const StiffnessMatrix<dim>& stiffness,
                              const EquationNumbers& numbers);
+
+/// The same without a copy.
+/// @param stiffness, numbers  outlive it.
+template <int dim>
+MatrixRows free_rows(const StiffnessMatrix<dim>& stiffness,
+                     const EquationNumbers& numbers);
 
 /// Rows of degrees of freedom (dofs × columns) to rows of equations (count ×
 /// columns), and back with zero where held; in the units of the argument.

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/system/processor_share.h"
 #include "elasticity/assembly/equations.h"
 #include "elasticity/assembly/foundation.h"
 #include "elasticity/assembly/stiffness.h"
@@ -72,8 +73,9 @@ class SolidCoordinates : public EnergyCoordinates {
       }
       auto numbers = number_equations(folding_.part.dofs(), parity_class.held);
       FrontalCholesky factor(
-          free_equations(stiffness, numbers),
-          front_tree(folding_.dissection, 3, numbers.equation), place);
+          free_rows(stiffness, numbers),
+          front_tree(folding_.dissection, 3, numbers.equation), place,
+          own_processors());
       const Index first = size_of(classes_);
       classes_.push_back({std::move(numbers), std::move(factor), first});
     }

@@ -52,7 +52,7 @@ class FrontRows {
 template <typename Real>
 class Elimination {
  public:
-  Elimination(const UpperTriangle& ordered, const FrontTree& tree,
+  Elimination(const MatrixRows& ordered, const FrontTree& tree,
               const std::vector<std::size_t>& start, Real* factor)
       : ordered_(ordered), tree_(tree), start_(start), factor_(factor) {}
 
@@ -101,15 +101,13 @@ class Elimination {
   }
 
   void assemble(const Front& front, const FrontRows& rows, Real* panel) const {
+    MatrixRows::Room room;
     for (int i = front.begin; i < front.end; ++i) {
       Real* column =
           panel + static_cast<std::ptrdiff_t>(i - front.begin) * front.size();
-      const auto row = static_cast<std::size_t>(i);
-      for (int k = ordered_.row_start[row]; k < ordered_.row_start[row + 1];
-           ++k) {
-        const auto at = static_cast<std::size_t>(k);
-        column[rows.of(ordered_.column[at])] +=
-            static_cast<Real>(ordered_.value[at]);
+      const auto [columns, values] = ordered_.row(i, room);
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        column[rows.of(columns[k])] += static_cast<Real>(values[k]);
       }
     }
   }
@@ -255,7 +253,7 @@ class Elimination {
     return true;
   }
 
-  const UpperTriangle& ordered_;
+  const MatrixRows& ordered_;
   const FrontTree& tree_;
   const std::vector<std::size_t>& start_;
   Real* factor_;
@@ -264,16 +262,16 @@ class Elimination {
 }  // namespace
 
 template <typename Real>
-bool eliminate_fronts(const UpperTriangle& ordered, const FrontTree& tree,
+bool eliminate_fronts(const MatrixRows& ordered, const FrontTree& tree,
                       const std::vector<std::size_t>& start, int threads,
                       Real* factor) {
   return Elimination<Real>(ordered, tree, start, factor).run(threads);
 }
 
-template bool eliminate_fronts<double>(const UpperTriangle&, const FrontTree&,
+template bool eliminate_fronts<double>(const MatrixRows&, const FrontTree&,
                                        const std::vector<std::size_t>&, int,
                                        double*);
-template bool eliminate_fronts<float>(const UpperTriangle&, const FrontTree&,
+template bool eliminate_fronts<float>(const MatrixRows&, const FrontTree&,
                                       const std::vector<std::size_t>&, int,
                                       float*);
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "elasticity/algebra/sparse_cholesky.h"
+#include "elasticity/algebra/matrix_rows.h"
 #include "elasticity/direct/front_tree.h"
 
 namespace clevis::elasticity {
@@ -15,7 +15,7 @@ namespace clevis::elasticity {
 /// @param threads  at least 1; the panels don't depend on it.
 /// @return false if the matrix is not positive definite.
 template <typename Real>
-bool eliminate_fronts(const UpperTriangle& ordered, const FrontTree& tree,
+bool eliminate_fronts(const MatrixRows& ordered, const FrontTree& tree,
                       const std::vector<std::size_t>& start, int threads,
                       Real* factor);
 

@@ -13,32 +13,32 @@ using Eigen::MatrixXd;
 
 /// Row i holds the entries of the i-th eliminated unknown with itself and with
 /// later ones; columns in no order.
-UpperTriangle ordered(const UpperTriangle& matrix,
-                      const std::vector<int>& place) {
+UpperTriangle ordered(const MatrixRows& matrix, const std::vector<int>& place) {
   const auto n = static_cast<std::size_t>(matrix.rows());
   std::vector<int> next(n + 1, 0);
   const auto each = [&](const auto& visit) {
+    MatrixRows::Room room;
     for (std::size_t i = 0; i < n; ++i) {
-      for (int k = matrix.row_start[i]; k < matrix.row_start[i + 1]; ++k) {
-        const auto at = static_cast<std::size_t>(k);
-        const int j = place[static_cast<std::size_t>(matrix.column[at])];
+      const auto [columns, values] = matrix.row(static_cast<int>(i), room);
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        const int j = place[static_cast<std::size_t>(columns[k])];
         const auto [first, later] = std::minmax(place[i], j);
-        visit(static_cast<std::size_t>(first), later, at);
+        visit(static_cast<std::size_t>(first), later, values[k]);
       }
     }
   };
-  each([&](std::size_t first, int, std::size_t) {
+  each([&](std::size_t first, int, double) {
     ++next[first + 1];
   });
   for (std::size_t i = 0; i < n; ++i) next[i + 1] += next[i];
   UpperTriangle result;
   result.row_start = next;
-  result.column.resize(matrix.column.size());
-  result.value.resize(matrix.value.size());
-  each([&](std::size_t first, int later, std::size_t at) {
+  result.column.resize(static_cast<std::size_t>(next.back()));
+  result.value.resize(result.column.size());
+  each([&](std::size_t first, int later, double value) {
     const auto to = static_cast<std::size_t>(next[first]++);
     result.column[to] = later;
-    result.value[to] = matrix.value[at];
+    result.value[to] = value;
   });
   return result;
 }
@@ -53,7 +53,7 @@ bool is_in_order(const std::vector<int>& place) {
 }  // namespace
 
 template <typename Real>
-FrontalFactor<Real>::FrontalFactor(const UpperTriangle& matrix, FrontTree tree,
+FrontalFactor<Real>::FrontalFactor(const MatrixRows& matrix, FrontTree tree,
                                    const std::string& name, int threads)
     : tree_(std::move(tree)),
       factor_(large_buffer<Real>(tree_.factor_entries())) {

@@ -7,7 +7,7 @@
 
 #include "elasticity/algebra/dense_blocks.h"
 #include "elasticity/algebra/large_buffer.h"
-#include "elasticity/algebra/sparse_cholesky.h"
+#include "elasticity/algebra/matrix_rows.h"
 #include "elasticity/direct/front_tree.h"
 
 namespace clevis::elasticity {
@@ -27,7 +27,7 @@ class FrontalFactor {
   /// @param matrix  couples only equations whose nodes share a cell.
   /// @param name    entity for messages ("part DCE").
   /// @throws Error F002 if the matrix is not positive definite.
-  FrontalFactor(const UpperTriangle& matrix, FrontTree tree,
+  FrontalFactor(const MatrixRows& matrix, FrontTree tree,
                 const std::string& name, int threads = 1);
 
   /// X with A X = B, all columns as one block.

@@ -4,6 +4,7 @@
 
 #include <Eigen/QR>
 
+#include "base/system/processor_share.h"
 #include "elasticity/assembly/supports.h"
 
 namespace clevis::elasticity {
@@ -129,7 +130,7 @@ FrontalCholesky factored(const LayeredEquations& equations,
   return {
       free_equations(equations.stiffness, equations.numbers),
       front_tree(dissection, 3 * reduction.terms(), equations.numbers.equation),
-      place};
+      place, own_processors()};
 }
 
 }  // namespace clevis::elasticity

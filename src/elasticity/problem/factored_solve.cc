@@ -14,7 +14,7 @@ namespace {
 using Eigen::MatrixXd;
 
 template <typename Real>
-Inverse factored(const UpperTriangle& matrix, const FrontTree& tree,
+Inverse factored(const MatrixRows& matrix, const FrontTree& tree,
                  const FactorOptions& options, const std::string& name) {
   const auto factor = std::make_shared<const FrontalFactor<Real>>(
       matrix, tree, name, options.threads);
@@ -25,7 +25,7 @@ Inverse factored(const UpperTriangle& matrix, const FrontTree& tree,
 
 /// @return nothing where seven digits don't do.
 std::optional<FactoredSolution> solve_in_single(
-    const UpperTriangle& matrix, const FrontTree& tree,
+    const MatrixRows& matrix, const FrontTree& tree,
     const StiffnessAction::Product& multiply, const MatrixXd& right_hand_sides,
     const FactorOptions& options, const std::string& name) {
   FactoredSolution result;
@@ -59,7 +59,7 @@ Precision cheaper_precision(double flops, double bytes, double columns) {
                                           : Precision::kDouble;
 }
 
-FactoredSolution solve_by_factor(const UpperTriangle& matrix,
+FactoredSolution solve_by_factor(const MatrixRows& matrix,
                                  const FrontTree& tree,
                                  const StiffnessAction::Product& multiply,
                                  const MatrixXd& right_hand_sides,

@@ -37,7 +37,7 @@ struct FactorOptions {
 /// @param multiply  X -> A X.
 /// @param name  entity for messages ("part DCE").
 /// @throws Error F002, F004.
-FactoredSolution solve_by_factor(const UpperTriangle& matrix,
+FactoredSolution solve_by_factor(const MatrixRows& matrix,
                                  const FrontTree& tree,
                                  const StiffnessAction::Product& multiply,
                                  const Eigen::MatrixXd& right_hand_sides,

@@ -10,6 +10,7 @@
 
 #include <Eigen/QR>
 
+#include "base/system/processor_share.h"
 #include "base/values/stopwatch.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/assembly/equations.h"
@@ -211,7 +212,8 @@ class TermSystem {
           number_equations(static_cast<int>(block_), system.held);
       const FrontalCholesky cholesky(
           free_equations(system.stiffness, numbers),
-          front_tree(dissection_, 3, numbers.equation), place);
+          front_tree(dissection_, 3, numbers.equation), place,
+          own_processors());
       columns =
           extend_rows(cholesky.solve(restrict_rows(columns, numbers)), numbers);
       for (std::size_t k = 0; k < begins.size(); ++k) {

@@ -176,7 +176,7 @@ Enriched<dim> enrich(const EnrichmentProblem<dim>& problem,
       part.dofs(), held_components<dim>(problem, cells, number));
   const MatrixXd residual = load - stiffness.multiply(u);
   const auto correction = solve_by_factor(
-      free_equations(stiffness, numbers),
+      free_rows(stiffness, numbers),
       front_tree(dissection, dim, numbers.equation),
       [&](const MatrixXd& x) {
         return restrict_rows(stiffness.multiply(extend_rows(x, numbers)),

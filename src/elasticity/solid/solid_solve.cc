@@ -166,10 +166,10 @@ void solve_by_factors(const ElasticProblem<dim>& problem,
   bedded.bed.add_to(stiffness);
   for (ParityClass& c : classes) {
     c.numbers = number_equations(part.dofs(), c.held);
-    const UpperTriangle upper = free_equations(stiffness, c.numbers);
     result.seconds.assemble += watch.lap();
     FactoredSolution solved = solve_by_factor(
-        upper, front_tree(folding.dissection, dim, c.numbers.equation),
+        free_rows(stiffness, c.numbers),
+        front_tree(folding.dissection, dim, c.numbers.equation),
         [&](const MatrixXd& x) {
           return restrict_rows(stiffness.multiply(extend_rows(x, c.numbers)),
                                c.numbers);

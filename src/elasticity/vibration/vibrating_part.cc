@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "base/messages/errors.h"
+#include "base/system/processor_share.h"
 #include "dynamics/systems/held_system.h"
 #include "dynamics/systems/weighed_system.h"
 #include "elasticity/algebra/symmetric_product.h"
@@ -116,7 +117,7 @@ VibratingPart<dim> supported_part(const ElasticProblem<dim>& problem,
                  equation = part.numbers.equation](double shift) {
         const auto factor = std::make_shared<const FrontalCholesky>(
             shift == 0.0 ? *k : weighted_sum(*k, shift, *m),
-            front_tree(*dissection, dim, equation), place);
+            front_tree(*dissection, dim, equation), place, own_processors());
         return [factor](const MatrixXd& b) {
           return factor->solve(b);
         };
