@@ -115,7 +115,7 @@ ROOMS = {
         "estimates": "stress, deflection and blow of a part or an ejector by these",
     },
     "elasticity": {
-        "engine_library": "the library of deal.II, PETSc and MPI, loaded when one of them is asked for",
+        "engine_library": "the library of deal.II, PETSc and MPI, loaded when one of them is asked for; the ranks of a run",
         "algebra": "dense and sparse matrices",
         "fe_space": "shape functions, numbering, discretisation, traces on groups",
         "assembly": "stiffness, mass, beds, supports, equations",
@@ -229,7 +229,7 @@ PUBLIC = {
                 " load_vibration/load_shapes strike/strike strike/strike_steps"
                 " systems/block_krylov systems/eigenmodes systems/held_system systems/linear_system systems/weighed_system",
     "beam": "estimates/beam_estimate estimates/ejector estimates/struck_part",
-    "elasticity": "algebra/dense_product algebra/principal_columns algebra/rank_team assembly/foundation assembly/stiffness assembly/supports"
+    "elasticity": "algebra/dense_product algebra/principal_columns engine_library/rank_team assembly/foundation assembly/stiffness assembly/supports"
                   " buckling/buckling buckling/buckling_problem buckling/second_order_solver holds/pin_hold"
                   " buckling/stressed_part dealii/dealii_service direct/dissection fe_space/discretization fe_space/group_trace"
                   " fe_space/tabulation nodal_loads/load_vectors plate/layered_solve"

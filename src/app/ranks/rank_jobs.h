@@ -8,7 +8,7 @@
 #include "app/processes/worker_pool.h"
 #include "app/scenes/load_scene.h"
 #include "assessment/job/part_job.h"
-#include "elasticity/algebra/rank_team.h"
+#include "elasticity/engine_library/rank_team.h"
 
 namespace clevis::app {
 

@@ -1,4 +1,4 @@
-#include "elasticity/algebra/rank_team.h"
+#include "elasticity/engine_library/rank_team.h"
 
 #include <cstdlib>
 
