@@ -235,7 +235,7 @@ PartAssessment check_part(const PartJob& given) {
   result.buckling.euler = result.beam.buckling_safety;
   result.buckling.strut_is_longer = job.buckling_length.has_value();
   assessment.fields.buckling = std::move(buckling.shape);
-  doubt_moved_frequencies(job, result);
+  doubt_moved_frequencies(job, buckling.stiffening, result);
   check_second_order(job, assessment.fields.history, buckling.of_lowest_degree,
                      held, model, result);
   check_sharing(given, result);

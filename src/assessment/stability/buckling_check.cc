@@ -40,6 +40,7 @@ struct Candidate {
   bool is_motion = false;
   std::optional<elasticity::NodalField<3>> known = {};  ///< by the last degree
   double factor{};                                      ///< likewise
+  double stiffening{};  ///< of BucklingMode, over all instants
 };
 
 /// A hold where its slides are at an instant.
@@ -81,6 +82,7 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
     candidate.holds = {of_instant(candidate.holds[mode.hold], instant)};
     if (mode.shape.size() > 0) candidate.known = {space.whole, mode.shape};
     candidate.factor = mode.factor;
+    candidate.stiffening = std::max(candidate.stiffening, mode.stiffening);
     if (best && best->mode.factor <= mode.factor) continue;
     best = {std::move(mode), instant.label, instant.time};
   }
@@ -151,10 +153,13 @@ void take(const PartJob& job, BucklingModel& model, int degree,
   check.result.instant = found.instant;
   constexpr double kNone = 1e12;
   check.result.of_motions.assign(job.load_sets.size(), kNone);
+  check.stiffening.assign(job.load_sets.size(), 0.0);
   for (const Candidate& candidate : candidates) {
     if (!candidate.is_motion) continue;
     double& least = check.result.of_motions[candidate.set];
     least = std::min(least, candidate.factor);
+    double& most = check.stiffening[candidate.set];
+    most = std::max(most, candidate.stiffening);
   }
   check.result.model = model.name(degree);
   if (found.mode.is_above) {

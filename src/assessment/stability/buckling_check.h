@@ -15,6 +15,9 @@ constexpr double kFirstOrderIsEnough = 10.0;
 struct BucklingCheck {
   BucklingResult result;
   std::optional<BucklingShape> shape;
+  /// By load set, of its motion alone: by how much its stresses raise the
+  /// square of a first frequency at most [1].
+  std::vector<double> stiffening;
   /// By the model's lowest_degree(); 0: not known.
   double of_lowest_degree{};
   double seconds{};

@@ -331,11 +331,17 @@ std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
   return found;
 }
 
+/// What stresses of a motion make of a part's stiffness.
+struct AxialStress {
+  double factor;      ///< of buckling [1]
+  double stiffening;  ///< of BucklingCheck [1]
+};
+
 /// Why a part's vibration is not known where its first frequency is not that of
 /// its shapes at rest; empty: it is.
-/// @param first   period [s]. @param factor  of buckling [1].
+/// @param first  period [s].
 std::string not_known_moved(const PartJob& job, const LoadSet& given,
-                            double first, double factor) {
+                            double first, const AxialStress& axial) {
   // Pulses and steps answer 1 to 2: above is a load's own frequency.
   constexpr double kTurned = 1.1, kOwn = 2.0, kSlender = 10.0;
   constexpr double kGuided = 1.25;  // squares, by regression.sliding_rods
@@ -352,13 +358,21 @@ std::string not_known_moved(const PartJob& job, const LoadSet& given,
         "far",
         turning.speed, rise);
   }
-  if (factor < kSlender) low -= 1.0 / factor;
+  if (axial.factor < kSlender) low -= 1.0 / axial.factor;
   rise = rise_near(job, components, first, low, high);
   if (rise > kOwn) {
     return fmt::format(
         "it buckles at {:.4g} times its loads, which lowers its first "
         "frequency to where it may swing {:.2g} times as far",
-        factor, rise);
+        axial.factor, rise);
+  }
+  if (axial.stiffening > 1.0 / kSlender) high += axial.stiffening;
+  rise = rise_near(job, components, first, low, high);
+  if (rise > kOwn) {
+    return fmt::format(
+        "its loads pull on it, which raises its first frequency by up to "
+        "{:.2g}, to where it may swing {:.2g} times as far",
+        std::sqrt(1.0 + axial.stiffening), rise);
   }
   const bool slides =
       std::ranges::any_of(motion.history.seats, [](const loads::Seat& seat) {
@@ -375,13 +389,16 @@ std::string not_known_moved(const PartJob& job, const LoadSet& given,
 
 }  // namespace
 
-void doubt_moved_frequencies(const PartJob& job, PartResult& result) {
+void doubt_moved_frequencies(const PartJob& job,
+                             const std::vector<double>& stiffening,
+                             PartResult& result) {
   if (!result.first_period || !result.vibration.not_followed.empty()) return;
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const auto& factors = result.buckling.of_motions;
     std::string unknown =
         not_known_moved(job, job.load_sets[s], *result.first_period,
-                        s < factors.size() ? factors[s] : HUGE_VAL);
+                        {s < factors.size() ? factors[s] : HUGE_VAL,
+                         s < stiffening.size() ? stiffening[s] : 0.0});
     if (unknown.empty()) continue;
     result.vibration.not_followed = std::move(unknown);
     return;

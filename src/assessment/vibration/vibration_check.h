@@ -21,8 +21,12 @@ void check_vibration(const PartJob& job, const std::vector<InstantRow>& rows,
                      HeldMotions& held, PartResult& result);
 
 /// Doubts the vibration of a part whose first frequency is moved, by its own
-/// inertia as it turns or by what presses it, to where its loads make it swing
-/// farther: shapes are those at rest. @pre vibration and buckling are checked.
-void doubt_moved_frequencies(const PartJob& job, PartResult& result);
+/// inertia as it turns or by what presses or pulls it, to where its loads make
+/// it swing farther: shapes are those at rest.
+/// @param stiffening  of BucklingCheck.
+/// @pre vibration and buckling are checked.
+void doubt_moved_frequencies(const PartJob& job,
+                             const std::vector<double>& stiffening,
+                             PartResult& result);
 
 }  // namespace clevis::assessment

@@ -68,12 +68,15 @@ class TrialSpace {
     forms_.bottomRows(more.rows()) = more;
     orthonormalise();
   }
-  /// Largest 1/λ of an instant in the space.
-  double yield(Index instant, std::size_t hold) const {
-    if (of_hold_[hold].cols() == 0) return 0.0;
-    return solved(instant, hold, Eigen::EigenvaluesOnly)
-        .eigenvalues()
-        .tail<1>()[0];
+  /// Largest 1/λ of an instant in the space, and of its loads turned about.
+  struct Ends {
+    double yield{}, stiffening{};
+  };
+  Ends ends(Index instant, std::size_t hold) const {
+    if (of_hold_[hold].cols() == 0) return {};
+    const VectorXd all =
+        solved(instant, hold, Eigen::EigenvaluesOnly).eigenvalues();
+    return {all.tail<1>()[0], std::max(0.0, -all[0])};
   }
   /// Unknowns of the shapes with the largest.
   MatrixXd best(Index instant, std::size_t hold, Index count) const {
@@ -254,7 +257,8 @@ BucklingMode lowest_of_all(const StressedPart& part, TrialSpace& space) {
         if (!part.part().is_held(hold, i) || solved.contains({hold, i})) {
           continue;
         }
-        const double yield = space.yield(i, hold);
+        const auto [yield, stiffening] = space.ends(i, hold);
+        best.stiffening = std::max(best.stiffening, stiffening);
         if (next && yield <= expected) continue;
         next = {hold, i};
         expected = yield;
