@@ -158,6 +158,7 @@ ROOMS = {
         "vibration": "what loads over time excite",
         "sharing": "reactions that equilibrium leaves open, shared otherwise",
         "stability": "buckling and second order",
+        "joined": "what parts that are joined yield together",
     },
     "report": {
         "text": "files, tables, JSON and terminals",
@@ -210,7 +211,7 @@ PUBLIC = {
                 " integrators/switching_integrator",
     "mechanism": "definition/definition definition/drive_names definition/motion"
                  " force_elements/breakaway force_elements/force_element joints/joint_types"
-                 " neighbours/load_gains neighbours/neighbour_inertia neighbours/neighbours reactions/other_sharings simulate structure/structure",
+                 " neighbours/load_gains neighbours/neighbour_inertia neighbours/neighbours reactions/other_sharings simulate structure/joined_bodies structure/structure",
     "machine": "bearings/bearing bearings/bearing_history bearings/bearing_life"
                " devices/ejector devices/slide_lever_closed_form"
                " transmissions/transmission",
@@ -244,7 +245,7 @@ PUBLIC = {
               " peaks/peak_band peaks/peak_zoom peaks/slow_sequence surface/surface_deviation surface/surface_kink"
               " sections/support_face corners/facet corners/round_depth zones/end_of_shear zones/singular_zone zones/zone_mask zones/zone_strength output/field_output",
     "assessment": "impact/impact_check job/model_traits job/part_job"
-                  " job/part_result models/level models/model_list part_check",
+                  " job/part_result joined/joined_parts models/level models/model_list part_check",
     "report": "check/check_inputs check/check_table check/result_files check/result_json"
               " compare/comparison compare/comparison_output"
               " compare/result_reader figures/plot machine/ejector_output"

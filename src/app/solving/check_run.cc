@@ -30,6 +30,7 @@
 #include "app/solving/part_loads.h"
 #include "app/solving/surface_view.h"
 #include "app/variants/check_inputs.h"
+#include "assessment/joined/joined_parts.h"
 #include "base/system/interrupts.h"
 #include "base/system/mpi_run.h"
 #include "base/system/processor_share.h"
@@ -37,12 +38,14 @@
 #include "base/values/stopwatch.h"
 #include "loads/parts/part_loads.h"
 #include "machine/bearings/bearing_life.h"
+#include "mechanism/structure/joined_bodies.h"
 #include "mechanism/structure/structure.h"
 #include "report/check/check_table.h"
 #include "report/check/result_files.h"
 #include "report/check/result_json.h"
 #include "report/motion/motion_csv.h"
 #include "report/page/report_page.h"
+#include "report/page/result_folder.h"
 #include "report/parts/part_result_json.h"
 #include "report/picture/part_picture.h"
 #include "report/summary/motion_report.h"
@@ -178,12 +181,31 @@ class RankProgress {
   int done_ = 0, total_ = 0;
 };
 
+/// Names of the parts that groups of bodies carry.
+std::vector<std::vector<std::string>> parts_on(
+    const std::vector<std::vector<mechanism::BodyIndex>>& groups,
+    const mechanism::MechanismDefinition& mechanism) {
+  std::vector<std::vector<std::string>> parts;
+  for (const auto& bodies : groups) {
+    auto& names = parts.emplace_back();
+    for (const mechanism::BodyIndex body : bodies) {
+      const auto& part = mechanism.bodies[static_cast<std::size_t>(body)].part;
+      if (!part.empty()) names.push_back(part);
+    }
+  }
+  return parts;
+}
+
 /// Checks all parts, on the ranks of a team if there is one; results in the
 /// scene's order.
-void check_parts(LoadedScene& loaded, const mechanism::Motion& motion,
-                 std::vector<PartJob> jobs, const Options& options,
-                 const elasticity::RankTeam* team, const fs::path& folder,
-                 report::CheckReport& report) {
+/// @return parts whose verdict what they are joined to has changed.
+std::vector<std::string> check_parts(LoadedScene& loaded,
+                                     const mechanism::Motion& motion,
+                                     std::vector<PartJob> jobs,
+                                     const Options& options,
+                                     const elasticity::RankTeam* team,
+                                     const fs::path& folder,
+                                     report::CheckReport& report) {
   std::vector<std::string> order;
   for (const auto& job : jobs) order.push_back(job.part.name);
   longest_first(jobs);
@@ -230,7 +252,7 @@ void check_parts(LoadedScene& loaded, const mechanism::Motion& motion,
                                        rank_progress.finished(done);
                                      })
                       : run_on_processes(jobs, options, check, at_work, stages);
-  if (mpi_rank() > 0) return;
+  if (mpi_rank() > 0) return {};
   report::remove_unfinished(folder);  // of workers that were stopped or died
   for (const auto& name : order) {
     const auto job = std::ranges::find(jobs, name, [](const PartJob& j) {
@@ -242,6 +264,24 @@ void check_parts(LoadedScene& loaded, const mechanism::Motion& motion,
     if (report.failures.size() > failed) {
       write_shape(*job, carrier_of(*job), folder);
     }
+  }
+  const auto& definition = loaded.scene.mechanism;
+  const auto joined = mechanism::joined_bodies(definition);
+  return assessment::doubt_by_joined(jobs,
+                                     {parts_on(joined.moving, definition),
+                                      parts_on(joined.stiffly, definition)},
+                                     report.parts);
+}
+
+/// Of parts whose verdict changed after they were drawn.
+void draw_anew(const std::vector<std::string>& parts, const fs::path& folder) {
+  if (parts.empty()) return;
+  const auto page =
+      report::read_result_folder(folder, report::ResultKind::kCheck);
+  for (const std::string& part : parts) {
+    const fs::path picture = folder / (part + ".svg");
+    if (!fs::exists(picture)) continue;
+    report::write_file(picture, report::stored_part_picture(page, part));
   }
 }
 
@@ -329,8 +369,8 @@ ExitCode run_check(const Options& options, scene::Scene scene) {
   if (mpi_ranks() > 1) team.emplace();
   std::optional<InterruptGuard> guard;  // ranks are mpirun's to end
   if (!team) guard.emplace();
-  check_parts(loaded, loading, std::move(jobs), options,
-              team ? &*team : nullptr, folder, report);
+  const auto changed = check_parts(loaded, loading, std::move(jobs), options,
+                                   team ? &*team : nullptr, folder, report);
   if (mpi_rank() > 0) return ExitCode::kPass;  // the first one tells
   report.seconds.emplace_back("parts", watch.lap());
 
@@ -348,6 +388,7 @@ ExitCode run_check(const Options& options, scene::Scene scene) {
                             folder, report::ResultKind::kCheck);
   report.seconds.emplace_back("total", total.lap());
   report::write_result_files(report, folder);
+  draw_anew(changed, folder);
   if (!report.complete && options.watch_run) return kInterruptedExit;
   // A report that fails does not swallow the verdict; JSON is one document,
   // that of the failure.

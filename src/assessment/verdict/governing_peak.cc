@@ -29,6 +29,18 @@ double reaches_wanted(const PartResult& result) {
   return beside_zone ? 5.0 : 2.0;
 }
 
+bool rise_decides(const part::PartDefinition& part, const PartResult& result,
+                  double rise) {
+  const PeakStress peak = governing_peak(result);
+  const double stress =
+      std::max(peak.value, peak.band_high) / allowed_stress(part);
+  const double deflection =
+      std::max(result.deflection, result.deflection_high) /
+      part.limits.deflection.value_or(HUGE_VAL);
+  const double used = std::max(stress, deflection);
+  return used <= 1.0 && rise * used > 1.0;
+}
+
 Swing largest_swing(const PartResult& result) {
   Swing largest;
   for (const Swing& swing : result.swings) {

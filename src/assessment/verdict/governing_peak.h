@@ -17,6 +17,11 @@ double allowed_stress(const part::PartDefinition& part);
 /// may be as large as the zone, the more so.
 double reaches_wanted(const PartResult& result);
 
+/// Whether the part is within its limits of stress and deflection, band and
+/// all, and would not be if both rose by a factor [1].
+bool rise_decides(const part::PartDefinition& part, const PartResult& result,
+                  double rise);
+
 /// Over all load sets.
 Swing largest_swing(const PartResult& result);
 

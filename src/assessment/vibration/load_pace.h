@@ -12,6 +12,10 @@ namespace clevis::assessment {
 /// the part is computed with its vibration [1].
 inline constexpr double kPaceCounts = 1.02;
 
+/// Beyond that of the first, oscillators of frequencies near it may answer by
+/// so much before a part that does not bear it is doubted [1].
+inline constexpr double kRiseCounts = 1.1;
+
 /// The loads over a motion or a load history with those that repeat others,
 /// without the cases behind them.
 LoadSet motion_loads(const LoadSet& set);

@@ -13,6 +13,7 @@
 
 #include "assessment/models/level.h"
 #include "assessment/models/model_list.h"
+#include "assessment/verdict/governing_peak.h"
 #include "assessment/vibration/duration_ratio.h"
 #include "assessment/vibration/held_stretches.h"
 #include "assessment/vibration/load_pace.h"
@@ -339,11 +340,12 @@ struct AxialStress {
 
 /// Why a part's vibration is not known where its first frequency is not that of
 /// its shapes at rest; empty: it is.
-/// @param first  period [s].
+/// @param result  with a first period.
 std::string not_known_moved(const PartJob& job, const LoadSet& given,
-                            double first, const AxialStress& axial) {
-  // Pulses and steps answer 1 to 2: above is a load's own frequency.
-  constexpr double kTurned = 1.1, kOwn = 2.0, kSlender = 10.0;
+                            const PartResult& result,
+                            const AxialStress& axial) {
+  const double first = result.first_period.value();
+  constexpr double kSlender = 10.0;
   constexpr double kGuided = 1.25;  // squares, by regression.sliding_rods
   const LoadSet motion = followed_loads(given);
   if (spins_fast(job, motion, first)) return {};  // not_known_spinning()
@@ -351,7 +353,10 @@ std::string not_known_moved(const PartJob& job, const LoadSet& given,
   const TurningPart turning = turning_part(job, motion, first);
   double low = 1.0 - turning.shift, high = 1.0 + turning.shift;
   double rise = rise_near(job, components, first, low, high);
-  if (rise > kTurned) {
+  const auto counts = [&] {
+    return rise > kRiseCounts && rise_decides(job.part, result, rise);
+  };
+  if (counts()) {
     return fmt::format(
         "it turns at {:.2g} of its first frequency, and where its inertia "
         "stiffens or softens it is not computed: it may swing {:.2g} times as "
@@ -360,7 +365,7 @@ std::string not_known_moved(const PartJob& job, const LoadSet& given,
   }
   if (axial.factor < kSlender) low -= 1.0 / axial.factor;
   rise = rise_near(job, components, first, low, high);
-  if (rise > kOwn) {
+  if (counts()) {
     return fmt::format(
         "it buckles at {:.4g} times its loads, which lowers its first "
         "frequency to where it may swing {:.2g} times as far",
@@ -368,7 +373,7 @@ std::string not_known_moved(const PartJob& job, const LoadSet& given,
   }
   if (axial.stiffening > 1.0 / kSlender) high += axial.stiffening;
   rise = rise_near(job, components, first, low, high);
-  if (rise > kOwn) {
+  if (counts()) {
     return fmt::format(
         "its loads pull on it, which raises its first frequency by up to "
         "{:.2g}, to where it may swing {:.2g} times as far",
@@ -380,7 +385,7 @@ std::string not_known_moved(const PartJob& job, const LoadSet& given,
       });
   if (slides) high *= kGuided;
   rise = rise_near(job, components, first, low, high);
-  if (rise <= kOwn) return {};
+  if (!counts()) return {};
   return fmt::format(
       "a guide holds it, and its first frequency may be 11 % higher than "
       "computed, where it may swing {:.2g} times as far",
@@ -396,7 +401,7 @@ void doubt_moved_frequencies(const PartJob& job,
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const auto& factors = result.buckling.of_motions;
     std::string unknown =
-        not_known_moved(job, job.load_sets[s], *result.first_period,
+        not_known_moved(job, job.load_sets[s], result,
                         {s < factors.size() ? factors[s] : HUGE_VAL,
                          s < stiffening.size() ? stiffening[s] : 0.0});
     if (unknown.empty()) continue;
