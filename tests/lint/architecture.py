@@ -188,6 +188,7 @@ ROOMS = {
         "parts": "from a scene's motion to the jobs of its parts",
         "ranks": "the parts of a check on the ranks of an MPI run",
         "variants": "many variants: plan, collect, and which results are finished",
+        "joined": "parts of one mechanism: what each makes of the others' verdicts",
         "solving": "the commands that solve, as the library that is loaded on demand",
         "results": "commands that read results: compare, report, glTF",
         "watch": "a check that runs again when its files change",

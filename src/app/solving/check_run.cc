@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "app/joined/joined_verdicts.h"
 #include "app/parts/finer_part.h"
 #include "app/parts/link_compliance.h"
 #include "app/parts/part_jobs.h"
@@ -30,7 +31,6 @@
 #include "app/solving/part_loads.h"
 #include "app/solving/surface_view.h"
 #include "app/variants/check_inputs.h"
-#include "assessment/joined/joined_parts.h"
 #include "base/system/interrupts.h"
 #include "base/system/mpi_run.h"
 #include "base/system/processor_share.h"
@@ -38,14 +38,12 @@
 #include "base/values/stopwatch.h"
 #include "loads/parts/part_loads.h"
 #include "machine/bearings/bearing_life.h"
-#include "mechanism/structure/joined_bodies.h"
 #include "mechanism/structure/structure.h"
 #include "report/check/check_table.h"
 #include "report/check/result_files.h"
 #include "report/check/result_json.h"
 #include "report/motion/motion_csv.h"
 #include "report/page/report_page.h"
-#include "report/page/result_folder.h"
 #include "report/parts/part_result_json.h"
 #include "report/picture/part_picture.h"
 #include "report/summary/motion_report.h"
@@ -181,21 +179,6 @@ class RankProgress {
   int done_ = 0, total_ = 0;
 };
 
-/// Names of the parts that groups of bodies carry.
-std::vector<std::vector<std::string>> parts_on(
-    const std::vector<std::vector<mechanism::BodyIndex>>& groups,
-    const mechanism::MechanismDefinition& mechanism) {
-  std::vector<std::vector<std::string>> parts;
-  for (const auto& bodies : groups) {
-    auto& names = parts.emplace_back();
-    for (const mechanism::BodyIndex body : bodies) {
-      const auto& part = mechanism.bodies[static_cast<std::size_t>(body)].part;
-      if (!part.empty()) names.push_back(part);
-    }
-  }
-  return parts;
-}
-
 /// Checks all parts, on the ranks of a team if there is one; results in the
 /// scene's order.
 /// @return parts whose verdict what they are joined to has changed.
@@ -265,24 +248,7 @@ std::vector<std::string> check_parts(LoadedScene& loaded,
       write_shape(*job, carrier_of(*job), folder);
     }
   }
-  const auto& definition = loaded.scene.mechanism;
-  const auto joined = mechanism::joined_bodies(definition);
-  return assessment::doubt_by_joined(jobs,
-                                     {parts_on(joined.moving, definition),
-                                      parts_on(joined.stiffly, definition)},
-                                     report.parts);
-}
-
-/// Of parts whose verdict changed after they were drawn.
-void draw_anew(const std::vector<std::string>& parts, const fs::path& folder) {
-  if (parts.empty()) return;
-  const auto page =
-      report::read_result_folder(folder, report::ResultKind::kCheck);
-  for (const std::string& part : parts) {
-    const fs::path picture = folder / (part + ".svg");
-    if (!fs::exists(picture)) continue;
-    report::write_file(picture, report::stored_part_picture(page, part));
-  }
+  return doubt_joined_parts(loaded.scene.mechanism, jobs, report.parts);
 }
 
 std::vector<std::string> moving_parts(const LoadedScene& loaded,

@@ -170,4 +170,22 @@ std::vector<std::string> doubt_by_joined(const std::vector<PartJob>& jobs,
   return names;
 }
 
+void note_elements(const std::vector<YieldingElements>& elements,
+                   std::vector<PartResult>& results) {
+  for (const YieldingElements& of_part : elements) {
+    const auto result =
+        std::ranges::find(results, of_part.part, &PartResult::name);
+    if (result == results.end() || of_part.names.empty()) continue;
+    const bool presses =
+        result->buckling.factor.value_or(HUGE_VAL) < kFirstOrderIsEnough;
+    if (!presses && !result->vibration.ratio) continue;
+    result->notes.push_back(fmt::format(
+        "what {} yield{} is not in its {}", fmt::join(of_part.names, ", "),
+        of_part.names.size() > 1 ? "" : "s",
+        !presses                  ? "vibration"
+        : result->vibration.ratio ? "vibration and buckling"
+                                  : "buckling"));
+  }
+}
+
 }  // namespace clevis::assessment
