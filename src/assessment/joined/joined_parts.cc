@@ -64,8 +64,10 @@ double first_excited(const PartResult& result) {
 }
 
 /// Why the vibration of one of the members is not known; empty: it is.
+/// @param counts  a rise from which on it may be [1].
 std::string not_known_joined(const std::vector<Member>& members,
-                             const Member& member, PeriodOf period_of) {
+                             const Member& member, double counts,
+                             PeriodOf period_of) {
   double squares = 0.0;  // [s²]
   for (const Member& any : members) {
     squares += std::pow(period_of(*any.result), 2);
@@ -77,7 +79,7 @@ std::string not_known_joined(const std::vector<Member>& members,
     const LoadSet motion = followed_loads(set);
     const double rise = rise_near(
         *member.job, load_components(*member.job, motion), first, low, 1.0);
-    if (rise <= kRiseCounts ||
+    if (rise <= counts ||
         !rise_decides(member.job->part, *member.result, rise)) {
       continue;
     }
@@ -133,18 +135,25 @@ void lower_buckling(const std::vector<Member>& members, const Member& member,
 std::vector<std::string> doubt_by_joined(const std::vector<PartJob>& jobs,
                                          const JoinedParts& joined,
                                          std::vector<PartResult>& results) {
+  // Across hinges bending is not handed on: only a load that repeats itself at
+  // a frequency finds one, to which pulses and steps answer 1 to 2.
+  constexpr double kAcrossHinges = 2.0;
   std::vector<Member> changed;
-  for (const auto& names : joined.moving) {
+  const auto doubt_vibration = [&](const std::vector<std::string>& names,
+                                   double counts) {
     const auto members = members_of(names, jobs, results);
     for (const Member& member : members) {
       VibrationResult& vibration = member.result->vibration;
       for (const PeriodOf period : {first_of_all, first_excited}) {
         if (!vibration.not_followed.empty()) break;
-        vibration.not_followed = not_known_joined(members, member, period);
+        vibration.not_followed =
+            not_known_joined(members, member, counts, period);
         if (!vibration.not_followed.empty()) changed.push_back(member);
       }
     }
-  }
+  };
+  for (const auto& names : joined.stiffly) doubt_vibration(names, kRiseCounts);
+  for (const auto& names : joined.moving) doubt_vibration(names, kAcrossHinges);
   for (const auto& names : joined.stiffly) {
     const auto members = members_of(names, jobs, results);
     const double together = factor_together(members);

@@ -1,0 +1,26 @@
+#include "mechanism/structure/joined_bodies.h"
+
+#include <gtest/gtest.h>
+
+#include "support/landing_gear.h"
+
+namespace clevis::mechanism {
+namespace {
+
+using namespace testing;
+
+TEST(JoinedBodies, LandingGearHangsTogetherAndItsCylinderIsStiff) {
+  const MechanismDefinition gear = landing_gear();
+  const JoinedBodies joined = joined_bodies(gear);
+  ASSERT_EQ(joined.moving.size(), 1u);
+  EXPECT_EQ(joined.moving[0].size(), gear.bodies.size());
+  // The rod in its driven cylinder, the wheel welded to its arm.
+  EXPECT_EQ(joined.stiffly.size(), 2u);
+  for (const auto& group : joined.stiffly) EXPECT_EQ(group.size(), 2u);
+  MechanismDefinition released = gear;
+  released.drives.clear();
+  EXPECT_EQ(joined_bodies(released).stiffly.size(), 1u);
+}
+
+}  // namespace
+}  // namespace clevis::mechanism
