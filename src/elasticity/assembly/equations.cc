@@ -19,10 +19,10 @@ EquationNumbers number_equations(int dofs, const std::vector<int>& held) {
 
 namespace {
 
-/// The part of a row of equations that a row of nodes' blocks holds: appended,
-/// without what is held or below the diagonal.
+/// Visits a row of equations in the blocks of its node.
 /// @param dof  of the row.
-/// @param put  (equation, value)
+/// @param put  (equation, value, whether it counts: neither held nor below the
+///   diagonal).
 template <int dim, typename Put>
 void visit_row(const StiffnessMatrix<dim>& stiffness,
                const std::vector<int>& equation, std::size_t dof,
