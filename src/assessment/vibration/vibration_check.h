@@ -25,4 +25,10 @@ void check_vibration(const PartJob& job, const std::vector<InstantRow>& rows,
 /// farther: shapes are those at rest. @pre vibration and buckling are checked.
 void doubt_moved_frequencies(const PartJob& job, PartResult& result);
 
+/// Doubts it where bodies that spin on the part move its frequencies to those
+/// of its loads: their gyroscopic moment is not in the vibration.
+/// @pre vibration is checked.
+void doubt_spun_frequencies(const PartJob& job, HeldMotions& held,
+                            PartResult& result);
+
 }  // namespace clevis::assessment

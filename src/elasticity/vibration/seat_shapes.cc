@@ -121,11 +121,16 @@ std::vector<SeatShapes::Moved> SeatShapes::moved_by_spin(
   state.topRightCorner(count, count).diagonal() = -own;
   state.bottomLeftCorner(count, count).diagonal() = own;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(
-      std::complex<double>(0.0, 1.0) * state, Eigen::EigenvaluesOnly);
+      std::complex<double>(0.0, 1.0) * state);
   std::vector<Moved> found;
   for (Index k = 0; k < std::min(kMost, count); ++k) {
-    found.push_back({own[k], solver.eigenvalues()[count + k]});
+    // Of the shape that has most of its speeds: others may lie in between.
+    Index from = 0;
+    solver.eigenvectors().col(count + k).head(count).cwiseAbs2().maxCoeff(
+        &from);
+    found.push_back({own[from], solver.eigenvalues()[count + k]});
   }
+  std::ranges::sort(found, {}, &Moved::still);
   return found;
 }
 
