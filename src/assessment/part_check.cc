@@ -228,6 +228,7 @@ PartAssessment check_part(const PartJob& given) {
   job.tell("vibration");
   HeldMotions held(job);
   check_vibration(job, assessment.fields.history, held, result);
+  doubt_spun_frequencies(job, held, result);
   job.tell("buckling and notes");
   BucklingModel model(job);
   BucklingCheck buckling = check_buckling(job, result.swings, model);

@@ -239,7 +239,7 @@ PUBLIC = {
                   " problem/elastic_problem problem/engine problem/nodal_field revolution/revolution_solve"
                   " solid/neighbourhood solid/open_reactions solid/plane_loads"
                   " solid/seat_compliance solid/solid_solve vibration/eigenmodes"
-                  " vibration/load_vibration vibration/strike_response",
+                  " vibration/load_vibration vibration/seat_shapes vibration/strike_response",
     "stress": "displacement/deflection displacement/finite_motion"
               " displacement/held_reference displacement/touched_reference"
               " many_instants/field_reduction many_instants/point_stress field/point_history field/probe field/stress_history field/surface_mesh peaks/energy_error peaks/local_peak peaks/lattice_maximum peaks/meeting_points"

@@ -10,9 +10,12 @@
 #include "assessment/vibration/slide_way.h"
 #include "base/messages/errors.h"
 #include "elasticity/vibration/eigenmodes.h"
+#include "elasticity/vibration/seat_shapes.h"
 
 namespace clevis::assessment {
 namespace {
+
+using Eigen::MatrixXd;
 
 bool are_like(double shortest, double longest) {
   constexpr double kLike = 0.02;  // as the width of a resonance
@@ -56,7 +59,36 @@ std::vector<VibrationWindow> windows_at(
                                                   : there;
 }
 
-/// First period at a place, from those of three, rising [m].
+/// Whether the mechanism holds and weighs the same.
+bool are_alike(const loads::SeatHold& a, const loads::SeatHold& b) {
+  constexpr double kSame = 1e-6;
+  const auto is_same = [](const MatrixXd& one, const MatrixXd& other) {
+    const MatrixXd first = one * one.transpose();
+    const MatrixXd second = other * other.transpose();
+    return (first - second).norm() <= kSame * second.norm();
+  };
+  return is_same(a.held, b.held) && is_same(a.weighed, b.weighed);
+}
+
+/// Of a body's momentum; less is round-off of bodies that turn in a plane.
+bool spins(const loads::SeatHold& hold) {
+  constexpr double kRoundOff = 1e-9;  // of masses per second
+  return hold.spin.norm() >
+         kRoundOff * (hold.weighed * hold.weighed.transpose()).norm();
+}
+
+/// So many instants at most, as evenly as they stand.
+std::vector<std::size_t> some_of(std::size_t instants) {
+  constexpr std::size_t kMost = 33;
+  const std::size_t count = std::min(kMost, instants);
+  std::vector<std::size_t> some;
+  for (std::size_t k = 0; k < count; ++k) {
+    some.push_back(count == 1 ? 0 : k * (instants - 1) / (count - 1));
+  }
+  return some;
+}
+
+/// First period at a place, from those of three, rising.
 double between_places(const std::vector<std::pair<double, double>>& known,
                       double place) {
   for (std::size_t k = 1; k < known.size(); ++k) {
@@ -71,22 +103,72 @@ double between_places(const std::vector<std::pair<double, double>>& known,
 
 }  // namespace
 
-double HeldMotions::period_held(Motion& motion, double time) const {
-  if (motion.solvers.empty()) {
-    const bool is_simplex = job_.mesh.shape == mesh::CellShape::kSimplex;
-    for (const int degree : {2, 1}) {  // memory may hold less
-      if (degree == 1 && !is_simplex) continue;
-      motion.solvers.emplace_back(
-          elasticity::ElasticProblem<3>{
-              .mesh = job_.overall_mesh(),
-              .material = job_.part.material,
-              .history = motion.loads.history,
-              .fixed = motion.loads.fixed,
-              .name = job_.part.name,
-              .foundations = motion.loads.foundations},
-          degree);
+void HeldMotions::make_solvers(Motion& motion) const {
+  if (!motion.solvers.empty()) return;
+  const bool is_simplex = job_.mesh.shape == mesh::CellShape::kSimplex;
+  for (const int degree : {2, 1}) {  // memory may hold less
+    if (degree == 1 && !is_simplex) continue;
+    motion.solvers.emplace_back(
+        elasticity::ElasticProblem<3>{.mesh = job_.overall_mesh(),
+                                      .material = job_.part.material,
+                                      .history = motion.loads.history,
+                                      .fixed = motion.loads.fixed,
+                                      .name = job_.part.name,
+                                      .foundations = motion.loads.foundations},
+        degree);
+  }
+}
+
+void HeldMotions::look_at_seats(Motion& motion) const {
+  const loads::LoadHistory& history = motion.loads.history;
+  const bool has_slide = !motion.places.empty();
+  if (!history.hold || !motion.loads.fixed.empty() ||
+      !motion.loads.foundations.empty()) {
+    return;
+  }
+  std::vector<loads::SeatHold> holds{history.hold_that_counts()};
+  for (const std::size_t i : some_of(history.instants.size())) {
+    holds.push_back(history.hold(history.instants[i].time));
+  }
+  const auto fastest =
+      *std::ranges::max_element(holds, {}, [](const loads::SeatHold& hold) {
+        return hold.spin.norm();
+      });
+  const bool changes =
+      !has_slide && std::ranges::any_of(holds, [&](const auto& hold) {
+        return !are_alike(hold, holds.front());
+      });
+  if (!changes && !spins(fastest)) return;
+  const MatrixXd wrenches = elasticity::span_of(holds);
+  make_solvers(motion);
+  std::optional<elasticity::SeatShapes> shapes;
+  for (auto& solver : motion.solvers) {
+    try {
+      shapes = solver.seat_shapes(wrenches, holds.front().zones);
+      break;
+    } catch (const Error&) {
+      continue;
     }
   }
+  if (!shapes) return;
+  if (spins(fastest)) motion.moved = shapes->moved_by_spin(fastest);
+  if (!changes) return;
+  std::vector<double> some;
+  for (const loads::SeatHold& hold : holds) {
+    some.push_back(shapes->first_period(hold));
+  }
+  const auto [shortest, longest] = std::ranges::minmax(some);
+  if (are_like(shortest, longest)) return;
+  std::vector<double> periods;
+  for (const loads::InstantLoad& instant : history.instants) {
+    periods.push_back(shapes->first_period(history.hold(instant.time)));
+  }
+  motion.places = std::move(periods);
+  motion.are_periods = true;
+}
+
+double HeldMotions::period_held(Motion& motion, double time) const {
+  make_solvers(motion);
   for (auto& solver : motion.solvers) {
     try {
       return solver.at(time);
@@ -100,6 +182,7 @@ double HeldMotions::period_held(Motion& motion, double time) const {
 
 double HeldMotions::period_at(Motion& motion, std::size_t instant) const {
   constexpr double kSame = 1e-6;  // of the way
+  if (motion.are_periods) return motion.places[instant];
   const double along =
       (motion.places[instant] - motion.low) / (motion.high - motion.low);
   const auto [known, is_new] =
@@ -119,6 +202,7 @@ HeldMotions::Motion& HeldMotions::motion(std::size_t set) {
   Motion& motion = *found;
   auto& places = motion.places;
   places = slide_way(motion.loads.history, kLittle * job_.sides()[2]);
+  look_at_seats(motion);
   if (places.empty()) {
     motion.longest = period_held(motion, motion.loads.history.hold_time);
     return motion;
@@ -126,6 +210,12 @@ HeldMotions::Motion& HeldMotions::motion(std::size_t set) {
   const auto [low, high] = std::ranges::minmax_element(places);
   motion.low = *low;
   motion.high = *high;
+  if (motion.are_periods) {
+    const auto slowest = static_cast<std::size_t>(high - places.begin());
+    motion.longest =
+        period_held(motion, motion.loads.history.instants[slowest].time);
+    return motion;
+  }
   const double middle = 0.5 * (*low + *high);
   const auto nearest = std::ranges::min_element(places, {}, [&](double place) {
     return std::abs(place - middle);
@@ -199,8 +289,8 @@ HeldStretch HeldMotions::stretch_of(
 std::size_t HeldMotions::most_excited(
     Motion& motion, const Instants& at,
     const std::vector<VibrationWindow>& windows) const {
-  // Of the time that is driven, by place: where the slide dwells it is looked
-  // at there.
+  // Of the time that is driven, by place: where it dwells it is looked at
+  // there.
   constexpr int kLooks = 16;
   const auto& instants = motion.loads.history.instants;
   std::vector<double> until;

@@ -12,7 +12,7 @@
 
 namespace clevis::assessment {
 
-/// Stretches of a motion through which slides hold a part at like places.
+/// Stretches of a motion through which a part is held and weighed alike.
 struct HeldStretch {
   double hold_time{};  ///< at which they hold it as they do there [s]
   std::vector<VibrationWindow> windows;
@@ -27,12 +27,18 @@ class HeldMotions {
       : job_(job), motions_(job.load_sets.size()) {}
 
   /// Longest first period that the part has with its slide at either end of its
-  /// way or in the middle [s].
+  /// way or in the middle, or as bodies about it stand [s].
   double first_period(std::size_t set);
-  /// What lies in windows of followed_loads(), by places of the slide between
-  /// which the first period is like; of such places that counts which the loads
-  /// meanwhile excite most. One, at the history's own hold_time, where no slide
-  /// that holds the part travels or its first period does not change by that.
+  /// Its lowest frequencies and what bodies that spin on it move them to, at
+  /// the instant when they spin most; none where they do not.
+  const std::vector<elasticity::SeatShapes::Moved>& moved_by_spin(
+      std::size_t set) {
+    return motion(set).moved;
+  }
+  /// What lies in windows of followed_loads(), by places of the slide, or else
+  /// ways in which other bodies stand, between which the first period is like;
+  /// of such places that counts which the loads meanwhile excite most. One, at
+  /// the history's own hold_time, where the first period does not change.
   /// Each has an instant of the loads in its windows.
   /// @param driven  rising, not empty.
   std::vector<HeldStretch> stretches(
@@ -47,8 +53,11 @@ class HeldMotions {
 
     LoadSet loads;  ///< followed_loads()
     std::vector<elasticity::FirstPeriods<3>> solvers = {};
-    std::vector<double> places = {};  ///< slide_way(); empty: as one [m]
-    double low{}, high{};             ///< of them [m]
+    /// slide_way() [m], or without a slide first periods [s]; empty: as one.
+    std::vector<double> places = {};
+    bool are_periods = false;
+    double low{}, high{};  ///< of them
+    std::vector<elasticity::SeatShapes::Moved> moved = {};
     std::map<long long, double> periods = {};  ///< first, by place [s]
     double longest{};                          ///< HeldMotions::first_period()
   };
@@ -56,6 +65,10 @@ class HeldMotions {
   using Instants = std::vector<std::size_t>;
 
   Motion& motion(std::size_t set);
+  /// How the part's seats are held, weighed and spun over the motion; puts
+  /// periods in place of a slide's way that it does not have.
+  void look_at_seats(Motion& motion) const;
+  void make_solvers(Motion& motion) const;
   /// First period as the part is held at a time [s].
   double period_held(Motion& motion, double time) const;
   double period_at(Motion& motion, std::size_t instant) const;

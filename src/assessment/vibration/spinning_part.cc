@@ -7,6 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include "assessment/vibration/load_pace.h"
 #include "loads/history/turning_loads.h"
@@ -145,6 +146,24 @@ double largest_shift(const PartJob& job, const LoadSet& motion, double fastest,
   return kOwn + kArm * arm / job.sides()[2];
 }
 
+/// Largest answer of oscillators over that of one with a period [s].
+/// @param low, high  their frequencies over its own [1].
+double rise_between(const PartJob& job, const dynamics::LoadPath& components,
+                    double period, double low, double high) {
+  constexpr double kStep = 0.005;  // as a resonance of little damping is wide
+  if (components.coordinates() == 0) return 1.0;
+  const auto answer = [&](const VectorXd& frequencies) {
+    return dynamics::response_spectrum(components,
+                                       period * frequencies.cwiseInverse(),
+                                       job.part.damping, kPaceCounts)
+        .amplification;
+  };
+  const auto steps = static_cast<Index>(std::log(high / low) / kStep) + 2;
+  const VectorXd all =
+      VectorXd::LinSpaced(steps, std::log(low), std::log(high)).array().exp();
+  return answer(all) / answer(VectorXd::Ones(1));
+}
+
 }  // namespace
 
 double spin_about_length(const PartJob& job, const LoadSet& set) {
@@ -206,6 +225,32 @@ TurningPart turning_part(const PartJob& job, const LoadSet& motion,
         largest_shift(job, motion, fastest, axis) * part.speed * part.speed;
   }
   return part;
+}
+
+std::string not_known_by_spin(
+    const PartJob& job, const LoadSet& motion,
+    const std::vector<elasticity::SeatShapes::Moved>& frequencies) {
+  // Steps and pulses answer 1 to 2 at any frequency.
+  constexpr double kFirst = 1.1, kLater = 2.0;
+  constexpr std::size_t kPair = 2;  // of a part that bends both ways alike
+  constexpr double kCounts = 1e-3, kWidth = 0.02;
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  const dynamics::LoadPath components = load_components(job, motion);
+  for (std::size_t k = 0; k < frequencies.size(); ++k) {
+    const auto& [still, moved] = frequencies[k];
+    const double ratio = moved / still;
+    if (std::abs(ratio - 1.0) < kCounts) continue;
+    const double rise = rise_between(job, components, kTurn / still,
+                                     std::min(1.0, (1.0 - kWidth) * ratio),
+                                     std::max(1.0, (1.0 + kWidth) * ratio));
+    if (rise <= (k < kPair ? kFirst : kLater)) continue;
+    return fmt::format(
+        "a body that spins on it moves its frequency of {:.3g} Hz to {:.3g} "
+        "Hz, and its gyroscopic moment is not in the vibration: it may swing "
+        "{:.2g} times as far",
+        still / kTurn, moved / kTurn, rise);
+  }
+  return {};
 }
 
 }  // namespace clevis::assessment

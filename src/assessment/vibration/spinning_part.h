@@ -1,6 +1,10 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "assessment/job/part_job.h"
+#include "elasticity/vibration/seat_shapes.h"
 
 namespace clevis::assessment {
 
@@ -29,5 +33,11 @@ struct TurningPart {
 /// @param first  period at rest [s].
 TurningPart turning_part(const PartJob& job, const LoadSet& motion,
                          double first);
+
+/// Why a part's vibration is not known where bodies that spin on it move its
+/// frequencies to those of its loads; empty: it is.
+std::string not_known_by_spin(
+    const PartJob& job, const LoadSet& motion,
+    const std::vector<elasticity::SeatShapes::Moved>& frequencies);
 
 }  // namespace clevis::assessment

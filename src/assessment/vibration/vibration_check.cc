@@ -410,6 +410,19 @@ void doubt_moved_frequencies(const PartJob& job,
   }
 }
 
+void doubt_spun_frequencies(const PartJob& job, HeldMotions& held,
+                            PartResult& result) {
+  if (!result.first_period || !result.vibration.not_followed.empty()) return;
+  for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
+    const LoadSet motion = followed_loads(job.load_sets[s]);
+    if (spins_fast(job, motion, *result.first_period)) continue;
+    std::string unknown = not_known_by_spin(job, motion, held.moved_by_spin(s));
+    if (unknown.empty()) continue;
+    result.vibration.not_followed = std::move(unknown);
+    return;
+  }
+}
+
 void check_vibration(const PartJob& job, const std::vector<InstantRow>& rows,
                      HeldMotions& held, PartResult& result) {
   std::optional<VibrationResult> most;

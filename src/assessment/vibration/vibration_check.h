@@ -29,4 +29,10 @@ void doubt_moved_frequencies(const PartJob& job,
                              const std::vector<double>& stiffening,
                              PartResult& result);
 
+/// Doubts it where bodies that spin on the part move its frequencies to those
+/// of its loads: their gyroscopic moment is not in the vibration.
+/// @pre vibration is checked.
+void doubt_spun_frequencies(const PartJob& job, HeldMotions& held,
+                            PartResult& result);
+
 }  // namespace clevis::assessment

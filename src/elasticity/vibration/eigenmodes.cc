@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "dynamics/systems/eigenmodes.h"
+#include "elasticity/nodal_loads/seat_means.h"
 #include "elasticity/problem/elastic_problem.h"
 #include "elasticity/vibration/vibrating_part.h"
 
@@ -59,6 +60,17 @@ double FirstPeriods<dim>::at(double hold_time) {
   const auto modes = dynamics::lowest_modes(
       part.system, rigid + 1, "part " + problem_.name, kTolerance);
   return 2.0 * std::numbers::pi / std::sqrt(modes.squares[modes.rigid]);
+}
+
+template <int dim>
+std::optional<SeatShapes> FirstPeriods<dim>::seat_shapes(
+    const MatrixXd& wrenches,
+    const std::vector<loads::ContactZone>& zones) requires(dim == 3) {
+  if (!part_) part_ = supported_part(problem_, degree_);
+  if (part_->free.rigid.cols() == 0) return std::nullopt;
+  return SeatShapes(*part_, wrenches,
+                    seat_means(part_->discretization, problem_.history.seats,
+                               zones, problem_.name));
 }
 
 template <int dim>

@@ -10,6 +10,7 @@
 #include "elasticity/fe_space/discretization.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/problem/elastic_problem.h"
+#include "elasticity/vibration/seat_shapes.h"
 #include "elasticity/vibration/vibrating_part.h"
 
 namespace clevis::elasticity {
@@ -51,6 +52,12 @@ class FirstPeriods {
   /// @param hold_time  as of loads::LoadHistory [s]. @return [s].
   /// @throws Error F001, F002, F003, F004, M005.
   double at(double hold_time);
+  /// Few shapes of a part without supports, for holds of these wrenches at the
+  /// seats; nothing where supports hold it.
+  /// @param zones  as of loads::SeatHold. @throws Error as at().
+  std::optional<SeatShapes> seat_shapes(
+      const Eigen::MatrixXd& wrenches,
+      const std::vector<loads::ContactZone>& zones) requires(dim == 3);
 
  private:
   ElasticProblem<dim> problem_;

@@ -93,6 +93,9 @@ struct SeatHold {
   double time{};  ///< of the instant [s]
   Eigen::MatrixXd held = {};
   Eigen::MatrixXd weighed = {};
+  /// Skew: takes speeds of the seats to the wrenches that turning what spins
+  /// takes [kg/s], [m kg/s], [m² kg/s]. Empty: nothing spins.
+  Eigen::MatrixXd spin = {};
   std::vector<ContactZone> zones = {};  ///< as of the instant's load
 };
 

@@ -60,9 +60,14 @@ SeatHold seat_hold(const mechanism::Neighbours& neighbours,
     seat_of.push_back((of_drive != seats.end() ? of_drive : of_joint) -
                       seats.begin());
   }
-  return {.time = instant.t,
-          .held = by_seat(found.held, seat_of, seats),
-          .weighed = by_seat(found.weighed, seat_of, seats)};
+  SeatHold hold{.time = instant.t,
+                .held = by_seat(found.held, seat_of, seats),
+                .weighed = by_seat(found.weighed, seat_of, seats)};
+  if (found.spin.size() > 0) {
+    const MatrixXd half = by_seat(found.spin, seat_of, seats);
+    hold.spin = by_seat(half.transpose(), seat_of, seats).transpose();
+  }
+  return hold;
 }
 
 SeatHold on_more_seats(SeatHold hold, std::size_t seats) {
@@ -71,6 +76,12 @@ SeatHold on_more_seats(SeatHold hold, std::size_t seats) {
         MatrixXd::Zero(kWrench * static_cast<Index>(seats), wrenches->cols());
     all.topRows(wrenches->rows()) = *wrenches;
     *wrenches = std::move(all);
+  }
+  if (hold.spin.size() > 0) {
+    const Index size = kWrench * static_cast<Index>(seats);
+    MatrixXd all = MatrixXd::Zero(size, size);
+    all.topLeftCorner(hold.spin.rows(), hold.spin.cols()) = hold.spin;
+    hold.spin = std::move(all);
   }
   if (!hold.zones.empty()) hold.zones.resize(seats);
   return hold;

@@ -4,6 +4,7 @@
 #include <Eigen/SVD>
 
 #include "base/values/index.h"
+#include "mechanism/joints/cross_matrix.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -33,6 +34,32 @@ MatrixXd wrenches_of(const Neighbours& neighbours, const NeighbourRows& rows) {
   return all;
 }
 
+/// Of the neighbours' unknowns, as their masses: the moment θ' × h that turns a
+/// momentum h [kg/s]. Empty: none.
+MatrixXd spins_of(const Neighbours& neighbours, const Configuration& x,
+                  const Instant& instant) {
+  const auto& slots = neighbours.slots();
+  const SolvingFrame& frame = neighbours.frame();
+  const auto state_of = [&](int slot) -> const BodyState& {
+    return instant.bodies[index(slot - 1)];
+  };
+  const Vector3d& own = state_of(neighbours.slot()).w_WL;
+  const double square = frame.length * frame.length;
+  MatrixXd spins =
+      MatrixXd::Zero(kTwist * std::ssize(slots), kTwist * std::ssize(slots));
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const auto& given =
+        neighbours.definition().bodies[index(slots[k] - 1)].mass_properties;
+    const Eigen::Matrix3d& R = x[index(slots[k])].R;
+    const Vector3d spin =
+        frame.R_WP.transpose() * (state_of(slots[k]).w_WL - own);
+    const Vector3d momentum = R * given.inertia_LCm * R.transpose() * spin;
+    const Index at = kTwist * static_cast<Index>(k) + 3;
+    spins.block<3, 3>(at, at) = -cross_matrix(momentum) / square;
+  }
+  return spins.isZero(0.0) ? MatrixXd() : spins;
+}
+
 }  // namespace
 
 NeighbourInertia neighbour_inertia(const Neighbours& neighbours,
@@ -53,12 +80,19 @@ NeighbourInertia neighbour_inertia(const Neighbours& neighbours,
   MatrixXd mass = free.transpose() * neighbours.masses(rows.x) * free;
   mass.diagonal().array() += kRoundOff * kRoundOff * mass.diagonal().maxCoeff();
   const MatrixXd directions = seen.transpose() * U.leftCols(follow);
-  const MatrixXd mobility =
-      directions.transpose() * mass.llt().solve(directions);
-  const Eigen::LLT<MatrixXd> root(mobility);
+  const MatrixXd moved = mass.llt().solve(directions);
+  const Eigen::LLT<MatrixXd> root(directions.transpose() * moved);
   // Added mass (L Lᵀ)⁻¹ = L⁻ᵀ L⁻¹ of the followed motions.
   found.weighed = wrenches * U.leftCols(follow) *
                   root.matrixU().solve(MatrixXd::Identity(follow, follow));
+  const MatrixXd spins = spins_of(neighbours, rows.x, instant);
+  if (spins.size() == 0) return found;
+  // Speeds of the neighbours for unit motions that they follow.
+  const MatrixXd speeds =
+      free * moved * root.solve(MatrixXd::Identity(follow, follow));
+  const MatrixXd of_followed = wrenches * U.leftCols(follow);
+  found.spin = of_followed * (speeds.transpose() * spins * speeds) *
+               of_followed.transpose();
   return found;
 }
 

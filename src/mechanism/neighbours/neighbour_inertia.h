@@ -21,6 +21,10 @@ struct NeighbourInertia {
   std::vector<NeighbourPlace> places;
   Eigen::MatrixXd held;     ///< do not move; forces [1], moments [m]
   Eigen::MatrixXd weighed;  ///< w: w wᵀ are added masses [√kg], [m √kg]
+  /// Skew, rows and columns as the rows above: takes speeds of the places to
+  /// the wrenches that turning the neighbours' spin takes, θ' × h of a momentum
+  /// h relative to the body [kg/s], [m kg/s], [m² kg/s]. Empty: none spins.
+  Eigen::MatrixXd spin = {};
 };
 
 /// @param instant  of a motion of the mechanism.

@@ -143,6 +143,65 @@ TEST(Modes, CantileverOfASlenderRod) {
       1.0, 1e-6);
 }
 
+/// By the end's way and turn, its own mass consistent: (K − ω² M ± ω h) u = 0
+/// on y + i z, between `low` and `high` [1/s].
+double frequency_of_rod(double length, double side, double mass, double turn,
+                        double momentum, double low, double high) {
+  const double k =
+      kSteel.youngs_modulus * std::pow(side, 4) / 12.0 / std::pow(length, 3);
+  const double m = kSteel.density * side * side * length / 420.0;
+  const auto determinant = [&](double w) {
+    const double a = 12.0 * k - w * w * (156.0 * m + mass);
+    const double b = -6.0 * length * k + w * w * 22.0 * length * m;
+    const double c = 4.0 * length * length * k -
+                     w * w * (4.0 * length * length * m + turn) + w * momentum;
+    return a * c - b * b;
+  };
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (determinant(low) * determinant(middle) > 0.0 ? low : high) = middle;
+  }
+  return low;
+}
+
+/// A rod that is held at one end carries a rotor on the other.
+TEST(SeatShapes, RotorOnTheEndOfARod) {
+  const double length = 0.5, side = 0.01, mass = 1.0, turn = 0.05;
+  const auto mesh = block_mesh({10, 1, 1}, {length, side, side});
+  loads::SeatHold hold;
+  hold.held = Eigen::MatrixXd::Identity(12, 6);
+  hold.weighed = Eigen::MatrixXd::Zero(12, 6);
+  hold.weighed.block<3, 3>(6, 0).diagonal().setConstant(std::sqrt(mass));
+  hold.weighed.block<2, 2>(10, 4).diagonal().setConstant(std::sqrt(turn));
+  loads::LoadHistory history;
+  history.seats = {
+      {.name = "foot", .group = "x0", .kind = loads::SeatKind::kTraction},
+      {.name = "end", .group = "x1", .kind = loads::SeatKind::kTraction}};
+  history.seats[0].p_LS = {0.0, 0.5 * side, 0.5 * side};
+  history.seats[1].p_LS = {length, 0.5 * side, 0.5 * side};
+  history.hold = [&](double) {
+    return hold;
+  };
+  elasticity::FirstPeriods<3> periods({mesh, kSteel, history, {}, "rod"}, 3);
+  const double still = frequency_of_rod(length, side, mass, turn, 0, 10, 80);
+  const double h = 2.0 * turn * still;
+  hold.spin = Eigen::MatrixXd::Zero(12, 12);
+  hold.spin(10, 11) = h;  // θ' × h along x
+  hold.spin(11, 10) = -h;
+  const auto shapes = periods.seat_shapes(elasticity::span_of({hold}), {});
+  ASSERT_TRUE(shapes);
+  EXPECT_NEAR(shapes->first_period(hold) / periods.at(0.0), 1.0, 1e-4);
+  const auto moved = shapes->moved_by_spin(hold);
+  const double down = frequency_of_rod(length, side, mass, turn, -h, 10, still);
+  const double up = frequency_of_rod(length, side, mass, turn, h, still, 80);
+  EXPECT_LT(down, 0.8 * still);
+  EXPECT_GT(up, 1.2 * still);
+  EXPECT_NEAR(moved[0].still / still, 1.0, 5e-3);
+  EXPECT_NEAR(moved[1].still / still, 1.0, 5e-3);
+  EXPECT_NEAR(moved[0].moved / down, 1.0, 5e-3);
+  EXPECT_NEAR(moved[1].moved / up, 1.0, 5e-3);
+}
+
 /// The frequency's error falls with the power 2p of the cell's size.
 TEST(Modes, ErrorFallsWithTwiceTheDegree) {
   const double a = 0.1;

@@ -123,5 +123,26 @@ TEST(NeighbourInertia, OfAWeldedBody) {
               1e-3 * given.mass);
 }
 
+// Turning a momentum h at θ' takes the moment θ' × h, wherever it is held; of
+// what turns with the body none.
+TEST(NeighbourInertia, OfABodyThatSpins) {
+  MechanismDefinition m = two_bars(1.0);
+  m.dimension = SpaceDimension::kSpatial;
+  m.joints[1].type = JointType::kWeld;
+  Instant instant = placed(m);
+  instant.bodies[0].w_WL = {10.0, 0.0, 0.0};
+  instant.bodies[1].w_WL = {50.0, 0.0, 0.0};
+  const Vector3d h(m.bodies[1].mass_properties.inertia_LCm(0, 0) * 40.0, 0, 0);
+  const NeighbourInertia found = neighbour_inertia(Neighbours(m, 0), instant);
+  ASSERT_EQ(found.spin.rows(), 12);
+  for (int k = 0; k < 12; ++k) {
+    Eigen::VectorXd expected = Eigen::VectorXd::Zero(12);
+    if (k >= 9) expected.tail<3>() = Vector3d::Unit(k - 9).cross(h);
+    EXPECT_LT((found.spin.col(k) - expected).norm(), kRoundOff * h.norm()) << k;
+  }
+  instant.bodies[1].w_WL = instant.bodies[0].w_WL;
+  EXPECT_EQ(neighbour_inertia(Neighbours(m, 0), instant).spin.size(), 0);
+}
+
 }  // namespace
 }  // namespace clevis::mechanism

@@ -1,0 +1,154 @@
+#include "elasticity/vibration/seat_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+
+#include "dynamics/systems/block_krylov.h"
+#include "elasticity/algebra/dense_product.h"
+
+namespace clevis::elasticity {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kRoundOff = 1e-9;  // of rows of like size
+
+/// Of the columns' length; none that is zero.
+MatrixXd unit_columns(const MatrixXd& columns) {
+  std::vector<Index> counting;
+  for (Index k = 0; k < columns.cols(); ++k) {
+    if (columns.col(k).norm() > 0.0) counting.push_back(k);
+  }
+  const MatrixXd some = columns(Eigen::all, counting);
+  return some.colwise().normalized();
+}
+
+/// M-orthonormal columns of the span; what is round-off of others is left out.
+MatrixXd orthonormal_in(const MatrixXd& columns, const MatrixXd& weighted) {
+  constexpr double kLeast = 1e-10;  // of a column's square
+  const MatrixXd gram = transposed_product(columns, weighted);
+  const VectorXd scale = gram.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
+      scale.asDiagonal() * gram * scale.asDiagonal());
+  const VectorXd& values = solver.eigenvalues();
+  const Index kept = (values.array() > kLeast * values.maxCoeff()).count();
+  return product(columns,
+                 scale.asDiagonal() * solver.eigenvectors().rightCols(kept) *
+                     values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal());
+}
+
+}  // namespace
+
+SeatShapes::SeatShapes(const VibratingPart<3>& part, MatrixXd seats,
+                       const MatrixXd& means)
+    : seats_(std::move(seats)) {
+  const dynamics::LinearSystem& system = part.free;
+  const MatrixXd forces = restrict_rows(product(means, seats_), part.numbers);
+  const MatrixXd rigid = dynamics::mass_orthonormal(system, system.rigid);
+  const MatrixXd weighted = system.mass(rigid);
+  const auto elastic = [&](const MatrixXd& x) -> MatrixXd {
+    return x - product(rigid, transposed_product(weighted, x));
+  };
+  const auto solve = system.factor(system.least_shift());
+  const MatrixXd at_rest = elastic(solve(forces));
+  const MatrixXd by_inertia = elastic(solve(system.mass(at_rest)));
+  MatrixXd both(at_rest.rows(), 2 * at_rest.cols());
+  both << at_rest, by_inertia;
+  for (int pass = 0; pass < 2; ++pass) {
+    both = elastic(orthonormal_in(both, system.mass(both)));
+  }
+  MatrixXd shapes(both.rows(), rigid.cols() + both.cols());
+  shapes << rigid, both;
+  rigid_ = rigid.cols();
+  motions_ = transposed_product(forces, shapes);
+  stiffness_ = MatrixXd::Zero(shapes.cols(), shapes.cols());
+  stiffness_.bottomRightCorner(both.cols(), both.cols()) =
+      transposed_product(both, system.stiffness(both));
+}
+
+MatrixXd SeatShapes::along_seats(const MatrixXd& wrenches) const {
+  return seats_.transpose() * wrenches;
+}
+
+SeatShapes::Vibrations SeatShapes::held_by(const loads::SeatHold& hold) const {
+  const Index all = stiffness_.cols();
+  MatrixXd left = MatrixXd::Identity(all, all);
+  Index rigid = rigid_;
+  if (hold.held.cols() > 0) {
+    const MatrixXd rows =
+        along_seats(unit_columns(hold.held)).transpose() * motions_;
+    Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
+    svd.setThreshold(kRoundOff);
+    left = svd.matrixV().rightCols(all - svd.rank());
+    Eigen::JacobiSVD<MatrixXd> of_rigid(rows.leftCols(rigid_));
+    of_rigid.setThreshold(kRoundOff);
+    rigid -= of_rigid.rank();
+  }
+  const MatrixXd added = along_seats(hold.weighed).transpose() * motions_;
+  const MatrixXd mass =
+      MatrixXd::Identity(all, all) + added.transpose() * added;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(
+      left.transpose() * stiffness_ * left, left.transpose() * mass * left);
+  const Index elastic = left.cols() - rigid;
+  return {modes.eigenvalues().tail(elastic),
+          motions_ * left * modes.eigenvectors().rightCols(elastic)};
+}
+
+double SeatShapes::first_period(const loads::SeatHold& hold) const {
+  return 2.0 * std::numbers::pi / std::sqrt(held_by(hold).squares[0]);
+}
+
+std::vector<SeatShapes::Moved> SeatShapes::moved_by_spin(
+    const loads::SeatHold& hold) const {
+  constexpr Index kMost = 6, kShapes = 24;
+  const Vibrations still = held_by(hold);
+  const Index count = std::min(kShapes, still.squares.size());
+  const MatrixXd motions = still.motions.leftCols(count);
+  const MatrixXd spin = seats_.transpose() * hold.spin * seats_;
+  const VectorXd own = still.squares.head(count).cwiseSqrt();
+  // Of speeds, and of shapes times their own frequency: [[−S, −ω], [ω, 0]] is
+  // skew, its eigenvalues are ±i times the moved frequencies.
+  MatrixXd state = MatrixXd::Zero(2 * count, 2 * count);
+  state.topLeftCorner(count, count) = -motions.transpose() * spin * motions;
+  state.topRightCorner(count, count).diagonal() = -own;
+  state.bottomLeftCorner(count, count).diagonal() = own;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(
+      std::complex<double>(0.0, 1.0) * state);
+  std::vector<Moved> found;
+  for (Index k = 0; k < std::min(kMost, count); ++k) {
+    // Of the shape that has most of its speeds: others may lie in between.
+    Index from = 0;
+    solver.eigenvectors().col(count + k).head(count).cwiseAbs2().maxCoeff(
+        &from);
+    found.push_back({own[from], solver.eigenvalues()[count + k]});
+  }
+  std::ranges::sort(found, {}, &Moved::still);
+  return found;
+}
+
+MatrixXd span_of(const std::vector<loads::SeatHold>& holds) {
+  MatrixXd all(holds.front().held.rows(), 0);
+  for (const loads::SeatHold& hold : holds) {
+    for (const MatrixXd* wrenches : {&hold.held, &hold.weighed}) {
+      const MatrixXd more = unit_columns(*wrenches);
+      all.conservativeResize(Eigen::NoChange, all.cols() + more.cols());
+      all.rightCols(more.cols()) = more;
+    }
+  }
+  if (all.cols() == 0) return all;
+  constexpr double kLeast = 1e-12;  // of a column's square
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(all * all.transpose());
+  const VectorXd& values = solver.eigenvalues();
+  const Index kept = (values.array() > kLeast * values.maxCoeff()).count();
+  return solver.eigenvectors().rightCols(kept);
+}
+
+}  // namespace clevis::elasticity

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "elasticity/vibration/vibrating_part.h"
+#include "loads/history/load_history.h"
+
+namespace clevis::elasticity {
+
+/// A free part in few shapes: rigid motions, and what wrenches on its seats
+/// bend at rest and by the inertia of that. Its first vibrations as a mechanism
+/// holds and weighs it come quickly at many times, within a per cent or so from
+/// above.
+class SeatShapes {
+ public:
+  /// @param part   as nothing holds it.
+  /// @param seats  wrenches on the seats that may hold and weigh it, 6 n ×
+  ///   columns, independent, orthonormal.
+  /// @param means  of unit wrenches on the seats, dofs × 6 n.
+  SeatShapes(const VibratingPart<3>& part, Eigen::MatrixXd seats,
+             const Eigen::MatrixXd& means);
+
+  /// Elastic vibrations, lowest first.
+  struct Vibrations {
+    Eigen::VectorXd squares;  ///< ω² [1/s²]
+    /// Motions of the seats in them, along `seats`, columns × shapes [1/√kg].
+    Eigen::MatrixXd motions;
+  };
+  /// @param hold  of seats' wrenches in the span of `seats`.
+  Vibrations held_by(const loads::SeatHold& hold) const;
+
+  /// First period [s]. @pre it has an elastic vibration.
+  double first_period(const loads::SeatHold& hold) const;
+
+  /// A frequency and what bodies that spin on the part move it to, both
+  /// circular [1/s].
+  struct Moved {
+    double still{}, moved{};
+  };
+  /// The lowest elastic ones, of M q'' + S q' + K q = 0.
+  /// @param hold  with a spin.
+  std::vector<Moved> moved_by_spin(const loads::SeatHold& hold) const;
+
+ private:
+  Eigen::MatrixXd along_seats(const Eigen::MatrixXd& wrenches) const;
+
+  Eigen::MatrixXd seats_;
+  Eigen::MatrixXd motions_;    ///< seats_ × shapes, of M-orthonormal shapes
+  Eigen::MatrixXd stiffness_;  ///< of the shapes [1/s²]
+  Eigen::Index rigid_{};       ///< the first of them
+};
+
+/// Orthonormal wrenches of which those of all holds are made, each over its
+/// length, 6 n × columns.
+Eigen::MatrixXd span_of(const std::vector<loads::SeatHold>& holds);
+
+}  // namespace clevis::elasticity
