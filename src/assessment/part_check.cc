@@ -1,5 +1,6 @@
 #include "assessment/part_check.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,6 +24,7 @@
 #include "assessment/sharing/sharing_check.h"
 #include "assessment/stability/buckling_check.h"
 #include "assessment/stability/second_order_check.h"
+#include "assessment/verdict/governing_peak.h"
 #include "assessment/verdict/hidden_stress.h"
 #include "assessment/verdict/verdict.h"
 #include "assessment/vibration/vibration_check.h"
@@ -243,7 +245,11 @@ PartAssessment check_part(const PartJob& given) {
   judge(job.part, result);
   explain_unsettled(result);
   tell_first(part_notes(job), result);
-  tell_first(strength_notes(job, result.safety_factor), result);
+  const double stressed = std::max(judged, governing_peak(result).value);
+  tell_first(
+      strength_notes(judged > 0.0 ? job.part.material.yield_strength / stressed
+                                  : 0.0),
+      result);
   result.seconds.total = watch.lap();
   return assessment;
 }

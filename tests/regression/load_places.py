@@ -12,6 +12,8 @@ F (L/4 - b/8) / W = 80.42 MPa, of the same spread over the slot 62.74 MPa.
 
 The offset link is the reference link between two pins that carry no moment,
 pulled by 328 N: its bar is bent by F e, and stressed by F/A (1 + 6 e/t).
+
+A force that is named on another bore than its own is told.
 """
 import sys
 import tempfile
@@ -200,10 +202,37 @@ def offset_part(folder):
                       f"refused: {refused}")
 
 
+def force_on_a_bore(folder):
+    """A lever on a driven pin, a force at its far bore: named as the bore at the
+    pin it would bend nothing, and says so."""
+    (folder / "link.geo").write_text(LINK.read_text())
+    scene = folder / "scene.toml"
+
+    def loaded(face):
+        scene.write_text(
+            HEAD + '[[body]]\nname = "link"\npart = "link"\n'
+            + joint("A", "revolute", "ground", ORIGIN, "link", ORIGIN, Z)
+            + '[[drive]]\njoint = "A"\nlaw = "constant"\nfrom = "0 deg"\n'
+            + force("link", 0, -PULL).replace('point = ["0', 'point = ["140')
+            + part("link", 'geometry = "link.geo"',
+                   'pins = { A = "bore_A" }\ndrives = { A = { face = "bore_A" } }'
+                   f'\nforces = {{ load = {{ face = "{face}" }} }}'))
+        support.make_meshes(CLEVIS, scene)
+        return support.check(CLEVIS, scene)
+    wrong, right = loaded("bore_A"), loaded("bore_B")
+    told = 'force load passes "bore_A" 140 mm from its middle'
+    CHECKS.expect(told in wrong.text and 'face = "bore_B"' in wrong.text,
+                  f"a force on the wrong bore is told: {wrong}")
+    CHECKS.expect("force load passes" not in right.text,
+                  f"one on its own bore is not: {right}")
+    CHECKS.expect(wrong.peak < right.peak, f"{wrong} bends less than {right}")
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         block_in_slot(Path(name))
         offset_part(Path(name))
+        force_on_a_bore(Path(name))
     return CHECKS.exit_code()
 
 

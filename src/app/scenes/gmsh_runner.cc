@@ -1,5 +1,8 @@
 #include "app/scenes/gmsh_runner.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -69,6 +72,38 @@ std::string failure(const ChildOutcome& outcome, const std::string& error,
   throw Error("M010", geometry.string(), problem, remedy);
 }
 
+/// The number of a last line that no newline ends; 0: one does.
+std::ptrdiff_t open_last_line(const std::string& script) {
+  if (script.empty() || script.back() == '\n') return 0;
+  return std::ranges::count(script, '\n') + 1;
+}
+
+/// What stands on the last line that no newline ends, but for its first
+/// statement, gmsh leaves out without a word. Behind an Include it reads it, as
+/// if it stood in the file that includes: beside that are no files of the user.
+/// @return the file to open.
+path with_last_line(const path& geometry, const std::string& script,
+                    const path& folder) {
+  const std::ptrdiff_t line = open_last_line(script);
+  if (line == 0) return geometry;
+  const std::string last = script.substr(script.rfind('\n') + 1);
+  const bool names_file = std::ranges::any_of(
+      std::array{"Include", "Merge", "ShapeFromFile"}, [&](const char* word) {
+        return last.find(word) != std::string::npos;
+      });
+  if (names_file ||
+      geometry.string().find_first_of("\"\\\n") != std::string::npos) {
+    throw Error("M010", fmt::format("{}:{}", geometry.string(), line),
+                "the last line ends without a newline: gmsh would leave out "
+                "what stands on it",
+                "End the last line of the file with a newline.");
+  }
+  const path script_of_all = folder / "last_line.geo";
+  std::ofstream(script_of_all)
+      << fmt::format("Include \"{}\";\n", geometry.string());
+  return script_of_all;
+}
+
 }  // namespace
 
 std::string run_gmsh(const path& geometry,
@@ -91,7 +126,9 @@ std::string run_gmsh(const path& geometry,
     arguments.insert(arguments.end(), {"-setnumber", parameter.name,
                                        fmt::format("{}", parameter.value)});
   }
-  arguments.push_back(std::filesystem::absolute(geometry).string());
+  const path opened = with_last_line(std::filesystem::absolute(geometry),
+                                     read_file(geometry), folder.path());
+  arguments.push_back(opened.string());
   const ChildOutcome outcome = run_child(
       {.arguments = arguments, .folder = folder.path(), .log = log}, timeout);
   if (!outcome.status) {

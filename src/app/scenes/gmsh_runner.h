@@ -16,6 +16,9 @@ namespace clevis::app {
 /// a user's options nor earlier runs matter: the same .geo gives the same
 /// mesh. The folder is removed afterwards.
 ///
+/// A last line without a newline is read whole, which gmsh (4.8.4) by itself
+/// leaves out but for its first statement; where it names a file it is refused.
+///
 /// A .geo is a program: it can run shell commands. Call this only for a file
 /// that the user asked to be meshed.
 ///
@@ -24,7 +27,8 @@ namespace clevis::app {
 /// @param program  name or path of gmsh.
 /// @throws Error M010 with gmsh's first error line if gmsh is not there,
 ///   fails (else with its last line and how it ended), takes too long or writes
-///   no mesh; I001 if the .geo cannot be read.
+///   no mesh, or if its last line names a file and has no newline; I001 if the
+///   .geo cannot be read.
 std::string run_gmsh(
     const std::filesystem::path& geometry,
     const std::vector<part::GeometryParameter>& parameters = {},

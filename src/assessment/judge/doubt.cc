@@ -53,6 +53,11 @@ std::string doubt_text(const PeakStress& peak) {
   return text;
 }
 
+bool is_of_tolerance(const ErrorShares& shares) {
+  return std::max(shares.mesh, shares.model) >=
+         std::max({shares.time, shares.change_points, shares.sharing});
+}
+
 std::string doubt_remedy(const part::PartDefinition& part,
                          const ErrorShares& shares) {
   const auto* largest =

@@ -16,6 +16,10 @@ std::string doubt_text(const PeakStress& peak);
 /// @param amount  [Pa].
 void widen_for_cells(PeakStress& peak, double amount, double tolerance);
 
+/// Whether the largest of them is one that a smaller tolerance narrows: of the
+/// mesh or the model.
+bool is_of_tolerance(const ErrorShares& shares);
+
 /// Remedy for the largest of them: "give more instants" …
 std::string doubt_remedy(const part::PartDefinition& part,
                          const ErrorShares& shares);

@@ -20,7 +20,7 @@ void note_size(double size, Notes& notes) {
       size));
 }
 
-constexpr double kStrong = 5e9;  // the best wires yield at 4e9 [Pa]
+constexpr double kStrong = 2.5e9;  // but for wires and fibres [Pa]
 
 /// Stiff foams yield at 1 MPa.
 void note_yield_strength(const part::Material& material, Notes& notes) {
@@ -29,8 +29,8 @@ void note_yield_strength(const part::Material& material, Notes& notes) {
     return;
   }
   notes.push_back(
-      fmt::format("the yield strength of {} is {:.4g} MPa, outside 1 MPa to 5 "
-                  "GPa: see that its unit is right",
+      fmt::format("the yield strength of {} is {:.4g} MPa, outside 1 MPa to "
+                  "2.5 GPa: see that its unit is right",
                   material.name, material.yield_strength / kMega));
 }
 
@@ -72,27 +72,45 @@ void note_thickness(const PartJob& job, Notes& notes) {
 
 /// Of one kind of material all three are known but for a factor of some tens.
 void note_stiffness(const part::Material& material, Notes& notes) {
-  constexpr double kFastest = 20e3;  // sound in diamond: 18e3 [m/s]
-  constexpr double kHeavy = 2000.0;  // rubber and foams are lighter [kg/m³]
-  constexpr double kSoft = 0.4e9;    // PTFE, as heavy as that, has 0.5e9 [Pa]
-  constexpr double kStretch = 0.5;   // plastics yield at 0.05 [1]
+  constexpr double kFastest = 20e3;     // sound in diamond: 18e3 [m/s]
+  constexpr double kHeavy = 2000.0;     // rubber and foams are lighter [kg/m³]
+  constexpr double kHeaviest = 23e3;    // osmium: 22.6e3 [kg/m³]
+  constexpr double kLight = 1200.0;     // magnesium 1740, carbon fibre 1550
+  constexpr double kMetallic = 7000.0;  // [kg/m³]
+  constexpr double kSoft = 0.4e9;   // PTFE, as heavy as that, has 0.5e9 [Pa]
+  constexpr double kStiff = 30e9;   // wood along its grain: 20e9 [Pa]
+  constexpr double kStretch = 0.5;  // plastics yield at 0.05 [1]
+  constexpr double kStretchOfMetal = 0.015;  // wires of steel: 0.012 [1]
   constexpr double kGiga = 1e9, kMega = 1e6;
   const double modulus = material.youngs_modulus;
   const double sound = std::sqrt(modulus / material.density);
   const double stretch = material.yield_strength / modulus;
-  if (sound > kFastest || (material.density > kHeavy && modulus < kSoft)) {
+  if (sound > kFastest || material.density > kHeaviest ||
+      (material.density < kLight && modulus > kStiff) ||
+      (material.density > kHeavy && modulus < kSoft)) {
     notes.push_back(fmt::format(
         "{} has {:.4g} GPa at {:.4g} kg/m^3, as no material: see that the "
         "units of its Young's modulus and density are right",
         material.name, modulus / kGiga, material.density));
   }
-  if (modulus >= kSoft && stretch > kStretch &&
+  const double most = material.density > kMetallic ? kStretchOfMetal : kStretch;
+  if (modulus >= kSoft && stretch > most &&
       material.yield_strength <= kStrong) {
     notes.push_back(fmt::format(
         "{} yields at {:.4g} MPa, a strain of {:.2g} %: see that the units of "
         "its yield strength and Young's modulus are right",
         material.name, material.yield_strength / kMega, 100.0 * stretch));
   }
+}
+
+/// Rubber has 0.1, links on pins 0.03.
+void note_damping(const part::PartDefinition& part, Notes& notes) {
+  constexpr double kLargest = 0.3;
+  if (part.damping <= kLargest) return;
+  notes.push_back(fmt::format(
+      "its damping is {:.3g} of the critical, links have 0.005 to 0.03: see "
+      "that it is the ratio, not percent",
+      part.damping));
 }
 
 /// Cork has zero, beryllium 0.03; foams are below zero, if made so.
@@ -138,6 +156,7 @@ std::vector<std::string> part_notes(const PartJob& job) {
   note_yield_strength(job.part.material, notes);
   note_stiffness(job.part.material, notes);
   note_poissons_ratio(job.part.material, notes);
+  note_damping(job.part, notes);
   note_deflection_limit(job.part.limits, size, notes);
   for (const auto& load_case : job.part.cases) {
     note_acceleration("case " + load_case.name, load_case.acceleration.norm(),
@@ -152,10 +171,9 @@ std::vector<std::string> part_notes(const PartJob& job) {
   return notes;
 }
 
-std::vector<std::string> strength_notes(const PartJob& job,
-                                        double safety_factor) {
+std::vector<std::string> strength_notes(double safety_factor) {
   constexpr double kIdle = 100.0, kHopeless = 0.01;
-  if (safety_factor > kIdle && stands_alone(job.part)) {
+  if (safety_factor > kIdle) {
     return {fmt::format(
         "its loads use less than a hundredth of its strength (safety factor "
         "{:.4g}): see that the units of loads and lengths are right",

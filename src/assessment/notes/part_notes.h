@@ -9,15 +9,14 @@ namespace clevis::assessment {
 
 /// Notes on the part as given: of one that stands alone its size and mass, for
 /// no joint confirms the unit of its lengths; what few links of mechanisms have
-/// (size, thickness), what no material has (yield strength, stiffness,
-/// Poisson's ratio), a deflection limit as large as the part,
+/// (size, thickness, damping), what no material has (yield strength, stiffness,
+/// density, Poisson's ratio), a deflection limit as large as the part,
 /// accelerations as of numbers in mm/s², physical groups that hold nothing.
 std::vector<std::string> part_notes(const PartJob& job);
 
 /// Notes on how much of its strength the part's loads use: less than a
-/// hundredth, where it stands alone, or a hundred times as much.
-/// @param safety_factor  0: nothing stresses it.
-std::vector<std::string> strength_notes(const PartJob& job,
-                                        double safety_factor);
+/// hundredth, or a hundred times as much.
+/// @param safety_factor  with vibration; 0: nothing stresses it.
+std::vector<std::string> strength_notes(double safety_factor);
 
 }  // namespace clevis::assessment

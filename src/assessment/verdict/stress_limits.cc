@@ -24,6 +24,13 @@ std::string unsettled_remedy(const part::PartDefinition& part,
                      doubt_remedy(part, peak.shares));
 }
 
+/// What narrows a band that a limit lies in.
+std::string limit_remedy(const part::PartDefinition& part,
+                         const ErrorShares& shares) {
+  const char* first = is_of_tolerance(shares) ? "tighten --tolerance, or " : "";
+  return first + doubt_remedy(part, shares);
+}
+
 /// Whether a peak that is not converged lies within the limit all the same.
 bool is_clearly_within(const PeakStress& peak, double reaches, double allowed) {
   return peak.verdict == PeakVerdict::kNotConverged && peak.has_band &&
@@ -102,8 +109,7 @@ std::optional<Judgement> judge_stress(const part::PartDefinition& part,
                     limit, vibrates ? " with vibration" : "",
                     peak.band_low / kMega, peak.band_high / kMega,
                     vibrates ? "give the part its damping, or mesh finer"
-                             : "tighten --tolerance, or " +
-                                   doubt_remedy(part, peak.shares))};
+                             : limit_remedy(part, peak.shares))};
   }
   const VibrationResult& vibration = result.vibration;
   if (!vibration.is_whole()) {

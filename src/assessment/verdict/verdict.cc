@@ -66,12 +66,16 @@ std::optional<Judgement> judge_deflection(const part::PartDefinition& part,
   if (high <= limit) return std::nullopt;
   const double low = times_linear(found.least_deflection) * least;
   if (low <= limit) {
+    const ErrorShares& shares = judged_peak(result).shares;
+    const bool is_shared = shares.sharing > shares.mesh;
     return Judgement{
         part::Verdict::kNotJudged,
         fmt::format("{:.4g} mm lies inside the band of the deflection{}, "
-                    "[{:.4g}, {:.4g}] mm: mesh finer",
+                    "[{:.4g}, {:.4g}] mm: {}",
                     limit / kMilli, more > 1.01 ? " in second order" : "",
-                    low / kMilli, high / kMilli)};
+                    low / kMilli, high / kMilli,
+                    is_shared ? doubt_remedy(part, {.sharing = shares.sharing})
+                              : "mesh finer")};
   }
   return Judgement{
       part::Verdict::kFail,

@@ -16,6 +16,7 @@
 #include "loads/holds/neighbours_over_motion.h"
 #include "loads/holds/seat_hold.h"
 #include "loads/parts/axis_loads.h"
+#include "loads/seats/force_places.h"
 #include "loads/seats/force_seats.h"
 #include "loads/seats/part_seats.h"
 #include "loads/seats/seat_fit.h"
@@ -286,6 +287,8 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
   require_still_forces(context, by_force, motion);
   require_balance(history, mass, context.size, context.place("loads"));
   history.notes = off_middle_notes(context, by_joint);
+  const auto off_faces = off_face_notes(context, by_force, motion);
+  history.notes.insert(history.notes.end(), off_faces.begin(), off_faces.end());
   act_on_axes(context, by_joint, mass, history);
   set_contact_zones(context, motion, spans, by_joint, history);
   set_repeats_apart(given, history);

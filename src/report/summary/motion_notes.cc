@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "mechanism/definition/drive_names.h"
 #include "mechanism/force_elements/breakaway.h"
 #include "report/text/terminal.h"
 #include "report/text/units.h"
@@ -132,6 +133,85 @@ void add_densities(const MechanismDefinition& definition,
           "right",
           body.name, given.mass, most));
     }
+  }
+}
+
+/// Places of a body's joints on it [m].
+std::vector<Vector3d> joints_on(const MechanismDefinition& definition,
+                                std::size_t body) {
+  std::vector<Vector3d> places;
+  for (const auto& joint : definition.joints) {
+    for (const auto& [on, frame] : {std::pair(joint.body_a, joint.frame_a),
+                                    std::pair(joint.body_b, joint.frame_b)}) {
+      if (on == static_cast<int>(body)) places.push_back(frame.p_LJ);
+    }
+  }
+  return places;
+}
+
+/// As of m that were meant as mm. Meshes tell the centres of parts.
+void add_far_centres(const MechanismDefinition& definition,
+                     std::vector<std::string>& notes) {
+  constexpr double kFar = 3.0, kMilli = 1e-3;
+  for (std::size_t b = 0; b < definition.bodies.size(); ++b) {
+    const BodyDefinition& body = definition.bodies[b];
+    if (!body.part.empty()) continue;
+    double span = 0.0, distance = HUGE_VAL;
+    const std::vector<Vector3d> places = joints_on(definition, b);
+    for (const Vector3d& place : places) {
+      distance =
+          std::min(distance, (place - body.mass_properties.p_LCm).norm());
+      for (const Vector3d& other : places) {
+        span = std::max(span, (place - other).norm());
+      }
+    }
+    if (span == 0.0 || distance <= kFar * span) continue;
+    notes.push_back(fmt::format(
+        "the centre of mass of body {} is {:.4g} mm from its nearest joint, "
+        "{:.3g} times as far as its joints are apart ({:.4g} mm): see that its "
+        "unit is right",
+        body.name, distance / kMilli, distance / span, span / kMilli));
+  }
+}
+
+/// Amount by which a drive's law sets out to turn, however short the motion
+/// [rad]; of tables it is not asked for.
+double meant_travel(const mechanism::DriveDefinition& drive) {
+  switch (drive.law) {
+    case mechanism::DriveLaw::kSpeed:
+      return drive.speed != 0.0 ? HUGE_VAL : 0.0;
+    case mechanism::DriveLaw::kRamp:
+    case mechanism::DriveLaw::kQuintic:
+      return std::abs(drive.to - drive.from);
+    case mechanism::DriveLaw::kSine:
+      return std::abs(drive.amplitude);
+    case mechanism::DriveLaw::kConstant:
+    case mechanism::DriveLaw::kTable:
+      break;
+  }
+  return 0.0;
+}
+
+/// As of ms that were meant as s.
+void add_short_motions(const MechanismDefinition& definition,
+                       const Motion& motion, std::vector<std::string>& notes) {
+  constexpr double kLittle = 0.01 * 360.0 * kDegree;
+  if (motion.instants.size() < 2) return;
+  for (std::size_t d = 0; d < definition.drives.size(); ++d) {
+    const auto& drive = definition.drives[d];
+    if (!mechanism::drives_angle(definition, drive)) continue;
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (const mechanism::Instant& instant : motion.instants) {
+      least = std::min(least, instant.drives[d].position);
+      most = std::max(most, instant.drives[d].position);
+    }
+    if (most - least >= kLittle || meant_travel(drive) < kLittle) continue;
+    notes.push_back(fmt::format(
+        "the drive of {} turns by {:.3g} deg over the whole motion of {:.4g} "
+        "s, less than a hundredth of a turn: see that the units of its law and "
+        "of the duration are right",
+        mechanism::drive_name(definition, drive), (most - least) / kDegree,
+        motion.instants.back().t - motion.instants.front().t));
   }
 }
 
@@ -258,6 +338,8 @@ std::vector<std::string> motion_notes(const MechanismDefinition& definition,
   std::vector<std::string> notes;
   add_gravity(definition, notes);
   add_densities(definition, notes);
+  add_far_centres(definition, notes);
+  add_short_motions(definition, motion, notes);
   add_freedom(definition, motion, notes);
   add_unjoined(definition, notes);
   add_assembly(definition, motion, notes);

@@ -9,10 +9,12 @@
 namespace clevis::report {
 
 /// Notes on how a motion came about, one sentence each: gravity that no
-/// machine meets; bodies denser or lighter than any; freedom that no drive
-/// fixes and that was integrated, from which start; bodies that assembly moved
-/// far from their placement, or that had none; a search for the largest loads
-/// that did not come to its end; friction whose breakaway is in no load.
+/// machine meets; bodies denser or lighter than any, or with their mass far
+/// from their joints; drives that hardly turn before the motion ends; freedom
+/// that no drive fixes and that was integrated, from which start; bodies that
+/// assembly moved far from their placement, or that had none; a search for the
+/// largest loads that did not come to its end; friction whose breakaway is in
+/// no load.
 std::vector<std::string> motion_notes(
     const mechanism::MechanismDefinition& definition,
     const mechanism::Motion& motion);

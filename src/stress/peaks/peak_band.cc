@@ -27,10 +27,9 @@ Band peak_band(std::span<const SequenceValue> sequence, double tolerance) {
   Band band{value, value - half_width, value + half_width,
             Convergence::kConverged};
   if (half_width <= tolerance * std::abs(value)) return band;
-  const bool same_way = last * before > 0.0;
-  band.verdict = same_way && ratio > kSingularRatio
-                     ? Convergence::kSingular
-                     : Convergence::kNotConverged;
+  const bool grows = last * before > 0.0 && last * value > 0.0;
+  band.verdict = grows && ratio > kSingularRatio ? Convergence::kSingular
+                                                 : Convergence::kNotConverged;
   return band;
 }
 

@@ -54,6 +54,36 @@ TEST_F(GmshRunner, ReturnsTheMeshTwiceTheSame) {
   EXPECT_EQ(run_gmsh(file), mesh);
 }
 
+// gmsh 4.8.4 leaves out all but the first statement of such a line.
+TEST_F(GmshRunner, ReadsALastLineWithoutNewline) {
+  const std::string last =
+      R"(Physical Surface("x0") = {1};Physical Surface("x1") = {6};Physical )"
+      R"(Surface("y0") = {2};)";
+  const std::string whole = run_gmsh(geometry(kCube + last + "\n"));
+  EXPECT_NE(whole.find("\"y0\""), std::string::npos);
+  EXPECT_EQ(run_gmsh(geometry(kCube + last)), whole);
+}
+
+// Its includes stand beside it, not beside the file that ends the line for it.
+TEST_F(GmshRunner, ReadsIncludesBesideALastLineWithoutNewline) {
+  std::ofstream(folder_.path() / "cube.geo") << kCube;
+  const std::string include = "Include \"cube.geo\";\n";
+  const std::string last = R"(a = 1;Physical Surface("x0") = {1};)";
+  const std::string whole = run_gmsh(geometry(include + last + "\n"));
+  EXPECT_NE(whole.find("\"x0\""), std::string::npos);
+  EXPECT_EQ(run_gmsh(geometry(include + last)), whole);
+}
+
+TEST_F(GmshRunner, RefusesALastLineWithoutNewlineThatNamesAFile) {
+  std::ofstream(folder_.path() / "cube.geo") << kCube;
+  const path file = geometry("a = 1;\nb = 2;Include \"cube.geo\";");
+  const Error error = refusal(file, kLong);
+  EXPECT_EQ(error.code(), "M010");
+  EXPECT_EQ(error.place(), file.string() + ":2");
+  EXPECT_NE(error.problem().find("newline"), std::string::npos)
+      << error.problem();
+}
+
 TEST_F(GmshRunner, QuotesTheFirstErrorOfGmsh) {
   const Error error = refusal(geometry("Line(1) = {1, 2};\n"), kLong);
   EXPECT_EQ(error.code(), "M010");

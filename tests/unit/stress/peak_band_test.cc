@@ -54,6 +54,23 @@ TEST(PeakBand, CornersAreSingular) {
   }
 }
 
+// A bore's peak by degrees 2 to 5 sinks by 0.15 % twice: slow, but no singular
+// stress sinks. Of probes, which have a sign, the size counts.
+TEST(PeakBand, WhatSinksIsNotSingular) {
+  const std::vector<double> sinks = {27.5063, 27.9457, 27.9018, 27.8605};
+  for (const double sign : {1.0, -1.0}) {
+    std::vector<double> values, mirrored;
+    for (const double value : sinks) {
+      values.push_back(sign * value);
+      mirrored.push_back(sign * (55.8 - value));
+    }
+    EXPECT_EQ(peak_band(from_degree_two(values), 0.0047).verdict,
+              Convergence::kNotConverged);
+    EXPECT_EQ(peak_band(from_degree_two(mirrored), 0.0047).verdict,
+              Convergence::kSingular);
+  }
+}
+
 TEST(PeakBand, VerdictFollowsTheTolerance) {
   const auto sequence = from_degree_two({90.0, 97.0, 100.0});
   EXPECT_EQ(peak_band(sequence, 0.05).verdict, Convergence::kConverged);

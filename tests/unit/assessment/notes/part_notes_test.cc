@@ -57,11 +57,11 @@ TEST(PartNotes, YieldStrengthOfNoMaterialIsAskedAbout) {
   PartJob job = steel_link();
   job.part.material.yield_strength = 355e3;  // kPa for MPa
   EXPECT_EQ(only_note(job),
-            "the yield strength of steel is 0.355 MPa, outside 1 MPa to 5 GPa: "
-            "see that its unit is right");
-  job.part.material.yield_strength = 35.5e9;
-  EXPECT_NE(only_note(job).find("3.55e+04 MPa"), std::string::npos);
-  for (const double sound : {1e6, 5e9}) {
+            "the yield strength of steel is 0.355 MPa, outside 1 MPa to 2.5 "
+            "GPa: see that its unit is right");
+  job.part.material.yield_strength = 3.55e9;
+  EXPECT_NE(only_note(job).find("3550 MPa"), std::string::npos);
+  for (const double sound : {1e6, 2.5e9}) {
     job.part.material.yield_strength = sound;
     EXPECT_TRUE(part_notes(job).empty()) << sound;
   }
@@ -133,7 +133,11 @@ TEST(PartNotes, MaterialsAreAskedAboutThatNobodyHas) {
       {"PTFE", 0.5e9, 0.46, 2200.0, 12e6},
       {"polyethylene", 0.2e9, 0.45, 920.0, 10e6},
       {"rubber", 0.02e9, 0.4999, 1100.0, 15e6},
-      {"wire", 210e9, 0.3, 7850.0, 3.5e9},
+      {"maraging steel", 190e9, 0.3, 8000.0, 2.4e9},
+      {"tungsten", 400e9, 0.28, 19300.0, 750e6},
+      {"magnesium", 45e9, 0.29, 1740.0, 200e6},
+      {"spruce", 15e9, 0.3, 450.0, 50e6},
+      {"foam", 0.02e9, 0.3, 45.0, 1e6},
       {"carbon fibre", 150e9, 0.0, 1600.0, 1.5e9},
   };
   for (const part::Material& material : sound) {
@@ -144,7 +148,10 @@ TEST(PartNotes, MaterialsAreAskedAboutThatNobodyHas) {
   const part::Material wrong[] = {
       {"steel", 0.21e9, 0.3, 7850.0, 100e6},  // MPa for GPa
       {"aluminium", 0.07e9, 0.33, 2700.0, 60e6},
-      {"steel", 210e9, 0.3, 78.5, 355e6},    // a hundredth
+      {"steel", 210e9, 0.3, 78.5, 355e6},  // a hundredth
+      {"steel", 210e9, 0.3, 785.0, 355e6},
+      {"steel", 210e9, 0.3, 78500.0, 355e6},
+      {"steel", 21e9, 0.3, 7850.0, 355e6},   // yields at 1.7 %
       {"steel", 0.6e9, 0.3, 7850.0, 355e6},  // yields at 59 %
       {"steel", 210e9, 0.0003, 7850.0, 355e6},
       {"steel", 210e9, -0.3, 7850.0, 355e6},
@@ -157,20 +164,23 @@ TEST(PartNotes, MaterialsAreAskedAboutThatNobodyHas) {
   }
 }
 
-TEST(PartNotes, LoadsThatUseHardlyAnyStrengthAreAskedAbout) {
+TEST(PartNotes, DampingOfNoLinkIsAskedAbout) {
   PartJob job = steel_link();
-  EXPECT_TRUE(strength_notes(job, 0.02).empty());
-  ASSERT_EQ(strength_notes(job, 1e-3).size(), 1u);
-  EXPECT_NE(strength_notes(job, 1e-3)[0].find("1000 times its strength"),
+  job.part.damping = 0.3;
+  EXPECT_TRUE(part_notes(job).empty());
+  job.part.damping = 0.5;  // of one percent
+  EXPECT_TRUE(only_note(job).starts_with("its damping is 0.5 of the critical"));
+}
+
+TEST(PartNotes, LoadsThatUseHardlyAnyStrengthAreAskedAbout) {
+  EXPECT_TRUE(strength_notes(0.02).empty());
+  ASSERT_EQ(strength_notes(1e-3).size(), 1u);
+  EXPECT_NE(strength_notes(1e-3)[0].find("1000 times its strength"),
             std::string::npos);
-  // In a mechanism joints tell its size, and many parts only carry their
-  // weight.
-  EXPECT_TRUE(strength_notes(job, 4414.0).empty());
-  job.part.cases.resize(1);
-  EXPECT_TRUE(strength_notes(job, 0.0).empty());  // nothing stresses it
-  EXPECT_TRUE(strength_notes(job, 99.0).empty());
-  ASSERT_EQ(strength_notes(job, 432.0).size(), 1u);
-  EXPECT_NE(strength_notes(job, 432.0)[0].find("safety factor 432"),
+  EXPECT_TRUE(strength_notes(0.0).empty());  // nothing stresses it
+  EXPECT_TRUE(strength_notes(99.0).empty());
+  ASSERT_EQ(strength_notes(432.0).size(), 1u);
+  EXPECT_NE(strength_notes(432.0)[0].find("safety factor 432"),
             std::string::npos);
 }
 

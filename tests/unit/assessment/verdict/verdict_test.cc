@@ -103,6 +103,31 @@ TEST(Verdict, NamesTheSourceOfDoubt) {
             std::string::npos);
 }
 
+// No tolerance narrows what the joints, instants or change points leave open.
+TEST(Verdict, AdvisesATighterToleranceWhereThatHelps) {
+  const auto remedy = [](double ErrorShares::*share) {
+    PartResult result = converged(132e6, 190e6, 230e6);
+    result.peak.shares = {.mesh = 1e6, .model = 1e6};
+    result.peak.shares.*share += 39e6;
+    return judged(steel_part(), result).why;
+  };
+  EXPECT_TRUE(remedy(&ErrorShares::mesh)
+                  .ends_with("MPa: tighten --tolerance, or mesh finer there"))
+      << remedy(&ErrorShares::mesh);
+  EXPECT_NE(remedy(&ErrorShares::model).find("tighten --tolerance, or take"),
+            std::string::npos);
+  EXPECT_TRUE(remedy(&ErrorShares::sharing)
+                  .ends_with("MPa: give the joints their `compliance`"))
+      << remedy(&ErrorShares::sharing);
+  EXPECT_TRUE(remedy(&ErrorShares::time).ends_with("[simulation])"));
+  PartResult bent = converged(9e6, 10e6, 40e6);
+  bent.peak.shares = {.mesh = 1e6, .sharing = 30e6};
+  bent.deflection_low = 0.1e-3;
+  bent.deflection_high = 0.6e-3;
+  const std::string why = judged(steel_part(), bent).why;
+  EXPECT_TRUE(why.ends_with("mm: give the joints their `compliance`")) << why;
+}
+
 TEST(Verdict, DeflectionIsHeldAgainstItsBand) {
   // 0.5 mm are allowed.
   const auto with = [](double low, double value, double high) {

@@ -93,6 +93,73 @@ TEST(MotionNotes, MassAndInertiaWrongByOneFactorAreAskedAbout) {
   EXPECT_TRUE(motion_notes(definition, {}).empty());
 }
 
+// A rocker of 200 mm, its centre of mass 600 mm away for 60.
+TEST(MotionNotes, CentreOfMassFarFromItsJointsIsAskedAbout) {
+  MechanismDefinition definition;
+  definition.bodies.resize(1);
+  BodyDefinition& body = definition.bodies[0];
+  body.name = "rocker";
+  definition.joints.resize(2);
+  definition.joints[0].body_b = 0;
+  definition.joints[1].body_a = 0;
+  definition.joints[1].body_b = kGround;
+  definition.joints[1].frame_a.p_LJ = {0.2, 0.0, 0.0};
+  body.mass_properties.p_LCm = {-0.6, 0.0, 0.0};
+  EXPECT_TRUE(motion_notes(definition, {}).empty());
+  body.mass_properties.p_LCm = {0.2, 0.66, 0.0};
+  const std::string note = only_note(definition, {});
+  EXPECT_TRUE(tells(note,
+                    "body rocker is 660 mm from its nearest joint, 3.3 "
+                    "times as far as its joints are apart (200 mm)"))
+      << note;
+  body.part = "rocker";  // its mesh tells where its mass is
+  EXPECT_TRUE(motion_notes(definition, {}).empty());
+  body.part.clear();
+  definition.joints.pop_back();  // a pendulum's bob
+  EXPECT_TRUE(motion_notes(definition, {}).empty());
+}
+
+/// Of one drive of a hinge, by its law, at the start and the end of a second.
+Motion driven_to(MechanismDefinition& definition, const DriveDefinition& drive,
+                 double end) {
+  definition.joints.resize(1);
+  definition.joints[0].name = "hinge";
+  definition.joints[0].type = JointType::kRevolute;
+  definition.drives = {drive};
+  Motion motion;
+  motion.instants.resize(2);
+  motion.instants[1].t = 1.0;
+  for (Instant& instant : motion.instants) instant.drives.resize(1);
+  motion.instants[1].drives[0].position = end;
+  return motion;
+}
+
+TEST(MotionNotes, DriveThatHardlyTurnsIsAskedAbout) {
+  MechanismDefinition definition;
+  const DriveDefinition speed{.law = DriveLaw::kSpeed, .speed = 0.05};
+  Motion motion = driven_to(definition, speed, 0.05);
+  const std::string note = only_note(definition, motion);
+  EXPECT_TRUE(tells(note,
+                    "the drive of hinge turns by 2.86 deg over the whole "
+                    "motion of 1 s"))
+      << note;
+  motion = driven_to(definition, speed, 0.07);
+  EXPECT_TRUE(motion_notes(definition, motion).empty());
+  // One that is to turn no farther, and one that ends before it has.
+  const DriveDefinition small{
+      .law = DriveLaw::kQuintic, .to = 0.05, .duration = 1.0};
+  motion = driven_to(definition, small, 0.05);
+  EXPECT_TRUE(motion_notes(definition, motion).empty());
+  const DriveDefinition cut{
+      .law = DriveLaw::kQuintic, .to = 1.0, .duration = 1e3};
+  motion = driven_to(definition, cut, 1e-6);
+  EXPECT_TRUE(tells(only_note(definition, motion), "turns by 5.73e-05 deg"));
+  // A millimetre is no angle.
+  motion = driven_to(definition, speed, 0.001);
+  definition.joints[0].type = JointType::kPrismatic;
+  EXPECT_TRUE(motion_notes(definition, motion).empty());
+}
+
 // Weight alone moves it: a drive was probably forgotten.
 TEST(MotionNotes, ForgottenDriveIsAskedFor) {
   const std::string note = only_note({}, left_free());
