@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "assessment/verdict/governing_peak.h"
 #include "assessment/vibration/load_pace.h"
 #include "loads/history/turning_loads.h"
 
@@ -228,7 +229,7 @@ TurningPart turning_part(const PartJob& job, const LoadSet& motion,
 }
 
 std::string not_known_by_spin(
-    const PartJob& job, const LoadSet& motion,
+    const PartJob& job, const PartResult& result, const LoadSet& motion,
     const std::vector<elasticity::SeatShapes::Moved>& frequencies) {
   // Steps and pulses answer 1 to 2 at any frequency.
   constexpr double kFirst = 1.1, kLater = 2.0;
@@ -243,7 +244,10 @@ std::string not_known_by_spin(
     const double rise = rise_between(job, components, kTurn / still,
                                      std::min(1.0, (1.0 - kWidth) * ratio),
                                      std::max(1.0, (1.0 + kWidth) * ratio));
-    if (rise <= (k < kPair ? kFirst : kLater)) continue;
+    if (rise <= (k < kPair ? kFirst : kLater) ||
+        !rise_decides(job.part, result, rise)) {
+      continue;
+    }
     return fmt::format(
         "a body that spins on it moves its frequency of {:.3g} Hz to {:.3g} "
         "Hz, and its gyroscopic moment is not in the vibration: it may swing "

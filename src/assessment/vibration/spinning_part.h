@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "assessment/job/part_job.h"
+#include "assessment/job/part_result.h"
 #include "elasticity/vibration/seat_shapes.h"
 
 namespace clevis::assessment {
@@ -35,9 +36,10 @@ TurningPart turning_part(const PartJob& job, const LoadSet& motion,
                          double first);
 
 /// Why a part's vibration is not known where bodies that spin on it move its
-/// frequencies to those of its loads; empty: it is.
+/// frequencies to those of its loads, and what they may rise by decides about a
+/// limit; empty: it is.
 std::string not_known_by_spin(
-    const PartJob& job, const LoadSet& motion,
+    const PartJob& job, const PartResult& result, const LoadSet& motion,
     const std::vector<elasticity::SeatShapes::Moved>& frequencies);
 
 }  // namespace clevis::assessment

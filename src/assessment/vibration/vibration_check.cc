@@ -416,7 +416,8 @@ void doubt_spun_frequencies(const PartJob& job, HeldMotions& held,
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const LoadSet motion = followed_loads(job.load_sets[s]);
     if (spins_fast(job, motion, *result.first_period)) continue;
-    std::string unknown = not_known_by_spin(job, motion, held.moved_by_spin(s));
+    std::string unknown =
+        not_known_by_spin(job, result, motion, held.moved_by_spin(s));
     if (unknown.empty()) continue;
     result.vibration.not_followed = std::move(unknown);
     return;
