@@ -31,6 +31,19 @@ std::vector<std::vector<std::string>> parts_on(
   return parts;
 }
 
+/// Whether an element's force grows with what moves it.
+bool gives_way(const mechanism::ForceElement& element) {
+  const auto* line = std::get_if<mechanism::LineElement>(&element);
+  if (line == nullptr) {
+    return !std::holds_alternative<mechanism::ConstantForce>(element);
+  }
+  const mechanism::LineLaw& law = line->law;
+  return std::holds_alternative<mechanism::SpringLaw>(law) ||
+         std::holds_alternative<mechanism::StopLaw>(law) ||
+         std::holds_alternative<mechanism::GasCylinderLaw>(law) ||
+         std::holds_alternative<mechanism::ServoLaw>(law);
+}
+
 /// What holds bodies that hang together with a part's and gives way.
 std::vector<assessment::YieldingElements> elements_on_parts(
     const mechanism::MechanismDefinition& mechanism,
@@ -49,7 +62,7 @@ std::vector<assessment::YieldingElements> elements_on_parts(
     auto& of_part = found.emplace_back();
     of_part.part = mechanism.bodies[b].part;
     for (const mechanism::ForceElement& element : mechanism.elements) {
-      if (!std::holds_alternative<mechanism::ConstantForce>(element) &&
+      if (gives_way(element) &&
           std::ranges::any_of(together, [&](mechanism::BodyIndex body) {
             return acts_on(element, mechanism.joints, body);
           })) {
@@ -64,10 +77,13 @@ std::vector<assessment::YieldingElements> elements_on_parts(
 
 std::vector<std::string> doubt_joined_parts(
     const mechanism::MechanismDefinition& mechanism,
+    const mechanism::Motion& motion,
     const std::vector<assessment::PartJob>& jobs,
     std::vector<assessment::PartResult>& results) {
   const auto joined = mechanism::joined_bodies(mechanism);
-  assessment::note_elements(elements_on_parts(mechanism, joined), results);
+  if (motion.integration) {  // else drives hold, whatever elements do
+    assessment::note_elements(elements_on_parts(mechanism, joined), results);
+  }
   return assessment::doubt_by_joined(
       jobs,
       {parts_on(joined.moving, mechanism), parts_on(joined.stiffly, mechanism)},

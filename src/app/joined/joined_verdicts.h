@@ -7,6 +7,7 @@
 #include "assessment/job/part_job.h"
 #include "assessment/job/part_result.h"
 #include "mechanism/definition/definition.h"
+#include "mechanism/definition/motion.h"
 
 namespace clevis::app {
 
@@ -14,6 +15,7 @@ namespace clevis::app {
 /// @return names of parts whose verdict has changed.
 std::vector<std::string> doubt_joined_parts(
     const mechanism::MechanismDefinition& mechanism,
+    const mechanism::Motion& motion,
     const std::vector<assessment::PartJob>& jobs,
     std::vector<assessment::PartResult>& results);
 

@@ -6,12 +6,26 @@
 #include <span>
 #include <utility>
 
+#include <sys/mman.h>
+
 #include "elasticity/algebra/dense_blocks.h"
 #include "elasticity/algebra/large_buffer.h"
 #include "elasticity/lanes/thread_team.h"
 
 namespace clevis::elasticity {
 namespace {
+
+/// Whether OpenBLAS would get working space for more threads: it tries for ever
+/// where it gets none.
+bool has_room_for(int more) {
+  const std::size_t wanted =
+      (std::size_t{384} << 20) * static_cast<std::size_t>(more);  // [byte]
+  void* space = mmap(nullptr, wanted, PROT_READ | PROT_WRITE,
+                     MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (space == MAP_FAILED) return false;
+  munmap(space, wanted);
+  return true;
+}
 
 /// The matrix of a front's border, later × later, by columns: it waits for the
 /// front above.
@@ -57,8 +71,10 @@ class Elimination {
       : ordered_(ordered), tree_(tree), start_(start), factor_(factor) {}
 
   bool run(int threads) {
-    if (threads < 2) return eliminate_subtree(0, tree_.fronts.size(), nullptr);
-    return eliminate_by_threads(threads);
+    if (threads > 1 && is_large() && has_room_for(threads - 1)) {
+      return eliminate_by_threads(threads);
+    }
+    return eliminate_subtree(0, tree_.fronts.size(), nullptr);
   }
 
  private:
@@ -90,6 +106,14 @@ class Elimination {
           rows, panel, border, run);
     }
     return eliminate<Real>({panel, front.own(), front.later()}, border, run);
+  }
+
+  /// Enough for threads to gain by it.
+  bool is_large() const {
+    constexpr double kLarge = 1e7;  // flops
+    double flops = 0.0;
+    for (const Front& front : tree_.fronts) flops += front.flops();
+    return flops > kLarge;
   }
 
   static void set_zero(Real* numbers, std::size_t count, const ForTasks& run) {
