@@ -128,6 +128,8 @@ def main():
             buckling = part["buckling"]
             checks.holds(buckling["band"], factor,
                          f"{part['name']} of the column, alone {buckling['factor']:.4g}")
+            checks.expect(buckling["band"][0] > 0.9 * factor,
+                          "the sum is no more than a tenth below it")
             checks.expect((part["verdict"] == "pass") == (factor > 1.5),
                           f"{part['name']}: {part['verdict']}, 1.5 wanted")
     allowed = 120.0

@@ -90,7 +90,6 @@ std::vector<std::string> doubt_joined_parts(
       results);
 }
 
-/// Of parts whose verdict changed after they were drawn.
 void draw_anew(const std::vector<std::string>& parts, const fs::path& folder) {
   if (parts.empty()) return;
   const auto page =

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +10,6 @@
 #include "assessment/verdict/governing_peak.h"
 #include "assessment/verdict/verdict.h"
 #include "assessment/vibration/load_pace.h"
-#include "assessment/vibration/vibration_check.h"
 #include "part/buckling_limit.h"
 
 namespace clevis::assessment {
@@ -173,6 +170,7 @@ std::vector<std::string> doubt_by_joined(const std::vector<PartJob>& jobs,
   std::vector<std::string> names;
   for (const Member& member : changed) {
     const part::Verdict before = member.result->verdict;
+    if (before == part::Verdict::kFail) continue;  // a doubt mends nothing
     judge(member.job->part, *member.result);
     if (member.result->verdict != before) names.push_back(member.result->name);
   }
