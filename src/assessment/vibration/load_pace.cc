@@ -178,18 +178,34 @@ dynamics::ResponseSpectrum load_spectrum(const PartJob& job,
 
 double rise_near(const PartJob& job, const dynamics::LoadPath& components,
                  double first, double low, double high) {
-  constexpr double kLeast = 0.1;
-  constexpr Index kPeriods = 65;
+  constexpr double kLeast = 0.01, kClosest = 2e-3;
+  constexpr Index kBetween = 4;
   low = std::max(low, kLeast);
   if (!(low < high) || components.coordinates() == 0) return 1.0;
-  const auto answer = [&](const VectorXd& squares) {
+  const auto answer = [&](double frequency) {
     return response_spectrum(components,
-                             first * squares.cwiseSqrt().cwiseInverse(),
+                             VectorXd::Constant(1, first / frequency),
                              job.part.damping, kPaceCounts)
         .amplification;
   };
-  return std::max(1.0, answer(VectorXd::LinSpaced(kPeriods, low, high)) /
-                           answer(VectorXd::Ones(1)));
+  // Half of a step beside a resonance of that width 0.89 of it is left.
+  const double step = std::max(kClosest, job.part.damping);
+  const double from = 0.5 * std::log(low), to = 0.5 * std::log(high);
+  const auto count = static_cast<Index>((to - from) / step) + 2;
+  const VectorXd near = VectorXd::LinSpaced(count, from, to);
+  VectorXd answers(count);
+  for (Index i = 0; i < count; ++i) answers[i] = answer(std::exp(near[i]));
+  Index top = 0;
+  double most = answers.maxCoeff(&top);
+  for (const Index beside : {top - 1, top + 1}) {
+    if (beside < 0 || beside == count) continue;
+    for (Index k = 1; k < kBetween; ++k) {
+      const double share = static_cast<double>(k) / kBetween;
+      most = std::max(most, answer(std::exp(std::lerp(near[top], near[beside],
+                                                      share))));
+    }
+  }
+  return std::max(1.0, most / answer(1.0));
 }
 
 }  // namespace clevis::assessment

@@ -147,24 +147,6 @@ double largest_shift(const PartJob& job, const LoadSet& motion, double fastest,
   return kOwn + kArm * arm / job.sides()[2];
 }
 
-/// Largest answer of oscillators over that of one with a period [s].
-/// @param low, high  their frequencies over its own [1].
-double rise_between(const PartJob& job, const dynamics::LoadPath& components,
-                    double period, double low, double high) {
-  constexpr double kStep = 0.005;  // as a resonance of little damping is wide
-  if (components.coordinates() == 0) return 1.0;
-  const auto answer = [&](const VectorXd& frequencies) {
-    return dynamics::response_spectrum(components,
-                                       period * frequencies.cwiseInverse(),
-                                       job.part.damping, kPaceCounts)
-        .amplification;
-  };
-  const auto steps = static_cast<Index>(std::log(high / low) / kStep) + 2;
-  const VectorXd all =
-      VectorXd::LinSpaced(steps, std::log(low), std::log(high)).array().exp();
-  return answer(all) / answer(VectorXd::Ones(1));
-}
-
 }  // namespace
 
 double spin_about_length(const PartJob& job, const LoadSet& set) {
@@ -241,9 +223,10 @@ std::string not_known_by_spin(
     const auto& [still, moved] = frequencies[k];
     const double ratio = moved / still;
     if (std::abs(ratio - 1.0) < kCounts) continue;
-    const double rise = rise_between(job, components, kTurn / still,
-                                     std::min(1.0, (1.0 - kWidth) * ratio),
-                                     std::max(1.0, (1.0 + kWidth) * ratio));
+    const double low = std::min(1.0, (1.0 - kWidth) * ratio);
+    const double high = std::max(1.0, (1.0 + kWidth) * ratio);
+    const double rise =
+        rise_near(job, components, kTurn / still, low * low, high * high);
     if (rise <= (k < kPair ? kFirst : kLater) ||
         !rise_decides(job.part, result, rise)) {
       continue;

@@ -115,6 +115,9 @@ TEST(LoadPace, OscillatorsNearTheFirstMeetTheLoad) {
   EXPECT_EQ(rise_near(job, components, kFirst, 1.0, 1.0), 1.0);
   EXPECT_LT(rise_near(job, components, kFirst, 0.8, 1.0), 1.05);
   EXPECT_GT(rise_near(job, components, kFirst, 1.0, 1.3), 1.3);
+  const double beside = rise_near(job, components, kFirst, 1.19, 1.23);
+  EXPECT_NEAR(rise_near(job, components, kFirst, 0.05, 9.0), beside,
+              0.01 * beside);
 }
 
 // What stands still in the same component hides nothing either.
