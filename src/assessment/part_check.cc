@@ -241,6 +241,7 @@ PartAssessment check_part(const PartJob& given) {
   doubt_moved_frequencies(job, buckling.stiffening, result);
   check_second_order(job, assessment.fields.history, buckling.of_lowest_degree,
                      held, model, result);
+  doubt_on_springs(job, buckling.on_springs, result);
   check_sharing(given, result);
   judge(job.part, result);
   explain_unsettled(result);

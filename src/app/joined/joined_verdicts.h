@@ -7,15 +7,13 @@
 #include "assessment/job/part_job.h"
 #include "assessment/job/part_result.h"
 #include "mechanism/definition/definition.h"
-#include "mechanism/definition/motion.h"
 
 namespace clevis::app {
 
-/// Doubts and notes parts for what else in their mechanism yields.
+/// Doubts parts for what else in their mechanism yields.
 /// @return names of parts whose verdict has changed.
 std::vector<std::string> doubt_joined_parts(
     const mechanism::MechanismDefinition& mechanism,
-    const mechanism::Motion& motion,
     const std::vector<assessment::PartJob>& jobs,
     std::vector<assessment::PartResult>& results);
 

@@ -248,7 +248,7 @@ std::vector<std::string> check_parts(LoadedScene& loaded,
       write_shape(*job, carrier_of(*job), folder);
     }
   }
-  return doubt_joined_parts(loaded.scene.mechanism, motion, jobs, report.parts);
+  return doubt_joined_parts(loaded.scene.mechanism, jobs, report.parts);
 }
 
 std::vector<std::string> moving_parts(const LoadedScene& loaded,

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "assessment/stability/buckling_check.h"
+#include "assessment/stability/second_order_check.h"
 #include "assessment/verdict/governing_peak.h"
 #include "assessment/verdict/verdict.h"
 #include "assessment/vibration/load_pace.h"
@@ -98,11 +99,6 @@ double factor_together(const std::vector<Member>& members) {
   return 1.0 / sum;
 }
 
-/// By how much loads near a factor of buckling above 1 bend a part further [1].
-double bent_further(double factor) {
-  return 1.0 / (1.0 - 1.0 / factor);
-}
-
 void lower_buckling(const std::vector<Member>& members, const Member& member,
                     double together) {
   PartResult& result = *member.result;
@@ -113,18 +109,9 @@ void lower_buckling(const std::vector<Member>& members, const Member& member,
       fmt::format("{} joined to it yields, too: together at {:.4g} or later",
                   others(members, member), together);
   buckling.remark += (buckling.remark.empty() ? "" : "; ") + more;
-  SecondOrderResult& second = result.second_order;
-  if (together <= 1.0) {
-    if (second.failure.empty()) second.failure = more;
-    return;
-  }
-  const double counted = second.peak > 0.0 ? bent_further(own) : 1.0;
-  const double rise = bent_further(together) / counted;
-  const double peak = std::max(second.peak, governing_peak(result).value);
-  second.bound = std::max(second.bound, rise * peak);
-  const double deflection = std::max(second.deflection, result.deflection);
-  second.deflection_bound =
-      std::max(second.deflection_bound, rise * deflection);
+  const double counted =
+      result.second_order.peak > 0.0 ? bent_further(own) : 1.0;
+  bound_by_buckling_together(together, counted, more, result);
 }
 
 }  // namespace
@@ -175,24 +162,6 @@ std::vector<std::string> doubt_by_joined(const std::vector<PartJob>& jobs,
     if (member.result->verdict != before) names.push_back(member.result->name);
   }
   return names;
-}
-
-void note_elements(const std::vector<YieldingElements>& elements,
-                   std::vector<PartResult>& results) {
-  for (const YieldingElements& of_part : elements) {
-    const auto result =
-        std::ranges::find(results, of_part.part, &PartResult::name);
-    if (result == results.end() || of_part.names.empty()) continue;
-    const bool presses =
-        result->buckling.factor.value_or(HUGE_VAL) < kFirstOrderIsEnough;
-    if (!presses && !result->vibration.ratio) continue;
-    result->notes.push_back(fmt::format(
-        "what {} yield{} is not in its {}", fmt::join(of_part.names, ", "),
-        of_part.names.size() > 1 ? "" : "s",
-        !presses                  ? "vibration"
-        : result->vibration.ratio ? "vibration and buckling"
-                                  : "buckling"));
-  }
 }
 
 }  // namespace clevis::assessment

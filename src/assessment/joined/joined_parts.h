@@ -34,15 +34,4 @@ std::vector<std::string> doubt_by_joined(const std::vector<PartJob>& jobs,
                                          const JoinedParts& joined,
                                          std::vector<PartResult>& results);
 
-/// Force elements that act on what moves with a part, by names.
-struct YieldingElements {
-  std::string part;
-  std::vector<std::string> names;
-};
-
-/// Notes parts that may buckle or vibrate where springs, servo axes or contacts
-/// hold them: what these yield is in neither.
-void note_elements(const std::vector<YieldingElements>& elements,
-                   std::vector<PartResult>& results);
-
 }  // namespace clevis::assessment

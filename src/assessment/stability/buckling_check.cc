@@ -41,6 +41,7 @@ struct Candidate {
   std::optional<elasticity::NodalField<3>> known = {};  ///< by the last degree
   double factor{};                                      ///< likewise
   double stiffening{};  ///< of BucklingMode, over all instants
+  BucklingMode::OnSprings on_springs = {};  ///< likewise
 };
 
 /// A hold where its slides are at an instant.
@@ -83,6 +84,9 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
     if (mode.shape.size() > 0) candidate.known = {space.whole, mode.shape};
     candidate.factor = mode.factor;
     candidate.stiffening = std::max(candidate.stiffening, mode.stiffening);
+    if (mode.on_springs.sum() > candidate.on_springs.sum()) {
+      candidate.on_springs = mode.on_springs;
+    }
     if (best && best->mode.factor <= mode.factor) continue;
     best = {std::move(mode), instant.label, instant.time};
   }
@@ -155,6 +159,9 @@ void take(const PartJob& job, BucklingModel& model, int degree,
   check.result.of_motions.assign(job.load_sets.size(), kNone);
   check.stiffening.assign(job.load_sets.size(), 0.0);
   for (const Candidate& candidate : candidates) {
+    if (candidate.on_springs.sum() > check.on_springs.sum()) {
+      check.on_springs = candidate.on_springs;
+    }
     if (!candidate.is_motion) continue;
     double& least = check.result.of_motions[candidate.set];
     least = std::min(least, candidate.factor);

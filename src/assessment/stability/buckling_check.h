@@ -5,6 +5,7 @@
 
 #include "assessment/job/part_job.h"
 #include "assessment/stability/buckling_model.h"
+#include "elasticity/buckling/buckling.h"
 
 namespace clevis::assessment {
 
@@ -20,6 +21,8 @@ struct BucklingCheck {
   std::vector<double> stiffening;
   /// By the model's lowest_degree(); 0: not known.
   double of_lowest_degree{};
+  /// By the lowest degree, of the load set with the largest sum.
+  elasticity::BucklingMode::OnSprings on_springs;
   double seconds{};
 };
 

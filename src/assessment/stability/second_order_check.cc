@@ -386,4 +386,47 @@ void check_second_order(const PartJob& job, const std::vector<InstantRow>& rows,
   note(result, result.notes);
 }
 
+double bent_further(double factor) {
+  return 1.0 / (1.0 - 1.0 / factor);
+}
+
+void bound_by_buckling_together(double together, double counted,
+                                const std::string& why, PartResult& result) {
+  SecondOrderResult& second = result.second_order;
+  if (together <= 1.0) {
+    if (second.failure.empty()) second.failure = why;
+    return;
+  }
+  const double rise = bent_further(together) / counted;
+  const double peak = std::max(second.peak, governing_peak(result).value);
+  second.bound = std::max(second.bound, rise * peak);
+  const double deflection = std::max(second.deflection, result.deflection);
+  second.deflection_bound =
+      std::max(second.deflection_bound, rise * deflection);
+}
+
+void doubt_on_springs(const PartJob& job,
+                      const elasticity::BucklingMode::OnSprings& on,
+                      PartResult& result) {
+  constexpr double kCounts = 0.98;
+  BucklingResult& buckling = result.buckling;
+  if (!(on.springs > 0.0) || !buckling.factor) return;
+  const double own = std::max(on.own, 1.0 / buckling.band_low);
+  const double together = 1.0 / (own + on.springs);
+  const double enough = std::max(kFirstOrderIsEnough,
+                                 part::wanted_buckling_factor(job.part.limits));
+  if (together > kCounts * buckling.band_low || together >= enough) return;
+  buckling.band_low = together;
+  const std::string more = fmt::format(
+      "springs and servo axes that hold it yield, too: together at {:.4g} or "
+      "later, at {:.4g} if it were rigid",
+      together, 1.0 / on.springs);
+  buckling.remark += (buckling.remark.empty() ? "" : "; ") + more;
+  if (own >= 1.0) return;  // it buckles by itself
+  // The motion of the mechanism has what its springs yield.
+  double counted = bent_further(1.0 / on.springs);
+  if (result.second_order.peak > 0.0) counted *= bent_further(1.0 / own);
+  bound_by_buckling_together(together, counted, more, result);
+}
+
 }  // namespace clevis::assessment

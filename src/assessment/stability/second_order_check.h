@@ -1,10 +1,12 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "assessment/job/part_job.h"
 #include "assessment/stability/buckling_model.h"
 #include "assessment/vibration/held_stretches.h"
+#include "elasticity/buckling/buckling.h"
 
 namespace clevis::assessment {
 
@@ -29,5 +31,22 @@ namespace clevis::assessment {
 void check_second_order(const PartJob& job, const std::vector<InstantRow>& rows,
                         double of_lowest_degree, HeldMotions& held,
                         BucklingModel& model, PartResult& result);
+
+/// Bounds second order of a part that buckles together with what yields beside
+/// it: stress and deflection rise by no more than 1/(1 − 1/λ).
+/// @param together  λ at the least [1].
+/// @param counted   what is in second order already [1].
+/// @param why       where λ is 1 or less.
+void bound_by_buckling_together(double together, double counted,
+                                const std::string& why, PartResult& result);
+/// Of a part on springs of its mechanism: its band of buckling reaches down to
+/// where both buckle together at the latest, and second order is bounded by
+/// that, less what the mechanism's motion has of it.
+/// @pre `result` has its buckling and its second order.
+void doubt_on_springs(const PartJob& job,
+                      const elasticity::BucklingMode::OnSprings& on,
+                      PartResult& result);
+/// By how much loads near a factor of buckling above 1 bend a part further [1].
+double bent_further(double factor);
 
 }  // namespace clevis::assessment

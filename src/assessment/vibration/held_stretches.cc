@@ -15,6 +15,7 @@
 namespace clevis::assessment {
 namespace {
 
+using Eigen::Index;
 using Eigen::MatrixXd;
 
 bool are_like(double shortest, double longest) {
@@ -67,7 +68,32 @@ bool are_alike(const loads::SeatHold& a, const loads::SeatHold& b) {
     const MatrixXd second = other * other.transpose();
     return (first - second).norm() <= kSame * second.norm();
   };
-  return is_same(a.held, b.held) && is_same(a.weighed, b.weighed);
+  return is_same(a.held, b.held) && is_same(a.weighed, b.weighed) &&
+         is_same(a.sprung, b.sprung);
+}
+
+/// Whether springs of the mechanism move the part's first frequencies, or these
+/// those of the rigid part on the springs: else both vibrate by themselves.
+bool springs_count(const elasticity::SeatShapes& shapes,
+                   const loads::SeatHold& hold) {
+  constexpr double kCounts = 0.02;  // of a square: half of it of a frequency
+  constexpr Index kFirst = 6;
+  if (hold.sprung.cols() == 0) return false;
+  const auto differ = [&](const Eigen::VectorXd& some,
+                          const Eigen::VectorXd& others) {
+    const Index count = std::min({kFirst, some.size(), others.size()});
+    for (Index k = 0; k < count; ++k) {
+      if (std::abs(some[k] - others[k]) > kCounts * others[k]) return true;
+    }
+    return false;
+  };
+  loads::SeatHold unsprung = hold;
+  unsprung.sprung = {};
+  const Eigen::VectorXd sprung = shapes.held_by(hold).squares;
+  const Eigen::VectorXd alone = shapes.held_by(unsprung).squares;
+  const Eigen::VectorXd rigid = shapes.rigid_swings(hold);
+  return differ(sprung.head(rigid.size()), rigid) ||
+         differ(sprung.tail(sprung.size() - rigid.size()), alone);
 }
 
 /// Of a body's momentum; less is round-off of bodies that turn in a plane.
@@ -120,13 +146,13 @@ void HeldMotions::make_solvers(Motion& motion) const {
 }
 
 void HeldMotions::look_at_seats(Motion& motion) const {
-  const loads::LoadHistory& history = motion.loads.history;
+  loads::LoadHistory& history = motion.loads.history;
   const bool has_slide = !motion.places.empty();
   if (!history.hold || !motion.loads.fixed.empty() ||
       !motion.loads.foundations.empty()) {
     return;
   }
-  std::vector<loads::SeatHold> holds{history.hold_that_counts()};
+  std::vector<loads::SeatHold> holds{history.hold(history.hold_time)};
   for (const std::size_t i : some_of(history.instants.size())) {
     holds.push_back(history.hold(history.instants[i].time));
   }
@@ -134,11 +160,16 @@ void HeldMotions::look_at_seats(Motion& motion) const {
       *std::ranges::max_element(holds, {}, [](const loads::SeatHold& hold) {
         return hold.spin.norm();
       });
-  const bool changes =
-      !has_slide && std::ranges::any_of(holds, [&](const auto& hold) {
-        return !are_alike(hold, holds.front());
-      });
-  if (!changes && !spins(fastest)) return;
+  const auto change = [&] {
+    return !has_slide && std::ranges::any_of(holds, [&](const auto& hold) {
+      return !are_alike(hold, holds.front());
+    });
+  };
+  const auto is_sprung = [](const loads::SeatHold& hold) {
+    return hold.sprung.cols() > 0;
+  };
+  const bool may_be_sprung = std::ranges::any_of(holds, is_sprung);
+  if (!may_be_sprung && !change() && !spins(fastest)) return;
   const MatrixXd wrenches = elasticity::span_of(holds);
   make_solvers(motion);
   std::optional<elasticity::SeatShapes> shapes;
@@ -151,8 +182,15 @@ void HeldMotions::look_at_seats(Motion& motion) const {
     }
   }
   if (!shapes) return;
+  history.springs_hold =
+      may_be_sprung && std::ranges::any_of(holds, [&](const auto& hold) {
+        return springs_count(*shapes, hold);
+      });
+  if (!history.springs_hold) {
+    for (loads::SeatHold& hold : holds) hold.sprung = {};
+  }
   if (spins(fastest)) motion.moved = shapes->moved_by_spin(fastest);
-  if (!changes) return;
+  if (!change()) return;
   std::vector<double> some;
   for (const loads::SeatHold& hold : holds) {
     some.push_back(shapes->first_period(hold));
@@ -161,7 +199,9 @@ void HeldMotions::look_at_seats(Motion& motion) const {
   if (are_like(shortest, longest)) return;
   std::vector<double> periods;
   for (const loads::InstantLoad& instant : history.instants) {
-    periods.push_back(shapes->first_period(history.hold(instant.time)));
+    loads::SeatHold hold = history.hold(instant.time);
+    if (!history.springs_hold) hold.sprung = {};
+    periods.push_back(shapes->first_period(hold));
   }
   motion.places = std::move(periods);
   motion.are_periods = true;

@@ -26,6 +26,8 @@ class HeldMotions {
   explicit HeldMotions(const PartJob& job)
       : job_(job), motions_(job.load_sets.size()) {}
 
+  /// The load set's followed_loads(), which say whether springs hold the part.
+  const LoadSet& loads(std::size_t set) { return motion(set).loads; }
   /// Longest first period that the part has with its slide at either end of its
   /// way or in the middle, or as bodies about it stand [s].
   double first_period(std::size_t set);
@@ -65,7 +67,7 @@ class HeldMotions {
   using Instants = std::vector<std::size_t>;
 
   Motion& motion(std::size_t set);
-  /// How the part's seats are held, weighed and spun over the motion; puts
+  /// How the part's seats are held, sprung, weighed and spun; puts
   /// periods in place of a slide's way that it does not have.
   void look_at_seats(Motion& motion) const;
   void make_solvers(Motion& motion) const;

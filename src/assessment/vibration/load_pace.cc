@@ -201,8 +201,8 @@ double rise_near(const PartJob& job, const dynamics::LoadPath& components,
     if (beside < 0 || beside == count) continue;
     for (Index k = 1; k < kBetween; ++k) {
       const double share = static_cast<double>(k) / kBetween;
-      most = std::max(most, answer(std::exp(std::lerp(near[top], near[beside],
-                                                      share))));
+      most = std::max(
+          most, answer(std::exp(std::lerp(near[top], near[beside], share))));
     }
   }
   return std::max(1.0, most / answer(1.0));

@@ -110,6 +110,16 @@ std::vector<stress::SingularZone> steep_zones(const PartJob& job,
   return zones;
 }
 
+/// Shapes that dampers hold from swinging count as all but held.
+template <int dim>
+dynamics::ModeDamping damping_of(
+    const typename elasticity::LoadVibration<dim>::Shapes& shapes,
+    double of_part) {
+  constexpr double kMost = 0.95;
+  const Eigen::ArrayXd own = of_part * shapes.own_share.array().max(0.0);
+  return {(own + shapes.dampers.array()).min(kMost), own};
+}
+
 loads::LoadHistory held_at(double time, loads::LoadHistory history) {
   history.hold_time = time;
   return history;
@@ -242,10 +252,10 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(int count,
   const double shape_front = kFront / shapes.squares.cwiseSqrt().maxCoeff();
   const double front = std::max(shape_front, rest_.mesh_front());
   found.mesh_spreads_more = rest_.mesh_front() >= shape_front;
+  const auto damping = damping_of<dim>(shapes, rest_.job().part.damping);
   const auto answer_at = [&](const VectorXd& times, double spread) {
-    auto moving =
-        dynamics::answer_to(path, shapes.participation, shapes.squares,
-                            rest_.job().part.damping, times, spread);
+    auto moving = dynamics::answer_to(path, shapes.participation,
+                                      shapes.squares, damping, times, spread);
     return times_.is_stretch ? within(times_.swing, moving) : moving;
   };
   const auto cut = [&](double spread) {

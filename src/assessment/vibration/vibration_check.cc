@@ -315,7 +315,7 @@ std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
   }
   Stopwatch watch;
   PartJob moving = job;
-  moving.load_sets = {followed_loads(given)};
+  moving.load_sets = {held.loads(s)};
   const loads::LoadHistory& history = moving.load_sets.front().history;
   std::vector<Stretch> stretches;
   auto held_stretches = held.stretches(s, times.driven);

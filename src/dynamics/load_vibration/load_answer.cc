@@ -59,7 +59,7 @@ class Spread {
 }  // namespace
 
 LoadAnswer answer_to(const LoadPath& path, const MatrixXd& participation,
-                     const VectorXd& squares, double damping,
+                     const VectorXd& squares, const ModeDamping& damping,
                      const VectorXd& others, double front) {
   const ArrayXd omega = squares.array().sqrt();
   const ArrayXd largest = (participation * path.values())
@@ -94,7 +94,8 @@ LoadAnswer answer_to(const LoadPath& path, const MatrixXd& participation,
     } else {
       MatrixXd x = participation * cubic;
       spread.take_from(x, to - from);
-      const ForcedInterval<ArrayXd> interval(omega, damping, x, state);
+      const ForcedInterval<ArrayXd> interval(omega, damping.all, damping.own, x,
+                                             state);
       for (; next < others.size() && others[next] < to; ++next) {
         const double t = others[next] - from;
         put(others[next],

@@ -14,11 +14,23 @@ struct LoadAnswer {
   Eigen::VectorXd energy;  ///< Σ ½ (w'² + ω² w²): of the vibration [J]
 };
 
+/// Damping of modes, ζ of each [1].
+struct ModeDamping {
+  Eigen::ArrayXd all;  ///< 0 <= ζ < 1
+  Eigen::ArrayXd own;  ///< the body's: without dampers that it stands on
+
+  static ModeDamping even(double damping, Eigen::Index modes) {
+    const auto same = Eigen::ArrayXd::Constant(modes, damping);
+    return {same, same};
+  }
+};
+
 /// Vibration of modes about the quasi-static answer u = U c(t).
 ///
 /// M u'' + K u = f with K U c = f has u = U c + Φ w, and for M-orthonormal
 /// modes without rigid motion
-///     w'' + 2 ζ ω w' + ω² w = −x'' − 2 ζ ω x',   x = Φᵀ M U c.
+///     w'' + 2 ζ ω w' + ω² w = −x'' − 2 ζ₀ ω x',   x = Φᵀ M U c,
+/// ζ₀ the body's own: dampers that it stands on do not feel U c.
 /// x is cubic between the instants, so each interval is solved exactly; where
 /// x jumps, w jumps the other way, for a body cannot. Changes sharper than τ,
 /// |x''| τ² > max |x|/10 and jumps, are spread by a bell curve of that standard
@@ -28,13 +40,12 @@ struct LoadAnswer {
 ///
 /// @param participation  Φᵀ M U, modes × coordinates of the path.
 /// @param squares        ω² > 0 [1/s²].
-/// @param damping        ζ of every mode, 0 <= ζ < 1 [1].
 /// @param others         times to be looked at besides, rising, within the
 ///   path [s].
 /// @param front           τ, >= 0: few modes overshoot behind a sharper wave
 ///   front than they can carry, however many they are [s].
 LoadAnswer answer_to(const LoadPath& path, const Eigen::MatrixXd& participation,
-                     const Eigen::VectorXd& squares, double damping,
+                     const Eigen::VectorXd& squares, const ModeDamping& damping,
                      const Eigen::VectorXd& others, double front = 0.0);
 
 /// What the spread by `front` takes off the loads' largest values, over the

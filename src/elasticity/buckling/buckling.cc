@@ -12,6 +12,7 @@
 #include "dynamics/systems/block_krylov.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/assembly/initial_stress.h"
+#include "elasticity/buckling/spring_yield.h"
 #include "elasticity/buckling/stressed_part.h"
 
 namespace clevis::elasticity {
@@ -78,6 +79,11 @@ class TrialSpace {
         solved(instant, hold, Eigen::EigenvaluesOnly).eigenvalues();
     return {all.tail<1>()[0], std::max(0.0, -all[0])};
   }
+  /// Of motions of the rigid part, what its loads bring.
+  MatrixXd form_of_rigid(Index instant) const {
+    const Index rigid = part_.rigid().cols();
+    return form(instant).topLeftCorner(rigid, rigid);
+  }
   /// Unknowns of the shapes with the largest.
   MatrixXd best(Index instant, std::size_t hold, Index count) const {
     const MatrixXd& shapes = of_hold_[hold];
@@ -129,23 +135,28 @@ class TrialSpace {
     const Index held = (svd.singularValues().array() > kHeld).count();
     return svd.matrixV().rightCols(kept - held);
   }
-  Eigen::SelfAdjointEigenSolver<MatrixXd> solved(
-      Index instant, std::size_t hold, Eigen::DecompositionOptions what) const {
+  /// −K_G and what the mechanism adds.
+  MatrixXd form(Index instant) const {
     const VectorXd entries = forms_ * stressed_.coefficients().col(instant);
     const Index m = shapes_.cols();
-    MatrixXd form(m, m);
+    MatrixXd found(m, m);
     Index pair = 0;
     for (Index b = 0; b < m; ++b) {
-      for (Index a = 0; a <= b; ++a) form(a, b) = form(b, a) = entries[pair++];
+      for (Index a = 0; a <= b; ++a) {
+        found(a, b) = found(b, a) = -entries[pair++];
+      }
     }
-    form = -form;
     if (!stressed_.pushes().is_empty()) {
-      form +=
+      found +=
           motions_.transpose() * stressed_.pushes().gain(instant) * motions_;
     }
+    return found;
+  }
+  Eigen::SelfAdjointEigenSolver<MatrixXd> solved(
+      Index instant, std::size_t hold, Eigen::DecompositionOptions what) const {
     const MatrixXd& shapes = of_hold_[hold];
     return Eigen::SelfAdjointEigenSolver<MatrixXd>(
-        shapes.transpose() * form * shapes, what);
+        shapes.transpose() * form(instant) * shapes, what);
   }
 
   const StressedPart& stressed_;
@@ -285,6 +296,24 @@ BucklingMode lowest_of_all(const StressedPart& part, TrialSpace& space) {
   }
 }
 
+BucklingMode::OnSprings on_springs(const StressedPart& part,
+                                   const SpringYield& springs,
+                                   const TrialSpace& space) {
+  constexpr double kCounts = 0.1;
+  BucklingMode::OnSprings most;
+  for (const Index i : springs.instants()) {
+    double own = 0.0;
+    for (std::size_t hold = 0; hold < part.part().holds(); ++hold) {
+      if (!part.part().is_held(hold, i)) continue;
+      own = std::max(own, space.ends(i, hold).yield);
+    }
+    if (own < kCounts) continue;
+    const double yield = springs.at(i, space.form_of_rigid(i));
+    if (yield < 1.0 && own + yield > most.sum()) most = {own, yield};
+  }
+  return most;
+}
+
 }  // namespace
 
 BucklingMode lowest_buckling(const BucklingProblem& problem) {
@@ -300,7 +329,9 @@ BucklingMode lowest_buckling(const BucklingProblem& problem) {
                        carried_over<3>(*problem.known, problem.discretization));
   }
   TrialSpace space(part, yielding_shapes(part));
-  return lowest_of_all(part, space);
+  BucklingMode mode = lowest_of_all(part, space);
+  mode.on_springs = on_springs(part, SpringYield(problem, held.rigid()), space);
+  return mode;
 }
 
 }  // namespace clevis::elasticity

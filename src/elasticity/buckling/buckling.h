@@ -17,6 +17,16 @@ struct BucklingMode {
   /// energy, largest of the shapes that were tried: pulled on, it vibrates at
   /// √(1 + stiffening) of its frequency at most [1].
   double stiffening{};
+  /// Of the part and of it as rigid on springs of its mechanism, 1/λ each, at
+  /// the instant with the largest sum: the sum is not below that of both
+  /// together (Southwell). Sets of springs that the loads push over by
+  /// themselves do not count, for the mechanism moves so; nor do instants at
+  /// which the part's own is below a tenth: first order is enough for it.
+  struct OnSprings {
+    double own{}, springs{};
+    double sum() const { return own + springs; }
+  };
+  OnSprings on_springs;
   double residual{};  ///< ‖(−K⁻¹ K_G − 1/λ) φ‖_K λ: its square is λ's error
 };
 

@@ -59,6 +59,16 @@ LoadVibration<dim>::LoadVibration(const PartAtRest<dim>& rest,
   if (part_.held.cols() > 0) {
     answers = dynamics::moved_to_constraints(part_.free, part_.held, answers);
   }
+  if (part_.sprung.cols() > 0) {
+    // The loads have what springs do to a rigid part: they do not feel U.
+    dynamics::LinearSystem loose = part_.free;
+    if (part_.held.cols() > 0) {
+      loose = dynamics::held_system(part_.free, part_.held);
+    }
+    if (loose.rigid.cols() > 0) {
+      answers = dynamics::moved_to_constraints(loose, part_.sprung, answers);
+    }
+  }
   weighted_ = system.mass(answers);
   if (system.rigid.cols() > 0) {
     const MatrixXd rigid = dynamics::mass_orthonormal(system, system.rigid);
@@ -84,8 +94,18 @@ LoadVibration<dim>::LoadVibration(const PartAtRest<dim>& rest,
 template <int dim>
 typename LoadVibration<dim>::Shapes LoadVibration<dim>::shapes(int count) {
   const auto found = space_->shapes(count);
+  const auto squares_along = [&](const MatrixXd& wrenches) -> Eigen::ArrayXd {
+    return transposed_product(wrenches, found.columns)
+        .colwise()
+        .squaredNorm()
+        .transpose()
+        .array();
+  };
+  const Eigen::ArrayXd squares = found.squares.array();
   return {extend_rows(found.columns, part_.numbers), found.squares,
-          transposed_product(found.columns, weighted_)};
+          transposed_product(found.columns, weighted_),
+          1.0 - squares_along(part_.sprung) / squares,
+          0.5 * squares_along(part_.damped) / squares.sqrt()};
 }
 
 template PartAtRest<2> part_at_rest<2>(const ElasticProblem<2>&, int);

@@ -46,14 +46,22 @@ NeighbourHold neighbour_hold(const Discretization<dim>& discretization,
                              const loads::LoadHistory& history,
                              const std::string& part_name) {
   const MatrixXd none(discretization.dofs(), 0);
-  if (!history.hold) return {none, none};
+  if (!history.hold) return {none, none, none, none};
   const loads::SeatHold hold = history.hold_that_counts();
-  const MatrixXd held = principal(acting_rows<dim>(hold.held));
-  const MatrixXd weighed = principal(acting_rows<dim>(hold.weighed));
-  if (held.cols() + weighed.cols() == 0) return {none, none};
+  const auto acting = [](const MatrixXd& wrenches) {
+    return principal(acting_rows<dim>(wrenches));
+  };
+  const MatrixXd held = acting(hold.held), weighed = acting(hold.weighed);
+  const MatrixXd sprung = acting(hold.sprung), damped = acting(hold.damped);
+  if (held.cols() + weighed.cols() + sprung.cols() + damped.cols() == 0) {
+    return {none, none, none, none};
+  }
   const MatrixXd means =
       seat_means(discretization, history.seats, hold.zones, part_name);
-  return {means * held, means * weighed};
+  const auto nodal = [&](const MatrixXd& wrenches) -> MatrixXd {
+    return wrenches.cols() > 0 ? MatrixXd(means * wrenches) : none;
+  };
+  return {nodal(held), nodal(weighed), nodal(sprung), nodal(damped)};
 }
 
 template NeighbourHold neighbour_hold<2>(const Discretization<2>&,

@@ -16,6 +16,8 @@ namespace clevis::elasticity {
 struct NeighbourHold {
   Eigen::MatrixXd held;     ///< [1], independent
   Eigen::MatrixXd weighed;  ///< [√kg], as few as their masses need
+  Eigen::MatrixXd sprung;   ///< [√(N/m)], likewise
+  Eigen::MatrixXd damped;   ///< [√(N s/m)], likewise
 };
 
 /// Nothing: the part is free.

@@ -78,28 +78,65 @@ MatrixXd SeatShapes::along_seats(const MatrixXd& wrenches) const {
   return seats_.transpose() * wrenches;
 }
 
-SeatShapes::Vibrations SeatShapes::held_by(const loads::SeatHold& hold) const {
-  const Index all = stiffness_.cols();
-  MatrixXd left = MatrixXd::Identity(all, all);
-  Index rigid = rigid_;
-  if (hold.held.cols() > 0) {
-    const MatrixXd rows =
-        along_seats(unit_columns(hold.held)).transpose() * motions_;
+/// Of a span of shapes what a hold leaves, and how it moves.
+struct SeatShapes::Held {
+  MatrixXd left;  ///< of the shapes
+  MatrixXd stiffness, mass;
+  Index free{};  ///< rigid motions that neither holds nor springs feel
+};
+
+SeatShapes::Held SeatShapes::held(const loads::SeatHold& hold,
+                                  Index shapes) const {
+  const auto motions = motions_.leftCols(shapes);
+  Held found;
+  found.left = MatrixXd::Identity(shapes, shapes);
+  MatrixXd loose = MatrixXd::Identity(rigid_, rigid_);
+  const auto take = [&](const MatrixXd& wrenches) {
+    const MatrixXd rows = along_seats(unit_columns(wrenches)).transpose() *
+                          motions_.leftCols(rigid_) * loose;
     Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
     svd.setThreshold(kRoundOff);
-    left = svd.matrixV().rightCols(all - svd.rank());
-    Eigen::JacobiSVD<MatrixXd> of_rigid(rows.leftCols(rigid_));
-    of_rigid.setThreshold(kRoundOff);
-    rigid -= of_rigid.rank();
+    loose *= MatrixXd(svd.matrixV().rightCols(loose.cols() - svd.rank()));
+  };
+  if (hold.held.cols() > 0) {
+    const MatrixXd rows =
+        along_seats(unit_columns(hold.held)).transpose() * motions;
+    Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
+    svd.setThreshold(kRoundOff);
+    found.left = svd.matrixV().rightCols(shapes - svd.rank());
+    take(hold.held);
   }
-  const MatrixXd added = along_seats(hold.weighed).transpose() * motions_;
-  const MatrixXd mass =
-      MatrixXd::Identity(all, all) + added.transpose() * added;
+  const MatrixXd added = along_seats(hold.weighed).transpose() * motions;
+  MatrixXd stiffness = stiffness_.topLeftCorner(shapes, shapes);
+  if (hold.sprung.cols() > 0) {
+    const MatrixXd springs = along_seats(hold.sprung).transpose() * motions;
+    stiffness += springs.transpose() * springs;
+    if (loose.cols() > 0) take(hold.sprung);
+  }
+  found.free = loose.cols();
+  found.stiffness = found.left.transpose() * stiffness * found.left;
+  found.mass =
+      found.left.transpose() *
+      (MatrixXd::Identity(shapes, shapes) + added.transpose() * added) *
+      found.left;
+  return found;
+}
+
+SeatShapes::Vibrations SeatShapes::held_by(const loads::SeatHold& hold) const {
+  const Held all = held(hold, stiffness_.cols());
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(all.stiffness,
+                                                                 all.mass);
+  const Index count = all.left.cols() - all.free;
+  return {modes.eigenvalues().tail(count),
+          motions_ * all.left * modes.eigenvectors().rightCols(count)};
+}
+
+VectorXd SeatShapes::rigid_swings(const loads::SeatHold& hold) const {
+  const Held rigid = held(hold, rigid_);
+  if (rigid.left.cols() == rigid.free) return {};
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(
-      left.transpose() * stiffness_ * left, left.transpose() * mass * left);
-  const Index elastic = left.cols() - rigid;
-  return {modes.eigenvalues().tail(elastic),
-          motions_ * left * modes.eigenvectors().rightCols(elastic)};
+      rigid.stiffness, rigid.mass, Eigen::EigenvaluesOnly);
+  return modes.eigenvalues().tail(rigid.left.cols() - rigid.free);
 }
 
 double SeatShapes::first_period(const loads::SeatHold& hold) const {
@@ -137,8 +174,9 @@ std::vector<SeatShapes::Moved> SeatShapes::moved_by_spin(
 MatrixXd span_of(const std::vector<loads::SeatHold>& holds) {
   MatrixXd all(holds.front().held.rows(), 0);
   for (const loads::SeatHold& hold : holds) {
-    for (const MatrixXd* wrenches : {&hold.held, &hold.weighed}) {
+    for (const MatrixXd* wrenches : {&hold.held, &hold.weighed, &hold.sprung}) {
       const MatrixXd more = unit_columns(*wrenches);
+      if (more.cols() == 0) continue;
       all.conservativeResize(Eigen::NoChange, all.cols() + more.cols());
       all.rightCols(more.cols()) = more;
     }

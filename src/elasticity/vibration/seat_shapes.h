@@ -22,7 +22,8 @@ class SeatShapes {
   SeatShapes(const VibratingPart<3>& part, Eigen::MatrixXd seats,
              const Eigen::MatrixXd& means);
 
-  /// Elastic vibrations, lowest first.
+  /// Vibrations, lowest first: elastic ones, and swings on springs of the
+  /// mechanism.
   struct Vibrations {
     Eigen::VectorXd squares;  ///< ω² [1/s²]
     /// Motions of the seats in them, along `seats`, columns × shapes [1/√kg].
@@ -30,6 +31,8 @@ class SeatShapes {
   };
   /// @param hold  of seats' wrenches in the span of `seats`.
   Vibrations held_by(const loads::SeatHold& hold) const;
+  /// Swings of the rigid part on springs of the mechanism, ω² [1/s²].
+  Eigen::VectorXd rigid_swings(const loads::SeatHold& hold) const;
 
   /// First period [s]. @pre it has an elastic vibration.
   double first_period(const loads::SeatHold& hold) const;
@@ -45,6 +48,9 @@ class SeatShapes {
 
  private:
   Eigen::MatrixXd along_seats(const Eigen::MatrixXd& wrenches) const;
+  /// What is held and weighed: of shapes_ or of the rigid ones alone.
+  struct Held;
+  Held held(const loads::SeatHold& hold, Eigen::Index shapes) const;
 
   Eigen::MatrixXd seats_;
   Eigen::MatrixXd motions_;    ///< seats_ × shapes, of M-orthonormal shapes

@@ -12,6 +12,7 @@
 #include "base/messages/errors.h"
 #include "base/system/processor_share.h"
 #include "dynamics/systems/held_system.h"
+#include "dynamics/systems/sprung_system.h"
 #include "dynamics/systems/weighed_system.h"
 #include "elasticity/algebra/symmetric_product.h"
 #include "elasticity/assembly/mass_matrix.h"
@@ -131,7 +132,9 @@ VibratingPart<dim> supported_part(const ElasticProblem<dim>& problem,
     part.system.rigid = rigid_modes<dim>(positions, 0.5 * (low + high), size);
   }
   part.free = part.system;
-  part.held.resize(part.system.size, 0);
+  for (MatrixXd* none : {&part.held, &part.sprung, &part.damped}) {
+    none->resize(part.system.size, 0);
+  }
   return part;
 }
 
@@ -142,12 +145,17 @@ VibratingPart<dim> held_by_mechanism(VibratingPart<dim> part,
   if (part.free.rigid.cols() == 0) return part;
   NeighbourHold hold = neighbour_hold(part.discretization, history, part_name);
   part.held = std::move(hold.held);
+  part.sprung = std::move(hold.sprung);
+  part.damped = std::move(hold.damped);
   if (hold.weighed.cols() > 0) {
     part.free = dynamics::weighed_system(part.free, hold.weighed);
   }
-  part.system = part.held.cols() > 0
-                    ? dynamics::held_system(part.free, part.held)
+  part.system = part.sprung.cols() > 0
+                    ? dynamics::sprung_system(part.free, part.sprung)
                     : part.free;
+  if (part.held.cols() > 0) {
+    part.system = dynamics::held_system(part.system, part.held);
+  }
   return part;
 }
 

@@ -22,9 +22,12 @@ struct VibratingPart {
   /// Of a part without supports the mechanism holds seats in the mean and adds
   /// mass to them (neighbour_hold.h).
   dynamics::LinearSystem system;
-  dynamics::LinearSystem free;  ///< the same without what holds
+  dynamics::LinearSystem free;  ///< the same without what holds or springs
   Eigen::MatrixXd held;         ///< equations × held directions
-  double mass{};                ///< of the discrete part [kg]
+  /// Springs and dampers of the mechanism that hold it besides, equations ×
+  /// their directions [√(N/m)], [√(N s/m)].
+  Eigen::MatrixXd sprung, damped;
+  double mass{};  ///< of the discrete part [kg]
 };
 
 /// Of its supports and beds alone; its loads are not asked for.

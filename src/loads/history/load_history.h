@@ -96,6 +96,9 @@ struct SeatHold {
   /// Skew: takes speeds of the seats to the wrenches that turning what spins
   /// takes [kg/s], [m kg/s], [m² kg/s]. Empty: nothing spins.
   Eigen::MatrixXd spin = {};
+  /// w wᵀ are stiffness and damping of force elements [√(N/m)], [m √(N/m)]; the
+  /// same times √s. Empty: none.
+  Eigen::MatrixXd sprung = {}, damped = {};
   std::vector<ContactZone> zones = {};  ///< as of the instant's load
 };
 
@@ -115,6 +118,8 @@ struct LoadHistory {
   std::function<SeatHold(double)> hold = {};
   /// When it counts: the loads are largest then [s].
   double hold_time = 0.0;
+  /// Whether force elements hold the part as it vibrates: soft ones do not.
+  bool springs_hold = false;
   /// Of rows of a file; nothing: a motion, or cases.
   std::optional<part::BetweenRows> rows = std::nullopt;
   /// Possible excess of loads between instants over those at the instants,
@@ -129,7 +134,11 @@ struct LoadHistory {
   std::vector<std::string> notes = {};
 
   /// When it counts. @pre `hold`.
-  SeatHold hold_that_counts() const { return hold(hold_time); }
+  SeatHold hold_that_counts() const {
+    SeatHold counting = hold(hold_time);
+    if (!springs_hold) counting.sprung = counting.damped = {};
+    return counting;
+  }
 };
 
 }  // namespace clevis::loads

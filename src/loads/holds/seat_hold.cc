@@ -45,11 +45,17 @@ SeatHold seat_hold(const mechanism::Neighbours& neighbours,
   const auto& definition = neighbours.definition();
   std::vector<Index> seat_of;
   for (const auto& place : found.places) {
-    const std::string& joint =
-        definition.joints[static_cast<std::size_t>(place.joint)].name;
     const auto named = [&](const std::string& name) {
       return std::ranges::find(seats, name, &Seat::name);
     };
+    if (place.element >= 0) {
+      const auto& element =
+          definition.elements[static_cast<std::size_t>(place.element)];
+      seat_of.push_back(named("force " + name_of(element)) - seats.begin());
+      continue;
+    }
+    const std::string& joint =
+        definition.joints[static_cast<std::size_t>(place.joint)].name;
     const auto of_joint = named(joint);
     auto of_drive = place.is_drive ? named("drive " + joint) : seats.end();
     for (const auto& drive : definition.drives) {  // several share one face
@@ -62,7 +68,9 @@ SeatHold seat_hold(const mechanism::Neighbours& neighbours,
   }
   SeatHold hold{.time = instant.t,
                 .held = by_seat(found.held, seat_of, seats),
-                .weighed = by_seat(found.weighed, seat_of, seats)};
+                .weighed = by_seat(found.weighed, seat_of, seats),
+                .sprung = by_seat(found.sprung, seat_of, seats),
+                .damped = by_seat(found.damped, seat_of, seats)};
   if (found.spin.size() > 0) {
     const MatrixXd half = by_seat(found.spin, seat_of, seats);
     hold.spin = by_seat(half.transpose(), seat_of, seats).transpose();
@@ -71,7 +79,8 @@ SeatHold seat_hold(const mechanism::Neighbours& neighbours,
 }
 
 SeatHold on_more_seats(SeatHold hold, std::size_t seats) {
-  for (MatrixXd* wrenches : {&hold.held, &hold.weighed}) {
+  for (MatrixXd* wrenches :
+       {&hold.held, &hold.weighed, &hold.sprung, &hold.damped}) {
     MatrixXd all =
         MatrixXd::Zero(kWrench * static_cast<Index>(seats), wrenches->cols());
     all.topRows(wrenches->rows()) = *wrenches;

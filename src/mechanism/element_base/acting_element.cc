@@ -62,6 +62,10 @@ void ActingElement::evaluate(const ActingState& state,
               now.on_b.w.dot(b.w);
 }
 
+PlacedJoint ActingElement::placed_in(const Configuration& x) const {
+  return {line, x[index(line.a)], x[index(line.b)]};
+}
+
 void ActingElement::accept(double t, const ElementResponse& now) {
   if (line.counts_turns) anchor = {now.q, now.rate, t};
 }

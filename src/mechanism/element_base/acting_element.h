@@ -67,6 +67,11 @@ class ActingElement : public InternalStates,
   virtual bool has_smooth_effort() const { return false; }
   /// Inertia that turns with its line's coordinate [kg m²]: that of a rotor.
   virtual double inertia() const { return 0.0; }
+  /// How it yields in a state of a motion; without directions: it does not.
+  virtual ElementSpring spring(const Configuration& /*x*/,
+                               const ElementState& /*state*/) const {
+    return {};
+  }
   /// Whether it has a line along which a scalar effort acts.
   virtual bool is_line() const { return false; }
 
@@ -88,6 +93,7 @@ class ActingElement : public InternalStates,
   /// @param a, b  motions of the bodies.
   virtual void act(const ActingState& state, const Twist& a, const Twist& b,
                    ElementResponse& now) const = 0;
+  PlacedJoint placed_in(const Configuration& x) const;
   /// From J on each body to where it is touched, in P [m].
   virtual std::array<Eigen::Vector3d, 2> touched(
       const ElementResponse& /*now*/) const {

@@ -45,4 +45,22 @@ struct ElementResponse {
   std::optional<MotorState> motor;
 };
 
+/// Changes of a line's effort by small motions: −stiffness q − damping q'.
+struct LineTangent {
+  double stiffness{};  ///< [N/m] or [N m/rad]
+  double damping{};    ///< [N s/m] or [N m s/rad]
+
+  bool is_zero() const { return stiffness == 0.0 && damping == 0.0; }
+};
+
+/// Changes of a force element's actions by small motions of its bodies:
+/// efforts −K q − C q' along directions, q the motions along these. What
+/// turning makes of a force that stays the same is not among them.
+struct ElementSpring {
+  /// Of efforts of 1, in P; their products with twists of a and b are q.
+  std::vector<PlacedJoint::Levers> directions;
+  Eigen::MatrixXd stiffness;  ///< K, symmetric [N/m], [N], [N m]
+  Eigen::MatrixXd damping;    ///< C, the same times [s]
+};
+
 }  // namespace clevis::mechanism

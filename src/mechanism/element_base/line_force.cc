@@ -55,6 +55,19 @@ void LineForce::measure(ElementResponse& now) const {
   now.q += kTurn * std::round((placed.angle_near - now.q) / kTurn);
 }
 
+ElementSpring LineForce::spring(const Configuration& x,
+                                const ElementState& state) const {
+  const LineTangent along = tangent(state);
+  if (along.is_zero()) return {};
+  PlacedJoint placed = placed_in(x);
+  if (row.kind == JointRow::Kind::kDistance) {
+    placed.length = std::max(placed.d.norm(), kShortest);
+  }
+  return {.directions = {placed.levers(row)},
+          .stiffness = Eigen::MatrixXd::Constant(1, 1, along.stiffness),
+          .damping = Eigen::MatrixXd::Constant(1, 1, along.damping)};
+}
+
 void LineForce::act(const ActingState& state, const Twist& a, const Twist& b,
                     ElementResponse& now) const {
   measure(now);

@@ -10,11 +10,17 @@ class LineForce : public ActingElement {
   LineForce(const LineDefinition& definition, const ReferenceFrame& frame);
 
   bool is_line() const override { return true; }
+  ElementSpring spring(const Configuration& x,
+                       const ElementState& state) const final;
 
  protected:
   /// Effort on b, > 0 pushes apart, by q and rate of `now`.
   virtual double law_effort(const ActingState& state,
                             ElementResponse& now) const = 0;
+  /// Of its effort in a state of a motion.
+  virtual LineTangent tangent(const ElementState& /*state*/) const {
+    return {};
+  }
   void act(const ActingState& state, const Twist& a, const Twist& b,
            ElementResponse& now) const override;
   /// Sets levers and q of the placed line.

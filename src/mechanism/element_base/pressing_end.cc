@@ -12,6 +12,15 @@ double press(const ModeSwitch& e, std::size_t end, const ContactLaw& law,
   return e.modes[end] == 1 ? now.unbounded[end] : 0.0;
 }
 
+LineTangent contact_tangent(const ContactLaw& law, double depth, double rate) {
+  constexpr double kStep = 1e-6;  // of the depth
+  const double effort = contact_effort(law, depth, rate);
+  if (!(depth > 0.0) || !(effort > 0.0 || may_pull(law))) return {};
+  const double less = (1.0 - kStep) * depth;
+  return {(effort - contact_effort(law, less, rate)) / (depth - less),
+          contact_effort(law, depth, rate + 1.0) - effort};
+}
+
 int pressing_mode(const ElementResponse& now, std::size_t end,
                   const ContactLaw& law) {
   if (!(now.depth[end] > 0.0)) return 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mechanism/element_base/element_response.h"
 #include "mechanism/element_base/mode_switch.h"
 #include "mechanism/force_laws/contact_law.h"
 
@@ -11,6 +12,9 @@ namespace clevis::mechanism {
 /// Notes depth, rate and effort of an end. @return its effort in its mode.
 double press(const ModeSwitch& e, std::size_t end, const ContactLaw& law,
              double depth, double rate, ElementResponse& now);
+/// Of the effort of an end.
+/// @param depth, rate  of its penetration [m] or [rad], by the second.
+LineTangent contact_tangent(const ContactLaw& law, double depth, double rate);
 /// Mode of an end by its depth alone.
 int pressing_mode(const ElementResponse& now, std::size_t end,
                   const ContactLaw& law);

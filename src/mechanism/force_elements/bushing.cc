@@ -37,6 +37,9 @@ class Bushing final : public ActingElement {
     line.frame_b.R_LJ = line.frame_b.R_LJ * bushing.R_BJ;
   }
 
+  ElementSpring spring(const Configuration& x,
+                       const ElementState& state) const override;
+
  protected:
   void act(const ActingState& state, const Twist& a, const Twist& b,
            ElementResponse& now) const override;
@@ -48,6 +51,29 @@ class Bushing final : public ActingElement {
  private:
   const BushingElement& bushing_;
 };
+
+ElementSpring Bushing::spring(const Configuration& x,
+                              const ElementState& /*state*/) const {
+  const PlacedJoint placed = placed_in(x);
+  const Matrix3d& A = placed.axes_a;
+  const Eigen::AngleAxisd turn(Matrix3d(A.transpose() * placed.axes_b));
+  const Matrix3d moments =
+      A * rotation_vector_rate(turn.angle() * turn.axis()).transpose();
+  const Vector3d to_b = placed.r_a + placed.d;
+  ElementSpring found{.stiffness = bushing_.stiffness,
+                      .damping = bushing_.damping};
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d f = A.col(k);
+    found.directions.push_back(
+        {.a = {-f, -to_b.cross(f)}, .b = {f, placed.r_b.cross(f)}});
+  }
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d m = moments.col(k);
+    found.directions.push_back(
+        {.a = {Vector3d::Zero(), -m}, .b = {Vector3d::Zero(), m}});
+  }
+  return found;
+}
 
 void Bushing::act(const ActingState& /*state*/, const Twist& a, const Twist& b,
                   ElementResponse& now) const {

@@ -46,6 +46,8 @@ class Contact final : public ActingElement {
     return guard.kind != ElementGuard::Kind::kOwn || now.depth[0] > 0.0;
   }
 
+  ElementSpring spring(const Configuration& x,
+                       const ElementState& state) const override;
   double stribeck_zone() const override;
   void hold_tangent(const ElementResponse& there,
                     const double* internal) override;
@@ -123,6 +125,20 @@ void Contact::act(const ActingState& /*state*/, const Twist& a, const Twist& b,
   }
   now.on_b = {f, to_b.cross(f)};
   now.on_a = {-f, to_a.cross(Vector3d(-f))};
+}
+
+/// Across the plane alone: friction is not held.
+ElementSpring Contact::spring(const Configuration& x,
+                              const ElementState& state) const {
+  const LineTangent across =
+      contact_tangent(contact_.law, state.position, state.rate);
+  if (across.is_zero()) return {};
+  const PlacedJoint placed = placed_in(x);
+  const Vector3d n = normal(placed);
+  const auto [to_a, to_b] = arms(placed);
+  return {.directions = {{.a = {-n, -to_a.cross(n)}, .b = {n, to_b.cross(n)}}},
+          .stiffness = Eigen::MatrixXd::Constant(1, 1, across.stiffness),
+          .damping = Eigen::MatrixXd::Constant(1, 1, across.damping)};
 }
 
 std::array<Vector3d, 2> Contact::touched(const ElementResponse& now) const {

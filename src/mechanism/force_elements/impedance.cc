@@ -16,6 +16,9 @@ class Impedance final : public ActingElement {
     join({.body = kGround}, impedance.point, frame);
   }
 
+  ElementSpring spring(const Configuration& x,
+                       const ElementState& state) const override;
+
  protected:
   void act(const ActingState& state, const Twist& a, const Twist& b,
            ElementResponse& now) const override;
@@ -42,6 +45,19 @@ void Impedance::act(const ActingState& state, const Twist& /*a*/,
   now.rate = slip.norm();
   now.effort = f.norm();
   now.on_b = {f, placed.r_b.cross(f)};
+}
+
+ElementSpring Impedance::spring(const Configuration& x,
+                                const ElementState& /*state*/) const {
+  const PlacedJoint placed = placed_in(x);
+  ElementSpring found{
+      .stiffness = impedance_.stiffness * Eigen::Matrix3d::Identity(),
+      .damping = impedance_.damping * Eigen::Matrix3d::Identity()};
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d along = Vector3d::Unit(k);
+    found.directions.push_back({.b = {along, placed.r_b.cross(along)}});
+  }
+  return found;
 }
 
 }  // namespace

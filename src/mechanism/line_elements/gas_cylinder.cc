@@ -192,6 +192,7 @@ class GasCylinder final : public LineForce {
   bool has_smooth_effort() const override { return true; }
 
  protected:
+  LineTangent tangent(const ElementState& state) const override;
   double law_effort(const ActingState& state,
                     ElementResponse& now) const override;
 
@@ -207,6 +208,21 @@ void GasCylinder::start(const Configuration& x, double* own) {
   measure(there);
   start_gas(law_, definition_.name, definition_.place, there.q, own);
   known_ = {.since = -law_.step, .q = there.q};  // due at t = 0
+}
+
+/// Of what the chambers hold, without flow and heat meanwhile.
+LineTangent GasCylinder::tangent(const ElementState& state) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < state.chambers.size(); ++k) {
+    const GasChamber& chamber = law_.chambers[k];
+    const GasChamberState& gas = state.chambers[k];
+    if (!(gas.volume > 0.0)) continue;  // a tank's area is 0
+    const double exponent = chamber.heat == ChamberHeat::kIsothermal
+                                ? 1.0
+                                : law_.gas.isentropic_exponent();
+    sum += exponent * gas.pressure * chamber.area * chamber.area / gas.volume;
+  }
+  return {law_.sections * sum, 0.0};
 }
 
 double GasCylinder::law_effort(const ActingState& state,

@@ -1,6 +1,7 @@
 #include "mechanism/line_elements/servo.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mechanism/drives/drive_law.h"
 #include "mechanism/element_base/line_force.h"
@@ -28,6 +29,10 @@ class Servo final : public LineForce {
   }
 
  protected:
+  LineTangent tangent(const ElementState& state) const override {
+    if (law_.limit && std::abs(state.effort) >= *law_.limit) return {};
+    return {law_.stiffness, law_.damping};
+  }
   double law_effort(const ActingState& state,
                     ElementResponse& now) const override {
     const DriveTarget target = drive_target(law_.reference, state.t);

@@ -14,6 +14,10 @@ class Spring final : public OneSenseForce {
   bool has_smooth_effort() const override { return acts_in_both(); }
 
  protected:
+  LineTangent tangent(const ElementState& state) const override {
+    if (!acts_in_both() && state.effort == 0.0) return {};
+    return {law_.stiffness, law_.damping};
+  }
   double full_effort(const ActingState& /*state*/,
                      const ElementResponse& now) const override {
     return -law_.stiffness * (now.q - law_.free) - law_.damping * now.rate -

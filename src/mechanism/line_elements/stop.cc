@@ -57,6 +57,17 @@ class Stop final : public LineForce {
   }
 
  protected:
+  LineTangent tangent(const ElementState& state) const override {
+    LineTangent sum;
+    const auto add = [&](double depth, double rate) {
+      const LineTangent end = contact_tangent(law_.contact, depth, rate);
+      sum.stiffness += end.stiffness;
+      sum.damping += end.damping;
+    };
+    if (law_.lower) add(*law_.lower - state.position, -state.rate);
+    if (law_.upper) add(state.position - *law_.upper, state.rate);
+    return sum;
+  }
   double law_effort(const ActingState& /*state*/,
                     ElementResponse& now) const override {
     double sum = 0.0;

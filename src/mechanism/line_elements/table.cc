@@ -24,6 +24,7 @@ class Table final : public OneSenseForce {
   std::vector<ElementGuard> guards() const override;
 
  protected:
+  LineTangent tangent(const ElementState& state) const override;
   double full_effort(const ActingState& state,
                      const ElementResponse& now) const override;
 
@@ -40,6 +41,16 @@ double Table::full_effort(const ActingState& state,
   return over_position() ? piece_effort(now.q)
                          : numerics::linear_at(law_.times, law_.efforts,
                                                state.t, state.side);
+}
+
+LineTangent Table::tangent(const ElementState& state) const {
+  if (!over_position() || (!acts_in_both() && state.effort == 0.0)) return {};
+  const auto next = std::ranges::upper_bound(law_.positions, state.position);
+  if (next == law_.positions.begin() || next == law_.positions.end()) return {};
+  const auto at = static_cast<std::size_t>(next - law_.positions.begin());
+  const double slope = (law_.efforts[at] - law_.efforts[at - 1]) /
+                       (law_.positions[at] - law_.positions[at - 1]);
+  return {-slope, 0.0};
 }
 
 /// Effort by the piece of the mode, which goes on beyond its ends.

@@ -1,5 +1,11 @@
 #include "mechanism/neighbours/neighbour_inertia.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
@@ -60,39 +66,126 @@ MatrixXd spins_of(const Neighbours& neighbours, const Configuration& x,
   return spins.isZero(0.0) ? MatrixXd() : spins;
 }
 
+/// A force element that yields at an instant.
+struct YieldingElement {
+  const ActingElement* element;
+  ElementSpring spring;
+  std::size_t place{};  ///< where it acts on the body, if it does
+};
+
+/// Those on the body or its neighbours; adds the places of those on the body.
+std::vector<YieldingElement> yielding_elements(const Neighbours& neighbours,
+                                               const Instant& instant,
+                                               NeighbourRows& rows) {
+  std::vector<YieldingElement> found;
+  const std::size_t count =
+      std::min(instant.elements.size(), neighbours.elements().size());
+  for (std::size_t e = 0; e < count; ++e) {
+    const ActingElement& element = *neighbours.elements()[e];
+    ElementSpring spring = element.spring(rows.x, instant.elements[e]);
+    if (spring.directions.empty()) continue;
+    const int slot = neighbours.slot();
+    if (element.line.a == slot || element.line.b == slot) {
+      rows.places.push_back({-1, false, static_cast<int>(e)});
+    }
+    found.push_back({&element, std::move(spring), rows.places.size() - 1});
+  }
+  return found;
+}
+
+/// Of an element's directions, as wrenches by place.
+/// @param following  motions of the neighbours' unknowns × of the places.
+MatrixXd directions_of(const Neighbours& neighbours, const Configuration& x,
+                       const YieldingElement& yielding,
+                       const MatrixXd& following) {
+  const SolvingFrame& frame = neighbours.frame();
+  const auto& slots = neighbours.slots();
+  const int own = neighbours.slot();
+  const Eigen::Matrix3d R_LP = x[index(own)].R.transpose();
+  const auto& directions = yielding.spring.directions;
+  MatrixXd all = MatrixXd::Zero(following.cols(), std::ssize(directions));
+  const auto add = [&](int slot, const SpatialForce& force, Index column) {
+    if (slot == own) {
+      const Vector3d f = R_LP * force.v;
+      auto wrench = all.col(column).segment<kTwist>(
+          kTwist * static_cast<Index>(yielding.place));
+      wrench.head<3>() += f;
+      wrench.tail<3>() += R_LP * force.w + frame.p_LM[index(own - 1)].cross(f);
+      return;
+    }
+    const auto at = std::ranges::find(slots, slot) - slots.begin();
+    if (at == std::ssize(slots)) return;
+    Eigen::Matrix<double, kTwist, 1> row;
+    row << force.v, force.w / frame.length;
+    all.col(column) +=
+        following.middleRows<kTwist>(kTwist * at).transpose() * row;
+  };
+  for (Index k = 0; k < all.cols(); ++k) {
+    add(yielding.element->line.a, directions[index(k)].a, k);
+    add(yielding.element->line.b, directions[index(k)].b, k);
+  }
+  return all;
+}
+
+/// R with R Rᵀ the matrix; of what pushes on nothing.
+MatrixXd root_of(const MatrixXd& matrix) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(matrix);
+  return solver.eigenvectors() *
+         solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+}
+
+void append(const MatrixXd& more, MatrixXd& columns) {
+  columns.conservativeResize(more.rows(), columns.cols() + more.cols());
+  columns.rightCols(more.cols()) = more;
+}
+
 }  // namespace
 
 NeighbourInertia neighbour_inertia(const Neighbours& neighbours,
                                    const Instant& instant) {
-  const NeighbourRows rows = neighbours.rows(instant);
+  NeighbourRows rows = neighbours.rows(instant);
+  const auto yielding = yielding_elements(neighbours, instant, rows);
   const MatrixXd wrenches = wrenches_of(neighbours, rows);
-  const MatrixXd& free = rows.free;
   NeighbourInertia found{.places = rows.places,
                          .held = wrenches,
                          .weighed = MatrixXd(wrenches.rows(), 0)};
-  if (free.cols() == 0 || wrenches.cols() == 0) return found;
+  MatrixXd following =
+      MatrixXd::Zero(kTwist * std::ssize(neighbours.slots()), wrenches.rows());
+  const MatrixXd& free = rows.free;
   const MatrixXd seen = rows.there * free;
-  const Eigen::JacobiSVD<MatrixXd> svd(seen, Eigen::ComputeFullU);
-  const Index follow = (svd.singularValues().array() > kRoundOff).count();
-  const MatrixXd& U = svd.matrixU();
-  found.held = wrenches * U.rightCols(U.cols() - follow);
-  if (follow == 0) return found;
-  MatrixXd mass = free.transpose() * neighbours.masses(rows.x) * free;
-  mass.diagonal().array() += kRoundOff * kRoundOff * mass.diagonal().maxCoeff();
-  const MatrixXd directions = seen.transpose() * U.leftCols(follow);
-  const MatrixXd moved = mass.llt().solve(directions);
-  const Eigen::LLT<MatrixXd> root(directions.transpose() * moved);
-  // Added mass (L Lᵀ)⁻¹ = L⁻ᵀ L⁻¹ of the followed motions.
-  found.weighed = wrenches * U.leftCols(follow) *
-                  root.matrixU().solve(MatrixXd::Identity(follow, follow));
-  const MatrixXd spins = spins_of(neighbours, rows.x, instant);
-  if (spins.size() == 0) return found;
-  // Speeds of the neighbours for unit motions that they follow.
-  const MatrixXd speeds =
-      free * moved * root.solve(MatrixXd::Identity(follow, follow));
-  const MatrixXd of_followed = wrenches * U.leftCols(follow);
-  found.spin = of_followed * (speeds.transpose() * spins * speeds) *
-               of_followed.transpose();
+  Index follow = 0;
+  std::optional<Eigen::JacobiSVD<MatrixXd>> svd;
+  if (seen.size() > 0) {
+    svd.emplace(seen, Eigen::ComputeFullU);
+    follow = (svd->singularValues().array() > kRoundOff).count();
+    found.held = wrenches * svd->matrixU().rightCols(seen.rows() - follow);
+  }
+  if (follow > 0) {
+    const MatrixXd followed = svd->matrixU().leftCols(follow);
+    const MatrixXd of_followed = wrenches * followed;
+    MatrixXd mass = free.transpose() * neighbours.masses(rows.x) * free;
+    mass.diagonal().array() +=
+        kRoundOff * kRoundOff * mass.diagonal().maxCoeff();
+    const MatrixXd directions = seen.transpose() * followed;
+    const MatrixXd moved = mass.llt().solve(directions);
+    const Eigen::LLT<MatrixXd> root(directions.transpose() * moved);
+    const MatrixXd unit = MatrixXd::Identity(follow, follow);
+    // Added mass (L Lᵀ)⁻¹ = L⁻ᵀ L⁻¹ of the followed motions.
+    found.weighed = of_followed * root.matrixU().solve(unit);
+    // Speeds of the neighbours against unit motions that they follow.
+    const MatrixXd speeds = free * moved * root.solve(unit);
+    following = -speeds * of_followed.transpose();
+    const MatrixXd spins = spins_of(neighbours, rows.x, instant);
+    if (spins.size() > 0) {
+      found.spin = following.transpose() * spins * following;
+    }
+  }
+  for (const YieldingElement& element : yielding) {
+    const MatrixXd directions =
+        directions_of(neighbours, rows.x, element, following);
+    append(directions * root_of(element.spring.stiffness), found.sprung);
+    append(directions * root_of(element.spring.damping), found.damped);
+  }
   return found;
 }
 

@@ -11,7 +11,8 @@ namespace clevis::mechanism {
 
 /// What the rest of a mechanism does to small, fast motions of one of its
 /// bodies at an instant: its neighbours follow by their inertia or do not give
-/// way. Forces of elements do not count.
+/// way. What force elements yield stands beside that, of neighbours that follow
+/// so.
 ///
 /// A column is a wrench on the body, six rows a place: force, then moment about
 /// Lo, in L. Its product with the body's motions at the places (v, ω) is a
@@ -25,6 +26,9 @@ struct NeighbourInertia {
   /// the wrenches that turning the neighbours' spin takes, θ' × h of a momentum
   /// h relative to the body [kg/s], [m kg/s], [m² kg/s]. Empty: none spins.
   Eigen::MatrixXd spin = {};
+  /// w wᵀ are stiffness and damping of force elements [√(N/m)], [m √(N/m)];
+  /// the same times √s.
+  Eigen::MatrixXd sprung = {}, damped = {};
 };
 
 /// @param instant  of a motion of the mechanism.

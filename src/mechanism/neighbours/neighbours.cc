@@ -80,7 +80,11 @@ Neighbours::Neighbours(const MechanismDefinition& definition, BodyIndex body)
       system_(frame_, definition.drives, Motions::kSpatial,
               ConstraintSystem::Drives::kAll),
       slot_(body + 1),
-      slots_(neighbours_of(frame_, slot_)) {}
+      slots_(neighbours_of(frame_, slot_)) {
+  for (const ForceElement& element : definition.elements) {
+    elements_.push_back(place(element, frame_));
+  }
+}
 
 NeighbourRows Neighbours::rows(const Instant& instant) const {
   NeighbourRows found;

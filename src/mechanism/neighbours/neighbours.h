@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -9,13 +10,16 @@
 #include "mechanism/constraints/solving_frame.h"
 #include "mechanism/definition/definition.h"
 #include "mechanism/definition/motion.h"
+#include "mechanism/element_base/acting_element.h"
 
 namespace clevis::mechanism {
 
-/// A joint of a body, or what a drive holds of it.
+/// A joint of a body, what a drive holds of it, or where a force element acts
+/// on it.
 struct NeighbourPlace {
   int joint{};
   bool is_drive{};
+  int element = -1;  ///< then neither of these
 
   bool operator==(const NeighbourPlace&) const = default;
 };
@@ -47,6 +51,10 @@ class Neighbours {
   int slot() const { return slot_; }                        ///< of the body
   const std::vector<int>& slots() const { return slots_; }  ///< of neighbours
   NeighbourRows rows(const Instant& instant) const;
+  /// Force elements, placed.
+  const std::vector<std::unique_ptr<ActingElement>>& elements() const {
+    return elements_;
+  }
   /// Of the neighbours about their centres, in unknowns of ConstraintSystem
   /// [kg].
   Eigen::MatrixXd masses(const Configuration& x) const;
@@ -57,6 +65,7 @@ class Neighbours {
   ConstraintSystem system_;
   int slot_;
   std::vector<int> slots_;
+  std::vector<std::unique_ptr<ActingElement>> elements_;
 };
 
 }  // namespace clevis::mechanism

@@ -90,9 +90,10 @@ void expect_wave(int shapes, double tolerance) {
   }
   const dynamics::LoadPath path(time, rest.statics.coefficients,
                                 1e-9 * transit);
-  const auto answer =
-      dynamics::answer_to(path, found.participation, found.squares, 0.0,
-                          VectorXd::LinSpaced(301, 0.0, end));
+  const auto answer = dynamics::answer_to(
+      path, found.participation, found.squares,
+      dynamics::ModeDamping::even(0.0, found.squares.size()),
+      VectorXd::LinSpaced(301, 0.0, end));
   elasticity::DisplacementBasis<dim> all;
   all.discretization = rest.statics.discretization;
   all.columns.resize(found.columns.rows(),

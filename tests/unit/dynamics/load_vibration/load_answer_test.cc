@@ -46,8 +46,8 @@ LoadAnswer answer(const LoadPath& path, double damping = 0.0) {
   const VectorXd others = VectorXd::LinSpaced(static_cast<Index>(4000.0 * end),
                                               path.time()[0], end);
   return dynamics::answer_to(path, MatrixXd::Ones(1, 1),
-                             VectorXd::Constant(1, 4.0 * kPi * kPi), damping,
-                             others);
+                             VectorXd::Constant(1, 4.0 * kPi * kPi),
+                             dynamics::ModeDamping::even(damping, 1), others);
 }
 
 double largest(const LoadAnswer& answer) {
@@ -156,9 +156,9 @@ TEST(LoadAnswer, DampedCubicsAgainstSmallSteps) {
   const double zeta = 0.3, omega = 2.0 * kPi;
   const auto path =
       path_of({{0.0, 0.0}, {0.0, 0.3}, {0.7, 1.0}, {1.1, 1.2}, {1.9, -0.4}});
-  const auto found = dynamics::answer_to(path, MatrixXd::Ones(1, 1),
-                                         VectorXd::Constant(1, omega * omega),
-                                         zeta, VectorXd(0));
+  const auto found = dynamics::answer_to(
+      path, MatrixXd::Ones(1, 1), VectorXd::Constant(1, omega * omega),
+      dynamics::ModeDamping::even(zeta, 1), VectorXd(0));
   constexpr int kSteps = 20000;
   double q = 0.0, v = 0.0;
   for (Index i = 1; i + 1 < path.size(); ++i) {
@@ -201,8 +201,9 @@ TEST(LoadAnswer, SpreadJumpSwingsLess) {
   const double front = 0.2, omega = 2.0 * kPi;
   const auto path = path_of({{0.0, 0.0}, {0.0, 1.0}, {3.0, 1.0}});
   const auto found = dynamics::answer_to(
-      path, MatrixXd::Ones(1, 1), VectorXd::Constant(1, omega * omega), 0.0,
-      VectorXd::LinSpaced(3001, 0.0, 3.0), front);
+      path, MatrixXd::Ones(1, 1), VectorXd::Constant(1, omega * omega),
+      dynamics::ModeDamping::even(0.0, 1), VectorXd::LinSpaced(3001, 0.0, 3.0),
+      front);
   const double left = std::exp(-0.5 * std::pow(omega * front, 2));
   EXPECT_NEAR(found.added.row(0).maxCoeff(), left, 1e-6);
   EXPECT_NEAR(found.added.row(0).minCoeff(), -left, 1e-6);
@@ -211,8 +212,9 @@ TEST(LoadAnswer, SpreadJumpSwingsLess) {
   // Where only the rate jumps: by 1 a period, after a ramp without swing.
   const auto bend = dynamics::answer_to(
       path_of({{0.0, 0.0}, {1.0, 1.0}, {1.0, 1.0}, {4.0, 1.0}}),
-      MatrixXd::Ones(1, 1), VectorXd::Constant(1, omega * omega), 0.0,
-      VectorXd::LinSpaced(4001, 0.0, 4.0), front);
+      MatrixXd::Ones(1, 1), VectorXd::Constant(1, omega * omega),
+      dynamics::ModeDamping::even(0.0, 1), VectorXd::LinSpaced(4001, 0.0, 4.0),
+      front);
   EXPECT_NEAR(bend.added.row(0).maxCoeff(), left / omega, 1e-6);
 }
 
@@ -302,8 +304,9 @@ TEST(LoadShapes, StepOnARod) {
       shapes.columns.transpose() * rod.system.mass(statics);
   const auto path = path_of({{0.0, 0.0}, {0.0, 1.0}, {4.0, 1.0}});
   const VectorXd others = VectorXd::LinSpaced(401, 0.0, 4.0);
-  const auto found =
-      dynamics::answer_to(path, participation, shapes.squares, 0.0, others);
+  const auto found = dynamics::answer_to(
+      path, participation, shapes.squares,
+      dynamics::ModeDamping::even(0.0, shapes.squares.size()), others);
   const Index end = load.size() - 1;
   for (Index i = 1; i < found.time.size(); ++i) {
     const double t = found.time[i];

@@ -12,6 +12,7 @@
 
 #include "dynamics/load_vibration/load_shapes.h"
 #include "dynamics/systems/held_system.h"
+#include "dynamics/systems/sprung_system.h"
 #include "dynamics/systems/weighed_system.h"
 #include "support/dense_system.h"
 
@@ -98,6 +99,39 @@ TEST(Eigenmodes, FreeBeamHasItsRigidMotionsFirst) {
   EXPECT_EQ(modes.squares[1], 0.0);
   EXPECT_NEAR(std::sqrt(modes.squares[2]), 4.730040745 * 4.730040745, 1e-4);
   EXPECT_LT(modes.residual.maxCoeff(), 1e-7);
+}
+
+// A beam on a pin at one end, where a spring holds its turning, against the
+// dense system. On a soft one it swings as if it were rigid, 3 k/m l²; a stiff
+// one clamps it.
+TEST(Eigenmodes, BeamOnAPinWithASpring) {
+  MatrixXd constraints = MatrixXd::Zero(42, 1);
+  constraints(0, 0) = 1.0;
+  const auto beam = free_beam();
+  for (const double stiffness : {1e-4, 1.0, 1e6}) {
+    MatrixXd spring = MatrixXd::Zero(42, 1);
+    spring(1, 0) = std::sqrt(stiffness);
+    const auto sprung = dynamics::sprung_system(beam, spring);
+    EXPECT_EQ(sprung.rigid.cols(), 1);  // it still moves across
+    const auto held = dynamics::held_system(sprung, constraints);
+    EXPECT_EQ(held.rigid.cols(), 0);
+    const auto modes = dynamics::lowest_modes(held, 2, "test");
+    MatrixXd k = unit_beam().stiffness();
+    k(1, 1) += stiffness;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> dense(
+        k.bottomRightCorner(41, 41),
+        unit_beam().mass().bottomRightCorner(41, 41), Eigen::EigenvaluesOnly);
+    EXPECT_EQ(modes.rigid, 0);
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_NEAR(modes.squares[i] / dense.eigenvalues()[i], 1.0, 1e-5);
+    }
+    if (stiffness < 1e-3) {
+      EXPECT_NEAR(modes.squares[0], 3e-4, 1e-8);
+    }
+    if (stiffness > 1e3) {
+      EXPECT_NEAR(std::pow(modes.squares[0], 0.25), 1.875104, 1e-4);
+    }
+  }
 }
 
 }  // namespace

@@ -144,5 +144,78 @@ TEST(NeighbourInertia, OfABodyThatSpins) {
   EXPECT_EQ(neighbour_inertia(Neighbours(m, 0), instant).spin.size(), 0);
 }
 
+/// A bar with springs on it or beside it, all relaxed.
+NeighbourInertia sprung_bar(MechanismDefinition& m, int body,
+                            std::vector<ForceElement> elements) {
+  m.elements = std::move(elements);
+  Instant instant = placed(m);
+  instant.elements.resize(m.elements.size());
+  return neighbour_inertia(Neighbours(m, body), instant);
+}
+
+LineElement spring(double stiffness, double damping) {
+  LineElement element;
+  element.law = SpringLaw{.stiffness = stiffness, .damping = damping};
+  return element;
+}
+
+// Of the second bar: the first turns about O against its spring as the pin
+// between both moves across, k/l².
+TEST(NeighbourInertia, SpringsHoldNeighbours) {
+  MechanismDefinition m = two_bars(1.0);
+  LineElement about = spring(700.0, 30.0);
+  about.line.joint = 0;
+  const NeighbourInertia found = sprung_bar(m, 1, {about});
+  ASSERT_EQ(found.places.size(), 1U);
+  const auto of = [&](const MatrixXd& wrenches, const Vector3d& v) {
+    return mass_of(wrenches, motion(found, 0, v));
+  };
+  EXPECT_NEAR(of(found.sprung, {0.0, 1.0, 0.0}), 700.0, 1e-6 * 700.0);
+  EXPECT_NEAR(of(found.damped, {0.0, 1.0, 0.0}), 30.0, 1e-6 * 30.0);
+  EXPECT_LT(of(found.sprung, {1.0, 0.0, 0.0}), 1e-6);
+  // Of the first: it stands on the spring itself, a place of its own.
+  const NeighbourInertia first = sprung_bar(m, 0, {about});
+  ASSERT_EQ(first.places.size(), 3U);
+  EXPECT_EQ(first.places[2].element, 0);
+  Eigen::VectorXd turn = Eigen::VectorXd::Zero(18);
+  turn[17] = 2.0;
+  EXPECT_NEAR(mass_of(first.sprung, turn), 4.0 * 700.0, 1e-9 * 700.0);
+}
+
+// From the ground up to the middle of the first bar; to that of the second,
+// which moves a quarter of what its end does; and between both bars, where the
+// second turns back as its end is pushed across.
+TEST(NeighbourInertia, SpringsAlongLines) {
+  MechanismDefinition m = two_bars(1.0);
+  const auto up_to = [](int body) {
+    LineElement up = spring(900.0, 0.0);
+    up.line.kind = ElementLine::Kind::kDistance;
+    up.line.a = {kGround, {0.5 + body, 1.0, 0.0}};
+    up.line.b = {body, {0.5, 0.0, 0.0}};
+    return up;
+  };
+  const auto along = [](const NeighbourInertia& found, int place, int row) {
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(found.held.rows());
+    all[6 * place + row] = 1.0;
+    return all;
+  };
+  const NeighbourInertia first = sprung_bar(m, 0, {up_to(0)});
+  ASSERT_EQ(first.places.size(), 3U);
+  Eigen::VectorXd up = along(first, 2, 1);
+  EXPECT_NEAR(mass_of(first.sprung, up), 900.0, 1e-6);
+  EXPECT_LT(mass_of(first.sprung, along(first, 2, 0)), 1e-6);
+  const NeighbourInertia second = sprung_bar(m, 0, {up_to(1)});
+  ASSERT_EQ(second.places.size(), 2U);
+  EXPECT_NEAR(mass_of(second.sprung, along(second, 1, 1)), 900.0 / 16.0, 0.1);
+  LineElement between = spring(700.0, 0.0);
+  between.line.joint = 1;
+  const NeighbourInertia both = sprung_bar(m, 0, {between});
+  ASSERT_EQ(both.places.size(), 3U);
+  const Eigen::VectorXd across = along(both, 1, 1), turn = along(both, 2, 5);
+  EXPECT_NEAR(mass_of(both.sprung, across), 2.25 * 700.0, 2.0);
+  EXPECT_NEAR(mass_of(both.sprung, turn), 700.0, 1e-6);
+  EXPECT_NEAR(mass_of(both.sprung, across + turn), 6.25 * 700.0, 5.0);
+}
+
 }  // namespace
 }  // namespace clevis::mechanism

@@ -1,0 +1,58 @@
+#include "dynamics/systems/sprung_system.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+
+#include "dynamics/systems/block_krylov.h"
+
+namespace clevis::dynamics {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// Rigid motions that springs do not feel.
+MatrixXd unsprung(const LinearSystem& system, const MatrixXd& springs) {
+  constexpr double kFree = 1e-9;  // of the stiffest
+  if (system.rigid.cols() == 0) return system.rigid;
+  const MatrixXd rigid = mass_orthonormal(system, system.rigid);
+  Eigen::JacobiSVD<MatrixXd> svd(springs.transpose() * rigid,
+                                 Eigen::ComputeFullV);
+  svd.setThreshold(kFree);
+  return rigid * svd.matrixV().rightCols(rigid.cols() - svd.rank());
+}
+
+}  // namespace
+
+LinearSystem sprung_system(const LinearSystem& system,
+                           const MatrixXd& springs) {
+  LinearSystem sprung = system;
+  sprung.rigid = unsprung(system, springs);
+  sprung.is_held = system.is_held || sprung.rigid.cols() < system.rigid.cols();
+  sprung.stiffness = [stiffness = system.stiffness,
+                      springs](const MatrixXd& x) -> MatrixXd {
+    return stiffness(x) + springs * (springs.transpose() * x);
+  };
+  sprung.factor = [factor = system.factor, stiffness = sprung.stiffness,
+                   mass = system.mass, springs](double shift) -> BlockOperator {
+    const BlockOperator solve = factor(shift);
+    const MatrixXd answers = solve(springs);
+    MatrixXd between = springs.transpose() * answers;
+    between.diagonal().array() += 1.0;
+    const Eigen::LLT<MatrixXd> inner(between);
+    const auto once = [solve, answers, inner, springs](const MatrixXd& b) {
+      MatrixXd x = solve(b);
+      x -= answers * inner.solve(springs.transpose() * x);
+      return x;
+    };
+    return [once, stiffness, mass, shift](const MatrixXd& b) -> MatrixXd {
+      MatrixXd x = once(b);
+      // Stiff springs leave little of a rigid motion that is large in `solve`.
+      x += once(b - stiffness(x) - shift * mass(x));
+      return x;
+    };
+  };
+  return sprung;
+}
+
+}  // namespace clevis::dynamics

@@ -1,0 +1,233 @@
+#!/usr/bin/env python3
+"""Parts that springs of their mechanism hold, as they vibrate and buckle, against bars by
+closed form.
+
+    springs.py CLEVIS
+
+An arm on a hub that a servo holds, with a rotor at its end that is out of balance, runs at
+the first frequency of arm and servo together. Its bending moment is that of the bar's equation of vibration, with the hub's stiffness, damping and inertia at one end
+and the rotor's mass at the other. On a soft servo the arm vibrates by itself, and all that
+is left is what the rigid one bears, far beneath the limit.
+
+A column on a servo buckles where u tan u = k L/EI, P = u² EI/L²: under nine tenths of its
+load, though it bears twice that on a rigid foot, and so does the servo under a rigid one.
+"""
+import cmath
+import math
+import sys
+import tempfile
+from pathlib import Path
+
+import scene_text
+import support
+
+LENGTH, HEIGHT, WIDTH = 300.0, 30.0, 60.0  # mm
+MODULUS, DENSITY = 210e9, 7850.0
+DAMPING = 0.02  # of the part
+ROTOR, OFF, TURNING = 5.0, 0.1e-3, 0.015  # kg, m, kg m²
+ALLOWED = 40.0  # MPa
+HUB, FORK, FORK_TURNING = 0.002, 0.1, 1e-4  # kg m², kg, kg m²
+
+
+def solved(matrix, right):
+    """Of a few complex equations, by elimination."""
+    rows = [list(row) + [value] for row, value in zip(matrix, right)]
+    for k in range(len(rows)):
+        pivot = max(range(k, len(rows)), key=lambda i: abs(rows[i][k]))
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        for i in range(len(rows)):
+            if i == k:
+                continue
+            factor = rows[i][k] / rows[k][k]
+            rows[i] = [a - factor * b for a, b in zip(rows[i], rows[k])]
+    return [row[-1] / row[k] for k, row in enumerate(rows)]
+
+
+def largest_moment(omega, stiffness, dashpot, damping=DAMPING):
+    """Along the arm, in steady state [N m]."""
+    length, inertia = LENGTH / 1e3, WIDTH * HEIGHT**3 / 12e12
+    area = WIDTH * HEIGHT / 1e6
+    bending = MODULUS * inertia * (1 + 2j * damping)
+    k = (DENSITY * area * omega**2 / bending) ** 0.25
+
+    def derivatives(x):
+        """Of sin, cos, sinh, cosh of k x: of order 0 to 3."""
+        s, c, sh, ch = (f(k * x) for f in (cmath.sin, cmath.cos, cmath.sinh, cmath.cosh))
+        return ((s, c, sh, ch), (k * c, -k * s, k * ch, k * sh),
+                (-k**2 * s, -k**2 * c, k**2 * sh, k**2 * ch),
+                (-k**3 * c, k**3 * s, k**3 * ch, k**3 * sh))
+    root, end = derivatives(0), derivatives(length)
+    hub = stiffness + 1j * omega * dashpot - omega**2 * HUB
+    force, turning = ROTOR * OFF * omega**2, FORK_TURNING + TURNING
+    amounts = solved(
+        [root[0], [bending * b - hub * a for a, b in zip(root[1], root[2])],
+         # The rotor's drive prescribes how it turns against the fork.
+         [bending * c - omega**2 * turning * b for b, c in zip(end[1], end[2])],
+         [bending * d + (ROTOR + FORK) * omega**2 * a for a, d in zip(end[0], end[3])]],
+        [0, 0, 0, force])
+    return max(abs(bending * sum(a * b for a, b in zip(amounts, derivatives(x)[2])))
+               for x in (length * i / 40 for i in range(41)))
+
+
+def first_frequency(stiffness, low, high):
+    """Where the moment is largest between two [1/s]."""
+    for _ in range(20):
+        step = (high - low) / 200
+        best = max((low + step * i for i in range(201)),
+                   key=lambda w: largest_moment(w, stiffness, 0.0))
+        low, high = best - step, best + step
+    return best
+
+
+def scene(folder, omega, stiffness, dashpot):
+    scene_text.write_bar(folder, (LENGTH / 1e3, HEIGHT / 1e3, WIDTH / 1e3), (24, 2, 2))
+    file = folder / "scene.toml"
+    file.write_text(scene_text.head("arm on a servo") +
+                    scene_text.body("hub", "1 kg", f"{HUB} kg m^2") +
+                    scene_text.part_body("arm") +
+                    scene_text.body("fork", f"{FORK} kg", f"{FORK_TURNING} kg m^2",
+                                    origin=(LENGTH, 0, 0)) +
+                    scene_text.body("rotor", f"{ROTOR} kg", f"{TURNING} kg m^2",
+                                    center=(1e3 * OFF, 0, 0), origin=(LENGTH, 0, 0)) +
+                    scene_text.joint("O", "revolute", "ground", "hub", axis=(0, 0, 1)) +
+                    scene_text.joint("W", "weld", "hub", "arm") +
+                    scene_text.joint("F", "weld", "arm", "fork", (LENGTH, 0, 0)) +
+                    scene_text.joint("T", "revolute", "fork", "rotor", (LENGTH, 0, 0),
+                                     (0, 0, 1)) + f"""[[force]]
+type = "servo"
+name = "axis"
+joint = "O"
+stiffness = "{stiffness:.9g} N m/rad"
+damping = "{dashpot:.9g} N m s/rad"
+law = "constant"
+from = "0 deg"
+[[initial]]
+joint = "O"
+position = "0 deg"
+rate = "0 rad/s"
+[[drive]]
+joint = "T"
+law = "speed"
+from = "0 deg"
+speed = "{omega:.9g} rad/s"
+[simulation]
+motion = "dynamic"
+duration = "{60 / omega * 2 * math.pi:.9g} s"
+instants = 101
+[[part]]
+name = "arm"
+mesh = "bar.msh"
+length_unit = "mm"
+material = "steel"
+damping = {DAMPING}
+pins = {{ W = "x0", F = "x1" }}
+limits = {{ safety_factor = {355 / ALLOWED:.9g}, singular_zones = "exclude" }}
+""")
+    return file
+
+
+SIDE, HIGH = 20.0, 1000.0  # mm, of the column
+
+
+def column(folder, load, stiffness):
+    scene_text.write_bar(folder, (HIGH / 1e3, SIDE / 1e3, SIDE / 1e3), (20, 2, 2))
+    file = folder / "scene.toml"
+    file.write_text(scene_text.head("column on a servo") +
+                    scene_text.body("hub", "5 kg", "0.03 kg m^2") +
+                    scene_text.part_body("column") +
+                    scene_text.joint("O", "revolute", "ground", "hub", axis=(0, 0, 1)) +
+                    scene_text.joint("W", "weld", "hub", "column") + f"""[[force]]
+type = "servo"
+name = "axis"
+joint = "O"
+stiffness = "{stiffness:.9g} N m/rad"
+damping = "100 N m s/rad"
+law = "constant"
+from = "0 deg"
+[[force]]
+type = "constant"
+name = "press"
+body = "column"
+point = {scene_text.lengths((HIGH, 0, 0))}
+force = ["-{load:.9g} N", "0 N", "0 N"]
+[[initial]]
+joint = "O"
+position = "0 deg"
+rate = "0 rad/s"
+[simulation]
+motion = "dynamic"
+duration = "0.1 s"
+instants = 3
+[[part]]
+name = "column"
+mesh = "bar.msh"
+length_unit = "mm"
+material = "steel"
+pins = {{ W = "x0" }}
+forces = {{ press = {{ face = "x1" }} }}
+limits = {{ safety_factor = 1.5, buckling = 1.5, singular_zones = "exclude" }}
+""")
+    return file
+
+
+def buckling_load(stiffness, bending):
+    """Of the column on a spring [N]."""
+    length = HIGH / 1e3
+    low, high = 1e-6, math.pi / 2
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        if middle * math.tan(middle) < stiffness * length / bending:
+            low = middle
+        else:
+            high = middle
+    return (low / length)**2 * bending
+
+
+def check_columns(clevis, checks):
+    bending = MODULUS * SIDE**4 / 12e12
+    clamped = math.pi**2 * bending / 4 / (HIGH / 1e3)**2
+    stiffness = clamped * HIGH / 1e3  # a rigid one falls at `clamped`, too
+    both = buckling_load(stiffness, bending)
+    for factor in (0.95, 3.5):
+        with tempfile.TemporaryDirectory() as name:
+            answer = support.check(clevis,
+                                   column(Path(name), both / factor, stiffness),
+                                   exits=support.JUDGED)
+        part = answer.parts[0]
+        buckling = part["buckling"]
+        checks.holds(buckling["band"], factor, "column on a servo, "
+                     f"{buckling['factor']:.4g} on a rigid foot")
+        checks.expect(buckling["band"][0] > 0.9 * factor,
+                      "the sum is no more than a tenth below it")
+        checks.expect((part["verdict"] == "pass") == (factor > 1.5),
+                      f"{part['verdict']}, 1.5 wanted")
+
+
+def main():
+    clevis = Path(sys.argv[1]).resolve()
+    checks = support.Checks()
+    section = WIDTH * HEIGHT**2 / 6e9  # [m³]
+    stiff, dashpot = 94.5e3, 8.0
+    omega = first_frequency(stiff, 100.0, 1000.0)
+    free = first_frequency(0.0, 2000.0, 5000.0)
+    for share, first in ((1.0, omega), (1e-4, free)):
+        stiffness, damper = share * stiff, math.sqrt(share) * dashpot
+        truth = largest_moment(omega, stiffness, damper) / section / 1e6
+        with tempfile.TemporaryDirectory() as name:
+            answer = support.check(clevis, scene(Path(name), omega, stiffness, damper),
+                                   exits=support.JUDGED)
+        part = answer.parts[0]
+        vibration = part["vibration"]
+        checks.near("lowest frequency", vibration["lowest_frequency_hz"],
+                    first / 2 / math.pi, 0.02)
+        if share == 1.0:
+            checks.near(f"peak, {part['peak_von_mises']['value_MPa']:.4g} at rest",
+                        vibration["peak_MPa"], truth, 0.03)
+        checks.expect((part["verdict"] == "pass") == (truth < ALLOWED),
+                      f"{part['verdict']}, {ALLOWED} MPa allowed")
+    check_columns(clevis, checks)
+    return checks.exit_code()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
