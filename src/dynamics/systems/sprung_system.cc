@@ -11,15 +11,18 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Rigid motions that springs do not feel.
+/// Rigid motions that springs do not feel, or so little that round-off of
+/// elastic ones is more.
 MatrixXd unsprung(const LinearSystem& system, const MatrixXd& springs) {
-  constexpr double kFree = 1e-9;  // of the stiffest
+  constexpr double kFree = 1e-5;  // of a square that is low already
   if (system.rigid.cols() == 0) return system.rigid;
   const MatrixXd rigid = mass_orthonormal(system, system.rigid);
-  Eigen::JacobiSVD<MatrixXd> svd(springs.transpose() * rigid,
-                                 Eigen::ComputeFullV);
-  svd.setThreshold(kFree);
-  return rigid * svd.matrixV().rightCols(rigid.cols() - svd.rank());
+  const Eigen::JacobiSVD<MatrixXd> svd(springs.transpose() * rigid,
+                                       Eigen::ComputeFullV);
+  const Index held =
+      (svd.singularValues().array().square() > kFree * system.low_square)
+          .count();
+  return rigid * svd.matrixV().rightCols(rigid.cols() - held);
 }
 
 }  // namespace

@@ -19,6 +19,11 @@ using Eigen::Vector3d;
 
 constexpr Index kMotion = 6;
 
+bool lets_go(const mechanism::Instant& instant, std::size_t element) {
+  return element >= instant.elements.size() ||
+         instant.elements[element].effort == 0.0;
+}
+
 }  // namespace
 
 NeighboursOverMotion::NeighboursOverMotion(
@@ -29,7 +34,16 @@ NeighboursOverMotion::NeighboursOverMotion(
       neighbours_(definition_, body),
       seats_(std::move(seats)),
       acting_(std::move(acting)),
-      places_(std::move(places)) {}
+      places_(std::move(places)) {
+  for (std::size_t e = 0; e < definition_.elements.size(); ++e) {
+    if (properties(definition_.elements[e]).presses &&
+        std::ranges::any_of(places_, [&](const Place& place) {
+          return lets_go(place.instant, e);
+        })) {
+      neighbours_.leave_out(e);
+    }
+  }
+}
 
 SeatHold NeighboursOverMotion::hold(double time) {
   const auto nearest =

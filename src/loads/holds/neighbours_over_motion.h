@@ -15,7 +15,8 @@ namespace clevis::loads {
 
 /// What the rest of the mechanism holds of a body, and what its loads gain as
 /// seats give way, at instants of its motion; worked out when it is asked for
-/// first, once each.
+/// first, once each. Contacts and stops hold a part as it vibrates where they
+/// press at all instants: else it may lift off.
 class NeighboursOverMotion {
  public:
   struct Place {

@@ -81,6 +81,7 @@ std::vector<YieldingElement> yielding_elements(const Neighbours& neighbours,
   const std::size_t count =
       std::min(instant.elements.size(), neighbours.elements().size());
   for (std::size_t e = 0; e < count; ++e) {
+    if (!neighbours.elements()[e]) continue;
     const ActingElement& element = *neighbours.elements()[e];
     ElementSpring spring = element.spring(rows.x, instant.elements[e]);
     if (spring.directions.empty()) continue;

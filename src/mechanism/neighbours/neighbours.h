@@ -51,10 +51,12 @@ class Neighbours {
   int slot() const { return slot_; }                        ///< of the body
   const std::vector<int>& slots() const { return slots_; }  ///< of neighbours
   NeighbourRows rows(const Instant& instant) const;
-  /// Force elements, placed.
+  /// Force elements, placed; null: it holds nothing.
   const std::vector<std::unique_ptr<ActingElement>>& elements() const {
     return elements_;
   }
+  /// Leaves an element out that lets go meanwhile.
+  void leave_out(std::size_t element) { elements_[element] = nullptr; }
   /// Of the neighbours about their centres, in unknowns of ConstraintSystem
   /// [kg].
   Eigen::MatrixXd masses(const Configuration& x) const;
