@@ -35,14 +35,47 @@ NeighboursOverMotion::NeighboursOverMotion(
       seats_(std::move(seats)),
       acting_(std::move(acting)),
       places_(std::move(places)) {
+  leave_out_what_lets_go(neighbours_);
+}
+
+NeighboursOverMotion::~NeighboursOverMotion() = default;
+
+void NeighboursOverMotion::leave_out_what_lets_go(
+    mechanism::Neighbours& neighbours) const {
   for (std::size_t e = 0; e < definition_.elements.size(); ++e) {
     if (properties(definition_.elements[e]).presses &&
         std::ranges::any_of(places_, [&](const Place& place) {
           return lets_go(place.instant, e);
         })) {
-      neighbours_.leave_out(e);
+      neighbours.leave_out(e);
     }
   }
+}
+
+struct NeighboursOverMotion::Stuck {
+  Stuck(mechanism::MechanismDefinition given, mechanism::BodyIndex body)
+      : definition(std::move(given)), neighbours(definition, body) {}
+
+  mechanism::MechanismDefinition definition;
+  mechanism::Neighbours neighbours;
+};
+
+const mechanism::Neighbours& NeighboursOverMotion::held_at(
+    const mechanism::Instant& instant) {
+  const auto sticking = mechanism::sticking_coordinates(definition_, instant);
+  if (sticking.empty()) return neighbours_;
+  Coordinates coordinates;
+  for (const auto& one : sticking) {
+    coordinates.emplace_back(one.joint, one.coordinate);
+  }
+  auto& found = stuck_[coordinates];
+  if (!found) {
+    mechanism::MechanismDefinition held = definition_;
+    held.drives.insert(held.drives.end(), sticking.begin(), sticking.end());
+    found = std::make_unique<Stuck>(std::move(held), neighbours_.slot() - 1);
+    leave_out_what_lets_go(found->neighbours);
+  }
+  return found->neighbours;
 }
 
 SeatHold NeighboursOverMotion::hold(double time) {
@@ -54,7 +87,8 @@ SeatHold NeighboursOverMotion::hold(double time) {
   const std::scoped_lock lock(mutex_);
   const auto [hold, is_new] = holds_.try_emplace(next);
   if (is_new) {
-    hold->second = seat_hold(neighbours_, places_[next].instant, seats_);
+    const mechanism::Instant& instant = places_[next].instant;
+    hold->second = seat_hold(held_at(instant), instant, seats_);
     hold->second.zones = places_[next].zones;
   }
   return hold->second;

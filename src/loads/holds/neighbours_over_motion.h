@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "loads/history/load_history.h"
@@ -16,7 +18,8 @@ namespace clevis::loads {
 /// What the rest of the mechanism holds of a body, and what its loads gain as
 /// seats give way, at instants of its motion; worked out when it is asked for
 /// first, once each. Contacts and stops hold a part as it vibrates where they
-/// press at all instants: else it may lift off.
+/// press at all instants: else it may lift off. Friction on a joint holds while
+/// it sticks.
 class NeighboursOverMotion {
  public:
   struct Place {
@@ -30,6 +33,7 @@ class NeighboursOverMotion {
                        mechanism::BodyIndex body, std::vector<Seat> seats,
                        std::vector<mechanism::LoadPlace> acting,
                        std::vector<Place> places);
+  ~NeighboursOverMotion();
 
   /// At the place next to a time [s].
   SeatHold hold(double time);
@@ -38,7 +42,13 @@ class NeighboursOverMotion {
   SeatGains gains(std::size_t instant);
 
  private:
+  using Coordinates = std::vector<std::pair<int, int>>;  ///< of joints
+  /// A mechanism with some friction that sticks.
+  struct Stuck;
+
   SeatGains found_gains(const Place& place) const;
+  void leave_out_what_lets_go(mechanism::Neighbours& neighbours) const;
+  const mechanism::Neighbours& held_at(const mechanism::Instant& instant);
 
   mechanism::MechanismDefinition definition_;
   mechanism::Neighbours neighbours_;
@@ -46,6 +56,7 @@ class NeighboursOverMotion {
   std::vector<mechanism::LoadPlace> acting_;
   std::vector<Place> places_;
   std::mutex mutex_;
+  std::map<Coordinates, std::unique_ptr<Stuck>> stuck_;
   std::map<std::size_t, SeatHold> holds_;
   std::map<std::size_t, SeatGains> gains_;
 };

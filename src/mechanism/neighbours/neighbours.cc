@@ -1,7 +1,9 @@
 #include "mechanism/neighbours/neighbours.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
+#include <optional>
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -72,7 +74,57 @@ MatrixXd null_space(const MatrixXd& rows) {
   return svd.matrixV().rightCols(rows.cols() - svd.rank());
 }
 
+Index rank_of(const MatrixXd& rows) {
+  constexpr double kRoundOff = 1e-9;  // of rows of pure numbers
+  if (rows.size() == 0) return 0;
+  Eigen::BDCSVD<MatrixXd> svd(rows);
+  svd.setThreshold(kRoundOff);
+  return svd.rank();
+}
+
 }  // namespace
+
+std::vector<DriveDefinition> sticking_coordinates(
+    const MechanismDefinition& definition, const Instant& instant) {
+  constexpr double kAtRest = 1e-6;  // [m/s], [rad/s]
+  std::vector<DriveDefinition> found;
+  std::optional<SolvingFrame> frame;
+  Configuration x;
+  std::vector<DriveDefinition> drives = definition.drives;
+  const auto held = [&] {
+    const ConstraintSystem system(*frame, drives, Motions::kSpatial,
+                                  ConstraintSystem::Drives::kAll);
+    return rank_of(system.jacobian(system.place(x)));
+  };
+  Index before = 0;
+  const std::size_t count =
+      std::min(instant.elements.size(), definition.elements.size());
+  for (std::size_t e = 0; e < count; ++e) {
+    const ElementLine* line = line_of(definition.elements[e]);
+    if (line == nullptr || line->kind != ElementLine::Kind::kJoint ||
+        std::abs(instant.elements[e].rate) > kAtRest) {
+      continue;
+    }
+    if (!frame) {
+      frame.emplace(frame_at_centres(definition));
+      x = configuration(*frame, instant);
+      before = held();
+    }
+    if (!place(definition.elements[e], *frame)->is_dry()) continue;
+    DriveDefinition sticking;
+    sticking.joint = line->joint;
+    sticking.coordinate = line->coordinate;
+    drives.push_back(sticking);
+    const Index now = held();
+    if (now > before) {
+      found.push_back(sticking);
+      before = now;
+    } else {
+      drives.pop_back();
+    }
+  }
+  return found;
+}
 
 Neighbours::Neighbours(const MechanismDefinition& definition, BodyIndex body)
     : definition_(definition),

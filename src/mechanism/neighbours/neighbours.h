@@ -70,4 +70,9 @@ class Neighbours {
   std::vector<std::unique_ptr<ActingElement>> elements_;
 };
 
+/// Friction on joints that sticks at an instant, as drives: of coordinates that
+/// neither joints nor drives fix.
+std::vector<DriveDefinition> sticking_coordinates(
+    const MechanismDefinition& definition, const Instant& instant);
+
 }  // namespace clevis::mechanism
