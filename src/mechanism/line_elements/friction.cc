@@ -37,6 +37,11 @@ class Friction final : public LineForce {
   void release_tangent() override { tangent_.holds = false; }
 
  protected:
+  /// Of bristles that stick.
+  LineTangent tangent(const ElementState& state) const override {
+    if (!has_bristles() || std::abs(state.effort) >= law_.kinetic) return {};
+    return {law_.bristle_stiffness, law_.bristle_damping + law_.viscous};
+  }
   double law_effort(const ActingState& state,
                     ElementResponse& now) const override;
 
