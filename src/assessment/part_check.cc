@@ -1,6 +1,7 @@
 #include "assessment/part_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "assessment/impact/impact_check.h"
 #include "assessment/judge/model_band.h"
@@ -184,6 +186,22 @@ void note_energy_over_time(const std::vector<InstantRow>& rows, bool repeats,
   if (!repeats) result.mean_strain_energy = mean_strain_energy(rows);
 }
 
+/// Springs of the mechanism that do not count where the part may buckle.
+void note_left_out(const PartJob& job, PartResult& result) {
+  if (result.buckling.factor.value_or(HUGE_VAL) >= kFirstOrderIsEnough) return;
+  for (const LoadSet& set : job.load_sets) {
+    if (!set.history.hold || !set.fixed.empty()) continue;
+    const auto names = set.history.hold(set.history.hold_time).left_out;
+    if (names.empty()) continue;
+    result.notes.push_back(fmt::format(
+        "{}, which swing{} other bodies of the mechanism by themselves, do{} "
+        "not count in its buckling",
+        fmt::join(names, ", "), names.size() > 1 ? "" : "s",
+        names.size() > 1 ? "" : "es"));
+    return;
+  }
+}
+
 /// Before all others: a number that is wrong by its unit makes them idle.
 void tell_first(const std::vector<std::string>& notes, PartResult& result) {
   result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
@@ -243,6 +261,7 @@ PartAssessment check_part(const PartJob& given) {
                      held, model, result);
   doubt_on_springs(job, buckling.on_springs, result);
   check_sharing(given, result);
+  note_left_out(job, result);
   judge(job.part, result);
   explain_unsettled(result);
   tell_first(part_notes(job), result);

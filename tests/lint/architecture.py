@@ -229,7 +229,7 @@ PUBLIC = {
     "dynamics": "load_vibration/load_answer load_vibration/load_path"
                 " load_vibration/response_spectrum"
                 " load_vibration/load_shapes strike/strike strike/strike_steps"
-                " systems/block_krylov systems/eigenmodes systems/held_system systems/linear_system systems/sprung_system systems/weighed_system",
+                " systems/attached_system systems/block_krylov systems/eigenmodes systems/held_system systems/linear_system systems/sprung_system systems/weighed_system",
     "beam": "estimates/beam_estimate estimates/ejector estimates/struck_part",
     "elasticity": "algebra/dense_product algebra/principal_columns engine_library/rank_team assembly/foundation assembly/stiffness assembly/supports"
                   " buckling/buckling buckling/buckling_problem buckling/second_order_solver holds/pin_hold"

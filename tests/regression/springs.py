@@ -8,6 +8,7 @@ An arm on a hub that a servo holds, with a rotor at its end that is out of balan
 the first frequency of arm and servo together. Its bending moment is that of the bar's equation of vibration, with the hub's stiffness, damping and inertia at one end
 and the rotor's mass at the other. On a soft servo the arm vibrates by itself, and all that
 is left is what the rigid one bears, far beneath the limit. A brake that sticks clamps it.
+With a forearm on a servo between arm and rotor that swings by itself, too.
 
 A column on a servo buckles where u tan u = k L/EI, P = u² EI/L²: under nine tenths of its
 load, though it bears twice that on a rigid foot, and so does the servo under a rigid one.
@@ -29,6 +30,7 @@ SHEAR = 0.25 * (HEIGHT / LENGTH)**2 * 2 * (1 + 0.3) * 6 / 5
 ROTOR, OFF, TURNING = 5.0, 0.1e-3, 0.015  # kg, m, kg m²
 ALLOWED = 40.0  # MPa
 HUB, FORK, FORK_TURNING = 0.002, 0.1, 1e-4  # kg m², kg, kg m²
+FOREARM, ELBOW = 0.1, 0.05  # m from its axis to the rotor, kg
 
 
 def solved(matrix, right):
@@ -45,38 +47,74 @@ def solved(matrix, right):
     return [row[-1] / row[k] for k, row in enumerate(rows)]
 
 
-def largest_moment(omega, stiffness, dashpot, damping=DAMPING):
-    """Along the arm, in steady state [N m]."""
-    length, inertia = LENGTH / 1e3, WIDTH * HEIGHT**3 / 12e12
-    area = WIDTH * HEIGHT / 1e6
-    bending = MODULUS * inertia * (1 + 2j * damping) / (1 + SHEAR)
-    k = (DENSITY * area * omega**2 / bending) ** 0.25
+class Arm:
+    """The arm on its hub at a circular frequency: deflections of sin, cos, sinh, cosh of
+    k x."""
 
-    def derivatives(x):
-        """Of sin, cos, sinh, cosh of k x: of order 0 to 3."""
+    def __init__(self, omega, hub, damping):
+        self.bending = (MODULUS * WIDTH * HEIGHT**3 / 12e12 * (1 + 2j * damping) /
+                        (1 + SHEAR))
+        self.k = (DENSITY * WIDTH * HEIGHT / 1e6 * omega**2 / self.bending) ** 0.25
+        self.root, self.end = self.derivatives(0), self.derivatives(LENGTH / 1e3)
+        self.held = [self.root[0], [self.bending * b - hub * a
+                                    for a, b in zip(self.root[1], self.root[2])]]
+
+    def derivatives(self, x):
+        """Of order 0 to 3."""
+        k = self.k
         s, c, sh, ch = (f(k * x) for f in (cmath.sin, cmath.cos, cmath.sinh, cmath.cosh))
         return ((s, c, sh, ch), (k * c, -k * s, k * ch, k * sh),
                 (-k**2 * s, -k**2 * c, k**2 * sh, k**2 * ch),
                 (-k**3 * c, k**3 * s, k**3 * ch, k**3 * sh))
-    root, end = derivatives(0), derivatives(length)
-    hub = stiffness + 1j * omega * dashpot - omega**2 * HUB
+
+    def largest_moment(self, amounts):
+        points = (LENGTH / 1e3 * i / 40 for i in range(41))
+        return max(abs(self.bending *
+                       sum(a * b for a, b in zip(amounts, self.derivatives(x)[2])))
+                   for x in points)
+
+
+def hub_of(omega, stiffness, dashpot):
+    return stiffness + 1j * omega * dashpot - omega**2 * HUB
+
+
+def largest_moment(omega, stiffness, dashpot, damping=DAMPING):
+    """Along the arm, in steady state [N m]."""
+    arm = Arm(omega, hub_of(omega, stiffness, dashpot), damping)
     force, turning = ROTOR * OFF * omega**2, FORK_TURNING + TURNING
-    amounts = solved(
-        [root[0], [bending * b - hub * a for a, b in zip(root[1], root[2])],
-         # The rotor's drive prescribes how it turns against the fork.
-         [bending * c - omega**2 * turning * b for b, c in zip(end[1], end[2])],
+    end, bending = arm.end, arm.bending
+    return arm.largest_moment(solved(
+        arm.held +
+        # The rotor's drive prescribes how it turns against the fork.
+        [[bending * c - omega**2 * turning * b for b, c in zip(end[1], end[2])],
          [bending * d + (ROTOR + FORK) * omega**2 * a for a, d in zip(end[0], end[3])]],
-        [0, 0, 0, force])
-    return max(abs(bending * sum(a * b for a, b in zip(amounts, derivatives(x)[2])))
-               for x in (length * i / 40 for i in range(41)))
+        [0, 0, 0, force]))
 
 
-def first_frequency(stiffness, low, high):
+def moment_with_forearm(omega, stiffness, dashpot, damping=DAMPING):
+    """The same with the rotor on a rigid forearm, on a servo like that of the hub: its
+    angle is one more unknown."""
+    arm = Arm(omega, hub_of(omega, stiffness, dashpot), damping)
+    mass, turning = ROTOR + FORK, FORK_TURNING + TURNING
+    force, square = ROTOR * OFF * omega**2, omega**2
+    servo = stiffness + 1j * omega * dashpot
+    end, bending = arm.end, arm.bending
+    return arm.largest_moment(solved(
+        [row + [0] for row in map(list, arm.held)] +
+        [[bending * c + servo * b for b, c in zip(end[1], end[2])] + [-servo],
+         [bending * d + (mass + ELBOW) * square * a for a, d in zip(end[0], end[3])] +
+         [mass * square * FOREARM],
+         [-servo * b - square * mass * FOREARM * a for a, b in zip(end[0], end[1])] +
+         [servo - square * turning - square * mass * FOREARM**2]],
+        [0, 0, 0, -force, FOREARM * force])[:4])
+
+
+def first_frequency(stiffness, low, high, moment=largest_moment):
     """Where the moment is largest between two [1/s]."""
     for _ in range(20):
         step = (high - low) / 200
         best = max((low + step * i for i in range(201)),
-                   key=lambda w: largest_moment(w, stiffness, 0.0))
+                   key=lambda w: moment(w, stiffness, 0.0))
         low, high = best - step, best + step
     return best
 
@@ -96,21 +134,35 @@ kinetic = "1000 N m"
 """
 
 
-def scene(folder, omega, element):
+def scene(folder, omega, element, forearm=None):
+    """forearm: the element on its axis; none: the fork is welded to the arm."""
+    reach = 1e3 * FOREARM if forearm else 0.0
     scene_text.write_bar(folder, (LENGTH / 1e3, HEIGHT / 1e3, WIDTH / 1e3), (24, 2, 2))
     file = folder / "scene.toml"
+    axis, end = (0, 0, 1), (LENGTH, 0, 0)
+    elbow = (scene_text.body("elbow", f"{ELBOW} kg", "1e-5 kg m^2", origin=end) +
+             scene_text.joint("F", "weld", "arm", "elbow", end) +
+             scene_text.joint("E", "revolute", "elbow", "fork", end, axis) +
+             f"""[[force]]
+name = "elbow_axis"
+joint = "E"
+{forearm}[[initial]]
+joint = "E"
+position = "0 deg"
+rate = "0 rad/s"
+""") if forearm else scene_text.joint("F", "weld", "arm", "fork", end)
     file.write_text(scene_text.head("arm on a servo") +
                     scene_text.body("hub", "1 kg", f"{HUB} kg m^2") +
                     scene_text.part_body("arm") +
                     scene_text.body("fork", f"{FORK} kg", f"{FORK_TURNING} kg m^2",
-                                    origin=(LENGTH, 0, 0)) +
+                                    center=(reach, 0, 0), origin=end) +
                     scene_text.body("rotor", f"{ROTOR} kg", f"{TURNING} kg m^2",
-                                    center=(1e3 * OFF, 0, 0), origin=(LENGTH, 0, 0)) +
-                    scene_text.joint("O", "revolute", "ground", "hub", axis=(0, 0, 1)) +
-                    scene_text.joint("W", "weld", "hub", "arm") +
-                    scene_text.joint("F", "weld", "arm", "fork", (LENGTH, 0, 0)) +
-                    scene_text.joint("T", "revolute", "fork", "rotor", (LENGTH, 0, 0),
-                                     (0, 0, 1)) + f"""[[force]]
+                                    center=(1e3 * OFF, 0, 0),
+                                    origin=(LENGTH + reach, 0, 0)) +
+                    scene_text.joint("O", "revolute", "ground", "hub", axis=axis) +
+                    scene_text.joint("W", "weld", "hub", "arm") + elbow +
+                    scene_text.joint("T", "revolute", "fork", "rotor",
+                                     (LENGTH + reach, 0, 0), axis) + f"""[[force]]
 name = "axis"
 joint = "O"
 {element}[[initial]]
@@ -242,6 +294,17 @@ def main():
                         vibration["peak_MPa"], truth, 0.02)
         checks.expect((part["verdict"] == "pass") == (truth < ALLOWED),
                       f"{part['verdict']}, {ALLOWED} MPa allowed")
+    both = first_frequency(stiff, 100.0, 1000.0, moment_with_forearm)
+    truth = moment_with_forearm(both, stiff, dashpot) / section / 1e6
+    with tempfile.TemporaryDirectory() as name:
+        axes = servo(stiff, dashpot)
+        answer = support.check(clevis, scene(Path(name), both, axes, axes),
+                               exits=support.JUDGED)
+    part = answer.parts[0]
+    checks.near("with a forearm on a servo", part["vibration"]["lowest_frequency_hz"],
+                both / 2 / math.pi, 0.005)
+    checks.near(f"peak, {part['peak_von_mises']['value_MPa']:.4g} at rest",
+                part["vibration"]["peak_MPa"], truth, 0.02)
     check_columns(clevis, checks)
     return checks.exit_code()
 

@@ -68,32 +68,42 @@ bool are_alike(const loads::SeatHold& a, const loads::SeatHold& b) {
     const MatrixXd second = other * other.transpose();
     return (first - second).norm() <= kSame * second.norm();
   };
+  const auto swing_alike = [&] {
+    if (!a.swinging || !b.swinging) return !a.swinging && !b.swinging;
+    return is_same(a.swinging->held, b.swinging->held) &&
+           is_same(a.swinging->followed, b.swinging->followed) &&
+           is_same(a.swinging->sprung, b.swinging->sprung) &&
+           is_same(a.swinging->sprung_there, b.swinging->sprung_there);
+  };
   return is_same(a.held, b.held) && is_same(a.weighed, b.weighed) &&
-         is_same(a.sprung, b.sprung);
+         is_same(a.sprung, b.sprung) && swing_alike();
 }
 
 /// Whether springs of the mechanism move the part's first frequencies, or these
-/// those of the rigid part on the springs: else both vibrate by themselves.
+/// those of rigid bodies on the springs: else both vibrate by themselves.
 bool springs_count(const elasticity::SeatShapes& shapes,
                    const loads::SeatHold& hold) {
   constexpr double kCounts = 0.02;  // of a square: half of it of a frequency
-  constexpr Index kFirst = 6;
-  if (hold.sprung.cols() == 0) return false;
-  const auto differ = [&](const Eigen::VectorXd& some,
-                          const Eigen::VectorXd& others) {
-    const Index count = std::min({kFirst, some.size(), others.size()});
-    for (Index k = 0; k < count; ++k) {
-      if (std::abs(some[k] - others[k]) > kCounts * others[k]) return true;
-    }
-    return false;
-  };
+  constexpr std::size_t kFirst = 6;
+  if (!hold.is_sprung()) return false;
   loads::SeatHold unsprung = hold;
-  unsprung.sprung = {};
+  unsprung.leave_springs_out();
   const Eigen::VectorXd sprung = shapes.held_by(hold).squares;
   const Eigen::VectorXd alone = shapes.held_by(unsprung).squares;
   const Eigen::VectorXd rigid = shapes.rigid_swings(hold);
-  return differ(sprung.head(rigid.size()), rigid) ||
-         differ(sprung.tail(sprung.size() - rigid.size()), alone);
+  std::vector<double> apart(alone.begin(), alone.end());
+  apart.insert(apart.end(), rigid.begin(), rigid.end());
+  std::ranges::sort(apart);
+  const std::size_t count =
+      std::min({kFirst + static_cast<std::size_t>(rigid.size()), apart.size(),
+                static_cast<std::size_t>(sprung.size())});
+  for (std::size_t k = 0; k < count; ++k) {
+    if (std::abs(sprung[static_cast<Index>(k)] - apart[k]) >
+        kCounts * apart[k]) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Of a body's momentum; less is round-off of bodies that turn in a plane.
@@ -165,10 +175,8 @@ void HeldMotions::look_at_seats(Motion& motion) const {
       return !are_alike(hold, holds.front());
     });
   };
-  const auto is_sprung = [](const loads::SeatHold& hold) {
-    return hold.sprung.cols() > 0;
-  };
-  const bool may_be_sprung = std::ranges::any_of(holds, is_sprung);
+  const bool may_be_sprung =
+      std::ranges::any_of(holds, &loads::SeatHold::is_sprung);
   if (!may_be_sprung && !change() && !spins(fastest)) return;
   const MatrixXd wrenches = elasticity::span_of(holds);
   make_solvers(motion);
@@ -187,7 +195,7 @@ void HeldMotions::look_at_seats(Motion& motion) const {
         return springs_count(*shapes, hold);
       });
   if (!history.springs_hold) {
-    for (loads::SeatHold& hold : holds) hold.sprung = {};
+    for (loads::SeatHold& hold : holds) hold.leave_springs_out();
   }
   if (spins(fastest)) motion.moved = shapes->moved_by_spin(fastest);
   if (!change()) return;
@@ -200,7 +208,7 @@ void HeldMotions::look_at_seats(Motion& motion) const {
   std::vector<double> periods;
   for (const loads::InstantLoad& instant : history.instants) {
     loads::SeatHold hold = history.hold(instant.time);
-    if (!history.springs_hold) hold.sprung = {};
+    if (!history.springs_hold) hold.leave_springs_out();
     periods.push_back(shapes->first_period(hold));
   }
   motion.places = std::move(periods);

@@ -56,6 +56,9 @@ LoadVibration<dim>::LoadVibration(const PartAtRest<dim>& rest,
     : part_(held_by_mechanism(rest.part, history, name)) {
   const auto& system = part_.system;
   MatrixXd answers = restrict_rows(rest.statics.columns, part_.numbers);
+  const Index own = answers.rows();
+  answers.conservativeResize(own + part_.bodies, Eigen::NoChange);
+  answers.bottomRows(part_.bodies).setZero();
   if (part_.held.cols() > 0) {
     answers = dynamics::moved_to_constraints(part_.free, part_.held, answers);
   }
@@ -102,7 +105,9 @@ typename LoadVibration<dim>::Shapes LoadVibration<dim>::shapes(int count) {
         .array();
   };
   const Eigen::ArrayXd squares = found.squares.array();
-  return {extend_rows(found.columns, part_.numbers), found.squares,
+  const MatrixXd of_part =
+      found.columns.topRows(found.columns.rows() - part_.bodies);
+  return {extend_rows(of_part, part_.numbers), found.squares,
           transposed_product(found.columns, weighted_),
           1.0 - squares_along(part_.sprung) / squares,
           0.5 * squares_along(part_.damped) / squares.sqrt()};

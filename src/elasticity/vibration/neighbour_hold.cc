@@ -39,6 +39,28 @@ MatrixXd principal(const MatrixXd& columns) {
          svd.singularValues().head(rank).asDiagonal();
 }
 
+/// With other bodies that springs swing.
+template <int dim>
+NeighbourHold with_bodies(const loads::SwingingBodies& swinging,
+                          const MatrixXd& means) {
+  const Index bodies = swinging.followed.rows();
+  const auto nodal = [&](const MatrixXd& wrenches,
+                         const MatrixXd& there) -> MatrixXd {
+    const MatrixXd rows = acting_rows<dim>(wrenches);
+    MatrixXd both(rows.rows() + bodies, rows.cols());
+    both << rows, there;
+    both = principal(both);
+    MatrixXd found(means.rows() + bodies, both.cols());
+    found << means * both.topRows(rows.rows()), both.bottomRows(bodies);
+    return found;
+  };
+  return {.held = nodal(swinging.held, swinging.followed),
+          .weighed = MatrixXd(means.rows() + bodies, 0),
+          .sprung = nodal(swinging.sprung, swinging.sprung_there),
+          .damped = nodal(swinging.damped, swinging.damped_there),
+          .bodies = bodies};
+}
+
 }  // namespace
 
 template <int dim>
@@ -48,6 +70,11 @@ NeighbourHold neighbour_hold(const Discretization<dim>& discretization,
   const MatrixXd none(discretization.dofs(), 0);
   if (!history.hold) return {none, none, none, none};
   const loads::SeatHold hold = history.hold_that_counts();
+  if (hold.swinging) {
+    return with_bodies<dim>(
+        *hold.swinging,
+        seat_means(discretization, history.seats, hold.zones, part_name));
+  }
   const auto acting = [](const MatrixXd& wrenches) {
     return principal(acting_rows<dim>(wrenches));
   };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
@@ -87,38 +88,56 @@ struct SeatShapes::Held {
 
 SeatShapes::Held SeatShapes::held(const loads::SeatHold& hold,
                                   Index shapes) const {
-  const auto motions = motions_.leftCols(shapes);
+  // Of shapes and, behind them, motions of other bodies that springs swing.
+  const Index bodies = hold.swinging ? hold.swinging->followed.rows() : 0;
+  const Index all = shapes + bodies;
+  const auto rows_of = [&](const MatrixXd& wrenches,
+                           const MatrixXd& there) -> MatrixXd {
+    MatrixXd rows(wrenches.cols(), all);
+    rows.leftCols(shapes) =
+        along_seats(wrenches).transpose() * motions_.leftCols(shapes);
+    if (bodies > 0) rows.rightCols(bodies) = there.transpose();
+    return rows;
+  };
+  std::vector<Index> rigid_ones(static_cast<std::size_t>(rigid_ + bodies));
+  std::iota(rigid_ones.begin(), rigid_ones.begin() + rigid_, Index{0});
+  std::iota(rigid_ones.begin() + rigid_, rigid_ones.end(), shapes);
   Held found;
-  found.left = MatrixXd::Identity(shapes, shapes);
-  MatrixXd loose = MatrixXd::Identity(rigid_, rigid_);
-  const auto take = [&](const MatrixXd& wrenches) {
-    const MatrixXd rows = along_seats(unit_columns(wrenches)).transpose() *
-                          motions_.leftCols(rigid_) * loose;
-    Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
+  found.left = MatrixXd::Identity(all, all);
+  MatrixXd loose = MatrixXd::Identity(rigid_ + bodies, rigid_ + bodies);
+  const auto take = [&](const MatrixXd& rows) {
+    if (rows.rows() == 0 || loose.cols() == 0) return;
+    Eigen::JacobiSVD<MatrixXd> svd(rows(Eigen::all, rigid_ones) * loose,
+                                   Eigen::ComputeFullV);
     svd.setThreshold(kRoundOff);
     loose *= MatrixXd(svd.matrixV().rightCols(loose.cols() - svd.rank()));
   };
-  if (hold.held.cols() > 0) {
-    const MatrixXd rows =
-        along_seats(unit_columns(hold.held)).transpose() * motions;
-    Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
+  const MatrixXd constraints =
+      hold.swinging ? rows_of(hold.swinging->held, hold.swinging->followed)
+                    : rows_of(unit_columns(hold.held), {});
+  if (constraints.rows() > 0) {
+    Eigen::JacobiSVD<MatrixXd> svd(constraints, Eigen::ComputeFullV);
     svd.setThreshold(kRoundOff);
-    found.left = svd.matrixV().rightCols(shapes - svd.rank());
-    take(hold.held);
+    found.left = svd.matrixV().rightCols(all - svd.rank());
+    take(constraints);
   }
-  const MatrixXd added = along_seats(hold.weighed).transpose() * motions;
-  MatrixXd stiffness = stiffness_.topLeftCorner(shapes, shapes);
-  if (hold.sprung.cols() > 0) {
-    const MatrixXd springs = along_seats(hold.sprung).transpose() * motions;
-    stiffness += springs.transpose() * springs;
-    if (loose.cols() > 0) take(hold.sprung);
+  MatrixXd mass = MatrixXd::Identity(all, all);
+  MatrixXd stiffness = MatrixXd::Zero(all, all);
+  stiffness.topLeftCorner(shapes, shapes) =
+      stiffness_.topLeftCorner(shapes, shapes);
+  MatrixXd springs(0, all);
+  if (hold.swinging) {
+    springs = rows_of(hold.swinging->sprung, hold.swinging->sprung_there);
+  } else {
+    const MatrixXd added = rows_of(hold.weighed, {});
+    mass += added.transpose() * added;
+    if (hold.sprung.cols() > 0) springs = rows_of(hold.sprung, {});
   }
+  stiffness += springs.transpose() * springs;
+  take(springs);
   found.free = loose.cols();
   found.stiffness = found.left.transpose() * stiffness * found.left;
-  found.mass =
-      found.left.transpose() *
-      (MatrixXd::Identity(shapes, shapes) + added.transpose() * added) *
-      found.left;
+  found.mass = found.left.transpose() * mass * found.left;
   return found;
 }
 
@@ -128,7 +147,8 @@ SeatShapes::Vibrations SeatShapes::held_by(const loads::SeatHold& hold) const {
                                                                  all.mass);
   const Index count = all.left.cols() - all.free;
   return {modes.eigenvalues().tail(count),
-          motions_ * all.left * modes.eigenvectors().rightCols(count)};
+          motions_ * all.left.topRows(motions_.cols()) *
+              modes.eigenvectors().rightCols(count)};
 }
 
 VectorXd SeatShapes::rigid_swings(const loads::SeatHold& hold) const {
@@ -174,7 +194,13 @@ std::vector<SeatShapes::Moved> SeatShapes::moved_by_spin(
 MatrixXd span_of(const std::vector<loads::SeatHold>& holds) {
   MatrixXd all(holds.front().held.rows(), 0);
   for (const loads::SeatHold& hold : holds) {
-    for (const MatrixXd* wrenches : {&hold.held, &hold.weighed, &hold.sprung}) {
+    std::vector<const MatrixXd*> some = {&hold.held, &hold.weighed,
+                                         &hold.sprung};
+    if (hold.swinging) {
+      some.push_back(&hold.swinging->held);
+      some.push_back(&hold.swinging->sprung);
+    }
+    for (const MatrixXd* wrenches : some) {
       const MatrixXd more = unit_columns(*wrenches);
       if (more.cols() == 0) continue;
       all.conservativeResize(Eigen::NoChange, all.cols() + more.cols());

@@ -11,6 +11,7 @@
 
 #include "base/messages/errors.h"
 #include "base/system/processor_share.h"
+#include "dynamics/systems/attached_system.h"
 #include "dynamics/systems/held_system.h"
 #include "dynamics/systems/sprung_system.h"
 #include "dynamics/systems/weighed_system.h"
@@ -147,6 +148,10 @@ VibratingPart<dim> held_by_mechanism(VibratingPart<dim> part,
   part.held = std::move(hold.held);
   part.sprung = std::move(hold.sprung);
   part.damped = std::move(hold.damped);
+  part.bodies = hold.bodies;
+  if (part.bodies > 0) {
+    part.free = dynamics::attached_system(part.free, part.bodies);
+  }
   if (hold.weighed.cols() > 0) {
     part.free = dynamics::weighed_system(part.free, hold.weighed);
   }

@@ -27,6 +27,8 @@ struct VibratingPart {
   /// Springs and dampers of the mechanism that hold it besides, equations ×
   /// their directions [√(N/m)], [√(N s/m)].
   Eigen::MatrixXd sprung, damped;
+  /// Equations of other bodies that springs swing, behind the part's own.
+  Eigen::Index bodies = 0;
   double mass{};  ///< of the discrete part [kg]
 };
 

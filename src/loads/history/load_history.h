@@ -85,6 +85,13 @@ struct InstantLoad {
   bool is_between_rows{};  ///< of a file, in none of them
 };
 
+/// Bodies about a part that springs swing by themselves, as of
+/// mechanism::SwingingNeighbours: wrenches on the part seat by seat.
+struct SwingingBodies {
+  Eigen::MatrixXd held, sprung, damped;
+  Eigen::MatrixXd followed, sprung_there, damped_there;
+};
+
 /// What the rest of the mechanism does to a part that vibrates, at an instant:
 /// directions in which it does not give way at the seats, and the masses that
 /// it adds. Columns of wrenches, force [1], [√kg] above moment about p_LS [m],
@@ -99,6 +106,17 @@ struct SeatHold {
   /// w wᵀ are stiffness and damping of force elements [√(N/m)], [m √(N/m)]; the
   /// same times √s. Empty: none.
   Eigen::MatrixXd sprung = {}, damped = {};
+  /// In place of all but the spin, where springs swing other bodies by
+  /// themselves: those are not in `sprung`.
+  std::optional<SwingingBodies> swinging = std::nullopt;
+  /// Names of these force elements.
+  std::vector<std::string> left_out = {};
+
+  bool is_sprung() const { return sprung.cols() > 0 || swinging; }
+  void leave_springs_out() {
+    sprung = damped = Eigen::MatrixXd();
+    swinging.reset();
+  }
   std::vector<ContactZone> zones = {};  ///< as of the instant's load
 };
 
@@ -136,7 +154,7 @@ struct LoadHistory {
   /// When it counts. @pre `hold`.
   SeatHold hold_that_counts() const {
     SeatHold counting = hold(hold_time);
-    if (!springs_hold) counting.sprung = counting.damped = {};
+    if (!springs_hold) counting.leave_springs_out();
     return counting;
   }
 };

@@ -71,6 +71,20 @@ SeatHold seat_hold(const mechanism::Neighbours& neighbours,
                 .weighed = by_seat(found.weighed, seat_of, seats),
                 .sprung = by_seat(found.sprung, seat_of, seats),
                 .damped = by_seat(found.damped, seat_of, seats)};
+  if (found.swinging) {
+    const auto& swinging = *found.swinging;
+    hold.swinging =
+        SwingingBodies{.held = by_seat(swinging.held, seat_of, seats),
+                       .sprung = by_seat(swinging.sprung, seat_of, seats),
+                       .damped = by_seat(swinging.damped, seat_of, seats),
+                       .followed = swinging.followed,
+                       .sprung_there = swinging.sprung_there,
+                       .damped_there = swinging.damped_there};
+  }
+  for (const int element : found.left_out) {
+    hold.left_out.push_back(
+        name_of(definition.elements[static_cast<std::size_t>(element)]));
+  }
   if (found.spin.size() > 0) {
     const MatrixXd half = by_seat(found.spin, seat_of, seats);
     hold.spin = by_seat(half.transpose(), seat_of, seats).transpose();
@@ -79,8 +93,14 @@ SeatHold seat_hold(const mechanism::Neighbours& neighbours,
 }
 
 SeatHold on_more_seats(SeatHold hold, std::size_t seats) {
-  for (MatrixXd* wrenches :
-       {&hold.held, &hold.weighed, &hold.sprung, &hold.damped}) {
+  std::vector<MatrixXd*> of_seats = {&hold.held, &hold.weighed, &hold.sprung,
+                                     &hold.damped};
+  if (hold.swinging) {
+    SwingingBodies& swinging = *hold.swinging;
+    of_seats.insert(of_seats.end(),
+                    {&swinging.held, &swinging.sprung, &swinging.damped});
+  }
+  for (MatrixXd* wrenches : of_seats) {
     MatrixXd all =
         MatrixXd::Zero(kWrench * static_cast<Index>(seats), wrenches->cols());
     all.topRows(wrenches->rows()) = *wrenches;

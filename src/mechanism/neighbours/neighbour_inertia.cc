@@ -22,6 +22,8 @@ using Eigen::Vector3d;
 constexpr Index kTwist = 6;
 // Of rows of pure numbers, and of bodies' masses: less is round-off.
 constexpr double kRoundOff = 1e-9;
+// Of a spring's direction: what it does to motions that it does not swing.
+constexpr double kFelt = 1e-6;
 
 /// Rows of the body as wrenches by place, 6 places × rows.
 MatrixXd wrenches_of(const Neighbours& neighbours, const NeighbourRows& rows) {
@@ -68,6 +70,7 @@ MatrixXd spins_of(const Neighbours& neighbours, const Configuration& x,
 
 /// A force element that yields at an instant.
 struct YieldingElement {
+  int number;
   const ActingElement* element;
   ElementSpring spring;
   std::size_t place{};  ///< where it acts on the body, if it does
@@ -89,26 +92,32 @@ std::vector<YieldingElement> yielding_elements(const Neighbours& neighbours,
     if (element.line.a == slot || element.line.b == slot) {
       rows.places.push_back({-1, false, static_cast<int>(e)});
     }
-    found.push_back({&element, std::move(spring), rows.places.size() - 1});
+    found.push_back({static_cast<int>(e), &element, std::move(spring),
+                     rows.places.size() - 1});
   }
   return found;
 }
 
-/// Of an element's directions, as wrenches by place.
-/// @param following  motions of the neighbours' unknowns × of the places.
-MatrixXd directions_of(const Neighbours& neighbours, const Configuration& x,
-                       const YieldingElement& yielding,
-                       const MatrixXd& following) {
+/// An element's directions: wrenches on the body by place, and rows of the
+/// neighbours' unknowns.
+struct Directions {
+  MatrixXd body, neighbours;
+};
+
+Directions directions_of(const Neighbours& neighbours, const Configuration& x,
+                         const YieldingElement& yielding, Index wrenches) {
   const SolvingFrame& frame = neighbours.frame();
   const auto& slots = neighbours.slots();
   const int own = neighbours.slot();
   const Eigen::Matrix3d R_LP = x[index(own)].R.transpose();
-  const auto& directions = yielding.spring.directions;
-  MatrixXd all = MatrixXd::Zero(following.cols(), std::ssize(directions));
+  const auto& given = yielding.spring.directions;
+  Directions found{
+      MatrixXd::Zero(wrenches, std::ssize(given)),
+      MatrixXd::Zero(kTwist * std::ssize(slots), std::ssize(given))};
   const auto add = [&](int slot, const SpatialForce& force, Index column) {
     if (slot == own) {
       const Vector3d f = R_LP * force.v;
-      auto wrench = all.col(column).segment<kTwist>(
+      auto wrench = found.body.col(column).segment<kTwist>(
           kTwist * static_cast<Index>(yielding.place));
       wrench.head<3>() += f;
       wrench.tail<3>() += R_LP * force.w + frame.p_LM[index(own - 1)].cross(f);
@@ -116,16 +125,15 @@ MatrixXd directions_of(const Neighbours& neighbours, const Configuration& x,
     }
     const auto at = std::ranges::find(slots, slot) - slots.begin();
     if (at == std::ssize(slots)) return;
-    Eigen::Matrix<double, kTwist, 1> row;
-    row << force.v, force.w / frame.length;
-    all.col(column) +=
-        following.middleRows<kTwist>(kTwist * at).transpose() * row;
+    auto row = found.neighbours.col(column).segment<kTwist>(kTwist * at);
+    row.head<3>() += force.v;
+    row.tail<3>() += force.w / frame.length;
   };
-  for (Index k = 0; k < all.cols(); ++k) {
-    add(yielding.element->line.a, directions[index(k)].a, k);
-    add(yielding.element->line.b, directions[index(k)].b, k);
+  for (Index k = 0; k < found.body.cols(); ++k) {
+    add(yielding.element->line.a, given[index(k)].a, k);
+    add(yielding.element->line.b, given[index(k)].b, k);
   }
-  return all;
+  return found;
 }
 
 /// R with R Rᵀ the matrix; of what pushes on nothing.
@@ -138,6 +146,33 @@ MatrixXd root_of(const MatrixXd& matrix) {
 void append(const MatrixXd& more, MatrixXd& columns) {
   columns.conservativeResize(more.rows(), columns.cols() + more.cols());
   columns.rightCols(more.cols()) = more;
+}
+
+/// @param wrenches  of the body's rows, by place.
+SwingingNeighbours swinging_neighbours(
+    const Neighbours& neighbours, const NeighbourRows& rows,
+    const std::vector<YieldingElement>& yielding, const MatrixXd& wrenches) {
+  constexpr double kLight = 1e-6;  // of the heaviest: a body of no inertia
+  MatrixXd mass = rows.free.transpose() * neighbours.masses(rows.x) * rows.free;
+  const double heaviest = mass.diagonal().maxCoeff();
+  mass.diagonal().array() += heaviest > 0.0 ? kLight * heaviest : 1.0;
+  const Eigen::LLT<MatrixXd> root(mass);
+  const MatrixXd motions =
+      root.matrixL().solve(rows.free.transpose()).transpose();
+  SwingingNeighbours found{.held = wrenches,
+                           .followed = (rows.there * motions).transpose()};
+  for (const YieldingElement& element : yielding) {
+    const Directions along =
+        directions_of(neighbours, rows.x, element, wrenches.rows());
+    const MatrixXd there = motions.transpose() * along.neighbours;
+    const MatrixXd stiffness = root_of(element.spring.stiffness);
+    const MatrixXd damping = root_of(element.spring.damping);
+    append(along.body * stiffness, found.sprung);
+    append(there * stiffness, found.sprung_there);
+    append(along.body * damping, found.damped);
+    append(there * damping, found.damped_there);
+  }
+  return found;
 }
 
 }  // namespace
@@ -153,13 +188,15 @@ NeighbourInertia neighbour_inertia(const Neighbours& neighbours,
   MatrixXd following =
       MatrixXd::Zero(kTwist * std::ssize(neighbours.slots()), wrenches.rows());
   const MatrixXd& free = rows.free;
+  MatrixXd unseen = free;
   const MatrixXd seen = rows.there * free;
   Index follow = 0;
   std::optional<Eigen::JacobiSVD<MatrixXd>> svd;
   if (seen.size() > 0) {
-    svd.emplace(seen, Eigen::ComputeFullU);
+    svd.emplace(seen, Eigen::ComputeFullU | Eigen::ComputeFullV);
     follow = (svd->singularValues().array() > kRoundOff).count();
     found.held = wrenches * svd->matrixU().rightCols(seen.rows() - follow);
+    unseen = free * svd->matrixV().rightCols(free.cols() - follow);
   }
   if (follow > 0) {
     const MatrixXd followed = svd->matrixU().leftCols(follow);
@@ -182,10 +219,20 @@ NeighbourInertia neighbour_inertia(const Neighbours& neighbours,
     }
   }
   for (const YieldingElement& element : yielding) {
+    const Directions along =
+        directions_of(neighbours, rows.x, element, wrenches.rows());
+    if ((along.neighbours.transpose() * unseen).norm() >
+        kFelt * along.neighbours.norm()) {
+      found.left_out.push_back(element.number);
+      continue;
+    }
     const MatrixXd directions =
-        directions_of(neighbours, rows.x, element, following);
+        along.body + following.transpose() * along.neighbours;
     append(directions * root_of(element.spring.stiffness), found.sprung);
     append(directions * root_of(element.spring.damping), found.damped);
+  }
+  if (!found.left_out.empty()) {
+    found.swinging = swinging_neighbours(neighbours, rows, yielding, wrenches);
   }
   return found;
 }

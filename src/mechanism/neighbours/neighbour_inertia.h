@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -8,6 +9,20 @@
 #include "mechanism/neighbours/neighbours.h"
 
 namespace clevis::mechanism {
+
+/// Neighbours as they move by themselves, for springs that swing them in ways
+/// which the body does not feel: z'' = f of their motions z, with the rows
+///
+///     heldᵀ y + followedᵀ z = 0
+///
+/// of motions y at the places. S Sᵀ is the stiffness of y and z, S = (sprung;
+/// sprung_there).
+struct SwingingNeighbours {
+  Eigen::MatrixXd held;                        ///< wrenches as below, × rows
+  Eigen::MatrixXd followed;                    ///< z × rows [1/√kg]
+  Eigen::MatrixXd sprung, damped;              ///< as below
+  Eigen::MatrixXd sprung_there, damped_there;  ///< z × the same columns
+};
 
 /// What the rest of a mechanism does to small, fast motions of one of its
 /// bodies at an instant: its neighbours follow by their inertia or do not give
@@ -29,6 +44,11 @@ struct NeighbourInertia {
   /// w wᵀ are stiffness and damping of force elements [√(N/m)], [m √(N/m)];
   /// the same times √s.
   Eigen::MatrixXd sprung = {}, damped = {};
+  /// Force elements that swing neighbours in ways which the places do not see:
+  /// they are not in `sprung`.
+  std::vector<int> left_out = {};
+  /// With them; nothing: there are none.
+  std::optional<SwingingNeighbours> swinging = std::nullopt;
 };
 
 /// @param instant  of a motion of the mechanism.

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/load_vibration/load_shapes.h"
+#include "dynamics/systems/attached_system.h"
 #include "dynamics/systems/held_system.h"
 #include "dynamics/systems/sprung_system.h"
 #include "dynamics/systems/weighed_system.h"
@@ -132,6 +133,23 @@ TEST(Eigenmodes, BeamOnAPinWithASpring) {
       EXPECT_NEAR(std::pow(modes.squares[0], 0.25), 1.875104, 1e-4);
     }
   }
+}
+
+// A mass of 1 beside the beam, joined to its end by a constraint, is one that
+// it carries.
+TEST(Eigenmodes, AttachedMassIsOneThatTheBeamCarries) {
+  MatrixXd clamp = MatrixXd::Zero(43, 3);
+  clamp(0, 0) = clamp(1, 1) = 1.0;
+  clamp(40, 2) = 1.0;
+  clamp(42, 2) = -1.0;
+  const auto both = dynamics::attached_system(free_beam(), 1);
+  EXPECT_EQ(both.size, 43);
+  EXPECT_EQ(both.rigid.cols(), 3);
+  const auto held = dynamics::held_system(both, clamp);
+  EXPECT_EQ(held.rigid.cols(), 0);
+  const auto modes = dynamics::lowest_modes(held, 2, "test");
+  EXPECT_NEAR(std::pow(modes.squares[0], 0.25), 1.247917410, 1e-6);
+  EXPECT_NEAR(std::pow(modes.squares[1], 0.25), 4.031139437, 1e-5);
 }
 
 }  // namespace

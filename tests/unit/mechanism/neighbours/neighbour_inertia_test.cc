@@ -3,7 +3,11 @@
 #include "mechanism/neighbours/neighbour_inertia.h"
 
 #include <numbers>
+#include <utility>
+#include <vector>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <gtest/gtest.h>
 
 #include "mechanism/simulate.h"
@@ -182,9 +186,8 @@ TEST(NeighbourInertia, SpringsHoldNeighbours) {
   EXPECT_NEAR(mass_of(first.sprung, turn), 4.0 * 700.0, 1e-9 * 700.0);
 }
 
-// From the ground up to the middle of the first bar; to that of the second,
-// which moves a quarter of what its end does; and between both bars, where the
-// second turns back as its end is pushed across.
+// From the ground up to the middle of the first bar. Springs that swing the
+// second about its pin, from the ground or from the first, are left out.
 TEST(NeighbourInertia, SpringsAlongLines) {
   MechanismDefinition m = two_bars(1.0);
   const auto up_to = [](int body) {
@@ -194,27 +197,75 @@ TEST(NeighbourInertia, SpringsAlongLines) {
     up.line.b = {body, {0.5, 0.0, 0.0}};
     return up;
   };
-  const auto along = [](const NeighbourInertia& found, int place, int row) {
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(found.held.rows());
-    all[6 * place + row] = 1.0;
-    return all;
-  };
   const NeighbourInertia first = sprung_bar(m, 0, {up_to(0)});
   ASSERT_EQ(first.places.size(), 3U);
-  Eigen::VectorXd up = along(first, 2, 1);
-  EXPECT_NEAR(mass_of(first.sprung, up), 900.0, 1e-6);
-  EXPECT_LT(mass_of(first.sprung, along(first, 2, 0)), 1e-6);
-  const NeighbourInertia second = sprung_bar(m, 0, {up_to(1)});
-  ASSERT_EQ(second.places.size(), 2U);
-  EXPECT_NEAR(mass_of(second.sprung, along(second, 1, 1)), 900.0 / 16.0, 0.1);
+  EXPECT_TRUE(first.left_out.empty());
+  EXPECT_NEAR(mass_of(first.sprung, motion(first, 2, {0.0, 1.0, 0.0})), 900.0,
+              1e-6);
+  EXPECT_LT(mass_of(first.sprung, motion(first, 2, {1.0, 0.0, 0.0})), 1e-6);
   LineElement between = spring(700.0, 0.0);
   between.line.joint = 1;
-  const NeighbourInertia both = sprung_bar(m, 0, {between});
-  ASSERT_EQ(both.places.size(), 3U);
-  const Eigen::VectorXd across = along(both, 1, 1), turn = along(both, 2, 5);
-  EXPECT_NEAR(mass_of(both.sprung, across), 2.25 * 700.0, 2.0);
-  EXPECT_NEAR(mass_of(both.sprung, turn), 700.0, 1e-6);
-  EXPECT_NEAR(mass_of(both.sprung, across + turn), 6.25 * 700.0, 5.0);
+  const NeighbourInertia second = sprung_bar(m, 0, {up_to(1), between});
+  EXPECT_EQ(second.left_out, (std::vector{0, 1}));
+  EXPECT_EQ(second.sprung.cols(), 0);
+}
+
+// Both bars on a spring between them, the first rigid: one swing, k 96/7 m l²,
+// by angles θ of each, T = m l² (4 θ₁² + 3 θ₁ θ₂ + θ₂²)/6.
+TEST(NeighbourInertia, NeighboursSwingOnSprings) {
+  MechanismDefinition m = two_bars(1.0);
+  LineElement between = spring(700.0, 0.0);
+  between.line.joint = 1;
+  const auto found = sprung_bar(m, 0, {between}).swinging;
+  ASSERT_TRUE(found.has_value());
+  const Eigen::Index motions = found->followed.rows(), all = 6 + motions;
+  // Of Lo of the first bar, at each of its places, and of the second.
+  MatrixXd at_places = MatrixXd::Zero(found->held.rows(), 6);
+  for (Eigen::Index k = 0; k < at_places.rows(); ++k) {
+    at_places(k, k % 6) = 1.0;
+  }
+  const auto rows = [&](const MatrixXd& wrenches, const MatrixXd& there) {
+    MatrixXd both(wrenches.cols(), all);
+    both << wrenches.transpose() * at_places, there.transpose();
+    return both;
+  };
+  const auto& given = m.bodies[0].mass_properties;
+  const double turn = given.inertia_LCm(2, 2) + given.mass * 0.25;
+  MatrixXd mass = MatrixXd::Identity(all, all);
+  mass.topLeftCorner(3, 3) *= given.mass;
+  mass(1, 5) = mass(5, 1) = 0.5 * given.mass;
+  mass(2, 4) = mass(4, 2) = -0.5 * given.mass;
+  mass(4, 4) = mass(5, 5) = turn;
+  const Eigen::JacobiSVD<MatrixXd> svd(rows(found->held, found->followed),
+                                       Eigen::ComputeFullV);
+  const auto held = (svd.singularValues().array() > 1e-9).count();
+  const MatrixXd left = svd.matrixV().rightCols(all - held);
+  const MatrixXd springs = rows(found->sprung, found->sprung_there) * left;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> swings(
+      springs.transpose() * springs, left.transpose() * mass * left,
+      Eigen::EigenvaluesOnly);
+  ASSERT_EQ(left.cols(), 2);
+  EXPECT_NEAR(swings.eigenvalues()[0], 0.0, 1e-6 * 700.0);
+  EXPECT_NEAR(swings.eigenvalues()[1], 700.0 * 96.0 / 7.0, 1.0);
+}
+
+// The second bar slides across on the first: along both it moves as that does.
+TEST(NeighbourInertia, SpringsBetweenTheBodyAndANeighbour) {
+  MechanismDefinition m = two_bars(1.0);
+  m.dimension = SpaceDimension::kSpatial;
+  m.joints[1].type = JointType::kPrismatic;  // along z of the pin
+  LineElement between = spring(900.0, 0.0);
+  between.line.kind = ElementLine::Kind::kDistance;
+  between.line.a = {0, {0.5, 0.0, 0.0}};
+  between.line.b = {1, {0.5, 0.0, 0.0}};
+  const NeighbourInertia found = sprung_bar(m, 0, {between});
+  // Along the bars: both ends move alike, or the body's alone.
+  ASSERT_EQ(found.places.size(), 3U);
+  Eigen::VectorXd both = Eigen::VectorXd::Zero(found.held.rows());
+  both[6] = both[12] = 1.0;
+  EXPECT_LT(mass_of(found.sprung, both), 1e-6);
+  EXPECT_NEAR(mass_of(found.sprung, motion(found, 2, {1.0, 0.0, 0.0})), 900.0,
+              1e-6);
 }
 
 // Friction at rest on the pin of the ground; none where it moves, where a drive
