@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <Eigen/Core>
@@ -11,6 +12,7 @@
 #include "base/messages/errors.h"
 #include "elasticity/vibration/eigenmodes.h"
 #include "elasticity/vibration/seat_shapes.h"
+#include "loads/history/motion_instants.h"
 
 namespace clevis::assessment {
 namespace {
@@ -79,29 +81,46 @@ bool are_alike(const loads::SeatHold& a, const loads::SeatHold& b) {
          is_same(a.sprung, b.sprung) && swing_alike();
 }
 
+/// A frequency by itself, and the width of its resonance [1].
+struct Resonance {
+  double square{}, width{};
+};
+
 /// Whether springs of the mechanism move the part's first frequencies, or these
-/// those of rigid bodies on the springs: else both vibrate by themselves.
+/// those of rigid bodies on the springs: else both vibrate by themselves. By
+/// less than a tenth of the damping ratio they do not.
+/// @param damping   of the part. @param duration  of the motion [s].
 bool springs_count(const elasticity::SeatShapes& shapes,
-                   const loads::SeatHold& hold) {
-  constexpr double kCounts = 0.02;  // of a square: half of it of a frequency
+                   const loads::SeatHold& hold, double damping,
+                   double duration) {
+  constexpr double kOfWidth = 0.1, kShort = 0.1;  // periods of a motion
+  constexpr double kMost = 0.02, kRoundOff = 1e-6;
   constexpr std::size_t kFirst = 6;
   if (!hold.is_sprung()) return false;
   loads::SeatHold unsprung = hold;
   unsprung.leave_springs_out();
   const Eigen::VectorXd sprung = shapes.held_by(hold).squares;
   const Eigen::VectorXd alone = shapes.held_by(unsprung).squares;
-  const Eigen::VectorXd rigid = shapes.rigid_swings(hold);
-  std::vector<double> apart(alone.begin(), alone.end());
-  apart.insert(apart.end(), rigid.begin(), rigid.end());
-  std::ranges::sort(apart);
+  const auto rigid = shapes.rigid_swings(hold);
+  std::vector<Resonance> apart;
+  const auto add = [&](double square, double ratio) {
+    const double periods =
+        std::sqrt(std::max(square, 0.0)) * duration / 2.0 / std::numbers::pi;
+    const double width = std::max(ratio, kShort / std::max(periods, kShort));
+    apart.push_back({square, std::min(kMost, width)});
+  };
+  for (const double square : alone) add(square, damping);
+  for (Index k = 0; k < rigid.squares.size(); ++k) {
+    add(rigid.squares[k], rigid.damping[k]);
+  }
+  std::ranges::sort(apart, {}, &Resonance::square);
   const std::size_t count =
-      std::min({kFirst + static_cast<std::size_t>(rigid.size()), apart.size(),
-                static_cast<std::size_t>(sprung.size())});
+      std::min({kFirst + static_cast<std::size_t>(rigid.squares.size()),
+                apart.size(), static_cast<std::size_t>(sprung.size())});
   for (std::size_t k = 0; k < count; ++k) {
-    if (std::abs(sprung[static_cast<Index>(k)] - apart[k]) >
-        kCounts * apart[k]) {
-      return true;
-    }
+    const auto& [square, width] = apart[k];
+    const double moved = std::abs(sprung[static_cast<Index>(k)] - square);
+    if (moved > (2.0 * kOfWidth * width + kRoundOff) * square) return true;
   }
   return false;
 }
@@ -192,7 +211,8 @@ void HeldMotions::look_at_seats(Motion& motion) const {
   if (!shapes) return;
   history.springs_hold =
       may_be_sprung && std::ranges::any_of(holds, [&](const auto& hold) {
-        return springs_count(*shapes, hold);
+        return springs_count(*shapes, hold, job_.part.damping,
+                             loads::motion_duration(history));
       });
   if (!history.springs_hold) {
     for (loads::SeatHold& hold : holds) hold.leave_springs_out();

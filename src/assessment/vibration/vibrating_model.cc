@@ -110,14 +110,11 @@ std::vector<stress::SingularZone> steep_zones(const PartJob& job,
   return zones;
 }
 
-/// Shapes that dampers hold from swinging count as all but held.
 template <int dim>
 dynamics::ModeDamping damping_of(
     const typename elasticity::LoadVibration<dim>::Shapes& shapes,
     double of_part) {
-  constexpr double kMost = 0.95;
-  const Eigen::ArrayXd own = of_part * shapes.own_share.array().max(0.0);
-  return {(own + shapes.dampers.array()).min(kMost), own};
+  return {of_part * shapes.own_share.array().max(0.0), shapes.dampers};
 }
 
 loads::LoadHistory held_at(double time, loads::LoadHistory history) {

@@ -67,6 +67,7 @@ LoadAnswer answer_to(const LoadPath& path, const MatrixXd& participation,
                               .lpNorm<Eigen::Infinity>()
                               .array();
   const Spread spread(omega, front, largest);
+  const DampedModes modes(omega, damping);
   const Index n = path.size() + others.size();
   LoadAnswer answer{VectorXd(n), MatrixXd(path.coordinates(), n),
                     MatrixXd(squares.size(), n), VectorXd(n)};
@@ -94,16 +95,22 @@ LoadAnswer answer_to(const LoadPath& path, const MatrixXd& participation,
     } else {
       MatrixXd x = participation * cubic;
       spread.take_from(x, to - from);
-      const ForcedInterval<ArrayXd> interval(omega, damping.all, damping.own, x,
-                                             state);
+      const ForcedInterval<ArrayXd> alone(omega, modes.ratios(), damping.own, x,
+                                          state);
+      const DampedModes::Interval coupled(modes, x, state);
+      const auto state_at = [&](double t) {
+        SwingState there = alone.at(t);
+        coupled.put(t, there);
+        return there;
+      };
       for (; next < others.size() && others[next] < to; ++next) {
         const double t = others[next] - from;
         put(others[next],
             path.values().col(i) +
                 t * (cubic.col(0) + t * (cubic.col(1) + t * cubic.col(2))),
-            interval.at(t));
+            state_at(t));
       }
-      state = interval.at(to - from);
+      state = state_at(to - from);
     }
     put(to, path.values().col(i + 1), state);
   }

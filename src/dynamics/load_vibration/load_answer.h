@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "dynamics/load_vibration/damped_modes.h"
 #include "dynamics/load_vibration/load_path.h"
 
 namespace clevis::dynamics {
@@ -14,23 +15,12 @@ struct LoadAnswer {
   Eigen::VectorXd energy;  ///< Σ ½ (w'² + ω² w²): of the vibration [J]
 };
 
-/// Damping of modes, ζ of each [1].
-struct ModeDamping {
-  Eigen::ArrayXd all;  ///< 0 <= ζ < 1
-  Eigen::ArrayXd own;  ///< the body's: without dampers that it stands on
-
-  static ModeDamping even(double damping, Eigen::Index modes) {
-    const auto same = Eigen::ArrayXd::Constant(modes, damping);
-    return {same, same};
-  }
-};
-
 /// Vibration of modes about the quasi-static answer u = U c(t).
 ///
 /// M u'' + K u = f with K U c = f has u = U c + Φ w, and for M-orthonormal
 /// modes without rigid motion
-///     w'' + 2 ζ ω w' + ω² w = −x'' − 2 ζ₀ ω x',   x = Φᵀ M U c,
-/// ζ₀ the body's own: dampers that it stands on do not feel U c.
+///     w'' + (2 ζ ω + C) w' + ω² w = −x'' − 2 ζ ω x',   x = Φᵀ M U c,
+/// C of dampers that it stands on.
 /// x is cubic between the instants, so each interval is solved exactly; where
 /// x jumps, w jumps the other way, for a body cannot. Changes sharper than τ,
 /// |x''| τ² > max |x|/10 and jumps, are spread by a bell curve of that standard

@@ -97,20 +97,19 @@ LoadVibration<dim>::LoadVibration(const PartAtRest<dim>& rest,
 template <int dim>
 typename LoadVibration<dim>::Shapes LoadVibration<dim>::shapes(int count) {
   const auto found = space_->shapes(count);
-  const auto squares_along = [&](const MatrixXd& wrenches) -> Eigen::ArrayXd {
-    return transposed_product(wrenches, found.columns)
-        .colwise()
-        .squaredNorm()
-        .transpose()
-        .array();
+  const auto along = [&](const MatrixXd& wrenches) -> MatrixXd {
+    return transposed_product(wrenches, found.columns);
   };
-  const Eigen::ArrayXd squares = found.squares.array();
+  const MatrixXd sprung = along(part_.sprung), damped = along(part_.damped);
+  const Eigen::VectorXd of_springs =
+      sprung.colwise().squaredNorm().transpose().cwiseQuotient(found.squares);
   const MatrixXd of_part =
       found.columns.topRows(found.columns.rows() - part_.bodies);
-  return {extend_rows(of_part, part_.numbers), found.squares,
-          transposed_product(found.columns, weighted_),
-          1.0 - squares_along(part_.sprung) / squares,
-          0.5 * squares_along(part_.damped) / squares.sqrt()};
+  return {
+      extend_rows(of_part, part_.numbers), found.squares,
+      transposed_product(found.columns, weighted_),
+      Eigen::VectorXd::Ones(of_springs.size()) - of_springs,
+      damped.rows() > 0 ? MatrixXd(damped.transpose() * damped) : MatrixXd()};
 }
 
 template PartAtRest<2> part_at_rest<2>(const ElasticProblem<2>&, int);

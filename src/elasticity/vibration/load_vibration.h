@@ -52,8 +52,9 @@ class LoadVibration {
     Eigen::VectorXd squares;        ///< ω² [1/s²], rising
     Eigen::MatrixXd participation;  ///< shapesᵀ M U, U of the statics
     /// Of each shape's strain energy what the part has, not springs that hold
-    /// it [1]; and the damping ratio of dampers that do [1].
-    Eigen::VectorXd own_share, dampers;
+    /// it [1].
+    Eigen::VectorXd own_share;
+    Eigen::MatrixXd dampers;  ///< shapesᵀ D Dᵀ shapes of those [1/s]
   };
   /// At least so many, or all that the loads excite.
   Shapes shapes(int count);

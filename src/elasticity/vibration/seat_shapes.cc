@@ -83,7 +83,8 @@ MatrixXd SeatShapes::along_seats(const MatrixXd& wrenches) const {
 struct SeatShapes::Held {
   MatrixXd left;  ///< of the shapes
   MatrixXd stiffness, mass;
-  Index free{};  ///< rigid motions that neither holds nor springs feel
+  MatrixXd dampers;  ///< D of D Dᵀ, transposed
+  Index free{};      ///< rigid motions that neither holds nor springs feel
 };
 
 SeatShapes::Held SeatShapes::held(const loads::SeatHold& hold,
@@ -125,19 +126,22 @@ SeatShapes::Held SeatShapes::held(const loads::SeatHold& hold,
   MatrixXd stiffness = MatrixXd::Zero(all, all);
   stiffness.topLeftCorner(shapes, shapes) =
       stiffness_.topLeftCorner(shapes, shapes);
-  MatrixXd springs(0, all);
+  MatrixXd springs(0, all), dampers(0, all);
   if (hold.swinging) {
     springs = rows_of(hold.swinging->sprung, hold.swinging->sprung_there);
+    dampers = rows_of(hold.swinging->damped, hold.swinging->damped_there);
   } else {
     const MatrixXd added = rows_of(hold.weighed, {});
     mass += added.transpose() * added;
     if (hold.sprung.cols() > 0) springs = rows_of(hold.sprung, {});
+    if (hold.damped.cols() > 0) dampers = rows_of(hold.damped, {});
   }
   stiffness += springs.transpose() * springs;
   take(springs);
   found.free = loose.cols();
   found.stiffness = found.left.transpose() * stiffness * found.left;
   found.mass = found.left.transpose() * mass * found.left;
+  found.dampers = dampers * found.left;
   return found;
 }
 
@@ -151,12 +155,18 @@ SeatShapes::Vibrations SeatShapes::held_by(const loads::SeatHold& hold) const {
               modes.eigenvectors().rightCols(count)};
 }
 
-VectorXd SeatShapes::rigid_swings(const loads::SeatHold& hold) const {
+SeatShapes::Swings SeatShapes::rigid_swings(const loads::SeatHold& hold) const {
   const Held rigid = held(hold, rigid_);
-  if (rigid.left.cols() == rigid.free) return {};
+  const Index count = rigid.left.cols() - rigid.free;
+  if (count == 0) return {};
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(
-      rigid.stiffness, rigid.mass, Eigen::EigenvaluesOnly);
-  return modes.eigenvalues().tail(rigid.left.cols() - rigid.free);
+      rigid.stiffness, rigid.mass);
+  const VectorXd squares = modes.eigenvalues().tail(count);
+  const VectorXd dampers =
+      (rigid.dampers * modes.eigenvectors().rightCols(count))
+          .colwise()
+          .squaredNorm();
+  return {squares, 0.5 * dampers.cwiseQuotient(squares.cwiseSqrt())};
 }
 
 double SeatShapes::first_period(const loads::SeatHold& hold) const {

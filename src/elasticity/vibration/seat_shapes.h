@@ -31,8 +31,14 @@ class SeatShapes {
   };
   /// @param hold  of seats' wrenches in the span of `seats`.
   Vibrations held_by(const loads::SeatHold& hold) const;
-  /// Swings of the rigid part on springs of the mechanism, ω² [1/s²].
-  Eigen::VectorXd rigid_swings(const loads::SeatHold& hold) const;
+  /// Swings of the rigid part, and of other bodies, on springs of the
+  /// mechanism, lowest first.
+  struct Swings {
+    Eigen::VectorXd squares;  ///< ω² [1/s²]
+    Eigen::VectorXd damping;  ///< ζ by dampers [1]
+  };
+  /// Of the rigid part, and of other bodies [1/s²], [1].
+  Swings rigid_swings(const loads::SeatHold& hold) const;
 
   /// First period [s]. @pre it has an elastic vibration.
   double first_period(const loads::SeatHold& hold) const;

@@ -179,6 +179,40 @@ TEST(LoadAnswer, DampedCubicsAgainstSmallSteps) {
   }
 }
 
+// Two modes on a damper that holds both, strong enough to move the first,
+// against small steps of Heun's rule: w'' + C w' + ω² w = −x''.
+TEST(LoadAnswer, DampersCoupleModes) {
+  const Eigen::Vector2d omega(2.0 * kPi, 5.0 * kPi), along(2.0, 3.0);
+  const Eigen::Matrix2d dampers = along * along.transpose();
+  const auto path = path_of({{0.0, 0.0}, {0.7, 1.0}, {1.1, 1.2}, {1.9, -0.4}});
+  const MatrixXd shares = Eigen::Vector2d(1.0, -0.5);
+  const auto found =
+      dynamics::answer_to(path, shares, omega.cwiseAbs2(),
+                          {Eigen::ArrayXd::Zero(2), dampers}, VectorXd(0));
+  constexpr int kSteps = 20000;
+  Eigen::Vector2d w = Eigen::Vector2d::Zero(), v = w;
+  for (Index i = 0; i + 1 < path.size(); ++i) {
+    const MatrixXd a = path.cubic(i);
+    const double h = (path.time()[i + 1] - path.time()[i]) / kSteps;
+    v -= shares * path.bend(i);
+    const auto push = [&](double t, const Eigen::Vector2d& w_t,
+                          const Eigen::Vector2d& v_t) -> Eigen::Vector2d {
+      return -shares * (2.0 * a(0, 1) + 6.0 * a(0, 2) * t) - dampers * v_t -
+             omega.cwiseAbs2().cwiseProduct(w_t);
+    };
+    for (int k = 0; k < kSteps; ++k) {
+      const Eigen::Vector2d first = push(k * h, w, v);
+      const Eigen::Vector2d second =
+          push((k + 1) * h, w + h * v, v + h * first);
+      w += h * (v + 0.5 * h * first);
+      v += 0.5 * h * (first + second);
+    }
+    for (Index mode = 0; mode < 2; ++mode) {
+      EXPECT_NEAR(found.added(mode, i + 1), w[mode], 1e-6);
+    }
+  }
+}
+
 // A damper drags on a load that rises evenly: w' of the load is not zero.
 TEST(LoadAnswer, DampedRampLagsBehind) {
   const double zeta = 0.2, rise = 30.0;
