@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <fmt/format.h>
@@ -114,29 +115,61 @@ VectorXd momentum(const MechanismDefinition& definition,
   return result;
 }
 
+/// Momenta of motions, of some bodies or all.
+MatrixXd momenta(const MechanismDefinition& definition,
+                 const SolvingFrame& frame, const Configuration& x,
+                 const MatrixXd& motions,
+                 const std::vector<InitialBodyState>* some) {
+  MatrixXd found(motions.rows(), motions.cols());
+  for (Index k = 0; k < motions.cols(); ++k) {
+    found.col(k) = momentum(definition, frame, x, motions.col(k));
+  }
+  if (some == nullptr) return found;
+  const Index n = motions.rows() / static_cast<Index>(definition.bodies.size());
+  MatrixXd of_some = MatrixXd::Zero(found.rows(), found.cols());
+  for (const InitialBodyState& given : *some) {
+    of_some.middleRows(n * given.body, n) = found.middleRows(n * given.body, n);
+  }
+  return of_some;
+}
+
 /// Chooses the part of v that J leaves open so that the kinetic energy of
-/// v − guess is least.
+/// v − guess is least: of the bodies that are given first, then of all.
 void settle_open_velocities(const MechanismDefinition& definition,
                             const SolvingFrame& frame, const Configuration& x,
                             const MatrixXd& J, const VectorXd& guess,
                             VectorXd& v) {
+  constexpr double kMoved = 1e-9;  // of the energy of all
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> rows;
   rows.setThreshold(numerics::kRankThreshold);
   rows.compute(J);
   const Index open = J.cols() - rows.rank();
   if (open == 0) return;
   const MatrixXd Z = rows.matrixZ();
-  const MatrixXd N = rows.colsPermutation() * Z.bottomRows(open).transpose();
-  MatrixXd MN(N.rows(), open);
-  for (Index k = 0; k < open; ++k) {
-    MN.col(k) = momentum(definition, frame, x, N.col(k));
+  MatrixXd N = rows.colsPermutation() * Z.bottomRows(open).transpose();
+  if (!definition.initial_bodies.empty()) {
+    const MatrixXd all = momenta(definition, frame, x, N, nullptr);
+    const MatrixXd given =
+        momenta(definition, frame, x, N, &definition.initial_bodies);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> shares(
+        N.transpose() * given, N.transpose() * all);
+    const VectorXd& share = shares.eigenvalues();
+    const MatrixXd& vectors = shares.eigenvectors();
+    const Index moved = (share.array() > kMoved).count();
+    const MatrixXd U = vectors.rightCols(moved);
+    v -= N * U *
+         share.tail(moved).cwiseInverse().cwiseProduct(
+             U.transpose() * given.transpose() * (v - guess));
+    N *= MatrixXd(vectors.leftCols(open - moved));
+    if (moved == open) return;
   }
+  const MatrixXd MN = momenta(definition, frame, x, N, nullptr);
   v -= N * (N.transpose() * MN).ldlt().solve(MN.transpose() * (v - guess));
 }
 
 /// Velocities where the joints leave as much freedom as everywhere: rates of
-/// joints and drives exactly, those of bodies as near as the joints allow, and
-/// those that nothing gives as an impulse from rest leaves them.
+/// joints and drives exactly, those of bodies as near as these allow, and those
+/// that nothing gives as an impulse from rest leaves them.
 VectorXd regular_velocities(const MechanismDefinition& definition,
                             const SolvingFrame& frame,
                             const ConstraintSystem& joints,

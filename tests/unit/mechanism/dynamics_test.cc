@@ -7,12 +7,14 @@
 
 #include "mechanism/simulate.h"
 #include "support/four_bar.h"
+#include "support/free_linkages.h"
 #include "support/newton_euler.h"
 
 namespace clevis::mechanism {
 namespace {
 
 using Eigen::Matrix3d;
+using Eigen::Vector3d;
 using namespace testing;
 
 double largest_imbalance(const MechanismDefinition& m, double duration) {
@@ -155,6 +157,27 @@ TEST(Dynamics, TurntableWithAHingedBar) {
     EXPECT_NEAR(at.bodies[0].w_WL.z(), at.drives[0].rate, 1e-12);
     EXPECT_NEAR(at.bodies[1].w_WL.z(), at.drives[0].rate, 1e-11);
   }
+}
+
+// Two free bars on one pin, the first pushed across: it has the rates that are
+// given, the second those of a bar that is struck at its end, v/4 and 3v/2l.
+TEST(Dynamics, GivenBodiesStartAsGiven) {
+  MechanismDefinition m;
+  m.bodies = {uniform_bar("first", Vector3d::Zero(), 0.0, 1.0),
+              uniform_bar("second", {1.0, 0.0, 0.0}, 0.0, 1.0)};
+  m.bodies[1].mass_properties.mass *= 4.0;
+  m.bodies[1].mass_properties.inertia_LCm *= 4.0;
+  m.joints = {pin("A", 0, 1, 1.0, 0.0)};
+  m.gravity_W.setZero();
+  m.initial_bodies = {{.body = 0,
+                       .v_WLo = {0.0, 1.0, 0.0},
+                       .w_WL = Vector3d::Zero(),
+                       .place = "initial"}};
+  const Motion motion = simulate(m, {.duration = 0.1, .instants = 3});
+  const Instant& start = motion.instants.front();
+  EXPECT_NEAR(start.bodies[0].v_WLo.y(), 1.0, 1e-9);
+  EXPECT_NEAR(start.bodies[0].w_WL.z(), 0.0, 1e-9);
+  EXPECT_NEAR(start.bodies[1].w_WL.z(), -1.5, 1e-6);
 }
 
 }  // namespace
