@@ -34,7 +34,8 @@ void require_length(const Vector3d& p, const std::string& place,
 }
 
 /// Largest distance of a body's joints from one another and from its centre
-/// of mass [m].
+/// of mass [m]; 0: not known, for a part hangs on one joint, and its mesh alone
+/// tells how far it reaches.
 double link_length(const MechanismDefinition& mechanism) {
   double longest = 0.0;
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
@@ -46,6 +47,7 @@ double link_length(const MechanismDefinition& mechanism) {
       if (joint.body_a == index) points.push_back(joint.frame_a.p_LJ);
       if (joint.body_b == index) points.push_back(joint.frame_b.p_LJ);
     }
+    if (!body.part.empty() && points.size() < 2) return 0.0;
     for (const Vector3d& p : points) {
       for (const Vector3d& q : points) {
         longest = std::max(longest, (p - q).norm());

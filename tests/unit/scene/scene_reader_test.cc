@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/messages/errors.h"
+#include "scene/motion/plausible_mechanism.h"
 #include "scene/scene.h"
 #include "support/source_dir.h"
 
@@ -356,6 +357,25 @@ TEST(SceneReader, BomBeforeAValidSceneIsIgnored) {
   std::ifstream file(kScenes / "impacts.toml");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   EXPECT_EQ(refusal_of_text("\xEF\xBB\xBF" + text), "accepted");
+}
+
+// A rotor on an arm that stands on a bushing: how long the arm is its mesh
+// alone tells. On a body without a part it turns too heavily.
+TEST(PlausibleMechanism, PartOnOneJointMayBeLong) {
+  mechanism::MechanismDefinition m;
+  mechanism::BodyDefinition arm, rotor;
+  arm.part = "arm";
+  rotor.mass_properties.mass = 3.0;
+  rotor.mass_properties.inertia_LCm = 0.01 * Eigen::Matrix3d::Identity();
+  rotor.mass_properties.p_LCm = {1e-4, 0.0, 0.0};
+  m.bodies = {arm, rotor};
+  m.joints.resize(1);
+  m.joints[0].body_a = 0;
+  m.joints[0].body_b = 1;
+  EXPECT_NO_THROW(require_plausible(m));
+  m.bodies[0].part.clear();
+  m.bodies[0].mass_properties = m.bodies[1].mass_properties;
+  EXPECT_THROW(require_plausible(m), Error);
 }
 
 }  // namespace
