@@ -11,16 +11,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-DampedModes::DampedModes(const ArrayXd& omega, const ModeDamping& damping)
-    : ratios_(damping.own) {
-  constexpr double kCounts = 1e-3, kMost = 0.95;
+DampedModes::DampedModes(const ArrayXd& omega, const ModeDamping& damping) {
+  constexpr double kCounts = 1e-3;
   const MatrixXd& dampers = damping.dampers;
   if (dampers.size() == 0) return;
   const ArrayXd by_dampers = 0.5 * dampers.diagonal().array() / omega;
   for (Index k = 0; k < omega.size(); ++k) {
     if (by_dampers[k] > kCounts) coupled_.push_back(k);
   }
-  ratios_ = (damping.own + by_dampers).min(kMost);
   if (coupled_.empty()) return;
   omega_ = omega(coupled_);
   drag_ = 2.0 * damping.own(coupled_) * omega_;

@@ -22,8 +22,8 @@ struct ModeDamping {
   }
 };
 
-/// Modes that dampers couple: those whose own ratio by them counts. The others
-/// have that ratio by themselves.
+/// Modes that dampers couple: those whose ratio by them counts. The others are
+/// the body's own.
 ///
 ///     w'' + (2 ζ ω + C) w' + ω² w = −x'' − 2 ζ ω x'
 ///
@@ -31,9 +31,6 @@ struct ModeDamping {
 class DampedModes {
  public:
   DampedModes(const Eigen::ArrayXd& omega, const ModeDamping& damping);
-
-  /// ζ of each mode as if nothing coupled it, below 1 [1].
-  const Eigen::ArrayXd& ratios() const { return ratios_; }
 
   /// An interval on which x is cubic.
   class Interval {
@@ -52,7 +49,6 @@ class DampedModes {
 
  private:
   std::vector<Eigen::Index> coupled_;
-  Eigen::ArrayXd ratios_;
   Eigen::ArrayXd omega_, drag_;  ///< of the coupled ones: ω, 2 ζ ω
   Eigen::VectorXcd rates_;       ///< eigenvalues [1/s]
   Eigen::MatrixXcd vectors_, inverse_;

@@ -11,7 +11,7 @@ struct SwingState {
   Eigen::ArrayXd w, rate;
 };
 
-/// w'' + 2 ζ ω w' + ω² w = −x'' − 2 ζ₀ ω x' over an interval on which x is
+/// w'' + 2 ζ ω w' + ω² w = −x'' − 2 ζ ω x' over an interval on which x is
 /// cubic: free vibration about the particular solution b0 + b1 t + b2 t².
 ///
 /// @tparam Omega  one ω for all coordinates (double), or one each (ArrayXd).
@@ -19,19 +19,16 @@ template <typename Omega>
 class ForcedInterval {
  public:
   /// @param omega, damping  outlive the object [1/s], ζ < 1 [1].
-  /// @param of_answer  ζ₀, what damps the quasi-static answer [1].
-  /// @param x          coordinates × 3: of t, t², t³.
+  /// @param x  coordinates × 3: of t, t², t³.
   ForcedInterval(const Omega& omega, const Omega& damping,
-                 const Omega& of_answer, const Eigen::ArrayX3d& x,
-                 const SwingState& start)
+                 const Eigen::ArrayX3d& x, const SwingState& start)
       : omega_(omega), damping_(damping) {
     const auto a1 = x.col(0), a2 = x.col(1), a3 = x.col(2);
     const Omega drag = 2.0 * damping * omega;
-    const Omega given = 2.0 * of_answer * omega;
     const Omega square = omega * omega;
-    b2_ = -3.0 * given * a3 / square;
-    b1_ = (-6.0 * a3 - 2.0 * given * a2 - 2.0 * drag * b2_) / square;
-    b0_ = (-2.0 * a2 - given * a1 - drag * b1_ - 2.0 * b2_) / square;
+    b2_ = -3.0 * drag * a3 / square;
+    b1_ = (-6.0 * a3 - 2.0 * drag * a2 - 2.0 * drag * b2_) / square;
+    b0_ = (-2.0 * a2 - drag * a1 - drag * b1_ - 2.0 * b2_) / square;
     free_ = {start.w - b0_, start.rate - b1_};
   }
 

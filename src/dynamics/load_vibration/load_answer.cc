@@ -95,8 +95,7 @@ LoadAnswer answer_to(const LoadPath& path, const MatrixXd& participation,
     } else {
       MatrixXd x = participation * cubic;
       spread.take_from(x, to - from);
-      const ForcedInterval<ArrayXd> alone(omega, modes.ratios(), damping.own, x,
-                                          state);
+      const ForcedInterval<ArrayXd> alone(omega, damping.own, x, state);
       const DampedModes::Interval coupled(modes, x, state);
       const auto state_at = [&](double t) {
         SwingState there = alone.at(t);

@@ -74,8 +74,7 @@ class Oscillators {
     constexpr double kPerPeriod = 16.0, kMost = 40.0;  // periods
     const double from = path_.time()[i], length = path_.time()[i + 1] - from;
     const Eigen::ArrayX3d x = path_.cubic(i);
-    const ForcedInterval<double> interval(omega_, damping_, damping_, x,
-                                          state_);
+    const ForcedInterval<double> interval(omega_, damping_, x, state_);
     const ArrayXd start = path_.values().col(i).array();
     const ArrayXd end = path_.values().col(i + 1).array();
     const ArrayXd bound =
@@ -92,7 +91,7 @@ class Oscillators {
       }
       if (looked < length) {
         const ForcedInterval<double> rest(
-            omega_, damping_, damping_, Eigen::ArrayX3d::Zero(x.rows(), 3),
+            omega_, damping_, Eigen::ArrayX3d::Zero(x.rows(), 3),
             {interval.at(looked).w, interval.at(looked).rate});
         look(from + looked,
              (start.abs().max(end.abs()) + rest.bound(0.0)) * scale_);

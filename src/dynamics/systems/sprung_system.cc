@@ -1,9 +1,9 @@
 #include "dynamics/systems/sprung_system.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/SVD>
 
 #include "dynamics/systems/block_krylov.h"
+#include "dynamics/systems/updated_factor.h"
 
 namespace clevis::dynamics {
 namespace {
@@ -39,21 +39,10 @@ LinearSystem sprung_system(const LinearSystem& system,
   sprung.factor = [factor = system.factor, stiffness = sprung.stiffness,
                    mass = system.mass, springs](double shift) -> BlockOperator {
     const BlockOperator solve = factor(shift);
-    const MatrixXd answers = solve(springs);
-    MatrixXd between = springs.transpose() * answers;
-    between.diagonal().array() += 1.0;
-    const Eigen::LLT<MatrixXd> inner(between);
-    const auto once = [solve, answers, inner, springs](const MatrixXd& b) {
-      MatrixXd x = solve(b);
-      x -= answers * inner.solve(springs.transpose() * x);
-      return x;
-    };
-    return [once, stiffness, mass, shift](const MatrixXd& b) -> MatrixXd {
-      MatrixXd x = once(b);
-      // Stiff springs leave little of a rigid motion that is large in `solve`.
-      x += once(b - stiffness(x) - shift * mass(x));
-      return x;
-    };
+    return updated_factor(solve, springs, 1.0,
+                          [stiffness, mass, shift](const MatrixXd& x) {
+                            return MatrixXd(stiffness(x) + shift * mass(x));
+                          });
   };
   return sprung;
 }

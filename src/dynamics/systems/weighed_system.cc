@@ -1,6 +1,6 @@
 #include "dynamics/systems/weighed_system.h"
 
-#include <Eigen/Cholesky>
+#include "dynamics/systems/updated_factor.h"
 
 namespace clevis::dynamics {
 
@@ -17,21 +17,10 @@ LinearSystem weighed_system(const LinearSystem& system,
                     weights](double shift) -> BlockOperator {
     const BlockOperator solve = factor(shift);
     if (shift == 0.0) return solve;
-    const MatrixXd answers = solve(weights);
-    MatrixXd between = weights.transpose() * answers;
-    between.diagonal().array() += 1.0 / shift;
-    const Eigen::LLT<MatrixXd> inner(between);
-    const auto once = [solve, answers, inner, weights](const MatrixXd& b) {
-      MatrixXd x = solve(b);
-      x -= answers * inner.solve(weights.transpose() * x);
-      return x;
-    };
-    return [once, stiffness, mass, shift](const MatrixXd& b) -> MatrixXd {
-      MatrixXd x = once(b);
-      // Heavy masses leave little of a rigid motion that is large in `solve`.
-      x += once(b - stiffness(x) - shift * mass(x));
-      return x;
-    };
+    return updated_factor(solve, weights, shift,
+                          [stiffness, mass, shift](const MatrixXd& x) {
+                            return MatrixXd(stiffness(x) + shift * mass(x));
+                          });
   };
   return weighed;
 }

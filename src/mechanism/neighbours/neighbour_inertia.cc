@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -151,7 +152,8 @@ void append(const MatrixXd& more, MatrixXd& columns) {
 /// @param wrenches  of the body's rows, by place.
 SwingingNeighbours swinging_neighbours(
     const Neighbours& neighbours, const NeighbourRows& rows,
-    const std::vector<YieldingElement>& yielding, const MatrixXd& wrenches) {
+    const std::vector<YieldingElement>& yielding,
+    const std::vector<Directions>& directions, const MatrixXd& wrenches) {
   constexpr double kLight = 1e-6;  // of the heaviest: a body of no inertia
   MatrixXd mass = rows.free.transpose() * neighbours.masses(rows.x) * rows.free;
   const double heaviest = mass.diagonal().maxCoeff();
@@ -161,12 +163,11 @@ SwingingNeighbours swinging_neighbours(
       root.matrixL().solve(rows.free.transpose()).transpose();
   SwingingNeighbours found{.held = wrenches,
                            .followed = (rows.there * motions).transpose()};
-  for (const YieldingElement& element : yielding) {
-    const Directions along =
-        directions_of(neighbours, rows.x, element, wrenches.rows());
+  for (std::size_t k = 0; k < yielding.size(); ++k) {
+    const Directions& along = directions[k];
     const MatrixXd there = motions.transpose() * along.neighbours;
-    const MatrixXd stiffness = root_of(element.spring.stiffness);
-    const MatrixXd damping = root_of(element.spring.damping);
+    const MatrixXd stiffness = root_of(yielding[k].spring.stiffness);
+    const MatrixXd damping = root_of(yielding[k].spring.damping);
     append(along.body * stiffness, found.sprung);
     append(there * stiffness, found.sprung_there);
     append(along.body * damping, found.damped);
@@ -218,21 +219,22 @@ NeighbourInertia neighbour_inertia(const Neighbours& neighbours,
       found.spin = following.transpose() * spins * following;
     }
   }
+  std::vector<Directions> directions;
   for (const YieldingElement& element : yielding) {
-    const Directions along =
-        directions_of(neighbours, rows.x, element, wrenches.rows());
+    const Directions& along = directions.emplace_back(
+        directions_of(neighbours, rows.x, element, wrenches.rows()));
     if ((along.neighbours.transpose() * unseen).norm() >
         kFelt * along.neighbours.norm()) {
       found.left_out.push_back(element.number);
       continue;
     }
-    const MatrixXd directions =
-        along.body + following.transpose() * along.neighbours;
-    append(directions * root_of(element.spring.stiffness), found.sprung);
-    append(directions * root_of(element.spring.damping), found.damped);
+    const MatrixXd felt = along.body + following.transpose() * along.neighbours;
+    append(felt * root_of(element.spring.stiffness), found.sprung);
+    append(felt * root_of(element.spring.damping), found.damped);
   }
   if (!found.left_out.empty()) {
-    found.swinging = swinging_neighbours(neighbours, rows, yielding, wrenches);
+    found.swinging =
+        swinging_neighbours(neighbours, rows, yielding, directions, wrenches);
   }
   return found;
 }

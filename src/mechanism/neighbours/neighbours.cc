@@ -74,14 +74,6 @@ MatrixXd null_space(const MatrixXd& rows) {
   return svd.matrixV().rightCols(rows.cols() - svd.rank());
 }
 
-Index rank_of(const MatrixXd& rows) {
-  constexpr double kRoundOff = 1e-9;  // of rows of pure numbers
-  if (rows.size() == 0) return 0;
-  Eigen::BDCSVD<MatrixXd> svd(rows);
-  svd.setThreshold(kRoundOff);
-  return svd.rank();
-}
-
 }  // namespace
 
 std::vector<DriveDefinition> sticking_coordinates(
@@ -91,12 +83,12 @@ std::vector<DriveDefinition> sticking_coordinates(
   std::optional<SolvingFrame> frame;
   Configuration x;
   std::vector<DriveDefinition> drives = definition.drives;
-  const auto held = [&] {
+  const auto freedom = [&] {
     const ConstraintSystem system(*frame, drives, Motions::kSpatial,
                                   ConstraintSystem::Drives::kAll);
-    return rank_of(system.jacobian(system.place(x)));
+    return null_space(system.jacobian(system.place(x))).cols();
   };
-  Index before = 0;
+  Index left = 0;
   const std::size_t count =
       std::min(instant.elements.size(), definition.elements.size());
   for (std::size_t e = 0; e < count; ++e) {
@@ -105,20 +97,20 @@ std::vector<DriveDefinition> sticking_coordinates(
         std::abs(instant.elements[e].rate) > kAtRest) {
       continue;
     }
-    if (!frame) {
-      frame.emplace(frame_at_centres(definition));
-      x = configuration(*frame, instant);
-      before = held();
-    }
+    if (!frame) frame.emplace(frame_at_centres(definition));
     if (!place(definition.elements[e], *frame)->is_dry()) continue;
+    if (x.empty()) {
+      x = configuration(*frame, instant);
+      left = freedom();
+    }
     DriveDefinition sticking;
     sticking.joint = line->joint;
     sticking.coordinate = line->coordinate;
     drives.push_back(sticking);
-    const Index now = held();
-    if (now > before) {
+    const Index now = freedom();
+    if (now < left) {
       found.push_back(sticking);
-      before = now;
+      left = now;
     } else {
       drives.pop_back();
     }
