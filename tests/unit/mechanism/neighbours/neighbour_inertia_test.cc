@@ -268,6 +268,37 @@ TEST(NeighbourInertia, SpringsBetweenTheBodyAndANeighbour) {
               1e-6);
 }
 
+// Of a bushing and a point held to a place, on a free body: what its Lo and its
+// turn about that cost, 2 E, from their definitions.
+TEST(NeighbourInertia, BushingsAndImpedancesHold) {
+  MechanismDefinition m;
+  m.bodies = {uniform_bar("bar", Vector3d::Zero(), 0.0, 1.0)};
+  BushingElement bushing;
+  bushing.stiffness.diagonal() << 8e3, 9e3, 7e3, 3.0, 4.0, 5.0;
+  bushing.a = {kGround, {0.8, 0.1, 0.0}};
+  bushing.b = {0, {0.8, 0.1, 0.0}};
+  ImpedanceElement impedance;
+  impedance.point = {0, {0.3, -0.2, 0.5}};
+  impedance.target_W = impedance.point.p_L;
+  impedance.stiffness = 600.0;
+  const auto cost = [&](const ForceElement& element, const Vector3d& v,
+                        const Vector3d& w) {
+    const NeighbourInertia found = sprung_bar(m, 0, {element});
+    Eigen::VectorXd motion(6);
+    motion << v, w;
+    return mass_of(found.sprung, motion);
+  };
+  const Vector3d v(0.3, -0.7, 0.2), w(0.5, 0.4, -0.6);
+  const Vector3d at_bushing = v + w.cross(bushing.b.p_L);
+  const Eigen::Matrix<double, 6, 1> k = bushing.stiffness.diagonal();
+  const double of_bushing =
+      k.head<3>().dot(at_bushing.cwiseAbs2()) + k.tail<3>().dot(w.cwiseAbs2());
+  EXPECT_NEAR(cost(bushing, v, w), of_bushing, 1e-9 * of_bushing);
+  const double of_impedance =
+      600.0 * (v + w.cross(impedance.point.p_L)).squaredNorm();
+  EXPECT_NEAR(cost(impedance, v, w), of_impedance, 1e-9 * of_impedance);
+}
+
 // Friction at rest on the pin of the ground; none where it moves, where a drive
 // holds the pin already, or where the first of two on one pin does.
 TEST(NeighbourInertia, FrictionThatSticksHolds) {
