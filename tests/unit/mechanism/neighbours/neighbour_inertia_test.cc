@@ -3,6 +3,7 @@
 #include "mechanism/neighbours/neighbour_inertia.h"
 
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -297,6 +298,51 @@ TEST(NeighbourInertia, BushingsAndImpedancesHold) {
   const double of_impedance =
       600.0 * (v + w.cross(impedance.point.p_L)).squaredNorm();
   EXPECT_NEAR(cost(impedance, v, w), of_impedance, 1e-9 * of_impedance);
+}
+
+// By their states: a wheel pressed into the ground, a stop run into, and an
+// adiabatic chamber, κ p A²/V.
+TEST(NeighbourInertia, ContactsStopsAndGasHoldByTheirStates) {
+  MechanismDefinition m = two_bars(1.0);
+  const auto cost = [&](const ForceElement& element, const ElementState& state,
+                        int row) {
+    m.elements = {element};
+    Instant instant = placed(m);
+    instant.elements = {state};
+    const NeighbourInertia found = neighbour_inertia(Neighbours(m, 0), instant);
+    if (found.places.size() < 3) return 0.0;
+    Eigen::VectorXd motion = Eigen::VectorXd::Zero(18);
+    motion[12 + row] = 2.0;
+    return mass_of(found.sprung, motion) / 4.0;
+  };
+  ContactElement wheel;
+  wheel.center = {0, {0.4, 0.0, 0.0}};
+  wheel.radius = 0.1;
+  wheel.law = {.stiffness = 5e4};
+  EXPECT_NEAR(cost(wheel, {.position = 1e-3}, 1), 5e4, 1.0);
+  EXPECT_NEAR(cost(wheel, {.position = 1e-3}, 5), 5e4 * 0.16, 1.0);
+  EXPECT_LT(cost(wheel, {.position = 1e-3}, 0), 1e-6);
+  EXPECT_EQ(cost(wheel, {.position = -1e-3}, 1), 0.0);
+  LineElement stop;
+  stop.line.joint = 0;
+  stop.law = StopLaw{
+      .lower = std::nullopt, .upper = 0.2, .contact = {.stiffness = 300.0}};
+  EXPECT_NEAR(cost(stop, {.position = 0.25}, 5), 300.0, 0.01);
+  EXPECT_EQ(cost(stop, {.position = 0.1}, 5), 0.0);
+  LineElement gas;
+  gas.line.kind = ElementLine::Kind::kDistance;
+  gas.line.a = {kGround, {0.5, 1.0, 0.0}};
+  gas.line.b = {0, {0.5, 0.0, 0.0}};
+  GasCylinderLaw cylinder;
+  cylinder.sections = 2;
+  cylinder.chambers.resize(1);
+  cylinder.chambers[0].area = 1e-3;
+  gas.law = cylinder;
+  ElementState filled;
+  filled.chambers = {{.volume = 1e-4, .pressure = 5e5}};
+  const double stiff =
+      2.0 * cylinder.gas.isentropic_exponent() * 5e5 * 1e-6 / 1e-4;
+  EXPECT_NEAR(cost(gas, filled, 1), stiff, 1e-9 * stiff);
 }
 
 // Friction at rest on the pin of the ground; none where it moves, where a drive
