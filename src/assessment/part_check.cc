@@ -257,9 +257,14 @@ PartAssessment check_part(const PartJob& given) {
   result.buckling.strut_is_longer = job.buckling_length.has_value();
   assessment.fields.buckling = std::move(buckling.shape);
   doubt_moved_frequencies(job, buckling.stiffening, result);
-  check_second_order(job, assessment.fields.history, buckling.of_lowest_degree,
-                     held, model, result);
-  doubt_on_springs(job, buckling.on_springs, result);
+  // Its equations are those of the hold.
+  if (!buckling.on_springs.rises()) {
+    check_second_order(job, assessment.fields.history,
+                       buckling.of_lowest_degree, held, model, result);
+  }
+  count_springs(job, buckling.on_springs, buckling.of_lowest_degree,
+                result.buckling);
+  bound_on_springs(buckling.on_springs, result);
   check_sharing(given, result);
   note_left_out(job, result);
   judge(job.part, result);

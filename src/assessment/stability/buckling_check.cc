@@ -84,7 +84,7 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
     if (mode.shape.size() > 0) candidate.known = {space.whole, mode.shape};
     candidate.factor = mode.factor;
     candidate.stiffening = std::max(candidate.stiffening, mode.stiffening);
-    if (mode.on_springs.sum() > candidate.on_springs.sum()) {
+    if (mode.on_springs.yield() > candidate.on_springs.yield()) {
       candidate.on_springs = mode.on_springs;
     }
     if (best && best->mode.factor <= mode.factor) continue;
@@ -159,7 +159,7 @@ void take(const PartJob& job, BucklingModel& model, int degree,
   check.result.of_motions.assign(job.load_sets.size(), kNone);
   check.stiffening.assign(job.load_sets.size(), 0.0);
   for (const Candidate& candidate : candidates) {
-    if (candidate.on_springs.sum() > check.on_springs.sum()) {
+    if (candidate.on_springs.yield() > check.on_springs.yield()) {
       check.on_springs = candidate.on_springs;
     }
     if (!candidate.is_motion) continue;
@@ -364,6 +364,54 @@ bool widen_by_all_holds(const PartJob& job, const std::vector<Swing>& swings,
   return true;
 }
 
+void count_springs(const PartJob& job, const BucklingMode::OnSprings& on,
+                   double of_lowest_degree, BucklingResult& result) {
+  constexpr double kCounts = 0.02;
+  if (!on.counts() || !result.factor) return;
+  const double enough = std::max(kFirstOrderIsEnough,
+                                 part::wanted_buckling_factor(job.part.limits));
+  const auto remark = [&](const std::string& more) {
+    result.remark += (result.remark.empty() ? "" : "; ") + more;
+  };
+  if (on.together.is_determinate && !result.is_lower_bound()) {
+    // Cells of the lowest degree are as much too stiff on springs.
+    const double finer =
+        of_lowest_degree > 0.0 ? *result.factor / of_lowest_degree : 1.0;
+    const double together = finer / on.together.yield;
+    const double change = together / *result.factor;
+    if (std::abs(change - 1.0) < kCounts ||
+        std::min(together, *result.factor) >= enough) {
+      return;
+    }
+    if (change > 1.0 && on.may_be_larger) {
+      remark(
+          fmt::format("springs and servo axes hold it: {:.4g} on them when "
+                      "it has been looked for",
+                      together));
+      result.band_high = std::max(result.band_high, together);
+      return;
+    }
+    remark(
+        fmt::format("on the springs and servo axes that hold it; {:.4g} if "
+                    "its seats were held instead, {:.4g} if it were rigid",
+                    *result.factor, 1.0 / on.springs));
+    result.factor = together;
+    result.band_low *= change;
+    result.band_high *= change;
+    return;
+  }
+  const double own = std::max(on.own, 1.0 / result.band_low);
+  const double together = 1.0 / (own + on.springs);
+  if (together > (1.0 - kCounts) * result.band_low || together >= enough) {
+    return;
+  }
+  result.band_low = together;
+  remark(
+      fmt::format("springs and servo axes that hold it yield, too: together at "
+                  "{:.4g} or later, at {:.4g} if it were rigid",
+                  together, 1.0 / on.springs));
+}
+
 BucklingCheck check_buckling(const PartJob& job,
                              const std::vector<Swing>& swings,
                              BucklingModel& model) {
@@ -371,8 +419,14 @@ BucklingCheck check_buckling(const PartJob& job,
   BucklingCheck check;
   if (job.load_sets.empty()) return check;
   const double swing = largest_of(swings);
-  check = climb(job, model, swing, checked_loads(job, job.part.ideal_joints));
+  auto checked = checked_loads(job, job.part.ideal_joints);
+  const bool is_one = checked.size() == 1;
+  check = climb(job, model, swing, std::move(checked));
   auto others = other_sharings(job);
+  // Loads on which it is not known count as their hold has them.
+  if (!is_one || !others.empty()) {
+    check.on_springs.together.is_determinate = false;
+  }
   if (check.result.factor && !others.empty()) {
     const auto of_others = climb(job, model, swing, std::move(others)).result;
     check.result.band_low = std::min(check.result.band_low, of_others.band_low);

@@ -39,6 +39,15 @@ BucklingCheck check_buckling(const PartJob& job,
                              const std::vector<Swing>& swings,
                              BucklingModel& model);
 
+/// Of a part on springs of its mechanism: where they and its joints hold it as
+/// often as balance needs the factor is that on springs; else the band reaches
+/// down to where both buckle together at the latest.
+/// @param of_lowest_degree  factor by which `on` is measured [1]; 0: not known.
+/// @param result  as its seats hold the part.
+void count_springs(const PartJob& job,
+                   const elasticity::BucklingMode::OnSprings& on,
+                   double of_lowest_degree, BucklingResult& result);
+
 /// Of a part that joints hold more often than balance needs: its band goes on
 /// to the factor that it has if all hold.
 /// @return whether the band has grown.

@@ -405,28 +405,23 @@ void bound_by_buckling_together(double together, double counted,
       std::max(second.deflection_bound, rise * deflection);
 }
 
-void doubt_on_springs(const PartJob& job,
-                      const elasticity::BucklingMode::OnSprings& on,
+void bound_on_springs(const elasticity::BucklingMode::OnSprings& on,
                       PartResult& result) {
-  constexpr double kCounts = 0.98;
-  BucklingResult& buckling = result.buckling;
-  if (!(on.springs > 0.0) || !buckling.factor) return;
+  const BucklingResult& buckling = result.buckling;
+  if (!on.counts() || !buckling.factor) return;
+  if (buckling.band_low >= kFirstOrderIsEnough) return;
   const double own = std::max(on.own, 1.0 / buckling.band_low);
-  const double together = 1.0 / (own + on.springs);
-  const double enough = std::max(kFirstOrderIsEnough,
-                                 part::wanted_buckling_factor(job.part.limits));
-  if (together > kCounts * buckling.band_low || together >= enough) return;
-  buckling.band_low = together;
-  const std::string more = fmt::format(
-      "springs and servo axes that hold it yield, too: together at {:.4g} or "
-      "later, at {:.4g} if it were rigid",
-      together, 1.0 / on.springs);
-  buckling.remark += (buckling.remark.empty() ? "" : "; ") + more;
-  if (own >= 1.0) return;  // it buckles by itself
+  if (!on.rises() && own >= 1.0) return;  // it buckles by itself
   // The motion of the mechanism has what its springs yield.
   double counted = bent_further(1.0 / on.springs);
   if (result.second_order.peak > 0.0) counted *= bent_further(1.0 / own);
-  bound_by_buckling_together(together, counted, more, result);
+  bound_by_buckling_together(
+      buckling.band_low, counted,
+      fmt::format(
+          "on the springs that hold it the part may buckle under {:.4g} "
+          "times its loads",
+          buckling.band_low),
+      result);
 }
 
 }  // namespace clevis::assessment

@@ -39,12 +39,11 @@ void check_second_order(const PartJob& job, const std::vector<InstantRow>& rows,
 /// @param why       where λ is 1 or less.
 void bound_by_buckling_together(double together, double counted,
                                 const std::string& why, PartResult& result);
-/// Of a part on springs of its mechanism: its band of buckling reaches down to
-/// where both buckle together at the latest, and second order is bounded by
-/// that, less what the mechanism's motion has of it.
-/// @pre `result` has its buckling and its second order.
-void doubt_on_springs(const PartJob& job,
-                      const elasticity::BucklingMode::OnSprings& on,
+/// Of a part on springs of its mechanism: second order is bounded by the factor
+/// that both have together [1], less what the mechanism's motion has of it.
+/// @pre count_springs() has been called; `result` has its second order, where
+///   its seats as held buckle no later than it does on the springs.
+void bound_on_springs(const elasticity::BucklingMode::OnSprings& on,
                       PartResult& result);
 /// By how much loads near a factor of buckling above 1 bend a part further [1].
 double bent_further(double factor);

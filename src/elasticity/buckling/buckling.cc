@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
@@ -12,7 +14,7 @@
 #include "dynamics/systems/block_krylov.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/assembly/initial_stress.h"
-#include "elasticity/buckling/spring_yield.h"
+#include "elasticity/buckling/buckling_on_springs.h"
 #include "elasticity/buckling/stressed_part.h"
 
 namespace clevis::elasticity {
@@ -296,20 +298,54 @@ BucklingMode lowest_of_all(const StressedPart& part, TrialSpace& space) {
   }
 }
 
+/// The instants with the largest sums are solved for, until none is left whose
+/// sum is larger than what they have together.
 BucklingMode::OnSprings on_springs(const StressedPart& part,
-                                   const SpringYield& springs,
+                                   const BucklingOnSprings& springs,
                                    const TrialSpace& space) {
   constexpr double kCounts = 0.1;
-  BucklingMode::OnSprings most;
-  for (const Index i : springs.instants()) {
-    double own = 0.0;
+  constexpr std::size_t kMost = 6;
+  struct Apart {
+    Index instant{};
+    std::size_t hold{};
+    double own{}, springs{};
+  };
+  const auto own = [&](Index i) {
+    Apart apart{.instant = i};
     for (std::size_t hold = 0; hold < part.part().holds(); ++hold) {
       if (!part.part().is_held(hold, i)) continue;
-      own = std::max(own, space.ends(i, hold).yield);
+      const double yield = space.ends(i, hold).yield;
+      if (yield <= apart.own) continue;
+      apart.hold = hold;
+      apart.own = yield;
     }
-    if (own < kCounts) continue;
-    const double yield = springs.at(i, space.form_of_rigid(i));
-    if (yield < 1.0 && own + yield > most.sum()) most = {own, yield};
+    return apart;
+  };
+  std::vector<Apart> found;
+  for (const Index i : springs.instants()) {
+    Apart apart = own(i);
+    if (apart.own < kCounts) continue;
+    apart.springs = springs.of_rigid(i, space.form_of_rigid(i));
+    if (apart.springs < 1.0) found.push_back(apart);
+  }
+  std::ranges::sort(found, std::greater{}, [](const Apart& apart) {
+    return apart.own + apart.springs;
+  });
+  BucklingMode::OnSprings most;
+  double largest = 0.0;  // own of those that are solved for
+  for (std::size_t k = 0; k < std::min(kMost, found.size()); ++k) {
+    const Apart& apart = found[k];
+    if (apart.own + apart.springs <= most.yield()) break;
+    const BucklingMode::OnSprings next{
+        apart.own, apart.springs,
+        springs.together(apart.instant,
+                         space.best(apart.instant, apart.hold, kBlock))};
+    largest = std::max(largest, apart.own);
+    if (next.yield() > most.yield()) most = next;
+  }
+  constexpr double kLarger = 1.02;
+  for (Index i = 0; most.rises() && i < part.instants(); ++i) {
+    if (own(i).own > kLarger * largest) most.may_be_larger = true;
   }
   return most;
 }
@@ -330,7 +366,7 @@ BucklingMode lowest_buckling(const BucklingProblem& problem) {
   }
   TrialSpace space(part, yielding_shapes(part));
   BucklingMode mode = lowest_of_all(part, space);
-  mode.on_springs = on_springs(part, SpringYield(problem, held.rigid()), space);
+  mode.on_springs = on_springs(part, BucklingOnSprings(problem, part), space);
   return mode;
 }
 

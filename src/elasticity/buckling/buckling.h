@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "elasticity/buckling/buckling_on_springs.h"
 #include "elasticity/buckling/buckling_problem.h"
 
 namespace clevis::elasticity {
@@ -17,14 +18,27 @@ struct BucklingMode {
   /// energy, largest of the shapes that were tried: pulled on, it vibrates at
   /// √(1 + stiffening) of its frequency at most [1].
   double stiffening{};
-  /// Of the part and of it as rigid on springs of its mechanism, 1/λ each, at
-  /// the instant with the largest sum: the sum is not below that of both
-  /// together (Southwell). Sets of springs that the loads push over by
-  /// themselves do not count, for the mechanism moves so; nor do instants at
-  /// which the part's own is below a tenth: first order is enough for it.
+  /// 1/λ each at the instant with the largest: of the part as its hold has it,
+  /// of it as rigid on springs of its mechanism, and of it on these. Sets of
+  /// springs that the loads push over by themselves do not count, for the
+  /// mechanism moves so; nor do instants at which the part's own is below a
+  /// tenth: first order is enough for it.
   struct OnSprings {
     double own{}, springs{};
-    double sum() const { return own + springs; }
+    BucklingOnSprings::Together together = {};
+    /// Other instants, not solved for, have a larger one of their own.
+    bool may_be_larger = false;
+    bool counts() const { return springs > 0.0; }
+    /// Its hold makes it softer than its springs and joints do.
+    bool rises() const {
+      constexpr double kCounts = 0.98;
+      return together.is_determinate && together.yield < kCounts * own;
+    }
+    /// 1/λ of both together [1]: where they hold it more often than balance
+    /// needs not above the sum (Southwell).
+    double yield() const {
+      return together.is_determinate ? together.yield : own + springs;
+    }
   };
   OnSprings on_springs;
   double residual{};  ///< ‖(−K⁻¹ K_G − 1/λ) φ‖_K λ: its square is λ's error

@@ -93,9 +93,14 @@ MatrixXd HeldPart::unknowns(const MatrixXd& u) const {
   return coordinates_->of_loads(forces_by_strain(part_, problem_.material, u));
 }
 
+MatrixXd HeldPart::answer_in_balance(const MatrixXd& forces,
+                                     std::size_t hold) const {
+  return coordinates_->of_loads(holds_.empty() ? forces
+                                               : holds_[hold].balance(forces));
+}
+
 MatrixXd HeldPart::answer(const MatrixXd& forces, std::size_t hold) const {
-  if (holds_.empty()) return coordinates_->of_loads(forces);
-  return freed(coordinates_->of_loads(holds_[hold].balance(forces)), hold);
+  return freed(answer_in_balance(forces, hold), hold);
 }
 
 dynamics::SelfAdjoint HeldPart::answer_to(

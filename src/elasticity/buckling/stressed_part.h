@@ -61,7 +61,10 @@ class HeldPart {
   Eigen::MatrixXd broken(const Eigen::MatrixXd& u, std::size_t hold) const;
   /// Y of a displacement, whatever rigid motion is in it: Fᵀ φ = F⁻¹ K φ.
   Eigen::MatrixXd unknowns(const Eigen::MatrixXd& u) const;
-  /// F⁻¹ of nodal forces [N], balanced by the hold's reactions, freed().
+  /// F⁻¹ of nodal forces [N], balanced by the hold's reactions [√J].
+  Eigen::MatrixXd answer_in_balance(const Eigen::MatrixXd& forces,
+                                    std::size_t hold) const;
+  /// Likewise, freed() [√J].
   Eigen::MatrixXd answer(const Eigen::MatrixXd& forces, std::size_t hold) const;
   /// F⁻¹ S F⁻ᵀ: K⁻¹ S as it acts on Y, without a product with K.
   /// @param forces  S u [N] on displacements [m], dofs × columns.
@@ -97,7 +100,9 @@ class StressedPart {
   const HeldPart& part() const { return part_; }
   Eigen::Index instants() const { return coefficients_.cols(); }
   bool is_stressed() const { return coefficients_.rows() > 0; }
-  double highest() const { return highest_; }
+  double highest() const {
+    return highest_;
+  }  ///< factor that is looked for [1]
   /// Amounts of the load columns, columns × instants [1].
   const Eigen::MatrixXd& coefficients() const { return coefficients_; }
   const InitialStress& stress() const { return *stress_; }

@@ -98,6 +98,17 @@ void TreeSystem::put_open(const std::vector<double>& q,
   for (const Index i : coordinates_.open_velocities()) z[at++] = u[index(i)];
 }
 
+/// Likewise.
+void TreeSystem::put_driven(const std::vector<double>& q,
+                            const std::vector<double>& u,
+                            Eigen::Ref<VectorXd> z) const {
+  Index at = driven_index();
+  for (const JointCoordinates::Driven& driven : coordinates_.driven()) {
+    z[at] = q[index(driven.q)];
+    z[at++ + this->driven()] = u[index(driven.u)];
+  }
+}
+
 void TreeSystem::rate(double t, const VectorXd& z, VectorXd& rate) {
   place(t, z);
   loads_.evaluate(t, x_, twists_, z.data() + internal_index(), acting_);
@@ -108,6 +119,7 @@ void TreeSystem::rate(double t, const VectorXd& z, VectorXd& rate) {
   bodies_.accelerate(acting_.wrenches, x_, &twists_, u_rate_.data());
   coordinates_.rates(q_.data(), u_.data(), q_rate_.data());
   put_open(q_rate_, u_rate_, rate);
+  put_driven(q_rate_, u_rate_, rate);
   put_internal_rates(acting_.forces, rate.data() + internal_index());
   rate[work_index()] =
       acting_.power(twists_) + bodies_.drive_power(u_.data(), u_rate_.data());
@@ -160,7 +172,8 @@ void TreeSystem::read(double t, const VectorXd& y, VectorXd& z) {
   coordinates_.read(equations_.state().x, equations_.state().twists, q_.data(),
                     u_.data());
   put_open(q_, u_, z);
-  z.tail(z.size() - internal_index()) =
+  put_driven(q_, u_, z);
+  z.segment(internal_index(), driven_index() - internal_index()) =
       y.tail(y.size() - equations_.layout().internal_index());
 }
 
@@ -184,7 +197,7 @@ void TreeSystem::expand(double t, const VectorXd& z, VectorXd& y) {
                                  turned_[k], y);
   }
   y.tail(y.size() - equations_.layout().internal_index()) =
-      z.tail(z.size() - internal_index());
+      z.segment(internal_index(), driven_index() - internal_index());
   if (!equations_.layout().is_planar()) equations_.turns().anchor(t, x_);
 }
 
@@ -194,13 +207,19 @@ void TreeSystem::scales(const VectorXd& z, VectorXd& scales) const {
       scales_.speed_scale() / equations_.layout().length();
   loads_.forces().internal_scales(z.data() + internal_index(),
                                   scales.data() + internal_index());
-  scales[work_index()] = 0.0;
+  scales.tail(size() - work_index()).setZero();
 }
 
 void TreeSystem::error_weights(const VectorXd& z, VectorXd& weights) const {
   scales(z, weights);
-  weights.head(work_index()) =
-      (scales_.tolerance() * weights.head(work_index())).cwiseInverse();
+  put_driven(sizes_.q, sizes_.u, weights);
+  weights.tail(driven()) *=
+      scales_.speed_scale() / equations_.layout().length();
+  const auto to_inverse = [&](Eigen::Ref<VectorXd> sizes) {
+    sizes = (scales_.tolerance() * sizes).cwiseInverse();
+  };
+  to_inverse(weights.head(work_index()));
+  to_inverse(weights.tail(2 * driven()));
 }
 
 Index TreeSystem::tangents(double t, const VectorXd& z, Eigen::MatrixXd& T) {

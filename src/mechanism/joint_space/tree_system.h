@@ -16,7 +16,10 @@ namespace clevis::mechanism {
 /// these and drives alone hold the bodies.
 ///
 /// State z: open coordinates and velocities of JointCoordinates, internal
-/// states of forces [SI], the work of all forces and drives [J]. Times [s].
+/// states of forces [SI], the work of all forces and drives [J], driven
+/// coordinates and velocities. These follow their laws; integrated beside the
+/// motion, they make its steps resolve the laws, too: what holds them and the
+/// work would be sampled too coarsely else. Times [s].
 class TreeSystem : public numerics::OdeSystem {
  public:
   /// @param dynamics, coordinates  outlive this.
@@ -27,7 +30,9 @@ class TreeSystem : public numerics::OdeSystem {
   static bool can_follow(const JointCoordinates& coordinates,
                          const ForceModel& forces);
 
-  int size() const override { return static_cast<int>(work_index()) + 1; }
+  int size() const override {
+    return static_cast<int>(driven_index() + 2 * driven());
+  }
   void rate(double t, const Eigen::VectorXd& z, Eigen::VectorXd& rate) override;
   void error_weights(const Eigen::VectorXd& z,
                      Eigen::VectorXd& weights) const override;
@@ -66,9 +71,15 @@ class TreeSystem : public numerics::OdeSystem {
   Eigen::Index work_index() const {
     return internal_index() + equations_.forces().internal_states();
   }
+  Eigen::Index driven_index() const { return work_index() + 1; }
+  Eigen::Index driven() const {
+    return static_cast<Eigen::Index>(coordinates_.driven().size());
+  }
   void place(double t, const Eigen::VectorXd& z);
   void put_open(const std::vector<double>& q, const std::vector<double>& u,
                 Eigen::Ref<Eigen::VectorXd> z) const;
+  void put_driven(const std::vector<double>& q, const std::vector<double>& u,
+                  Eigen::Ref<Eigen::VectorXd> z) const;
   void count_turns();
 
   EquationsOfMotion& equations_;

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "elasticity/buckling/buckling_problem.h"
+#include "elasticity/buckling/stressed_part.h"
+
+namespace clevis::elasticity {
+
+/// Buckling of a part as its mechanism holds it: what joints and drives hold is
+/// held, springs yield. 1/λ of S Sᵀ φ + K φ = λ F φ, S the springs and F what
+/// the loads bring.
+class BucklingOnSprings {
+ public:
+  /// @param problem, stressed  outlive the object.
+  /// @throws Error see seat_means().
+  BucklingOnSprings(const BucklingProblem& problem,
+                    const StressedPart& stressed);
+
+  /// Instants at which it is asked for, evenly over all; none: nothing springs.
+  const std::vector<Eigen::Index>& instants() const { return instants_; }
+  /// 1/λ of the part as rigid, over the motions that the mechanism leaves; 0:
+  /// its loads do not push it over [1].
+  /// @param form  F of the rigid motions at the instant.
+  double of_rigid(Eigen::Index instant, const Eigen::MatrixXd& form) const;
+
+  struct Together {
+    double yield{};  ///< 1/λ of the part on its springs [1]
+    /// They and the mechanism hold it as often as balance needs.
+    bool is_determinate = false;
+  };
+  /// Inverse iteration in a Ritz space that grows: with what the seats'
+  /// reactions bend and turns of the whole part, it holds what each step finds.
+  /// @param start  unknowns of shapes to begin with, equations × columns [√J].
+  Together together(Eigen::Index instant, const Eigen::MatrixXd& start) const;
+
+ private:
+  class Ritz;
+  loads::SeatHold hold_at(Eigen::Index instant) const;
+
+  const loads::LoadHistory& history_;
+  const StressedPart& stressed_;
+  std::vector<Eigen::Index> instants_;
+  Eigen::MatrixXd means_;  ///< seat_means()
+  Eigen::MatrixXd rigid_;  ///< motions of the part, dofs × motions
+};
+
+}  // namespace clevis::elasticity
