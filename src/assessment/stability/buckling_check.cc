@@ -391,10 +391,12 @@ void count_springs(const PartJob& job, const BucklingMode::OnSprings& on,
       result.band_high = std::max(result.band_high, together);
       return;
     }
-    remark(
-        fmt::format("on the springs and servo axes that hold it; {:.4g} if "
-                    "its seats were held instead, {:.4g} if it were rigid",
-                    *result.factor, 1.0 / on.springs));
+    std::string others =
+        fmt::format("; {:.4g} if its seats were held instead", *result.factor);
+    if (on.springs > 0.0) {
+      others += fmt::format(", {:.4g} if it were rigid", 1.0 / on.springs);
+    }
+    remark("on the springs and servo axes that hold it" + others);
     result.factor = together;
     result.band_low *= change;
     result.band_high *= change;

@@ -28,7 +28,7 @@ struct BucklingMode {
     BucklingOnSprings::Together together = {};
     /// Other instants, not solved for, have a larger one of their own.
     bool may_be_larger = false;
-    bool counts() const { return springs > 0.0; }
+    bool counts() const { return springs > 0.0 || together.is_determinate; }
     /// Its hold makes it softer than its springs and joints do.
     bool rises() const {
       constexpr double kCounts = 0.98;

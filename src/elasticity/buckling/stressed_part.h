@@ -100,9 +100,8 @@ class StressedPart {
   const HeldPart& part() const { return part_; }
   Eigen::Index instants() const { return coefficients_.cols(); }
   bool is_stressed() const { return coefficients_.rows() > 0; }
-  double highest() const {
-    return highest_;
-  }  ///< factor that is looked for [1]
+  /// Factor up to which it is looked for [1].
+  double highest() const { return highest_; }
   /// Amounts of the load columns, columns × instants [1].
   const Eigen::MatrixXd& coefficients() const { return coefficients_; }
   const InitialStress& stress() const { return *stress_; }
