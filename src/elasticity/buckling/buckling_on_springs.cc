@@ -33,25 +33,35 @@ MatrixXd conditions(const loads::SeatHold& hold, const MatrixXd& motions) {
   return hold.held.colwise().normalized().transpose() * motions;
 }
 
-/// Combinations with an energy of 1 each; those without energy are left out.
+/// Combinations with an energy of 1 each; those without energy are left out,
+/// not those that are soft beside others.
 MatrixXd of_unit_energy(const MatrixXd& energy) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> found(energy);
+  constexpr double kNone = 1e-12;
+  const VectorXd scale = energy.diagonal().unaryExpr([](double e) {
+    return e > 0.0 ? 1.0 / std::sqrt(e) : 0.0;
+  });
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> found(
+      scale.asDiagonal() * energy * scale.asDiagonal());
   const VectorXd& values = found.eigenvalues();
-  const Index kept = (values.array() > kRoundOff * values.maxCoeff()).count();
-  return found.eigenvectors().rightCols(kept) *
+  const Index kept = (values.array() > kNone * values.maxCoeff()).count();
+  return scale.asDiagonal() * found.eigenvectors().rightCols(kept) *
          values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 /// Unknowns of the same span, orthonormal, without what is dependent.
 MatrixXd orthonormal(const MatrixXd& unknowns) {
-  const VectorXd size = unknowns.colwise().norm();
-  constexpr double kNothing = 1e-12;
-  const MatrixXd unit =
-      unknowns * size.unaryExpr([&](double s) {
-                       return s > kNothing * size.maxCoeff() ? 1.0 / s : 0.0;
-                     })
-                     .asDiagonal();
-  return product(unit, of_unit_energy(transposed_product(unit, unit)));
+  constexpr double kDependent = 1e-9;
+  const VectorXd scale = unknowns.colwise().norm().unaryExpr([](double size) {
+    return size > 0.0 ? 1.0 / size : 0.0;
+  });
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(
+      scale.asDiagonal() * transposed_product(unknowns, unknowns) *
+      scale.asDiagonal());
+  const VectorXd& values = gram.eigenvalues();
+  const Index kept = (values.array() > kDependent).count();
+  return product(unknowns,
+                 scale.asDiagonal() * gram.eigenvectors().rightCols(kept) *
+                     values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal());
 }
 
 }  // namespace
@@ -116,10 +126,11 @@ class BucklingOnSprings::Ritz {
     const MatrixXd strained = scale * left.bottomRows(bent.cols());
     Eigen::JacobiSVD<MatrixXd> by_springs(springs);
     by_springs.setThreshold(kRoundOff);
-    conditions_ = shapes.cols() - left.cols() + by_springs.rank();
     const MatrixXd unit =
         left * of_unit_energy(strained.transpose() * strained +
                               springs.transpose() * springs);
+    const Index conditions = shapes.cols() - left.cols() + by_springs.rank();
+    is_determinate_ = conditions == rigid && unit.cols() == left.cols();
     const MatrixXd form = transposed_product(shapes, forces(shapes));
     const Eigen::SelfAdjointEigenSolver<MatrixXd> pushed(
         unit.transpose() * (0.5 * (form + form.transpose())) * unit);
@@ -131,12 +142,13 @@ class BucklingOnSprings::Ritz {
 
   double yield() const { return yield_; }             ///< largest 1/λ [1]
   const MatrixXd& shapes() const { return shapes_; }  ///< of the largest few
-  Index conditions_and_springs() const { return conditions_; }
+  /// Nothing is held twice, and nothing moves freely.
+  bool is_determinate() const { return is_determinate_; }
 
  private:
   double yield_{};
   MatrixXd shapes_;
-  Index conditions_{};
+  bool is_determinate_ = false;
 };
 
 BucklingOnSprings::Together BucklingOnSprings::together(
@@ -165,8 +177,7 @@ BucklingOnSprings::Together BucklingOnSprings::together(
     const bool settled =
         step > 0 && std::abs(ritz.yield() - before) < kSettled * before;
     if (settled || step == kMostSteps) {
-      return {std::max(0.0, ritz.yield()),
-              ritz.conditions_and_springs() == rigid_.cols()};
+      return {std::max(0.0, ritz.yield()), ritz.is_determinate()};
     }
     before = ritz.yield();
     add(part.answer_in_balance(forces(ritz.shapes()), 0));

@@ -48,9 +48,16 @@ std::vector<const GmshElement*> flat_cells(const GmshFile& file) {
     listed +=
         fmt::format("{}{} of type {}", listed.empty() ? "" : ", ", count, name);
   }
+  const bool may_be_split = std::ranges::all_of(cells, [](const auto* cell) {
+    return cell->type->family == F::kQuad || cell->type->family == F::kTriangle;
+  });
   throw Error("M008", file.name, fmt::format("the mesh has {}", listed),
-              "Mesh the plate with quadrangles of one order from 1 to 4, or "
-              "with triangles of order 1 or 2.");
+              std::string("Mesh the plate with quadrangles of one order from 1 "
+                          "to 4, or with triangles of order 1 or 2.") +
+                  (may_be_split
+                       ? " `Mesh.RecombineAll = 1; Mesh.SubdivisionAlgorithm = "
+                         "1;` in the .geo file leaves quadrangles alone."
+                       : ""));
 }
 
 /// Builds the layer; a node of the flat mesh stands order + 1 times above

@@ -104,11 +104,29 @@ part::Seat read_pin(const mechanism::JointDefinition& joint, const Value& value,
   return seat;
 }
 
+/// Joints need groups of a mesh to load; a part that forces alone hold has
+/// none.
+void require_no_joint(const MechanismDefinition& mechanism, BodyIndex body,
+                      const StrictTable& table) {
+  std::string pins;
+  for (const auto& joint : mechanism.joints) {
+    if (!touches(joint, body)) continue;
+    pins += fmt::format("{}{} = \"...\"", pins.empty() ? "" : ", ", joint.name);
+  }
+  if (pins.empty()) return;
+  throw table.refusal(
+      "S003", "lacks the key \"pins\"",
+      fmt::format("Add pins = {{ {} }}, of each joint the group of the mesh "
+                  "where it loads the part.",
+                  pins));
+}
+
 void read_pins(StrictTable& table, BodyIndex body,
                const MechanismDefinition& mechanism, const Names& names,
                PartDefinition& part, part::SolidSource& solid) {
   const bool is_solid = part::is_solid_file(part.geometry);
-  if (is_solid && !table.has("pins")) {
+  if (!table.has("pins")) {
+    if (!is_solid) require_no_joint(mechanism, body, table);
     for (const auto& joint : mechanism.joints) {
       if (!touches(joint, body)) continue;
       part.seats.push_back(

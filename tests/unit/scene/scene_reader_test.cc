@@ -359,6 +359,30 @@ TEST(SceneReader, BomBeforeAValidSceneIsIgnored) {
   EXPECT_EQ(refusal_of_text("\xEF\xBB\xBF" + text), "accepted");
 }
 
+TEST(SceneReader, PartsWithoutJointsNeedNoPins) {
+  const auto scene = [](const std::string& joints) {
+    const std::string zero = "[\"0 mm\", \"0 mm\", \"0 mm\"]\n";
+    return "schema = 1\nname = \"rod\"\n[material.steel]\n"
+           "youngs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\n"
+           "density = \"7850 kg/m^3\"\nyield_strength = \"355 MPa\"\n"
+           "[[body]]\nname = \"rod\"\npart = \"rod\"\n" +
+           joints +
+           "[[force]]\ntype = \"spring\"\nname = \"foot\"\n"
+           "between = [\"ground\", \"rod\"]\naxis = [0, 1, 0]\nfrom = " +
+           zero + "to = " + zero +
+           "stiffness = \"1 N/mm\"\nfree = \"0 mm\"\n"
+           "[simulation]\nmotion = \"dynamic\"\nduration = \"1 s\"\n"
+           "[[part]]\nname = \"rod\"\nmesh = \"rod.msh\"\n"
+           "length_unit = \"mm\"\nforces = { foot = { face = \"a\" } }\n";
+  };
+  EXPECT_EQ(refusal_of_text(scene("")), "accepted");
+  EXPECT_EQ(refusal_of_text(
+                scene("[[joint]]\nname = \"A\"\ntype = \"revolute\"\n"
+                      "between = [\"ground\", \"rod\"]\npoint = [\"0 mm\", "
+                      "\"0 mm\", \"0 mm\"]\naxis = [0, 0, 1]\n")),
+            "S003");
+}
+
 // A rotor on an arm that stands on a bushing: how long the arm is its mesh
 // alone tells. On a body without a part it turns too heavily.
 TEST(PlausibleMechanism, PartOnOneJointMayBeLong) {
