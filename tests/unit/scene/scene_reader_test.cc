@@ -362,7 +362,8 @@ TEST(SceneReader, BomBeforeAValidSceneIsIgnored) {
 TEST(SceneReader, PartsWithoutJointsNeedNoPins) {
   const auto scene = [](const std::string& joints) {
     const std::string zero = "[\"0 mm\", \"0 mm\", \"0 mm\"]\n";
-    return "schema = 1\nname = \"rod\"\n[material.steel]\n"
+    return "schema = 1\nname = \"rod\"\n[world]\ngravity = [\"0 m/s^2\", "
+           "\"0 m/s^2\", \"0 m/s^2\"]\n[material.steel]\n"
            "youngs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\n"
            "density = \"7850 kg/m^3\"\nyield_strength = \"355 MPa\"\n"
            "[[body]]\nname = \"rod\"\npart = \"rod\"\n" +
