@@ -258,13 +258,16 @@ PartAssessment check_part(const PartJob& given) {
   assessment.fields.buckling = std::move(buckling.shape);
   doubt_moved_frequencies(job, buckling.stiffening, result);
   // Its equations are those of the hold.
-  if (!buckling.on_springs.rises()) {
+  const bool rises = buckling.on_springs.rises();
+  if (!rises) {
     check_second_order(job, assessment.fields.history,
                        buckling.of_lowest_degree, held, model, result);
   }
-  count_springs(job, buckling.on_springs, buckling.of_lowest_degree,
-                result.buckling);
-  bound_on_springs(buckling.on_springs, result);
+  if (count_springs(job, buckling.on_springs, buckling.of_lowest_degree,
+                    result.buckling) ||
+      rises) {
+    bound_on_springs(buckling.on_springs, result);
+  }
   check_sharing(given, result);
   note_left_out(job, result);
   judge(job.part, result);

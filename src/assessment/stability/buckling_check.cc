@@ -364,10 +364,10 @@ bool widen_by_all_holds(const PartJob& job, const std::vector<Swing>& swings,
   return true;
 }
 
-void count_springs(const PartJob& job, const BucklingMode::OnSprings& on,
+bool count_springs(const PartJob& job, const BucklingMode::OnSprings& on,
                    double of_lowest_degree, BucklingResult& result) {
   constexpr double kCounts = 0.02;
-  if (!on.counts() || !result.factor) return;
+  if (!on.counts() || !result.factor) return false;
   const double enough = std::max(kFirstOrderIsEnough,
                                  part::wanted_buckling_factor(job.part.limits));
   const auto remark = [&](const std::string& more) {
@@ -381,15 +381,15 @@ void count_springs(const PartJob& job, const BucklingMode::OnSprings& on,
     const double change = together / *result.factor;
     if (std::abs(change - 1.0) < kCounts ||
         std::min(together, *result.factor) >= enough) {
-      return;
+      return false;
     }
     if (change > 1.0 && on.may_be_larger) {
       remark(
-          fmt::format("springs and servo axes hold it: {:.4g} on them when "
-                      "it has been looked for",
+          fmt::format("springs and servo axes hold it: {:.4g} on them at the "
+                      "instants that were solved, others may have less",
                       together));
       result.band_high = std::max(result.band_high, together);
-      return;
+      return true;
     }
     std::string others =
         fmt::format("; {:.4g} if its seats were held instead", *result.factor);
@@ -400,18 +400,19 @@ void count_springs(const PartJob& job, const BucklingMode::OnSprings& on,
     result.factor = together;
     result.band_low *= change;
     result.band_high *= change;
-    return;
+    return true;
   }
   const double own = std::max(on.own, 1.0 / result.band_low);
   const double together = 1.0 / (own + on.springs);
   if (together > (1.0 - kCounts) * result.band_low || together >= enough) {
-    return;
+    return false;
   }
   result.band_low = together;
   remark(
       fmt::format("springs and servo axes that hold it yield, too: together at "
                   "{:.4g} or later, at {:.4g} if it were rigid",
                   together, 1.0 / on.springs));
+  return true;
 }
 
 BucklingCheck check_buckling(const PartJob& job,

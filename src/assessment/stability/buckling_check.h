@@ -21,7 +21,7 @@ struct BucklingCheck {
   std::vector<double> stiffening;
   /// By the model's lowest_degree(); 0: not known.
   double of_lowest_degree{};
-  /// By the lowest degree, of the load set with the largest sum.
+  /// By the lowest degree, of the load set with the largest yield.
   elasticity::BucklingMode::OnSprings on_springs;
   double seconds{};
 };
@@ -42,9 +42,10 @@ BucklingCheck check_buckling(const PartJob& job,
 /// Of a part on springs of its mechanism: where they and its joints hold it as
 /// often as balance needs the factor is that on springs; else the band reaches
 /// down to where both buckle together at the latest.
+/// @return whether the band has changed.
 /// @param of_lowest_degree  factor by which `on` is measured [1]; 0: not known.
 /// @param result  as its seats hold the part.
-void count_springs(const PartJob& job,
+bool count_springs(const PartJob& job,
                    const elasticity::BucklingMode::OnSprings& on,
                    double of_lowest_degree, BucklingResult& result);
 

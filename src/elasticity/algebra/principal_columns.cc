@@ -1,5 +1,6 @@
 #include "elasticity/algebra/principal_columns.h"
 
+#include <cmath>
 #include <limits>
 
 #include <Eigen/Eigenvalues>
@@ -43,6 +44,18 @@ PrincipalColumns principal_columns(const MatrixXd& gram,
               root.cwiseInverse().asDiagonal() *
               principal.eigenvectors().rightCols(kept),
           parts.bottomRows(kept)};
+}
+
+MatrixXd orthonormal_combinations(const MatrixXd& gram, double dependent) {
+  const VectorXd unit = gram.diagonal().unaryExpr([](double square) {
+    return square > 0.0 ? 1.0 / std::sqrt(square) : 0.0;
+  });
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> metric(
+      unit.asDiagonal() * gram * unit.asDiagonal());
+  const VectorXd& values = metric.eigenvalues();
+  const Index kept = (values.array() > dependent * values.maxCoeff()).count();
+  return unit.asDiagonal() * metric.eigenvectors().rightCols(kept) *
+         values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 }  // namespace clevis::elasticity

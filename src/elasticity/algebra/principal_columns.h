@@ -21,4 +21,12 @@ PrincipalColumns principal_columns(const Eigen::MatrixXd& gram,
                                    const Eigen::MatrixXd& coefficients,
                                    double admitted, Eigen::Index most);
 
+/// Combinations of columns that span the same, orthonormal in the norm of the
+/// columns' Gram matrix, columns × kept. Columns may differ by orders in
+/// length.
+/// @param dependent  squares of what is left out as dependent on others, over
+///   the largest, of columns of one length [1].
+Eigen::MatrixXd orthonormal_combinations(const Eigen::MatrixXd& gram,
+                                         double dependent);
+
 }  // namespace clevis::elasticity

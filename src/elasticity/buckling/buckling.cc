@@ -13,6 +13,7 @@
 
 #include "dynamics/systems/block_krylov.h"
 #include "elasticity/algebra/dense_product.h"
+#include "elasticity/algebra/principal_columns.h"
 #include "elasticity/assembly/initial_stress.h"
 #include "elasticity/buckling/buckling_on_springs.h"
 #include "elasticity/buckling/stressed_part.h"
@@ -105,15 +106,9 @@ class TrialSpace {
     columns.rightCols(more.cols()) = more;
   }
   void orthonormalise() {
-    const MatrixXd gram = transposed_product(unknowns_, unknowns_);
-    const VectorXd scale = gram.diagonal().cwiseSqrt().cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> metric(
-        scale.asDiagonal() * gram * scale.asDiagonal());
     constexpr double kSame = 1e-9;  // what is dependent is left out
-    const Index kept = (metric.eigenvalues().array() > kSame).count();
-    const MatrixXd to_orthonormal =
-        scale.asDiagonal() * metric.eigenvectors().rightCols(kept) *
-        metric.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+    const MatrixXd to_orthonormal = orthonormal_combinations(
+        transposed_product(unknowns_, unknowns_), kSame);
     of_hold_.clear();
     for (std::size_t hold = 0; hold < part_.holds(); ++hold) {
       const MatrixXd held = to_orthonormal * left_free(to_orthonormal, hold);
@@ -184,15 +179,8 @@ Yield largest_yield(const StressedPart& stressed, std::size_t hold,
   constexpr double kTolerance = 3e-4;  // λ has its square as error
   constexpr int kMostSteps = 40;
   const HeldPart& part = stressed.part();
-  const MassMatrix geometric = stressed.stress().stiffness(
-      part.pairs(), stressed.coefficients().col(instant));
-  const MatrixXd gain = stressed.pushes().gain(instant);
-  const auto forces = [&](const MatrixXd& u) {
-    MatrixXd pushing = -multiply(geometric, u);
-    stressed.pushes().add(u, gain, pushing);
-    return pushing;
-  };
-  dynamics::BlockKrylov space(part.answer_to(forces, hold), start, {});
+  dynamics::BlockKrylov space(part.answer_to(stressed.pushing(instant), hold),
+                              start, {});
   for (int step = 1;; ++step) {
     space.extend();
     const auto ritz = space.ritz_values();
@@ -343,9 +331,17 @@ BucklingMode::OnSprings on_springs(const StressedPart& part,
     largest = std::max(largest, apart.own);
     if (next.yield() > most.yield()) most = next;
   }
+  // Where it rises no other instant may have more: one as hard on springs of
+  // its own has not.
   constexpr double kLarger = 1.02;
   for (Index i = 0; most.rises() && i < part.instants(); ++i) {
-    if (own(i).own > kLarger * largest) most.may_be_larger = true;
+    const double yield = own(i).own;
+    if (yield <= most.yield()) continue;
+    if (yield > kLarger * largest || !springs.is_sprung(i) ||
+        springs.of_rigid(i, space.form_of_rigid(i)) >= 1.0) {
+      most.may_be_larger = true;
+      break;
+    }
   }
   return most;
 }

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <functional>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
 #include "elasticity/algebra/dense_product.h"
+#include "elasticity/algebra/principal_columns.h"
 #include "elasticity/nodal_loads/seat_means.h"
 
 namespace clevis::elasticity {
@@ -18,6 +19,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kRoundOff = 1e-9;
+constexpr double kNoEnergy = 1e-12;  // not what is soft beside others
 
 /// What the rows of a matrix leave, orthonormal.
 MatrixXd left_by(const MatrixXd& rows) {
@@ -33,37 +35,6 @@ MatrixXd conditions(const loads::SeatHold& hold, const MatrixXd& motions) {
   return hold.held.colwise().normalized().transpose() * motions;
 }
 
-/// Combinations with an energy of 1 each; those without energy are left out,
-/// not those that are soft beside others.
-MatrixXd of_unit_energy(const MatrixXd& energy) {
-  constexpr double kNone = 1e-12;
-  const VectorXd scale = energy.diagonal().unaryExpr([](double e) {
-    return e > 0.0 ? 1.0 / std::sqrt(e) : 0.0;
-  });
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> found(
-      scale.asDiagonal() * energy * scale.asDiagonal());
-  const VectorXd& values = found.eigenvalues();
-  const Index kept = (values.array() > kNone * values.maxCoeff()).count();
-  return scale.asDiagonal() * found.eigenvectors().rightCols(kept) *
-         values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
-}
-
-/// Unknowns of the same span, orthonormal, without what is dependent.
-MatrixXd orthonormal(const MatrixXd& unknowns) {
-  constexpr double kDependent = 1e-9;
-  const VectorXd scale = unknowns.colwise().norm().unaryExpr([](double size) {
-    return size > 0.0 ? 1.0 / size : 0.0;
-  });
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(
-      scale.asDiagonal() * transposed_product(unknowns, unknowns) *
-      scale.asDiagonal());
-  const VectorXd& values = gram.eigenvalues();
-  const Index kept = (values.array() > kDependent).count();
-  return product(unknowns,
-                 scale.asDiagonal() * gram.eigenvectors().rightCols(kept) *
-                     values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal());
-}
-
 }  // namespace
 
 BucklingOnSprings::BucklingOnSprings(const BucklingProblem& problem,
@@ -76,12 +47,18 @@ BucklingOnSprings::BucklingOnSprings(const BucklingProblem& problem,
   const std::size_t count = std::min(kMost, all);
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = count == 1 ? 0 : k * (all - 1) / (count - 1);
-    if (hold_at(static_cast<Index>(i)).sprung.cols() == 0) continue;
-    instants_.push_back(static_cast<Index>(i));
+    if (is_sprung(static_cast<Index>(i))) {
+      instants_.push_back(static_cast<Index>(i));
+    }
   }
   if (instants_.empty()) return;
   means_ = seat_means(problem.discretization, history_.seats, {}, problem.name);
   rigid_ = part.rigid();
+  motions_ = transposed_product(means_, rigid_);
+}
+
+bool BucklingOnSprings::is_sprung(Index instant) const {
+  return hold_at(instant).sprung.cols() > 0;
 }
 
 loads::SeatHold BucklingOnSprings::hold_at(Index instant) const {
@@ -91,96 +68,128 @@ loads::SeatHold BucklingOnSprings::hold_at(Index instant) const {
 
 double BucklingOnSprings::of_rigid(Index instant, const MatrixXd& form) const {
   const loads::SeatHold hold = hold_at(instant);
-  const MatrixXd motions = transposed_product(means_, rigid_);
-  const MatrixXd left = left_by(conditions(hold, motions));
+  const MatrixXd left = left_by(conditions(hold, motions_));
   if (left.cols() == 0) return 0.0;
-  const MatrixXd springs = hold.sprung.transpose() * motions * left;
+  const MatrixXd springs = hold.sprung.transpose() * motions_ * left;
   if (springs.isZero(0.0)) return 0.0;
-  const MatrixXd unit = left * of_unit_energy(springs.transpose() * springs);
+  const MatrixXd unit =
+      left * orthonormal_combinations(springs.transpose() * springs, kNoEnergy);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> pushed(
       unit.transpose() * form * unit, Eigen::EigenvaluesOnly);
   return std::max(0.0, pushed.eigenvalues().maxCoeff());
 }
 
-/// One space of rigid motions and shapes.
-class BucklingOnSprings::Ritz {
+/// Rigid motions and shapes, which grow.
+class BucklingOnSprings::Space {
  public:
-  /// @param forces  F u [N] of displacements u, dofs × columns.
-  template <typename Forces>
-  Ritz(const BucklingOnSprings& of, const loads::SeatHold& hold,
-       const MatrixXd& unknowns, const Forces& forces) {
-    const Index rigid = of.rigid_.cols();
-    const MatrixXd bent =
-        of.stressed_.part().displacements(orthonormal(unknowns), 0);
-    MatrixXd shapes(bent.rows(), rigid + bent.cols());
-    shapes << of.rigid_, bent;
-    MatrixXd motions = transposed_product(of.means_, shapes);
-    // Bent by 1 √J the seats move far less than by a rigid motion of 1.
-    const double scale =
-        motions.leftCols(rigid).cwiseAbs().maxCoeff() /
-        std::max(motions.rightCols(bent.cols()).cwiseAbs().maxCoeff(), 1e-300);
-    shapes.rightCols(bent.cols()) *= scale;
-    motions.rightCols(bent.cols()) *= scale;
-    const MatrixXd left = left_by(conditions(hold, motions));
-    const MatrixXd springs = hold.sprung.transpose() * motions * left;
-    const MatrixXd strained = scale * left.bottomRows(bent.cols());
-    Eigen::JacobiSVD<MatrixXd> by_springs(springs);
-    by_springs.setThreshold(kRoundOff);
-    const MatrixXd unit =
-        left * of_unit_energy(strained.transpose() * strained +
-                              springs.transpose() * springs);
-    const Index conditions = shapes.cols() - left.cols() + by_springs.rank();
-    is_determinate_ = conditions == rigid && unit.cols() == left.cols();
-    const MatrixXd form = transposed_product(shapes, forces(shapes));
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> pushed(
-        unit.transpose() * (0.5 * (form + form.transpose())) * unit);
-    constexpr Index kShapes = 2;
-    const Index n = std::min(kShapes, unit.cols());
-    yield_ = pushed.eigenvalues().maxCoeff();
-    shapes_ = product(shapes, unit * pushed.eigenvectors().rightCols(n));
+  Space(const BucklingOnSprings& of, Index instant)
+      : part_(of.stressed_.part()),
+        means_(of.means_),
+        hold_(of.hold_at(instant)),
+        pushing_(of.stressed_.pushing(instant)),
+        rigid_(of.rigid_.cols()),
+        shapes_(of.rigid_),
+        pushed_(pushing_(shapes_)),
+        motions_(of.motions_) {}
+
+  /// @param unknowns  equations × columns [√J].
+  void add(const MatrixXd& unknowns) {
+    const MatrixXd more = part_.displacements(unknowns, 0);
+    append(unknowns, unknowns_);
+    append(more, shapes_);
+    append(pushing_(more), pushed_);
+    append(transposed_product(means_, more), motions_);
+  }
+  /// What unit reactions of joints, drives and springs bend.
+  void add_reactions() {
+    MatrixXd reactions(means_.cols(), hold_.held.cols() + hold_.sprung.cols());
+    if (hold_.held.cols() > 0) {
+      reactions.leftCols(hold_.held.cols()) = hold_.held;
+    }
+    reactions.rightCols(hold_.sprung.cols()) = hold_.sprung;
+    add(part_.answer_in_balance(
+        product(means_, reactions.colwise().normalized()), 0));
   }
 
-  double yield() const { return yield_; }             ///< largest 1/λ [1]
-  const MatrixXd& shapes() const { return shapes_; }  ///< of the largest few
-  /// Nothing is held twice, and nothing moves freely.
-  bool is_determinate() const { return is_determinate_; }
+  struct Solution {
+    double yield{};  ///< largest 1/λ [1]
+    /// Nothing is held twice, and nothing moves freely.
+    bool is_determinate = false;
+    MatrixXd forces;  ///< what loads bring to the largest few's shapes [N]
+  };
+  Solution solve() const {
+    constexpr double kDependent = 1e-9;
+    const MatrixXd combine = orthonormal_combinations(
+        transposed_product(unknowns_, unknowns_), kDependent);
+    const Index bent = combine.cols(), all = rigid_ + bent;
+    MatrixXd motions(motions_.rows(), all);
+    motions << motions_.leftCols(rigid_),
+        motions_.rightCols(unknowns_.cols()) * combine;
+    // Bent by 1 √J the seats move far less than by a rigid motion of 1.
+    const double scale =
+        motions.leftCols(rigid_).cwiseAbs().maxCoeff() /
+        std::max(motions.rightCols(bent).cwiseAbs().maxCoeff(), 1e-300);
+    motions.rightCols(bent) *= scale;
+    const MatrixXd left = left_by(conditions(hold_, motions));
+    const MatrixXd springs = hold_.sprung.transpose() * motions * left;
+    const MatrixXd strained = scale * left.bottomRows(bent);
+    MatrixXd unit =
+        left * orthonormal_combinations(strained.transpose() * strained +
+                                            springs.transpose() * springs,
+                                        kNoEnergy);
+    Eigen::JacobiSVD<MatrixXd> by_springs(springs);
+    by_springs.setThreshold(kRoundOff);
+    const Index holding = all - left.cols() + by_springs.rank();
+    Solution solution;
+    solution.is_determinate = holding == rigid_ && unit.cols() == left.cols();
+    MatrixXd of_shapes(shapes_.cols(), unit.cols());
+    of_shapes << unit.topRows(rigid_), scale * combine * unit.bottomRows(bent);
+    const MatrixXd form = of_shapes.transpose() *
+                          transposed_product(shapes_, pushed_) * of_shapes;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> pushed(
+        0.5 * (form + form.transpose()));
+    constexpr Index kShapes = 2;
+    const Index n = std::min(kShapes, unit.cols());
+    solution.yield = std::max(0.0, pushed.eigenvalues().maxCoeff());
+    solution.forces =
+        product(pushed_, of_shapes * pushed.eigenvectors().rightCols(n));
+    return solution;
+  }
 
  private:
-  double yield_{};
-  MatrixXd shapes_;
-  bool is_determinate_ = false;
+  static void append(const MatrixXd& more, MatrixXd& columns) {
+    columns.conservativeResize(more.rows(), columns.cols() + more.cols());
+    columns.rightCols(more.cols()) = more;
+  }
+
+  const HeldPart& part_;
+  const MatrixXd& means_;
+  loads::SeatHold hold_;
+  std::function<MatrixXd(const MatrixXd&)> pushing_;
+  Index rigid_;
+  MatrixXd unknowns_;
+  MatrixXd shapes_;   ///< rigid ones, then those of the unknowns
+  MatrixXd pushed_;   ///< what loads bring to them [N]
+  MatrixXd motions_;  ///< of the seats
 };
 
 BucklingOnSprings::Together BucklingOnSprings::together(
     Index instant, const MatrixXd& start) const {
   constexpr int kMostSteps = 12;
   constexpr double kSettled = 1e-4;
-  const HeldPart& part = stressed_.part();
-  const MassMatrix geometric = stressed_.stress().stiffness(
-      part.pairs(), stressed_.coefficients().col(instant));
-  const MatrixXd gain = stressed_.pushes().gain(instant);
-  const auto forces = [&](const MatrixXd& u) {
-    MatrixXd pushing = -multiply(geometric, u);
-    stressed_.pushes().add(u, gain, pushing);
-    return pushing;
-  };
-  const loads::SeatHold hold = hold_at(instant);
-  MatrixXd unknowns = part.answer_in_balance(means_, 0);
-  const auto add = [&](const MatrixXd& more) {
-    unknowns.conservativeResize(Eigen::NoChange, unknowns.cols() + more.cols());
-    unknowns.rightCols(more.cols()) = more;
-  };
-  add(start);
+  Space space(*this, instant);
+  space.add_reactions();
+  space.add(start);
   double before = 0.0;
   for (int step = 0;; ++step) {
-    const Ritz ritz(*this, hold, unknowns, forces);
+    const Space::Solution found = space.solve();
     const bool settled =
-        step > 0 && std::abs(ritz.yield() - before) < kSettled * before;
+        step > 0 && std::abs(found.yield - before) <= kSettled * before;
     if (settled || step == kMostSteps) {
-      return {std::max(0.0, ritz.yield()), ritz.is_determinate()};
+      return {found.yield, settled && found.is_determinate};
     }
-    before = ritz.yield();
-    add(part.answer_in_balance(forces(ritz.shapes()), 0));
+    before = found.yield;
+    space.add(stressed_.part().answer_in_balance(found.forces, 0));
   }
 }
 

@@ -27,25 +27,29 @@ class BucklingOnSprings {
   /// @param form  F of the rigid motions at the instant.
   double of_rigid(Eigen::Index instant, const Eigen::MatrixXd& form) const;
 
+  bool is_sprung(Eigen::Index instant) const;
+
   struct Together {
     double yield{};  ///< 1/λ of the part on its springs [1]
-    /// They and the mechanism hold it as often as balance needs.
+    /// They and the mechanism hold it as often as balance needs, and the
+    /// iteration has settled.
     bool is_determinate = false;
   };
-  /// Inverse iteration in a Ritz space that grows: with what the seats'
-  /// reactions bend and turns of the whole part, it holds what each step finds.
+  /// Inverse iteration in a Ritz space that grows: with rigid motions and what
+  /// unit reactions bend, it holds what each step finds.
   /// @param start  unknowns of shapes to begin with, equations × columns [√J].
   Together together(Eigen::Index instant, const Eigen::MatrixXd& start) const;
 
  private:
-  class Ritz;
+  class Space;
   loads::SeatHold hold_at(Eigen::Index instant) const;
 
   const loads::LoadHistory& history_;
   const StressedPart& stressed_;
   std::vector<Eigen::Index> instants_;
-  Eigen::MatrixXd means_;  ///< seat_means()
-  Eigen::MatrixXd rigid_;  ///< motions of the part, dofs × motions
+  Eigen::MatrixXd means_;    ///< seat_means()
+  Eigen::MatrixXd rigid_;    ///< motions of the part, dofs × motions
+  Eigen::MatrixXd motions_;  ///< of the seats by these, six each × motions
 };
 
 }  // namespace clevis::elasticity

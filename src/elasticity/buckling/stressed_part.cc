@@ -161,4 +161,16 @@ StressedPart::StressedPart(const BucklingProblem& problem, const HeldPart& part)
       std::make_unique<InitialStress>(space, problem.material, displaced_);
 }
 
+std::function<MatrixXd(const MatrixXd&)> StressedPart::pushing(
+    Eigen::Index instant) const {
+  return [this,
+          geometric =
+              stress_->stiffness(part_.pairs(), coefficients_.col(instant)),
+          gain = pushes_.gain(instant)](const MatrixXd& u) {
+    MatrixXd forces = -multiply(geometric, u);
+    pushes_.add(u, gain, forces);
+    return forces;
+  };
+}
+
 }  // namespace clevis::elasticity

@@ -106,6 +106,10 @@ class StressedPart {
   const Eigen::MatrixXd& coefficients() const { return coefficients_; }
   const InitialStress& stress() const { return *stress_; }
   const SeatPushes& pushes() const { return pushes_; }
+  /// What the loads of an instant bring: forces [N] on displacements u [m],
+  /// dofs × columns. The object outlives it.
+  std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)> pushing(
+      Eigen::Index instant) const;
   /// Unknowns of linear theory under the load columns [√J].
   const Eigen::MatrixXd& loaded() const { return loaded_; }
   /// Their displacements, of a free part up to a rigid motion, dofs × columns

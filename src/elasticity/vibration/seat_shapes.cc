@@ -12,6 +12,7 @@
 
 #include "dynamics/systems/block_krylov.h"
 #include "elasticity/algebra/dense_product.h"
+#include "elasticity/algebra/principal_columns.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -35,15 +36,8 @@ MatrixXd unit_columns(const MatrixXd& columns) {
 /// M-orthonormal columns of the span; what is round-off of others is left out.
 MatrixXd orthonormal_in(const MatrixXd& columns, const MatrixXd& weighted) {
   constexpr double kLeast = 1e-10;  // of a column's square
-  const MatrixXd gram = transposed_product(columns, weighted);
-  const VectorXd scale = gram.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
-      scale.asDiagonal() * gram * scale.asDiagonal());
-  const VectorXd& values = solver.eigenvalues();
-  const Index kept = (values.array() > kLeast * values.maxCoeff()).count();
-  return product(columns,
-                 scale.asDiagonal() * solver.eigenvectors().rightCols(kept) *
-                     values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal());
+  return product(columns, orthonormal_combinations(
+                              transposed_product(columns, weighted), kLeast));
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ namespace clevis::mechanism {
 /// State z: open coordinates and velocities of JointCoordinates, internal
 /// states of forces [SI], the work of all forces and drives [J], driven
 /// coordinates and velocities. These follow their laws; integrated beside the
-/// motion, they make its steps resolve the laws, too: what holds them and the
-/// work would be sampled too coarsely else. Times [s].
+/// motion, they make its steps resolve the laws, too: the work would be
+/// integrated too coarsely else. Times [s].
 class TreeSystem : public numerics::OdeSystem {
  public:
   /// @param dynamics, coordinates  outlive this.
