@@ -78,6 +78,17 @@ TEST(InvalidMesh, EachIsRefusedWithItsCodeWithinASecond) {
   EXPECT_GE(cases, 20);
 }
 
+TEST(InvalidMesh, TrianglesAmongQuadranglesHaveARemedyInGmsh) {
+  try {
+    read_part_mesh(kFolder / "flat_mixed.msh", 1e-3, 8e-3);
+    ADD_FAILURE() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(error.remedy().find("Mesh.SubdivisionAlgorithm = 1"),
+              std::string::npos)
+        << error.remedy();
+  }
+}
+
 TEST(InvalidMesh, AScriptInAMeshRunsNothing) {
   for (const char* name : {"script_as_mesh.msh", "script_after_header.msh"}) {
     EXPECT_NE(bytes_of(kFolder / name).find("touch script_ran"),
