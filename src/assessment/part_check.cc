@@ -268,6 +268,7 @@ PartAssessment check_part(const PartJob& given) {
       rises) {
     bound_on_springs(buckling.on_springs, result);
   }
+  if (buckling.toppling) count_toppling(*buckling.toppling, result.buckling);
   check_sharing(given, result);
   note_left_out(job, result);
   judge(job.part, result);

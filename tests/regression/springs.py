@@ -13,7 +13,8 @@ With a forearm on a servo between arm and rotor that swings by itself, too.
 A column on a servo buckles where u tan u = k L/EI, P = u² EI/L²: under nine tenths of its
 load, though it bears twice that on a rigid foot, and so does the servo under a rigid one.
 On a hinge, with a spring across its top, it bows under Euler's load or tilts under k L:
-four times and three times what it bore with its foot clamped and no spring.
+four times and three times what it bore with its foot clamped and no spring. It falls where
+the spring is softer, or none, though it stands still as long as nothing pushes it.
 """
 import cmath
 import math
@@ -235,7 +236,7 @@ type = "constant"
 name = "press"
 body = "column"
 point = {scene_text.lengths((HIGH, 0, 0))}
-force = ["-{load:.9g} N", "0 N", "0 N"]
+force = ["{-load:.9g} N", "0 N", "0 N"]
 [[initial]]
 joint = "O"
 position = "0 deg"
@@ -289,7 +290,7 @@ def check_columns(clevis, checks):
     for what, element, load, names in rows:
         for factor in (0.95, 1.6, 3.5):
             if factor < 1 and what != rows[0][0]:
-                continue  # its motion falls over
+                continue  # see check_positions()
             with tempfile.TemporaryDirectory() as name:
                 file = column(Path(name), load / factor, element, names)
                 answer = support.check(clevis, file, exits=support.JUDGED)
@@ -298,6 +299,31 @@ def check_columns(clevis, checks):
                         1e-3)
             checks.expect((part["verdict"] == "pass") == (factor > 1.5),
                           f"{part['verdict']}, 1.5 wanted")
+
+
+def check_positions(clevis, checks):
+    """Of columns that stand still: they have no more than their springs hold, and on a
+    bare hinge nothing; those that hang are held by what they carry."""
+    load = 1e3  # of the column itself more than fifty times as much
+    foot, top = load * HIGH / 1e3, load / (HIGH / 1e3)
+    for what, element, press, factor, names in (
+            ("on a servo too soft", servo_at_foot(0.9 * foot), load, 0.9, ("press",)),
+            ("with a spring too soft at its top", spring_at_top(0.5 * top), load, 0.5,
+             ("press", "top")),
+            ("on a bare hinge", "", load, 0.0, ("press",)),
+            ("hung from a bare hinge", "", -load, None, ("press",))):
+        with tempfile.TemporaryDirectory() as name:
+            file = column(Path(name), press, element, names)
+            answer = support.check(clevis, file, exits=support.JUDGED)
+        part = answer.parts[0]
+        if factor is None:
+            checks.expect(part["verdict"] == "pass", f"column {what}: {part['verdict']}")
+            continue
+        found = part["buckling"]["factor"]
+        checks.expect(abs(found - factor) < 1e-3, f"column {what}: buckling {found:.4g}")
+        checks.expect(part["verdict"] == "fail" and
+                      "not stable" in part["buckling"]["remark"],
+                      f"{part['verdict']}, {part['buckling']['remark']}")
 
 
 def main():
@@ -339,6 +365,7 @@ def main():
     checks.near(f"peak, {part['peak_von_mises']['value_MPa']:.4g} at rest",
                 part["vibration"]["peak_MPa"], truth, 0.02)
     check_columns(clevis, checks)
+    check_positions(clevis, checks)
     return checks.exit_code()
 
 

@@ -1,9 +1,11 @@
 #include "app/solving/part_loads.h"
 
+#include <ranges>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "loads/history/motion_instants.h"
 #include "report/text/csv_field.h"
 
 namespace clevis::app {
@@ -43,10 +45,8 @@ std::string header(const loads::LoadHistory& history) {
 
 std::string loads_csv(const loads::LoadHistory& history) {
   std::string text = header(history);
-  double before = history.instants.front().time;
-  for (const loads::InstantLoad& instant : history.instants) {
-    if (instant.time < before) break;  // cases stand behind the motion
-    before = instant.time;
+  for (const loads::InstantLoad& instant :
+       history.instants | std::views::take(loads::motion_length(history))) {
     text += fmt::format("{}", instant.time);
     for (const loads::Wrench& wrench : instant.wrenches) {
       text += values(wrench.force) + values(wrench.moment);

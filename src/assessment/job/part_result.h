@@ -101,7 +101,9 @@ struct BucklingResult {
   /// Whether anything is: a factor, or why there is none.
   bool is_known() const { return factor || !remark.empty(); }
   /// Whether no factor below it was found.
-  bool is_lower_bound() const { return factor && band_low == band_high; }
+  bool is_lower_bound() const {
+    return factor && *factor > 0.0 && band_low == band_high;
+  }
   /// Whether Euler's strut falls short of the factor wanted [1] where it
   /// decides: without finite elements, or longer than the part.
   bool euler_fails(double wanted) const {

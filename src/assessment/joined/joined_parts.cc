@@ -146,7 +146,7 @@ std::vector<std::string> doubt_by_joined(const std::vector<PartJob>& jobs,
       const double enough =
           std::max(kFirstOrderIsEnough,
                    part::wanted_buckling_factor(member.job->part.limits));
-      if (!buckling.factor || together > kCounts * buckling.band_low ||
+      if (!buckling.factor || together >= kCounts * buckling.band_low ||
           together >= enough) {
         continue;
       }

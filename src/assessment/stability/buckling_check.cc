@@ -42,6 +42,7 @@ struct Candidate {
   double factor{};                                      ///< likewise
   double stiffening{};  ///< of BucklingMode, over all instants
   BucklingMode::OnSprings on_springs = {};  ///< likewise
+  std::optional<Toppling> toppling = {};
 };
 
 /// A hold where its slides are at an instant.
@@ -77,6 +78,10 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
         .highest = highest};
     model.factor(set, problem);
     auto mode = elasticity::lowest_buckling(problem);
+    if (mode.topples) {
+      const auto& last = candidate.history.instants.back();
+      candidate.toppling = {*mode.topples, last.label, last.time};
+    }
     const auto instant =
         candidate.history.instants[static_cast<std::size_t>(mode.instant)];
     candidate.history.instants = {instant};
@@ -161,6 +166,10 @@ void take(const PartJob& job, BucklingModel& model, int degree,
   for (const Candidate& candidate : candidates) {
     if (candidate.on_springs.yield() > check.on_springs.yield()) {
       check.on_springs = candidate.on_springs;
+    }
+    if (candidate.toppling && (!check.toppling || candidate.toppling->factor <
+                                                      check.toppling->factor)) {
+      check.toppling = candidate.toppling;
     }
     if (!candidate.is_motion) continue;
     double& least = check.result.of_motions[candidate.set];
@@ -413,6 +422,23 @@ bool count_springs(const PartJob& job, const BucklingMode::OnSprings& on,
                   "{:.4g} or later, at {:.4g} if it were rigid",
                   together, 1.0 / on.springs));
   return true;
+}
+
+void count_toppling(const Toppling& toppling, BucklingResult& result) {
+  // Springs and the part itself yield in series (Southwell).
+  result.band_low =
+      toppling.factor > 0.0 && result.factor
+          ? 1.0 / (1.0 / toppling.factor + 1.0 / result.band_low)
+          : 0.0;
+  result.factor = result.band_high = toppling.factor;
+  result.label = toppling.label;
+  result.instant = toppling.instant;
+  result.remark =
+      toppling.factor > 0.0
+          ? "springs and servo axes alone hold it where it stands, and its "
+            "loads push them over: the position is not stable"
+          : "nothing holds it where it stands, and its loads push it over: the "
+            "position is not stable";
 }
 
 BucklingCheck check_buckling(const PartJob& job,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "assessment/job/part_job.h"
@@ -11,6 +12,13 @@ namespace clevis::assessment {
 
 /// Of a factor from which on first order theory is enough: EN 1993-1-1, 5.2.1.
 constexpr double kFirstOrderIsEnough = 10.0;
+
+/// Loads push a part that stands out of its position.
+struct Toppling {
+  double factor{};    ///< of the loads, below 1; 0: nothing holds it [1]
+  std::string label;  ///< of the instant
+  double instant{};   ///< [s]
+};
 
 /// Linear buckling of the part, and its shape.
 struct BucklingCheck {
@@ -23,6 +31,7 @@ struct BucklingCheck {
   double of_lowest_degree{};
   /// By the lowest degree, of the load set with the largest yield.
   elasticity::BucklingMode::OnSprings on_springs;
+  std::optional<Toppling> toppling;
   double seconds{};
 };
 
@@ -48,6 +57,10 @@ BucklingCheck check_buckling(const PartJob& job,
 bool count_springs(const PartJob& job,
                    const elasticity::BucklingMode::OnSprings& on,
                    double of_lowest_degree, BucklingResult& result);
+
+/// The position has no more than the factor of toppling, however stiff the
+/// part.
+void count_toppling(const Toppling& toppling, BucklingResult& result);
 
 /// Of a part that joints hold more often than balance needs: its band goes on
 /// to the factor that it has if all hold.

@@ -362,7 +362,9 @@ BucklingMode lowest_buckling(const BucklingProblem& problem) {
   }
   TrialSpace space(part, yielding_shapes(part));
   BucklingMode mode = lowest_of_all(part, space);
-  mode.on_springs = on_springs(part, BucklingOnSprings(problem, part), space);
+  const BucklingOnSprings springs(problem, part);
+  mode.on_springs = on_springs(part, springs, space);
+  mode.topples = springs.topples(space.form_of_rigid(part.instants() - 1));
   return mode;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 
 #include "elasticity/buckling/buckling_on_springs.h"
@@ -41,6 +43,8 @@ struct BucklingMode {
     }
   };
   OnSprings on_springs;
+  /// See BucklingOnSprings::topples().
+  std::optional<double> topples;
   double residual{};  ///< ‖(−K⁻¹ K_G − 1/λ) φ‖_K λ: its square is λ's error
 };
 

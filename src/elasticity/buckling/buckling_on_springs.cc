@@ -35,6 +35,21 @@ MatrixXd conditions(const loads::SeatHold& hold, const MatrixXd& motions) {
   return hold.held.colwise().normalized().transpose() * motions;
 }
 
+/// Whether a part keeps its direction over a motion: what turns moves as its
+/// loads have it.
+bool keeps_direction(const loads::LoadHistory& history) {
+  constexpr double kTurn = 0.05;  // [rad]
+  const auto& instants = history.instants;
+  if (instants.front().is_case) return false;
+  double turned = 0.0;
+  for (std::size_t i = 1; i < instants.size(); ++i) {
+    turned += 0.5 * (instants[i].time - instants[i - 1].time) *
+              (instants[i].rigid.omega + instants[i - 1].rigid.omega).norm();
+  }
+  return turned < kTurn &&
+         (instants.size() > 1 || instants.front().rigid.omega.isZero(0.0));
+}
+
 }  // namespace
 
 BucklingOnSprings::BucklingOnSprings(const BucklingProblem& problem,
@@ -43,7 +58,8 @@ BucklingOnSprings::BucklingOnSprings(const BucklingProblem& problem,
   constexpr std::size_t kMost = 65;
   const HeldPart& part = stressed.part();
   const std::size_t all = history_.instants.size();
-  if (!history_.hold || !part.is_free()) return;
+  if (!history_.hold || !part.is_free() || all == 0) return;
+  stands_ = keeps_direction(history_);
   const std::size_t count = std::min(kMost, all);
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = count == 1 ? 0 : k * (all - 1) / (count - 1);
@@ -51,7 +67,7 @@ BucklingOnSprings::BucklingOnSprings(const BucklingProblem& problem,
       instants_.push_back(static_cast<Index>(i));
     }
   }
-  if (instants_.empty()) return;
+  if (instants_.empty() && !stands_) return;
   means_ = seat_means(problem.discretization, history_.seats, {}, problem.name);
   rigid_ = part.rigid();
   motions_ = transposed_product(means_, rigid_);
@@ -77,6 +93,30 @@ double BucklingOnSprings::of_rigid(Index instant, const MatrixXd& form) const {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> pushed(
       unit.transpose() * form * unit, Eigen::EigenvaluesOnly);
   return std::max(0.0, pushed.eigenvalues().maxCoeff());
+}
+
+std::optional<double> BucklingOnSprings::topples(const MatrixXd& form) const {
+  constexpr double kPushes = 1e-3;  // of what the loads bring to any motion
+  if (!stands_) return std::nullopt;
+  const Index last = std::ssize(history_.instants) - 1;
+  const loads::SeatHold hold = hold_at(last);
+  if (hold.swinging || !hold.left_out.empty() || hold.is_pressed_meanwhile) {
+    return std::nullopt;
+  }
+  const MatrixXd left = left_by(conditions(hold, motions_));
+  if (left.cols() == 0) return std::nullopt;
+  MatrixXd unsprung = left;
+  if (hold.sprung.cols() > 0) {
+    unsprung = left * left_by(hold.sprung.transpose() * motions_ * left);
+  }
+  if (unsprung.cols() > 0) {
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> pushed(
+        unsprung.transpose() * form * unsprung, Eigen::EigenvaluesOnly);
+    if (pushed.eigenvalues().maxCoeff() > kPushes * form.norm()) return 0.0;
+  }
+  const double yield = of_rigid(last, form);
+  if (yield < 1.0) return std::nullopt;
+  return 1.0 / yield;
 }
 
 /// Rigid motions and shapes, which grow.

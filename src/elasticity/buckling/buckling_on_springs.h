@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -28,6 +29,12 @@ class BucklingOnSprings {
   double of_rigid(Eigen::Index instant, const Eigen::MatrixXd& form) const;
 
   bool is_sprung(Eigen::Index instant) const;
+  /// Of a part that stands while its motion lasts: the factor of the loads at
+  /// its end, below 1, under which these push it out of its position, 0 where
+  /// nothing but inertia holds it; absent: they do not, or it moves, or what
+  /// holds it is not known [1].
+  /// @param form  as of of_rigid(), at the last instant.
+  std::optional<double> topples(const Eigen::MatrixXd& form) const;
 
   struct Together {
     double yield{};  ///< 1/λ of the part on its springs [1]
@@ -47,6 +54,7 @@ class BucklingOnSprings {
   const loads::LoadHistory& history_;
   const StressedPart& stressed_;
   std::vector<Eigen::Index> instants_;
+  bool stands_ = false;
   Eigen::MatrixXd means_;    ///< seat_means()
   Eigen::MatrixXd rigid_;    ///< motions of the part, dofs × motions
   Eigen::MatrixXd motions_;  ///< of the seats by these, six each × motions

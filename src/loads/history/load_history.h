@@ -83,6 +83,7 @@ struct InstantLoad {
   /// Of a case: what its loads leave, which `rigid` takes up; about Lo.
   Wrench relief = {};
   bool is_between_rows{};  ///< of a file, in none of them
+  bool is_case{};          ///< behind the instants of a motion
 };
 
 /// Bodies about a part that springs swing by themselves, as of
@@ -111,6 +112,8 @@ struct SeatHold {
   std::optional<SwingingBodies> swinging = std::nullopt;
   /// Names of these force elements.
   std::vector<std::string> left_out = {};
+  /// Force elements press that let go at other times: they are left out, too.
+  bool is_pressed_meanwhile = false;
 
   bool is_sprung() const { return sprung.cols() > 0 || swinging; }
   void leave_springs_out() {

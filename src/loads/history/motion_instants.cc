@@ -40,11 +40,11 @@ double longest_step_of(const LoadHistory& history, std::size_t seat) {
 std::size_t motion_length(const LoadHistory& history) {
   const auto& instants = history.instants;
   std::size_t motion = std::min<std::size_t>(1, instants.size());
-  const auto goes_on = [&](double before, double time) {
-    return time > before || (time == before && time != 0.0);  // a step
+  const auto goes_on = [](const InstantLoad& before, const InstantLoad& next) {
+    return next.time >= before.time && !next.is_case;
   };
   while (motion < instants.size() &&
-         goes_on(instants[motion - 1].time, instants[motion].time)) {
+         goes_on(instants[motion - 1], instants[motion])) {
     ++motion;
   }
   return motion;

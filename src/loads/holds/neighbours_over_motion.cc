@@ -40,16 +40,26 @@ NeighboursOverMotion::NeighboursOverMotion(
 
 NeighboursOverMotion::~NeighboursOverMotion() = default;
 
+bool NeighboursOverMotion::lets_go_once(std::size_t element) const {
+  return properties(definition_.elements[element]).presses &&
+         std::ranges::any_of(places_, [&](const Place& place) {
+           return lets_go(place.instant, element);
+         });
+}
+
 void NeighboursOverMotion::leave_out_what_lets_go(
     mechanism::Neighbours& neighbours) const {
   for (std::size_t e = 0; e < definition_.elements.size(); ++e) {
-    if (properties(definition_.elements[e]).presses &&
-        std::ranges::any_of(places_, [&](const Place& place) {
-          return lets_go(place.instant, e);
-        })) {
-      neighbours.leave_out(e);
-    }
+    if (lets_go_once(e)) neighbours.leave_out(e);
   }
+}
+
+bool NeighboursOverMotion::presses_meanwhile(
+    const mechanism::Instant& instant) const {
+  for (std::size_t e = 0; e < definition_.elements.size(); ++e) {
+    if (lets_go_once(e) && !lets_go(instant, e)) return true;
+  }
+  return false;
 }
 
 struct NeighboursOverMotion::Stuck {
@@ -90,6 +100,7 @@ SeatHold NeighboursOverMotion::hold(double time) {
     const mechanism::Instant& instant = places_[next].instant;
     hold->second = seat_hold(held_at(instant), instant, seats_);
     hold->second.zones = places_[next].zones;
+    hold->second.is_pressed_meanwhile = presses_meanwhile(instant);
   }
   return hold->second;
 }

@@ -47,6 +47,9 @@ class NeighboursOverMotion {
   struct Stuck;
 
   SeatGains found_gains(const Place& place) const;
+  /// A force element that presses, at some instant not.
+  bool lets_go_once(std::size_t element) const;
+  bool presses_meanwhile(const mechanism::Instant& instant) const;
   void leave_out_what_lets_go(mechanism::Neighbours& neighbours) const;
   const mechanism::Neighbours& held_at(const mechanism::Instant& instant);
 

@@ -17,6 +17,7 @@ LoadHistory case_loads(const part::PartDefinition& part,
   LoadHistory history;
   InstantLoad instant;
   instant.label = load_case.name;
+  instant.is_case = true;
   instant.rigid = {.acceleration = load_case.acceleration,
                    .alpha = load_case.angular_acceleration,
                    .omega = load_case.angular_velocity};

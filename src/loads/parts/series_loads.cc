@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -33,13 +34,22 @@ Seat seat_of(const part::SeriesSeat& given,
   return seat;
 }
 
+/// Rows of one time are the sides of steps: a label tells them apart.
+/// @param steps  rows before it that have its time.
+std::string label_of(const LoadSeries& series, const SeriesInstant& given,
+                     int steps) {
+  std::string label = fmt::format("{}, t = {:.6g} s", series.name, given.time);
+  if (given.is_between_rows) label += " between rows";
+  if (steps > 0) label += " after its step";
+  if (steps > 1) label += fmt::format(" {}", steps);
+  return label;
+}
+
 InstantLoad instant_of(const LoadSeries& series, const SeriesInstant& given,
                        const std::vector<Seat>& seats,
                        const std::vector<GroupGeometry>& groups,
                        const std::string& place) {
   InstantLoad instant;
-  instant.label = fmt::format("{}, t = {:.6g} s{}", series.name, given.time,
-                              given.is_between_rows ? " between rows" : "");
   instant.is_between_rows = given.is_between_rows;
   instant.time = given.time;
   for (std::size_t s = 0; s < seats.size(); ++s) {
@@ -98,7 +108,7 @@ class SeriesBalance {
 std::string text_of(const Imbalance& rest) {
   return fmt::format(
       "{:.4g} N and, about the part's origin, {:.4g} N m, "
-      "{:.2g} % of the largest load",
+      "{:.2g} % of the largest sum of all loads",
       rest.left.force.norm(), rest.left.moment.norm(), 100.0 * rest.relative());
 }
 
@@ -137,11 +147,14 @@ void balance(const LoadSeries& series, const part::MassProperties& mass,
         "inertia takes it up",
         series.name, text_of(rests[worst]), history.instants[worst].time));
   } else {
-    history.notes.push_back(
-        fmt::format("history {}: its file has no accelerations; those that "
-                    "balance its loads reach {:.4g} m/s^2 at the centre of "
-                    "mass and {:.4g} rad/s^2",
-                    series.name, fastest, spun_up));
+    constexpr double kHard = 490.0;  // [m/s²], 50 times the earth's gravity
+    history.notes.push_back(fmt::format(
+        "history {}: its file has no accelerations; those that "
+        "balance its loads reach {:.4g} m/s^2 at the centre of "
+        "mass and {:.4g} rad/s^2{}",
+        series.name, fastest, spun_up,
+        fastest > kHard ? ": see that signs and units of its loads are right"
+                        : ""));
   }
 }
 
@@ -158,9 +171,14 @@ LoadHistory series_loads(const part::PartDefinition& part,
   for (const part::SeriesSeat& seat : series.seats) {
     history.seats.push_back(seat_of(seat, groups, place));
   }
+  int steps = 0;
   for (const SeriesInstant& given : series.instants) {
-    history.instants.push_back(
-        instant_of(series, given, history.seats, groups, place));
+    const auto& before = history.instants;
+    steps = !before.empty() && before.back().time == given.time ? steps + 1 : 0;
+    InstantLoad instant =
+        instant_of(series, given, history.seats, groups, place);
+    instant.label = label_of(series, given, steps);
+    history.instants.push_back(std::move(instant));
   }
   for (const auto& [name, components] : series.fixed) {
     find_group(groups, name, place);

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <sstream>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -21,18 +23,41 @@ namespace {
 constexpr const char* kRestore =
     "Run `clevis check` again, or restore the baseline.";
 
+/// The first number that is not finite, and the way to it.
+struct NonFinite {
+  double value{};
+  std::string way = {};  ///< "/parts/0/mass"
+};
+std::optional<NonFinite> find_non_finite(const ordered_json& json) {
+  if (json.is_number_float()) {
+    const auto value = json.get<double>();
+    if (!std::isfinite(value)) return NonFinite{value};
+  }
+  std::optional<NonFinite> found;
+  if (json.is_array()) {
+    for (std::size_t i = 0; i < json.size() && !found; ++i) {
+      found = find_non_finite(json[i]);
+      if (found) found->way = fmt::format("/{}{}", i, found->way);
+    }
+  } else if (json.is_object()) {
+    for (auto item = json.begin(); item != json.end() && !found; ++item) {
+      found = find_non_finite(*item);
+      if (found) found->way = fmt::format("/{}{}", item.key(), found->way);
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 void refuse_non_finite(const ordered_json& document, const std::string& place) {
-  const ordered_json flat = document.flatten();
-  for (const auto& [pointer, value] : flat.items()) {
-    if (value.is_number_float() && !std::isfinite(value.get<double>())) {
-      throw Error("F003", place,
-                  fmt::format("{} is {}, not a finite number",
-                              pointer.substr(1), value.get<double>()),
-                  "Please report the scene: a result must be finite.");
-    }
-  }
+  const auto found = find_non_finite(document);
+  if (!found) return;
+  throw Error("F003", place,
+              fmt::format("{} is {}, not a finite number",
+                          found->way.empty() ? "it" : found->way.substr(1),
+                          found->value),
+              "Please report the scene: a result must be finite.");
 }
 
 std::string json_text(const ordered_json& document) {

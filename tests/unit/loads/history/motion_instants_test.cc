@@ -25,24 +25,32 @@ LoadHistory travelling() {
   return history;
 }
 
+InstantLoad of_case(double low) {
+  InstantLoad instant = at(0.0, low);
+  instant.is_case = true;
+  return instant;
+}
+
 TEST(MotionInstants, CasesStandBehind) {
   LoadHistory history = travelling();
   EXPECT_EQ(motion_length(history), 4U);
   EXPECT_EQ(motion_duration(history), 3.0);
-  history.instants.push_back(at(0.0, 0.0));
+  history.instants.push_back(of_case(0.0));
   EXPECT_EQ(motion_length(history), 4U);
   EXPECT_EQ(motion_duration(history), 3.0);
   EXPECT_EQ(motion_length({}), 0U);
-  history.instants = {at(0.0, 0.0), at(0.0, 0.0)};  // cases alone
+  history.instants = {of_case(0.0), of_case(0.0)};  // cases alone
   EXPECT_EQ(motion_length(history), 1U);
   history.instants = {at(0.0, 0.0), at(1.0, 0.0), at(1.0, 0.0), at(2.0, 0.0)};
   EXPECT_EQ(motion_length(history), 4U);  // a step of a load history
+  history.instants = {at(0.0, 0.0), at(0.0, 0.0), at(2.0, 0.0), of_case(0.0)};
+  EXPECT_EQ(motion_length(history), 3U);  // a step that begins it
 }
 
 TEST(MotionInstants, LongestStepOfASeat) {
   LoadHistory history = travelling();
   EXPECT_NEAR(longest_slide_step(history), 0.4, 1e-12);
-  history.instants.push_back(at(0.0, 0.5));  // a case
+  history.instants.push_back(of_case(0.5));
   EXPECT_NEAR(longest_slide_step(history), 0.4, 1e-12);
   history.instants[2].time = 1.0 + 1e-9;  // the other side of an event
   EXPECT_NEAR(longest_slide_step(history), 0.4, 1e-12);
