@@ -426,10 +426,9 @@ bool count_springs(const PartJob& job, const BucklingMode::OnSprings& on,
 
 void count_toppling(const Toppling& toppling, BucklingResult& result) {
   // Springs and the part itself yield in series (Southwell).
-  result.band_low =
-      toppling.factor > 0.0 && result.factor
-          ? 1.0 / (1.0 / toppling.factor + 1.0 / result.band_low)
-          : 0.0;
+  result.band_low = toppling.factor > 0.0 && result.factor
+                        ? 1.0 / (1.0 / toppling.factor + 1.0 / result.band_low)
+                        : 0.0;
   result.factor = result.band_high = toppling.factor;
   result.label = toppling.label;
   result.instant = toppling.instant;

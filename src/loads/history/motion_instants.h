@@ -12,8 +12,8 @@ namespace clevis::loads {
 /// loads may jump there, and nothing lies between [1].
 inline constexpr double kEventSides = 1e-8;
 
-/// Number of the instants of the motion; cases stand behind them. Of cases alone
-/// the first counts.
+/// Number of the instants of the motion; cases stand behind them. Of cases
+/// alone the first counts.
 std::size_t motion_length(const LoadHistory& history);
 
 /// Duration of the motion [s].

@@ -21,7 +21,8 @@ using part::SeriesSeat;
 
 enum class Frame { kPart, kWorld };
 
-/// Part of the sum of all loads that inertia takes up without a word in the scene.
+/// Part of the sum of all loads that inertia takes up without a word in the
+/// scene.
 constexpr double kUsualImbalance = 0.01;
 
 SeriesSeat read_seat(const std::string& name, const Value& value,
