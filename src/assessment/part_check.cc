@@ -187,8 +187,18 @@ void note_energy_over_time(const std::vector<InstantRow>& rows, bool repeats,
 }
 
 /// Springs of the mechanism that do not count where the part may buckle.
-void note_left_out(const PartJob& job, PartResult& result) {
-  if (result.buckling.factor.value_or(HUGE_VAL) >= kFirstOrderIsEnough) return;
+/// @param is_open  of BucklingCheck.
+void note_left_out(const PartJob& job, bool is_open, PartResult& result) {
+  if (is_open) {
+    result.notes.push_back(
+        "where it stands its loads push it over, but for springs that hold "
+        "other bodies, too, or contacts that let go at times: see that these "
+        "are stiff enough, for its buckling does not count them");
+  }
+  if (!is_open &&
+      result.buckling.factor.value_or(HUGE_VAL) >= kFirstOrderIsEnough) {
+    return;
+  }
   for (const LoadSet& set : job.load_sets) {
     if (!set.history.hold || !set.fixed.empty()) continue;
     const auto names = set.history.hold(set.history.hold_time).left_out;
@@ -270,7 +280,7 @@ PartAssessment check_part(const PartJob& given) {
   }
   if (buckling.toppling) count_toppling(*buckling.toppling, result.buckling);
   check_sharing(given, result);
-  note_left_out(job, result);
+  note_left_out(job, buckling.position_is_open, result);
   judge(job.part, result);
   explain_unsettled(result);
   tell_first(part_notes(job), result);

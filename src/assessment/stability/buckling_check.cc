@@ -43,6 +43,7 @@ struct Candidate {
   double stiffening{};  ///< of BucklingMode, over all instants
   BucklingMode::OnSprings on_springs = {};  ///< likewise
   std::optional<Toppling> toppling = {};
+  bool is_open = false;  ///< of BucklingOnSprings::Position
 };
 
 /// A hold where its slides are at an instant.
@@ -78,10 +79,11 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
         .highest = highest};
     model.factor(set, problem);
     auto mode = elasticity::lowest_buckling(problem);
-    if (mode.topples) {
+    if (mode.position.topples) {
       const auto& last = candidate.history.instants.back();
-      candidate.toppling = {*mode.topples, last.label, last.time};
+      candidate.toppling = {*mode.position.topples, last.label, last.time};
     }
+    candidate.is_open |= mode.position.is_open;
     const auto instant =
         candidate.history.instants[static_cast<std::size_t>(mode.instant)];
     candidate.history.instants = {instant};
@@ -171,6 +173,7 @@ void take(const PartJob& job, BucklingModel& model, int degree,
                                                       check.toppling->factor)) {
       check.toppling = candidate.toppling;
     }
+    check.position_is_open |= candidate.is_open;
     if (!candidate.is_motion) continue;
     double& least = check.result.of_motions[candidate.set];
     least = std::min(least, candidate.factor);

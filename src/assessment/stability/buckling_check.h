@@ -32,6 +32,9 @@ struct BucklingCheck {
   /// By the lowest degree, of the load set with the largest yield.
   elasticity::BucklingMode::OnSprings on_springs;
   std::optional<Toppling> toppling;
+  /// Loads push it out of its position but for force elements that do not
+  /// count.
+  bool position_is_open = false;
   double seconds{};
 };
 

@@ -312,8 +312,9 @@ BucklingMode::OnSprings on_springs(const StressedPart& part,
   std::vector<Apart> found;
   for (const Index i : springs.instants()) {
     Apart apart = own(i);
-    if (apart.own < kCounts) continue;
+    if (apart.own < kCounts && !springs.stands()) continue;
     apart.springs = springs.of_rigid(i, space.form_of_rigid(i));
+    if (apart.own + apart.springs < kCounts) continue;
     if (apart.springs < 1.0) found.push_back(apart);
   }
   std::ranges::sort(found, std::greater{}, [](const Apart& apart) {
@@ -364,7 +365,7 @@ BucklingMode lowest_buckling(const BucklingProblem& problem) {
   BucklingMode mode = lowest_of_all(part, space);
   const BucklingOnSprings springs(problem, part);
   mode.on_springs = on_springs(part, springs, space);
-  mode.topples = springs.topples(space.form_of_rigid(part.instants() - 1));
+  mode.position = springs.position(space.form_of_rigid(part.instants() - 1));
   return mode;
 }
 

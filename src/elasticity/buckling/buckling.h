@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include <Eigen/Core>
 
 #include "elasticity/buckling/buckling_on_springs.h"
@@ -23,8 +21,8 @@ struct BucklingMode {
   /// 1/λ each at the instant with the largest: of the part as its hold has it,
   /// of it as rigid on springs of its mechanism, and of it on these. Sets of
   /// springs that the loads push over by themselves do not count, for the
-  /// mechanism moves so; nor do instants at which the part's own is below a
-  /// tenth: first order is enough for it.
+  /// mechanism moves so; nor do instants at which both are below a tenth, or,
+  /// of a part that moves, its own: first order is enough for it.
   struct OnSprings {
     double own{}, springs{};
     BucklingOnSprings::Together together = {};
@@ -43,8 +41,7 @@ struct BucklingMode {
     }
   };
   OnSprings on_springs;
-  /// See BucklingOnSprings::topples().
-  std::optional<double> topples;
+  BucklingOnSprings::Position position = {};
   double residual{};  ///< ‖(−K⁻¹ K_G − 1/λ) φ‖_K λ: its square is λ's error
 };
 

@@ -95,28 +95,31 @@ double BucklingOnSprings::of_rigid(Index instant, const MatrixXd& form) const {
   return std::max(0.0, pushed.eigenvalues().maxCoeff());
 }
 
-std::optional<double> BucklingOnSprings::topples(const MatrixXd& form) const {
+BucklingOnSprings::Position BucklingOnSprings::position(
+    const MatrixXd& form) const {
   constexpr double kPushes = 1e-3;  // of what the loads bring to any motion
-  if (!stands_) return std::nullopt;
+  if (!stands_) return {};
   const Index last = std::ssize(history_.instants) - 1;
   const loads::SeatHold hold = hold_at(last);
-  if (hold.swinging || !hold.left_out.empty() || hold.is_pressed_meanwhile) {
-    return std::nullopt;
-  }
   const MatrixXd left = left_by(conditions(hold, motions_));
-  if (left.cols() == 0) return std::nullopt;
-  MatrixXd unsprung = left;
-  if (hold.sprung.cols() > 0) {
-    unsprung = left * left_by(hold.sprung.transpose() * motions_ * left);
-  }
-  if (unsprung.cols() > 0) {
+  const auto is_pushed = [&](const MatrixXd& motions) {
+    if (motions.cols() == 0) return false;
     const Eigen::SelfAdjointEigenSolver<MatrixXd> pushed(
-        unsprung.transpose() * form * unsprung, Eigen::EigenvaluesOnly);
-    if (pushed.eigenvalues().maxCoeff() > kPushes * form.norm()) return 0.0;
+        motions.transpose() * form * motions, Eigen::EigenvaluesOnly);
+    return pushed.eigenvalues().maxCoeff() > kPushes * form.norm();
+  };
+  if (hold.swinging || !hold.left_out.empty() || hold.is_pressed_meanwhile) {
+    return {.is_open = is_pushed(left)};
+  }
+  const bool is_sprung = hold.sprung.cols() > 0 && left.cols() > 0;
+  if (is_pushed(is_sprung
+                    ? left * left_by(hold.sprung.transpose() * motions_ * left)
+                    : left)) {
+    return {.topples = 0.0};
   }
   const double yield = of_rigid(last, form);
-  if (yield < 1.0) return std::nullopt;
-  return 1.0 / yield;
+  if (yield < 1.0) return {};
+  return {.topples = 1.0 / yield};
 }
 
 /// Rigid motions and shapes, which grow.

@@ -29,12 +29,19 @@ class BucklingOnSprings {
   double of_rigid(Eigen::Index instant, const Eigen::MatrixXd& form) const;
 
   bool is_sprung(Eigen::Index instant) const;
-  /// Of a part that stands while its motion lasts: the factor of the loads at
-  /// its end, below 1, under which these push it out of its position, 0 where
-  /// nothing but inertia holds it; absent: they do not, or it moves, or what
-  /// holds it is not known [1].
+  /// Whether the part keeps its direction while its motion lasts.
+  bool stands() const { return stands_; }
+  /// How its loads leave a part that stands while its motion lasts.
+  struct Position {
+    /// Factor of the loads at the motion's end, below 1, under which these push
+    /// it out of its position, 0 where nothing but inertia holds it; absent:
+    /// they do not, or it moves [1].
+    std::optional<double> topples = std::nullopt;
+    /// They do but for force elements that do not count here.
+    bool is_open = false;
+  };
   /// @param form  as of of_rigid(), at the last instant.
-  std::optional<double> topples(const Eigen::MatrixXd& form) const;
+  Position position(const Eigen::MatrixXd& form) const;
 
   struct Together {
     double yield{};  ///< 1/λ of the part on its springs [1]
