@@ -35,31 +35,29 @@ NeighboursOverMotion::NeighboursOverMotion(
       seats_(std::move(seats)),
       acting_(std::move(acting)),
       places_(std::move(places)) {
+  for (std::size_t e = 0; e < definition_.elements.size(); ++e) {
+    if (properties(definition_.elements[e]).presses &&
+        std::ranges::any_of(places_, [&](const Place& place) {
+          return lets_go(place.instant, e);
+        })) {
+      letting_go_.push_back(e);
+    }
+  }
   leave_out_what_lets_go(neighbours_);
 }
 
 NeighboursOverMotion::~NeighboursOverMotion() = default;
 
-bool NeighboursOverMotion::lets_go_once(std::size_t element) const {
-  return properties(definition_.elements[element]).presses &&
-         std::ranges::any_of(places_, [&](const Place& place) {
-           return lets_go(place.instant, element);
-         });
-}
-
 void NeighboursOverMotion::leave_out_what_lets_go(
     mechanism::Neighbours& neighbours) const {
-  for (std::size_t e = 0; e < definition_.elements.size(); ++e) {
-    if (lets_go_once(e)) neighbours.leave_out(e);
-  }
+  for (const std::size_t e : letting_go_) neighbours.leave_out(e);
 }
 
 bool NeighboursOverMotion::presses_meanwhile(
     const mechanism::Instant& instant) const {
-  for (std::size_t e = 0; e < definition_.elements.size(); ++e) {
-    if (lets_go_once(e) && !lets_go(instant, e)) return true;
-  }
-  return false;
+  return std::ranges::any_of(letting_go_, [&](std::size_t e) {
+    return !lets_go(instant, e);
+  });
 }
 
 struct NeighboursOverMotion::Stuck {

@@ -47,8 +47,6 @@ class NeighboursOverMotion {
   struct Stuck;
 
   SeatGains found_gains(const Place& place) const;
-  /// A force element that presses, at some instant not.
-  bool lets_go_once(std::size_t element) const;
   bool presses_meanwhile(const mechanism::Instant& instant) const;
   void leave_out_what_lets_go(mechanism::Neighbours& neighbours) const;
   const mechanism::Neighbours& held_at(const mechanism::Instant& instant);
@@ -56,6 +54,7 @@ class NeighboursOverMotion {
   mechanism::MechanismDefinition definition_;
   mechanism::Neighbours neighbours_;
   std::vector<Seat> seats_;
+  std::vector<std::size_t> letting_go_;  ///< press, but not always
   std::vector<mechanism::LoadPlace> acting_;
   std::vector<Place> places_;
   std::mutex mutex_;
