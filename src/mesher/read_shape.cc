@@ -1,6 +1,7 @@
 #include "mesher/read_shape.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
@@ -13,6 +14,7 @@
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Reader.hxx>
+#include <StepGeom_CartesianPoint.hxx>
 #include <StepShape_Face.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
@@ -22,6 +24,7 @@
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <fmt/format.h>
 
 #include "base/messages/errors.h"
 
@@ -30,7 +33,12 @@ namespace {
 
 constexpr double kMillimetre = 1e-3;  // [m]
 
-[[noreturn]] void refuse(const cad::Request& request, const char* problem) {
+/// Coordinate [unit of the file] behind which doubles no longer resolve the
+/// tolerance of OpenCASCADE, 1e-7: it would search without end.
+constexpr double kFarthest = 1e8;
+
+[[noreturn]] void refuse(const cad::Request& request,
+                         const std::string& problem) {
   throw Error("M010", request.file.string(), problem,
               "Export it again as one solid, and look at it in a CAD system.");
 }
@@ -69,12 +77,49 @@ std::vector<std::pair<TopoDS_Shape, std::string>> labels_of(
   return labels;
 }
 
+/// Largest coordinate of a point [unit of the file], infinite if one is no
+/// number.
+double farthest_coordinate(const StepGeom_CartesianPoint& point) {
+  double farthest = 0.0;
+  for (int i = 1; i <= point.NbCoordinates(); ++i) {
+    const double coordinate = std::abs(point.CoordinatesValue(i));
+    farthest =
+        std::max(farthest, std::isfinite(coordinate) ? coordinate : INFINITY);
+  }
+  return farthest;
+}
+
+/// @throws Error M010 if a point of the file has no coordinates that are
+///   numbers, or lies too far out.
+void require_sound_points(const STEPControl_Reader& reader,
+                          const cad::Request& request) {
+  const auto model = reader.WS()->Model();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto point =
+        Handle(StepGeom_CartesianPoint)::DownCast(model->Value(i));
+    if (point.IsNull()) continue;
+    const std::string entity = model->StringLabel(point)->ToCString();
+    const double farthest = farthest_coordinate(*point);
+    if (model->IsErrorEntity(i) || !std::isfinite(farthest)) {
+      refuse(request,
+             fmt::format("a coordinate of point {} is not a number", entity));
+    }
+    if (farthest > kFarthest) {
+      refuse(request,
+             fmt::format("point {} has a coordinate of {:.3g} in the file's "
+                         "unit, {:.0e} is the most",
+                         entity, farthest, kFarthest));
+    }
+  }
+}
+
 ReadShape read_step(const cad::Request& request) {
   STEPControl_Reader reader;
   take_millimetres();
   if (reader.ReadFile(request.file.c_str()) != IFSelect_RetDone) {
     refuse(request, "OpenCASCADE cannot read the STEP file: it is damaged");
   }
+  require_sound_points(reader, request);
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.FileUnits(lengths, angles, solid_angles);
   reader.TransferRoots();
