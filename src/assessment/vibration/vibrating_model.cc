@@ -240,7 +240,12 @@ template <int dim>
 VibratingAnswer<dim> VibratingModel<dim>::answer(int count,
                                                  const dynamics::LoadPath& path,
                                                  Fronts fronts) {
-  const auto shapes = part_.shapes(count);
+  if (count != count_) {
+    shapes_ = part_.shapes(count);
+    points_.clear();
+    count_ = count;
+  }
+  const auto& shapes = shapes_;
   const VectorXd hertz = shapes.squares.cwiseSqrt() / (2.0 * std::numbers::pi);
   VibratingAnswer<dim> found;
   found.shapes = static_cast<int>(hertz.size());
@@ -265,7 +270,8 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(int count,
   found.basis.coefficients =
       found.basis.coefficients(Eigen::all, times_to_look_at(moving.time))
           .eval();
-  const auto points = points_near_peak(found.basis);
+  if (points_.empty()) points_ = points_near_peak(found.basis);
+  const auto& points = points_;
   if (points.empty()) return found;  // the zones are all there is
   const auto& discretization = found.basis.discretization;
   const stress::PointStress<dim> near(discretization, rest_.job().part.material,

@@ -114,6 +114,10 @@ class VibratingModel {
   const RestingModel<dim>& rest_;
   const VibrationTimes& times_;
   elasticity::LoadVibration<dim> part_;
+  int count_ = 0;  ///< wanted of shapes_
+  typename elasticity::LoadVibration<dim>::Shapes shapes_;
+  /// Points near their peak, under the first path that was asked for.
+  std::vector<stress::FieldPoint> points_;
 };
 
 }  // namespace clevis::assessment

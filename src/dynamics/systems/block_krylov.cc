@@ -53,26 +53,27 @@ BlockKrylov::BlockKrylov(SelfAdjoint system, const MatrixXd& start,
       projection_(0, 0) {
   MatrixXd block = start;
   double scale = 0.0;
-  orthogonalise(block, &scale);
+  orthogonalise(block, scale);
   append(block, scale);
 }
 
-MatrixXd BlockKrylov::orthogonalise(MatrixXd& block, double* scale) const {
-  MatrixXd components = MatrixXd::Zero(columns_, block.cols());
-  for (int pass = 0; pass < 2; ++pass) {
-    const MatrixXd weighted = system_.product(block);
-    if (pass == 0 && scale != nullptr) {
-      *scale = block.cwiseProduct(weighted).colwise().sum().maxCoeff();
-    }
-    if (deflated_.cols() > 0) {
-      block -= deflated_ * (deflated_.transpose() * weighted);
-    }
-    if (columns_ == 0) continue;
-    const auto space = basis_.leftCols(columns_);
-    const MatrixXd inside = space.transpose() * weighted;
-    block -= space * inside;
-    components += inside;
+MatrixXd BlockKrylov::take_out(MatrixXd& block,
+                               const MatrixXd& weighted) const {
+  if (deflated_.cols() > 0) {
+    block -= deflated_ * (deflated_.transpose() * weighted);
   }
+  const auto space = basis_.leftCols(columns_);
+  MatrixXd inside = space.transpose() * weighted;
+  if (columns_ > 0) block -= space * inside;
+  return inside;
+}
+
+MatrixXd BlockKrylov::orthogonalise(MatrixXd& block, double& scale) const {
+  MatrixXd weighted = system_.product(block);
+  scale = block.cwiseProduct(weighted).colwise().sum().maxCoeff();
+  MatrixXd components = take_out(block, weighted);
+  weighted = system_.product(block);
+  components += take_out(block, weighted);
   return components;
 }
 
@@ -87,7 +88,7 @@ bool BlockKrylov::settle(const MatrixXd& columns, MatrixXd& column,
   if (columns.cols() == 0 && !system_.admitted) return true;
   for (int pass = 0; pass < kMost; ++pass) {
     if (system_.admitted) column = system_.admitted(column);
-    orthogonalise(column, nullptr);
+    take_out(column, system_.product(column));
     if (columns.cols() > 0)
       column -= columns * (weighted_.transpose() * column);
     image = system_.product(column);
@@ -136,7 +137,7 @@ void BlockKrylov::extend() {
   const Index width = columns_ - done_;
   MatrixXd image = system_.apply(basis_.middleCols(before, width), weighted_);
   double scale = 0.0;
-  const MatrixXd components = orthogonalise(image, &scale);  // all of the space
+  const MatrixXd components = orthogonalise(image, scale);  // all of the space
   done_ = columns_;
   if (done_ > projection_.cols()) {
     projection_.conservativeResize(2 * done_, 2 * done_);

@@ -61,8 +61,12 @@ class BlockKrylov {
 
  private:
   /// Takes out of `block` what lies in the space; returns the components.
-  /// @param scale  gets the largest square of a column in M, before; or null.
-  Eigen::MatrixXd orthogonalise(Eigen::MatrixXd& block, double* scale) const;
+  /// @param weighted  M block.
+  Eigen::MatrixXd take_out(Eigen::MatrixXd& block,
+                           const Eigen::MatrixXd& weighted) const;
+  /// The same twice.
+  /// @param scale  gets the largest square of a column in M, before.
+  Eigen::MatrixXd orthogonalise(Eigen::MatrixXd& block, double& scale) const;
   bool settle(const Eigen::MatrixXd& columns, Eigen::MatrixXd& column,
               Eigen::MatrixXd& image) const;
   /// M-orthonormal columns that span the block's, which are the next of the

@@ -1,8 +1,17 @@
 #include "dynamics/systems/updated_factor.h"
 
+#include <utility>
+
 #include <Eigen/Cholesky>
 
 namespace clevis::dynamics {
+namespace {
+
+/// Norm over that before an update: what is left of a column that the update
+/// takes most of has lost as many digits.
+constexpr double kLittle = 1e-3;
+
+}  // namespace
 
 using Eigen::MatrixXd;
 
@@ -14,14 +23,21 @@ BlockOperator updated_factor(const BlockOperator& solve,
   between.diagonal().array() += 1.0 / weight;
   const Eigen::LLT<MatrixXd> inner(between);
   const auto once = [solve, answers, inner, columns](const MatrixXd& b) {
-    MatrixXd x = solve(b);
-    x -= answers * inner.solve(columns.transpose() * x);
-    return x;
+    struct {
+      MatrixXd x;
+      bool is_sharp;
+    } found{solve(b), true};
+    const Eigen::VectorXd before = found.x.colwise().norm();
+    found.x -= answers * inner.solve(columns.transpose() * found.x);
+    found.is_sharp = (found.x.colwise().norm().transpose().array() >=
+                      kLittle * before.array())
+                         .all();
+    return found;
   };
   return [once, product](const MatrixXd& b) -> MatrixXd {
-    MatrixXd x = once(b);
-    x += once(b - product(x));
-    return x;
+    auto [x, is_sharp] = once(b);
+    if (!is_sharp) x += once(b - product(x)).x;
+    return std::move(x);
   };
 }
 

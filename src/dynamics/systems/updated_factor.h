@@ -6,8 +6,8 @@
 
 namespace clevis::dynamics {
 
-/// B -> (A + weight C Cᵀ)⁻¹ B from A⁻¹ by [Woodbury1950], refined once: what is
-/// added may leave little of a rigid motion that is large in A⁻¹.
+/// B -> (A + weight C Cᵀ)⁻¹ B from A⁻¹ by [Woodbury1950], refined once where
+/// what is added leaves little of a rigid motion that is large in A⁻¹.
 /// @param solve    B -> A⁻¹ B. @param columns  C, size × few [√kg], [√(N/m)].
 /// @param weight   of C Cᵀ [1/s²] or [1].
 /// @param product  X -> (A + weight C Cᵀ) X.
