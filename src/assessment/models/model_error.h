@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "assessment/job/part_job.h"
@@ -44,9 +45,16 @@ struct ThicknessChoice {
 
 /// The fewest terms whose peak differs from those with one and with two more
 /// by less than `allowed` [1] of it; the highest number of terms if none does.
-/// One more alone may agree by chance.
+/// One more alone may agree by chance. More terms, compared by a higher degree,
+/// where pressures have a kink within the thickness.
+/// @param is_pressed_through  as of PlateShape.
 ThicknessChoice choose_terms(const PartJob& job, const mesh::PartMesh<2>& plate,
                              const std::vector<LoadSet>& governing,
-                             double allowed);
+                             bool is_pressed_through, double allowed);
+
+/// What a plate's few layers of hexahedra miss of pressures with a kink within
+/// the thickness: as much as their terms do; over the peak [1].
+double kink_error(const PartJob& job, const mesh::PartMesh<2>& plate,
+                  const std::vector<LoadSet>& governing, std::size_t layers);
 
 }  // namespace clevis::assessment

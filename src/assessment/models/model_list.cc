@@ -52,7 +52,7 @@ const std::array<Model, kModels.size()> kList = {
       .next_may_help = never},
      {.traits = traits_of(ModelKind::kSolid),
       .why_not = why_not_solid,
-      .settings = own_settings,
+      .settings = solid_settings,
       .make = solid_model,
       .error = no_error,
       .next_may_help = never}}};
@@ -97,7 +97,8 @@ bool solid_is_quicker(const PartShape& shape) {
   for (const LoadSet& set : shape.job().load_sets) {
     instants += set.history.instants.size();
   }
-  return instants <= kFew && shape.plate() && !why_not_solid(shape) &&
+  return instants <= kFew && shape.plate() &&
+         shape.plate()->is_pressed_through && !why_not_solid(shape) &&
          terms_cost_more(shape.job(), shape.plate()->quadrangles);
 }
 

@@ -1,6 +1,8 @@
 #include "assessment/models/part_shape.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -75,6 +77,73 @@ bool is_loaded_in_plane(const mesh::PartMesh<2>& plate, const PartJob& job) {
   });
 }
 
+/// What presses on a seat along a plate's thickness, p(s) = p₀ + s p₁, s from
+/// the mid-plane [N/m], as of BearingTraction.
+struct ThroughThickness {
+  double mean{};  ///< |p₀|
+  double ends{};  ///< |p₁| times half the thickness
+
+  double largest() const { return mean + ends; }
+};
+
+ThroughThickness through_thickness(const loads::Seat& seat,
+                                   const loads::Wrench& wrench,
+                                   const mesh::PartMesh<2>& plate) {
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const double above = seat.p_LS.z() - plate.mid_plane_z;
+  const Eigen::Vector3d moment =
+      wrench.moment + (above * z).cross(wrench.force);
+  const double t = plate.thickness;
+  return {wrench.force.head<2>().norm() / t,
+          6.0 * moment.cross(z).norm() / (t * t)};
+}
+
+/// Whether a slide's counterpart ends within the thickness.
+bool ends_within(const loads::Seat& seat, const loads::ContactZone& zone,
+                 const mesh::PartMesh<2>& plate) {
+  constexpr double kFlat = 0.5, kSame = 1e-3;
+  if (!seat.slide) return false;
+  const std::array<double, 2> slopes = {seat.slide->along_L.z(),
+                                        seat.slide->across_L.z()};
+  for (int d = 0; d < 2; ++d) {
+    const double slope = slopes[static_cast<std::size_t>(d)];
+    if (std::abs(slope) < kFlat) continue;
+    const double above = seat.p_LS.z() - plate.mid_plane_z;
+    const double from = above + slope * zone.low[d],
+                 to = above + slope * zone.high[d];
+    const double half = (0.5 - kSame) * plate.thickness;
+    if (std::min(from, to) > -half || std::max(from, to) < half) return true;
+  }
+  return false;
+}
+
+bool presses(const loads::Seat& seat) {
+  return seat.kind == loads::SeatKind::kBearing ||
+         (seat.slide && seat.kind != loads::SeatKind::kMean);
+}
+
+/// As of PlateShape::is_pressed_through: pressures count from a tenth of the
+/// largest.
+bool is_pressed_through(const mesh::PartMesh<2>& plate, const PartJob& job) {
+  constexpr double kCounts = 0.1;
+  double largest = 0.0, largest_kinked = 0.0;
+  for (const LoadSet& set : job.load_sets) {
+    for (const loads::InstantLoad& load : set.history.instants) {
+      for (std::size_t s = 0; s < set.history.seats.size(); ++s) {
+        const loads::Seat& seat = set.history.seats[s];
+        const auto p = through_thickness(seat, load.wrenches[s], plate);
+        largest = std::max(largest, p.largest());
+        const bool is_kinked =
+            presses(seat) &&
+            (p.ends > p.mean ||
+             (!load.zones.empty() && ends_within(seat, load.zones[s], plate)));
+        if (is_kinked) largest_kinked = std::max(largest_kinked, p.largest());
+      }
+    }
+  }
+  return largest_kinked <= kCounts * largest;
+}
+
 std::optional<PlateShape> find_plate(const PartJob& job) {
   if (job.model == ModelKind::kSolid || has_bed(job)) return std::nullopt;
   auto plate = mesh::plate_mid_plane(job.mesh);
@@ -82,6 +151,7 @@ std::optional<PlateShape> find_plate(const PartJob& job) {
   PlateShape shape;
   shape.is_loaded_in_plane =
       !is_held_across(job) && is_loaded_in_plane(*plate, job);
+  shape.is_pressed_through = is_pressed_through(*plate, job);
   // Terms through the thickness stand on quadrangles.
   shape.quadrangles = plate->shape == mesh::CellShape::kSimplex
                           ? mesh::quadrangles_of(*plate)

@@ -13,6 +13,9 @@ struct PlateShape {
   mesh::PartMesh<2> mesh;         ///< the mid-plane
   mesh::PartMesh<2> quadrangles;  ///< the same, triangles cut into three
   bool is_loaded_in_plane{};      ///< and held in no other direction
+  /// No pin or slide that matters lifts off within the thickness, nor does a
+  /// slide's counterpart end there: pressures have no kink along it.
+  bool is_pressed_through{};
 };
 
 /// A part as its models see it. Each shape is found when first asked for.

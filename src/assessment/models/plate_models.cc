@@ -99,8 +99,9 @@ std::optional<ModelSettings> layered_settings(const PartShape& shape) {
   const PartJob& job = shape.job();
   ModelSettings settings;
   settings.governing = shape.governing();
-  const auto choice = choose_terms(job, shape.plate()->quadrangles,
-                                   settings.governing, kShare * job.tolerance);
+  const auto choice =
+      choose_terms(job, shape.plate()->quadrangles, settings.governing,
+                   shape.plate()->is_pressed_through, kShare * job.tolerance);
   settings.terms = choice.terms;
   settings.error = choice.model_error;
   return settings;
@@ -137,6 +138,8 @@ AnyFeModel layered_model(const PartShape& shape,
 }
 
 bool solid_may_help(const PartShape& shape, const PartResult& result) {
+  // A plate's hexahedra follow a kink less than terms do.
+  if (shape.plate() && !shape.plate()->is_pressed_through) return false;
   const PeakStress& peak = result.peak;
   return peak.verdict != PeakVerdict::kSingular &&
          !(peak.model_error < shape.job().tolerance * peak.value);

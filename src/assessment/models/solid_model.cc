@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "assessment/job/part_zones.h"
+#include "assessment/models/model_error.h"
 #include "elasticity/direct/dissection.h"
 #include "elasticity/solid/solid_solve.h"
 
@@ -65,6 +66,22 @@ std::optional<std::string> why_not_solid(const PartShape& shape) {
   return std::nullopt;
 }
 
+std::optional<ModelSettings> solid_settings(const PartShape& shape) {
+  ModelSettings settings{.error = 0.0};
+  const PartJob& job = shape.job();
+  if (job.model != ModelKind::kSolid) return settings;
+  PartJob free_choice = job;
+  free_choice.model.reset();
+  const PartShape as_plate(free_choice);
+  const auto& plate = as_plate.plate();
+  if (plate && !plate->is_pressed_through) {
+    settings.error =
+        kink_error(free_choice, plate->quadrangles, as_plate.governing(),
+                   job.mesh.cells.size() / plate->mesh.cells.size());
+  }
+  return settings;
+}
+
 FeModel<3> solid_model(const mesh::PartMesh<3>& mesh) {
   constexpr const ModelTraits& kSolid = traits_of(ModelKind::kSolid);
   FeModel<3> model;
@@ -80,7 +97,7 @@ FeModel<3> solid_model(const mesh::PartMesh<3>& mesh) {
   return model;
 }
 
-AnyFeModel solid_model(const PartShape& shape, const ModelSettings&) {
+AnyFeModel solid_model(const PartShape& shape, const ModelSettings& settings) {
   const PartJob& job = shape.job();
   FeModel<3> model = solid_model(job.mesh);
   if (mesh_comes_first(job)) {
@@ -89,6 +106,7 @@ AnyFeModel solid_model(const PartShape& shape, const ModelSettings&) {
   } else {
     leave_out_what_takes_minutes(model);
   }
+  model.model_error = settings.error.value_or(0.0);
   model.zones = [&job](const LoadSet& set) {
     return part_zones<3>(job, job.mesh, set);
   };

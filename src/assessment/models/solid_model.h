@@ -13,6 +13,9 @@ namespace clevis::assessment {
 /// Supports of the plane alone leave a part free to leave it. Where 3-D is
 /// asked for, the solver says so (F001).
 std::optional<std::string> why_not_solid(const PartShape& shape);
+/// The error of a plate's few layers where 3-D is asked for and pressures have
+/// a kink within them.
+std::optional<ModelSettings> solid_settings(const PartShape& shape);
 AnyFeModel solid_model(const PartShape& shape, const ModelSettings& settings);
 
 /// @param mesh  outlives the model.

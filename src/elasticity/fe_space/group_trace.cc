@@ -53,12 +53,13 @@ const FaceTable<dim>& whole_face_table(
   if (const auto found = tables.find(face); found != tables.end()) {
     return found->second;
   }
-  // More points than the degree needs, for the kink of a bearing pressure;
-  // the rest of its error is taken out by the discrete balance.
+  // More points than the degree needs, for the kinks of a bearing pressure:
+  // round the bore, and through a plate where its pin tilts. The rest of their
+  // error is taken out by the discrete balance.
   const int p = discretization.degree;
   const int q = discretization.thickness_degree;
   const bool plate = dim == 2 || discretization.is_layer;
-  const Degree points = {p + (plate ? 28 : 4), q + (plate ? 2 : 4)};
+  const Degree points = {p + (plate ? 28 : 4), q + (plate ? 10 : 4)};
   FaceTable<dim>& table = tables[face];
   table.rule = face_gauss<dim>(discretization.shape, face, points);
   tabulate(discretization, table);

@@ -1,7 +1,9 @@
 #include "loads/seats/force_places.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -19,10 +21,12 @@ struct Attack {
   Vector3d force;  ///< [N]
   Vector3d point;  ///< [m]
 
-  /// Distance of the line of action from a point [m].
-  double distance_from(const Vector3d& p) const {
-    return (p - point).cross(force.normalized()).norm();
+  /// From the line of action to a point [m].
+  Vector3d to(const Vector3d& p) const {
+    const Vector3d along = force.normalized();
+    return p - point - along.dot(p - point) * along;
   }
+  double distance_from(const Vector3d& p) const { return to(p).norm(); }
 };
 
 std::vector<Attack> attacks_on(const SeatContext& context,
@@ -82,6 +86,22 @@ const GroupGeometry* group_at(const SeatContext& context, const Vector3d& p) {
              : nullptr;
 }
 
+/// Of a force that meets a bore's axis away from the middle of its length.
+std::optional<std::string> off_middle_note(const std::string& name,
+                                           const GroupGeometry& group,
+                                           const Attack& attack) {
+  constexpr double kSmall = 0.02;  // of the length, as of a joint
+  if (!group.is_cylinder) return std::nullopt;
+  const part::Bore& bore = group.cylinder;
+  const double along = std::abs(attack.to(bore.p_LC).dot(bore.axis_L));
+  if (along <= kSmall * bore.length) return std::nullopt;
+  return fmt::format(
+      "force {} acts {:.4g} mm from the middle of \"{}\" along its axis "
+      "({:.3g} % of its length): it bends the part across; if that is not "
+      "meant, correct its point",
+      name, along * 1e3, group.name, 100.0 * along / bore.length);
+}
+
 }  // namespace
 
 std::vector<std::string> off_face_notes(const SeatContext& context,
@@ -97,9 +117,14 @@ std::vector<std::string> off_face_notes(const SeatContext& context,
         farthest_from(seat.seat.p_LS, attacks_on(context, seat, motion));
     if (size == 0.0 || !attack) continue;
     const double distance = attack->distance_from(seat.seat.p_LS);
-    if (distance <= size) continue;
     const std::string name =
         mechanism::name_of(context.definition.elements[seat.index]);
+    if (distance <= size) {
+      if (auto note = off_middle_note(name, *group, *attack)) {
+        notes.push_back(std::move(*note));
+      }
+      continue;
+    }
     const GroupGeometry* at_point = group_at(context, attack->point);
     notes.push_back(fmt::format(
         "force {} passes \"{}\" {:.4g} mm from its middle, and the face is "

@@ -356,8 +356,8 @@ std::vector<std::string> off_middle_notes(const SeatContext& context,
     if (pair.slides || along <= kSmall * pair.cylinder.length) continue;
     notes.push_back(fmt::format(
         "joint {} stands {:.4g} mm from the middle of \"{}\" along its axis "
-        "({:.3g} % of its length): its force bends the part across; if that "
-        "is not meant, move the mesh or the joint",
+        "({:.3g} % of its length): its force may bend the part across; if "
+        "that is not meant, move the mesh or the joint",
         pair.name, along * 1e3, pair.group,
         100.0 * along / pair.cylinder.length));
   }

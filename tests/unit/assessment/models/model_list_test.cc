@@ -110,6 +110,89 @@ TEST(ModelList, SupportsAndLoadsDecideWhatSuits) {
   EXPECT_EQ(words_for(job), (Words{"3d"}));
 }
 
+/// The ring with a pin in its bore, in L about the bore's middle [N], [N m].
+PartJob pinned_ring(const loads::Wrench& wrench) {
+  PartJob job = pressed_ring();
+  LoadSet set;
+  set.history.seats = {{.name = "P",
+                        .group = "x0",
+                        .kind = loads::SeatKind::kBearing,
+                        .p_LS = {0.0, 0.0, 0.01}},
+                       {.name = "M",
+                        .group = "x1",
+                        .kind = loads::SeatKind::kTraction,
+                        .p_LS = {0.0, 0.0, 0.01}}};
+  set.history.instants.push_back(
+      {.label = "pull", .wrenches = {wrench, {-wrench.force, -wrench.moment}}});
+  job.load_sets = {set};
+  return job;
+}
+
+bool is_pressed_through(const PartJob& job) {
+  const PartShape shape(job);
+  return shape.plate()->is_pressed_through;
+}
+
+// 20 mm thick: a force along x lifts off from 20 mm / 6 off the middle.
+TEST(PlateShape, APinThatTiltsLiftsOffWithinTheThickness) {
+  const Vector3d force(1e3, 0.0, 0.0);
+  const auto off_middle = [&](double z) {
+    return pinned_ring({force, Vector3d(0.0, 0.0, z).cross(force)});
+  };
+  EXPECT_TRUE(is_pressed_through(off_middle(0.0)));
+  EXPECT_TRUE(is_pressed_through(off_middle(3.3e-3)));
+  EXPECT_FALSE(is_pressed_through(off_middle(3.4e-3)));
+  EXPECT_FALSE(is_pressed_through(off_middle(-3.4e-3)));
+  // The moment is about the seat's own point.
+  PartJob moved = off_middle(3.4e-3);
+  moved.load_sets[0].history.seats[0].p_LS.z() = 0.0134;
+  moved.load_sets[0].history.instants[0].wrenches[0].moment.setZero();
+  EXPECT_FALSE(is_pressed_through(moved));
+  // A welded face pulls as it presses.
+  PartJob welded = off_middle(3.4e-3);
+  welded.load_sets[0].history.seats[0].kind = loads::SeatKind::kTraction;
+  EXPECT_TRUE(is_pressed_through(welded));
+}
+
+TEST(PlateShape, LoadsBelowATenthOfTheLargestDoNotLiftOff) {
+  const Vector3d small(10.0, 0.0, 0.0);
+  PartJob job = pinned_ring({small, Vector3d(0.0, 0.05, 0.0)});
+  EXPECT_FALSE(is_pressed_through(job));
+  auto& instants = job.load_sets[0].history.instants;
+  instants.push_back(pinned_ring({Vector3d(1e3, 0.0, 0.0), Vector3d::Zero()})
+                         .load_sets[0]
+                         .history.instants[0]);
+  EXPECT_TRUE(is_pressed_through(job));
+}
+
+TEST(PlateShape, ASlideMayEndWithinTheThickness) {
+  PartJob job = pinned_ring({Vector3d(1e3, 0.0, 0.0), Vector3d::Zero()});
+  LoadSet& set = job.load_sets[0];
+  set.history.seats[0].slide = loads::SlideWall{
+      Vector3d::UnitZ(), Vector3d::UnitY(), Vector3d::UnitX(), ""};
+  loads::ContactZone zone;
+  set.history.instants[0].zones = {zone, {}};
+  EXPECT_TRUE(is_pressed_through(job));
+  set.history.instants[0].zones[0].low[0] = -5e-3;
+  EXPECT_FALSE(is_pressed_through(job));
+  set.history.instants[0].zones[0].low[0] = -10e-3;
+  EXPECT_TRUE(is_pressed_through(job));
+}
+
+// Hexahedra in one layer follow a kink less than terms do.
+TEST(ModelList, APlateWhosePinLiftsOffIsNotSolvedInSpace) {
+  const PartJob job =
+      pinned_ring({Vector3d(1e3, 0.0, 0.0), Vector3d(0.0, 20.0, 0.0)});
+  const PartShape shape(job);
+  const Model& layered = entry_of(ModelKind::kLayered);
+  PartResult open;
+  open.peak.value = 1.0;
+  open.peak.model_error = 1.0;
+  EXPECT_FALSE(layered.next_may_help(shape, open));
+  const PartJob even = pinned_ring({Vector3d(1e3, 0.0, 0.0), Vector3d::Zero()});
+  EXPECT_TRUE(layered.next_may_help(PartShape(even), open));
+}
+
 TEST(ModelList, ManyCellsOfAPlateAreSolvedInSpace) {
   PartJob job = pressed_ring();
   job.mesh = support::ring_mesh<3>({.inner = 0.02,

@@ -100,6 +100,20 @@ TEST(ForcePlaces, BesideTheMiddleButOnTheFaceIsNoMistake) {
   EXPECT_NE(notes[0].find("correct its point"), std::string::npos);
 }
 
+TEST(ForcePlaces, BesideTheMiddleOfABoresLengthIsTold) {
+  Lever lever;
+  EXPECT_TRUE(lever.notes({kAcross}, Vector3d(0.0, 0.0, 1.9e-4)).empty());
+  const auto notes = lever.notes({kAcross}, Vector3d(0.0, 0.3, 5e-3));
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0],
+            "force load acts 5 mm from the middle of \"bore_A\" along its axis "
+            "(50 % of its length): it bends the part across; if that is not "
+            "meant, correct its point");
+  // Along the axis it may be moved.
+  EXPECT_TRUE(
+      lever.notes({{0.0, 0.0, 500.0}}, Vector3d(0.0, 0.0, 5e-3)).empty());
+}
+
 // Where a small force of some instant points counts for nothing, nor does a
 // moment without a force.
 TEST(ForcePlaces, TheForcesThatCountAreLookedAt) {
