@@ -278,9 +278,9 @@ PartAssessment check_part(const PartJob& given) {
       rises) {
     bound_on_springs(buckling.on_springs, result);
   }
-  if (buckling.toppling) count_toppling(*buckling.toppling, result.buckling);
+  count_standing(buckling.standing, result.buckling);
   check_sharing(given, result);
-  note_left_out(job, buckling.position_is_open, result);
+  note_left_out(job, buckling.standing.position.is_open, result);
   judge(job.part, result);
   explain_unsettled(result);
   tell_first(part_notes(job), result);

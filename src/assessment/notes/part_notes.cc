@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "loads/history/balance.h"
 #include "mesh/cells/topology.h"
 
 namespace clevis::assessment {
@@ -124,17 +125,14 @@ void note_poissons_ratio(const part::Material& material, Notes& notes) {
       material.name, ratio));
 }
 
-/// As of mm/s² that were typed as m/s²; pistons and blows reach it, too.
 /// @param acceleration  minus gravity [m/s²].
 void note_acceleration(const std::string& load, double acceleration,
                        Notes& notes) {
-  constexpr double kEarth = 9.81;             // [m/s²]
-  constexpr double kLargest = 50.0 * kEarth;  // [m/s²]
-  if (acceleration <= kLargest) return;
+  if (acceleration <= loads::kHardAcceleration) return;
   notes.push_back(fmt::format(
       "{}: its acceleration minus gravity is {:.4g} m/s^2, {:.4g} times the "
       "earth's gravity: see that its unit is right",
-      load, acceleration, acceleration / kEarth));
+      load, acceleration, acceleration / loads::kEarthGravity));
 }
 
 void note_series(const part::LoadSeries& series, Notes& notes) {

@@ -42,8 +42,7 @@ struct Candidate {
   double factor{};                                      ///< likewise
   double stiffening{};  ///< of BucklingMode, over all instants
   BucklingMode::OnSprings on_springs = {};  ///< likewise
-  std::optional<Toppling> toppling = {};
-  bool is_open = false;  ///< of BucklingOnSprings::Position
+  Standing standing = {};
 };
 
 /// A hold where its slides are at an instant.
@@ -79,11 +78,8 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
         .highest = highest};
     model.factor(set, problem);
     auto mode = elasticity::lowest_buckling(problem);
-    if (mode.position.topples) {
-      const auto& last = candidate.history.instants.back();
-      candidate.toppling = {*mode.position.topples, last.label, last.time};
-    }
-    candidate.is_open |= mode.position.is_open;
+    const auto& last = candidate.history.instants.back();
+    candidate.standing.take({mode.position, last.label, last.time});
     const auto instant =
         candidate.history.instants[static_cast<std::size_t>(mode.instant)];
     candidate.history.instants = {instant};
@@ -169,11 +165,7 @@ void take(const PartJob& job, BucklingModel& model, int degree,
     if (candidate.on_springs.yield() > check.on_springs.yield()) {
       check.on_springs = candidate.on_springs;
     }
-    if (candidate.toppling && (!check.toppling || candidate.toppling->factor <
-                                                      check.toppling->factor)) {
-      check.toppling = candidate.toppling;
-    }
-    check.position_is_open |= candidate.is_open;
+    check.standing.take(candidate.standing);
     if (!candidate.is_motion) continue;
     double& least = check.result.of_motions[candidate.set];
     least = std::min(least, candidate.factor);
@@ -427,16 +419,27 @@ bool count_springs(const PartJob& job, const BucklingMode::OnSprings& on,
   return true;
 }
 
-void count_toppling(const Toppling& toppling, BucklingResult& result) {
+void Standing::take(const Standing& other) {
+  const auto& [topples, is_open] = other.position;
+  position.is_open |= is_open;
+  if (!topples || (position.topples && *position.topples <= *topples)) return;
+  position.topples = topples;
+  label = other.label;
+  instant = other.instant;
+}
+
+void count_standing(const Standing& standing, BucklingResult& result) {
+  if (!standing.position.topples) return;
+  const double factor = *standing.position.topples;
   // Springs and the part itself yield in series (Southwell).
-  result.band_low = toppling.factor > 0.0 && result.factor
-                        ? 1.0 / (1.0 / toppling.factor + 1.0 / result.band_low)
+  result.band_low = factor > 0.0 && result.factor
+                        ? 1.0 / (1.0 / factor + 1.0 / result.band_low)
                         : 0.0;
-  result.factor = result.band_high = toppling.factor;
-  result.label = toppling.label;
-  result.instant = toppling.instant;
+  result.factor = result.band_high = factor;
+  result.label = standing.label;
+  result.instant = standing.instant;
   result.remark =
-      toppling.factor > 0.0
+      factor > 0.0
           ? "springs and servo axes alone hold it where it stands, and its "
             "loads push them over: the position is not stable"
           : "nothing holds it where it stands, and its loads push it over: the "

@@ -13,11 +13,14 @@ namespace clevis::assessment {
 /// Of a factor from which on first order theory is enough: EN 1993-1-1, 5.2.1.
 constexpr double kFirstOrderIsEnough = 10.0;
 
-/// Loads push a part that stands out of its position.
-struct Toppling {
-  double factor{};    ///< of the loads, below 1; 0: nothing holds it [1]
-  std::string label;  ///< of the instant
+/// How loads leave a part that stands while its motion lasts.
+struct Standing {
+  elasticity::BucklingOnSprings::Position position;
+  std::string label;  ///< of the motion's last instant
   double instant{};   ///< [s]
+
+  /// Of several load sets: that with the least factor, open if one is.
+  void take(const Standing& other);
 };
 
 /// Linear buckling of the part, and its shape.
@@ -31,10 +34,7 @@ struct BucklingCheck {
   double of_lowest_degree{};
   /// By the lowest degree, of the load set with the largest yield.
   elasticity::BucklingMode::OnSprings on_springs;
-  std::optional<Toppling> toppling;
-  /// Loads push it out of its position but for force elements that do not
-  /// count.
-  bool position_is_open = false;
+  Standing standing;
   double seconds{};
 };
 
@@ -61,9 +61,9 @@ bool count_springs(const PartJob& job,
                    const elasticity::BucklingMode::OnSprings& on,
                    double of_lowest_degree, BucklingResult& result);
 
-/// The position has no more than the factor of toppling, however stiff the
-/// part.
-void count_toppling(const Toppling& toppling, BucklingResult& result);
+/// The part has no more than the factor of its position, however stiff it is;
+/// nothing changes where its loads do not push it over.
+void count_standing(const Standing& standing, BucklingResult& result);
 
 /// Of a part that joints hold more often than balance needs: its band goes on
 /// to the factor that it has if all hold.

@@ -71,6 +71,11 @@ Imbalance imbalance(const LoadHistory& history, const InstantLoad& instant,
 /// them; more is a load that was forgotten.
 inline constexpr double kLargestRelief = 1e-3;
 
+/// Accelerations above it are asked about, as of mm/s² that were typed as m/s²
+/// or a pin of the wrong sign; pistons and blows reach it, too [m/s²].
+inline constexpr double kEarthGravity = 9.81;
+inline constexpr double kHardAcceleration = 50.0 * kEarthGravity;
+
 /// Acceleration by which a free part balances a residual of its loads.
 RigidAcceleration relieving_acceleration(const Wrench& left,
                                          const part::MassProperties& mass);

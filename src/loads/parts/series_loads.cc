@@ -147,13 +147,13 @@ void balance(const LoadSeries& series, const part::MassProperties& mass,
         "inertia takes it up",
         series.name, text_of(rests[worst]), history.instants[worst].time));
   } else {
-    constexpr double kHard = 490.0;  // [m/s²], 50 times the earth's gravity
-    history.notes.push_back(fmt::format(
-        "history {}: its file has no accelerations; those that "
-        "balance its loads reach {:.4g} m/s^2 at the centre of "
-        "mass and {:.4g} rad/s^2{}",
-        series.name, fastest, spun_up,
-        fastest > kHard ? ": see that signs and units of its loads are right"
+    history.notes.push_back(
+        fmt::format("history {}: its file has no accelerations; those that "
+                    "balance its loads reach {:.4g} m/s^2 at the centre of "
+                    "mass and {:.4g} rad/s^2{}",
+                    series.name, fastest, spun_up,
+                    fastest > kHardAcceleration
+                        ? ": see that signs and units of its loads are right"
                         : ""));
   }
 }

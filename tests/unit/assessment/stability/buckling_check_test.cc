@@ -211,5 +211,41 @@ TEST(BucklingCheck, TetrahedraHaveEulersLoadInTheirBand) {
   EXPECT_NEAR(result.factor.value(), euler(20e6), 0.02 * euler(20e6));
 }
 
+TEST(Standing, OfSeveralLoadSetsIsThatOfTheLeastFactor) {
+  Standing all;
+  all.take({{std::nullopt, true}, "stands", 1.0});
+  EXPECT_FALSE(all.position.topples);
+  EXPECT_TRUE(all.position.is_open);
+  all.take({{0.9, false}, "leans", 2.0});
+  all.take({{0.5, false}, "falls", 3.0});
+  all.take({{0.7, false}, "leans more", 4.0});
+  EXPECT_EQ(all.position.topples, 0.5);
+  EXPECT_EQ(all.label, "falls");
+  EXPECT_EQ(all.instant, 3.0);
+  EXPECT_TRUE(all.position.is_open);
+}
+
+TEST(Standing, SpringsAndThePartYieldInSeries) {
+  BucklingResult result;
+  result.factor = result.band_high = 4.0;
+  result.band_low = 3.0;
+  count_standing({}, result);
+  EXPECT_EQ(result.factor, 4.0);
+  EXPECT_TRUE(result.remark.empty());
+  count_standing({{0.6, false}, "end", 2.0}, result);
+  EXPECT_EQ(result.factor, 0.6);
+  EXPECT_EQ(result.band_high, 0.6);
+  EXPECT_DOUBLE_EQ(result.band_low, 0.5);  // 1/(1/0.6 + 1/3)
+  EXPECT_EQ(result.label, "end");
+  EXPECT_NE(result.remark.find("springs and servo axes alone"),
+            std::string::npos);
+  // Nothing holds it.
+  count_standing({{0.0, false}, "end", 2.0}, result);
+  EXPECT_EQ(result.factor, 0.0);
+  EXPECT_EQ(result.band_low, 0.0);
+  EXPECT_FALSE(result.is_lower_bound());
+  EXPECT_NE(result.remark.find("nothing holds it"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace clevis::assessment
