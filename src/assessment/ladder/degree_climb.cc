@@ -125,8 +125,13 @@ class Climb {
   }
   /// The degree that was taken last is the last: all its places count.
   void end(const std::vector<LoadSet>& sets) {
+    // One degree alone does not tell what comes from outside of a place.
+    constexpr std::size_t kFewest = 2;
     const double tolerance = job_.tolerance - model_.model_error;
-    if (!model_.looks_at_places || is_within()) return;
+    if (!model_.looks_at_places || is_within() ||
+        ladder_.sequence.size() < kFewest) {
+      return;
+    }
     look_at_places(sets, tolerance, PlaceSearch::kAll);
     if (ladder_.zones.is_singular()) widen_beside_zones(tolerance);
   }

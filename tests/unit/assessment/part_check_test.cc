@@ -161,6 +161,25 @@ TEST(PartCheck, DegreesBeyondMaxDofsAreLeftOutAndTold) {
   EXPECT_EQ(check_part(bent_bar(ModelKind::kSolid, 1596)).result.dofs, 1596);
 }
 
+// What comes from outside of a place is told by the degree before.
+TEST(PartCheck, OneDegreeAloneHasNoBand) {
+  // 7 × 3 × 2 nodes of degree 1, 13 × 5 × 3 of degree 2.
+  const auto peak = [](int max_dofs) {
+    PartJob job = pulled_bar();
+    job.model = ModelKind::kSolid;
+    job.max_dofs = max_dofs;
+    return check_part(job).result.peak;
+  };
+  const PeakStress one = peak(584);
+  EXPECT_EQ(one.sequence.size(), 1U);
+  EXPECT_EQ(one.band_low, 0.0);
+  EXPECT_GE(one.band_high, 2.0 * one.value);
+  EXPECT_EQ(one.verdict, PeakVerdict::kNotConverged);
+  const PeakStress two = peak(585);
+  EXPECT_EQ(two.sequence.size(), 2U);
+  EXPECT_GT(two.band_low, 0.5 * two.value);
+}
+
 // The first degrees are solved for the governing instants only; what is told
 // is of all.
 TEST(PartCheck, MaxDofsEndAPlatesDegreesWithAllInstants) {
