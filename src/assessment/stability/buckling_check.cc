@@ -310,10 +310,13 @@ void lower_for_columns(const PartJob& job, BucklingResult& result) {
                         low >= part::wanted_buckling_factor(job.part.limits);
   result.band_low = low;
   if (is_bound) result.factor = result.band_high = low;
-  const std::string more =
-      "pressure keeps its direction; a fluid's in a long bore bends the part "
-      "on as an axial load, which is in the band as of a bar";
-  result.remark += (result.remark.empty() ? "" : "; ") + more;
+  result.remark +=
+      result.remark.empty()
+          ? "pressure keeps its direction; a fluid's in a long bore bends the "
+            "part on as an axial load, which is in the band as of a bar"
+          : "; in a long bore it bends the part on as an axial load, which is "
+            "in "
+            "the band as of a bar";
 }
 
 /// Pressure counts as a dead load. A fluid's turns with its face: a ring, or a

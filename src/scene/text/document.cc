@@ -214,8 +214,10 @@ std::string read_text(const std::filesystem::path& file) {
     throw refuse("cannot be read", "Check the permissions of the file.");
   }
   if (size > kLargest) {
-    throw refuse("is larger than 16 MiB",
-                 "It should be a short text; is this another file?");
+    throw refuse(
+        "is larger than 16 MiB",
+        "Leave rows of a table out that change nothing, or check whether "
+        "this is another file.");
   }
   return {std::istreambuf_iterator<char>(stream), {}};
 }
