@@ -98,17 +98,19 @@ void require_sound_points(const STEPControl_Reader& reader,
     const auto point =
         Handle(StepGeom_CartesianPoint)::DownCast(model->Value(i));
     if (point.IsNull()) continue;
-    const std::string entity = model->StringLabel(point)->ToCString();
     const double farthest = farthest_coordinate(*point);
+    const auto entity = [&] {
+      return std::string(model->StringLabel(point)->ToCString());
+    };
     if (model->IsErrorEntity(i) || !std::isfinite(farthest)) {
       refuse(request,
-             fmt::format("a coordinate of point {} is not a number", entity));
+             fmt::format("a coordinate of point {} is not a number", entity()));
     }
     if (farthest > kFarthest) {
       refuse(request,
              fmt::format("point {} has a coordinate of {:.3g} in the file's "
                          "unit, {:.0e} is the most",
-                         entity, farthest, kFarthest));
+                         entity(), farthest, kFarthest));
     }
   }
 }

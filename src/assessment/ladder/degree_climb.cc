@@ -36,21 +36,23 @@ stress::Band widened(stress::Band band, double sampling_error,
 }
 
 stress::Band band_of(const std::vector<SequenceMember>& sequence,
-                     double sampling_error, double tolerance) {
+                     double sampling_error, double tolerance, double chance) {
   std::vector<stress::SequenceValue> values;
   for (const auto& member : sequence) {
     values.push_back({member.degree, member.peak});
   }
-  return widened(stress::peak_band(values, tolerance), sampling_error,
+  return widened(stress::peak_band(values, tolerance, chance), sampling_error,
                  tolerance);
 }
 
 template <int dim>
-stress::Band outer_band_of(const ZoneTracker<dim>& zones, double tolerance) {
+stress::Band outer_band_of(const ZoneTracker<dim>& zones, double tolerance,
+                           double chance) {
   std::vector<SequenceMember> sequence;
   for (const auto& peak : zones.outside()) sequence.push_back(peak.member);
   const OutsidePeak& last = zones.outside().back();
-  return band_of(sequence, last.sampling_error + last.time_error, tolerance);
+  return band_of(sequence, last.sampling_error + last.time_error, tolerance,
+                 chance);
 }
 
 /// One climb.
@@ -85,10 +87,11 @@ class Climb {
         rise_of_inexact<dim>(ladder_.level);
     ladder_.band =
         band_of(ladder_.sequence, history.sampling_error + ladder_.time_error,
-                tolerance);
+                tolerance, model_.chance);
     if (ladder_.zones.is_singular()) {
       ladder_.time_error = ladder_.zones.outside().back().time_error;
-      ladder_.outer_band = outer_band_of(ladder_.zones, tolerance);
+      ladder_.outer_band =
+          outer_band_of(ladder_.zones, tolerance, model_.chance);
     }
     if (ladder_.sequence.size() < 3 || ladder_.level.member.peak <= 0.0) return;
     if (model_.looks_at_places) {
@@ -166,15 +169,14 @@ class Climb {
            judged.verdict == Convergence::kConverged &&
            probes_are_within(ladder_, job_, job_.tolerance);
   }
-  /// Whether the next degree may be the last: a band is a tenth of the change
+  /// Whether the next degree may be the last: a band is a share of the change
   /// before the last at least (stress::peak_band).
   bool may_settle() const {
-    constexpr double kLeastShare = 0.1;
     const auto& sequence = ladder_.sequence;
     if (sequence.size() < 2) return false;
     const double last = sequence.back().peak;
     const double change = last - std::prev(sequence.end(), 2)->peak;
-    return kLeastShare * std::abs(change) <= job_.tolerance * last;
+    return model_.chance * std::abs(change) <= job_.tolerance * last;
   }
   const DegreeLadder<dim>& ladder() const { return ladder_; }
   DegreeLadder<dim> finish() { return std::move(ladder_); }

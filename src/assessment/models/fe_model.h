@@ -10,6 +10,7 @@
 #include "elasticity/assembly/stiffness.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/problem/elastic_problem.h"
+#include "stress/peaks/peak_band.h"
 #include "stress/zones/singular_zone.h"
 
 namespace clevis::assessment {
@@ -32,6 +33,7 @@ struct FeModel {
   /// the sequence compares like with like.
   int subdivisions{};
   double model_error{};  ///< over the peak, where known beforehand [1]
+  double chance = stress::kChance;  ///< of stress::peak_band()
   /// Whether higher degrees near the peak alone tell the error of the last.
   bool looks_nearby = false;
   /// Whether finer solutions near all places where the peak may stand give the

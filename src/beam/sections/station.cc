@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -64,6 +65,23 @@ double smallest_width(const std::vector<Vector2d>& hull) {
   return smallest;
 }
 
+/// Torsion modulus I_p/r of a disc or a ring [m³]; nothing if the section is
+/// neither, by its area, its second moments and its outer radius.
+/// @param J  second moments about the centroid [m⁴].
+std::optional<double> round_modulus(double area, const Matrix2d& J,
+                                    const std::vector<Vector2d>& hull) {
+  constexpr double kSame = 0.02;  // a mesh's facets
+  double outer = 0.0;
+  for (const Vector2d& p : hull) outer = std::max(outer, p.norm());
+  const double pi = std::numbers::pi;
+  const double inner = std::max(0.0, outer * outer - area / pi);  // squared
+  const double polar = 0.5 * pi * (std::pow(outer, 4) - inner * inner);
+  const bool is_even =
+      std::abs(J(0, 0) - J(1, 1)) + 2.0 * std::abs(J(0, 1)) < kSame * J.trace();
+  if (!is_even || std::abs(J.trace() - polar) > kSame * polar) return {};
+  return J.trace() / outer;
+}
+
 }  // namespace
 
 Station::Station(const mesh::Section& section, const Vector3d& normal,
@@ -86,12 +104,13 @@ Station::Station(const mesh::Section& section, const Vector3d& normal,
   }
   const std::vector<Vector2d> hull = convex_hull(std::move(rim));
   for (const Vector2d& p : hull) fibres_.push_back(basis * p);
-  // Torsion constant A⁴/(4π² I_p), exact for the ellipse, over the smallest
-  // width: 10 % too high a stress for strips, twice for circles.
+  // Else the torsion constant A⁴/(4π² I_p), exact for the ellipse, over the
+  // smallest width: 10 % too high a stress for strips.
   const double torsion_constant =
       std::pow(area_, 4) /
       (4.0 * std::numbers::pi * std::numbers::pi * J.trace());
-  torsion_modulus_ = torsion_constant / smallest_width(hull);
+  torsion_modulus_ = round_modulus(area_, J, hull)
+                         .value_or(torsion_constant / smallest_width(hull));
 }
 
 Vector3d Station::bending_gradient(const Vector3d& moment) const {

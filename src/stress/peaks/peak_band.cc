@@ -6,11 +6,11 @@
 
 namespace clevis::stress {
 
-Band peak_band(std::span<const SequenceValue> sequence, double tolerance) {
+Band peak_band(std::span<const SequenceValue> sequence, double tolerance,
+               double chance) {
   assert(!sequence.empty());
   constexpr double kFastest = 0.35;
   constexpr double kSlowest = 0.8;
-  constexpr double kChance = 0.1;
   constexpr double kSingularRatio = 0.75;
   const auto n = sequence.size();
   const double value = sequence[n - 1].value;
@@ -20,10 +20,8 @@ Band peak_band(std::span<const SequenceValue> sequence, double tolerance) {
   const double last = value - sequence[n - 2].value;
   const double ratio = before != 0.0 ? std::abs(last / before) : kSlowest;
   const double q = std::clamp(ratio, kFastest, kSlowest);
-  // A small last step after a large one may be chance.
-  const double half_width =
-      std::max(std::abs(last) * std::max(0.5, q / (1.0 - q)),
-               kChance * std::abs(before));
+  const double half_width = std::max(
+      std::abs(last) * std::max(0.5, q / (1.0 - q)), chance * std::abs(before));
   Band band{value, value - half_width, value + half_width,
             Convergence::kConverged};
   if (half_width <= tolerance * std::abs(value)) return band;

@@ -19,17 +19,23 @@ struct Band {
   Convergence verdict{};
 };
 
+constexpr double kChance = 0.1;
+
 /// Band of a quantity from its p-sequence.
 ///
 /// With the last two changes d₁, d₂ and q = |d₂/d₁| bounded to [0.35, 0.8],
 /// what is still to come is estimated by the geometric series
-/// |d₂| q/(1 − q), never less than |d₂|/2 or |d₁|/10. Verdict: converged if the
-/// half-width is within the tolerance; singular if it is not and the value
-/// grows by the last two changes, which hardly shrink (at a re-entrant corner
-/// the peak grows like p^(2−2λ): q = 0.98 for a 270° notch, 0.87 for a clamped
-/// edge with degrees 2, 3, 4); not converged otherwise, as where it sinks.
+/// |d₂| q/(1 − q), never less than |d₂|/2 or a share of |d₁|. Verdict:
+/// converged if the half-width is within the tolerance; singular if it is not
+/// and the value grows by the last two changes, which hardly shrink (at a
+/// re-entrant corner the peak grows like p^(2−2λ): q = 0.98 for a 270° notch,
+/// 0.87 for a clamped edge with degrees 2, 3, 4); not converged otherwise, as
+/// where it sinks.
 /// @param tolerance  half-width over value [1].
-Band peak_band(std::span<const SequenceValue> sequence, double tolerance);
+/// @param chance  the share: a small last step after a large one may be one
+/// [1].
+Band peak_band(std::span<const SequenceValue> sequence, double tolerance,
+               double chance = kChance);
 
 /// A quantity that was also computed with higher degrees nearby alone
 /// (elasticity::enrich).

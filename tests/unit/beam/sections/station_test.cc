@@ -19,11 +19,11 @@ Station rectangle(double height, double width) {
   return Station(bar.section(Vector3d::Zero()), Vector3d::UnitX(), {});
 }
 
-Station circle(double radius) {
+Station ring(double radius, double bore) {
   const double pi = std::numbers::pi;
   mesh::Section s;
-  s.area = pi * radius * radius;
-  const double I = pi * std::pow(radius, 4) / 4.0;
+  s.area = pi * (radius * radius - bore * bore);
+  const double I = pi * (std::pow(radius, 4) - std::pow(bore, 4)) / 4.0;
   s.second_moment.diagonal() << 0.0, I, I;
   for (int i = 0; i < 400; ++i) {
     const double a = 2.0 * pi * i / 400;
@@ -88,18 +88,33 @@ TEST(Station, ShearOfARectangleIsParabolic) {
               std::sqrt(3.0) * 1.5 * 500.0 / 100e-6, 1.0);
 }
 
-// Thin strip: exactly 3T/(h w²), met from above by π²/9. Circle: 2T/(π r³),
-// doubled because the width stands for the radius.
-TEST(Station, TorsionIsSafeForStripsAndCircles) {
+// Thin strip: exactly 3T/(h w²), met from above by π²/9.
+TEST(Station, TorsionIsSafeForStrips) {
   const double pi = std::numbers::pi;
   const Station strip = rectangle(2000e-3, 2e-3);
   const double thin = 3.0 * 1.0 / (2000e-3 * 4e-6);
   EXPECT_NEAR(strip.fibre_stress({.moment = {1.0, 0.0, 0.0}}),
               std::sqrt(3.0) * pi * pi / 9.0 * thin, 1e-5 * thin);
-  const Station shaft = circle(5e-3);
-  const double exact = 2.0 / (pi * std::pow(5e-3, 3));
-  EXPECT_NEAR(shaft.fibre_stress({.moment = {1.0, 0.0, 0.0}}),
-              std::sqrt(3.0) * 2.0 * exact, 1e-3 * exact);
+}
+
+// 2 T r / (π (r⁴ − b⁴)).
+TEST(Station, TorsionOfRodsAndTubesIsExact) {
+  for (const double bore : {0.0, 4e-3, 4.9e-3}) {
+    const double exact =
+        2.0 * 5e-3 /
+        (std::numbers::pi * (std::pow(5e-3, 4) - std::pow(bore, 4)));
+    EXPECT_NEAR(ring(5e-3, bore).fibre_stress({.moment = {1.0, 0.0, 0.0}}),
+                std::sqrt(3.0) * exact, 1e-9 * exact);
+  }
+}
+
+// A square has as even second moments, and is no ring: 4.81 T/a³ by theory.
+TEST(Station, TorsionOfASquareIsSafe) {
+  const double stress =
+      rectangle(10e-3, 10e-3).fibre_stress({.moment = {1.0, 0.0, 0.0}}) /
+      std::sqrt(3.0);
+  EXPECT_GT(stress, 4.81 / 1e-6);
+  EXPECT_LT(stress, 1.5 * 4.81 / 1e-6);
 }
 
 }  // namespace
