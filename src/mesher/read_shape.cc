@@ -34,7 +34,7 @@ namespace {
 constexpr double kMillimetre = 1e-3;  // [m]
 
 /// Coordinate [unit of the file] behind which doubles no longer resolve the
-/// tolerance of OpenCASCADE, 1e-7: it would search without end.
+/// tolerance of OpenCASCADE, 1e-7: it searches for half a minute.
 constexpr double kFarthest = 1e8;
 
 [[noreturn]] void refuse(const cad::Request& request,

@@ -148,6 +148,9 @@ TEST(PlateShape, APinThatTiltsLiftsOffWithinTheThickness) {
   moved.load_sets[0].history.seats[0].p_LS.z() = 0.0134;
   moved.load_sets[0].history.instants[0].wrenches[0].moment.setZero();
   EXPECT_FALSE(is_pressed_through(moved));
+  moved.load_sets[0].history.instants[0].wrenches[0].moment =
+      Vector3d(0.0, 0.0, -3.4e-3).cross(force);
+  EXPECT_TRUE(is_pressed_through(moved));
   // A welded face pulls as it presses.
   PartJob welded = off_middle(3.4e-3);
   welded.load_sets[0].history.seats[0].kind = loads::SeatKind::kTraction;
