@@ -29,6 +29,7 @@
 #include "assessment/verdict/governing_peak.h"
 #include "assessment/verdict/hidden_stress.h"
 #include "assessment/verdict/verdict.h"
+#include "assessment/vibration/moved_frequencies.h"
 #include "assessment/vibration/vibration_check.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"

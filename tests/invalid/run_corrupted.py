@@ -4,7 +4,8 @@ crash or hang.
 
     run_corrupted.py CLEVIS FOLDER [COUNT [SEED]]
 
-Every scene of FOLDER is damaged COUNT times (200): cut off, a byte changed or
+Every scene of FOLDER is damaged COUNT times (60), and a third as often by a seed
+that is drawn anew and printed, unless SEED says which: cut off, a byte changed or
 removed, a line lost, doubled or moved, a number replaced. Some files that are
 no text at all come on top. A run must end within 10 s with a documented exit
 code, other than 70 (internal error), and say so on stderr unless it passes.
@@ -14,6 +15,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 from collections import Counter
 from pathlib import Path
 
@@ -79,13 +81,19 @@ def run(clevis, file):
 
 def main():
     clevis = str(Path(sys.argv[1]).resolve())
-    count = int(sys.argv[3]) if len(sys.argv) > 3 else 200
-    rng = random.Random(int(sys.argv[4]) if len(sys.argv) > 4 else 1)
+    count = int(sys.argv[3]) if len(sys.argv) > 3 else 60
+    draws = [(1, count), (int(time.time()), count // 3)]
+    if len(sys.argv) > 4:
+        draws = [(int(sys.argv[4]), count)]
     damages = [cut, change_byte, remove_byte, shuffle_line, replace_number]
     scenes = sorted(Path(sys.argv[2]).rglob("*.toml"))
-    inputs = [(damage.__name__, damage(scene.read_bytes(), rng))
-              for scene in scenes for _ in range(count)
-              for damage in [rng.choice(damages)]]
+    inputs = []
+    for seed, times in draws:
+        rng = random.Random(seed)
+        print(f"seed {seed}")
+        inputs += [(damage.__name__, damage(scene.read_bytes(), rng))
+                   for scene in scenes for _ in range(times)
+                   for damage in [rng.choice(damages)]]
     inputs += [("no_text", text) for text in no_texts(rng)]
     codes, bad = Counter(), 0
     with tempfile.TemporaryDirectory() as folder:

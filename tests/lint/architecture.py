@@ -33,6 +33,7 @@ ROOMS = {
     "base": {
         "messages": "what is wrong, where, what to do: errors, their catalogue, exit codes",
         "values": "quantities with units, indices, seconds",
+        "algebra": "singular vectors of small dense matrices, and the spaces they span",
         "bytes": "base64, deflate, fingerprints",
         "system": "the process and its machine: signals, processors, memory, other programs",
     },
@@ -155,6 +156,8 @@ ROOMS = {
         "places": "where the peak may stand, and finer solutions there",
         "ladder": "one model with rising degrees until its band is narrow enough",
         "impact": "blows in time, by beam theory and finite elements",
+        "pace": "how fast loads change beside a part's first period, and how fast it turns",
+        "stretches": "stretches of a motion through which a part is held alike, and their times",
         "vibration": "what loads over time excite",
         "sharing": "reactions that equilibrium leaves open, shared otherwise",
         "stability": "buckling and second order",
@@ -200,7 +203,7 @@ ROOMS = {
 
 # Headers that other modules may include, of modules with rooms.
 PUBLIC = {
-    "base": "messages/diagnostics messages/errors messages/exit_code"
+    "base": "algebra/singular_vectors messages/diagnostics messages/errors messages/exit_code"
             " values/index values/quantity values/stopwatch"
             " bytes/base64 bytes/compression bytes/fingerprint"
             " system/allowed_program system/companion system/huge_pages"

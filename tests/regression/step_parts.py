@@ -410,6 +410,18 @@ bore_B = { cylinder = { diameter = "15 mm", near = ["140 mm", "0 mm", "0 mm"] } 
                              r"mesh_size = 0.01 mm makes some .* times as many cells")
             self.assertRegex(done.stderr, r"help: Give 0\.[0-9]+ mm or more")
 
+    def test_a_mesh_size_beyond_the_part_is_asked_about(self):
+        shutil.copy(SOURCE / "geometry/step/con_rod.step", self.folder)
+        self.run_clevis("init", "rod", "--geometry", "con_rod.step")
+        scene = self.folder / "rod/scene.toml"
+        text = scene.read_text()
+        for size, is_told in (("8 m", True), ("8 mm", False)):
+            scene.write_text(text.replace("material = ",
+                                          f'mesh_size = "{size}"\nmaterial = ', 1))
+            done = self.run_clevis("mesh", "rod/scene.toml")
+            self.assertEqual("mesh_size = 8000 mm is more than the longest side"
+                             in done.stdout, is_told, done.stdout)
+
     def test_plate_goes_as_that_of_a_geo(self):
         """The reference link from STEP, in its plane and in space, and from its
         script: bands that meet, the same deflection, models of plates."""

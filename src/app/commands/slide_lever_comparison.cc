@@ -55,6 +55,20 @@ double cylinder_length(const scene::SlideLeverClosedForm& given,
       "Give the lengths of the mechanism.");
 }
 
+/// The link that turns beside the triangle of the cylinder.
+void require_link(const scene::SlideLeverClosedForm& given) {
+  if (given.DC > std::abs(given.ED - given.EC) &&
+      given.DC < given.ED + given.EC) {
+    return;
+  }
+  throw Error(
+      "S006", given.place,
+      fmt::format("closed_form.slide_lever: ED = {:.6g} mm, EC = {:.6g} "
+                  "mm and DC = {:.6g} mm make no triangle",
+                  1e3 * given.ED, 1e3 * given.EC, 1e3 * given.DC),
+      "Give the lengths of the mechanism.");
+}
+
 /// Turn of a body about world z over the motion, counted through.
 double rotation(const mechanism::Motion& motion, std::size_t body) {
   double sum = 0.0;
@@ -100,6 +114,7 @@ report::SlideLeverComparison compare_slide_lever(
     const scene::Scene& scene, const mechanism::Motion& motion) {
   const scene::SlideLeverClosedForm& given = *scene.slide_lever;
   const machine::SlideLever lever = lever_of(given);
+  require_link(given);
   const auto& marker = find_marker(scene.mechanism, given.marker);
   const auto body = static_cast<std::size_t>(marker.body);
   const Vector2d D(0.0, given.AD);

@@ -50,6 +50,19 @@ void require_few_cells(const cad::Solid& solid,
                   1e3 * enough));
 }
 
+/// A size that no edge of the solid reaches is a number of another unit.
+void note_large_cells(const cad::Solid& solid, const part::SolidSource& source,
+                      std::vector<std::string>& told) {
+  if (!source.mesh_size) return;
+  const double longest = (solid.high - solid.low).maxCoeff();
+  if (*source.mesh_size <= longest) return;
+  told.push_back(
+      fmt::format("mesh_size = {:.4g} mm is more than the longest side, {:.4g} "
+                  "mm: see that "
+                  "its unit is right",
+                  1e3 * *source.mesh_size, 1e3 * longest));
+}
+
 /// A mesh that is valid; curved cells that fold there (M005) do not in a
 /// finer mesh.
 SolidMesh unfolded_mesh(const part::PartDefinition& part,
@@ -121,6 +134,7 @@ SolidMesh mesh_solid_part(const part::PartDefinition& part,
   require_few_cells(solid, part, source);
   cad::FaceGroups groups = cad::face_groups(solid, request.points, source);
   cad::add_rounds(solid, groups);
+  note_large_cells(solid, source, groups.told);
   request.groups = groups.faces;
   request.mesh_size = source.mesh_size;
   request.finer = finer;

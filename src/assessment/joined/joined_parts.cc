@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "assessment/pace/load_pace.h"
 #include "assessment/stability/buckling_check.h"
 #include "assessment/stability/second_order_check.h"
 #include "assessment/verdict/governing_peak.h"
 #include "assessment/verdict/verdict.h"
-#include "assessment/vibration/load_pace.h"
 #include "part/buckling_limit.h"
 
 namespace clevis::assessment {

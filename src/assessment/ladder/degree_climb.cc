@@ -36,23 +36,24 @@ stress::Band widened(stress::Band band, double sampling_error,
 }
 
 stress::Band band_of(const std::vector<SequenceMember>& sequence,
-                     double sampling_error, double tolerance, double chance) {
+                     double sampling_error, double tolerance,
+                     double share_of_change_before) {
   std::vector<stress::SequenceValue> values;
   for (const auto& member : sequence) {
     values.push_back({member.degree, member.peak});
   }
-  return widened(stress::peak_band(values, tolerance, chance), sampling_error,
-                 tolerance);
+  return widened(stress::peak_band(values, tolerance, share_of_change_before),
+                 sampling_error, tolerance);
 }
 
 template <int dim>
 stress::Band outer_band_of(const ZoneTracker<dim>& zones, double tolerance,
-                           double chance) {
+                           double share_of_change_before) {
   std::vector<SequenceMember> sequence;
   for (const auto& peak : zones.outside()) sequence.push_back(peak.member);
   const OutsidePeak& last = zones.outside().back();
   return band_of(sequence, last.sampling_error + last.time_error, tolerance,
-                 chance);
+                 share_of_change_before);
 }
 
 /// One climb.
@@ -87,13 +88,18 @@ class Climb {
         rise_of_inexact<dim>(ladder_.level);
     ladder_.band =
         band_of(ladder_.sequence, history.sampling_error + ladder_.time_error,
-                tolerance, model_.chance);
+                tolerance, model_.share_of_change_before);
     if (ladder_.zones.is_singular()) {
       ladder_.time_error = ladder_.zones.outside().back().time_error;
-      ladder_.outer_band =
-          outer_band_of(ladder_.zones, tolerance, model_.chance);
+      ladder_.outer_band = outer_band_of(ladder_.zones, tolerance,
+                                         model_.share_of_change_before);
     }
-    if (ladder_.sequence.size() < 3 || ladder_.level.member.peak <= 0.0) return;
+    if (ladder_.level.member.peak <= 0.0) return;
+    if (two_may_do()) {
+      look_after_two(sets, tolerance);
+      return;
+    }
+    if (ladder_.sequence.size() < kDegreesOfABand) return;
     if (model_.looks_at_places) {
       look_at_places(sets, tolerance,
                      degree < model_.highest_degree
@@ -111,7 +117,6 @@ class Climb {
   ///   have a band; fewer are asked for by --max-dofs alone, and not judged.
   bool may_take(const std::vector<LoadSet>& sets, int degree,
                 const std::vector<Eigen::VectorXd>& admitted = {}) {
-    constexpr std::size_t kDegreesOfABand = 3;
     try {
       take(sets, degree, admitted);
     } catch (const Error& error) {
@@ -142,7 +147,7 @@ class Climb {
   /// nothing else asks for a higher degree.
   bool is_in_vain() const {
     constexpr double kSure = 1.1;  // the value is not known yet
-    return lasting_error_ > 0.0 &&
+    return ladder_.sequence.size() >= kDegreesOfABand && lasting_error_ > 0.0 &&
            lasting_error_ > kSure * (job_.tolerance - model_.model_error) &&
            !deflection_is_open() &&
            probes_are_within(ladder_, job_, job_.tolerance);
@@ -165,9 +170,11 @@ class Climb {
   bool is_within() const {
     const auto& judged =
         ladder_.zones.is_singular() ? ladder_.outer_band : ladder_.band;
-    return ladder_.sequence.size() > 2 &&
-           judged.verdict == Convergence::kConverged &&
-           probes_are_within(ladder_, job_, job_.tolerance);
+    if (judged.verdict != Convergence::kConverged) return false;
+    if (ladder_.sequence.size() < kDegreesOfABand) {
+      return ladder_.two_are_enough;
+    }
+    return probes_are_within(ladder_, job_, job_.tolerance);
   }
   /// Whether the next degree may be the last: a band is a share of the change
   /// before the last at least (stress::peak_band).
@@ -176,12 +183,38 @@ class Climb {
     if (sequence.size() < 2) return false;
     const double last = sequence.back().peak;
     const double change = last - std::prev(sequence.end(), 2)->peak;
-    return model_.chance * std::abs(change) <= job_.tolerance * last;
+    return model_.share_of_change_before * std::abs(change) <=
+           job_.tolerance * last;
   }
   const DegreeLadder<dim>& ladder() const { return ladder_; }
   DegreeLadder<dim> finish() { return std::move(ladder_); }
 
  private:
+  static constexpr std::size_t kDegreesOfABand = 3;
+
+  /// Whether two degrees and finer solutions near the peak may be enough: for a
+  /// wide tolerance, where nothing but the peak is asked for.
+  bool two_may_do() const {
+    constexpr double kSoft = 0.4;  // Poisson's ratio, from where degree 2 locks
+    return model_.looks_at_places && ladder_.sequence.size() == 2 &&
+           job_.tolerance - model_.model_error >= kWideTolerance &&
+           job_.part.material.poissons_ratio <= kSoft &&
+           !ladder_.zones.has_zones() && !job_.part.limits.deflection &&
+           std::ranges::all_of(job_.part.cases, [](const auto& load_case) {
+             return load_case.probes.empty();
+           });
+  }
+
+  /// Keeps what finer solutions near the peak found only if it is enough.
+  void look_after_two(const std::vector<LoadSet>& sets, double tolerance) {
+    const stress::Band of_two = ladder_.band;
+    look_at_places(sets, tolerance, PlaceSearch::kWhileItMayConverge);
+    ladder_.two_are_enough = ladder_.band.verdict == Convergence::kConverged;
+    if (ladder_.two_are_enough) return;
+    ladder_.band = of_two;
+    ladder_.nearby.reset();
+  }
+
   /// Whether the limit of the deflection lies in its band.
   bool deflection_is_open() const {
     const auto limit = job_.part.limits.deflection;
@@ -256,12 +289,37 @@ class Climb {
   double change_of_degree() const {
     constexpr double kShareOfEnergy = 0.1;
     constexpr double kShareOfPeak = 0.01;
+    constexpr double kMuch = 0.03;
     const SequenceMember& last = ladder_.sequence.back();
     const SequenceMember& before = *std::prev(ladder_.sequence.end(), 2);
-    return last.label == before.label
-               ? kShareOfEnergy *
-                     std::abs(1.0 - before.strain_energy / last.strain_energy)
-               : kShareOfPeak * std::abs(1.0 - before.peak / last.peak);
+    if (last.label != before.label) {
+      return kShareOfPeak * std::abs(1.0 - before.peak / last.peak);
+    }
+    const double change =
+        std::abs(1.0 - before.strain_energy / last.strain_energy);
+    const double share = kShareOfEnergy * change;
+    return change > kMuch ? std::max(share, energy_to_come(change)) : share;
+  }
+
+  /// What a geometric series of the strain energy's changes would still bring,
+  /// over the last energy [1]: thin curved walls that lock are too stiff as a
+  /// whole, and their stress is too low by as much. After two degrees the
+  /// change itself stands for the ratio.
+  /// @param change  of the last degree [1].
+  double energy_to_come(double change) const {
+    constexpr double kSlowest = 0.8;
+    double ratio = change;
+    if (ladder_.sequence.size() > 2) {
+      const SequenceMember& last = ladder_.sequence.back();
+      const SequenceMember& before = *std::prev(ladder_.sequence.end(), 2);
+      const SequenceMember& first = *std::prev(ladder_.sequence.end(), 3);
+      if (first.label == last.label) {
+        ratio = change * last.strain_energy /
+                std::abs(before.strain_energy - first.strain_energy);
+      }
+    }
+    ratio = std::min(ratio, kSlowest);
+    return change * ratio / (1.0 - ratio);
   }
 
   /// Share of a peak that faces beside curved surfaces may bring [1]: a disc's

@@ -6,6 +6,10 @@
 
 namespace clevis::assessment {
 
+/// From this tolerance on two degrees of a solid may be enough, for the peak
+/// and for buckling [1].
+inline constexpr double kWideTolerance = 0.03;
+
 /// Solves degree after degree until the peak is within the tolerance less the
 /// model's error.
 /// @param job  outlives the result.

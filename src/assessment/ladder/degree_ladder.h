@@ -35,6 +35,8 @@ struct DegreeLadder {
   double jump{};  ///< between cells that meet near the judged peak [Pa]
   /// Of the judged band, where finer solutions nearby gave it.
   std::optional<NearbyPeak> nearby;
+  /// Two degrees and finer solutions nearby were enough for the tolerance.
+  bool two_are_enough = false;
   /// Why the degrees ended before the highest; empty: they did not.
   std::string ended_by = {};
 };

@@ -48,7 +48,7 @@ void fill_peak(const PartJob& job, const DegreeLadder<dim>& ladder,
   peak.band_low = std::max(0.0, band.low);
   peak.band_high = band.high;
   peak.verdict = to_peak_verdict(band.verdict);
-  peak.has_band = ladder.sequence.size() >= 3 &&
+  peak.has_band = (ladder.sequence.size() >= 3 || ladder.two_are_enough) &&
                   band.verdict != stress::Convergence::kSingular;
   const loads::LoadHistory& loaded = job.load_sets[level.set].history;
   // Beside what is unseen, slides that travel between instants are in doubt.

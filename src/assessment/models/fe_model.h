@@ -33,7 +33,8 @@ struct FeModel {
   /// the sequence compares like with like.
   int subdivisions{};
   double model_error{};  ///< over the peak, where known beforehand [1]
-  double chance = stress::kChance;  ///< of stress::peak_band()
+  /// Of stress::peak_band() [1].
+  double share_of_change_before = stress::kShareOfChangeBefore;
   /// Whether higher degrees near the peak alone tell the error of the last.
   bool looks_nearby = false;
   /// Whether finer solutions near all places where the peak may stand give the

@@ -137,7 +137,9 @@ AnyFeModel layered_model(const PartShape& shape,
   // A pin that tilts bends the wall of its bore within the thickness from its
   // edge: cells that are wider let the peak overshoot before it comes to rest.
   constexpr double kOvershoots = 0.5;
-  if (!shape.plate()->is_pressed_through) model.chance = kOvershoots;
+  if (!shape.plate()->is_pressed_through) {
+    model.share_of_change_before = kOvershoots;
+  }
   return model;
 }
 

@@ -71,6 +71,23 @@ void note_thickness(const PartJob& job, Notes& notes) {
       sides[0] / kMilli, sides[2] / kMilli));
 }
 
+bool is_heavy_as_steel(const part::Material& material) {
+  constexpr double kLightest = 7700.0, kHeaviest = 8000.0;  // [kg/m³]
+  return kLightest <= material.density && material.density <= kHeaviest;
+}
+
+/// Of a plate from its mid-plane: its number is read, not measured.
+void note_thick_plate(const PartJob& job, Notes& notes) {
+  constexpr double kThick = 2.0, kMilli = 1e-3;
+  const double width = job.sides()[0];
+  const double thickness = job.part.thickness.value_or(0.0);
+  if (thickness <= kThick * width) return;
+  notes.push_back(fmt::format(
+      "its thickness of {:.4g} mm is {:.3g} times its width of {:.4g} mm: see "
+      "that its unit is right",
+      thickness / kMilli, thickness / width, width / kMilli));
+}
+
 /// Of one kind of material all three are known but for a factor of some tens.
 void note_stiffness(const part::Material& material, Notes& notes) {
   constexpr double kFastest = 20e3;     // sound in diamond: 18e3 [m/s]
@@ -78,9 +95,10 @@ void note_stiffness(const part::Material& material, Notes& notes) {
   constexpr double kHeaviest = 23e3;    // osmium: 22.6e3 [kg/m³]
   constexpr double kLight = 1200.0;     // magnesium 1740, carbon fibre 1550
   constexpr double kMetallic = 7000.0;  // [kg/m³]
-  constexpr double kSoft = 0.4e9;   // PTFE, as heavy as that, has 0.5e9 [Pa]
-  constexpr double kStiff = 30e9;   // wood along its grain: 20e9 [Pa]
-  constexpr double kStretch = 0.5;  // plastics yield at 0.05 [1]
+  constexpr double kSoft = 0.4e9;  // PTFE, as heavy as that, has 0.5e9 [Pa]
+  constexpr double kStiff = 30e9;  // wood along its grain: 20e9 [Pa]
+  constexpr double kLeastOfSteel = 130e9, kMostOfSteel = 240e9;  // Invar: 140e9
+  constexpr double kStretch = 0.5;           // plastics yield at 0.05 [1]
   constexpr double kStretchOfMetal = 0.015;  // wires of steel: 0.012 [1]
   constexpr double kGiga = 1e9, kMega = 1e6;
   const double modulus = material.youngs_modulus;
@@ -93,6 +111,16 @@ void note_stiffness(const part::Material& material, Notes& notes) {
         "{} has {:.4g} GPa at {:.4g} kg/m^3, as no material: see that the "
         "units of its Young's modulus and density are right",
         material.name, modulus / kGiga, material.density));
+    return;
+  }
+  if (is_heavy_as_steel(material) &&
+      (modulus < kLeastOfSteel || modulus > kMostOfSteel)) {
+    notes.push_back(
+        fmt::format("{} is as heavy as steel ({:.4g} kg/m^3), which has 190 to "
+                    "215 GPa, and "
+                    "has {:.4g} GPa: see that both are right",
+                    material.name, material.density, modulus / kGiga));
+    return;
   }
   const double most = material.density > kMetallic ? kStretchOfMetal : kStretch;
   if (modulus >= kSoft && stretch > most &&
@@ -114,11 +142,20 @@ void note_damping(const part::PartDefinition& part, Notes& notes) {
       part.damping));
 }
 
-/// Cork has zero, beryllium 0.03; foams are below zero, if made so.
+/// Cork has zero, beryllium 0.03, concrete 0.1; foams are below zero, if made
+/// so.
 void note_poissons_ratio(const part::Material& material, Notes& notes) {
-  constexpr double kLeast = 0.03;
+  constexpr double kLeast = 0.03, kLeastOfSteel = 0.2;
   const double ratio = material.poissons_ratio;
-  if (ratio == 0.0 || ratio >= kLeast) return;
+  if (ratio == 0.0) return;
+  if (is_heavy_as_steel(material) && ratio < kLeastOfSteel) {
+    notes.push_back(fmt::format(
+        "Poisson's ratio of {} is {:.4g}, and steel, as heavy as that, has "
+        "0.27 to 0.31: see that it is right",
+        material.name, ratio));
+    return;
+  }
+  if (ratio >= kLeast) return;
   notes.push_back(fmt::format(
       "Poisson's ratio of {} is {:.4g}, as of hardly any material: see that it "
       "is right",
@@ -151,6 +188,7 @@ std::vector<std::string> part_notes(const PartJob& job) {
   note_extent(job, notes);
   note_size(size, notes);
   note_thickness(job, notes);
+  note_thick_plate(job, notes);
   note_yield_strength(job.part.material, notes);
   note_stiffness(job.part.material, notes);
   note_poissons_ratio(job.part.material, notes);

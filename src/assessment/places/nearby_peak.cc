@@ -248,6 +248,13 @@ class PeakSearch {
     peak.at = highest.closer.at;
     peak.instant = highest.closer.instant;
     peak.jump = highest.place.high - highest.place.low;
+    // Cells that agree on less than half of the stress hardly show it, and the
+    // finer ones nearby have their borders from them.
+    constexpr double kAgreed = 0.5, kErrorOfJump = 0.5;
+    const double unresolved =
+        kErrorOfJump * std::max(0.0, peak.jump - kAgreed * band.value);
+    band.low = std::max(0.0, band.low - unresolved);
+    band.high += unresolved;
     // Places that are left may be as far off as the others were.
     const auto rest = highest_open();
     const bool is_left = rest && place(*rest).high >= kReach * best_;

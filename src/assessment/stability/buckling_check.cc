@@ -10,6 +10,7 @@
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
+#include "assessment/ladder/degree_climb.h"
 #include "assessment/sharing/sharing_check.h"
 #include "assessment/stability/buckling_model.h"
 #include "assessment/stability/part_holds.h"
@@ -188,9 +189,10 @@ void take(const PartJob& job, BucklingModel& model, int degree,
 }
 
 /// Climbs the degrees until the limit is decided, by two at least: of the first
-/// thin cells may lock by any factor. Compact ones do not; where no factor is
+/// thin cells may lock by any factor. Compact ones do not: where no factor is
 /// found with them that is enough, looked for so far that the model has none
-/// below highest_factor().
+/// below highest_factor(), and for a wide tolerance a factor with its wide
+/// band.
 BucklingCheck climb(const PartJob& job, BucklingModel& model, double swing,
                     std::vector<Candidate> candidates) {
   const double wanted = part::wanted_buckling_factor(job.part.limits);
@@ -208,7 +210,9 @@ BucklingCheck climb(const PartJob& job, BucklingModel& model, double swing,
       continue;
     }
     check.result.remark.clear();
-    const bool is_enough = before || (!check.shape && model.is_compact());
+    const bool is_enough =
+        before || (model.is_compact() &&
+                   (!check.shape || job.tolerance >= kWideTolerance));
     if (is_enough && is_decided(check.result, wanted) &&
         is_decided(check.result, swing * wanted)) {
       return check;

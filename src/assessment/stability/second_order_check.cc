@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 #include <fmt/format.h>
 
+#include "assessment/pace/load_pace.h"
 #include "assessment/stability/buckling_check.h"
 #include "assessment/stability/buckling_model.h"
 #include "assessment/stability/held_points.h"
@@ -21,7 +22,6 @@
 #include "assessment/stability/second_order_loads.h"
 #include "assessment/stability/solved_points.h"
 #include "assessment/verdict/governing_peak.h"
-#include "assessment/vibration/load_pace.h"
 #include "base/messages/errors.h"
 #include "elasticity/assembly/supports.h"
 #include "elasticity/buckling/stressed_part.h"

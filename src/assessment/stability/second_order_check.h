@@ -5,7 +5,7 @@
 
 #include "assessment/job/part_job.h"
 #include "assessment/stability/buckling_model.h"
-#include "assessment/vibration/held_stretches.h"
+#include "assessment/stretches/held_stretches.h"
 #include "elasticity/buckling/buckling.h"
 
 namespace clevis::assessment {

@@ -8,8 +8,8 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "assessment/pace/load_pace.h"
 #include "assessment/stability/buckling_check.h"
-#include "assessment/vibration/load_pace.h"
 #include "loads/history/motion_instants.h"
 #include "loads/history/turning_loads.h"
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "assessment/vibration/load_pace.h"
-#include "assessment/vibration/spinning_part.h"
+#include "assessment/pace/load_pace.h"
+#include "assessment/pace/spinning_part.h"
 
 namespace clevis::assessment {
 namespace {

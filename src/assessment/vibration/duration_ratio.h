@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "assessment/job/part_job.h"
-#include "assessment/vibration/held_stretches.h"
-#include "assessment/vibration/vibration_times.h"
+#include "assessment/stretches/held_stretches.h"
+#include "assessment/stretches/vibration_times.h"
 
 namespace clevis::assessment {
 

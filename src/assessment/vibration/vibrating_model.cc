@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "assessment/job/part_zones.h"
-#include "assessment/vibration/load_pace.h"
+#include "assessment/pace/load_pace.h"
 #include "loads/history/motion_instants.h"
 #include "stress/field/stress_history.h"
 #include "stress/many_instants/field_reduction.h"

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "assessment/job/part_job.h"
-#include "assessment/vibration/vibration_times.h"
+#include "assessment/stretches/vibration_times.h"
 #include "dynamics/load_vibration/load_answer.h"
 #include "dynamics/load_vibration/load_path.h"
 #include "elasticity/vibration/load_vibration.h"

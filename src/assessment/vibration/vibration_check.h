@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "assessment/job/part_job.h"
-#include "assessment/vibration/held_stretches.h"
+#include "assessment/stretches/held_stretches.h"
 
 namespace clevis::assessment {
 
@@ -19,20 +19,5 @@ namespace clevis::assessment {
 /// @param rows  of the check at rest.
 void check_vibration(const PartJob& job, const std::vector<InstantRow>& rows,
                      HeldMotions& held, PartResult& result);
-
-/// Doubts the vibration of a part whose first frequency is moved, by its own
-/// inertia as it turns or by what presses or pulls it, to where its loads make
-/// it swing farther: shapes are those at rest.
-/// @param stiffening  of BucklingCheck.
-/// @pre vibration and buckling are checked.
-void doubt_moved_frequencies(const PartJob& job,
-                             const std::vector<double>& stiffening,
-                             PartResult& result);
-
-/// Doubts it where bodies that spin on the part move its frequencies to those
-/// of its loads: their gyroscopic moment is not in the vibration.
-/// @pre vibration is checked.
-void doubt_spun_frequencies(const PartJob& job, HeldMotions& held,
-                            PartResult& result);
 
 }  // namespace clevis::assessment

@@ -1,8 +1,8 @@
 #include "dynamics/systems/held_system.h"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
+#include "base/algebra/singular_vectors.h"
 #include "dynamics/systems/block_krylov.h"
 
 namespace clevis::dynamics {
@@ -61,9 +61,7 @@ LinearSystem held_system(const LinearSystem& free,
   LinearSystem system = free;
   system.is_held = true;
   const MatrixXd rigid = mass_orthonormal(free, free.rigid);
-  Eigen::JacobiSVD<MatrixXd> svd(c.transpose() * rigid, Eigen::ComputeFullV);
-  svd.setThreshold(kFree);
-  system.rigid = rigid * svd.matrixV().rightCols(rigid.cols() - svd.rank());
+  system.rigid = rigid * null_space(c.transpose() * rigid, kFree);
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> own;
   own.setThreshold(kFree);
   own.compute(c.transpose() * c);

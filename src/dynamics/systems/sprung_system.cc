@@ -1,7 +1,6 @@
 #include "dynamics/systems/sprung_system.h"
 
-#include <Eigen/SVD>
-
+#include "base/algebra/singular_vectors.h"
 #include "dynamics/systems/block_krylov.h"
 #include "dynamics/systems/updated_factor.h"
 
@@ -17,12 +16,9 @@ MatrixXd unsprung(const LinearSystem& system, const MatrixXd& springs) {
   constexpr double kFree = 1e-5;  // of a square that is low already
   if (system.rigid.cols() == 0) return system.rigid;
   const MatrixXd rigid = mass_orthonormal(system, system.rigid);
-  const Eigen::JacobiSVD<MatrixXd> svd(springs.transpose() * rigid,
-                                       Eigen::ComputeFullV);
-  const Index held =
-      (svd.singularValues().array().square() > kFree * system.low_square)
-          .count();
-  return rigid * svd.matrixV().rightCols(rigid.cols() - held);
+  const SingularVectors sprung = singular_vectors(springs.transpose() * rigid);
+  return rigid *
+         sprung.left(sprung.count_above(std::sqrt(kFree * system.low_square)));
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <fmt/format.h>
 
+#include "base/algebra/singular_vectors.h"
 #include "base/messages/errors.h"
 #include "part/supports.h"
 
@@ -70,12 +70,12 @@ void require_held(const MatrixXd& modes, const std::vector<int>& held,
     const MatrixXd moved = bed->on_modes(modes);
     rows += moved / moved.trace();
   }
-  const Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
+  const SingularVectors held_modes = singular_vectors(rows);
   std::string free;
   for (int k = 0; k < kRigidModes<dim>; ++k) {
-    if (svd.singularValues()[k] > kLoose) continue;
+    if (held_modes.sigma[k] > kLoose) continue;
     if (!free.empty()) free += "; ";
-    free += describe_mode<dim>(svd.matrixV().col(k));
+    free += describe_mode<dim>(held_modes.V.col(k));
   }
   if (free.empty()) return;
   throw Error(

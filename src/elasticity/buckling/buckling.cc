@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 
+#include "base/algebra/singular_vectors.h"
 #include "dynamics/systems/block_krylov.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/algebra/principal_columns.h"
@@ -123,14 +123,13 @@ class TrialSpace {
   /// leaves free, orthonormal.
   MatrixXd left_free(const MatrixXd& to_orthonormal, std::size_t hold) const {
     constexpr double kHeld = 1e-6;
-    const Index kept = to_orthonormal.cols();
     const MatrixXd& beyond = part_.beyond(hold);
-    if (beyond.cols() == 0) return MatrixXd::Identity(kept, kept);
-    const Eigen::JacobiSVD<MatrixXd> svd(
-        transposed_product(beyond, unknowns_) * to_orthonormal,
-        Eigen::ComputeFullV);
-    const Index held = (svd.singularValues().array() > kHeld).count();
-    return svd.matrixV().rightCols(kept - held);
+    if (beyond.cols() == 0) {
+      return MatrixXd::Identity(to_orthonormal.cols(), to_orthonormal.cols());
+    }
+    const SingularVectors by_hold = singular_vectors(
+        transposed_product(beyond, unknowns_) * to_orthonormal);
+    return by_hold.left(by_hold.count_above(kHeld));
   }
   /// −K_G and what the mechanism adds.
   MatrixXd form(Index instant) const {

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 
+#include "base/algebra/singular_vectors.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/algebra/principal_columns.h"
 #include "elasticity/nodal_loads/seat_means.h"
@@ -20,14 +20,6 @@ using Eigen::VectorXd;
 
 constexpr double kRoundOff = 1e-9;
 constexpr double kNoEnergy = 1e-12;  // not what is soft beside others
-
-/// What the rows of a matrix leave, orthonormal.
-MatrixXd left_by(const MatrixXd& rows) {
-  if (rows.rows() == 0) return MatrixXd::Identity(rows.cols(), rows.cols());
-  Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
-  svd.setThreshold(kRoundOff);
-  return svd.matrixV().rightCols(rows.cols() - svd.rank());
-}
 
 /// Rows of held conditions on motions of the seats.
 MatrixXd conditions(const loads::SeatHold& hold, const MatrixXd& motions) {
@@ -84,7 +76,7 @@ loads::SeatHold BucklingOnSprings::hold_at(Index instant) const {
 
 double BucklingOnSprings::of_rigid(Index instant, const MatrixXd& form) const {
   const loads::SeatHold hold = hold_at(instant);
-  const MatrixXd left = left_by(conditions(hold, motions_));
+  const MatrixXd left = null_space(conditions(hold, motions_), kRoundOff);
   if (left.cols() == 0) return 0.0;
   const MatrixXd springs = hold.sprung.transpose() * motions_ * left;
   if (springs.isZero(0.0)) return 0.0;
@@ -101,7 +93,7 @@ BucklingOnSprings::Position BucklingOnSprings::position(
   if (!stands_) return {};
   const Index last = std::ssize(history_.instants) - 1;
   const loads::SeatHold hold = hold_at(last);
-  const MatrixXd left = left_by(conditions(hold, motions_));
+  const MatrixXd left = null_space(conditions(hold, motions_), kRoundOff);
   const auto is_pushed = [&](const MatrixXd& motions) {
     if (motions.cols() == 0) return false;
     const Eigen::SelfAdjointEigenSolver<MatrixXd> pushed(
@@ -112,9 +104,10 @@ BucklingOnSprings::Position BucklingOnSprings::position(
     return {.is_open = is_pushed(left)};
   }
   const bool is_sprung = hold.sprung.cols() > 0 && left.cols() > 0;
-  if (is_pushed(is_sprung
-                    ? left * left_by(hold.sprung.transpose() * motions_ * left)
-                    : left)) {
+  if (is_pushed(is_sprung ? left * null_space(hold.sprung.transpose() *
+                                                  motions_ * left,
+                                              kRoundOff)
+                          : left)) {
     return {.topples = 0.0};
   }
   const double yield = of_rigid(last, form);
@@ -173,16 +166,15 @@ class BucklingOnSprings::Space {
         motions.leftCols(rigid_).cwiseAbs().maxCoeff() /
         std::max(motions.rightCols(bent).cwiseAbs().maxCoeff(), 1e-300);
     motions.rightCols(bent) *= scale;
-    const MatrixXd left = left_by(conditions(hold_, motions));
+    const MatrixXd left = null_space(conditions(hold_, motions), kRoundOff);
     const MatrixXd springs = hold_.sprung.transpose() * motions * left;
     const MatrixXd strained = scale * left.bottomRows(bent);
     MatrixXd unit =
         left * orthonormal_combinations(strained.transpose() * strained +
                                             springs.transpose() * springs,
                                         kNoEnergy);
-    Eigen::JacobiSVD<MatrixXd> by_springs(springs);
-    by_springs.setThreshold(kRoundOff);
-    const Index holding = all - left.cols() + by_springs.rank();
+    const Index holding =
+        all - left.cols() + singular_vectors(springs).rank(kRoundOff);
     Solution solution;
     solution.is_determinate = holding == rigid_ && unit.cols() == left.cols();
     MatrixXd of_shapes(shapes_.cols(), unit.cols());

@@ -6,8 +6,8 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
+#include "base/algebra/singular_vectors.h"
 #include "elasticity/algebra/dense_product.h"
 
 namespace clevis::elasticity {
@@ -143,17 +143,14 @@ NodeFunctionals<dim> felt(NodeFunctionals<dim> wrenches,
                           const NodeFunctionals<dim>& groups,
                           const MatrixXd& rigid) {
   constexpr double kFeels = 1e-4;  // of what is felt most
-  const Eigen::JacobiSVD<MatrixXd> svd(
-      wrenches.of(rigid), Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const VectorXd& sigma = svd.singularValues();
-  const Index n = (sigma.array() > kFeels * sigma[0]).count();
+  const SingularVectors by_rigid = singular_vectors(wrenches.of(rigid));
+  const Index n = by_rigid.rank(kFeels);
   const Index rest = kMotions<dim> - n;
   NodeFunctionals<dim> all{wrenches.nodes,
                            MatrixXd::Zero(kMotions<dim>, wrenches.rows.cols())};
-  all.rows.topRows(n) = svd.matrixU().leftCols(n).transpose() * wrenches.rows;
+  all.rows.topRows(n) = by_rigid.U.leftCols(n).transpose() * wrenches.rows;
   MatrixXd left = MatrixXd::Zero(kMotions<dim>, groups.rows.cols());
-  left.bottomRows(rest) =
-      svd.matrixV().rightCols(rest).transpose() * groups.rows;
+  left.bottomRows(rest) = by_rigid.left(n).transpose() * groups.rows;
   append({groups.nodes, std::move(left)}, all);
   return all;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -38,60 +39,84 @@ int find_group(const Discretization<dim>& discretization,
               fmt::format("Groups of the mesh: {}.", fmt::join(names, ", ")));
 }
 
-/// Tractions of all instants at the points of a group [Pa]: points × (dim ×
-/// instants), instant after instant.
+/// ∫ N t dA over a group of the tractions of one instant after another. Some
+/// instants at a time: at the points of a bore those of all take gigabytes.
 template <int dim>
-class TractionHistory {
+class TractionIntegral {
  public:
-  TractionHistory(Index points, std::size_t instants)
-      : values_(points, dim * static_cast<Index>(instants)) {}
-
-  void set(std::size_t instant, const Matrix3Xd& tractions) {
-    values_.middleCols<dim>(dim * static_cast<Index>(instant)) =
-        tractions.topRows<dim>().transpose();
+  /// @param trace  outlives the object.
+  TractionIntegral(const GroupTrace& trace, std::size_t instants)
+      : trace_(trace), nodes_(nodes_of(trace)) {
+    for (const auto& face : trace.faces) {
+      for (const int node : face.nodes) {
+        places_.push_back(std::ranges::lower_bound(nodes_, node) -
+                          nodes_.begin());
+      }
+    }
+    const auto count = static_cast<Index>(instants);
+    values_.resize(dim * std::ssize(nodes_), count);
+    block_.resize(trace.quadrature.weights.size(),
+                  dim * std::min(kBlock, count));
   }
 
-  /// ∫ N t dA of every instant.
-  SurfaceLoads integrate(const GroupTrace& trace) const {
-    SurfaceLoads result;
-    for (const auto& face : trace.faces) {
-      result.nodes.insert(result.nodes.end(), face.nodes.begin(),
-                          face.nodes.end());
-    }
-    std::ranges::sort(result.nodes);
-    result.nodes.erase(std::unique(result.nodes.begin(), result.nodes.end()),
-                       result.nodes.end());
-    const Index instants = values_.cols() / dim;
-    result.values =
-        MatrixXd::Zero(dim * static_cast<Index>(result.nodes.size()), instants);
-    Index begin = 0;
-    for (const auto& face : trace.faces) {
-      const Index n = face.values->rows();
-      const MatrixXd weighted =
-          trace.quadrature.weights.segment(begin, n).asDiagonal() *
-          values_.middleRows(begin, n);
-      const MatrixXd nodal = transposed_product(*face.values, weighted);
-      std::vector<Index> rows;
-      for (const int node : face.nodes) {
-        rows.push_back(dim * (std::ranges::lower_bound(result.nodes, node) -
-                              result.nodes.begin()));
-      }
-      for (Index i = 0; i < instants; ++i) {
-        double* const to = result.values.col(i).data();
-        for (Index a = 0; a < dim; ++a) {
-          const double* const from = nodal.col(dim * i + a).data();
-          for (std::size_t k = 0; k < rows.size(); ++k) {
-            to[rows[k] + a] += from[k];
-          }
-        }
-      }
-      begin += n;
-    }
-    return result;
+  /// @param tractions  at the points [Pa].
+  void add(const Matrix3Xd& tractions) {
+    block_.template middleCols<dim>(dim * in_block_++) =
+        tractions.topRows<dim>().transpose();
+    if (dim * in_block_ == block_.cols()) flush();
+  }
+
+  /// @pre all instants are added.
+  SurfaceLoads take() {
+    flush();
+    return {std::move(nodes_), std::move(values_)};
   }
 
  private:
-  MatrixXd values_;
+  static constexpr Index kBlock = 128;
+
+  static std::vector<int> nodes_of(const GroupTrace& trace) {
+    std::vector<int> nodes;
+    for (const auto& face : trace.faces) {
+      nodes.insert(nodes.end(), face.nodes.begin(), face.nodes.end());
+    }
+    std::ranges::sort(nodes);
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+  }
+
+  void flush() {
+    if (in_block_ == 0) return;
+    const Index columns = dim * in_block_;
+    // A column per node: faces add to it in one stretch.
+    MatrixXd sums = MatrixXd::Zero(columns, std::ssize(nodes_));
+    Index begin = 0;
+    auto place = places_.begin();
+    for (const auto& face : trace_.faces) {
+      const Index n = face.values->rows();
+      const MatrixXd weighted =
+          trace_.quadrature.weights.segment(begin, n).asDiagonal() *
+          block_.block(begin, 0, n, columns);
+      const MatrixXd nodal = transposed_product(weighted, *face.values);
+      for (Index k = 0; k < nodal.cols(); ++k) {
+        sums.col(*place++) += nodal.col(k);
+      }
+      begin += n;
+    }
+    for (Index i = 0; i < in_block_; ++i) {
+      values_.col(done_ + i) =
+          sums.template middleRows<dim>(dim * i).reshaped();
+    }
+    done_ += in_block_;
+    in_block_ = 0;
+  }
+
+  const GroupTrace& trace_;
+  std::vector<int> nodes_;
+  std::vector<Index> places_;  ///< of the faces' nodes, face after face
+  MatrixXd values_;            ///< of SurfaceLoads
+  MatrixXd block_;             ///< points × (dim × instants of a block) [Pa]
+  Index in_block_{}, done_{};
 };
 
 template <int dim>
@@ -114,7 +139,7 @@ SurfaceLoads loads_of_seat(const Discretization<dim>& discretization,
   }
   const GroupTrace trace = group_trace(discretization, group, tables);
   const auto n = trace.quadrature.weights.size();
-  TractionHistory<dim> history_here(n, history.instants.size());
+  TractionIntegral<dim> integral(trace, history.instants.size());
   std::optional<loads::PinPressure> pin;
   if (seat.kind == loads::SeatKind::kBearing) {
     pin.emplace(*cylinder, trace.quadrature, trace.outward);
@@ -136,9 +161,9 @@ SurfaceLoads loads_of_seat(const Discretization<dim>& discretization,
           loads::face_pressure(trace.quadrature, trace.outward, wrench.force);
     }
     balance.correct(wrench, tractions);
-    history_here.set(i, tractions);
+    integral.add(tractions);
   }
-  return history_here.integrate(trace);
+  return integral.take();
 }
 
 template <int dim>
@@ -148,17 +173,16 @@ SurfaceLoads face_loads(const Discretization<dim>& discretization,
   const auto& name = history.instants.front().surface_loads[index].group;
   const GroupTrace trace = group_trace(
       discretization, find_group(discretization, name, part_name), tables);
-  TractionHistory<dim> history_here(trace.quadrature.weights.size(),
-                                    history.instants.size());
+  TractionIntegral<dim> integral(trace, history.instants.size());
   const loads::DiscreteBalance balance(trace.quadrature, Vector3d::Zero());
   for (std::size_t i = 0; i < history.instants.size(); ++i) {
     const loads::SurfaceLoad& load = history.instants[i].surface_loads[index];
     Matrix3Xd tractions = -load.pressure * trace.outward;
     tractions.colwise() += load.traction;
     balance.correct(load.resultant, tractions);
-    history_here.set(i, tractions);
+    integral.add(tractions);
   }
-  return history_here.integrate(trace);
+  return integral.take();
 }
 
 }  // namespace
@@ -204,9 +228,9 @@ SurfaceLoads SlideWall<dim>::of(const loads::LoadHistory& history,
       touched = now;
     }
     const GroupTrace& trace = zone->trace();
-    TractionHistory<dim> here(trace.quadrature.weights.size(), 1);
-    here.set(0, tractions.at(i, trace.quadrature, trace.outward));
-    const SurfaceLoads part = here.integrate(trace);
+    TractionIntegral<dim> here(trace, 1);
+    here.add(tractions.at(i, trace.quadrature, trace.outward));
+    const SurfaceLoads part = here.take();
     for (std::size_t k = 0; k < part.nodes.size(); ++k) {
       const Index at =
           std::ranges::lower_bound(nodes_, part.nodes[k]) - nodes_.begin();

@@ -2,8 +2,7 @@
 
 #include <cstddef>
 
-#include <Eigen/SVD>
-
+#include "base/algebra/singular_vectors.h"
 #include "elasticity/nodal_loads/seat_means.h"
 
 namespace clevis::elasticity {
@@ -31,12 +30,9 @@ MatrixXd acting_rows(const MatrixXd& wrenches) {
 /// A with A Aᵀ the same and columns that are orthogonal, none of round-off.
 MatrixXd principal(const MatrixXd& columns) {
   constexpr double kRoundOff = 1e-9;
-  if (columns.size() == 0) return MatrixXd(columns.rows(), 0);
-  Eigen::JacobiSVD<MatrixXd> svd(columns, Eigen::ComputeThinU);
-  svd.setThreshold(kRoundOff);
-  const Index rank = svd.rank();
-  return svd.matrixU().leftCols(rank) *
-         svd.singularValues().head(rank).asDiagonal();
+  const SingularVectors found = singular_vectors(columns);
+  const Index rank = found.rank(kRoundOff);
+  return found.U.leftCols(rank) * found.sigma.head(rank).asDiagonal();
 }
 
 /// With other bodies that springs swing.

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 
+#include "base/algebra/singular_vectors.h"
 #include "dynamics/systems/block_krylov.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/algebra/principal_columns.h"
@@ -102,18 +102,13 @@ SeatShapes::Held SeatShapes::held(const loads::SeatHold& hold,
   MatrixXd loose = MatrixXd::Identity(rigid_ + bodies, rigid_ + bodies);
   const auto take = [&](const MatrixXd& rows) {
     if (rows.rows() == 0 || loose.cols() == 0) return;
-    Eigen::JacobiSVD<MatrixXd> svd(rows(Eigen::all, rigid_ones) * loose,
-                                   Eigen::ComputeFullV);
-    svd.setThreshold(kRoundOff);
-    loose *= MatrixXd(svd.matrixV().rightCols(loose.cols() - svd.rank()));
+    loose *= null_space(rows(Eigen::all, rigid_ones) * loose, kRoundOff);
   };
   const MatrixXd constraints =
       hold.swinging ? rows_of(hold.swinging->held, hold.swinging->followed)
                     : rows_of(unit_columns(hold.held), {});
   if (constraints.rows() > 0) {
-    Eigen::JacobiSVD<MatrixXd> svd(constraints, Eigen::ComputeFullV);
-    svd.setThreshold(kRoundOff);
-    found.left = svd.matrixV().rightCols(all - svd.rank());
+    found.left = null_space(constraints, kRoundOff);
     take(constraints);
   }
   MatrixXd mass = MatrixXd::Identity(all, all);

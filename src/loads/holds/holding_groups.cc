@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
+
+#include "base/algebra/singular_vectors.h"
 
 namespace clevis::loads {
 namespace {
@@ -16,6 +17,7 @@ constexpr Index kWrench = 6;
 constexpr char kOwn = '\n';  // before a holder's own name, in no group's
 // Of a unit wrench: what is held at so small an angle gives way as a whole.
 constexpr double kHolds = 0.1;
+constexpr double kRoundOff = 1e-9;
 
 /// Each two of some groups; fewer than two: those.
 std::vector<HoldingGroups> pairs_of(const HoldingGroups& groups) {
@@ -52,15 +54,6 @@ double size_of(const std::vector<Seat>& seats) {
   return size > 0.0 ? size : kOfOne;
 }
 
-/// Columns that span the same, orthonormal.
-MatrixXd orthonormal(const MatrixXd& columns) {
-  constexpr double kRoundOff = 1e-9;
-  if (columns.size() == 0) return columns;
-  Eigen::JacobiSVD<MatrixXd> svd(columns, Eigen::ComputeThinU);
-  svd.setThreshold(kRoundOff);
-  return svd.matrixU().leftCols(svd.rank());
-}
-
 /// At a time [s]; moments over the size [N].
 std::vector<GroupHold> holds_of(const LoadHistory& history, double time) {
   const double size = size_of(history.seats);
@@ -68,7 +61,7 @@ std::vector<GroupHold> holds_of(const LoadHistory& history, double time) {
   for (Index row = 0; row < held.rows(); ++row) {
     if (row % kWrench >= 3) held.row(row) /= size;
   }
-  held = orthonormal(held);
+  held = column_space(held, kRoundOff);
   std::vector<GroupHold> holds;
   for (std::size_t s = 0; s < history.seats.size(); ++s) {
     const Seat& seat = history.seats[s];
@@ -104,7 +97,7 @@ class HeldSpan {
           held[g].wrenches;
       all.middleRows<3>(kWrench * static_cast<Index>(g) + 3) /= size_;
     }
-    span_ = orthonormal(all);
+    span_ = column_space(all, kRoundOff);
   }
 
   bool is_like(const HeldSpan& other) const {
@@ -129,9 +122,7 @@ class HeldSpan {
       }
     }
     if (net.cols() == 0) return false;
-    Eigen::JacobiSVD<MatrixXd> svd(net);
-    svd.setThreshold(kFelt);
-    return svd.rank() < net.cols();
+    return singular_vectors(net).rank(kFelt) < net.cols();
   }
 
   /// Groups in the order in which all that they stand for is held; empty: it is
@@ -154,7 +145,7 @@ class HeldSpan {
     // What is held along the line bends nothing.
     MatrixXd all(span_.rows(), span_.cols() + 2);
     all << span_, unit(first, true, along), unit(second, true, along);
-    const MatrixXd span = orthonormal(all);
+    const MatrixXd span = column_space(all, kRoundOff);
     for (const Index group : {first, second}) {
       if (!holds(span, unit(group, true, across)) ||
           !holds(span, unit(group, true, along.cross(across)))) {
@@ -196,7 +187,7 @@ class HeldSpan {
 /// Whether rows of wrenches are held, each direction of them.
 bool holds_all(const MatrixXd& rows) {
   if (rows.cols() < rows.rows()) return false;
-  return Eigen::JacobiSVD<MatrixXd>(rows).singularValues().minCoeff() > kHolds;
+  return singular_values(rows).minCoeff() > kHolds;
 }
 
 bool holds_across(const GroupHold& hold, const Vector3d& line) {

@@ -7,10 +7,10 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/algebra/singular_vectors.h"
 #include "base/messages/errors.h"
 #include "loads/history/balance.h"
 
@@ -43,14 +43,6 @@ Vector3d mean_point(const std::vector<part::Bore>& pins) {
   Vector3d sum = Vector3d::Zero();
   for (const part::Bore& pin : pins) sum += pin.p_LC;
   return sum / static_cast<double>(pins.size());
-}
-
-/// Orthonormal columns N with A N = 0.
-MatrixXd null_space(const MatrixXd& A) {
-  const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeFullV);
-  const VectorXd& sigma = svd.singularValues();
-  const auto rank = (sigma.array() > kRank * sigma[0]).count();
-  return svd.matrixV().rightCols(A.cols() - rank);
 }
 
 /// What pins hold on the last of some seats: SeatHold::held.
@@ -167,15 +159,15 @@ std::vector<Wrench> PinReactions::balancing(const Wrench& rest) const {
 }
 
 std::vector<std::vector<Wrench>> PinReactions::open() const {
-  const MatrixXd N = null_space(sum_);
+  const MatrixXd N = null_space(sum_, kRank);
   std::vector<std::vector<Wrench>> result;
   for (Index k = 0; k < N.cols(); ++k) result.push_back(wrenches(N.col(k)));
   return result;
 }
 
 MatrixXd PinReactions::open_components(std::size_t pin) const {
-  return null_space(sum_).middleRows(kComponents * static_cast<Index>(pin),
-                                     kComponents);
+  return null_space(sum_, kRank)
+      .middleRows(kComponents * static_cast<Index>(pin), kComponents);
 }
 
 VectorXd PinReactions::components(std::size_t pin, const Wrench& wrench) const {

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "loads/seats/seat_fit.h"
 #include "part/bore.h"
 
 namespace clevis::loads {
@@ -90,11 +91,10 @@ const GroupGeometry* group_at(const SeatContext& context, const Vector3d& p) {
 std::optional<std::string> off_middle_note(const std::string& name,
                                            const GroupGeometry& group,
                                            const Attack& attack) {
-  constexpr double kSmall = 0.02;  // of the length, as of a joint
   if (!group.is_cylinder) return std::nullopt;
   const part::Bore& bore = group.cylinder;
   const double along = std::abs(attack.to(bore.p_LC).dot(bore.axis_L));
-  if (along <= kSmall * bore.length) return std::nullopt;
+  if (!is_off_middle(along, bore)) return std::nullopt;
   return fmt::format(
       "force {} acts {:.4g} mm from the middle of \"{}\" along its axis "
       "({:.3g} % of its length): it bends the part across; if that is not "

@@ -347,13 +347,17 @@ std::vector<std::string> off_axis_notes(const SeatContext& context,
   return notes;
 }
 
+bool is_off_middle(double along, const part::Bore& bore) {
+  constexpr double kSmall = 0.02;
+  return std::abs(along) > kSmall * bore.length;
+}
+
 std::vector<std::string> off_middle_notes(const SeatContext& context,
                                           const std::vector<JointSeat>& seats) {
-  constexpr double kSmall = 0.02;
   std::vector<std::string> notes;
   for (const Pair& pair : pairs_of(context, seats)) {
     const double along = std::abs(pair.along());
-    if (pair.slides || along <= kSmall * pair.cylinder.length) continue;
+    if (pair.slides || !is_off_middle(along, pair.cylinder)) continue;
     notes.push_back(fmt::format(
         "joint {} stands {:.4g} mm from the middle of \"{}\" along its axis "
         "({:.3g} % of its length): its force may bend the part across; if "

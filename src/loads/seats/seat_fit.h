@@ -36,6 +36,10 @@ std::vector<Eigen::Vector3d> axis_offsets(const SeatContext& context,
 std::vector<std::string> off_axis_notes(const SeatContext& context,
                                         const std::vector<JointSeat>& seats);
 
+/// Whether a force that meets a bore's axis so far from the middle of its
+/// length [m] is told: beyond 2 % of that length.
+bool is_off_middle(double along, const part::Bore& bore);
+
 /// A line for each joint that does not slide and stands more than 2 % of its
 /// cylinder's length away from the middle: its force bends the part across.
 std::vector<std::string> off_middle_notes(const SeatContext& context,

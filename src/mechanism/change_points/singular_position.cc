@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
+#include "base/algebra/singular_vectors.h"
 #include "numerics/factors/jacobian_factor.h"
 
 namespace clevis::mechanism {
@@ -21,10 +21,8 @@ constexpr double kSameBranch = 1e-3;
 constexpr double kSameVelocity = 0.02;
 
 MatrixXd open_directions(const MatrixXd& A, double threshold) {
-  if (A.rows() == 0) return MatrixXd::Identity(A.cols(), A.cols());
-  const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeFullV);
-  const auto rank = (svd.singularValues().array() > threshold).count();
-  return svd.matrixV().rightCols(A.cols() - rank);
+  const SingularVectors found = singular_vectors(A);
+  return found.left(found.count_above(threshold));
 }
 
 /// Coefficients that no velocity is special among: any fixed numbers.
@@ -45,13 +43,10 @@ SingularPosition::SingularPosition(const ConstraintSystem& joints,
     : length_(joints.scale({JointRow::Kind::kRotation})) {
   const auto placed = joints.place(x);
   const MatrixXd J = joints.jacobian(placed);
-  const Eigen::JacobiSVD<MatrixXd> svd(
-      J, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const VectorXd& sigma = svd.singularValues();
-  const auto rank =
-      (sigma.array() > numerics::kRankThreshold * sigma[0]).count();
-  velocities_ = svd.matrixV().rightCols(J.cols() - rank);
-  const MatrixXd dependent = svd.matrixU().rightCols(J.rows() - rank);
+  const SingularVectors found = singular_vectors(J);
+  const Index rank = found.rank(numerics::kRankThreshold);
+  velocities_ = found.left(rank);
+  const MatrixXd dependent = found.left_rows(rank);
   const auto bias = [&](const VectorXd& v) {
     return VectorXd(length_ * dependent.transpose() *
                     joints.bias(placed, joints.twists(v)));

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/SVD>
 #include <fmt/format.h>
 
+#include "base/algebra/singular_vectors.h"
 #include "base/messages/errors.h"
 #include "base/values/index.h"
 #include "mechanism/definition/drive_names.h"
@@ -96,9 +96,9 @@ MotionGuards::WeakestRows MotionGuards::weakest_rows() {
   system.fill_jacobian(state.placed, J);
   const int rank = change_points_.rank();
   if (rank < 1) return {};
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU);
-  const VectorXd& values = svd.singularValues();
-  return {values[rank - 1] < kBeside * values[0], svd.matrixU().col(rank - 1)};
+  const SingularVectors found = singular_vectors(J);
+  return {found.sigma[rank - 1] < kBeside * found.sigma[0],
+          found.U.col(rank - 1)};
 }
 
 void MotionGuards::refuse_dead_end() {

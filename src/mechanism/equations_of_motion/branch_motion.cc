@@ -2,8 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
+#include "base/algebra/singular_vectors.h"
 #include "mechanism/change_points/singular_position.h"
 
 namespace clevis::mechanism {
@@ -47,10 +47,13 @@ std::optional<BranchMotion> branch_motion(EquationsOfMotion& equations,
   VectorXd change = VectorXd::Zero(freedom);  // z'
   MatrixXd open = MatrixXd::Identity(freedom, freedom);
   if (fixed > 0) {
-    const Eigen::JacobiSVD<MatrixXd> svd(
-        P, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    change = svd.solve(wanted);
-    open = svd.matrixV().rightCols(freedom - svd.rank());
+    constexpr double kRoundOff = 1e-14;
+    const SingularVectors fixing = singular_vectors(P);
+    const Eigen::Index rank = fixing.rank(kRoundOff);
+    change =
+        fixing.V.leftCols(rank) * (fixing.U.leftCols(rank).transpose() * wanted)
+                                      .cwiseQuotient(fixing.sigma.head(rank));
+    open = fixing.left(rank);
   }
   const MatrixXd free = G * open;
   const MatrixXd heavy = constraints.mass().mass_times(free);

@@ -7,9 +7,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <fmt/format.h>
 
+#include "base/algebra/singular_vectors.h"
 #include "base/messages/errors.h"
 #include "mechanism/change_points/singular_start.h"
 #include "mechanism/constraints/assembly.h"
@@ -211,7 +211,7 @@ void refuse_rest_beside_change_point(const MatrixXd& J, int freedom,
   constexpr double kMost = 1.5 * numerics::kRankThreshold, kAtThePoint = 1e-9;
   const Index rank = J.cols() - freedom;
   if (rank < 1 || velocities.lpNorm<Eigen::Infinity>() > 0.0) return;
-  const VectorXd values = Eigen::BDCSVD<MatrixXd>(J).singularValues();
+  const VectorXd values = singular_values(J);
   if (values.size() < rank) return;
   const double weakest = values[rank - 1] / values[0];
   if (weakest <= kAtThePoint || weakest >= kMost) return;

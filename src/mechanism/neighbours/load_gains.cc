@@ -8,8 +8,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
+#include "base/algebra/singular_vectors.h"
 #include "base/values/index.h"
 #include "mechanism/joints/cross_matrix.h"
 
@@ -399,24 +399,18 @@ Following following_of(const Neighbours& neighbours, const NeighbourRows& rows,
         root.matrixL().solve(rows.free.transpose()).transpose();
     found.loose = free;
     if (of_places.rows() > 0) {
-      const Eigen::JacobiSVD<MatrixXd> svd(
-          rows.there * free, Eigen::ComputeFullU | Eigen::ComputeFullV);
-      const VectorXd& sigma = svd.singularValues();
-      const Index n = (sigma.array() > kRoundOff * sigma[0]).count();
-      followed = free * svd.matrixV().leftCols(n);
-      found.loose = free * svd.matrixV().rightCols(free.cols() - n);
-      const VectorXd scale = -sigma.head(n).cwiseInverse();
-      answer = scale.asDiagonal() * svd.matrixU().leftCols(n).transpose() *
-               of_places;
-      held =
-          svd.matrixU().rightCols(of_places.rows() - n).transpose() * of_places;
+      const SingularVectors there = singular_vectors(rows.there * free);
+      const Index n = there.rank(kRoundOff);
+      followed = free * there.V.leftCols(n);
+      found.loose = free * there.left(n);
+      const VectorXd scale = -there.sigma.head(n).cwiseInverse();
+      answer = scale.asDiagonal() * there.U.leftCols(n).transpose() * of_places;
+      held = there.left_rows(n).transpose() * of_places;
     }
   }
   if (held.rows() > 0) {
-    const Eigen::JacobiSVD<MatrixXd> svd(held, Eigen::ComputeFullV);
-    const VectorXd& sigma = svd.singularValues();
-    const Index n = (sigma.array() > kRoundOff).count();
-    const MatrixXd kept = svd.matrixV().leftCols(n);
+    const SingularVectors holding = singular_vectors(held);
+    const MatrixXd kept = holding.V.leftCols(holding.count_above(kRoundOff));
     found.admitted -= kept * kept.transpose();
   }
   if (answer.rows() > 0) found.slow = followed * answer * found.admitted;

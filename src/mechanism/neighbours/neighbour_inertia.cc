@@ -8,8 +8,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
+#include "base/algebra/singular_vectors.h"
 #include "base/values/index.h"
 #include "mechanism/joints/cross_matrix.h"
 
@@ -192,15 +192,15 @@ NeighbourInertia neighbour_inertia(const Neighbours& neighbours,
   MatrixXd unseen = free;
   const MatrixXd seen = rows.there * free;
   Index follow = 0;
-  std::optional<Eigen::JacobiSVD<MatrixXd>> svd;
+  MatrixXd followed;
   if (seen.size() > 0) {
-    svd.emplace(seen, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    follow = (svd->singularValues().array() > kRoundOff).count();
-    found.held = wrenches * svd->matrixU().rightCols(seen.rows() - follow);
-    unseen = free * svd->matrixV().rightCols(free.cols() - follow);
+    const SingularVectors seeing = singular_vectors(seen);
+    follow = seeing.count_above(kRoundOff);
+    followed = seeing.U.leftCols(follow);
+    found.held = wrenches * seeing.left_rows(follow);
+    unseen = free * seeing.left(follow);
   }
   if (follow > 0) {
-    const MatrixXd followed = svd->matrixU().leftCols(follow);
     const MatrixXd of_followed = wrenches * followed;
     MatrixXd mass = free.transpose() * neighbours.masses(rows.x) * free;
     mass.diagonal().array() +=

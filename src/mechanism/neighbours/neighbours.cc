@@ -6,8 +6,8 @@
 #include <optional>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
+#include "base/algebra/singular_vectors.h"
 #include "base/values/index.h"
 #include "mechanism/mass_matrix/centre_frame.h"
 
@@ -65,14 +65,7 @@ std::vector<int> neighbours_of(const SolvingFrame& frame, int slot) {
   return found;
 }
 
-/// Motions that rows leave, orthonormal.
-MatrixXd null_space(const MatrixXd& rows) {
-  constexpr double kRoundOff = 1e-9;  // of rows of pure numbers
-  if (rows.size() == 0) return MatrixXd::Identity(rows.cols(), rows.cols());
-  Eigen::BDCSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
-  svd.setThreshold(kRoundOff);
-  return svd.matrixV().rightCols(rows.cols() - svd.rank());
-}
+constexpr double kRoundOff = 1e-9;  // of rows of pure numbers
 
 }  // namespace
 
@@ -86,7 +79,7 @@ std::vector<DriveDefinition> sticking_coordinates(
   const auto freedom = [&] {
     const ConstraintSystem system(*frame, drives, Motions::kSpatial,
                                   ConstraintSystem::Drives::kAll);
-    return null_space(system.jacobian(system.place(x))).cols();
+    return null_space(system.jacobian(system.place(x)), kRoundOff).cols();
   };
   Index left = 0;
   const std::size_t count =
@@ -175,7 +168,7 @@ NeighbourRows Neighbours::rows(const Instant& instant) const {
     found.body.row(static_cast<Index>(i)) = block(own[i], slot_);
   }
   found.there = of_neighbours(own);
-  found.free = null_space(of_neighbours(among));
+  found.free = null_space(of_neighbours(among), kRoundOff);
   return found;
 }
 

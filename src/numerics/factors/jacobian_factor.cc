@@ -1,6 +1,6 @@
 #include "numerics/factors/jacobian_factor.h"
 
-#include <Eigen/SVD>
+#include "base/algebra/singular_vectors.h"
 
 namespace clevis::numerics {
 
@@ -14,12 +14,6 @@ namespace {
 constexpr double kSafeCondition = 1e-3;
 // Of pivots over the largest: an exactly singular LU solves nothing.
 constexpr double kNoPivot = 1e-12;
-
-int positive_rank(const VectorXd& singular_values) {
-  if (singular_values.size() == 0) return 0;
-  const double bound = kRankThreshold * singular_values[0];
-  return static_cast<int>((singular_values.array() > bound).count());
-}
 
 }  // namespace
 
@@ -94,9 +88,8 @@ RowDependence row_dependence(const MatrixXd& J) {
   const auto rows = static_cast<std::size_t>(J.rows());
   result.dependent.assign(rows, false);
   if (J.size() == 0) return result;
-  const Eigen::BDCSVD<MatrixXd> svd(J, Eigen::ComputeFullU);
-  result.rank = positive_rank(svd.singularValues());
-  const auto left_null = svd.matrixU().rightCols(J.rows() - result.rank);
+  const MatrixXd left_null = clevis::null_space(J.transpose(), kRankThreshold);
+  result.rank = static_cast<int>(J.rows() - left_null.cols());
   for (std::size_t i = 0; i < rows; ++i) {
     // entries of a vector of a row that is not involved are round-off
     result.dependent[i] =
@@ -106,16 +99,13 @@ RowDependence row_dependence(const MatrixXd& J) {
 }
 
 MatrixXd null_space(const MatrixXd& J) {
-  if (J.rows() == 0) return MatrixXd::Identity(J.cols(), J.cols());
-  const Eigen::BDCSVD<MatrixXd> svd(J, Eigen::ComputeFullV);
-  return svd.matrixV().rightCols(J.cols() -
-                                 positive_rank(svd.singularValues()));
+  return clevis::null_space(J, kRankThreshold);
 }
 
 int numerical_rank(const MatrixXd& J) {
-  if (J.size() == 0) return 0;
-  const Eigen::BDCSVD<MatrixXd> svd(J);
-  return positive_rank(svd.singularValues());
+  const VectorXd sigma = singular_values(J);
+  if (sigma.size() == 0) return 0;
+  return static_cast<int>((sigma.array() > kRankThreshold * sigma[0]).count());
 }
 
 }  // namespace clevis::numerics

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
@@ -174,8 +175,8 @@ void add_far_centres(const MechanismDefinition& definition,
   }
 }
 
-/// Amount by which a drive's law sets out to turn, however short the motion
-/// [rad]; of tables it is not asked for.
+/// Amount by which a drive's law sets out to move, however short the motion
+/// [rad] or [m].
 double meant_travel(const mechanism::DriveDefinition& drive) {
   switch (drive.law) {
     case mechanism::DriveLaw::kSpeed:
@@ -185,33 +186,58 @@ double meant_travel(const mechanism::DriveDefinition& drive) {
       return std::abs(drive.to - drive.from);
     case mechanism::DriveLaw::kSine:
       return std::abs(drive.amplitude);
+    case mechanism::DriveLaw::kTable: {
+      if (drive.table.values.empty()) return 0.0;
+      const auto [least, most] = std::ranges::minmax(drive.table.values);
+      return most - least;
+    }
     case mechanism::DriveLaw::kConstant:
-    case mechanism::DriveLaw::kTable:
       break;
   }
   return 0.0;
 }
 
+/// What a drive does that hardly moves, as far as a scale is known for it.
+/// @param moved  over the motion [rad] or [m]. @param duration  of it [s].
+std::optional<std::string> little_travel(
+    const MechanismDefinition& definition,
+    const mechanism::DriveDefinition& drive, double moved, double duration) {
+  constexpr double kOfTurn = 0.01 * 360.0 * kDegree, kOfLaw = 0.01;
+  constexpr double kMilli = 1e-3;
+  const double meant = meant_travel(drive);
+  if (mechanism::drives_angle(definition, drive)) {
+    if (moved >= kOfTurn || meant < kOfTurn) return std::nullopt;
+    return fmt::format(
+        "turns by {:.3g} deg over the whole motion of {:.4g} s, less than a "
+        "hundredth of a turn",
+        moved / kDegree, duration);
+  }
+  if (!std::isfinite(meant) || moved >= kOfLaw * meant) return std::nullopt;
+  return fmt::format(
+      "moves by {:.3g} mm over the whole motion of {:.4g} s, less than a "
+      "hundredth of the {:.4g} mm of its law",
+      moved / kMilli, duration, meant / kMilli);
+}
+
 /// As of ms that were meant as s.
 void add_short_motions(const MechanismDefinition& definition,
                        const Motion& motion, std::vector<std::string>& notes) {
-  constexpr double kLittle = 0.01 * 360.0 * kDegree;
   if (motion.instants.size() < 2) return;
+  const double duration = motion.instants.back().t - motion.instants.front().t;
   for (std::size_t d = 0; d < definition.drives.size(); ++d) {
     const auto& drive = definition.drives[d];
-    if (!mechanism::drives_angle(definition, drive)) continue;
     double least = HUGE_VAL, most = -HUGE_VAL;
     for (const mechanism::Instant& instant : motion.instants) {
       least = std::min(least, instant.drives[d].position);
       most = std::max(most, instant.drives[d].position);
     }
-    if (most - least >= kLittle || meant_travel(drive) < kLittle) continue;
+    const auto little =
+        little_travel(definition, drive, most - least, duration);
+    if (!little) continue;
     notes.push_back(fmt::format(
-        "the drive of {} turns by {:.3g} deg over the whole motion of {:.4g} "
-        "s, less than a hundredth of a turn: see that the units of its law and "
-        "of the duration are right",
-        mechanism::drive_name(definition, drive), (most - least) / kDegree,
-        motion.instants.back().t - motion.instants.front().t));
+        "the drive of {} {}: see that the units of its law and of the duration "
+        "are right",
+        mechanism::drive_name(definition, drive), *little));
   }
 }
 

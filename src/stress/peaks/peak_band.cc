@@ -7,7 +7,7 @@
 namespace clevis::stress {
 
 Band peak_band(std::span<const SequenceValue> sequence, double tolerance,
-               double chance) {
+               double share_of_change_before) {
   assert(!sequence.empty());
   constexpr double kFastest = 0.35;
   constexpr double kSlowest = 0.8;
@@ -20,8 +20,9 @@ Band peak_band(std::span<const SequenceValue> sequence, double tolerance,
   const double last = value - sequence[n - 2].value;
   const double ratio = before != 0.0 ? std::abs(last / before) : kSlowest;
   const double q = std::clamp(ratio, kFastest, kSlowest);
-  const double half_width = std::max(
-      std::abs(last) * std::max(0.5, q / (1.0 - q)), chance * std::abs(before));
+  const double half_width =
+      std::max(std::abs(last) * std::max(0.5, q / (1.0 - q)),
+               share_of_change_before * std::abs(before));
   Band band{value, value - half_width, value + half_width,
             Convergence::kConverged};
   if (half_width <= tolerance * std::abs(value)) return band;

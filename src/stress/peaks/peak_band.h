@@ -19,7 +19,9 @@ struct Band {
   Convergence verdict{};
 };
 
-constexpr double kChance = 0.1;
+/// A small last step after a large one may be one by chance: half of a band is
+/// this share of the change before at least [1].
+constexpr double kShareOfChangeBefore = 0.1;
 
 /// Band of a quantity from its p-sequence.
 ///
@@ -32,10 +34,9 @@ constexpr double kChance = 0.1;
 /// 0.87 for a clamped edge with degrees 2, 3, 4); not converged otherwise, as
 /// where it sinks.
 /// @param tolerance  half-width over value [1].
-/// @param chance  the share: a small last step after a large one may be one
-/// [1].
+/// @param share_of_change_before  of |d₁| [1].
 Band peak_band(std::span<const SequenceValue> sequence, double tolerance,
-               double chance = kChance);
+               double share_of_change_before = kShareOfChangeBefore);
 
 /// A quantity that was also computed with higher degrees nearby alone
 /// (elasticity::enrich).

@@ -28,9 +28,13 @@ double algebraic_error(std::vector<EnergyValue> values) {
 double displacement_error(std::span<const DisplacementValue> sequence) {
   constexpr double kSafety = 1.5;
   constexpr double kLastChange = 1.5;  // coarse tetrahedra: 0.9 to 1.2 is left
-  if (sequence.size() < 3) return kUnknown;
+  constexpr double kOfTwo = 4.0;
+  if (sequence.size() < 2) return kUnknown;
   const double last = std::abs(sequence.back().value);
   if (last == 0.0) return 0.0;
+  const double change =
+      std::abs(last - std::abs(sequence[sequence.size() - 2].value));
+  if (sequence.size() == 2) return kOfTwo * change / last;
   std::vector<SequenceValue> values;
   std::vector<EnergyValue> displacements, energies;
   for (const DisplacementValue& one : sequence) {
@@ -39,8 +43,6 @@ double displacement_error(std::span<const DisplacementValue> sequence) {
     energies.push_back({one.dofs, one.energy});
   }
   const Band band = peak_band(values, kUnknown);
-  const double change =
-      std::abs(last - std::abs(sequence[sequence.size() - 2].value));
   return std::max({(band.high - band.value) / last, kLastChange * change / last,
                    kSafety * algebraic_error(displacements),
                    kSafety * strain_energy_error(energies)});

@@ -19,7 +19,9 @@ struct DisplacementValue {
 /// bring (peak_band), one and a half times the last change, and what a power of
 /// the number of unknowns would, as at singular corners and where the material
 /// hardly changes its volume (strain_energy_error, of the displacement and of
-/// the energy, with half as much again for safety). One or two values: 1,
+/// the energy, with half as much again for safety). Of two values four times
+/// what they differ by: no ratio of changes is known, and where corners or a
+/// nearly incompressible material slow them down more may be left. Of one: 1,
 /// nothing is known.
 double displacement_error(std::span<const DisplacementValue> sequence);
 

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "assessment/part_check.h"
+#include "assessment/stretches/vibration_times.h"
 #include "assessment/vibration/duration_ratio.h"
-#include "assessment/vibration/vibration_times.h"
 #include "part/verdict.h"
 #include "support/structured_mesh.h"
 #include "unit/assessment/pulled_bar.h"

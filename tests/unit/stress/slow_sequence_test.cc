@@ -61,8 +61,11 @@ TEST(SlowSequence, FastOnesAreNotWidened) {
   EXPECT_LT(error, 1.5e-3);  // one and a half of the last change, 9e-4
 }
 
-TEST(SlowSequence, TwoValuesTellNothing) {
-  EXPECT_EQ(displacement_error(algebraic(0.3, 0.3, 2)), 1.0);
+TEST(SlowSequence, TwoValuesTellLittle) {
+  const std::vector<DisplacementValue> two{{1, 200, 0.8, 0.4},
+                                           {2, 700, 1.0, 0.5}};
+  EXPECT_NEAR(displacement_error(two), 4.0 * 0.2, 1e-12);
+  EXPECT_EQ(displacement_error(algebraic(0.3, 0.3, 1)), 1.0);
   EXPECT_EQ(displacement_error({}), 1.0);
 }
 

@@ -115,6 +115,17 @@ def check_balance(reactions, motion):
     expect("bodies in balance", len(sums), 7 * len(at), 0)
 
 
+def check_refusals(clevis, scene, folder):
+    """Lengths of the closed form that make no triangle."""
+    for setting in ("EC=0.145 mm", "DC=140 m", "FD=1 mm"):
+        done = subprocess.run(
+            [clevis, "simulate", scene, "--out", folder, "--set",
+             f"closed_form.slide_lever.{setting}"], capture_output=True, text=True)
+        expect(f"exit code with {setting}", done.returncode, 10, 0)
+        if "make no triangle" not in done.stderr:
+            faults.append(f"{setting}: {done.stderr}")
+
+
 def main():
     clevis, scenes = sys.argv[1], Path(sys.argv[2])
     with tempfile.TemporaryDirectory() as folder:
@@ -129,6 +140,7 @@ def main():
                                              Path(folder) / "slow")
         check_statics(reactions)
         check_balance(reactions, motion)
+        check_refusals(clevis, scenes / "scene.toml", Path(folder) / "refused")
     print("\n".join(faults) or "all as expected")
     return bool(faults)
 

@@ -5,12 +5,14 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "assessment/models/plate_models.h"
 #include "assessment/models/solid_model.h"
 #include "base/messages/errors.h"
 #include "support/annulus_mesh.h"
@@ -194,6 +196,37 @@ TEST(ModelList, APlateWhosePinLiftsOffIsNotSolvedInSpace) {
   EXPECT_FALSE(layered.next_may_help(shape, open));
   const PartJob even = pinned_ring({Vector3d(1e3, 0.0, 0.0), Vector3d::Zero()});
   EXPECT_TRUE(layered.next_may_help(PartShape(even), open));
+}
+
+PartJob tilted_pin() {
+  return pinned_ring({Vector3d(1e3, 0.0, 0.0), Vector3d(0.0, 20.0, 0.0)});
+}
+
+PartJob even_pin() {
+  return pinned_ring({Vector3d(1e3, 0.0, 0.0), Vector3d::Zero()});
+}
+
+// Cells that are wider than the plate is thick overshoot beside a tilted pin.
+TEST(ModelList, ATiltedPinsBandIsHalfOfTheChangeBefore) {
+  const auto share = [](const PartJob& job) {
+    const AnyFeModel model = layered_model(PartShape(job), {.terms = 2});
+    return std::get<FeModel<3>>(model).share_of_change_before;
+  };
+  EXPECT_EQ(share(tilted_pin()), 0.5);
+  EXPECT_EQ(share(even_pin()), stress::kShareOfChangeBefore);
+}
+
+// What one layer misses of a kink counts when hexahedra are asked for; an even
+// pressure has none, and tetrahedra no layers.
+TEST(ModelList, OneLayerMissesPartOfATiltedPin) {
+  const auto error = [](PartJob job) {
+    job.model = ModelKind::kSolid;
+    return solid_settings(PartShape(job))->error;
+  };
+  EXPECT_GT(error(tilted_pin()), 1e-3);
+  EXPECT_LT(error(tilted_pin()), 0.5);
+  EXPECT_EQ(error(even_pin()), 0.0);
+  EXPECT_EQ(solid_settings(PartShape(tilted_pin()))->error, 0.0);
 }
 
 TEST(ModelList, ManyCellsOfAPlateAreSolvedInSpace) {

@@ -124,6 +124,20 @@ TEST(PartNotes, ThicknessOfAFoilIsAskedAbout) {
   EXPECT_TRUE(part_notes(job).empty());
 }
 
+TEST(PartNotes, PlateThickerThanWideIsAskedAbout) {
+  PartJob job = steel_link();
+  for (Vector3d& vertex : job.mesh.vertices) vertex.z() *= 4.0;
+  job.part.thickness = 0.04;  // beside a width of 20 mm
+  EXPECT_TRUE(part_notes(job).empty());
+  for (Vector3d& vertex : job.mesh.vertices) vertex.z() *= 2.5;
+  job.part.thickness = 0.1;  // cm for mm
+  EXPECT_EQ(only_note(job),
+            "its thickness of 100 mm is 5 times its width of 20 mm: see that "
+            "its unit is right");
+  job.part.thickness.reset();  // a solid's mesh has been seen
+  EXPECT_TRUE(part_notes(job).empty());
+}
+
 // Young's modulus [Pa], Poisson's ratio, density [kg/m³], yield strength [Pa].
 TEST(PartNotes, MaterialsAreAskedAboutThatNobodyHas) {
   const part::Material sound[] = {
@@ -134,6 +148,8 @@ TEST(PartNotes, MaterialsAreAskedAboutThatNobodyHas) {
       {"polyethylene", 0.2e9, 0.45, 920.0, 10e6},
       {"rubber", 0.02e9, 0.4999, 1100.0, 15e6},
       {"maraging steel", 190e9, 0.3, 8000.0, 2.4e9},
+      {"Invar", 140e9, 0.29, 8050.0, 280e6},
+      {"grey iron", 100e9, 0.26, 7200.0, 200e6},
       {"tungsten", 400e9, 0.28, 19300.0, 750e6},
       {"magnesium", 45e9, 0.29, 1740.0, 200e6},
       {"spruce", 15e9, 0.3, 450.0, 50e6},
@@ -151,8 +167,11 @@ TEST(PartNotes, MaterialsAreAskedAboutThatNobodyHas) {
       {"steel", 210e9, 0.3, 78.5, 355e6},  // a hundredth
       {"steel", 210e9, 0.3, 785.0, 355e6},
       {"steel", 210e9, 0.3, 78500.0, 355e6},
-      {"steel", 21e9, 0.3, 7850.0, 355e6},   // yields at 1.7 %
-      {"steel", 0.6e9, 0.3, 7850.0, 355e6},  // yields at 59 %
+      {"steel", 21e9, 0.3, 7850.0, 355e6},
+      {"steel", 1100e9, 0.3, 7850.0, 355e6},
+      {"brass", 10e9, 0.35, 8500.0, 300e6},    // yields at 3 %
+      {"plastic", 0.6e9, 0.3, 1200.0, 355e6},  // yields at 59 %
+      {"steel", 210e9, 0.03, 7850.0, 355e6},
       {"steel", 210e9, 0.0003, 7850.0, 355e6},
       {"steel", 210e9, -0.3, 7850.0, 355e6},
   };

@@ -160,6 +160,31 @@ TEST(MotionNotes, DriveThatHardlyTurnsIsAskedAbout) {
   EXPECT_TRUE(motion_notes(definition, motion).empty());
 }
 
+TEST(MotionNotes, SlideThatHardlyMovesIsAskedAbout) {
+  MechanismDefinition definition;
+  const auto note_of = [&](const DriveDefinition& drive, double end) {
+    const Motion motion = driven_to(definition, drive, end);
+    definition.joints[0].type = JointType::kPrismatic;
+    const auto notes = motion_notes(definition, motion);
+    return notes.empty() ? "" : notes.front();
+  };
+  const DriveDefinition stroke{
+      .law = DriveLaw::kQuintic, .from = 0.16, .to = 0.26, .duration = 2e3};
+  EXPECT_TRUE(tells(note_of(stroke, 0.0005),
+                    "the drive of hinge moves by 0.5 mm over the whole motion "
+                    "of 1 s, less than a hundredth of the 100 mm of its law"));
+  EXPECT_EQ(note_of(stroke, 0.0011), "");
+  const DriveDefinition sine{.law = DriveLaw::kSine, .amplitude = 0.02};
+  EXPECT_NE(note_of(sine, 1e-4), "");
+  EXPECT_EQ(note_of(sine, 1e-3), "");
+  DriveDefinition table{.law = DriveLaw::kTable};
+  table.table.values = {0.1, 0.3, 0.2};
+  EXPECT_TRUE(tells(note_of(table, 1e-3), "of the 200 mm of its law"));
+  EXPECT_EQ(note_of(table, 3e-3), "");
+  const DriveDefinition still{.law = DriveLaw::kConstant};
+  EXPECT_EQ(note_of(still, 0.0), "");
+}
+
 // Weight alone moves it: a drive was probably forgotten.
 TEST(MotionNotes, ForgottenDriveIsAskedFor) {
   const std::string note = only_note({}, left_free());

@@ -1,4 +1,4 @@
-#include "assessment/vibration/spinning_part.h"
+#include "assessment/pace/spinning_part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "assessment/pace/load_pace.h"
 #include "assessment/verdict/governing_peak.h"
-#include "assessment/vibration/load_pace.h"
 #include "loads/history/turning_loads.h"
 
 namespace clevis::assessment {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "assessment/job/part_job.h"
-#include "assessment/vibration/vibration_times.h"
+#include "assessment/stretches/vibration_times.h"
 #include "elasticity/vibration/eigenmodes.h"
 
 namespace clevis::assessment {

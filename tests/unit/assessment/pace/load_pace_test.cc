@@ -1,4 +1,4 @@
-#include "assessment/vibration/load_pace.h"
+#include "assessment/pace/load_pace.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "assessment/pace/spinning_part.h"
 #include "assessment/part_check.h"
-#include "assessment/vibration/spinning_part.h"
 #include "unit/assessment/pulled_bar.h"
 
 namespace clevis::assessment {

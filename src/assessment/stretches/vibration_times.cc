@@ -1,4 +1,4 @@
-#include "assessment/vibration/vibration_times.h"
+#include "assessment/stretches/vibration_times.h"
 
 #include <algorithm>
 #include <cmath>

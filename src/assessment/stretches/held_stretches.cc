@@ -1,4 +1,4 @@
-#include "assessment/vibration/held_stretches.h"
+#include "assessment/stretches/held_stretches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
-#include "assessment/vibration/load_pace.h"
-#include "assessment/vibration/slide_way.h"
+#include "assessment/pace/load_pace.h"
+#include "assessment/stretches/slide_way.h"
 #include "base/messages/errors.h"
 #include "elasticity/vibration/eigenmodes.h"
 #include "elasticity/vibration/seat_shapes.h"

@@ -1,4 +1,4 @@
-#include "assessment/vibration/load_pace.h"
+#include "assessment/pace/load_pace.h"
 
 #include <algorithm>
 #include <cmath>

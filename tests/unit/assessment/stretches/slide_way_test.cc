@@ -1,4 +1,4 @@
-#include "assessment/vibration/slide_way.h"
+#include "assessment/stretches/slide_way.h"
 
 #include <vector>
 
