@@ -416,8 +416,8 @@ bore_B = { cylinder = { diameter = "15 mm", near = ["140 mm", "0 mm", "0 mm"] } 
         scene = self.folder / "rod/scene.toml"
         text = scene.read_text()
         for size, is_told in (("8 m", True), ("8 mm", False)):
-            scene.write_text(text.replace("material = ",
-                                          f'mesh_size = "{size}"\nmaterial = ', 1))
+            scene.write_text(text.replace('geometry = ',
+                                          f'mesh_size = "{size}"\ngeometry = ', 1))
             done = self.run_clevis("mesh", "rod/scene.toml")
             self.assertEqual("mesh_size = 8000 mm is more than the longest side"
                              in done.stdout, is_told, done.stdout)

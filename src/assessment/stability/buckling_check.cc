@@ -188,11 +188,20 @@ void take(const PartJob& job, BucklingModel& model, int degree,
   set_band(before, found.mode.factor, check.result);
 }
 
+/// Whether no mechanism loads the part: factors of parts that are joined are
+/// summed, which wants narrow bands.
+bool has_cases_alone(const PartJob& job) {
+  return std::ranges::all_of(job.load_sets, [](const LoadSet& set) {
+    return std::ranges::all_of(set.history.instants,
+                               &loads::InstantLoad::is_case);
+  });
+}
+
 /// Climbs the degrees until the limit is decided, by two at least: of the first
 /// thin cells may lock by any factor. Compact ones do not: where no factor is
 /// found with them that is enough, looked for so far that the model has none
-/// below highest_factor(), and for a wide tolerance a factor with its wide
-/// band.
+/// below highest_factor(), and for a wide tolerance and cases alone a factor
+/// with its wide band.
 BucklingCheck climb(const PartJob& job, BucklingModel& model, double swing,
                     std::vector<Candidate> candidates) {
   const double wanted = part::wanted_buckling_factor(job.part.limits);
@@ -212,7 +221,8 @@ BucklingCheck climb(const PartJob& job, BucklingModel& model, double swing,
     check.result.remark.clear();
     const bool is_enough =
         before || (model.is_compact() &&
-                   (!check.shape || job.tolerance >= kWideTolerance));
+                   (!check.shape ||
+                    (job.tolerance >= kWideTolerance && has_cases_alone(job))));
     if (is_enough && is_decided(check.result, wanted) &&
         is_decided(check.result, swing * wanted)) {
       return check;

@@ -180,6 +180,32 @@ TEST(PartCheck, OneDegreeAloneHasNoBand) {
   EXPECT_GT(two.band_low, 0.5 * two.value);
 }
 
+TEST(PartCheck, TwoDegreesAreEnoughForAWideTolerance) {
+  const auto peak = [](double tolerance, const auto& change) {
+    PartJob job = pulled_bar();
+    job.model = ModelKind::kSolid;
+    job.tolerance = tolerance;
+    change(job.part);
+    return check_part(job).result.peak;
+  };
+  const auto nothing = [](part::PartDefinition&) {};
+  const PeakStress wide = peak(0.03, nothing);
+  EXPECT_EQ(wide.sequence.size(), 2U);
+  EXPECT_TRUE(wide.has_band);
+  EXPECT_EQ(wide.verdict, PeakVerdict::kConverged);
+  EXPECT_NEAR(wide.value, 10e6, 1.0);
+  EXPECT_EQ(peak(0.029, nothing).sequence.size(), 3U);
+  // What else is asked for, or hides from two degrees.
+  const auto deflection = [](part::PartDefinition& part) {
+    part.limits.deflection = 1.0;
+  };
+  EXPECT_EQ(peak(0.03, deflection).sequence.size(), 3U);
+  const auto soft = [](part::PartDefinition& part) {
+    part.material.poissons_ratio = 0.45;
+  };
+  EXPECT_EQ(peak(0.03, soft).sequence.size(), 3U);
+}
+
 // The first degrees are solved for the governing instants only; what is told
 // is of all.
 TEST(PartCheck, MaxDofsEndAPlatesDegreesWithAllInstants) {

@@ -167,6 +167,26 @@ TEST(BucklingCheck, DegreeTwoOfCompactCellsIsNotThriceTooHigh) {
 }
 
 // What is wanted beyond 100 is looked for.
+// Far from the limit the wide band of the first degree decides.
+TEST(BucklingCheck, CompactCellsNeedOneDegreeForAWideTolerance) {
+  const auto result_of = [](double pressure, double tolerance,
+                            bool is_case = true) {
+    PartJob job = column_of_hexahedra({20, 1, 1}, pressure);
+    job.load_sets[0].history.instants[0].is_case = is_case;
+    job.tolerance = tolerance;
+    return buckling_of(job).result;
+  };
+  const auto wide = result_of(10e6, 0.03);
+  EXPECT_TRUE(wide.model.ends_with("p = 2")) << wide.model;
+  EXPECT_LE(wide.band_low, euler(10e6));
+  EXPECT_GE(wide.band_high, euler(10e6));
+  EXPECT_TRUE(result_of(10e6, 0.029).model.ends_with("p = 3"));
+  // Parts of a mechanism yield together.
+  EXPECT_TRUE(result_of(10e6, 0.03, false).model.ends_with("p = 3"));
+  // A third of 4 may be below the limit.
+  EXPECT_TRUE(result_of(25e6, 0.03).model.ends_with("p = 3"));
+}
+
 TEST(BucklingCheck, LimitAbove100IsJudged) {
   PartJob job = column_of_hexahedra({20, 1, 1}, 0.1e6);
   job.part.limits.buckling = 150.0;
