@@ -179,7 +179,8 @@ TEST(BucklingCheck, CompactCellsNeedOneDegreeForAWideTolerance) {
   const auto wide = result_of(10e6, 0.03);
   EXPECT_TRUE(wide.model.ends_with("p = 2")) << wide.model;
   EXPECT_LE(wide.band_low, euler(10e6));
-  EXPECT_GE(wide.band_high, euler(10e6));
+  // Shear lowers Euler's load by 1.2 P/GA (Engesser), 0.12 %.
+  EXPECT_NEAR(wide.band_high, euler(10e6), 0.003 * euler(10e6));
   EXPECT_TRUE(result_of(10e6, 0.029).model.ends_with("p = 3"));
   // Parts of a mechanism yield together.
   EXPECT_TRUE(result_of(10e6, 0.03, false).model.ends_with("p = 3"));
