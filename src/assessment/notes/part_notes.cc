@@ -117,8 +117,7 @@ void note_stiffness(const part::Material& material, Notes& notes) {
       (modulus < kLeastOfSteel || modulus > kMostOfSteel)) {
     notes.push_back(
         fmt::format("{} is as heavy as steel ({:.4g} kg/m^3), which has 190 to "
-                    "215 GPa, and "
-                    "has {:.4g} GPa: see that both are right",
+                    "215 GPa, and has {:.4g} GPa: see that both are right",
                     material.name, material.density, modulus / kGiga));
     return;
   }

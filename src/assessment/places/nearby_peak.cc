@@ -250,7 +250,7 @@ class PeakSearch {
     peak.jump = highest.place.high - highest.place.low;
     // Cells that agree on less than half of the stress hardly show it, and the
     // finer ones nearby have their borders from them.
-    constexpr double kAgreed = 0.5, kErrorOfJump = 0.5;
+    constexpr double kAgreed = 0.5;
     const double unresolved =
         kErrorOfJump * std::max(0.0, peak.jump - kAgreed * band.value);
     band.low = std::max(0.0, band.low - unresolved);

@@ -26,7 +26,7 @@ struct SingularVectors {
   }
 };
 
-/// One-sided Jacobi rotations, so that small singular values are as exact as
+/// By Jacobi rotations, so that small singular values are as exact as
 /// large ones; divide and conquer from 16 columns on, exact to round-off of the
 /// largest. A matrix without rows or columns has identities.
 SingularVectors singular_vectors(const Eigen::MatrixXd& A);
