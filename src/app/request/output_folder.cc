@@ -22,7 +22,8 @@ void remove_part(const fs::path& folder, const std::string& name) {
     fs::remove(folder / (name + ending), ignored);
   }
   fs::remove(report::part_view_file(folder, name), ignored);
-  for (const auto& frame : fs::directory_iterator(folder / "frames", ignored)) {
+  for (const auto& frame :
+       fs::directory_iterator(folder / report::kFramesFolder, ignored)) {
     const std::string file = frame.path().filename().string();
     if (file.size() == name.size() + 9 && file.starts_with(name + "_")) {
       fs::remove(frame.path(), ignored);  // NAME_0000.vtu

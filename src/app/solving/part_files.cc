@@ -25,7 +25,7 @@ std::vector<int> frame_instants(std::size_t instants) {
 }
 
 std::string frame_name(const std::string& part, std::size_t frame) {
-  return fmt::format("frames/{}_{:04}.vtu", part, frame);
+  return fmt::format("{}/{}_{:04}.vtu", report::kFramesFolder, part, frame);
 }
 
 /// Values over the whole motion that go with the worst instant's field.

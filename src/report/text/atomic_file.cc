@@ -24,7 +24,6 @@ namespace {
 constexpr std::size_t kLongestName = 64, kLongestOwnName = 128;  // [bytes]
 constexpr std::string_view kPlain =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
-constexpr const char* kFrames = "frames";  // the subfolder of a series
 
 [[noreturn]] void refuse(const std::filesystem::path& file,
                          const std::string& step, const std::string& reason) {
@@ -184,7 +183,8 @@ void remove_unfinished(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
   std::error_code ignored;  // no folder: nothing is left
   std::vector<fs::path> left;
-  for (const fs::path& place : {folder, folder / kFrames}) {
+  for (const fs::path& place :
+       {folder, folder / kFramesFolder, folder / kViewFolder}) {
     for (const auto& entry : fs::directory_iterator(place, ignored)) {
       if (is_left_over(entry.path().filename().string())) {
         left.push_back(entry.path());

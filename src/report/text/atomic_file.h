@@ -35,8 +35,13 @@ using TextSink = std::function<void(std::string_view)>;
 void write_file(const std::filesystem::path& file,
                 const std::function<void(const TextSink&)>& write);
 
-/// Removes from `folder` and its `frames` what processes that are gone left
-/// inside write_file(), nothing else. Nobody else may be writing there.
+/// Folders within that of a result: the series over time; what only a report
+/// reads.
+inline constexpr const char* kFramesFolder = "frames";
+inline constexpr const char* kViewFolder = "view";
+
+/// Removes from `folder` and these folders within what processes that are gone
+/// left inside write_file(), nothing else. Nobody else may be writing there.
 void remove_unfinished(const std::filesystem::path& folder);
 
 }  // namespace clevis::report

@@ -12,9 +12,6 @@ namespace clevis::report {
 /// Origin of a folder's result.
 enum class ResultKind { kCheck, kSimulation };
 
-/// Folder of the files that only a report reads, in that of a result.
-inline constexpr const char* kViewFolder = "view";
-
 /// view/part_NAME.json; view/motion.json, of a simulation
 /// view/simulation.json.
 std::filesystem::path part_view_file(const std::filesystem::path& folder,

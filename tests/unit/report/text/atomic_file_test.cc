@@ -140,8 +140,10 @@ TEST(AtomicFile, RemainsOfKilledProcessesAreRemovedAndNothingElse) {
   const TestFolder folder;
   write_file(folder / "result.json", "content");
   write_file(folder / "frames/AB_0000.vtu", "content");
+  write_file(folder / "view/motion.json", "content");
   // No system has process numbers above 2^22.
   std::ofstream(folder / "frames/.AB_0001.vtu.99999999-0123abcd.tmp") << "half";
+  std::ofstream(folder / "view/.motion.json.99999999-0123abcd.tmp") << "half";
   std::ofstream(folder / ".result.json.99999999-0123abcd.tmp") << "half";
   const std::string of_a_living_process =
       "." + std::to_string(getpid()) + "-0123abcd.tmp";
@@ -153,9 +155,10 @@ TEST(AtomicFile, RemainsOfKilledProcessesAreRemovedAndNothingElse) {
   }
   std::ofstream(folder / (".AB.vtu" + of_a_living_process)) << "half";
   remove_unfinished(folder.path());
-  // result.json, frames, sub, three of the user and the living process's
-  EXPECT_EQ(entries(folder.path()), 7);
+  // result.json, frames, view, sub, three of the user and the living process's
+  EXPECT_EQ(entries(folder.path()), 8);
   EXPECT_EQ(entries(folder / "frames"), 1);
+  EXPECT_EQ(entries(folder / "view"), 1);
   EXPECT_EQ(entries(folder / "sub"), 1);
   EXPECT_NO_THROW(remove_unfinished(folder / "not there"));
 }
