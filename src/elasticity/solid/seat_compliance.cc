@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
+#include "base/values/round_off_length.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/solid/energy_form.h"
 #include "elasticity/solid/solid_solve.h"
@@ -45,7 +46,7 @@ double reach(const std::vector<loads::Seat>& seats,
   for (const auto& seat : seats) {
     length = std::max(length, (seat.p_LS - mass.p_LCm).norm());
   }
-  return length > 0.0 ? length : 1.0;
+  return length > kRoundOffLength ? length : 1.0;
 }
 
 /// The unit wrenches, then the sums of each two.

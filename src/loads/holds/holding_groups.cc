@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "base/algebra/singular_vectors.h"
+#include "base/values/round_off_length.h"
 
 namespace clevis::loads {
 namespace {
@@ -51,7 +52,7 @@ double size_of(const std::vector<Seat>& seats) {
       size = std::max(size, (one.p_LS - other.p_LS).norm());
     }
   }
-  return size > 0.0 ? size : kOfOne;
+  return size > kRoundOffLength ? size : kOfOne;
 }
 
 /// At a time [s]; moments over the size [N].
@@ -139,7 +140,7 @@ class HeldSpan {
     }
     const Index second = index_of(groups.back());
     const Vector3d line = place(second) - place(first);
-    if (!(line.norm() > 0.0)) return {};
+    if (!(line.norm() > kRoundOffLength)) return {};
     const Vector3d along = line.normalized();
     const Vector3d across = along.unitOrthogonal();
     // What is held along the line bends nothing.

@@ -80,8 +80,27 @@ bool slides(const MechanismDefinition& definition,
   return !drives_angle(definition, coordinate);
 }
 
+/// Radius of gyration of the largest body [m]; 0: points alone.
+double largest_gyration(const MechanismDefinition& definition) {
+  double largest = 0.0;
+  for (const BodyDefinition& body : definition.bodies) {
+    const part::MassProperties& given = body.mass_properties;
+    if (!(given.mass > 0.0)) continue;
+    largest = std::max(
+        largest,
+        std::sqrt(std::max(0.0, 0.5 * given.inertia_LCm.trace()) / given.mass));
+  }
+  return largest;
+}
+
+/// By joints on their bodies and by drives, else by the bodies' centres; where
+/// all are nothing beside the bodies, as of a rod that slides through its own
+/// middle, one metre: moments over a length of round-off would count for
+/// nothing beside forces.
 double link_length(const MechanismDefinition& definition,
                    const SolvingFrame& frame) {
+  constexpr double kNothing = 0.01, kOne = 1.0;  // [1], [m]
+  const double least = kNothing * largest_gyration(definition);
   double length = 0.0;
   for (const JointModel& joint : frame.joints) {
     if (joint.a > 0) length = std::max(length, joint.frame_a.p_LJ.norm());
@@ -100,13 +119,13 @@ double link_length(const MechanismDefinition& definition,
     if (!initial.position || !slides(definition, initial)) continue;
     farthest = std::max(farthest, std::abs(*initial.position));
   }
-  if (length > 0.0) return std::max(length, farthest);
+  if (length > least) return std::max(length, farthest);
   for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
     length = std::max(
         length,
         (definition.bodies[i].mass_properties.p_LCm - frame.p_LM[i]).norm());
   }
-  return std::max(length > 0.0 ? length : 1.0, farthest);
+  return std::max(length > least ? length : kOne, farthest);
 }
 
 /// Shifts the bodies of a planar mechanism along the normal until the joints

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "base/values/round_off_length.h"
+
 namespace clevis::mechanism {
 namespace {
 
@@ -35,7 +37,7 @@ double extent(const MechanismDefinition& definition) {
   for (const BodyDefinition& body : definition.bodies) {
     length = std::max(length, body.mass_properties.p_LCm.norm());
   }
-  return length > 0.0 ? length : 1.0;
+  return length > kRoundOffLength ? length : 1.0;
 }
 
 /// @param slow  a speed too low to matter [m/s].

@@ -37,6 +37,17 @@ TEST(Refusal, LoopThatCannotClose) {
   EXPECT_TRUE(has(why, "Q by")) << why;
 }
 
+TEST(Refusal, BodyThatWasPlacedInAnotherUnitIsNamed) {
+  MechanismDefinition m = four_bar({}, 0.7);
+  m.joints[3].frame_a.p_LJ.x() = 0.5;  // G out of reach
+  EXPECT_FALSE(has(refusal(m), "placement of body")) << refusal(m);
+  m.bodies[1].placement.p_WL = {240.0, 0.0, 0.0};
+  EXPECT_TRUE(has(refusal(m), ("The placement of body " + m.bodies[1].name +
+                               " is 2.4e+05 mm off all of its joints")
+                                  .c_str()))
+      << refusal(m);
+}
+
 // A motion that drives fix has no steps to forecast, but positions to count.
 TEST(Refusal, DrivenMotionThatTakesTooLong) {
   for (const bool at_peaks : {false, true}) {

@@ -60,6 +60,15 @@ TEST(HoldingGroups, ALinkThatMayTurnIsHeldByItsPins) {
   EXPECT_EQ(holding_groups(lever(unit({0, 1, 2, 3, 4}))), (Groups{{"bore_A"}}));
 }
 
+// A disc's bore and rim have one middle, but for round-off.
+TEST(HoldingGroups, SeatsOneRoundOffApartAreHeldAsAtOnePlace) {
+  LoadHistory history = lever(unit({0, 1, 2, 3, 4, 11}));
+  for (const double apart : {0.0, 1e-18, 0.05}) {
+    history.seats[2].p_LS = apart * Vector3d::UnitX();
+    EXPECT_EQ(holding_groups(history), (Groups{{"bore_A"}})) << apart;
+  }
+}
+
 // The drive's face may be another than the pin's bore.
 TEST(HoldingGroups, ADriveOnAnotherFaceHoldsTheTurn) {
   LoadHistory history = lever(unit({0, 1, 2, 3, 4, 11, 14}));
