@@ -117,6 +117,30 @@ duration = "0.3 s\"""", {"heavy": table(heavy), "sweep": table(there)},
                   f'duration = "{last} s"\ninstants = 11')
 
 
+def struck_rod(folder, force):
+    """520 mm out of its guide, the force within 0.1 ms."""
+    rows = [(0.0, 0.0), (0.1, 0.0), (0.1001, force), (0.3, force)]
+    return guided(folder, 'law = "constant"\nfrom = "-60 mm"', {"step": table(rows)},
+                  'duration = "0.3 s"\ninstants = 11')
+
+
+def rod_on_its_middle(folder, aside):
+    """520 mm out of its guide, shaken there; the joint's points are the rod's middle and,
+    on ground, what is `aside` of it [mm]. No length but the rod's own is in its numbers."""
+    force = table(sweep(0.5, 1.0, 42.0, 58.0, 12.0, 600))
+    file = guided(folder, f'law = "constant"\nfrom = "{aside} mm"', {"sweep": force},
+                  'duration = "1 s"\ninstants = 11')
+    changed = file.read_text()
+    for old, new in (('origin = ["-60 mm"', 'origin = ["-300 mm"'),
+                     ('bar = ["0 mm", "0 mm", "0 mm"]', 'bar = ["300 mm", "0 mm", "0 mm"]'),
+                     ('from = ["540 mm"', f'from = ["{300 + aside} mm"'),
+                     ('length = "40 mm"', f'length = "40 mm", offset = "{aside - 240} mm"')):
+        assert changed.count(old) == 1, old
+        changed = changed.replace(old, new)
+    file.write_text(changed)
+    return file
+
+
 def main():
     clevis = Path(sys.argv[1]).resolve()
     checks = support.Checks()
@@ -136,12 +160,22 @@ def main():
     checks.expect(bends < deflection < 1.15 * bends,
                   f"rod: bends by {deflection:.3f} mm, clamped there {bends:.3f} mm")
 
+    struck = check(struck_rod, -20.0).part["deflection_mm"]
+    checks.expect(1.9 * deflection < struck < 2.0 * deflection,
+                  f"rod struck at its end: {struck:.3f} mm, twice {deflection:.3f} mm")
+
     part = check(sliding_rod, True).part
     clamped = frequency(520)
     checks.expect(part["verdict"] == "fail", "rod slid out, shaken there: fails")
     first = part["vibration"]["lowest_frequency_hz"]
     checks.expect(0.9 * clamped < first < clamped,
                   f"rod slid out: {first:.2f} Hz, clamped there {clamped:.2f} Hz")
+    for aside in (0.0, 50.0):
+        part = check(rod_on_its_middle, aside).part
+        first = part["vibration"]["lowest_frequency_hz"]
+        checks.expect(part["verdict"] == "fail" and 0.9 * clamped < first < clamped,
+                      f"rod on its middle, {aside:g} mm aside: {part['verdict']}, "
+                      f"{first:.2f} Hz, clamped there {clamped:.2f} Hz")
     part = check(sliding_rod, False).part
     checks.expect(part["verdict"] == "pass", "rod slid out, at rest there: pass")
     part = check(crossing_rod, True).part

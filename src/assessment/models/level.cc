@@ -11,7 +11,6 @@
 #include "elasticity/problem/elastic_problem.h"
 #include "loads/holds/holding_groups.h"
 #include "stress/displacement/deflection.h"
-#include "stress/displacement/held_reference.h"
 #include "stress/displacement/touched_reference.h"
 #include "stress/peaks/peak_zoom.h"
 #include "stress/sections/support_face.h"
@@ -132,11 +131,7 @@ Level<dim> solve_level(const PartJob& job, const std::vector<LoadSet>& sets,
     seconds.factor += basis->seconds.factor;
     seconds.solve += basis->seconds.solve;
     if (set.fixed.empty() && set.foundations.empty()) {
-      const loads::PartHold hold = reference_hold(set);
-      stress::remove_rigid_motion<dim>(*basis, hold);
-      if (!stress::refer_to_touched<dim>(set.history, hold.groups, *basis)) {
-        stress::refer_to_instants<dim>(set.history, hold.groups, *basis);
-      }
+      stress::refer_to_holds<dim>(set.history, reference_hold(set), *basis);
     }
     Stopwatch watch;
     note_held<dim>(job, set, *basis, level);

@@ -6,7 +6,7 @@
 #include "assessment/models/level.h"
 #include "assessment/models/model_list.h"
 #include "elasticity/problem/displacement_basis.h"
-#include "stress/displacement/held_reference.h"
+#include "stress/displacement/touched_reference.h"
 #include "stress/field/stress_history.h"
 #include "stress/zones/singular_zone.h"
 #include "stress/zones/zone_mask.h"
@@ -26,7 +26,7 @@ template <int dim>
 VectorXd deflections(elasticity::DisplacementBasis<dim> basis,
                      const LoadSet& set) {
   if (set.fixed.empty() && set.foundations.empty()) {
-    stress::remove_rigid_motion<dim>(basis, reference_hold(set));
+    stress::refer_to_holds<dim>(set.history, reference_hold(set), basis);
   }
   VectorXd largest(basis.coefficients.cols());
   for (Index i = 0; i < largest.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -32,6 +33,15 @@ int highest_degree(const mesh::PartMesh<dim>& mesh) {
   return dim == 2 ? 4 : 3;
 }
 
+/// What is touched of slides at the time of the hold; nothing: none is known.
+std::optional<elasticity::TouchedSeats> touched_seats(
+    const loads::LoadHistory& history) {
+  if (!history.hold) return std::nullopt;
+  auto zones = history.hold(history.hold_time).zones;
+  if (zones.empty()) return std::nullopt;
+  return elasticity::TouchedSeats{history.seats, std::move(zones)};
+}
+
 /// Largest of an answer over its times [m].
 template <int dim>
 double deflection_of(const RestingModel<dim>& rest, const Stretch& stretch,
@@ -39,7 +49,8 @@ double deflection_of(const RestingModel<dim>& rest, const Stretch& stretch,
   LoadSet set = rest.loads();
   set.history.hold_time = stretch.hold_time;
   if (set.fixed.empty() && set.foundations.empty()) {
-    stress::remove_rigid_motion<dim>(answer.basis, reference_hold(set));
+    stress::remove_rigid_motion<dim>(answer.basis, reference_hold(set),
+                                     touched_seats(set.history));
   }
   constexpr int kSixth = 6;  // of the times
   return stress::largest_deflection_of_many<dim>(answer.basis, kSixth);

@@ -1,11 +1,11 @@
 #include "stress/displacement/held_reference.h"
 
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "elasticity/assembly/supports.h"
-#include "elasticity/holds/pin_hold.h"
 #include "loads/history/motion_instants.h"
 
 namespace clevis::stress {
@@ -15,9 +15,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 template <int dim>
-elasticity::PinHold<dim> pin_hold(elasticity::MeanMotions<dim>& motions,
-                                  const loads::PartHold& hold) {
-  return {motions, {.groups = hold.groups, .held = hold.held}};
+elasticity::PinHold<dim> pin_hold(
+    elasticity::MeanMotions<dim>& motions, const loads::PartHold& hold,
+    std::optional<elasticity::TouchedSeats> touched = {}) {
+  return {motions,
+          {.groups = hold.groups,
+           .touched = std::move(touched),
+           .held = hold.held}};
 }
 
 /// Of the motion's instants; none where all are alike.
@@ -47,9 +51,11 @@ std::vector<loads::PartHold> changing_holds(
 
 template <int dim>
 void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
-                         const loads::PartHold& hold) {
+                         const loads::PartHold& hold,
+                         std::optional<elasticity::TouchedSeats> touched) {
   elasticity::MeanMotions<dim> motions(basis.discretization);
-  basis.columns = pin_hold(motions, hold).project(basis.columns);
+  basis.columns =
+      pin_hold(motions, hold, std::move(touched)).project(basis.columns);
 }
 
 template <int dim>
@@ -82,9 +88,11 @@ void refer_to_instants(const loads::LoadHistory& history,
 }
 
 template void remove_rigid_motion<2>(elasticity::DisplacementBasis<2>&,
-                                     const loads::PartHold&);
+                                     const loads::PartHold&,
+                                     std::optional<elasticity::TouchedSeats>);
 template void remove_rigid_motion<3>(elasticity::DisplacementBasis<3>&,
-                                     const loads::PartHold&);
+                                     const loads::PartHold&,
+                                     std::optional<elasticity::TouchedSeats>);
 template void add_rigid_motions<3>(const MatrixXd&, const MatrixXd&,
                                    elasticity::DisplacementBasis<3>&);
 template void refer_to_instants<2>(const loads::LoadHistory&,

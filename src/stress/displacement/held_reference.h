@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 
+#include "elasticity/holds/pin_hold.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "loads/history/load_history.h"
 #include "loads/holds/holding_groups.h"
@@ -17,9 +20,11 @@ namespace clevis::stress {
 /// hold what these leave. Means are over the surfaces' area.
 /// @param hold  a plane mesh has none of the groups of its upper and lower
 ///   side, which do not count.
+/// @param touched  of the slides that hold; nothing: all of their walls.
 template <int dim>
 void remove_rigid_motion(elasticity::DisplacementBasis<dim>& basis,
-                         const loads::PartHold& hold);
+                         const loads::PartHold& hold,
+                         std::optional<elasticity::TouchedSeats> touched = {});
 
 /// Adds rigid motions to the displacements of each instant.
 /// @param rigid    displacements, dofs × motions [1].

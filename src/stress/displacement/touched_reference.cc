@@ -182,4 +182,21 @@ template bool refer_to_touched<3>(const loads::LoadHistory&,
                                   const std::vector<std::string>&,
                                   elasticity::DisplacementBasis<3>&);
 
+template <int dim>
+void refer_to_holds(const loads::LoadHistory& history,
+                    const loads::PartHold& hold,
+                    elasticity::DisplacementBasis<dim>& basis) {
+  remove_rigid_motion<dim>(basis, hold);
+  if (!refer_to_touched<dim>(history, hold.groups, basis)) {
+    refer_to_instants<dim>(history, hold.groups, basis);
+  }
+}
+
+template void refer_to_holds<2>(const loads::LoadHistory&,
+                                const loads::PartHold&,
+                                elasticity::DisplacementBasis<2>&);
+template void refer_to_holds<3>(const loads::LoadHistory&,
+                                const loads::PartHold&,
+                                elasticity::DisplacementBasis<3>&);
+
 }  // namespace clevis::stress

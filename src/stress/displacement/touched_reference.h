@@ -5,6 +5,7 @@
 
 #include "elasticity/problem/displacement_basis.h"
 #include "loads/history/load_history.h"
+#include "loads/holds/holding_groups.h"
 
 namespace clevis::stress {
 
@@ -19,5 +20,13 @@ template <int dim>
 bool refer_to_touched(const loads::LoadHistory& history,
                       const std::vector<std::string>& groups,
                       elasticity::DisplacementBasis<dim>& basis);
+
+/// Refers the displacements of a free part to what holds it at each instant:
+/// what a slide's counterpart touches, else the hold of the instant.
+/// @param hold  at the history's hold_time.
+template <int dim>
+void refer_to_holds(const loads::LoadHistory& history,
+                    const loads::PartHold& hold,
+                    elasticity::DisplacementBasis<dim>& basis);
 
 }  // namespace clevis::stress
