@@ -167,7 +167,8 @@ ROOMS = {
         "text": "files, tables, JSON and terminals",
         "quantities": "the table of a result's scalars, in JSON, CSV and with tolerances",
         "machine": "bearings, transmissions, ejectors",
-        "summary": "what is said of a motion: extremes, jumps, impacts, notes, and which instants show it",
+        "notes": "what in a mechanism's numbers and its motion tells of a slip",
+        "summary": "what is said of a motion: extremes, jumps, impacts, and which instants show it",
         "forces": "force elements and couplings over a motion",
         "motion": "the motion as JSON, CSV and table",
         "parts": "a part's result",
@@ -204,7 +205,7 @@ ROOMS = {
 # Headers that other modules may include, of modules with rooms.
 PUBLIC = {
     "base": "algebra/singular_vectors messages/diagnostics messages/errors messages/exit_code"
-            " values/index values/quantity values/stopwatch"
+            " values/index values/quantity values/round_off_length values/stopwatch"
             " bytes/base64 bytes/compression bytes/fingerprint"
             " system/allowed_program system/companion system/huge_pages"
             " system/instruction_set system/interrupts system/mpi_run"

@@ -11,6 +11,7 @@
 #include "app/scenes/geometry_stamp.h"
 #include "app/solids/solid_mesh.h"
 #include "assessment/part_check.h"
+#include "base/messages/errors.h"
 #include "elasticity/fe_space/discretization.h"
 #include "elasticity/problem/dof_limit.h"
 #include "loads/history/balance.h"
@@ -21,11 +22,18 @@ namespace {
 
 using assessment::PartJob;
 
-/// Three degrees have a band: a mesh on which the third is above --max-dofs is
-/// worse than the one before it.
+/// Three degrees have a band: a mesh on which the third is above --max-dofs, or
+/// without it takes minutes, is worse than the one before it.
 /// @throws Error F007.
 void require_a_band(const mesh::PartMesh<3>& mesh, const PartJob& job) {
   constexpr int kDegreesOfABand = 3;
+  constexpr std::size_t kMostCells = 50000;  // some 700 000 unknowns
+  if (!job.max_dofs && mesh.cells.size() > kMostCells) {
+    throw Error("F007", "part " + job.part.name,
+                fmt::format("a finer mesh would have {} cells and take minutes",
+                            mesh.cells.size()),
+                "Give --max-dofs, or the part a mesh_size, if it may.");
+  }
   if (!job.max_dofs) return;
   elasticity::require_dofs(
       elasticity::discretize<3>(mesh, kDegreesOfABand).dofs(), job.max_dofs,

@@ -16,6 +16,7 @@
 #include "assessment/places/meeting_places.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
+#include "stress/corners/round_depth.h"
 #include "stress/peaks/peak_zoom.h"
 #include "stress/surface/surface_deviation.h"
 
@@ -211,10 +212,25 @@ class Climb {
   void look_after_two(const std::vector<LoadSet>& sets, double tolerance) {
     const stress::Band of_two = ladder_.band;
     look_at_places(sets, tolerance, PlaceSearch::kWhileItMayConverge);
-    ladder_.two_are_enough = ladder_.band.verdict == Convergence::kConverged;
+    ladder_.two_are_enough =
+        ladder_.band.verdict == Convergence::kConverged && !is_beside_hollow();
     if (ladder_.two_are_enough) return;
     ladder_.band = of_two;
     ladder_.nearby.reset();
+  }
+
+  /// Whether the peak stands in cells so deep beside a hollow face that more
+  /// degrees than two tell by their changes what they hide.
+  bool is_beside_hollow() const {
+    if constexpr (dim == 3) {
+      const NearbyPeak& peak = *ladder_.nearby;
+      const Eigen::Vector3d at = stress::position<dim>(
+          ladder_.level.bases[peak.set]->discretization, peak.at,
+          ladder_.level.histories[peak.set].subdivisions);
+      return stress::depth_over_radius(ladder_.zones.mesh(), at) >
+             stress::kResolvedDepth;
+    }
+    return false;
   }
 
   /// Whether the limit of the deflection lies in its band.

@@ -35,15 +35,17 @@ void note_yield_strength(const part::Material& material, Notes& notes) {
                   material.name, material.yield_strength / kMega));
 }
 
-/// Such a limit fails no part.
+/// Such a limit fails hardly any part: beams of cranes have a 250th to a 500th
+/// of their length.
 void note_deflection_limit(const part::Limits& limits, double size,
                            Notes& notes) {
-  constexpr double kLarge = 0.5, kMilli = 1e-3;
+  constexpr double kLarge = 0.05, kMilli = 1e-3;
   if (!limits.deflection || *limits.deflection <= kLarge * size) return;
-  notes.push_back(fmt::format(
-      "the limit of deflection is {:.4g} mm, more than half of the part's size "
-      "({:.4g} mm): see that its unit is right",
-      *limits.deflection / kMilli, size / kMilli));
+  notes.push_back(
+      fmt::format("the limit of deflection is {:.4g} mm, more than a 20th of "
+                  "the part's size "
+                  "({:.4g} mm): see that its unit is right",
+                  *limits.deflection / kMilli, size / kMilli));
 }
 
 /// Parts that stand alone, whose lengths no joint's place confirms.
@@ -171,6 +173,32 @@ void note_acceleration(const std::string& load, double acceleration,
       load, acceleration, acceleration / loads::kEarthGravity));
 }
 
+/// As of one in N where the other is in kN.
+void note_small_cases(const part::PartDefinition& part, Notes& notes) {
+  constexpr double kSmall = 1.0 / 300.0;
+  const auto largest_force = [](const part::LoadCaseDefinition& load) {
+    double largest = 0.0;
+    for (const auto& [group, force] : load.pins) {
+      largest = std::max(largest, force.norm());
+    }
+    return largest;
+  };
+  const part::LoadCaseDefinition* largest = nullptr;
+  for (const auto& load : part.cases) {
+    if (!largest || largest_force(load) > largest_force(*largest)) {
+      largest = &load;
+    }
+  }
+  for (const auto& load : part.cases) {
+    const double force = largest_force(load);
+    if (force == 0.0 || force >= kSmall * largest_force(*largest)) continue;
+    notes.push_back(fmt::format(
+        "the largest force of case {} is {:.4g} N, that of case {} {:.4g} N: "
+        "see that the units of both are right",
+        load.name, force, largest->name, largest_force(*largest)));
+  }
+}
+
 void note_series(const part::LoadSeries& series, Notes& notes) {
   double largest = 0.0;
   for (const part::SeriesInstant& instant : series.instants) {
@@ -197,6 +225,7 @@ std::vector<std::string> part_notes(const PartJob& job) {
     note_acceleration("case " + load_case.name, load_case.acceleration.norm(),
                       notes);
   }
+  note_small_cases(job.part, notes);
   for (const auto& series : job.part.series) note_series(series, notes);
   for (const std::string& group : job.mesh.empty_groups) {
     notes.push_back(fmt::format(

@@ -10,8 +10,9 @@ namespace clevis::assessment {
 /// Notes on the part as given: of one that stands alone its size and mass, for
 /// no joint confirms the unit of its lengths; what few links of mechanisms have
 /// (size, thickness, damping), what no material has (yield strength, stiffness,
-/// density, Poisson's ratio), a deflection limit as large as the part,
-/// accelerations as of numbers in mm/s², physical groups that hold nothing.
+/// density, Poisson's ratio), a deflection limit of a part of its
+/// size, accelerations as of numbers in mm/s², a case that is nothing beside
+/// another, physical groups that hold nothing.
 std::vector<std::string> part_notes(const PartJob& job);
 
 /// Notes on how much of its strength the part's loads use: less than a

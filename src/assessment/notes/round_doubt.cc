@@ -14,7 +14,6 @@ namespace {
 // Of a disc's bore under pressure, in cells even from the bore to the rim,
 // degree 4 misses 0.3 % two radii deep, 2.1 % four, 7.7 % eight
 // (regression.deep_cells).
-constexpr double kResolved = 2.0;
 constexpr double kPerRadius = 0.05;  // over the peak
 
 /// Whether the last degrees hardly changed the peak: then their cells show it.
@@ -34,8 +33,9 @@ bool has_settled(const PeakStress& peak) {
 double widen(const PartJob& job, PeakStress& peak) {
   if (!(peak.value > 0.0) || has_settled(peak)) return 0.0;
   const double depth = stress::depth_over_radius(job.mesh, peak.at);
-  if (depth <= kResolved) return 0.0;
-  widen_for_cells(peak, kPerRadius * (depth - kResolved) * peak.value,
+  if (depth <= stress::kResolvedDepth) return 0.0;
+  widen_for_cells(peak,
+                  kPerRadius * (depth - stress::kResolvedDepth) * peak.value,
                   job.tolerance);
   return depth;
 }

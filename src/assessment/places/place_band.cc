@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "assessment/places/meeting_places.h"
+
 namespace clevis::assessment {
 
 LargestPlace largest_place(std::span<const PlaceEstimate> places) {
@@ -17,6 +19,11 @@ LargestPlace largest_place(std::span<const PlaceEstimate> places) {
   }
   return {static_cast<std::size_t>(largest - places.begin()),
           largest->low - (largest->value - sum / equals), high};
+}
+
+double error_of_jump(double value, double jump) {
+  constexpr double kAgreed = 0.5;
+  return kErrorOfJump * std::max(0.0, jump - kAgreed * value);
 }
 
 }  // namespace clevis::assessment

@@ -22,4 +22,10 @@ struct LargestPlace {
 /// @param places  at least one.
 LargestPlace largest_place(std::span<const PlaceEstimate> places);
 
+/// What a jump of stress between the cells that meet at a place leaves open in
+/// its finer solutions, which have their borders from those cells [Pa]: nothing
+/// where they agree on half of the stress.
+/// @param value  by finer solutions [Pa]. @param jump  as solved [Pa].
+double error_of_jump(double value, double jump);
+
 }  // namespace clevis::assessment

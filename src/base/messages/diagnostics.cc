@@ -45,6 +45,10 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
      "and its angle says something else: it turns back, or whole turns on, "
      "between two. Life and way are not judged; give more `instants` in "
      "[simulation]."},
+    {"B009", kNotJudged, "ratings of a bearing that do not fit one another",
+     "Rolling bearings have a dynamic rating C of 0.3 to 3 times their static "
+     "rating C0. Outside 0.1 to 10 one of the two has a wrong unit or digit: "
+     "see the catalogue. The bearing cannot pass."},
     {"F001", kModelInvalid, "free rigid mode",
      "The supports of a case leave the part free to move as a rigid body, and "
      "a linear solver would return a meaningless displacement. Hold the named "

@@ -139,6 +139,15 @@ void warn(const BearingDefinition& bearing,
                             "maker",
                             result.peak_load, range));
   }
+  // Needle bearings have 0.6, thrust bearings 0.3, others 1 to 3.
+  constexpr double kLeastRatio = 0.1, kMostRatio = 10.0;
+  const double ratio = bearing.dynamic_rating / bearing.static_rating;
+  if (ratio < kLeastRatio || ratio > kMostRatio) {
+    add("B009",
+        fmt::format("C = {:.6g} N is {:.3g} times C0 = {:.6g} N, as of "
+                    "no bearing: see that the units of both are right",
+                    bearing.dynamic_rating, ratio, bearing.static_rating));
+  }
   constexpr double kFollowed = 0.05;
   if (turns(result.travel) && result.travel_error > kFollowed) {
     add("B008",
@@ -190,7 +199,9 @@ void decide(BearingResult& result) {
     return;
   }
   result.verdict = part::Verdict::kNotJudged;
-  if (warned(result, "B002")) {
+  if (warned(result, "B009")) {
+    result.why = "ratings that do not fit one another (B009)";
+  } else if (warned(result, "B002")) {
     result.why = "axial load without its factors (B002)";
   } else if (warned(result, "B005")) {
     result.why = "moment across the axis (B005)";

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -90,13 +91,46 @@ std::string inclined_axes(const MechanismDefinition& definition) {
       first->name, worst->name, largest * 180.0 / std::numbers::pi);
 }
 
+/// The body whose placement is far from all of its joints, as of m that were
+/// meant as mm; "" if there is none.
+std::string misplaced_body(const MechanismDefinition& definition) {
+  constexpr double kFar = 5.0;  // times the size of the bodies
+  std::vector<double> nearest(definition.bodies.size(), HUGE_VAL);  // [m]
+  double size = 0.0;
+  for (const JointDefinition& joint : definition.joints) {
+    const double gap = (placed(definition, joint.body_b, joint.frame_b.p_LJ) -
+                        placed(definition, joint.body_a, joint.frame_a.p_LJ))
+                           .norm();
+    for (const auto& [body, frame] :
+         {std::pair{joint.body_a, &joint.frame_a},
+          std::pair{joint.body_b, &joint.frame_b}}) {
+      if (body == kGround) continue;
+      size = std::max(size, frame->p_LJ.norm());
+      double& least = nearest[static_cast<std::size_t>(body)];
+      least = std::min(least, gap);
+    }
+  }
+  const BodyDefinition* worst = nullptr;
+  double farthest = kFar * size;
+  for (std::size_t b = 0; b < nearest.size(); ++b) {
+    if (!std::isfinite(nearest[b]) || nearest[b] <= farthest) continue;
+    farthest = nearest[b];
+    worst = &definition.bodies[b];
+  }
+  if (worst == nullptr || size == 0.0) return "";
+  return fmt::format(
+      "The placement of body {} is {:.4g} mm off all of its joints: see its "
+      "unit first. ",
+      worst->name, 1e3 * farthest);
+}
+
 }  // namespace
 
 void refuse_open(const MechanismDefinition& definition, const OpenJoints& open,
                  std::string_view closing) {
   std::string remedy;
   if (open.along_axes.empty()) {
-    remedy = inclined_axes(definition) +
+    remedy = misplaced_body(definition) + inclined_axes(definition) +
              "Correct the lengths in `at`, the start of the drive or the "
              "placement of the bodies.";
   } else {

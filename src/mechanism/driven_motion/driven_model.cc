@@ -37,7 +37,8 @@ void DrivenModel::require_in_time(double t) const {
                   "that the drives fix have been found, the last at t = {:.6g} "
                   "s of {:.6g} s; {:.4g} s are allowed",
                   limit_.used(), asked_, t, duration_, limit_.limit()),
-      "Give more --max-time, or fewer instants, a shorter motion, drives "
+      "See that the units of the duration and of the drives' speeds are right; "
+      "else give more --max-time, fewer instants, a shorter motion, drives "
       "without needless turns.");
 }
 

@@ -128,17 +128,29 @@ void MotionGuards::refuse_dead_end() {
 void MotionGuards::refuse_stuck() {
   if (model_.equations.is_self_locking()) refuse_self_locking(integrator_.t());
   refuse_dead_end();
-  const bool beside = weakest_rows().beside;
+  if (weakest_rows().beside) {
+    throw Error("K008", "mechanism",
+                fmt::format("at t = {:.9g} s no step is short enough: beside a "
+                            "change point, where rigid reactions, and friction "
+                            "that follows them, grow without bound",
+                            integrator_.t()),
+                "Give the friction itself, change the lengths so that the "
+                "change point is not met, or end the motion before.");
+  }
+  const FastestRate fastest =
+      fastest_rate(model_, integrator_.t(), integrator_.y());
   throw Error(
       "K008", "mechanism",
       fmt::format("at t = {:.9g} s no step is short enough{}", integrator_.t(),
-                  beside ? ": beside a change point, where rigid "
-                           "reactions, and friction that follows "
-                           "them, grow without bound"
-                         : ""),
-      beside ? "Give the friction itself, change the lengths so that "
-               "the change point is not met, or end the motion before."
-             : "Look for forces or lengths of a wrong order of size.");
+                  fastest.what.empty()
+                      ? ""
+                      : fmt::format("; fastest is {} ({:.2g} 1/s)",
+                                    fastest.what, fastest.rate)),
+      fastest.what.empty()
+          ? "Look for forces or lengths of a wrong order of size."
+          : "Look for forces, masses or lengths of a wrong order of size, "
+            "first "
+            "there.");
 }
 
 void MotionGuards::require_in_time() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,15 @@ struct ElementProperties {
   std::vector<const numerics::CubicSpline*> paths{};
   /// A force that is the same at all times, in W [N]; else zero.
   Eigen::Vector3d fixed_force_W = Eigen::Vector3d::Zero();
+  /// Ends that press: positions of its line beyond which they do [m] or [rad].
+  std::optional<double> lower{}, upper{};
+  /// Of what presses: a contact's radius, the range between a stop's ends [m]
+  /// or [rad]; 0: not known.
+  double size = 0.0;
+  std::optional<double> free{};  ///< position without force [m] or [rad]
+  /// Of dry friction, at rest, per newton of what presses: [1], or [m] in a
+  /// joint that turns.
+  double friction = 0.0;
   const GasCylinderLaw* gas = nullptr;  ///< of a gas cylinder, or null
   bool is_motor = false;                ///< its states have a MotorState
 };

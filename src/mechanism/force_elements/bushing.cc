@@ -104,7 +104,8 @@ void Bushing::act(const ActingState& /*state*/, const Twist& a, const Twist& b,
 
 ElementProperties properties(const BushingElement& /*bushing*/) {
   return {.type = "bushing",
-          .channels = {{.key = "moment_N_m"}, {.key = "energy_J"}}};
+          .channels = {{.key = "moment_N_m"}, {.key = "energy_J"}},
+          .free = 0.0};
 }
 
 std::unique_ptr<ActingElement> place(const BushingElement& bushing,

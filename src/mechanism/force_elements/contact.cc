@@ -268,8 +268,13 @@ SlidingFriction sliding_friction(const ContactElement& contact,
   return result;
 }
 
-ElementProperties properties(const ContactElement& /*contact*/) {
-  return {.type = "contact", .presses = true, .slides = true};
+ElementProperties properties(const ContactElement& contact) {
+  return {.type = "contact",
+          .presses = true,
+          .slides = true,
+          .upper = 0.0,
+          .size = contact.radius,
+          .friction = contact.static_friction};
 }
 
 std::unique_ptr<ActingElement> place(const ContactElement& contact,

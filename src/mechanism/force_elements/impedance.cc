@@ -63,7 +63,7 @@ ElementSpring Impedance::spring(const Configuration& x,
 }  // namespace
 
 ElementProperties properties(const ImpedanceElement& impedance) {
-  ElementProperties result{.type = "impedance"};
+  ElementProperties result{.type = "impedance", .free = 0.0};
   result.breaks = impedance.path_W[0].times;
   for (const numerics::CubicSpline& path : impedance.path_W) {
     if (!path.times.empty()) result.paths.push_back(&path);

@@ -180,7 +180,9 @@ std::vector<ElementGuard> Friction::guards() const {
 }  // namespace
 
 ElementProperties properties(const FrictionLaw& law) {
-  return {.type = "friction", .follows_reaction = law.follows_reaction};
+  return {.type = "friction",
+          .follows_reaction = law.follows_reaction,
+          .friction = law.follows_reaction ? law.breakaway : 0.0};
 }
 
 std::unique_ptr<ActingElement> place(const LineDefinition& definition,

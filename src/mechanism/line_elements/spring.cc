@@ -30,8 +30,8 @@ class Spring final : public OneSenseForce {
 
 }  // namespace
 
-ElementProperties properties(const SpringLaw& /*law*/) {
-  return {.type = "spring"};
+ElementProperties properties(const SpringLaw& law) {
+  return {.type = "spring", .free = law.free};
 }
 
 std::unique_ptr<ActingElement> place(const LineDefinition& definition,

@@ -90,8 +90,12 @@ class Stop final : public LineForce {
 
 }  // namespace
 
-ElementProperties properties(const StopLaw& /*law*/) {
-  return {.type = "stop", .presses = true};
+ElementProperties properties(const StopLaw& law) {
+  return {.type = "stop",
+          .presses = true,
+          .lower = law.lower,
+          .upper = law.upper,
+          .size = law.lower && law.upper ? *law.upper - *law.lower : 0.0};
 }
 
 std::unique_ptr<ActingElement> place(const LineDefinition& definition,

@@ -18,10 +18,10 @@ namespace clevis::mechanism {
 /// of motions y at the places. S Sᵀ is the stiffness of y and z, S = (sprung;
 /// sprung_there).
 struct SwingingNeighbours {
-  Eigen::MatrixXd held;                        ///< wrenches as below, × rows
-  Eigen::MatrixXd followed;                    ///< z × rows [1/√kg]
-  Eigen::MatrixXd sprung, damped;              ///< as below
-  Eigen::MatrixXd sprung_there, damped_there;  ///< z × the same columns
+  Eigen::MatrixXd held;                ///< wrenches as below, × rows
+  Eigen::MatrixXd followed;            ///< z × rows [1/√kg]
+  Eigen::MatrixXd sprung{}, damped{};  ///< as below
+  Eigen::MatrixXd sprung_there{}, damped_there{};  ///< z × the same columns
 };
 
 /// What the rest of a mechanism does to small, fast motions of one of its

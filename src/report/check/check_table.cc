@@ -11,7 +11,6 @@
 #include "report/parts/part_impact_output.h"
 #include "report/parts/peak_quantities.h"
 #include "report/parts/probe_quantities.h"
-#include "report/summary/motion_notes.h"
 #include "report/text/text_table.h"
 #include "report/text/units.h"
 

@@ -1,5 +1,7 @@
 #include "report/machine/ejector_output.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -38,6 +40,34 @@ std::string stress_text(const std::optional<double>& stress,
                             : "none, the pusher does not arrive";
 }
 
+/// What tells of a wrong unit.
+std::vector<std::string> notes_on(const EjectorResult& r) {
+  constexpr double kFast = 100.0, kHopeless = 100.0;  // [m/s], [1]
+  std::vector<std::string> notes;
+  const auto& speed = r.corrected.pusher_speed;
+  if (!speed) {
+    notes.push_back(
+        "the pusher does not arrive, nothing is struck: see that the spring's "
+        "preset and stiffness, the magnet's force and the arms are right");
+  } else if (*speed > kFast) {
+    notes.push_back(fmt::format(
+        "the pusher strikes at {:.4g} m/s: see that the units of its inertia, "
+        "of the magnet's force and of the arms are right",
+        *speed));
+  }
+  double most = 0.0;
+  for (const EjectorVariant& v : r.variants) {
+    if (v.impact) most = std::max(most, v.impact->stress);
+  }
+  if (most > kHopeless * r.limits.stress) {
+    notes.push_back(fmt::format(
+        "the blow would need {:.3g} times the stress that is allowed: see that "
+        "the units of the workpiece's diameter and length are right",
+        most / r.limits.stress));
+  }
+  return notes;
+}
+
 std::string one_text(const EjectorResult& r, Colour colour) {
   std::string text = printable(r.name);
   text += fmt::format(
@@ -74,7 +104,7 @@ std::string one_text(const EjectorResult& r, Colour colour) {
       r.limits.stress / kMegapascal, or_any(r.limits.magnet_force, 1.0, "N"),
       or_any(r.limits.travel, kMillimetre, "mm"),
       or_any(r.limits.range, kMillimetre, "mm"), r.limits.speed);
-  return text;
+  return text + note_lines(notes_on(r));
 }
 
 ordered_json or_null(const std::optional<double>& value, double unit = 1.0) {
@@ -116,7 +146,8 @@ ordered_json one_json(const EjectorResult& r) {
             {"magnet_force_N", or_null(r.limits.magnet_force)},
             {"travel_mm", or_null(r.limits.travel, kMillimetre)},
             {"range_mm", or_null(r.limits.range, kMillimetre)},
-            {"speed_m_per_s", r.limits.speed}}}};
+            {"speed_m_per_s", r.limits.speed}}},
+          {"notes", notes_on(r)}};
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include "report/forces/coupling_output.h"
 #include "report/forces/element_output.h"
 #include "report/summary/mechanism_summary.h"
-#include "report/summary/motion_notes.h"
 #include "report/text/text_table.h"
 #include "report/text/units.h"
 

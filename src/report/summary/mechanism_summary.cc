@@ -5,7 +5,7 @@
 
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/joints/joint_types.h"
-#include "report/summary/motion_notes.h"
+#include "report/notes/motion_notes.h"
 
 namespace clevis::report {
 namespace {

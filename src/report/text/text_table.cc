@@ -4,6 +4,10 @@
 #include <cassert>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "report/text/terminal.h"
+
 namespace clevis::report {
 namespace {
 
@@ -62,6 +66,14 @@ std::string TextTable::text(Colour colour) const {
   append(header);
   std::ranges::for_each(lines_, append);
   return all;
+}
+
+std::string note_lines(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) {
+    text += printable(fmt::format("  note: {}", note)) + "\n";
+  }
+  return text;
 }
 
 }  // namespace clevis::report

@@ -40,4 +40,7 @@ class TextTable {
   std::vector<Line> lines_;
 };
 
+/// Notes as lines below a table, "  note: …".
+std::string note_lines(const std::vector<std::string>& notes);
+
 }  // namespace clevis::report

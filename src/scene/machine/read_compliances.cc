@@ -41,7 +41,7 @@ Shaft read_shaft(StrictTable& table) {
   if (const auto bore = table.find("bore")) {
     shaft.bore = inner(*bore, shaft.diameter, "diameter");
   }
-  shaft.shear_modulus = table["shear_modulus"].positive(Dimension::kStress);
+  shaft.shear_modulus = table["shear_modulus"].elastic_modulus();
   return shaft;
 }
 
@@ -128,7 +128,7 @@ void read_law(StrictTable& table, Type type, bool angular,
     case Type::kBar:
       element.law =
           Bar{length(table, "length"), table["area"].positive(Dimension::kArea),
-              table["youngs_modulus"].positive(Dimension::kStress)};
+              table["youngs_modulus"].elastic_modulus()};
       return;
     case Type::kShaft:
       element.law = read_shaft(table);
@@ -139,7 +139,7 @@ void read_law(StrictTable& table, Type type, bool angular,
       return;
     case Type::kGearTeeth:
       element.law = GearTeeth{length(table, "radius"), length(table, "width"),
-                              table["modulus"].positive(Dimension::kStress)};
+                              table["modulus"].elastic_modulus()};
       return;
     case Type::kThread:
       element.law = read_thread(table);

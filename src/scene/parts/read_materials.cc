@@ -9,17 +9,6 @@ namespace {
 
 using part::Material;
 
-/// @throws Error S011 unless low <= x <= high.
-void require_plausible(double x, double low, double high, const Value& value,
-                       const char* range) {
-  if (low <= x && x <= high) return;
-  throw value.refusal(
-      "S011",
-      fmt::format("= \"{}\" is outside {}, the range of real materials",
-                  value.text(), range),
-      "Check the number and its unit.");
-}
-
 // Nearer to -1 and 0.5 shear and bulk stiffness differ by more than what
 // round-off leaves of the smaller one.
 constexpr double kLeastRatio = -0.99;
@@ -28,10 +17,7 @@ constexpr double kLargestRatio = 0.4999999;
 Material read_material(const std::string& name, StrictTable table) {
   Material material;
   material.name = name;
-  const Value modulus = table["youngs_modulus"];
-  material.youngs_modulus = modulus.positive(Dimension::kStress);
-  require_plausible(material.youngs_modulus, 1e7, 1.2e12, modulus,
-                    "0.01 GPa to 1200 GPa");
+  material.youngs_modulus = table["youngs_modulus"].elastic_modulus();
   const Value ratio = table["poissons_ratio"];
   material.poissons_ratio = ratio.number(-1.0, 0.5);
   if (material.poissons_ratio == -1.0 || material.poissons_ratio == 0.5) {
@@ -50,12 +36,12 @@ Material read_material(const std::string& name, StrictTable table) {
   }
   const Value density = table["density"];
   material.density = density.positive(Dimension::kDensity);
-  require_plausible(material.density, 10.0, 25000.0, density,
-                    "10 kg/m^3 to 25000 kg/m^3");
+  density.require_material(material.density, 10.0, 25000.0,
+                           "10 kg/m^3 to 25000 kg/m^3");
   const Value yield = table["yield_strength"];
   material.yield_strength = yield.positive(Dimension::kStress);
-  require_plausible(material.yield_strength, 0.0, material.youngs_modulus,
-                    yield, "0 to Young's modulus");
+  yield.require_material(material.yield_strength, 0.0, material.youngs_modulus,
+                         "0 to Young's modulus");
   return material;
 }
 

@@ -168,6 +168,23 @@ double Value::positive(Dimension dimension) const {
   return value;
 }
 
+void Value::require_material(double x, double low, double high,
+                             const char* range) const {
+  if (low <= x && x <= high) return;
+  throw refusal("S011",
+                fmt::format("= \"{}\" is outside {}, the range of real "
+                            "materials",
+                            text(), range),
+                "Check the number and its unit.");
+}
+
+double Value::elastic_modulus() const {
+  constexpr double kSoftest = 1e7, kStiffest = 1.2e12;  // [Pa]
+  const double modulus = positive(Dimension::kStress);
+  require_material(modulus, kSoftest, kStiffest, "0.01 GPa to 1200 GPa");
+  return modulus;
+}
+
 Eigen::Vector3d Value::vector(Dimension dimension) const {
   Eigen::Vector3d vector;
   Eigen::Index i = 0;

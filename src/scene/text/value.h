@@ -56,6 +56,13 @@ class Value {
   double quantity(Dimension dimension) const;
   /// As quantity() [SI], and > 0.
   double positive(Dimension dimension) const;
+  /// Likewise of what materials have: 0.01 to 1200 GPa [Pa].
+  /// @throws also S011.
+  double elastic_modulus() const;
+  /// @throws Error S011 unless low <= x <= high.
+  /// @param range  the same in a user's units: "0.01 GPa to 1200 GPa".
+  void require_material(double x, double low, double high,
+                        const char* range) const;
   /// Three quantities [SI]. @throws also S005 if there are not three.
   Eigen::Vector3d vector(Dimension dimension) const;
 

@@ -69,14 +69,28 @@ TEST(PartNotes, YieldStrengthOfNoMaterialIsAskedAbout) {
 
 TEST(PartNotes, DeflectionLimitAsLargeAsThePartIsAskedAbout) {
   PartJob job = steel_link();
-  job.part.limits.deflection = 0.1;
+  job.part.limits.deflection = 0.01;
   EXPECT_TRUE(part_notes(job).empty());
-  job.part.limits.deflection = 3.0;  // m for mm
+  job.part.limits.deflection = 0.02;  // cm for mm
   EXPECT_EQ(only_note(job),
-            "the limit of deflection is 3000 mm, more than half of the part's "
+            "the limit of deflection is 20 mm, more than a 20th of the part's "
             "size (201.2 mm): see that its unit is right");
   job.part.limits.deflection.reset();
   EXPECT_TRUE(part_notes(job).empty());
+}
+
+TEST(PartNotes, CaseThatIsNothingBesideAnotherIsAskedAbout) {
+  PartJob job = steel_link();
+  job.part.cases.resize(2);
+  job.part.cases[0].name = "push";
+  job.part.cases[0].pins = {{"bore_A", {-5000.0, 0.0, 0.0}}};
+  job.part.cases[1].name = "pull";
+  job.part.cases[1].pins = {{"bore_A", {0.0, 20.0, 0.0}}};
+  EXPECT_TRUE(asked(job).empty());
+  job.part.cases[1].pins["bore_A"].y() = 5.0;  // kN
+  EXPECT_EQ(only_asked(job),
+            "the largest force of case pull is 5 N, that of case push 5000 N: "
+            "see that the units of both are right");
 }
 
 TEST(PartNotes, AccelerationAsOfMillimetresIsAskedAbout) {

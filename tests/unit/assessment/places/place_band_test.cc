@@ -58,5 +58,11 @@ TEST(LargestPlace, HoldsAsOftenAsTheBandOfOnePlace) {
   EXPECT_LT(of_its_own, of_one - kTrials / 20);
 }
 
+TEST(ErrorOfJump, CountsFromHalfOfTheStressOn) {
+  EXPECT_EQ(error_of_jump(100.0, 50.0), 0.0);
+  EXPECT_DOUBLE_EQ(error_of_jump(100.0, 80.0), 15.0);
+  EXPECT_DOUBLE_EQ(error_of_jump(100.0, 150.0), 50.0);
+}
+
 }  // namespace
 }  // namespace clevis::assessment

@@ -193,6 +193,17 @@ TEST(BearingVerdict, WhatTheFormulasDoNotCoverIsNotJudged) {
   EXPECT_EQ(judge_bearing(strong, heavy).verdict, part::Verdict::kNotJudged);
 }
 
+TEST(BearingVerdict, RatingsOfNoBearingDoNotPass) {
+  const auto some = history(1.0, 11, constant(100.0), constant(1.0));
+  BearingDefinition bearing = bearing_1000096();
+  bearing.dynamic_rating = 9.9 * bearing.static_rating;
+  EXPECT_EQ(judge_bearing(bearing, some).verdict, part::Verdict::kPass);
+  bearing.dynamic_rating = 1470e3;  // kN for N
+  const auto result = judge_bearing(bearing, some);
+  EXPECT_EQ(codes(result), std::vector<std::string>{"B009"});
+  EXPECT_EQ(result.verdict, part::Verdict::kNotJudged);
+}
+
 TEST(BearingVerdict, ForceOfTeethIsMissedByName) {
   const auto some = history(1.0, 11, constant(100.0), constant(1.0));
   const auto result = judge_bearing(bearing_1000096(), some, true);

@@ -1,4 +1,4 @@
-#include "report/summary/motion_notes.h"
+#include "report/notes/motion_notes.h"
 
 #include <gtest/gtest.h>
 
@@ -28,95 +28,6 @@ Motion left_free() {
 
 TEST(MotionNotes, NothingIsSaidOfAMotionThatDrivesFix) {
   EXPECT_TRUE(motion_notes({}, {}).empty());
-}
-
-// 9810 m/s² were meant as mm/s²; Jupiter has 25.
-TEST(MotionNotes, GravityThatNoMachineMeetsIsAskedAbout) {
-  MechanismDefinition definition;
-  definition.gravity_W = {0.0, -25.0, 0.0};
-  EXPECT_TRUE(motion_notes(definition, {}).empty());
-  definition.gravity_W = {0.0, 0.0, -9810.0};
-  const std::string note = only_note(definition, {});
-  EXPECT_TRUE(tells(note, "gravity is 9810 m/s^2, 1000 times the earth's"));
-  EXPECT_TRUE(tells(note, "see that its unit is right"));
-  definition.gravity_W = {0.0, 0.0, -9.81e-3};
-  EXPECT_TRUE(tells(only_note(definition, {}), "gravity is 0.00981 m/s^2"));
-  definition.gravity_W = {0.0, 0.0, -1.6};
-  EXPECT_TRUE(motion_notes(definition, {}).empty());
-}
-
-// A steel bar of 120 × 20 × 10 mm, its mass of 188 g typed as kg.
-TEST(MotionNotes, BodyDenserThanAnyIsAskedAbout) {
-  MechanismDefinition definition;
-  definition.bodies.resize(1);
-  BodyDefinition& body = definition.bodies[0];
-  body.name = "crank";
-  body.mass_properties.mass = 0.188;
-  body.mass_properties.inertia_LCm.diagonal() << 7.8e-6, 227e-6, 232e-6;
-  EXPECT_TRUE(motion_notes(definition, {}).empty());
-  body.mass_properties.mass = 188.0;
-  const std::string note = only_note(definition, {});
-  EXPECT_TRUE(tells(note, "body crank of 188 kg"));
-  EXPECT_TRUE(tells(note, "units of its mass and inertia"));
-  // A ball of lead is no denser than lead, whatever its size.
-  const double mass = 4.0 / 3.0 * 3.14159 * 1e-9 * 11340.0;  // of 1 mm
-  body.mass_properties.mass = mass;
-  body.mass_properties.inertia_LCm =
-      0.4 * mass * 1e-6 * Eigen::Matrix3d::Identity();
-  EXPECT_TRUE(motion_notes(definition, {}).empty());
-  body.mass_properties.inertia_LCm *= 1e-2;  // radius/10, density·1000
-  EXPECT_TRUE(tells(only_note(definition, {}), "1.1e+07 kg/m^3"));
-}
-
-// Mass and inertia wrong by the same factor keep the radius of gyration.
-TEST(MotionNotes, MassAndInertiaWrongByOneFactorAreAskedAbout) {
-  MechanismDefinition definition;
-  definition.bodies.resize(1);
-  BodyDefinition& body = definition.bodies[0];
-  body.name = "rod";
-  part::MassProperties& given = body.mass_properties;
-  const auto take = [&](double factor) {
-    // A round bar of steel, 1 m long, 20 mm thick.
-    given.mass = factor * 2.466;
-    given.inertia_LCm.diagonal() << factor * 1.233e-4, factor * 0.20556,
-        factor * 0.20556;
-  };
-  take(1.0);
-  EXPECT_TRUE(motion_notes(definition, {}).empty());
-  take(1e3);
-  EXPECT_TRUE(tells(only_note(definition, {}), "so little inertia"));
-  take(1e-3);
-  EXPECT_TRUE(tells(only_note(definition, {}), "5.5 kg/m^3 as a solid"));
-  // A lamina's inertia, as of planar mechanisms: 140 × 20 × 5 mm, 0.11 kg.
-  given.mass = 0.11;
-  given.inertia_LCm.diagonal() << 3.67e-6, 179.7e-6, 183.37e-6;
-  EXPECT_TRUE(motion_notes(definition, {}).empty());
-}
-
-// A rocker of 200 mm, its centre of mass 600 mm away for 60.
-TEST(MotionNotes, CentreOfMassFarFromItsJointsIsAskedAbout) {
-  MechanismDefinition definition;
-  definition.bodies.resize(1);
-  BodyDefinition& body = definition.bodies[0];
-  body.name = "rocker";
-  definition.joints.resize(2);
-  definition.joints[0].body_b = 0;
-  definition.joints[1].body_a = 0;
-  definition.joints[1].body_b = kGround;
-  definition.joints[1].frame_a.p_LJ = {0.2, 0.0, 0.0};
-  body.mass_properties.p_LCm = {-0.6, 0.0, 0.0};
-  EXPECT_TRUE(motion_notes(definition, {}).empty());
-  body.mass_properties.p_LCm = {0.2, 0.66, 0.0};
-  const std::string note = only_note(definition, {});
-  EXPECT_TRUE(tells(note,
-                    "body rocker is 660 mm from its nearest joint, 3.3 "
-                    "times as far as its joints are apart (200 mm)"))
-      << note;
-  body.part = "rocker";  // its mesh tells where its mass is
-  EXPECT_TRUE(motion_notes(definition, {}).empty());
-  body.part.clear();
-  definition.joints.pop_back();  // a pendulum's bob
-  EXPECT_TRUE(motion_notes(definition, {}).empty());
 }
 
 /// Of one drive of a hinge, by its law, at the start and the end of a second.
@@ -215,6 +126,8 @@ TEST(MotionNotes, BreakawayThatIsInNoLoadIsTold) {
     LineElement rub;
     rub.name = "rub";
     rub.law = law;
+    rub.line.joint = 0;
+    definition.joints.resize(1);
     definition.elements = {rub};
   };
   put();
@@ -250,6 +163,83 @@ TEST(MotionNotes, HistoryOfForcesIsNoFreedom) {
   const std::string note = only_note({}, motion);
   EXPECT_TRUE(tells(note, "history"));
   EXPECT_FALSE(tells(note, "no drive fixes"));
+}
+
+/// One body with a joint 100 mm from its origin, over some instants of an
+/// integrated motion.
+Motion integrated(MechanismDefinition& definition, std::size_t instants,
+                  double duration) {
+  definition.bodies.resize(1);
+  definition.bodies[0].name = "bob";
+  definition.bodies[0].is_placed = true;
+  definition.joints.resize(1);
+  definition.joints[0].body_a = kGround;
+  definition.joints[0].body_b = 0;
+  definition.joints[0].frame_b.p_LJ = {0.1, 0.0, 0.0};
+  Motion motion;
+  motion.integration.emplace();
+  motion.instants.resize(instants);
+  for (std::size_t i = 0; i < instants; ++i) {
+    motion.instants[i].t =
+        duration * static_cast<double>(i) / static_cast<double>(instants - 1);
+    motion.instants[i].bodies.resize(1);
+  }
+  return motion;
+}
+
+TEST(MotionNotes, MotionThatEndsBeforeAnythingMovesIsAskedAbout) {
+  MechanismDefinition definition;
+  Motion motion = integrated(definition, 3, 2e-3);
+  EXPECT_TRUE(motion_notes(definition, motion).empty());  // at rest
+  for (std::size_t i = 0; i < 3; ++i) {                   // falls
+    const double t = motion.instants[i].t;
+    BodyState& body = motion.instants[i].bodies[0];
+    body.v_WLo = {0.0, -9.81 * t, 0.0};
+    body.pose.p_WL = {0.0, -0.5 * 9.81 * t * t, 0.0};
+  }
+  const std::string note = only_note(definition, motion);
+  EXPECT_TRUE(tells(note,
+                    "moves by more than 0.0196 mm or turns by more than "
+                    "0 deg over the motion of 0.002 s"))
+      << note;
+  // A pin that rests but for round-off, about which the body turns.
+  Motion pinned = motion;
+  for (std::size_t i = 0; i < 3; ++i) {
+    BodyState& body = pinned.instants[i].bodies[0];
+    body.v_WLo = {0.0, i == 1 ? -1e-16 : 1e-16, 0.0};
+    body.w_WL = {0.0, 0.0, 6.0};
+    body.pose = {};
+  }
+  EXPECT_EQ(motion_notes(definition, pinned).size(), 1u);
+  // One that comes to rest, and one that turns back.
+  motion.instants[2].bodies[0].v_WLo *= 0.2;
+  EXPECT_TRUE(motion_notes(definition, motion).empty());
+  motion.instants[2].bodies[0].v_WLo *= -5.0;
+  EXPECT_TRUE(motion_notes(definition, motion).empty());
+}
+
+TEST(MotionNotes, BodyFasterThanSoundIsAskedAbout) {
+  MechanismDefinition definition;
+  Motion motion = integrated(definition, 2, 1.0);
+  motion.instants[1].bodies[0].w_WL = {0.0, 0.0, 6000.0};
+  motion.instants[1].bodies[0].pose.p_WL.x() = 0.01;
+  definition.bodies[0].mass_properties.p_LCm = {0.05, 0.0, 0.0};  // 300 m/s
+  EXPECT_TRUE(motion_notes(definition, motion).empty());
+  definition.bodies[0].mass_properties.p_LCm = {0.06, 0.0, 0.0};
+  EXPECT_TRUE(
+      tells(only_note(definition, motion), "body bob moves at 360 m/s"));
+}
+
+TEST(MotionNotes, AccelerationThatNoDriveGivesIsAskedAbout) {
+  MechanismDefinition definition;
+  Motion motion = integrated(definition, 2, 1.0);
+  motion.instants[0].bodies[0].a_WLo = {2.1e4, 0.0, 0.0};
+  EXPECT_TRUE(motion_notes(definition, motion).empty());  // a blow
+  motion.integration.reset();
+  EXPECT_TRUE(tells(only_note(definition, motion),
+                    "body bob is accelerated by 2.1e+04 m/s^2"));
+  motion.instants[0].bodies[0].a_WLo = {1.9e4, 0.0, 0.0};
+  EXPECT_TRUE(motion_notes(definition, motion).empty());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "report/summary/motion_notes.h"
+#include "report/notes/motion_notes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,14 +6,14 @@
 #include <optional>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/force_elements/breakaway.h"
-#include "report/text/terminal.h"
+#include "report/notes/definition_notes.h"
+#include "report/notes/element_notes.h"
 #include "report/text/units.h"
 
 namespace clevis::report {
@@ -76,103 +76,6 @@ void add_freedom(const MechanismDefinition& definition, const Motion& motion,
       is_pushed(definition)
           ? "Say motion = \"dynamic\" if that is meant"
           : "If a drive was forgotten, add it; else say motion = \"dynamic\""));
-}
-
-/// The moon has 1.6 m/s², Jupiter 25; 9810 were meant as mm/s².
-void add_gravity(const MechanismDefinition& definition,
-                 std::vector<std::string>& notes) {
-  constexpr double kEarth = 9.81, kLeast = 1.0, kLargest = 30.0;  // [m/s²]
-  const double gravity = definition.gravity_W.norm();
-  if (gravity == 0.0 || (kLeast <= gravity && gravity <= kLargest)) return;
-  notes.push_back(fmt::format(
-      "gravity is {:.4g} m/s^2, {:.4g} times the earth's: see that its unit is "
-      "right",
-      gravity, gravity / kEarth));
-}
-
-/// Of the ellipsoid that has a body's mass and inertia [kg/m³]. Of all bodies
-/// of one density the ellipsoid has the least inertia: no body is less dense.
-/// @param least  semi-axis, over the largest: inertias of laminae and of rods
-///               are given without it [1].
-double density_of_ellipsoid(const part::MassProperties& given, double least) {
-  const Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
-                               given.inertia_LCm, Eigen::EigenvaluesOnly)
-                               .eigenvalues();
-  const Vector3d squares =
-      (5.0 / given.mass *
-       (Vector3d::Constant(0.5 * moments.sum()) - moments).array())
-          .max(0.0);
-  const Vector3d axes = squares.cwiseSqrt();
-  return given.mass / (4.0 / 3.0 * std::numbers::pi *
-                       axes.cwiseMax(least * axes.maxCoeff()).prod());
-}
-
-/// Bodies that are given as all but points are spared.
-void add_densities(const MechanismDefinition& definition,
-                   std::vector<std::string>& notes) {
-  constexpr double kLargest = 10.0 * 25000.0;  // [kg/m³], of materials: 25000
-  constexpr double kLeast = 10.0;  // frames of thin tubes have more [kg/m³]
-  constexpr double kThick = 1.0 / 20.0, kThin = 1.0 / 50.0;
-  for (const BodyDefinition& body : definition.bodies) {
-    const part::MassProperties& given = body.mass_properties;
-    if (!body.part.empty() || !(given.mass > 0.0) ||
-        !(given.inertia_LCm.trace() > 0.0)) {
-      continue;
-    }
-    const double most = density_of_ellipsoid(given, kThin);
-    const double least = density_of_ellipsoid(given, kThick);
-    if (least > kLargest) {
-      notes.push_back(fmt::format(
-          "body {} of {:.4g} kg has so little inertia that it would have "
-          "{:.2g} kg/m^3 at least: see that the units of its mass and inertia "
-          "are right",
-          body.name, given.mass, least));
-    } else if (most < kLeast) {
-      notes.push_back(fmt::format(
-          "body {} of {:.4g} kg has so much inertia that it would have {:.2g} "
-          "kg/m^3 as a solid: see that the units of its mass and inertia are "
-          "right",
-          body.name, given.mass, most));
-    }
-  }
-}
-
-/// Places of a body's joints on it [m].
-std::vector<Vector3d> joints_on(const MechanismDefinition& definition,
-                                std::size_t body) {
-  std::vector<Vector3d> places;
-  for (const auto& joint : definition.joints) {
-    for (const auto& [on, frame] : {std::pair(joint.body_a, joint.frame_a),
-                                    std::pair(joint.body_b, joint.frame_b)}) {
-      if (on == static_cast<int>(body)) places.push_back(frame.p_LJ);
-    }
-  }
-  return places;
-}
-
-/// As of m that were meant as mm. Meshes tell the centres of parts.
-void add_far_centres(const MechanismDefinition& definition,
-                     std::vector<std::string>& notes) {
-  constexpr double kFar = 3.0, kMilli = 1e-3;
-  for (std::size_t b = 0; b < definition.bodies.size(); ++b) {
-    const BodyDefinition& body = definition.bodies[b];
-    if (!body.part.empty()) continue;
-    double span = 0.0, distance = HUGE_VAL;
-    const std::vector<Vector3d> places = joints_on(definition, b);
-    for (const Vector3d& place : places) {
-      distance =
-          std::min(distance, (place - body.mass_properties.p_LCm).norm());
-      for (const Vector3d& other : places) {
-        span = std::max(span, (place - other).norm());
-      }
-    }
-    if (span == 0.0 || distance <= kFar * span) continue;
-    notes.push_back(fmt::format(
-        "the centre of mass of body {} is {:.4g} mm from its nearest joint, "
-        "{:.3g} times as far as its joints are apart ({:.4g} mm): see that its "
-        "unit is right",
-        body.name, distance / kMilli, distance / span, span / kMilli));
-  }
 }
 
 /// Amount by which a drive's law sets out to move, however short the motion
@@ -241,36 +144,104 @@ void add_short_motions(const MechanismDefinition& definition,
   }
 }
 
-/// Bodies that no joint holds, where others are held.
-void add_unjoined(const MechanismDefinition& definition,
-                  std::vector<std::string>& notes) {
-  if (definition.joints.empty()) return;
-  for (std::size_t b = 0; b < definition.bodies.size(); ++b) {
-    const bool is_joined =
-        std::ranges::any_of(definition.joints, [&](const auto& joint) {
-          return joint.body_a == static_cast<int>(b) ||
-                 joint.body_b == static_cast<int>(b);
-        });
-    if (is_joined) continue;
-    notes.push_back(
-        fmt::format("body {} has no joint, forces alone move it: join it, or "
-                    "leave it out if that is not meant",
-                    definition.bodies[b].name));
-  }
+/// Whether a rate keeps its sense over a motion and is not on its way to rest.
+/// @param rates  by instant [m/s] or [rad/s]. @param least  round-off.
+bool is_under_way(const std::vector<Vector3d>& rates, double least) {
+  constexpr double kOfFastest = 0.5;
+  const Vector3d& end = rates.back();
+  double fastest = 0.0;
+  for (const Vector3d& rate : rates) fastest = std::max(fastest, rate.norm());
+  return fastest > least && end.norm() > kOfFastest * fastest &&
+         std::ranges::all_of(rates, [&](const Vector3d& rate) {
+           return rate.norm() <= least || rate.dot(end) >= 0.0;
+         });
 }
 
-/// Lengths of the mechanism's order, by its joints [m].
-double extent(const MechanismDefinition& definition) {
-  double length = 0.0;
-  for (const auto& joint : definition.joints) {
-    for (const auto& [body, frame] : {std::pair(joint.body_a, joint.frame_a),
-                                      std::pair(joint.body_b, joint.frame_b)}) {
-      if (body != mechanism::kGround) {
-        length = std::max(length, frame.p_LJ.norm());
+/// As of ms that were meant as s, where forces decide: everything that moves
+/// is still on its way from where it began.
+void add_unmoved(const MechanismDefinition& definition, const Motion& motion,
+                 std::vector<std::string>& notes) {
+  constexpr double kOfSize = 0.01, kOfTurn = 0.01 * 360.0 * kDegree;
+  constexpr double kRoundOff = 1e-9, kMilli = 1e-3;
+  const double size = mechanism_size(definition);
+  if (!motion.integration || motion.instants.size() < 2 || size == 0.0) return;
+  const auto& first = motion.instants.front();
+  const double duration = motion.instants.back().t - first.t;
+  double way = 0.0, turn = 0.0;
+  bool any_moves = false;
+  for (std::size_t b = 0; b < definition.bodies.size(); ++b) {
+    const part::Pose& start = first.bodies[b].pose;
+    std::vector<Vector3d> speeds, spins;
+    for (const mechanism::Instant& instant : motion.instants) {
+      const mechanism::BodyState& body = instant.bodies[b];
+      way = std::max(way, (body.pose.p_WL - start.p_WL).norm());
+      turn = std::max(
+          turn,
+          Eigen::AngleAxisd(body.pose.R_WL * start.R_WL.transpose()).angle());
+      speeds.push_back(body.v_WLo);
+      spins.push_back(body.w_WL);
+    }
+    const double slow = kRoundOff * size / duration;
+    const double idle = kRoundOff / duration;
+    const auto rests = [](const std::vector<Vector3d>& rates, double least) {
+      return std::ranges::all_of(rates, [&](const Vector3d& rate) {
+        return rate.norm() <= least;
+      });
+    };
+    const bool slides = !rests(speeds, slow), turns = !rests(spins, idle);
+    any_moves |= slides || turns;
+    if ((slides && !is_under_way(speeds, slow)) ||
+        (turns && !is_under_way(spins, idle))) {
+      return;
+    }
+  }
+  if (!any_moves || way >= kOfSize * size || turn >= kOfTurn) return;
+  notes.push_back(fmt::format(
+      "no body moves by more than {:.3g} mm or turns by more than {:.3g} deg "
+      "over the motion of {:.4g} s, and what moves is still on its way: see "
+      "that the units of the duration and of the forces are right",
+      way / kMilli, turn / kDegree, duration));
+}
+
+/// As of a drive's duration in ms that was meant in s.
+void add_speeds(const MechanismDefinition& definition, const Motion& motion,
+                std::vector<std::string>& notes) {
+  constexpr double kSound = 340.0;     // in air [m/s]
+  constexpr double kHardest = 20.0e3;  // 2000 times gravity [m/s²]
+  constexpr double kGravity = 9.81;
+  double fastest = 0.0, hardest = 0.0;
+  std::size_t fast = 0, hard = 0;
+  for (const mechanism::Instant& instant : motion.instants) {
+    for (std::size_t b = 0; b < instant.bodies.size(); ++b) {
+      const mechanism::BodyState& body = instant.bodies[b];
+      const Vector3d arm =
+          body.pose.R_WL * definition.bodies[b].mass_properties.p_LCm;
+      const double speed = (body.v_WLo + body.w_WL.cross(arm)).norm();
+      const double acceleration = (body.a_WLo + body.alpha_WL.cross(arm) +
+                                   body.w_WL.cross(body.w_WL.cross(arm)))
+                                      .norm();
+      if (speed > fastest) {
+        fastest = speed;
+        fast = b;
+      }
+      if (acceleration > hardest) {
+        hardest = acceleration;
+        hard = b;
       }
     }
   }
-  return length;
+  if (fastest > kSound) {
+    notes.push_back(fmt::format(
+        "body {} moves at {:.4g} m/s, faster than sound in air: see that the "
+        "units of speeds and times are right",
+        definition.bodies[fast].name, fastest));
+  } else if (hardest > kHardest && !motion.integration) {
+    // Blows, which are integrated, may well be as hard.
+    notes.push_back(fmt::format(
+        "body {} is accelerated by {:.4g} m/s^2, {:.3g} times gravity: see "
+        "that the units of the drives' speeds and times are right",
+        definition.bodies[hard].name, hardest, hardest / kGravity));
+  }
 }
 
 /// Thousandths, without trailing zeros; no -0.
@@ -286,7 +257,7 @@ void add_assembly(const MechanismDefinition& definition, const Motion& motion,
   constexpr double kRoundOff = 1e-9;  // [m]
   constexpr std::size_t kShown = 3;
   if (motion.instants.empty()) return;
-  const double length = extent(definition);
+  const double length = mechanism_size(definition);
   std::vector<std::string> moved;
   for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
     const BodyDefinition& body = definition.bodies[i];
@@ -362,24 +333,16 @@ void add_breakaway(const MechanismDefinition& definition, const Motion& motion,
 std::vector<std::string> motion_notes(const MechanismDefinition& definition,
                                       const Motion& motion) {
   std::vector<std::string> notes;
-  add_gravity(definition, notes);
-  add_densities(definition, notes);
-  add_far_centres(definition, notes);
+  add_definition_notes(definition, notes);
   add_short_motions(definition, motion, notes);
+  add_unmoved(definition, motion, notes);
+  add_speeds(definition, motion, notes);
   add_freedom(definition, motion, notes);
-  add_unjoined(definition, notes);
   add_assembly(definition, motion, notes);
   add_search(motion, notes);
   add_breakaway(definition, motion, notes);
+  add_element_notes(definition, motion, notes);
   return notes;
-}
-
-std::string note_lines(const std::vector<std::string>& notes) {
-  std::string text;
-  for (const std::string& note : notes) {
-    text += printable(fmt::format("  note: {}", note)) + "\n";
-  }
-  return text;
 }
 
 }  // namespace clevis::report
