@@ -167,11 +167,12 @@ def main():
     shared = (SHARED, "--model", "plane-stress", "--engine", "dealii")
     with tempfile.TemporaryDirectory() as folder:
         place = lambda name: Path(folder) / name
-        shares(clevis, checks, place, "plate", shared, (2, 4))
-        once, again = (checked(clevis, 4, place(f"bits{n}"), *shared)[0] for n in (1, 2))
+        once = shares(clevis, checks, place, "plate", shared, (2, 4))
+        again, _ = checked(clevis, 4, place("bits"), *shared)
         checks.expect(again == once, "4 ranks give the same bits again")
         shares(clevis, checks, place, "solid",
-               (SCENE, "--part", "FE2", "--model", "3d", "--engine", "dealii"), (3,))
+               (SCENE, "--part", "FE2", "--model", "3d", "--engine", "dealii",
+                "--tolerance", "20%"), (3,))
         two = shares(clevis, checks, place, "two cells",
                      (few_cells(Path(folder)), "--model", "3d", "--engine", "dealii"), (4,))
         one_face_sent(checks, two)
