@@ -16,7 +16,10 @@ pins = { bore_C = ["%s", "0 N", "0 N"]%s }
 """
 HELD = 'held_by_pin = ["bore_B"]'
 FIXED = 'fixed = { bore_B = ["x", "y", "z"] }'
-
+# No stress is read: a fifth of the cells.
+COARSE = (("MeshSize {:} = 5;", "MeshSize {:} = 12;"),
+          ("Transfinite Curve {14, 15, 24, 25} = 13;",
+           "Transfinite Curve {14, 15, 24, 25} = 5;"))
 
 
 def checked(folder, force, support):
@@ -25,8 +28,8 @@ def checked(folder, force, support):
     text = scene.read_text().partition("\n[[part.case]]")[0]
     balance = f', bore_B = ["-{force}", "0 N", "0 N"]' if not support else ""
     scene.write_text(text + CASE % (force, balance, support))
-    done = subprocess.run([clevis, "check", scene, "--out", folder / "out"],
-                          capture_output=True, text=True)
+    done = subprocess.run([clevis, "check", scene, "--out", folder / "out",
+                           "--tolerance", "50%"], capture_output=True, text=True)
     if done.returncode not in (0, 1, 4):
         sys.exit(done.stderr)
     view = json.loads((folder / "out/view/part_coupler.json").read_text())
@@ -35,9 +38,16 @@ def checked(folder, force, support):
 
 with tempfile.TemporaryDirectory() as name:
     folder = Path(name) / "rocker"
-    for words in (["init", folder, "--template", "four-bar"],
-                  ["mesh", folder / "scene.toml"]):
-        subprocess.run([clevis, *words], check=True, capture_output=True)
+    subprocess.run([clevis, "init", folder, "--template", "four-bar"], check=True,
+                   capture_output=True)
+    geometry = folder / "coupler.geo"
+    text = geometry.read_text()
+    for fine, coarse in COARSE:
+        assert fine in text
+        text = text.replace(fine, coarse)
+    geometry.write_text(text)
+    subprocess.run([clevis, "mesh", folder / "scene.toml"], check=True,
+                   capture_output=True)
     series = folder / "out/mechanism.pvd"
     for force, support, has_frames, motion_governs in (
             ("50 kN", "", True, False), ("1 N", HELD, True, True),

@@ -4,7 +4,7 @@ transmission's elements, and what the landing gear's wheel gives under its load.
 
     compliance.py CLEVIS [--parts]
 
---parts: the single parts only, nothing written.
+--parts: the single parts that a formula holds for, nothing written.
 
 Two equal and opposite unit loads at the ends of a part do the work of its
 strain energy U: e = 2 U / F². A mechanism whose drives hold gives at its wheel,
@@ -80,7 +80,7 @@ def pull(a, b):
     return f'pins = {{ {a} = ["-1000 N", "0 N", "0 N"], {b} = ["1000 N", "0 N", "0 N"] }}'
 
 
-def single_parts(folder):
+def single_parts(folder, with_links):
     """(what, finite elements, formula, remark) [m/N]."""
     rows = []
     bar = folder / "bar.geo"
@@ -99,9 +99,11 @@ def single_parts(folder):
         outer = 24e-3 - math.sqrt(16e-6 - x * x)
         fillet += 4e-3 / steps / (GPA * ring(outer))
     formula = 96e-3 / (GPA * ring(20e-3)) + fillet + 100e-3 / (GPA * ring(30e-3))
-    check(ROOT / "geometry/stepped_shaft/tension.toml", folder / "shaft")
+    check(ROOT / "geometry/stepped_shaft/tension.toml", folder / "shaft", "--tolerance", "5 %")
     fe = 2.0 * energies(folder / "shaft", "shaft")[0] / force**2
     rows.append(("stepped shaft 40/60, bore 12, in tension", fe, formula, "Σ l/EA; the stress spreads into the collar over a length"))
+    if not with_links:
+        return rows
     link = ROOT / "geometry/reference_link/link.geo"
     fe = part_compliance(folder, link, pull("bore_A", "bore_B")) / 1e6
     rows.append(("reference link, pin to pin", fe, 140e-3 / (GPA * 12e-3 * 8e-3), "l/EA of the web alone: the eyes give most"))
@@ -205,8 +207,14 @@ def torsion(folder):
     fe = torsion_of(folder, 'geometry = "shaft.geo"')
     yield ("shaft 40, bore 12, 200 long, in torsion", fe,
            polar_compliance(((200e-3, lambda x: 20e-3),), 6e-3), "l/(G Jp), rad/(N m)")
-    mesh = mesh_of(ROOT / "geometry/stepped_shaft/shaft.geo")
-    fe = torsion_of(folder, f'mesh = "{mesh}"')
+    text = (ROOT / "geometry/stepped_shaft/shaft.geo").read_text()
+    for fine, coarse in (("around = 5;", "around = 3;"), ("outwards = 3;", "outwards = 1;"),
+                         ("= 2 + 1;", "= 1 + 1;"), ("= 3 + 1;", "= 1 + 1;"),
+                         ("= 5 + 1 ", "= 3 + 1 ")):
+        assert fine in text
+        text = text.replace(fine, coarse)  # energies need no fine cells
+    (folder / "stepped.geo").write_text(text)
+    fe = torsion_of(folder, 'geometry = "stepped.geo"')
     neck, collar = lambda x: 20e-3, lambda x: 30e-3
     fillet = lambda x: 24e-3 - math.sqrt(16e-6 - x * x)
     formula = polar_compliance(((96e-3, neck), (4e-3, fillet), (100e-3, collar)), 6e-3)
@@ -239,7 +247,7 @@ def wheel(folder, dx, dy, without_load=False):
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        rows = single_parts(folder)
+        rows = single_parts(folder, "--parts" not in sys.argv)
         rows += torsion(folder)
         good = (abs(rows[0][1] / rows[0][2] - 1.0) < 1e-6
                 and 1.0 < rows[1][1] / rows[1][2] < 1.05

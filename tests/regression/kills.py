@@ -93,16 +93,30 @@ def killed(command, delay, number, temporary):
         yield f"{left} stay"
 
 
+def coarse_four_bar(clevis, folder):
+    """The template with a fifth of the cells, meshed; its scene."""
+    subprocess.run([clevis, "init", folder / "rocker", "--template", "four-bar"],
+                   check=True, stdout=subprocess.DEVNULL)
+    geometry = folder / "rocker/coupler.geo"
+    text = geometry.read_text()
+    for fine, coarse in (("MeshSize {:} = 5;", "MeshSize {:} = 12;"),
+                         ("25} = 13;", "25} = 5;")):
+        assert fine in text
+        text = text.replace(fine, coarse)
+    geometry.write_text(text)
+    scene = folder / "rocker/scene.toml"
+    subprocess.run([clevis, "mesh", scene], check=True, stdout=subprocess.DEVNULL)
+    return scene
+
+
 def main():
     clevis, source = sys.argv[1], Path(sys.argv[2])
-    scene = source / "geometry/landing_gear/scene.toml"
-    check = [clevis, "check", str(scene), "--part", "AB", "--tolerance", "5%",
-             "--out"]
     rng = random.Random(16)
     bad = 0
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "tmp").mkdir()
+        check = [clevis, "check", str(coarse_four_bar(clevis, folder)), "--out"]
         start = time.monotonic()
         done = subprocess.run(check + [str(folder / "whole")],
                               stdout=subprocess.DEVNULL)

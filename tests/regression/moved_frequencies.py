@@ -33,7 +33,7 @@ FIRST = 1.8751**2 / LENGTH**2 * math.sqrt(MODULUS * INERTIA / DENSITY / AREA)  #
 
 def arm(folder, speed, factor):
     """speed: rad/s about the world's z, weight along −y."""
-    scene_text.write_bar(folder, (LENGTH, SIDE, SIDE), (30, 2, 2))
+    scene_text.write_bar(folder, (LENGTH, SIDE, SIDE), (12, 2, 2))
     file = folder / "scene.toml"
     world = f'[world]\ngravity = ["0 m/s^2", "-{GRAVITY} m/s^2", "0 m/s^2"]\n'
     file.write_text(scene_text.head("arm", world=world) + scene_text.part_body("bar") +
@@ -114,7 +114,7 @@ def bent_first(press):
 def shaken(folder, press, share):
     """Pressed by so much of Euler's load, shaken at a share of the first frequency that
     this leaves it."""
-    round_bar.round_bar(folder, [(10, 1, "round_a"), (480, 32, "round_m"), (10, 1, "bore_B")])
+    round_bar.round_bar(folder, [(10, 1, "round_a"), (480, 12, "round_m"), (10, 1, "bore_B")])
     file = folder / "scene.toml"
     file.write_text(scene_text.head("shaken") + scene_text.part_body("bar") +
                     scene_text.body("carrier", "5 kg", "0.01 kg m^2") +

@@ -44,8 +44,8 @@ class OtherFormats(unittest.TestCase):
         self.assertIn(f'geometry = "{part}.step"', scene)
         (self.folder / "scene.toml").write_text(scene.replace(
             f'geometry = "{part}.step"', f'geometry = "{geometry}"{unit}'))
-        return support.check(CLEVIS, self.folder / "scene.toml",
-                             exits=support.JUDGED)
+        return support.check(CLEVIS, self.folder / "scene.toml", "--tolerance", "10%",
+                             "--mesh-rounds", "0", exits=support.JUDGED)
 
     def expect_alike(self, part, geometry, reference, unit=""):
         answer = self.check(part, geometry, unit)
@@ -54,6 +54,8 @@ class OtherFormats(unittest.TestCase):
         low, high = answer.band
         self.assertLess(low, reference.band[1])
         self.assertGreater(high, reference.band[0])
+        # what bands of degree 3, which overlap, would leave open
+        self.assertAlmostEqual(answer.peak / reference.peak, 1.0, delta=0.016)
         self.assertAlmostEqual(answer.part["deflection_mm"] /
                                reference.part["deflection_mm"], 1.0, 2)
 

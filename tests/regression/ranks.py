@@ -167,18 +167,20 @@ def main():
     shared = (SHARED, "--model", "plane-stress", "--engine", "dealii")
     with tempfile.TemporaryDirectory() as folder:
         place = lambda name: Path(folder) / name
-        shares(clevis, checks, place, "plate", shared, (2, 4))
-        once, again = (checked(clevis, 4, place(f"bits{n}"), *shared)[0] for n in (1, 2))
+        once = shares(clevis, checks, place, "plate", shared, (2, 4))
+        again, _ = checked(clevis, 4, place("bits"), *shared)
         checks.expect(again == once, "4 ranks give the same bits again")
         shares(clevis, checks, place, "solid",
-               (SCENE, "--part", "FE2", "--model", "3d", "--engine", "dealii"), (3,))
+               (SCENE, "--part", "FE2", "--model", "3d", "--engine", "dealii",
+                "--tolerance", "20%"), (3,))
         two = shares(clevis, checks, place, "two cells",
                      (few_cells(Path(folder)), "--model", "3d", "--engine", "dealii"), (4,))
         one_face_sent(checks, two)
         first, other = memory(clevis, place("").resolve())
         checks.expect(other < 0.75 * first,
                       f"the other rank has {other:.0f} MB, the first {first:.0f} MB")
-        dealt_parts = ("--engine", "own", "--part", "AB", "--part", "DCE", "--part", "FE1")
+        dealt_parts = ("--engine", "own", "--part", "AB", "--part", "DCE", "--part", "FE1",
+                       "--tolerance", "20%")
         own, files = checked(clevis, 1, place("own"), SCENE, *dealt_parts)
         dealt, its_files = checked(clevis, 2, place("dealt"), SCENE, *dealt_parts)
         checks.expect(dealt == own, "3 parts dealt out to 2 ranks: the serial bits")

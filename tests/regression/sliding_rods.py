@@ -20,7 +20,7 @@ from round_bar import DENSITY, DIAMETER, INERTIA, MODULUS, check_of, round_bar
 
 def guided(folder, drive, loads, simulation):
     """600 mm in a guide of 40 mm about the ground's origin; loads of its free end."""
-    round_bar(folder, [(600, 40, "round_m")])
+    round_bar(folder, [(600, 20, "round_m")])
     seats = ", ".join(f'{name} = {{ face = "right" }}' for name in loads)
     forces = "".join(f'[[force]]\nname = "{name}"\n{text}\n' for name, text in loads.items())
     file = folder / "scene.toml"

@@ -54,8 +54,8 @@ def main():
     clevis, geometry = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2])
     with tempfile.TemporaryDirectory() as folder:
         run = subprocess.run(
-            [clevis, "check", geometry / "tribometer/crank_check.toml", "--json",
-             "--out", folder], capture_output=True, text=True)
+            [clevis, "check", geometry / "tribometer/crank_check.toml",
+             "--tolerance", "20%", "--json", "--out", folder], capture_output=True, text=True)
         expect("exit code", run.returncode, 0, 0)
         with open(Path(folder) / "reactions.csv", newline="") as file:
             forces = {float(row["t_s"]): math.hypot(
