@@ -11,7 +11,7 @@ AREA, SECOND_MOMENT = HEIGHT * WIDTH, WIDTH * HEIGHT**3 / 12
 
 def write_mesh(folder):
     """bar.msh, in millimetres; groups x0 and x1."""
-    scene_text.write_bar(folder, (LENGTH, HEIGHT, WIDTH), (20, 4, 1))
+    scene_text.write_bar(folder, (LENGTH, HEIGHT, WIDTH), (12, 2, 1))
 
 
 class Mode:

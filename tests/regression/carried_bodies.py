@@ -99,7 +99,7 @@ placement = {{ origin = {scene_text.lengths(origin)}{turned} }}
 
 
 def scene(folder, name, width, bodies, drives, duration):
-    scene_text.write_bar(folder, (LENGTH, HEIGHT, width), (20, 2, 2))
+    scene_text.write_bar(folder, (LENGTH, HEIGHT, width), (10, 2, 2))
     file = folder / "scene.toml"
     file.write_text(scene_text.head(name, world=WORLD) + scene_text.part_body("bar") +
                     body("holder", HOLDER, (1e-5,) * 3, (0, 0, 0), (1e3 * LENGTH, 0, 0)) +

@@ -27,7 +27,7 @@ SHAKE, DAMPING, DURATION = 0.1, 0.01, 0.5  # mm, 1, s
 
 def write_halves(folder):
     for name in ("lower", "upper"):
-        scene_text.write_bar(folder, (LENGTH / 2e3, SIDE / 1e3, SIDE / 1e3), (16, 2, 2))
+        scene_text.write_bar(folder, (LENGTH / 2e3, SIDE / 1e3, SIDE / 1e3), (8, 2, 2))
         (folder / "bar.msh").rename(folder / f"{name}.msh")
 
 

@@ -29,6 +29,8 @@ SIMULATED = ["antenna/scene", "bennett/scene", "braiding/scene", "catapult/scene
              "ejector/scene", "five_bar/scene", "gas_cylinder/scene", "landing_gear/pneumatic",
              "step/four_bar", "tribometer/crank", "two_window_four_bar/scene", "wall/scene",
              "wheel/drop"]
+# Of these a page with drives and one with contacts are looked at in full.
+IN_FULL = ["antenna/scene", "wheel/drop"]
 
 
 # A check of which only the pictures count.
@@ -103,7 +105,9 @@ def simulate(clevis, source):
     if missing:
         print(f"no scene of {missing} is tried")
         return 1
-    return try_motions(clevis, source, SIMULATED)
+    others = [scene for scene in SIMULATED if scene not in IN_FULL]
+    return (try_motions(clevis, source, IN_FULL)
+            or try_motions(clevis, source, others, "--brief"))
 
 
 def motions(clevis, source):
