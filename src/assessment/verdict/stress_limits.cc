@@ -18,7 +18,8 @@ constexpr double kMega = 1e6;
 std::string unsettled_remedy(const part::PartDefinition& part,
                              const PeakStress& peak) {
   if (peak.verdict == PeakVerdict::kSingular) {
-    return "round the corner, or support the part without a sharp edge";
+    return "round the corner (mesh finer, if the surface is smooth there), or "
+           "support the part without a sharp edge";
   }
   return fmt::format("in doubt by {}: {}", doubt_text(peak),
                      doubt_remedy(part, peak.shares));

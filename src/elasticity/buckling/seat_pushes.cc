@@ -8,7 +8,6 @@
 #include "elasticity/assembly/supports.h"
 #include "elasticity/fe_space/group_trace.h"
 #include "elasticity/nodal_loads/seat_means.h"
-#include "elasticity/nodal_loads/surface_loads.h"
 #include "loads/history/motion_instants.h"
 
 namespace clevis::elasticity {
@@ -143,6 +142,7 @@ SeatSurface touched_surface(const Discretization<3>& discretization,
 SeatSurface surface_of(const Discretization<3>& discretization,
                        const Eigen::Matrix3Xd& positions,
                        const loads::LoadHistory& history, std::size_t s,
+                       const SurfaceLoads& loads,
                        const std::string& part_name) {
   const loads::Seat& seat = history.seats[s];
   if (seat.slide) {
@@ -152,7 +152,6 @@ SeatSurface surface_of(const Discretization<3>& discretization,
   surface.motions.push_back(
       mean_motions<3>(seat_mean(discretization, seat, {}, part_name)));
   surface.shares.assign(history.instants.size(), {{0, 1.0}});
-  const SurfaceLoads loads = seat_loads(discretization, history, s, part_name);
   const std::vector<Index> nodes(loads.nodes.begin(), loads.nodes.end());
   for (Index i = 0; i < loads.values.cols(); ++i) {
     surface.virials.push_back(
@@ -188,6 +187,7 @@ loads::SeatGains gains_of(const loads::LoadHistory& history,
 
 SeatPushes::SeatPushes(const Discretization<3>& discretization,
                        const loads::LoadHistory& history,
+                       const std::vector<SurfaceLoads>& of_surfaces,
                        const std::string& part_name)
     : dofs_(discretization.dofs()) {
   constexpr double kNothing = 1e-9;  // of the forces
@@ -201,8 +201,8 @@ SeatPushes::SeatPushes(const Discretization<3>& discretization,
     const auto found = surfaces.find(s);
     if (found != surfaces.end()) return found->second;
     return surfaces
-        .emplace(s,
-                 surface_of(discretization, positions, history, s, part_name))
+        .emplace(s, surface_of(discretization, positions, history, s,
+                               of_surfaces[s], part_name))
         .first->second;
   };
   for (std::size_t i = 0; i < history.instants.size(); ++i) {

@@ -8,6 +8,7 @@
 
 #include "elasticity/fe_space/discretization.h"
 #include "elasticity/holds/mean_motions.h"
+#include "elasticity/nodal_loads/surface_loads.h"
 #include "loads/history/load_history.h"
 
 namespace clevis::elasticity {
@@ -18,9 +19,12 @@ namespace clevis::elasticity {
 /// along its way linear.
 class SeatPushes {
  public:
+  /// @param surfaces  as of surface_loads(), seats first.
   /// @param part_name  for messages. @throws Error M003.
   SeatPushes(const Discretization<3>& discretization,
-             const loads::LoadHistory& history, const std::string& part_name);
+             const loads::LoadHistory& history,
+             const std::vector<SurfaceLoads>& surfaces,
+             const std::string& part_name);
 
   bool is_empty() const { return seats_.empty(); }
   /// Of an instant, motions × motions, symmetric [N/m], [N], [N m].

@@ -143,12 +143,18 @@ double HeldPart::lowest_frequency(std::size_t hold) const {
 }
 
 StressedPart::StressedPart(const BucklingProblem& problem, const HeldPart& part)
+    : StressedPart(problem, part,
+                   surface_loads<3>(problem.discretization, problem.history,
+                                    problem.name)) {}
+
+StressedPart::StressedPart(const BucklingProblem& problem, const HeldPart& part,
+                           const std::vector<SurfaceLoads>& surfaces)
     : part_(part),
       highest_(problem.highest),
-      pushes_(problem.discretization, problem.history, problem.name) {
+      pushes_(problem.discretization, problem.history, surfaces, problem.name) {
   const Discretization<3>& space = problem.discretization;
   const double density = problem.material.density;
-  SplitLoads all = load_columns(space, problem.history, density, problem.name);
+  SplitLoads all = load_columns(space, problem.history, density, surfaces);
   if (part.is_free()) {
     SolveChecks checks;
     balance_free_part<3>(space, node_positions(space), density, all, checks);

@@ -126,6 +126,9 @@ class StressedPart {
   }
 
  private:
+  StressedPart(const BucklingProblem& problem, const HeldPart& part,
+               const std::vector<SurfaceLoads>& surfaces);
+
   const HeldPart& part_;
   double highest_;
   Eigen::MatrixXd coefficients_;

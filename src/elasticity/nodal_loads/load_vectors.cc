@@ -227,14 +227,21 @@ template <int dim>
 SplitLoads load_columns(const Discretization<dim>& discretization,
                         const loads::LoadHistory& history, double density,
                         const std::string& part_name) {
+  return load_columns<dim>(discretization, history, density,
+                           surface_loads(discretization, history, part_name));
+}
+
+template <int dim>
+SplitLoads load_columns(const Discretization<dim>& discretization,
+                        const loads::LoadHistory& history, double density,
+                        const std::vector<SurfaceLoads>& surfaces) {
   const Index dofs = discretization.dofs();
   const auto instants = static_cast<Index>(history.instants.size());
-  std::vector<SurfaceColumns> surfaces;
-  for (const SurfaceLoads& surface :
-       surface_loads(discretization, history, part_name)) {
-    surfaces.push_back(surface_columns<dim>(surface));
+  std::vector<SurfaceColumns> columns;
+  for (const SurfaceLoads& surface : surfaces) {
+    columns.push_back(surface_columns<dim>(surface));
   }
-  SplitLoads loads = joined(surfaces, dofs, instants);
+  SplitLoads loads = joined(columns, dofs, instants);
   append_body<dim>(discretization, history, density, loads);
   if (cancel(loads)) return {SplitColumns(dofs), MatrixXd(0, instants)};
   return loads;
@@ -301,6 +308,9 @@ double balance_loads(const Discretization<dim>& discretization, double density,
   template SplitLoads load_columns<dim>(const Discretization<dim>&,           \
                                         const loads::LoadHistory&, double,    \
                                         const std::string&);                  \
+  template SplitLoads load_columns<dim>(const Discretization<dim>&,           \
+                                        const loads::LoadHistory&, double,    \
+                                        const std::vector<SurfaceLoads>&);    \
   template MatrixXd assemble_loads<dim>(const Discretization<dim>&,           \
                                         const loads::LoadHistory&, double,    \
                                         const std::string&);                  \

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include "elasticity/fe_space/discretization.h"
 #include "elasticity/nodal_loads/load_basis.h"
+#include "elasticity/nodal_loads/surface_loads.h"
 #include "loads/history/load_history.h"
 
 namespace clevis::elasticity {
@@ -21,6 +23,13 @@ template <int dim>
 SplitLoads load_columns(const Discretization<dim>& discretization,
                         const loads::LoadHistory& history, double density,
                         const std::string& part_name);
+
+/// The same.
+/// @param surfaces  as of surface_loads().
+template <int dim>
+SplitLoads load_columns(const Discretization<dim>& discretization,
+                        const loads::LoadHistory& history, double density,
+                        const std::vector<SurfaceLoads>& surfaces);
 
 /// The same as a field for each instant: dofs × instants [N].
 template <int dim>
