@@ -25,7 +25,7 @@ SplitLoads load_columns(const Discretization<dim>& discretization,
                         const std::string& part_name);
 
 /// The same.
-/// @param surfaces  as of surface_loads().
+/// @param surfaces  as of surface_loads() [N]. @param density [kg/m³].
 template <int dim>
 SplitLoads load_columns(const Discretization<dim>& discretization,
                         const loads::LoadHistory& history, double density,

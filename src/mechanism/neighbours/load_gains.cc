@@ -73,6 +73,20 @@ class SecondOrderForm {
     H_.middleRows<3>(a.at + 3) -= product;
     H_.middleCols<3>(a.at + 3) -= product.transpose();
   }
+  /// A force f on b, of the direction that a gives it, acts this much less far
+  /// along its line: f·less (θb − θa)²/2 across it.
+  /// @param a  nothing: it does not move. @param less  [m].
+  void draw_back(const std::optional<Mover>& a, const Mover& b,
+                 const Vector3d& f, double less) {
+    const Vector3d e = f.normalized();
+    const Matrix3d across =
+        -f.norm() * less * (Matrix3d::Identity() - e * e.transpose());
+    H_.block<3, 3>(b.at + 3, b.at + 3) += across;
+    if (!a) return;
+    H_.block<3, 3>(a->at + 3, a->at + 3) += across;
+    H_.block<3, 3>(b.at + 3, a->at + 3) -= across;
+    H_.block<3, 3>(a->at + 3, b.at + 3) -= across;
+  }
   /// −λ times what a row's displacement has of second order.
   /// @param row  its second derivative for two motions.
   template <class Row>
@@ -202,12 +216,34 @@ class LoadForm {
     });
     // The twist is of M, whose way from a place's point is turned, too.
     const auto levers = placed.levers(row);
+    if (kind == LoadPlace::Kind::kDrive &&
+        acts_on_own_seat(movers[1], kind, of)) {
+      const Vector3d force = lambda * levers.b.v;
+      form_.draw_back(movers[0], *movers[1], force,
+                      beyond(*movers[1], force, placed.p_b));
+    }
     for (std::size_t side = 0; side < 2; ++side) {
       if (!movers[side] || !movers[side]->is_place) continue;
       const Vector3d& force = side == 0 ? levers.a.v : levers.b.v;
       form_.add_force(*movers[side], lambda * force,
                       rows_.x[index(slots[side])].p - movers[side]->p);
     }
+  }
+
+  bool acts_on_own_seat(const std::optional<Mover>& mover, LoadPlace::Kind kind,
+                        int of) const {
+    return mover && mover->is_place &&
+           std::ranges::any_of(places_, [&](const LoadPlace& place) {
+             return place.kind == kind && place.index == of;
+           });
+  }
+
+  /// Way along a force from a mover's point to another [m]. Where on its line a
+  /// joint has its point says nothing of where the force acts: its seat does.
+  static double beyond(const Mover& mover, const Vector3d& force,
+                       const Vector3d& p) {
+    const double size = force.norm();
+    return size > 0.0 ? (p - mover.p).dot(force) / size : 0.0;
   }
 
   PlacedJoint placed(std::size_t k) const {
@@ -290,6 +326,12 @@ class LoadForm {
         forces[side] = in_P(action.f_W);
       }
       if (!movers[0] && !movers[1]) continue;
+      if (line != nullptr && line->kind == ElementLine::Kind::kJoint &&
+          acts_on_own_seat(movers[1], LoadPlace::Kind::kElement,
+                           static_cast<int>(e))) {
+        points[1] -=
+            beyond(*movers[1], forces[1], points[1]) * forces[1].normalized();
+      }
       const bool turns = turns_with_first(elements[e]);
       if (turns) points[0] = points[1];
       if (const ElementPoint* centre = rolling_centre(elements[e])) {

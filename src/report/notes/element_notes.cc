@@ -35,6 +35,14 @@ struct ElementCourse {
     return motion.instants[instant].elements[index];
   }
   std::size_t instants() const { return motion.instants.size(); }
+  /// Whether it touches or lets go, maybe between two instants.
+  bool switches() const {
+    const auto is_own = [this](const auto& event) {
+      return event.element == static_cast<int>(index);
+    };
+    return std::ranges::any_of(motion.events, is_own) ||
+           std::ranges::any_of(motion.impacts, is_own);
+  }
   /// "contact wheel".
   std::string name() const {
     return fmt::format("{} {}", properties.type, name_of(element));
@@ -69,6 +77,7 @@ double gap(const ElementProperties& properties, const ElementState& state) {
 /// that a motion comes near to are there for safety.
 void add_untouched(const ElementCourse& course,
                    std::vector<std::string>& notes) {
+  if (course.switches()) return;
   double nearest = HUGE_VAL, least = HUGE_VAL, most = -HUGE_VAL;
   for (std::size_t i = 0; i < course.instants(); ++i) {
     const ElementState& state = course.at(i);

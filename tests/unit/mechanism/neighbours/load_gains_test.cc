@@ -331,5 +331,54 @@ TEST(LoadGains, RodsAndRams) {
   EXPECT_LT((of_displacements(of_ram) - wanted).norm(), kRoundOff * kGain);
 }
 
+// A rod in a guide, pushed along it on its end by a drive or by a force on the
+// joint: where on the guide's axis the joint has its point says nothing of
+// where the push acts.
+TEST(LoadGains, OfAPushAlongAGuideOnTheSeatNone) {
+  constexpr double kEnd = -0.1;  // [m]
+  for (const double at : {-0.3, kEnd, 0.08}) {
+    MechanismDefinition definition;
+    definition.bodies = {bar(Vector3d::Zero())};
+    definition.joints = {joint(JointType::kPrismatic, kGround, 0, at)};
+    for (JointFrame* frame :
+         {&definition.joints[0].frame_a, &definition.joints[0].frame_b}) {
+      frame->R_LJ.col(0) = Vector3d::UnitY();
+      frame->R_LJ.col(1) = Vector3d::UnitZ();
+      frame->R_LJ.col(2) = Vector3d::UnitX();
+    }
+    Instant instant;
+    instant.bodies.resize(1);
+    instant.joints.resize(1);
+    instant.joints[0].p_WJ = at * Vector3d::UnitX();
+    const auto gain = [&](LoadPlace::Kind kind) {
+      return load_gains(Neighbours(definition, 0), instant,
+                        {{LoadPlace::Kind::kJoint, 0, Vector3d::Zero()},
+                         {kind, 0, kEnd * Vector3d::UnitX()}})
+          .norm();
+    };
+    MechanismDefinition without = definition;
+    DriveDefinition drive;
+    drive.joint = 0;
+    definition.drives = {drive};
+    instant.drives = {{.effort = -kForce}};
+    EXPECT_LT(gain(LoadPlace::Kind::kDrive), kRoundOff * kForce) << at;
+
+    definition = without;
+    instant.drives.clear();
+    LineElement push;
+    push.line = {.kind = ElementLine::Kind::kJoint, .joint = 0};
+    definition.elements = {push};
+    ElementState state;
+    state.actions[0] = {.body = kGround,
+                        .p_W = at * Vector3d::UnitX(),
+                        .f_W = kForce * Vector3d::UnitX()};
+    state.actions[1] = {.body = 0,
+                        .p_W = at * Vector3d::UnitX(),
+                        .f_W = -kForce * Vector3d::UnitX()};
+    instant.elements = {state};
+    EXPECT_LT(gain(LoadPlace::Kind::kElement), kRoundOff * kForce) << at;
+  }
+}
+
 }  // namespace
 }  // namespace clevis::mechanism

@@ -69,6 +69,9 @@ TEST(ElementNotes, StopThatIsNeverReachedIsTold) {
             "stop one never presses over the whole motion: it comes no nearer "
             "than 9.996e+04 mm, while it moves by 40 mm. See that its place, "
             "its direction and their units are right");
+  slide.motion.impacts = {{.element = 0}};  // between the instants
+  EXPECT_EQ(slide.note(), "");
+  slide.motion.impacts.clear();
   slide.push(-5.0);
   EXPECT_EQ(slide.note(), "");
 }
