@@ -101,7 +101,7 @@ void note_held(const PartJob& job, const LoadSet& set,
 
 loads::PartHold reference_hold(const LoadSet& set) {
   const loads::LoadHistory& history = set.history;
-  return loads::hold_at(history, loads::holding_groups(history).front(),
+  return loads::hold_at(history, loads::reference_groups(history),
                         history.hold_time);
 }
 

@@ -52,6 +52,9 @@ BucklingOnSprings::BucklingOnSprings(const BucklingProblem& problem,
   const std::size_t all = history_.instants.size();
   if (!history_.hold || !part.is_free() || all == 0) return;
   stands_ = keeps_direction(history_);
+  hold_alone_ = std::ranges::all_of(problem.holds, [](const auto& hold) {
+    return hold.groups.empty() && hold.held.empty();
+  });
   const std::size_t count = std::min(kMost, all);
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = count == 1 ? 0 : k * (all - 1) / (count - 1);

@@ -29,6 +29,8 @@ class BucklingOnSprings {
   double of_rigid(Eigen::Index instant, const Eigen::MatrixXd& form) const;
 
   bool is_sprung(Eigen::Index instant) const;
+  /// Whether no joint holds the part.
+  bool hold_alone() const { return hold_alone_; }
   /// Whether the part keeps its direction while its motion lasts.
   bool stands() const { return stands_; }
   /// How its loads leave a part that stands while its motion lasts.
@@ -61,7 +63,7 @@ class BucklingOnSprings {
   const loads::LoadHistory& history_;
   const StressedPart& stressed_;
   std::vector<Eigen::Index> instants_;
-  bool stands_ = false;
+  bool stands_ = false, hold_alone_ = false;
   Eigen::MatrixXd means_;    ///< seat_means()
   Eigen::MatrixXd rigid_;    ///< motions of the part, dofs × motions
   Eigen::MatrixXd motions_;  ///< of the seats by these, six each × motions

@@ -287,4 +287,31 @@ std::vector<HoldingGroups> holding_groups(const LoadHistory& history) {
   return found.empty() ? pairs_of(some) : found;
 }
 
+HoldingGroups reference_groups(const LoadHistory& history) {
+  HoldingGroups held = holding_groups(history).front();
+  if (!held.empty() || !history.hold) return held;
+  const SeatHold hold = history.hold(history.hold_time);
+  const MatrixXd& sprung = hold.swinging ? hold.swinging->sprung : hold.sprung;
+  std::vector<std::size_t> yielding;
+  for (std::size_t s = 0; s < history.seats.size(); ++s) {
+    const Index row = kWrench * static_cast<Index>(s);
+    if (row + kWrench <= sprung.rows() &&
+        !sprung.middleRows<kWrench>(row).isZero(0.0)) {
+      yielding.push_back(s);
+    }
+  }
+  if (yielding.empty()) return held;
+  const auto away = [&](std::size_t s) {
+    return (history.seats[s].p_LS - history.seats[yielding.front()].p_LS)
+        .norm();
+  };
+  const std::size_t farthest = std::ranges::max(yielding, {}, away);
+  held.push_back(holder_of(history.seats, yielding.front()));
+  const std::string other = holder_of(history.seats, farthest);
+  if (away(farthest) > kRoundOffLength && other != held.front()) {
+    held.push_back(other);
+  }
+  return held;
+}
+
 }  // namespace clevis::loads

@@ -31,6 +31,11 @@ std::string group_of(const std::string& holder);
 /// @return at least one.
 std::vector<HoldingGroups> holding_groups(const LoadHistory& history);
 
+/// Groups that the displacements of a part refer to: the first of
+/// holding_groups(); of a part that force elements alone hold, those of their
+/// seats that yield, the first and the farthest from it.
+HoldingGroups reference_groups(const LoadHistory& history);
+
 /// What is held of a group's mean motion about p_LS, among all that the
 /// mechanism holds: columns of wrenches, 6 × columns, the same for all groups.
 /// A guide that turns about a pin holds across only together with a turn.

@@ -246,6 +246,24 @@ class LoadForm {
     return size > 0.0 ? (p - mover.p).dot(force) / size : 0.0;
   }
 
+  /// What of the way from its seat to its point a force goes along itself [m],
+  /// where that does not count: of a line of a joint; of a point of its own
+  /// where it would hold the part, as behind the face that the force presses
+  /// on. A point ahead of the face is a fixture's, and pushes it over.
+  static Vector3d idle_way(const ElementLine* line, bool turns,
+                           const Mover& mover, const Vector3d& force,
+                           const Vector3d& p) {
+    const double way = beyond(mover, force, p);
+    const bool is_joints =
+        line != nullptr && line->kind == ElementLine::Kind::kJoint;
+    const bool is_fixed_axis =
+        line != nullptr ? line->kind == ElementLine::Kind::kSlide : !turns;
+    if (way == 0.0 || !(is_joints || (is_fixed_axis && way > 0.0))) {
+      return Vector3d::Zero();
+    }
+    return way * force.normalized();
+  }
+
   PlacedJoint placed(std::size_t k) const {
     const JointModel& joint = frame_.joints[k];
     return {joint, rows_.x[index(joint.a)], rows_.x[index(joint.b)]};
@@ -326,13 +344,11 @@ class LoadForm {
         forces[side] = in_P(action.f_W);
       }
       if (!movers[0] && !movers[1]) continue;
-      if (line != nullptr && line->kind == ElementLine::Kind::kJoint &&
-          acts_on_own_seat(movers[1], LoadPlace::Kind::kElement,
-                           static_cast<int>(e))) {
-        points[1] -=
-            beyond(*movers[1], forces[1], points[1]) * forces[1].normalized();
-      }
       const bool turns = turns_with_first(elements[e]);
+      if (acts_on_own_seat(movers[1], LoadPlace::Kind::kElement,
+                           static_cast<int>(e))) {
+        points[1] -= idle_way(line, turns, *movers[1], forces[1], points[1]);
+      }
       if (turns) points[0] = points[1];
       if (const ElementPoint* centre = rolling_centre(elements[e])) {
         add_rolling(movers, forces[1], points[1], *centre);

@@ -69,6 +69,24 @@ TEST(HoldingGroups, SeatsOneRoundOffApartAreHeldAsAtOnePlace) {
   }
 }
 
+// What joints hold comes first; of force elements those that yield.
+TEST(ReferenceGroups, OfAPartOnForceElementsAreTheirSeats) {
+  LoadHistory history = lever(unit({0, 1, 2, 3, 4, 11}));
+  history.seats[2].name = "force spring";
+  EXPECT_EQ(reference_groups(history), (HoldingGroups{"bore_A"}));
+  const auto spring_on = [&](std::initializer_list<int> rows) {
+    history.hold = [sprung = unit(rows)](double) {
+      return SeatHold{.held = MatrixXd(18, 0), .sprung = 1e3 * sprung};
+    };
+  };
+  spring_on({13});
+  EXPECT_EQ(reference_groups(history), (HoldingGroups{"bore_B"}));
+  spring_on({0, 13});
+  EXPECT_EQ(reference_groups(history), (HoldingGroups{"bore_A", "bore_B"}));
+  spring_on({});
+  EXPECT_EQ(reference_groups(history), holding_groups(history).front());
+}
+
 // The drive's face may be another than the pin's bore.
 TEST(HoldingGroups, ADriveOnAnotherFaceHoldsTheTurn) {
   LoadHistory history = lever(unit({0, 1, 2, 3, 4, 11, 14}));

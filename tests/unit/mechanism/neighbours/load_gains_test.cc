@@ -380,5 +380,29 @@ TEST(LoadGains, OfAPushAlongAGuideOnTheSeatNone) {
   }
 }
 
+// A force on a face: a point behind the face, along the force, does not hold
+// the part up; one ahead of it, of a fixture, pushes it over.
+TEST(LoadGains, PointBehindTheFaceHoldsNothing) {
+  MechanismDefinition definition;
+  definition.bodies = {bar(Vector3d::Zero())};
+  definition.elements = {ConstantForce{}};
+  Instant instant;
+  instant.bodies.resize(1);
+  const auto turned = [&](double ahead) {  // of a face that is pressed
+    ElementState state;
+    state.actions[1] = {.body = 0,
+                        .p_W = ahead * Vector3d::UnitX(),
+                        .f_W = -kForce * Vector3d::UnitX()};
+    instant.elements = {state};
+    const MatrixXd gain =
+        load_gains(Neighbours(definition, 0), instant,
+                   {{LoadPlace::Kind::kElement, 0, Vector3d::Zero()}});
+    return gain(5, 5);
+  };
+  EXPECT_NEAR(turned(0.0), 0.0, kRoundOff);
+  EXPECT_NEAR(turned(-0.2), 0.0, kRoundOff);
+  EXPECT_NEAR(turned(0.2), 0.2 * kForce, kRoundOff * kForce);
+}
+
 }  // namespace
 }  // namespace clevis::mechanism
