@@ -331,9 +331,62 @@ def check_positions(clevis, checks):
                       f"{part['verdict']}, {part['buckling']['remark']}")
 
 
+def bushed_bar(folder):
+    """200 mm that nothing but a stiff bushing at one end holds, pressed by 3 kN and pushed
+    across by 20 N at the other, slowly."""
+    scene_text.write_bar(folder, (0.2, 0.01, 0.01), (12, 2, 2))
+    def force(name, value, direction):
+        return f"""[[force]]
+name = "{name}"
+type = "table"
+between = ["ground", "bar"]
+from = ["200 mm", "0 mm", "0 mm"]
+to = ["200 mm", "0 mm", "0 mm"]
+axis = {direction}
+times = ["0 s", "0.1 s", "1 s"]
+efforts = ["0 N", "{value} N", "{value} N"]
+"""
+    file = folder / "scene.toml"
+    file.write_text(scene_text.head("bushed bar") + scene_text.part_body("bar") +
+                    force("press", -3000, "[1, 0, 0]") + force("push", 20, "[0, 1, 0]") + f"""
+[[force]]
+name = "bush"
+type = "bushing"
+between = ["ground", "bar"]
+from = ["0 mm", "0 mm", "0 mm"]
+to = ["0 mm", "0 mm", "0 mm"]
+stiffness = ["1e8 N/m", "1e8 N/m", "1e8 N/m"]
+angular_stiffness = ["1e6 N m/rad", "1e6 N m/rad", "1e6 N m/rad"]
+[simulation]
+duration = "0.2 s"
+instants = 5
+{scene_text.BAR}pins = {{}}
+forces = {{ press = {{ face = "x1" }}, push = {{ face = "x1" }}, bush = {{ face = "x0" }} }}
+limits = {{ safety_factor = 1.5, singular_zones = "exclude" }}
+""")
+    return file
+
+
+def check_bushed_bar(clevis, checks):
+    with tempfile.TemporaryDirectory() as name:
+        answer = support.check(clevis, bushed_bar(Path(name)), "--tolerance", "20%",
+                               exits=support.JUDGED)
+    bending = MODULUS * 0.01**4 / 12
+    euler = math.pi**2 * bending / 4 / 0.2**2 / 3000
+    buckling = answer.part["buckling"]["factor"]
+    checks.expect(0.97 * euler < buckling < 1.01 * euler,
+                  f"bar on a bushing alone: buckles at {buckling:.4g}, clamped {euler:.4g}")
+    bends = 20 * 0.2**3 / 3 / bending * 1e3  # mm
+    found = answer.part["deflection_mm"]
+    checks.expect(0.99 * bends < found < 1.6 * bends,
+                  f"bar on a bushing alone: bends by {found:.4g} mm, "
+                  f"{bends:.4g} clamped, {bends / (1 - 1 / euler):.4g} under both")
+
+
 def main():
     clevis = Path(sys.argv[1]).resolve()
     checks = support.Checks()
+    check_bushed_bar(clevis, checks)
     section = WIDTH * HEIGHT**2 / 6e9  # [m³]
     stiff, dashpot = 94.5e3, 8.0
     omega = first_frequency(stiff, 100.0, 1000.0)
