@@ -73,19 +73,13 @@ class SecondOrderForm {
     H_.middleRows<3>(a.at + 3) -= product;
     H_.middleCols<3>(a.at + 3) -= product.transpose();
   }
-  /// A force f on b, of the direction that a gives it, acts this much less far
-  /// along its line: f·less (θb − θa)²/2 across it.
-  /// @param a  nothing: it does not move. @param less  [m].
-  void draw_back(const std::optional<Mover>& a, const Mover& b,
-                 const Vector3d& f, double less) {
+  /// A force f of one direction acts this much less far along its line:
+  /// f·less θ²/2 across it.
+  /// @param less  [m].
+  void draw_back(const Mover& mover, const Vector3d& f, double less) {
     const Vector3d e = f.normalized();
-    const Matrix3d across =
-        -f.norm() * less * (Matrix3d::Identity() - e * e.transpose());
-    H_.block<3, 3>(b.at + 3, b.at + 3) += across;
-    if (!a) return;
-    H_.block<3, 3>(a->at + 3, a->at + 3) += across;
-    H_.block<3, 3>(b.at + 3, a->at + 3) -= across;
-    H_.block<3, 3>(a->at + 3, b.at + 3) -= across;
+    H_.block<3, 3>(mover.at + 3, mover.at + 3) -=
+        f.norm() * less * (Matrix3d::Identity() - e * e.transpose());
   }
   /// −λ times what a row's displacement has of second order.
   /// @param row  its second derivative for two motions.
@@ -216,11 +210,10 @@ class LoadForm {
     });
     // The twist is of M, whose way from a place's point is turned, too.
     const auto levers = placed.levers(row);
-    if (kind == LoadPlace::Kind::kDrive &&
+    if (kind == LoadPlace::Kind::kDrive && !movers[0] &&
         acts_on_own_seat(movers[1], kind, of)) {
       const Vector3d force = lambda * levers.b.v;
-      form_.draw_back(movers[0], *movers[1], force,
-                      beyond(*movers[1], force, placed.p_b));
+      form_.draw_back(*movers[1], force, beyond(*movers[1], force, placed.p_b));
     }
     for (std::size_t side = 0; side < 2; ++side) {
       if (!movers[side] || !movers[side]->is_place) continue;
@@ -345,8 +338,8 @@ class LoadForm {
       }
       if (!movers[0] && !movers[1]) continue;
       const bool turns = turns_with_first(elements[e]);
-      if (acts_on_own_seat(movers[1], LoadPlace::Kind::kElement,
-                           static_cast<int>(e))) {
+      if (!movers[0] && acts_on_own_seat(movers[1], LoadPlace::Kind::kElement,
+                                         static_cast<int>(e))) {
         points[1] -= idle_way(line, turns, *movers[1], forces[1], points[1]);
       }
       if (turns) points[0] = points[1];
