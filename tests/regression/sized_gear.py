@@ -14,10 +14,12 @@ import sys
 import tempfile
 from pathlib import Path
 
-from support import Checks, check
+from support import JUDGED, Checks, check
 
 SCENE = "geometry/landing_gear/sized.toml"
 BLOW = ["--set", "simulation.duration=0.09 s", "--set", "simulation.instants=46"]
+# A limit within the band of the lowest degree: the factor is that of the next.
+MORE = ["--part", "FE1", "--set", "part.FE1.limits.buckling=3.2"]
 
 
 MODULUS, OUTER, INNER = 210e3, 9.5, 7.5  # of the tube FE1 [MPa], [mm]
@@ -79,7 +81,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "out"
         answer = check(clevis, SCENE, "--tolerance", "10%", *BLOW, out=out)
-        cylinder = next(part for part in answer.parts if part["name"] == "FE1")["buckling"]
+        cylinder = check(clevis, SCENE, "--tolerance", "10%", *BLOW, *MORE,
+                         out=Path(folder) / "more", exits=JUDGED).part["buckling"]
         theory = beam_factor(reactions_at(out, cylinder["instant_s"]))
     checks.near("FE1 buckles at, 6 % of a beam without its bore's pressure",
                 cylinder["factor"], theory, 0.06)
