@@ -124,21 +124,31 @@ def struck_rod(folder, force):
                   'duration = "0.3 s"\ninstants = 11')
 
 
-def rod_on_its_middle(folder, aside):
-    """520 mm out of its guide, shaken there; the joint's points are the rod's middle and,
-    on ground, what is `aside` of it [mm]. No length but the rod's own is in its numbers."""
-    force = table(sweep(0.5, 1.0, 42.0, 58.0, 12.0, 600))
-    file = guided(folder, f'law = "constant"\nfrom = "{aside} mm"', {"sweep": force},
-                  'duration = "1 s"\ninstants = 11')
+def on_its_middle(file, aside, guide=-240):
+    """The joint's points are the rod's middle and, on ground, what is `aside` of it, the
+    guide's middle is at `guide` of it [mm]: 520 mm are out of the guide as before. Of 0 no
+    length but the rod's own is left."""
     changed = file.read_text()
-    for old, new in (('origin = ["-60 mm"', 'origin = ["-300 mm"'),
+    for old, new in (('from = "-60 mm"', f'from = "{aside} mm"'),
+                     ('origin = ["-60 mm"', 'origin = ["-300 mm"'),
                      ('bar = ["0 mm", "0 mm", "0 mm"]', 'bar = ["300 mm", "0 mm", "0 mm"]'),
-                     ('from = ["540 mm"', f'from = ["{300 + aside} mm"'),
-                     ('length = "40 mm"', f'length = "40 mm", offset = "{aside - 240} mm"')):
+                     ('length = "40 mm"', f'length = "40 mm", offset = "{aside + guide} mm"')):
         assert changed.count(old) == 1, old
         changed = changed.replace(old, new)
-    file.write_text(changed)
+    file.write_text(changed.replace('from = ["540 mm"', f'from = ["{300 + aside} mm"'))
     return file
+
+
+def rod_on_its_middle(folder, aside):
+    """Shaken there."""
+    force = table(sweep(0.5, 1.0, 42.0, 58.0, 12.0, 600))
+    return on_its_middle(guided(folder, 'law = "constant"\nfrom = "-60 mm"', {"sweep": force},
+                                'duration = "1 s"\ninstants = 11'), aside)
+
+
+def pushed_on_its_middle(folder, force, aside):
+    """By its drive on the end that is 520 mm out of its guide, against the force."""
+    return on_its_middle(rod(folder, force), aside, 240)
 
 
 def main():
@@ -154,6 +164,12 @@ def main():
     checks.expect(0.9 * euler < factor < euler,
                   f"rod: buckles at {factor:.3f}, clamped at its guide's end {euler:.3f}")
     checks.expect(part["verdict"] == "fail", "rod: fails")
+    for aside in (0.0, 50.0):
+        pushed = check(pushed_on_its_middle, '["-18 kN", "-1 N", "0 N"]', aside).part
+        found = pushed["buckling"]["factor"]
+        checks.expect(0.9 * euler < found < euler,
+                      f"rod pushed by its drive, joint's point {aside:g} mm aside: buckles at "
+                      f"{found:.4f}, clamped at its guide's end {euler:.3f}")
     part = check(rod, '["0 N", "-20 N", "0 N"]').part
     bends = 20 * out**3 / 3 / MODULUS / INERTIA
     deflection = part["deflection_mm"]

@@ -290,7 +290,10 @@ BucklingMode lowest_of_all(const StressedPart& part, TrialSpace& space) {
 BucklingMode::OnSprings on_springs(const StressedPart& part,
                                    const BucklingOnSprings& springs,
                                    const TrialSpace& space) {
-  constexpr double kCounts = 0.1, kCountsAlone = 0.02;
+  constexpr double kCounts = 0.1;
+  // A part that nothing else holds: clamped at one end it is as soft as this
+  // beside one that is free.
+  constexpr double kSofterAlone = 4.0;
   constexpr std::size_t kMost = 6;
   struct Apart {
     Index instant{};
@@ -313,9 +316,8 @@ BucklingMode::OnSprings on_springs(const StressedPart& part,
     Apart apart = own(i);
     if (apart.own < kCounts && !springs.stands()) continue;
     apart.springs = springs.of_rigid(i, space.form_of_rigid(i));
-    // A part that nothing else holds is four times as soft on them as free.
-    const double counts = springs.hold_alone() ? kCountsAlone : kCounts;
-    if (apart.own + apart.springs < counts) continue;
+    const double softer = springs.hold_alone() ? kSofterAlone : 1.0;
+    if (softer * apart.own + apart.springs < kCounts) continue;
     if (apart.springs < 1.0) found.push_back(apart);
   }
   std::ranges::sort(found, std::greater{}, [](const Apart& apart) {

@@ -13,6 +13,7 @@
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/joints/joint_types.h"
 #include "numerics/factors/jacobian_factor.h"
+#include "part/gyration.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -80,19 +81,6 @@ bool slides(const MechanismDefinition& definition,
   return !drives_angle(definition, coordinate);
 }
 
-/// Radius of gyration of the largest body [m]; 0: points alone.
-double largest_gyration(const MechanismDefinition& definition) {
-  double largest = 0.0;
-  for (const BodyDefinition& body : definition.bodies) {
-    const part::MassProperties& given = body.mass_properties;
-    if (!(given.mass > 0.0)) continue;
-    largest = std::max(
-        largest,
-        std::sqrt(std::max(0.0, 0.5 * given.inertia_LCm.trace()) / given.mass));
-  }
-  return largest;
-}
-
 /// By joints on their bodies and by drives, else by the bodies' centres; where
 /// all are nothing beside the bodies, as of a rod that slides through its own
 /// middle, one metre: moments over a length of round-off would count for
@@ -100,7 +88,11 @@ double largest_gyration(const MechanismDefinition& definition) {
 double link_length(const MechanismDefinition& definition,
                    const SolvingFrame& frame) {
   constexpr double kNothing = 0.01, kOne = 1.0;  // [1], [m]
-  const double least = kNothing * largest_gyration(definition);
+  double least = 0.0;
+  for (const BodyDefinition& body : definition.bodies) {
+    least =
+        std::max(least, kNothing * part::radius_of_mass(body.mass_properties));
+  }
   double length = 0.0;
   for (const JointModel& joint : frame.joints) {
     if (joint.a > 0) length = std::max(length, joint.frame_a.p_LJ.norm());

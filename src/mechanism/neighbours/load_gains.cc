@@ -11,7 +11,7 @@
 
 #include "base/algebra/singular_vectors.h"
 #include "base/values/index.h"
-#include "mechanism/joints/cross_matrix.h"
+#include "mechanism/neighbours/second_order_form.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -22,118 +22,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr Index kMotion = 6;
 constexpr double kRoundOff = 1e-9;
-using Motion6 = Eigen::Matrix<double, kMotion, 1>;
-
-/// A body, or the body at one of its places, that moves by itself.
-struct Mover {
-  Index at{};  ///< of its displacement and turn among all motions
-  Vector3d p;  ///< the point that is displaced, in P [m]
-  bool is_place{};
-};
-
-/// yᵀ H y / 2 of motions y: displacements, turns, in P [m], [rad].
-class SecondOrderForm {
- public:
-  explicit SecondOrderForm(Index motions)
-      : H_(MatrixXd::Zero(motions, motions)) {}
-  const MatrixXd& matrix() const { return H_; }
-
-  /// A force on a point r from the mover's: −f·θ×(θ×r)/2.
-  void add_force(const Mover& mover, const Vector3d& f, const Vector3d& r) {
-    const Matrix3d outer = f * r.transpose();
-    H_.block<3, 3>(mover.at + 3, mover.at + 3) +=
-        f.dot(r) * Matrix3d::Identity() - 0.5 * (outer + outer.transpose());
-  }
-  /// A moment on b, its opposite on a: t·(θa×θb)/2.
-  void add_moment(const Mover& a, const Mover& b, const Vector3d& t) {
-    const Matrix3d half = -0.5 * cross_matrix(t);
-    H_.block<3, 3>(a.at + 3, b.at + 3) += half;
-    H_.block<3, 3>(b.at + 3, a.at + 3) += half.transpose();
-  }
-  /// A tension along the line from a point of a to one of b.
-  /// @param a, b  nothing: it does not move.
-  void add_line(const std::optional<Mover>& a, const std::optional<Mover>& b,
-                const Vector3d& p_a, const Vector3d& p_b, double tension) {
-    const Vector3d line = p_b - p_a;
-    const double length = line.norm();
-    if (!(length > 0.0)) return;
-    const Vector3d e = line / length;
-    const Matrix3d across =
-        tension / length * (Matrix3d::Identity() - e * e.transpose());
-    const MatrixXd relative = relative_displacement(a, b, p_a, p_b);
-    H_ += relative.transpose() * across * relative;
-  }
-  /// A force on b, its opposite on a, that turns with a: −(θa×f)·(δb − δa).
-  void add_turning(const Mover& a, const std::optional<Mover>& b,
-                   const Vector3d& p, const Vector3d& f) {
-    const MatrixXd product =
-        cross_matrix(f) * relative_displacement(a, b, p, p);
-    H_.middleRows<3>(a.at + 3) -= product;
-    H_.middleCols<3>(a.at + 3) -= product.transpose();
-  }
-  /// A force f of one direction acts this much less far along its line:
-  /// f·less θ²/2 across it.
-  /// @param less  [m].
-  void draw_back(const Mover& mover, const Vector3d& f, double less) {
-    const Vector3d e = f.normalized();
-    H_.block<3, 3>(mover.at + 3, mover.at + 3) -=
-        f.norm() * less * (Matrix3d::Identity() - e * e.transpose());
-  }
-  /// −λ times what a row's displacement has of second order.
-  /// @param row  its second derivative for two motions.
-  template <class Row>
-  void add_row(const std::array<std::optional<Mover>, 2>& movers, double lambda,
-               const Row& row) {
-    std::vector<std::pair<std::size_t, Index>> units;
-    for (std::size_t side = 0; side < 2; ++side) {
-      for (Index k = 0; movers[side] && k < kMotion; ++k) {
-        units.emplace_back(side, k);
-      }
-    }
-    const auto of = [&](std::size_t i, std::size_t j) {
-      std::array<Motion6, 2> motion{Motion6::Zero(), Motion6::Zero()};
-      motion[units[i].first][units[i].second] += 1.0;
-      if (i != j) motion[units[j].first][units[j].second] += 1.0;
-      return row(motion[0], motion[1]);
-    };
-    std::vector<double> own;
-    for (std::size_t i = 0; i < units.size(); ++i) own.push_back(of(i, i));
-    const auto at = [&](std::size_t i) {
-      return movers[units[i].first]->at + units[i].second;
-    };
-    for (std::size_t i = 0; i < units.size(); ++i) {
-      H_(at(i), at(i)) -= lambda * own[i];
-      for (std::size_t j = 0; j < i; ++j) {
-        const double mixed = 0.5 * (of(i, j) - own[i] - own[j]);
-        H_(at(i), at(j)) -= lambda * mixed;
-        H_(at(j), at(i)) -= lambda * mixed;
-      }
-    }
-  }
-
- private:
-  /// Of p_b on b against p_a on a, 3 × motions.
-  MatrixXd relative_displacement(const std::optional<Mover>& a,
-                                 const std::optional<Mover>& b,
-                                 const Vector3d& p_a,
-                                 const Vector3d& p_b) const {
-    MatrixXd relative = MatrixXd::Zero(3, H_.cols());
-    const auto add = [&](const std::optional<Mover>& mover, const Vector3d& p,
-                         double sign) {
-      if (!mover) return;
-      relative.middleCols<3>(mover->at) += sign * Matrix3d::Identity();
-      relative.middleCols<3>(mover->at + 3) -=
-          sign * cross_matrix(p - mover->p);
-    };
-    add(a, p_a, -1.0);
-    add(b, p_b, 1.0);
-    return relative;
-  }
-
-  MatrixXd H_;
-};
 
 /// The place of a joint or a drive; a drive without one acts at its joint's.
 std::optional<std::size_t> place_of(const std::vector<LoadPlace>& places,
@@ -161,7 +50,8 @@ class LoadForm {
         rows_(rows),
         instant_(instant),
         places_(places),
-        form_(kMotion * (std::ssize(neighbours.slots()) + std::ssize(places))) {
+        form_(kMotionOfMover *
+              (std::ssize(neighbours.slots()) + std::ssize(places))) {
     add_joints();
     add_efforts();
     add_elements();
@@ -182,13 +72,13 @@ class LoadForm {
       const BodyPlacement& body = rows_.x[clevis::index(slot)];
       const Vector3d from_M =
           places_[*place].p_LS - frame_.p_LM[clevis::index(slot - 1)];
-      return Mover{kMotion * (std::ssize(neighbours_.slots()) +
-                              static_cast<Index>(*place)),
+      return Mover{kMotionOfMover * (std::ssize(neighbours_.slots()) +
+                                     static_cast<Index>(*place)),
                    body.p + body.R * from_M, true};
     }
     const auto found = std::ranges::find(neighbours_.slots(), slot);
     if (found == neighbours_.slots().end()) return std::nullopt;
-    return Mover{kMotion * (found - neighbours_.slots().begin()),
+    return Mover{kMotionOfMover * (found - neighbours_.slots().begin()),
                  rows_.x[clevis::index(slot)].p, false};
   }
 
@@ -213,7 +103,8 @@ class LoadForm {
     if (kind == LoadPlace::Kind::kDrive && !movers[0] &&
         acts_on_own_seat(movers[1], kind, of)) {
       const Vector3d force = lambda * levers.b.v;
-      form_.draw_back(*movers[1], force, beyond(*movers[1], force, placed.p_b));
+      form_.add_force(*movers[1], -force,
+                      way_along(force, *movers[1], placed.p_b));
     }
     for (std::size_t side = 0; side < 2; ++side) {
       if (!movers[side] || !movers[side]->is_place) continue;
@@ -231,30 +122,29 @@ class LoadForm {
            });
   }
 
-  /// Way along a force from a mover's point to another [m]. Where on its line a
-  /// joint has its point says nothing of where the force acts: its seat does.
-  static double beyond(const Mover& mover, const Vector3d& force,
-                       const Vector3d& p) {
-    const double size = force.norm();
-    return size > 0.0 ? (p - mover.p).dot(force) / size : 0.0;
+  /// The part along a force of the way from a mover's point to another [m].
+  /// Where on its line a joint has its point says nothing of where the force
+  /// acts: its seat does.
+  static Vector3d way_along(const Vector3d& force, const Mover& mover,
+                            const Vector3d& p) {
+    const Vector3d e = force.normalized();
+    return (p - mover.p).dot(e) * e;
   }
 
-  /// What of the way from its seat to its point a force goes along itself [m],
-  /// where that does not count: of a line of a joint; of a point of its own
-  /// where it would hold the part, as behind the face that the force presses
-  /// on. A point ahead of the face is a fixture's, and pushes it over.
+  /// What of that way does not count [m]: all of it on a line of a joint; of a
+  /// point of its own what would hold the part, as behind the face that the
+  /// force presses on. A point ahead of the face is a fixture's, and pushes it
+  /// over.
   static Vector3d idle_way(const ElementLine* line, bool turns,
                            const Mover& mover, const Vector3d& force,
                            const Vector3d& p) {
-    const double way = beyond(mover, force, p);
+    const Vector3d way = way_along(force, mover, p);
     const bool is_joints =
         line != nullptr && line->kind == ElementLine::Kind::kJoint;
     const bool is_fixed_axis =
         line != nullptr ? line->kind == ElementLine::Kind::kSlide : !turns;
-    if (way == 0.0 || !(is_joints || (is_fixed_axis && way > 0.0))) {
-      return Vector3d::Zero();
-    }
-    return way * force.normalized();
+    const bool is_idle = is_joints || (is_fixed_axis && way.dot(force) > 0.0);
+    return is_idle ? way : Vector3d::Zero();
   }
 
   PlacedJoint placed(std::size_t k) const {
@@ -277,7 +167,7 @@ class LoadForm {
       if (!concerns(joint)) continue;
       const PlacedJoint here = placed(k);
       const auto rows = constrained_rows(joint.type, Motions::kSpatial);
-      MatrixXd actions(kMotion, std::ssize(rows));
+      MatrixXd actions(kMotionOfMover, std::ssize(rows));
       for (std::size_t r = 0; r < rows.size(); ++r) {
         const SpatialForce action = here.action(rows[r]);
         actions.col(static_cast<Index>(r)) << action.v,
@@ -402,7 +292,8 @@ MatrixXd rows_of_places(const Neighbours& neighbours, const NeighbourRows& rows,
                         const std::vector<LoadPlace>& places) {
   const SolvingFrame& frame = neighbours.frame();
   const Matrix3d& R = rows.x[index(neighbours.slot())].R;
-  MatrixXd all = MatrixXd::Zero(rows.body.rows(), kMotion * std::ssize(places));
+  MatrixXd all =
+      MatrixXd::Zero(rows.body.rows(), kMotionOfMover * std::ssize(places));
   for (Index k = 0; k < rows.body.rows(); ++k) {
     const NeighbourPlace& at = rows.places[rows.place_of[index(k)]];
     int drive = -1;
@@ -417,8 +308,8 @@ MatrixXd rows_of_places(const Neighbours& neighbours, const NeighbourRows& rows,
     const Vector3d force = rows.body.row(k).head<3>();
     const Vector3d to_M =
         R * (frame.p_LM[index(neighbours.slot() - 1)] - places[*place].p_LS);
-    all.row(k).segment<3>(kMotion * static_cast<Index>(*place)) = force;
-    all.row(k).segment<3>(kMotion * static_cast<Index>(*place) + 3) =
+    all.row(k).segment<3>(kMotionOfMover * static_cast<Index>(*place)) = force;
+    all.row(k).segment<3>(kMotionOfMover * static_cast<Index>(*place) + 3) =
         rows.body.row(k).tail<3>().transpose() +
         to_M.cross(force) / frame.length;
   }
@@ -498,11 +389,11 @@ MatrixXd load_gains(const Neighbours& neighbours, const Instant& instant,
                     const std::vector<LoadPlace>& places) {
   const NeighbourRows rows = neighbours.rows(instant);
   const double length = neighbours.frame().length;
-  const Index moves = kMotion * std::ssize(places);
+  const Index moves = kMotionOfMover * std::ssize(places);
   MatrixXd form = LoadForm(neighbours, rows, instant, places).matrix();
   VectorXd scale = VectorXd::Ones(form.rows());  // of turns to lengths
   for (Index i = 0; i < scale.size(); ++i) {
-    if (i % kMotion >= 3) scale[i] = 1.0 / length;
+    if (i % kMotionOfMover >= 3) scale[i] = 1.0 / length;
   }
   form = scale.asDiagonal() * form * scale.asDiagonal();
   const Following following =
@@ -510,7 +401,7 @@ MatrixXd load_gains(const Neighbours& neighbours, const Instant& instant,
   MatrixXd to_P = MatrixXd::Zero(moves, moves);
   const Matrix3d& R_PL = rows.x[index(neighbours.slot())].R;
   for (Index i = 0; i < moves; i += 3) {
-    const double of_turns = i % kMotion == 0 ? 1.0 : length;
+    const double of_turns = i % kMotionOfMover == 0 ? 1.0 : length;
     to_P.block<3, 3>(i, i) = of_turns * R_PL;
   }
   return to_P.transpose() * eliminated(form, following) * to_P;

@@ -8,6 +8,8 @@
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
+#include "part/gyration.h"
+
 namespace clevis::report {
 namespace {
 
@@ -87,13 +89,6 @@ std::vector<Vector3d> joints_on(const MechanismDefinition& definition,
   return places;
 }
 
-/// Radius of gyration by the largest moment of inertia [m].
-double gyration(const part::MassProperties& given) {
-  if (!(given.mass > 0.0)) return 0.0;
-  return std::sqrt(std::max(0.0, given.inertia_LCm.trace()) /
-                   (2.0 * given.mass));
-}
-
 /// As of m that were meant as mm. Meshes tell the centres of parts.
 void add_far_centres(const MechanismDefinition& definition,
                      std::vector<std::string>& notes) {
@@ -111,7 +106,7 @@ void add_far_centres(const MechanismDefinition& definition,
         span = std::max(span, (place - other).norm());
       }
     }
-    const double size = 2.0 * gyration(body.mass_properties);
+    const double size = 2.0 * part::radius_of_mass(body.mass_properties);
     if (span == 0.0 && size > 0.0 && !places.empty() &&
         distance > kFarOfSize * size) {
       notes.push_back(fmt::format(
@@ -160,7 +155,7 @@ void add_definition_notes(const MechanismDefinition& definition,
 double mechanism_size(const MechanismDefinition& definition) {
   double length = 0.0;
   for (const BodyDefinition& body : definition.bodies) {
-    length = std::max(length, 2.0 * gyration(body.mass_properties));
+    length = std::max(length, 2.0 * part::radius_of_mass(body.mass_properties));
   }
   for (const auto& joint : definition.joints) {
     for (const auto& [body, frame] : {std::pair(joint.body_a, joint.frame_a),

@@ -198,6 +198,10 @@ TEST(BearingVerdict, RatingsOfNoBearingDoNotPass) {
   BearingDefinition bearing = bearing_1000096();
   bearing.dynamic_rating = 9.9 * bearing.static_rating;
   EXPECT_EQ(judge_bearing(bearing, some).verdict, part::Verdict::kPass);
+  BearingDefinition stiff = bearing_1000096();
+  stiff.static_rating = 10.1 * stiff.dynamic_rating;
+  EXPECT_EQ(codes(judge_bearing(stiff, some)),
+            std::vector<std::string>{"B009"});
   bearing.dynamic_rating = 1470e3;  // kN for N
   const auto result = judge_bearing(bearing, some);
   EXPECT_EQ(codes(result), std::vector<std::string>{"B009"});
