@@ -331,6 +331,26 @@ def check_positions(clevis, checks):
                       f"{part['verdict']}, {part['buckling']['remark']}")
 
 
+def check_deflection(clevis, checks):
+    """The column lying under its weight, on its hinge and on a spring at its other end: it
+    sags as a beam on two supports, whatever the spring gives way."""
+    weight = DENSITY * SIDE * DEPTH / 1e6 * 9.80665  # N/m
+    bending = MODULUS * SIDE**3 * DEPTH / 12e12
+    sag = 5 * weight * (HIGH / 1e3)**4 / 384 / bending * 1e3  # mm
+    for stiffness in (1e5, 1e7):
+        with tempfile.TemporaryDirectory() as name:
+            file = column(Path(name), 1e-3, spring_at_top(stiffness), ("press", "top"))
+            # Pressed by half of the weight, the spring is at rest.
+            free = 500 + weight * HIGH / 1e3 / 2 / stiffness * 1e3
+            text = file.read_text().replace('free = "500 mm"', f'free = "{free:.12g} mm"')
+            file.write_text(text.replace(
+                scene_text.WEIGHTLESS, '[world]\ngravity = ["0 m/s^2", "-9.80665 m/s^2", '
+                '"0 m/s^2"]\n'))
+            answer = support.check(clevis, file, exits=support.JUDGED)
+        checks.near(f"on a hinge and a spring of {stiffness:g} N/m: deflection",
+                    answer.part["deflection_mm"], sag, 3e-3)
+
+
 def bushed_bar(folder):
     """200 mm that nothing but a stiff bushing at one end holds, pressed by 3 kN and pushed
     across by 20 N at the other, slowly."""
@@ -387,6 +407,7 @@ def main():
     clevis = Path(sys.argv[1]).resolve()
     checks = support.Checks()
     check_bushed_bar(clevis, checks)
+    check_deflection(clevis, checks)
     section = WIDTH * HEIGHT**2 / 6e9  # [m³]
     stiff, dashpot = 94.5e3, 8.0
     omega = first_frequency(stiff, 100.0, 1000.0)

@@ -101,8 +101,8 @@ void note_held(const PartJob& job, const LoadSet& set,
 
 loads::PartHold reference_hold(const LoadSet& set) {
   const loads::LoadHistory& history = set.history;
-  return loads::hold_at(history, loads::reference_groups(history),
-                        history.hold_time);
+  return loads::reference_at(history, loads::reference_groups(history),
+                             history.hold_time);
 }
 
 template <int dim>

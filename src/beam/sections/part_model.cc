@@ -130,8 +130,9 @@ PartModel part_model(const mesh::PartMesh<3>& mesh) {
       add_tetrahedron_lumps(points, parts, model.lumps);
     }
   }
-  model.section = [&mesh](const Vector3d& point, const Vector3d& normal) {
-    return mesh::cut(mesh, point, normal);
+  model.section = [cutter = mesh::SectionCutter(mesh)](const Vector3d& point,
+                                                       const Vector3d& normal) {
+    return cutter.at(point, normal);
   };
   model.outline = [triangles = surface(mesh)](const Vector3d& point,
                                               const Vector3d& normal) {

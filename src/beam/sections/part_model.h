@@ -32,7 +32,8 @@ struct PartModel {
 };
 
 /// The model of a mesh. Lumps and outline take the grid of each cell's
-/// geometry points as straight; the sections are those of mesh::cut. The mesh
+/// geometry points as straight; the sections are those of a
+/// mesh::SectionCutter. The mesh
 /// must outlive the model.
 PartModel part_model(const mesh::PartMesh<3>& mesh);
 

@@ -72,9 +72,9 @@ class Conditions {
   }
 
   /// As many as there are columns of wrenches.
-  NodeFunctionals<dim> of_wrenches() {
+  NodeFunctionals<dim> of_wrenches(const std::vector<loads::GroupHold>& holds) {
     NodeFunctionals<dim> all;
-    for (const loads::GroupHold& held : hold_.held) {
+    for (const loads::GroupHold& held : holds) {
       if (!motions_.has_faces(loads::group_of(held.group))) continue;
       const MeanMotion<dim>& motion = motion_of(held.group);
       append({motion.of.nodes,
@@ -136,24 +136,58 @@ NodeFunctionals<dim> scaled(NodeFunctionals<dim> conditions,
   return conditions;
 }
 
-/// Those of the wrenches that rigid motions feel; what they do not feel is held
-/// by the groups' conditions, of unit effect.
+/// Conditions from wrenches one after another, each for rigid motions that
+/// those before leave free.
 template <int dim>
-NodeFunctionals<dim> felt(NodeFunctionals<dim> wrenches,
-                          const NodeFunctionals<dim>& groups,
-                          const MatrixXd& rigid) {
-  constexpr double kFeels = 1e-4;  // of what is felt most
-  const SingularVectors by_rigid = singular_vectors(wrenches.of(rigid));
-  const Index n = by_rigid.rank(kFeels);
-  const Index rest = kMotions<dim> - n;
-  NodeFunctionals<dim> all{wrenches.nodes,
-                           MatrixXd::Zero(kMotions<dim>, wrenches.rows.cols())};
-  all.rows.topRows(n) = by_rigid.U.leftCols(n).transpose() * wrenches.rows;
-  MatrixXd left = MatrixXd::Zero(kMotions<dim>, groups.rows.cols());
-  left.bottomRows(rest) = by_rigid.left(n).transpose() * groups.rows;
-  append({groups.nodes, std::move(left)}, all);
-  return all;
-}
+class FeltConditions {
+ public:
+  explicit FeltConditions(const MatrixXd& rigid)
+      : rigid_(rigid),
+        free_(MatrixXd::Identity(kMotions<dim>, kMotions<dim>)) {}
+
+  /// Takes those that rigid motions feel: of more wrenches than motions the
+  /// motion that is nearest to all, by their sizes.
+  /// @param least  share of the wrench's whole effect, below which it lets the
+  ///   free motions pass.
+  void take(const NodeFunctionals<dim>& wrenches, double least) {
+    if (wrenches.rows.rows() == 0 || free_.cols() == 0) return;
+    const MatrixXd effect = wrenches.of(rigid_);
+    const SingularVectors felt = singular_vectors(effect * free_);
+    std::vector<Index> holding, passing;
+    for (Index k = 0; k < free_.cols(); ++k) {
+      const double whole =
+          k < felt.U.cols() ? (felt.U.col(k).transpose() * effect).norm() : 0.0;
+      const bool holds = k < felt.sigma.size() &&
+                         felt.sigma[k] > kFeels * felt.sigma[0] &&
+                         felt.sigma[k] > least * whole;
+      (holds ? holding : passing).push_back(k);
+    }
+    add(felt.U(Eigen::all, holding).transpose() * wrenches.rows,
+        wrenches.nodes);
+    free_ = (free_ * felt.V(Eigen::all, passing)).eval();
+  }
+
+  /// What is still free is held by the groups' conditions, of unit effect.
+  NodeFunctionals<dim> finish(const NodeFunctionals<dim>& groups) {
+    add(free_.transpose() * groups.rows, groups.nodes);
+    return std::move(all_);
+  }
+
+ private:
+  static constexpr double kFeels = 1e-4;  // of what is felt most
+
+  void add(const MatrixXd& conditions, const std::vector<Index>& nodes) {
+    MatrixXd rows = MatrixXd::Zero(kMotions<dim>, conditions.cols());
+    rows.middleRows(count_, conditions.rows()) = conditions;
+    append({nodes, std::move(rows)}, all_);
+    count_ += conditions.rows();
+  }
+
+  const MatrixXd& rigid_;
+  MatrixXd free_;  ///< of rigid motions, orthonormal
+  NodeFunctionals<dim> all_;
+  Index count_ = 0;
+};
 
 }  // namespace
 
@@ -163,10 +197,16 @@ PinHold<dim>::PinHold(MeanMotions<dim>& motions, const HoldingSeats& hold,
     : rigid_(motions.rigid()) {
   Conditions<dim> conditions(motions, hold, part_name);
   conditions_ = scaled(conditions.of_groups(), rigid_);
-  NodeFunctionals<dim> held = conditions.of_wrenches();
-  if (held.rows.rows() == 0) return;
-  if (hold.with_all) all_ = held;
-  conditions_ = scaled(felt(std::move(held), conditions_, rigid_), rigid_);
+  NodeFunctionals<dim> held = conditions.of_wrenches(hold.held);
+  const NodeFunctionals<dim> sprung = conditions.of_wrenches(hold.sprung);
+  if (held.rows.rows() == 0 && sprung.rows.rows() == 0) return;
+  FeltConditions<dim> felt(rigid_);
+  felt.take(held, 0.0);
+  // A spring whose arm is so short gives way as a whole.
+  constexpr double kShortArm = 0.05;
+  felt.take(sprung, kShortArm);
+  conditions_ = scaled(felt.finish(conditions_), rigid_);
+  if (hold.with_all) all_ = std::move(held);
 }
 
 template <int dim>

@@ -20,6 +20,7 @@ struct HoldingSeats {
   /// What holds in the place of the groups, which hold what is left; empty: the
   /// groups alone.
   std::vector<loads::GroupHold> held = {};
+  std::vector<loads::GroupHold> sprung = {};  ///< of loads::PartHold
   bool with_all = false;  ///< of `held` also what is beyond rigid motions
   std::vector<Eigen::Index> instants = {};  ///< rising; empty: all
 
@@ -33,7 +34,8 @@ struct HoldingSeats {
 /// and (dim = 3) the first's mean rotation about that line. With one group, or
 /// two about one centre, all of its mean rotation; with none, all nodes'. Of
 /// what is held otherwise (HoldingSeats::held) as many combinations as the
-/// part's rigid motions feel. As many conditions as there are rigid motions, so
+/// part's rigid motions feel, then those in which its springs take up least
+/// energy. As many conditions as there are rigid motions, so
 /// that loads in balance leave them without reaction; what is held beyond them
 /// strains the part and is told apart (beyond()).
 template <int dim>

@@ -55,26 +55,23 @@ double size_of(const std::vector<Seat>& seats) {
   return size > kRoundOffLength ? size : kOfOne;
 }
 
-/// At a time [s]; moments over the size [N].
-std::vector<GroupHold> holds_of(const LoadHistory& history, double time) {
-  const double size = size_of(history.seats);
-  MatrixXd held = history.hold(time).held;
-  for (Index row = 0; row < held.rows(); ++row) {
-    if (row % kWrench >= 3) held.row(row) /= size;
-  }
-  held = column_space(held, kRoundOff);
+/// Wrenches by holder, about the first of its seats.
+/// @param wrenches  of SeatHold; moments over a size.
+/// @param size  [m].
+std::vector<GroupHold> by_holder(const std::vector<Seat>& seats,
+                                 const MatrixXd& wrenches, double size) {
   std::vector<GroupHold> holds;
-  for (std::size_t s = 0; s < history.seats.size(); ++s) {
-    const Seat& seat = history.seats[s];
-    const std::string holder = holder_of(history.seats, s);
+  for (std::size_t s = 0; s < seats.size(); ++s) {
+    const Seat& seat = seats[s];
+    const std::string holder = holder_of(seats, s);
     auto hold = std::ranges::find(holds, holder, &GroupHold::group);
     if (hold == holds.end()) {
       holds.push_back(
-          {holder, seat.p_LS, MatrixXd::Zero(kWrench, held.cols())});
+          {holder, seat.p_LS, MatrixXd::Zero(kWrench, wrenches.cols())});
       hold = std::prev(holds.end());
     }
     const MatrixXd here =
-        held.middleRows<kWrench>(kWrench * static_cast<Index>(s));
+        wrenches.middleRows<kWrench>(kWrench * static_cast<Index>(s));
     hold->wrenches += here;
     const Vector3d arm = (seat.p_LS - hold->p_LS) / size;
     for (Index k = 0; k < here.cols(); ++k) {
@@ -83,6 +80,29 @@ std::vector<GroupHold> holds_of(const LoadHistory& history, double time) {
     }
   }
   return holds;
+}
+
+/// What does not give way; moments over the size [N].
+std::vector<GroupHold> holds_of(const std::vector<Seat>& seats, MatrixXd held) {
+  const double size = size_of(seats);
+  for (Index row = 0; row < held.rows(); ++row) {
+    if (row % kWrench >= 3) held.row(row) /= size;
+  }
+  return by_holder(seats, column_space(held, kRoundOff), size);
+}
+
+/// The same with moments as they are [N m].
+std::vector<GroupHold> held_groups(const std::vector<Seat>& seats,
+                                   MatrixXd wrenches) {
+  auto held = holds_of(seats, std::move(wrenches));
+  const double size = size_of(seats);
+  for (GroupHold& hold : held) hold.wrenches.bottomRows<3>() *= size;
+  return held;
+}
+
+/// Of force elements at the part's own seats.
+const MatrixXd& sprung_of(const SeatHold& hold) {
+  return hold.swinging ? hold.swinging->sprung : hold.sprung;
 }
 
 /// What is held of all groups, moments over the part's size.
@@ -234,19 +254,45 @@ std::string group_of(const std::string& holder) {
 }
 
 std::vector<GroupHold> held_groups(const LoadHistory& history, double time) {
-  auto held = holds_of(history, time);
-  const double size = size_of(history.seats);
-  for (GroupHold& hold : held) hold.wrenches.bottomRows<3>() *= size;
-  return held;
+  return held_groups(history.seats, history.hold(time).held);
 }
 
 PartHold hold_at(const LoadHistory& history, const HoldingGroups& groups,
                  double time) {
+  PartHold hold = reference_at(history, groups, time);
+  hold.sprung.clear();
+  return hold;
+}
+
+PartHold reference_at(const LoadHistory& history, const HoldingGroups& groups,
+                      double time) {
   if (!history.hold || groups.empty()) return {groups};
-  auto held = held_groups(history, time);
+  const SeatHold hold = history.hold(time);
+  auto held = held_groups(history.seats, hold.held);
   auto order = HeldSpan(held).order_of(groups);
   if (!order.empty()) return {std::move(order)};
-  return {groups, std::move(held)};
+  PartHold found{groups, std::move(held)};
+  const MatrixXd& sprung = sprung_of(hold);
+  if (sprung.cols() > 0) found.sprung = by_holder(history.seats, sprung, 1.0);
+  return found;
+}
+
+bool are_alike(const PartHold& one, const PartHold& other) {
+  constexpr double kLike = 1e-4;
+  if (one.groups != other.groups || !are_alike(one.held, other.held) ||
+      one.sprung.size() != other.sprung.size()) {
+    return false;
+  }
+  for (std::size_t a = 0; a < one.sprung.size(); ++a) {
+    for (std::size_t b = 0; b < one.sprung.size(); ++b) {
+      const auto stiffness = [&](const PartHold& hold) -> MatrixXd {
+        return hold.sprung[a].wrenches * hold.sprung[b].wrenches.transpose();
+      };
+      const MatrixXd here = stiffness(one);
+      if ((here - stiffness(other)).norm() > kLike * here.norm()) return false;
+    }
+  }
+  return true;
 }
 
 bool are_alike(const std::vector<GroupHold>& one,
@@ -262,7 +308,8 @@ bool is_redundant(const std::vector<GroupHold>& held) {
 std::vector<HoldingGroups> holding_groups(const LoadHistory& history) {
   if (!history.hold) return pairs_of(bearing_groups(history));
   constexpr double kNearest = 1e-3;  // of the size: no line between them
-  std::vector<GroupHold> holds = holds_of(history, history.hold_time);
+  std::vector<GroupHold> holds =
+      holds_of(history.seats, history.hold(history.hold_time).held);
   std::ranges::sort(holds, {}, &GroupHold::group);
   const double size = size_of(history.seats);
   std::vector<HoldingGroups> found;
@@ -291,7 +338,7 @@ HoldingGroups reference_groups(const LoadHistory& history) {
   HoldingGroups held = holding_groups(history).front();
   if (!held.empty() || !history.hold) return held;
   const SeatHold hold = history.hold(history.hold_time);
-  const MatrixXd& sprung = hold.swinging ? hold.swinging->sprung : hold.sprung;
+  const MatrixXd& sprung = sprung_of(hold);
   std::vector<std::size_t> yielding;
   for (std::size_t s = 0; s < history.seats.size(); ++s) {
     const Index row = kWrench * static_cast<Index>(s);

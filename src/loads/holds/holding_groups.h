@@ -55,6 +55,9 @@ struct PartHold {
   /// In their place all that the mechanism holds; the groups hold what is left.
   /// Empty: the groups alone.
   std::vector<GroupHold> held = {};
+  /// Force elements that yield hold before the groups what `held` leaves, each
+  /// as hard as it is stiff: forces [√(N/m)], moments [m √(N/m)].
+  std::vector<GroupHold> sprung = {};
 };
 
 /// At a time [s]: by the groups alone where each of their six conditions is
@@ -62,6 +65,15 @@ struct PartHold {
 /// @param groups  of holding_groups().
 PartHold hold_at(const LoadHistory& history, const HoldingGroups& groups,
                  double time);
+
+/// What displacements refer to at a time [s]: hold_at(), and force elements.
+/// @param groups  of reference_groups().
+PartHold reference_at(const LoadHistory& history, const HoldingGroups& groups,
+                      double time);
+
+/// Whether the same is held but for 1e-4 of unit wrenches, and of the
+/// stiffness.
+bool are_alike(const PartHold& one, const PartHold& other);
 
 /// Whether the same is held but for 1e-4 of unit wrenches.
 bool are_alike(const std::vector<GroupHold>& one,

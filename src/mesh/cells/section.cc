@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -50,25 +51,35 @@ struct Cut {
   }
 };
 
+/// Even points of a cell that is cut.
+struct CutCell {
+  Matrix3Xd points;
+  Eigen::VectorXd heights;  ///< above the plane [m]
+
+  bool is_cut() const { return points.cols() > 0; }
+  Vector3d meet(Index a, Index b) const {
+    return Cut::at(points.col(a), heights[a], points.col(b), heights[b]);
+  }
+};
+
 /// Collects the polygons of a section.
 class Sum {
  public:
   explicit Sum(const Plane& plane) : plane_(plane) {}
 
-  void add_tetrahedron(const std::array<Vector3d, 4>& p) {
-    std::array<double, 4> h{};
-    std::array<std::size_t, 4> up{}, down{};
+  void add_tetrahedron(const CutCell& cell,
+                       const std::array<Index, 4>& corners) {
+    std::array<Index, 4> up{}, down{};
     std::size_t ups = 0, downs = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      h[i] = plane_.height(p[i]);
-      if (Cut::above(h[i])) {
-        up[ups++] = i;
+    for (const Index corner : corners) {
+      if (Cut::above(cell.heights[corner])) {
+        up[ups++] = corner;
       } else {
-        down[downs++] = i;
+        down[downs++] = corner;
       }
     }
-    const auto meet = [&](std::size_t a, std::size_t b) {
-      return Cut::at(p[a], h[a], p[b], h[b]);
+    const auto meet = [&](Index a, Index b) {
+      return cell.meet(a, b);
     };
     if (ups == 1) {
       add(meet(up[0], down[0]), meet(up[0], down[1]), meet(up[0], down[2]));
@@ -109,9 +120,17 @@ class Sum {
   Matrix3d second_ = Matrix3d::Zero();
 };
 
+Eigen::VectorXd heights_of(const Matrix3Xd& points, const Plane& plane) {
+  Eigen::VectorXd heights(points.cols());
+  for (Index i = 0; i < points.cols(); ++i) {
+    heights[i] = plane.height(points.col(i));
+  }
+  return heights;
+}
+
 bool crosses(const Matrix3Xd& points, const Plane& plane) {
   bool above = false, below = false;
-  for (Index i = 0; i < points.cols(); ++i) {
+  for (Index i = 0; i < points.cols() && !(above && below); ++i) {
     (Cut::above(plane.height(points.col(i))) ? above : below) = true;
   }
   return above && below;
@@ -206,26 +225,32 @@ Subdivision subdivide_tetrahedron(int degree, int finest) {
 }
 
 /// Points where the lines of a boundary face meet the plane.
-void add_rim(const Matrix3Xd& points, const std::vector<Index>& face,
-             const Subdivision& subdivision, const Plane& plane,
-             std::vector<Vector3d>& rim) {
+void add_rim(const CutCell& cell, const std::vector<Index>& face,
+             const Subdivision& subdivision, std::vector<Vector3d>& rim) {
   for (const auto& [from, to] : subdivision.lines) {
-    const Vector3d a = points.col(face[from]), b = points.col(face[to]);
-    const double ha = plane.height(a), hb = plane.height(b);
-    if (Cut::above(ha) != Cut::above(hb)) rim.push_back(Cut::at(a, ha, b, hb));
+    const Index a = face[from], b = face[to];
+    if (Cut::above(cell.heights[a]) != Cut::above(cell.heights[b])) {
+      rim.push_back(cell.meet(a, b));
+    }
   }
 }
 
-int count_pieces(const PartMesh<3>& mesh, const std::vector<Matrix3Xd>& cut,
-                 const Subdivision& subdivision, const Plane& plane) {
-  const auto other = neighbours(mesh);
+using Neighbours = std::vector<std::array<std::pair<int, int>, 6>>;
+
+int count_pieces(const Neighbours& other, const std::vector<CutCell>& cut,
+                 const Subdivision& subdivision) {
   const auto face_is_cut = [&](std::size_t cell, std::size_t face) {
-    return crosses(cut[cell](Eigen::all, subdivision.faces[face]), plane);
+    const auto is_above = [&](Index point) {
+      return Cut::above(cut[cell].heights[point]);
+    };
+    const auto& points = subdivision.faces[face];
+    return std::ranges::any_of(points, is_above) &&
+           !std::ranges::all_of(points, is_above);
   };
   std::vector<bool> seen(cut.size(), false);
   int pieces = 0;
   for (std::size_t seed = 0; seed < cut.size(); ++seed) {
-    if (seen[seed] || cut[seed].cols() == 0) continue;
+    if (seen[seed] || !cut[seed].is_cut()) continue;
     ++pieces;
     std::vector<std::size_t> front = {seed};
     seen[seed] = true;
@@ -235,7 +260,7 @@ int count_pieces(const PartMesh<3>& mesh, const std::vector<Matrix3Xd>& cut,
       for (std::size_t face = 0; face < subdivision.faces.size(); ++face) {
         const int next = other[cell][face].first;
         if (next < 0 || seen[std::size_t(next)] ||
-            cut[std::size_t(next)].cols() == 0 || !face_is_cut(cell, face)) {
+            !cut[std::size_t(next)].is_cut() || !face_is_cut(cell, face)) {
           continue;
         }
         seen[std::size_t(next)] = true;
@@ -248,34 +273,50 @@ int count_pieces(const PartMesh<3>& mesh, const std::vector<Matrix3Xd>& cut,
 
 }  // namespace
 
-Section cut(const PartMesh<3>& mesh, const Vector3d& point,
-            const Vector3d& normal, int parts) {
+struct SectionCutter::Cells {
+  Subdivision subdivision;
+  Neighbours neighbours;
+};
+
+SectionCutter::SectionCutter(const PartMesh<3>& mesh, int parts)
+    : mesh_(&mesh),
+      cells_(std::make_shared<const Cells>(
+          mesh.shape == CellShape::kTensor
+              ? subdivide_hexahedron(mesh.degree, parts)
+              : subdivide_tetrahedron(mesh.degree, parts),
+          neighbours(mesh))) {}
+
+Section SectionCutter::at(const Vector3d& point, const Vector3d& normal) const {
+  const PartMesh<3>& mesh = *mesh_;
+  const Subdivision& subdivision = cells_->subdivision;
   const Plane plane{point, normal.normalized()};
-  const Subdivision subdivision =
-      mesh.shape == CellShape::kTensor
-          ? subdivide_hexahedron(mesh.degree, parts)
-          : subdivide_tetrahedron(mesh.degree, parts);
   Section section;
   Sum sum(plane);
-  std::vector<Matrix3Xd> cut_cells(mesh.cells.size());  // empty: not cut
+  std::vector<CutCell> cut_cells(mesh.cells.size());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     // The points of a curved cell reach beyond its corners: take all.
     if (!crosses(mesh.cell_points[c], plane)) continue;
-    cut_cells[c] = subdivision.points_of(mesh.cell_points[c]);
-    for (const auto& [i, j, k, l] : subdivision.tetrahedra) {
-      sum.add_tetrahedron({cut_cells[c].col(i), cut_cells[c].col(j),
-                           cut_cells[c].col(k), cut_cells[c].col(l)});
+    CutCell& cell = cut_cells[c];
+    cell.points = subdivision.points_of(mesh.cell_points[c]);
+    cell.heights = heights_of(cell.points, plane);
+    for (const auto& corners : subdivision.tetrahedra) {
+      sum.add_tetrahedron(cell, corners);
     }
   }
   sum.finish(section);
   for (const BoundaryFace& face : mesh.boundary) {
-    const Matrix3Xd& cell = cut_cells[std::size_t(face.cell)];
-    if (cell.cols() == 0) continue;
-    add_rim(cell, subdivision.faces[std::size_t(face.face)], subdivision, plane,
+    const CutCell& cell = cut_cells[std::size_t(face.cell)];
+    if (!cell.is_cut()) continue;
+    add_rim(cell, subdivision.faces[std::size_t(face.face)], subdivision,
             section.rim);
   }
-  section.pieces = count_pieces(mesh, cut_cells, subdivision, plane);
+  section.pieces = count_pieces(cells_->neighbours, cut_cells, subdivision);
   return section;
+}
+
+Section cut(const PartMesh<3>& mesh, const Vector3d& point,
+            const Vector3d& normal, int parts) {
+  return SectionCutter(mesh, parts).at(point, normal);
 }
 
 }  // namespace clevis::mesh

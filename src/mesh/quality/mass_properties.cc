@@ -175,29 +175,53 @@ part::MassProperties mass_properties(const PartMesh<2>& mesh, double density) {
 namespace {
 
 /// @param order  points a direction.
+/// Points of a hexahedron on a local face: along two directions whose tangents'
+/// cross product points along the third.
+Matrix3Xd points_on_face(const Matrix3Xd& cell_points, int degree, int face) {
+  const Index n = degree + 1;
+  const std::array<Index, 3> strides = {1, n, n * n};
+  const auto normal = unsigned(face / 2);
+  const Index first = face % 2 == 0 ? 0 : degree * strides[normal];
+  Matrix3Xd points(3, n * n);
+  for (Index j = 0; j < n; ++j) {
+    for (Index i = 0; i < n; ++i) {
+      points.col(i + n * j) =
+          cell_points.col(first + i * strides[(normal + 1) % 3] +
+                          j * strides[(normal + 2) % 3]);
+    }
+  }
+  return points;
+}
+
+/// A face's polynomial at a grid of points.
+/// @param nodes  3 × nodes². @param first, second  points × nodes.
+Matrix3Xd on_grid(const Matrix3Xd& nodes, const Eigen::MatrixXd& first,
+                  const Eigen::MatrixXd& second) {
+  Matrix3Xd along(3, first.rows() * first.cols());
+  contract(nodes.data(), first, along.data(), 3, first.cols());
+  Matrix3Xd points(3, first.rows() * second.rows());
+  contract(along.data(), second, points.data(), 3 * first.rows(), 1);
+  return points;
+}
+
+/// @param order  points a direction.
 template <class Visitor>
 void visit_quadrangles(const PartMesh<3>& mesh, int group, int order,
                        const Visitor& visit) {
   const Quadrature rule = gauss(order);
-  const Eigen::VectorXd nodes = gauss_lobatto(mesh.degree);
-  const LagrangeBasis inner = lagrange(nodes, rule.points);
-  const std::array<LagrangeBasis, 2> ends = {
-      lagrange(nodes, Eigen::VectorXd::Constant(1, 0.0)),
-      lagrange(nodes, Eigen::VectorXd::Constant(1, 1.0))};
+  const LagrangeBasis basis = lagrange(gauss_lobatto(mesh.degree), rule.points);
   const Index n = rule.points.size();
   for (const BoundaryFace& face : mesh.boundary) {
     if (face.group != group) continue;
-    const auto normal = unsigned(face.face / 2);
-    std::array<const LagrangeBasis*, 3> along = {&inner, &inner, &inner};
-    along[normal] = &ends[unsigned(face.face % 2)];
-    const auto grid =
-        map_grid<3>(mesh.cell_points[std::size_t(face.cell)], along);
-    const auto& a = grid.tangents[(normal + 1) % 3];
-    const auto& b = grid.tangents[(normal + 2) % 3];
+    const Matrix3Xd nodes = points_on_face(
+        mesh.cell_points[std::size_t(face.cell)], mesh.degree, face.face);
+    const Matrix3Xd points = on_grid(nodes, basis.value, basis.value);
+    const Matrix3Xd a = on_grid(nodes, basis.slope, basis.value);
+    const Matrix3Xd b = on_grid(nodes, basis.value, basis.slope);
     const double sense = face.face % 2 == 0 ? -1.0 : 1.0;
     for (Index q = 0; q < n * n; ++q) {
       const Vector3d t1 = a.col(q), t2 = b.col(q);
-      visit(grid.points.col(q),
+      visit(points.col(q),
             sense * rule.weights[q % n] * rule.weights[q / n] * t1.cross(t2));
     }
   }

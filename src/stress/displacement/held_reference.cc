@@ -21,7 +21,8 @@ elasticity::PinHold<dim> pin_hold(
   return {motions,
           {.groups = hold.groups,
            .touched = std::move(touched),
-           .held = hold.held}};
+           .held = hold.held,
+           .sprung = hold.sprung}};
 }
 
 /// Of the motion's instants; none where all are alike.
@@ -31,12 +32,11 @@ std::vector<loads::PartHold> changing_holds(
   const std::size_t motion = loads::motion_length(history);
   if (!history.hold || motion < 2) return {};
   const auto hold = [&](std::size_t i) {
-    return loads::hold_at(history, groups, history.instants[i].time);
+    return loads::reference_at(history, groups, history.instants[i].time);
   };
-  const auto first = loads::hold_at(history, groups, history.hold_time);
+  const auto first = loads::reference_at(history, groups, history.hold_time);
   const auto is_other = [&](const loads::PartHold& here) {
-    return here.groups != first.groups ||
-           !loads::are_alike(here.held, first.held);
+    return !loads::are_alike(here, first);
   };
   bool changes = false;
   for (std::size_t k = 0; k <= kLooks && !changes; ++k) {

@@ -62,11 +62,12 @@ class TouchedMotions {
   }
 
   void solve(std::size_t i) {
-    auto held = loads::hold_at(history_, groups_, history_.instants[i].time);
+    auto held =
+        loads::reference_at(history_, groups_, history_.instants[i].time);
     const elasticity::HoldingSeats seats{
         std::move(held.groups),
         elasticity::TouchedSeats{history_.seats, zones(i)},
-        std::move(held.held)};
+        std::move(held.held), std::move(held.sprung)};
     const elasticity::PinHold<dim> hold(*motions_, seats);
     broken_[i] = hold.broken(basis_.columns);
   }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "elasticity/assembly/supports.h"
+#include "elasticity/holds/pin_hold.h"
 #include "elasticity/solid/solid_solve.h"
 #include "stress/displacement/held_reference.h"
 #include "stress/field/stress_history.h"
@@ -89,6 +90,37 @@ TEST(Deflection, BarInTensionElongates) {
               1e-9);
   EXPECT_NEAR(deflection.at.x(), kSize.x(), 1e-12);
   EXPECT_EQ(deflection.instant, 0);
+}
+
+// Held across by springs of k at x0 and c k at x1: what the ends move, weighed
+// by the stiffness, is no rigid motion.
+TEST(Deflection, SpringsHoldByTheirStiffness) {
+  const auto eye = support::eye_problem(2);
+  const auto solved = elasticity::solve<3>(eye.problem(), 2);
+  elasticity::MeanMotions<3> motions(solved.discretization);
+  const auto spring = [&](const char* group, double stiffness, Eigen::Index k) {
+    loads::GroupHold hold{group, motions.of_group(group).centre,
+                          Eigen::MatrixXd::Zero(6, 2)};
+    hold.wrenches(0, k) = std::sqrt(stiffness);
+    return hold;
+  };
+  const auto mean_at = [&](const char* group, const Eigen::MatrixXd& u) {
+    return Eigen::RowVectorXd(motions.of_group(group).of.of(u).row(0));
+  };
+  for (const double ratio : {1.0, 100.0}) {
+    elasticity::HoldingSeats hold{.groups = {"x0"}};
+    hold.sprung = {spring("x0", 1e6, 0), spring("x1", ratio * 1e6, 1)};
+    const elasticity::PinHold<3> alone(motions, hold);
+    const Eigen::MatrixXd u = alone.project(solved.columns);
+    const Eigen::RowVectorXd rest = mean_at("x0", u) + ratio * mean_at("x1", u);
+    EXPECT_LT(rest.norm(), 1e-9 * ratio * mean_at("x1", solved.columns).norm());
+    // Where a joint holds the end, its spring has no say.
+    hold.held = {spring("x0", 1.0, 0)};
+    hold.held[0].wrenches.conservativeResize(6, 1);
+    const elasticity::PinHold<3> joined(motions, hold);
+    const Eigen::MatrixXd held = joined.project(solved.columns);
+    EXPECT_LT(mean_at("x0", held).norm(), 1e-9 * held.norm());
+  }
 }
 
 // Tip shear on a fixed bar: F L³/(3 E I) and the shear of Timoshenko's beam,

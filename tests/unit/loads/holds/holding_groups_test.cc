@@ -1,5 +1,6 @@
 #include "loads/holds/holding_groups.h"
 
+#include <cmath>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -85,6 +86,29 @@ TEST(ReferenceGroups, OfAPartOnForceElementsAreTheirSeats) {
   EXPECT_EQ(reference_groups(history), (HoldingGroups{"bore_A", "bore_B"}));
   spring_on({});
   EXPECT_EQ(reference_groups(history), holding_groups(history).front());
+}
+
+// A hinge leaves the turn to a spring; held by a drive, it has no say.
+TEST(ReferenceGroups, ForceElementsHoldWhatJointsLeave) {
+  LoadHistory history = lever(MatrixXd(18, 0));
+  const auto reference = [&](std::initializer_list<int> held,
+                             double stiffness) {
+    history.hold = [held = unit(held), stiffness](double) {
+      return SeatHold{.held = held,
+                      .sprung = std::sqrt(stiffness) * unit({13})};
+    };
+    return reference_at(history, reference_groups(history), 0.0);
+  };
+  EXPECT_TRUE(reference({0, 1, 2, 3, 4, 11}, 1e6).sprung.empty());
+  const PartHold sprung = reference({0, 1, 2, 3, 4}, 1e6);
+  ASSERT_FALSE(sprung.sprung.empty());
+  double squares = 0.0;
+  for (const GroupHold& hold : sprung.sprung) {
+    squares += hold.wrenches.squaredNorm();
+  }
+  EXPECT_DOUBLE_EQ(squares, 1e6);
+  EXPECT_TRUE(are_alike(sprung, reference({0, 1, 2, 3, 4}, 1e6)));
+  EXPECT_FALSE(are_alike(sprung, reference({0, 1, 2, 3, 4}, 2e6)));
 }
 
 // The drive's face may be another than the pin's bore.
