@@ -5,9 +5,9 @@ all.
     joined_parts.py CLEVIS
 
 A column of two welded bars buckles where one of its whole length does, π²EI/4L², though
-each alone bears more. A cantilever of two welded bars is shaken at the first frequency of
-its whole length, where it swings to E h/2 φ''(0) Γ A/2ζ at its root; φ''(0) = 2 β²,
-βL = 1.8751, Γ = 0.7830. With half of the load, or slowly shaken, both pass.
+each alone bears more; so does one whose bars a ball and a stiff bushing join. A cantilever
+of two welded bars is shaken at the first frequency of its whole length, where it swings to
+E h/2 φ''(0) Γ A/2ζ at its root; φ''(0) = 2 β², βL = 1.8751, Γ = 0.7830. With half of the load, or slowly shaken, both pass.
 """
 import math
 import sys
@@ -55,11 +55,31 @@ peak_stress = "5 %"
 """
 
 
-def column(folder, factor):
-    """Pressed by Euler's load over a factor."""
+BUSHING = f"""[[force]]
+type = "bushing"
+name = "bush"
+between = ["lower", "upper"]
+from = {scene_text.lengths((LENGTH / 2, 0, 0))}
+to = ["0 mm", "0 mm", "0 mm"]
+angular_stiffness = ["1e7 N m/rad", "1e7 N m/rad", "1e7 N m/rad"]
+"""
+
+
+def on_ball(text):
+    """The halves on a ball and a bushing that is far stiffer than they are."""
+    weld = scene_text.joint("W", "weld", "lower", "upper", (LENGTH / 2, 0, 0))
+    assert weld in text
+    return text.replace(weld, weld.replace('"weld"', '"spherical"') + BUSHING).replace(
+        'forces = { press', 'forces = { bush = { face = "x0" }, press').replace(
+        'pins = { F = "x0", W = "x1" }',
+        'pins = { F = "x0", W = "x1" }\nforces = { bush = { face = "x1" } }')
+
+
+def column(folder, factor, joined=str):
+    """Pressed by Euler's load over a factor; joined: puts another joint."""
     write_halves(folder)
     file = folder / "scene.toml"
-    file.write_text(scene_text.head("column") +
+    file.write_text(joined(scene_text.head("column") +
                     scene_text.body("crank", "1 kg", "0.01 kg m^2", origin=(0, 500, 0)) +
                     scene_text.joint("C", "revolute", "ground", "crank", (0, 500, 0),
                                      (0, 0, 1)) +
@@ -77,7 +97,7 @@ force = ["-{EULER / factor:.9g} N", "0 N", "0 N"]
 [simulation]
 duration = "1 s"
 instants = 3
-{TAIL}""")
+{TAIL}"""))
     return file
 
 
@@ -123,8 +143,8 @@ def main():
             checks.expect(title in text, f"the picture says \"{title}\"")
         return answer.parts
 
-    for factor in (1.3, 3.0):
-        for part in parts_of(column, factor):
+    for factor, joined in ((1.3, str), (3.0, str), (1.3, on_ball)):
+        for part in parts_of(column, factor, joined):
             buckling = part["buckling"]
             checks.holds(buckling["band"], factor,
                          f"{part['name']} of the column, alone {buckling['factor']:.4g}")

@@ -211,16 +211,15 @@ from = "0 deg"
 
 
 def spring_at_top(stiffness):
-    """Across a column, in N/m."""
+    """Across a column, in N/m; of 0 a damper."""
+    spring = f'stiffness = "{stiffness:.9g} N/m"\nfree = "500 mm"\n' if stiffness else ""
     return f"""[[force]]
 type = "spring"
 name = "top"
 between = ["ground", "column"]
 from = {scene_text.lengths((HIGH, -500, 0))}
 to = {scene_text.lengths((HIGH, 0, 0))}
-stiffness = "{stiffness:.9g} N/m"
-free = "500 mm"
-damping = "200 N s/m"
+{spring}damping = "200 N s/m"
 """
 
 
@@ -283,6 +282,10 @@ def check_columns(clevis, checks):
     # Between a hinge and a spring across its top it bows, or tilts as rigid.
     bowed = with_shear(4 * clamped)
     rows = [("on a servo", servo_at_foot(at_foot), both, ("press",)),
+            ("on a servo, with a damper at its top", servo_at_foot(at_foot) +
+             spring_at_top(0), both, ("press", "top")),
+            ("on a servo, with one soft spring more than it needs", servo_at_foot(at_foot) +
+             spring_at_top(1e-4 * clamped / (HIGH / 1e3)), both, ("press", "top")),
             ("with a stiff spring at its top", spring_at_top(8 * clamped / (HIGH / 1e3)),
              bowed, ("press", "top")),
             ("with a soft spring at its top", spring_at_top(3 * clamped / (HIGH / 1e3)),

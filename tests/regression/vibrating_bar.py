@@ -13,7 +13,8 @@ are those of the instants' loads.
 Pulled at both ends at once, long after a soft touch, by a sharp ramp or by stairs
 the bar has twice the pull in its middle where the waves meet, however many
 instants are asked for; after a ramp of its period nothing, and by a sine of its
-period four times more each cycle.
+period four times more each cycle. Triangles whose corners alone are known are
+straight between them.
 """
 import csv
 import math
@@ -58,8 +59,8 @@ efforts = [{", ".join(f'"{side * share * PULL:.9g} N"' for _, share in law)}]
 """ for face, x, side in (("x0", 0, -1), ("x1", 200, 1)) if face in ends)
 
 
-def write_bar(folder):
-    scene_text.write_bar(folder, (LENGTH, SIDE, SIDE), (20, 1, 1))
+def write_bar(folder, cells=20):
+    scene_text.write_bar(folder, (LENGTH, SIDE, SIDE), (cells, 1, 1))
 
 
 def bar_scene(folder, name, mechanism, pins, faces, duration="0.5 ms", instants=201,
@@ -217,6 +218,42 @@ def check_welded(clevis, expect):
     expect("welded: with vibration", part["vibration"]["peak_MPa"], 2.0 * still)
     low, high = part["vibration"]["band_MPa"]
     expect(f"welded: band {low:.2f} to {high:.2f}", low <= 2.0 * still <= high, True)
+
+
+def check_triangles(clevis, expect, edges=8):
+    """Welded to the ground at one end and pulled at the other by a triangle each three
+    periods, known at its corners: the third of its waves runs with the bar's own. At the
+    weld is twice what came in, less what came in half a period before, and so on."""
+    period = 2 * PERIOD  # [ms]
+    law = [(1.5 * period * k, k % 2) for k in range(edges + 1)]
+
+    def pull(t):
+        k = int(t / (1.5 * period))
+        if t < 0 or k >= edges:
+            return 0.0
+        share = t / (1.5 * period) - k
+        return share if k % 2 == 0 else 1.0 - share
+
+    def at_weld(t):
+        return 2 * sum((-1)**k * pull(t - (2 * k + 1) * PERIOD / 2)
+                       for k in range(int(t / PERIOD) + 1))
+
+    exact = max(abs(at_weld(period * i / 500)) for i in range(500 * 2 * edges))
+    for instants in (3, 41):
+        with tempfile.TemporaryDirectory() as name:
+            scene = bar_scene(
+                Path(name), "bar pulled by triangles",
+                scene_text.joint("held", "weld", "ground", "bar") +
+                pulls(law, ("x1",)), 'held = "x0"', 'pull_x1 = { face = "x1" }\n',
+                duration=f"{3 * edges * PERIOD * 1.5:.9g} ms", instants=instants)
+            write_bar(Path(name), 40)
+            part = support.check(clevis, scene, exits=support.JUDGED).part
+        vibration = part["vibration"]
+        still = PULL / AREA / 1e6
+        expect(f"triangles, {instants} instants", vibration["peak_MPa"], exact * still)
+        low, high = vibration["band_MPa"]
+        expect(f"triangles: band {low:.2f} to {high:.2f}",
+               low <= exact * still <= high, True)
 
 
 def struck_peak(block, end, count=400):
@@ -386,6 +423,7 @@ def main():
     check(sys.argv[1], 0.0, expect)
     check_pulls(sys.argv[1], expect)
     check_welded(sys.argv[1], expect)
+    check_triangles(sys.argv[1], expect)
     check_weighed(sys.argv[1], expect)
     check_redundant(sys.argv[1], expect)
     check_held_history(sys.argv[1], expect)

@@ -37,7 +37,8 @@ std::vector<std::string> doubt_joined_parts(
   const auto joined = mechanism::joined_bodies(mechanism);
   return assessment::doubt_by_joined(
       jobs,
-      {parts_on(joined.moving, mechanism), parts_on(joined.stiffly, mechanism)},
+      {parts_on(joined.moving, mechanism), parts_on(joined.stiffly, mechanism),
+       parts_on(joined.elastically, mechanism)},
       results);
 }
 

@@ -138,7 +138,7 @@ std::vector<std::string> doubt_by_joined(const std::vector<PartJob>& jobs,
   };
   for (const auto& names : joined.stiffly) doubt_vibration(names, kRiseCounts);
   for (const auto& names : joined.moving) doubt_vibration(names, kAcrossHinges);
-  for (const auto& names : joined.stiffly) {
+  for (const auto& names : joined.elastically) {
     const auto members = members_of(names, jobs, results);
     const double together = factor_together(members);
     for (const Member& member : members) {

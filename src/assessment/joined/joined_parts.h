@@ -14,6 +14,8 @@ struct JoinedParts {
   std::vector<std::vector<std::string>> moving;
   /// Welds or joints that drives fix hand all moments on among them.
   std::vector<std::vector<std::string>> stiffly;
+  /// By these, and by force elements that hold what joints and drives leave.
+  std::vector<std::vector<std::string>> elastically;
 };
 
 /// Doubts parts for what the others yield: each is checked with the rest of the

@@ -123,7 +123,7 @@ dynamics::LoadPath load_components(const PartJob& job, const LoadSet& motion) {
   }
   return {time, components,
           loads::kEventSides * loads::motion_duration(motion.history),
-          between_instants(motion)};
+          between_instants(motion), motion.history.bends};
 }
 
 double period_of_waves(const PartJob& job) {

@@ -394,7 +394,7 @@ bool count_springs(const PartJob& job, const BucklingMode::OnSprings& on,
   const auto remark = [&](const std::string& more) {
     result.remark += (result.remark.empty() ? "" : "; ") + more;
   };
-  if (on.together.is_determinate && !result.is_lower_bound()) {
+  if (on.together.is_known && !result.is_lower_bound()) {
     // Cells of the lowest degree are as much too stiff on springs.
     const double finer =
         of_lowest_degree > 0.0 ? *result.factor / of_lowest_degree : 1.0;
@@ -423,7 +423,7 @@ bool count_springs(const PartJob& job, const BucklingMode::OnSprings& on,
     result.band_high *= change;
     return true;
   }
-  const double own = std::max(on.own, 1.0 / result.band_low);
+  const double own = on.softer * std::max(on.own, 1.0 / result.band_low);
   const double together = 1.0 / (own + on.springs);
   if (together > (1.0 - kCounts) * result.band_low || together >= enough) {
     return false;
@@ -476,7 +476,7 @@ BucklingCheck check_buckling(const PartJob& job,
   auto others = other_sharings(job);
   // Loads on which it is not known count as their hold has them.
   if (!is_one || !others.empty()) {
-    check.on_springs.together.is_determinate = false;
+    check.on_springs.together.is_known = false;
   }
   if (check.result.factor && !others.empty()) {
     const auto of_others = climb(job, model, swing, std::move(others)).result;

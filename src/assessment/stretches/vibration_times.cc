@@ -88,10 +88,10 @@ Eigen::VectorXd times_within(const std::vector<VibrationWindow>& windows,
       times.data(), static_cast<Eigen::Index>(times.size()));
 }
 
-Eigen::VectorXd with_times_near_peaks(
-    const Eigen::VectorXd& even, const Eigen::VectorXd& time,
-    const Eigen::VectorXd& peak, const std::vector<VibrationWindow>& windows) {
-  constexpr std::size_t kLargest = 60;
+Eigen::VectorXd times_near_peaks(const Eigen::VectorXd& time,
+                                 const Eigen::VectorXd& peak,
+                                 const std::vector<VibrationWindow>& windows,
+                                 std::size_t most) {
   constexpr int kBetween = 8;
   std::vector<Eigen::Index> order;
   for (Eigen::Index i = 1; i + 1 < time.size(); ++i) {
@@ -101,8 +101,8 @@ Eigen::VectorXd with_times_near_peaks(
   std::ranges::sort(order, std::ranges::greater{}, [&](Eigen::Index i) {
     return peak[i];
   });
-  if (order.size() > kLargest) order.resize(kLargest);
-  std::vector<double> times(even.begin(), even.end());
+  if (order.size() > most) order.resize(most);
+  std::vector<double> times;
   for (const Eigen::Index i : order) {
     for (const Eigen::Index j : {i - 1, i}) {
       for (int k = 1; k < kBetween; ++k) {

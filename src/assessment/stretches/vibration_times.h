@@ -43,12 +43,14 @@ std::vector<Eigen::Index> instants_within(
 Eigen::VectorXd times_within(const std::vector<VibrationWindow>& windows,
                              double step, int most);
 
-/// These times, and more beside the sixty highest of those in the windows at
-/// which the peak stress tops its neighbours'; rising.
-/// @param time, peak  of all times that were looked at [s], [Pa].
-Eigen::VectorXd with_times_near_peaks(
-    const Eigen::VectorXd& even, const Eigen::VectorXd& time,
-    const Eigen::VectorXd& peak, const std::vector<VibrationWindow>& windows);
+/// Times beside the highest of those in the windows at which the peak stress
+/// tops its neighbours', eight to an interval; rising [s].
+/// @param time, peak  of times that were looked at [s], [Pa].
+/// @param most  of the highest.
+Eigen::VectorXd times_near_peaks(const Eigen::VectorXd& time,
+                                 const Eigen::VectorXd& peak,
+                                 const std::vector<VibrationWindow>& windows,
+                                 std::size_t most);
 
 /// Both, rising, none twice.
 Eigen::VectorXd merged(const Eigen::VectorXd& a, const Eigen::VectorXd& b);

@@ -154,7 +154,7 @@ dynamics::LoadPath RestingModel<dim>::make_path() const {
   }
   return {time, part_.statics.coefficients,
           loads::kEventSides * loads::motion_duration(set_.history),
-          between_instants(set_)};
+          between_instants(set_), set_.history.bends};
 }
 
 template <int dim>
@@ -277,10 +277,18 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(int count,
   const stress::PointStress<dim> near(discretization, rest_.job().part.material,
                                       kSubdivisions<dim>, points,
                                       found.basis.columns);
-  const VectorXd times = with_times_near_peaks(
-      even, moving.time,
-      near.von_mises(coefficients_of(moving)).colwise().maxCoeff(),
-      times_.swing);
+  // Loads with corners have peaks with corners: it goes closer twice.
+  constexpr std::size_t kPeaks = 60, kHighest = 10;
+  const auto beside_peaks = [&](const dynamics::LoadAnswer& answer,
+                                std::size_t most) {
+    return times_near_peaks(
+        answer.time,
+        near.von_mises(coefficients_of(answer)).colwise().maxCoeff(),
+        times_.swing, most);
+  };
+  const VectorXd close = beside_peaks(moving, kPeaks);
+  const VectorXd times = merged(
+      merged(even, close), beside_peaks(answer_at(close, front), kHighest));
   moving = answer_at(times, front);
   found.basis.coefficients = coefficients_of(moving);
   const MatrixXd stresses = near.von_mises(found.basis.coefficients);

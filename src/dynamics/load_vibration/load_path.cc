@@ -30,11 +30,18 @@ double outer_slope(double a, double h_a, double b, double h_b) {
 
 }  // namespace
 
-LoadPath::LoadPath(VectorXd time, MatrixXd values, double jump, Between between)
+LoadPath::LoadPath(VectorXd time, MatrixXd values, double jump, Between between,
+                   const std::vector<double>& bends)
     : time_(std::move(time)),
       values_(std::move(values)),
       jump_(jump),
       between_(between) {
+  is_bend_.resize(static_cast<std::size_t>(size()));
+  for (Index i = 0; i < size(); ++i) {
+    const auto near = std::ranges::lower_bound(bends, time_[i] - jump);
+    is_bend_[static_cast<std::size_t>(i)] =
+        near != bends.end() && *near <= time_[i] + jump;
+  }
   const Index intervals = std::max<Index>(0, size() - 1);
   start_ = end_ = MatrixXd::Zero(coordinates(), intervals);
   Index first = 0;
@@ -73,10 +80,15 @@ void LoadPath::set_piece(Index first, Index last) {
              (before + after);
     };
     Index begin = first;
-    for (Index i = first + 2; i + 2 <= last; ++i) {
-      const double beside = std::max(i - 1 > begin ? curvature(i - 1) : 0.0,
-                                     i + 1 < last ? curvature(i + 1) : 0.0);
-      if (i == begin || curvature(i) <= kBend * beside) continue;
+    for (Index i = first + 1; i < last; ++i) {
+      const auto beside = [&] {
+        return std::max(i - 1 > begin ? curvature(i - 1) : 0.0,
+                        i + 1 < last ? curvature(i + 1) : 0.0);
+      };
+      const bool is_inside = i >= first + 2 && i + 2 <= last;
+      if (!is_bend(i) && !(is_inside && curvature(i) > kBend * beside())) {
+        continue;
+      }
       set_slopes(k, begin, i);
       begin = i;
     }
@@ -134,17 +146,20 @@ LoadPath thinned(const LoadPath& path) {
   constexpr Index kFew = 6;  // intervals
   if (path.between() == LoadPath::Between::kLinear) return path;
   std::vector<Index> kept;
+  std::vector<double> bends;
   double smallest = 0.0;
   Index first = 0;
   for (Index last = 0; last < path.size(); ++last) {
-    const bool ends = last + 1 == path.size() || path.is_jump(last);
-    if (!ends) continue;
+    const bool jumps = last + 1 == path.size() || path.is_jump(last);
+    if (path.is_bend(last)) bends.push_back(path.time()[last]);
+    if (!jumps && !path.is_bend(last)) continue;
     for (Index i = first; i <= last; ++i) {
       const bool is_few = last - first < kFew;
-      if (is_few || i == last || (i - first) % 2 == 0) kept.push_back(i);
+      const bool is_kept = is_few || i == last || (i - first) % 2 == 0;
+      if (is_kept && (kept.empty() || kept.back() < i)) kept.push_back(i);
     }
-    first = last + 1;
-    if (first < path.size()) {
+    first = jumps ? last + 1 : last;
+    if (jumps && first < path.size()) {
       smallest = std::max(smallest, path.time()[first] - path.time()[last]);
     }
   }
@@ -155,7 +170,7 @@ LoadPath thinned(const LoadPath& path) {
     time[i] = path.time()[kept[static_cast<std::size_t>(i)]];
     values.col(i) = path.values().col(kept[static_cast<std::size_t>(i)]);
   }
-  return {std::move(time), std::move(values), smallest};
+  return {std::move(time), std::move(values), smallest, path.between(), bends};
 }
 
 }  // namespace clevis::dynamics

@@ -1,15 +1,19 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include <Eigen/Core>
 
 namespace clevis::dynamics {
 
 /// Coordinates of a quasi-static answer between the instants at which they are
 /// known: on each interval the cubic with the slopes of [FritschButland1984],
-/// which never leaves the values at its ends. Its slope jumps only where the
-/// second difference is four times those beside it: at the bend of a ramp.
-/// Instants next to one another closer than `jump` are the two sides of an
-/// event; there the coordinates jump, and nothing lies between.
+/// which never leaves the values at its ends. Its slope jumps only at bends
+/// that are known, and where the second difference is four times those beside
+/// it: at the bend of a ramp. Instants next to one another closer than `jump`
+/// are the two sides of an event; there the coordinates jump, and nothing lies
+/// between.
 class LoadPath {
  public:
   enum class Between {
@@ -18,8 +22,11 @@ class LoadPath {
   };
   /// @param time    rising [s]. @param values  coordinates × instants.
   /// @param jump    [s], >= 0.
+  /// @param bends   rising; of them those count that are instants, to `jump`
+  ///   [s].
   LoadPath(Eigen::VectorXd time, Eigen::MatrixXd values, double jump,
-           Between between = Between::kCubic);
+           Between between = Between::kCubic,
+           const std::vector<double>& bends = {});
 
   Eigen::Index size() const { return time_.size(); }
   Eigen::Index coordinates() const { return values_.rows(); }
@@ -30,6 +37,10 @@ class LoadPath {
   /// a1, a2, a3; zero where the coordinates jump.
   Eigen::MatrixXd cubic(Eigen::Index i) const;
   bool is_jump(Eigen::Index i) const;
+  /// Whether a bend is known at instant i.
+  bool is_bend(Eigen::Index i) const {
+    return is_bend_[static_cast<std::size_t>(i)];
+  }
   /// At any time; those of the ends before and after them.
   Eigen::VectorXd at(double t) const;
   Between between() const { return between_; }
@@ -47,6 +58,7 @@ class LoadPath {
   Eigen::MatrixXd values_;
   double jump_;
   Between between_;
+  std::vector<bool> is_bend_;    ///< by instant
   Eigen::MatrixXd start_, end_;  ///< slopes per interval
 };
 

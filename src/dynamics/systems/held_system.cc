@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 
 #include "base/algebra/singular_vectors.h"
+#include "base/algebra/unit_columns.h"
 #include "dynamics/systems/block_krylov.h"
 
 namespace clevis::dynamics {
@@ -13,11 +14,6 @@ using Eigen::MatrixXd;
 
 // Of the largest: motions that constraints hold by less are free.
 constexpr double kFree = 1e-9;
-
-/// Constraints of unit length.
-MatrixXd normalised(const MatrixXd& constraints) {
-  return constraints.colwise().normalized();
-}
 
 /// (K + s M)⁻¹ in the space that constraints leave. The rigid motions in
 /// (K + s M)⁻¹, as large as 1/s, are unknowns of their own beside the
@@ -57,7 +53,7 @@ BlockOperator constrained(const LinearSystem& free, double shift,
 
 LinearSystem held_system(const LinearSystem& free,
                          const MatrixXd& constraints) {
-  const MatrixXd c = normalised(constraints);
+  const MatrixXd c = unit_columns(constraints);
   LinearSystem system = free;
   system.is_held = true;
   const MatrixXd rigid = mass_orthonormal(free, free.rigid);
@@ -77,7 +73,7 @@ LinearSystem held_system(const LinearSystem& free,
 MatrixXd moved_to_constraints(const LinearSystem& free,
                               const MatrixXd& constraints,
                               const MatrixXd& columns) {
-  const MatrixXd c = normalised(constraints);
+  const MatrixXd c = unit_columns(constraints);
   const MatrixXd rigid = mass_orthonormal(free, free.rigid);
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> held;
   held.setThreshold(kFree);

@@ -11,6 +11,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/algebra/singular_vectors.h"
+#include "base/algebra/unit_columns.h"
 #include "dynamics/systems/block_krylov.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/algebra/principal_columns.h"
@@ -208,7 +209,7 @@ MatrixXd start_near(const HeldPart& part, const VectorXd& shape) {
   MatrixXd start = dynamics::random_block(part.equations(),
                                           std::min(kBlock, part.equations()));
   start.col(0) = part.unknowns(shape);
-  return start.colwise().normalized();
+  return unit_columns(start);
 }
 
 /// Puts an instant's shape in the place of what was the best.
@@ -291,8 +292,6 @@ BucklingMode::OnSprings on_springs(const StressedPart& part,
                                    const BucklingOnSprings& springs,
                                    const TrialSpace& space) {
   constexpr double kCounts = 0.1;
-  // A part that nothing else holds: clamped at one end it is as soft as this
-  // beside one that is free.
   constexpr double kSofterAlone = 4.0;
   constexpr std::size_t kMost = 6;
   struct Apart {
@@ -300,6 +299,7 @@ BucklingMode::OnSprings on_springs(const StressedPart& part,
     std::size_t hold{};
     double own{}, springs{};
   };
+  const double softer = springs.hold_alone() ? kSofterAlone : 1.0;
   const auto own = [&](Index i) {
     Apart apart{.instant = i};
     for (std::size_t hold = 0; hold < part.part().holds(); ++hold) {
@@ -316,20 +316,20 @@ BucklingMode::OnSprings on_springs(const StressedPart& part,
     Apart apart = own(i);
     if (apart.own < kCounts && !springs.stands()) continue;
     apart.springs = springs.of_rigid(i, space.form_of_rigid(i));
-    const double softer = springs.hold_alone() ? kSofterAlone : 1.0;
     if (softer * apart.own + apart.springs < kCounts) continue;
     if (apart.springs < 1.0) found.push_back(apart);
   }
-  std::ranges::sort(found, std::greater{}, [](const Apart& apart) {
-    return apart.own + apart.springs;
+  std::ranges::sort(found, std::greater{}, [&](const Apart& apart) {
+    return softer * apart.own + apart.springs;
   });
   BucklingMode::OnSprings most;
   double largest = 0.0;  // own of those that are solved for
   for (std::size_t k = 0; k < std::min(kMost, found.size()); ++k) {
     const Apart& apart = found[k];
-    if (apart.own + apart.springs <= most.yield()) break;
+    const double sum = softer * apart.own + apart.springs;
+    if (sum <= most.yield()) break;
     const BucklingMode::OnSprings next{
-        apart.own, apart.springs,
+        apart.own, apart.springs, softer,
         springs.together(apart.instant,
                          space.best(apart.instant, apart.hold, kBlock))};
     largest = std::max(largest, apart.own);

@@ -25,19 +25,22 @@ struct BucklingMode {
   /// of a part that moves, its own: first order is enough for it.
   struct OnSprings {
     double own{}, springs{};
+    /// Times `own` that it has at most where springs alone hold it: clamped at
+    /// one end it is as soft as this beside one that is free.
+    double softer = 1.0;
     BucklingOnSprings::Together together = {};
     /// Other instants, not solved for, have a larger one of their own.
     bool may_be_larger = false;
-    bool counts() const { return springs > 0.0 || together.is_determinate; }
+    bool counts() const { return springs > 0.0 || together.is_known; }
     /// Its hold makes it softer than its springs and joints do.
     bool rises() const {
       constexpr double kCounts = 0.98;
-      return together.is_determinate && together.yield < kCounts * own;
+      return together.is_known && together.yield < kCounts * own;
     }
-    /// 1/λ of both together [1]: where they hold it more often than balance
-    /// needs not above the sum (Southwell).
+    /// 1/λ of both together [1]: where it is not known not above the sum
+    /// (Southwell).
     double yield() const {
-      return together.is_determinate ? together.yield : own + springs;
+      return together.is_known ? together.yield : softer * own + springs;
     }
   };
   OnSprings on_springs;

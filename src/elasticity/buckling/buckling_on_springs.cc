@@ -7,6 +7,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/algebra/singular_vectors.h"
+#include "base/algebra/unit_columns.h"
+#include "base/messages/errors.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/algebra/principal_columns.h"
 #include "elasticity/nodal_loads/seat_means.h"
@@ -23,8 +25,17 @@ constexpr double kNoEnergy = 1e-12;  // not what is soft beside others
 
 /// Rows of held conditions on motions of the seats.
 MatrixXd conditions(const loads::SeatHold& hold, const MatrixXd& motions) {
-  if (hold.held.cols() == 0) return MatrixXd(0, motions.cols());
-  return hold.held.colwise().normalized().transpose() * motions;
+  return unit_columns(hold.held).transpose() * motions;
+}
+
+/// The largest 1/λ; 0: the loads push none of the shapes. @throws Error F003.
+double largest_yield(const VectorXd& eigenvalues, const std::string& part) {
+  if (!eigenvalues.allFinite()) {
+    throw Error("F003", "part " + part,
+                "its buckling on springs is not a finite number",
+                "Please report the scene.");
+  }
+  return std::max(0.0, eigenvalues.maxCoeff());
 }
 
 /// Whether a part keeps its direction over a motion: what turns moves as its
@@ -46,7 +57,7 @@ bool keeps_direction(const loads::LoadHistory& history) {
 
 BucklingOnSprings::BucklingOnSprings(const BucklingProblem& problem,
                                      const StressedPart& stressed)
-    : history_(problem.history), stressed_(stressed) {
+    : history_(problem.history), stressed_(stressed), name_(problem.name) {
   constexpr std::size_t kMost = 65;
   const HeldPart& part = stressed.part();
   const std::size_t all = history_.instants.size();
@@ -69,7 +80,7 @@ BucklingOnSprings::BucklingOnSprings(const BucklingProblem& problem,
 }
 
 bool BucklingOnSprings::is_sprung(Index instant) const {
-  return hold_at(instant).sprung.cols() > 0;
+  return !hold_at(instant).sprung.isZero(0.0);
 }
 
 loads::SeatHold BucklingOnSprings::hold_at(Index instant) const {
@@ -87,7 +98,7 @@ double BucklingOnSprings::of_rigid(Index instant, const MatrixXd& form) const {
       left * orthonormal_combinations(springs.transpose() * springs, kNoEnergy);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> pushed(
       unit.transpose() * form * unit, Eigen::EigenvaluesOnly);
-  return std::max(0.0, pushed.eigenvalues().maxCoeff());
+  return largest_yield(pushed.eigenvalues(), name_);
 }
 
 BucklingOnSprings::Position BucklingOnSprings::position(
@@ -106,7 +117,7 @@ BucklingOnSprings::Position BucklingOnSprings::position(
   if (hold.swinging || !hold.left_out.empty() || hold.is_pressed_meanwhile) {
     return {.is_open = is_pushed(left)};
   }
-  const bool is_sprung = hold.sprung.cols() > 0 && left.cols() > 0;
+  const bool is_sprung = !hold.sprung.isZero(0.0) && left.cols() > 0;
   if (is_pushed(is_sprung ? left * null_space(hold.sprung.transpose() *
                                                   motions_ * left,
                                               kRoundOff)
@@ -122,7 +133,8 @@ BucklingOnSprings::Position BucklingOnSprings::position(
 class BucklingOnSprings::Space {
  public:
   Space(const BucklingOnSprings& of, Index instant)
-      : part_(of.stressed_.part()),
+      : of_(of),
+        part_(of.stressed_.part()),
         means_(of.means_),
         hold_(of.hold_at(instant)),
         pushing_(of.stressed_.pushing(instant)),
@@ -141,19 +153,16 @@ class BucklingOnSprings::Space {
   }
   /// What unit reactions of joints, drives and springs bend.
   void add_reactions() {
-    MatrixXd reactions(means_.cols(), hold_.held.cols() + hold_.sprung.cols());
-    if (hold_.held.cols() > 0) {
-      reactions.leftCols(hold_.held.cols()) = hold_.held;
+    for (const MatrixXd* wrenches : {&hold_.held, &hold_.sprung}) {
+      if (wrenches->cols() == 0) continue;
+      add(part_.answer_in_balance(product(means_, unit_columns(*wrenches)), 0));
     }
-    reactions.rightCols(hold_.sprung.cols()) = hold_.sprung;
-    add(part_.answer_in_balance(
-        product(means_, reactions.colwise().normalized()), 0));
   }
 
   struct Solution {
     double yield{};  ///< largest 1/λ [1]
-    /// Nothing is held twice, and nothing moves freely.
-    bool is_determinate = false;
+    /// Joints hold nothing twice, and nothing moves freely.
+    bool is_known = false;
     MatrixXd forces;  ///< what loads bring to the largest few's shapes [N]
   };
   Solution solve() const {
@@ -176,10 +185,13 @@ class BucklingOnSprings::Space {
         left * orthonormal_combinations(strained.transpose() * strained +
                                             springs.transpose() * springs,
                                         kNoEnergy);
-    const Index holding =
-        all - left.cols() + singular_vectors(springs).rank(kRoundOff);
+    const Index held_of_rigid =
+        rigid_ -
+        null_space(conditions(hold_, motions_.leftCols(rigid_)), kRoundOff)
+            .cols();
     Solution solution;
-    solution.is_determinate = holding == rigid_ && unit.cols() == left.cols();
+    solution.is_known =
+        all - left.cols() == held_of_rigid && unit.cols() == left.cols();
     MatrixXd of_shapes(shapes_.cols(), unit.cols());
     of_shapes << unit.topRows(rigid_), scale * combine * unit.bottomRows(bent);
     const MatrixXd form = of_shapes.transpose() *
@@ -188,7 +200,7 @@ class BucklingOnSprings::Space {
         0.5 * (form + form.transpose()));
     constexpr Index kShapes = 2;
     const Index n = std::min(kShapes, unit.cols());
-    solution.yield = std::max(0.0, pushed.eigenvalues().maxCoeff());
+    solution.yield = largest_yield(pushed.eigenvalues(), of_.name_);
     solution.forces =
         product(pushed_, of_shapes * pushed.eigenvectors().rightCols(n));
     return solution;
@@ -200,6 +212,7 @@ class BucklingOnSprings::Space {
     columns.rightCols(more.cols()) = more;
   }
 
+  const BucklingOnSprings& of_;
   const HeldPart& part_;
   const MatrixXd& means_;
   loads::SeatHold hold_;
@@ -224,7 +237,7 @@ BucklingOnSprings::Together BucklingOnSprings::together(
     const bool settled =
         step > 0 && std::abs(found.yield - before) <= kSettled * before;
     if (settled || step == kMostSteps) {
-      return {found.yield, settled && found.is_determinate};
+      return {found.yield, settled && found.is_known};
     }
     before = found.yield;
     space.add(stressed_.part().answer_in_balance(found.forces, 0));

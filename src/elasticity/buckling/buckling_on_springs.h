@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -25,7 +26,7 @@ class BucklingOnSprings {
   const std::vector<Eigen::Index>& instants() const { return instants_; }
   /// 1/λ of the part as rigid, over the motions that the mechanism leaves; 0:
   /// its loads do not push it over [1].
-  /// @param form  F of the rigid motions at the instant.
+  /// @param form  F of the rigid motions at the instant. @throws Error F003.
   double of_rigid(Eigen::Index instant, const Eigen::MatrixXd& form) const;
 
   bool is_sprung(Eigen::Index instant) const;
@@ -47,9 +48,9 @@ class BucklingOnSprings {
 
   struct Together {
     double yield{};  ///< 1/λ of the part on its springs [1]
-    /// They and the mechanism hold it as often as balance needs, and the
-    /// iteration has settled.
-    bool is_determinate = false;
+    /// Joints and drives hold it no more often than balance needs, they and
+    /// the springs leave nothing free, and the iteration has settled.
+    bool is_known = false;
   };
   /// Inverse iteration in a Ritz space that grows: with rigid motions and what
   /// unit reactions bend, it holds what each step finds.
@@ -62,6 +63,7 @@ class BucklingOnSprings {
 
   const loads::LoadHistory& history_;
   const StressedPart& stressed_;
+  std::string name_;
   std::vector<Eigen::Index> instants_;
   bool stands_ = false, hold_alone_ = false;
   Eigen::MatrixXd means_;    ///< seat_means()

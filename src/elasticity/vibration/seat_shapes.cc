@@ -10,6 +10,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/algebra/singular_vectors.h"
+#include "base/algebra/unit_columns.h"
 #include "dynamics/systems/block_krylov.h"
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/algebra/principal_columns.h"
@@ -22,16 +23,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kRoundOff = 1e-9;  // of rows of like size
-
-/// Of the columns' length; none that is zero.
-MatrixXd unit_columns(const MatrixXd& columns) {
-  std::vector<Index> counting;
-  for (Index k = 0; k < columns.cols(); ++k) {
-    if (columns.col(k).norm() > 0.0) counting.push_back(k);
-  }
-  const MatrixXd some = columns(Eigen::all, counting);
-  return some.colwise().normalized();
-}
 
 /// M-orthonormal columns of the span; what is round-off of others is left out.
 MatrixXd orthonormal_in(const MatrixXd& columns, const MatrixXd& weighted) {

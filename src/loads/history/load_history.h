@@ -134,6 +134,8 @@ struct LoadHistory {
   double followed_until = std::numeric_limits<double>::infinity();
   /// Motion::step_behind [s].
   double step_behind = 0.0;
+  /// Motion::bends [s].
+  std::vector<double> bends = {};
   /// Of the part in its mechanism, at the instant next to a time [s]; empty: it
   /// is free.
   std::function<SeatHold(double)> hold = {};

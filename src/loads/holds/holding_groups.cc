@@ -6,6 +6,7 @@
 
 #include "base/algebra/singular_vectors.h"
 #include "base/values/round_off_length.h"
+#include "loads/seats/force_seats.h"
 
 namespace clevis::loads {
 namespace {
@@ -103,6 +104,24 @@ std::vector<GroupHold> held_groups(const std::vector<Seat>& seats,
 /// Of force elements at the part's own seats.
 const MatrixXd& sprung_of(const SeatHold& hold) {
   return hold.swinging ? hold.swinging->sprung : hold.sprung;
+}
+
+/// Of springs those that act on the part alone: what others hold of it, they
+/// hold of the mechanism's motion.
+MatrixXd own_springs(const std::vector<Seat>& seats, const MatrixXd& sprung) {
+  std::vector<Index> own;
+  for (Index k = 0; k < sprung.cols(); ++k) {
+    double elsewhere = 0.0;
+    for (std::size_t s = 0; s < seats.size(); ++s) {
+      if (is_force_seat(seats[s])) continue;
+      const auto here =
+          sprung.col(k).segment<kWrench>(kWrench * static_cast<Index>(s));
+      elsewhere = std::max(elsewhere, here.norm());
+    }
+    const double all = sprung.col(k).norm();
+    if (all > 0.0 && elsewhere <= kRoundOff * all) own.push_back(k);
+  }
+  return sprung(Eigen::all, own);
 }
 
 /// What is held of all groups, moments over the part's size.
@@ -272,7 +291,7 @@ PartHold reference_at(const LoadHistory& history, const HoldingGroups& groups,
   auto order = HeldSpan(held).order_of(groups);
   if (!order.empty()) return {std::move(order)};
   PartHold found{groups, std::move(held)};
-  const MatrixXd& sprung = sprung_of(hold);
+  const MatrixXd sprung = own_springs(history.seats, sprung_of(hold));
   if (sprung.cols() > 0) found.sprung = by_holder(history.seats, sprung, 1.0);
   return found;
 }

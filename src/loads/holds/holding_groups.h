@@ -55,8 +55,8 @@ struct PartHold {
   /// In their place all that the mechanism holds; the groups hold what is left.
   /// Empty: the groups alone.
   std::vector<GroupHold> held = {};
-  /// Force elements that yield hold before the groups what `held` leaves, each
-  /// as hard as it is stiff: forces [√(N/m)], moments [m √(N/m)].
+  /// Force elements on the part itself hold before the groups what `held`
+  /// leaves, each as hard as it is stiff: forces [√(N/m)], moments [m √(N/m)].
   std::vector<GroupHold> sprung = {};
 };
 

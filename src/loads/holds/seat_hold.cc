@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "loads/seats/force_seats.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/neighbours/neighbour_inertia.h"
 
@@ -51,7 +52,8 @@ SeatHold seat_hold(const mechanism::Neighbours& neighbours,
     if (place.element >= 0) {
       const auto& element =
           definition.elements[static_cast<std::size_t>(place.element)];
-      seat_of.push_back(named("force " + name_of(element)) - seats.begin());
+      seat_of.push_back(named(force_seat_name(name_of(element))) -
+                        seats.begin());
       continue;
     }
     const std::string& joint =

@@ -272,6 +272,7 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
   }
   history.followed_until = motion.followed_until;
   history.step_behind = motion.step_behind;
+  history.bends = motion.bends;
   if (motion.search) {
     constexpr double kSeen = 1e-12;  // what was searched is no longer unknown
     history.unseen =

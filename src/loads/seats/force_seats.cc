@@ -20,6 +20,8 @@ using mechanism::ForceElement;
 
 namespace {
 
+const std::string kForceSeat = "force ";
+
 /// Finds the force among those that act on the body.
 /// @return whether there is one.
 bool find_force(const SeatContext& context, const std::string& name,
@@ -50,7 +52,7 @@ void find_chamber(const ForceElement& element, const part::ForceSeat& wanted,
 
 ForceSeat force_seat(const SeatContext& context,
                      const part::ForceSeat& wanted) {
-  const std::string place = context.place("force " + wanted.force);
+  const std::string place = context.place(force_seat_name(wanted.force));
   ForceSeat result;
   if (!find_force(context, wanted.force, result)) {
     throw Error("L004", place,
@@ -60,7 +62,7 @@ ForceSeat force_seat(const SeatContext& context,
   }
   const GroupGeometry& group = find_group(context.groups, wanted.group, place);
   result.area = group.area;
-  result.seat = {.name = "force " + wanted.force,
+  result.seat = {.name = force_seat_name(wanted.force),
                  .group = wanted.group,
                  .kind = SeatKind::kPressure,
                  .p_LS = group.centroid};
@@ -80,6 +82,14 @@ ForceSeat force_seat(const SeatContext& context,
 }
 
 }  // namespace
+
+std::string force_seat_name(const std::string& force) {
+  return kForceSeat + force;
+}
+
+bool is_force_seat(const Seat& seat) {
+  return seat.name.starts_with(kForceSeat);
+}
 
 void require_force_seats(const SeatContext& context) {
   const auto require = [&](const std::string& name, const std::string& place) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "loads/history/load_history.h"
@@ -18,6 +19,10 @@ struct ForceSeat {
   double environment{};   ///< of it [Pa]
   std::vector<GroupGeometry> pressurized;
 };
+
+/// Name of a force's seat.
+std::string force_seat_name(const std::string& force);
+bool is_force_seat(const Seat& seat);
 
 /// Refuses a body on which a force acts that has no seat. @throws Error L004.
 void require_force_seats(const SeatContext& context);

@@ -164,6 +164,8 @@ struct Motion {
   double followed_until = std::numeric_limits<double>::infinity();
   /// Behind that the shortest step that would follow them; 0: not known [s].
   double step_behind = 0.0;
+  /// Laws and tables bend there: loads may, between two lines. Rising [s].
+  std::vector<double> bends;
   std::vector<ChangePoint> change_points;
   std::vector<MotionEvent> events;
   std::vector<DriveJump> drive_jumps;

@@ -48,6 +48,7 @@ Motion run_driven(const MechanismDefinition& definition,
     motion = driven.run_at(times);
   }
   set_repeats_apart(found.repeats, motion);
+  motion.bends = std::move(found.bends);
   motion.events = std::move(found.events);
   motion.followed_until = found.followed_until;
   motion.search = std::move(found.search);

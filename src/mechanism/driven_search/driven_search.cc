@@ -115,7 +115,10 @@ DrivenSearch::Found DrivenSearch::run() {
                   .bodies = chosen.unseen()};
   found.followed_until = chosen.follow(kMostAdded);
   for (const auto& look : trajectory_.looks()) {
-    if (look.is_instant || look.follows) instants.push_back(look.t);
+    if (look.is_instant || look.follows) {
+      instants.push_back(look.t);
+      if (look.bends) found.bends.push_back(look.t);
+    }
     if (look.follows && !look.is_instant) found.repeats.push_back(look.t);
   }
   std::ranges::sort(instants);

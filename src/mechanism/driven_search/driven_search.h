@@ -22,6 +22,7 @@ class DrivenSearch {
   struct Found {
     std::vector<double> times;    ///< of instants, the uniform ones among them
     std::vector<double> repeats;  ///< Motion::repeats, among the times
+    std::vector<double> bends;    ///< Motion::bends, among the times
     double followed_until{};      ///< Motion::followed_until [s]
     /// At those times; none if one is singular or a change point was passed.
     std::vector<Configuration> positions;

@@ -86,12 +86,14 @@ Motion integrate_motion(const MechanismDefinition& definition,
   std::erase_if(others, [&](double t) {
     return beside.contains(t);
   });
-  const std::vector<double> bends = instants_of_laws(
-      law_times(definition, settings.duration, 0.0), settings.duration);
-  others.insert(others.end(), bends.begin(), bends.end());
+  const LawTimes laws = law_times(definition, settings.duration, 0.0);
+  const auto at_laws = instants_of_laws(laws, settings.duration);
+  others.insert(others.end(), at_laws.begin(), at_laws.end());
   DynamicRun second(definition, settings, limit, others);
   second.refine(first.peaks().largest(), beside);
-  return second.run();
+  Motion motion = second.run();
+  motion.bends = bends_of_laws(laws);
+  return motion;
 }
 
 }  // namespace clevis::mechanism

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -359,6 +360,77 @@ Following following_of(const Neighbours& neighbours, const NeighbourRows& rows,
   return found;
 }
 
+/// Rows of force elements that yield, times the root of their stiffness: of
+/// motions of neighbours, then of places, × rows.
+MatrixXd springs_of(const Neighbours& neighbours, const NeighbourRows& rows,
+                    const Instant& instant,
+                    const std::vector<LoadPlace>& places) {
+  const SolvingFrame& frame = neighbours.frame();
+  const auto& slots = neighbours.slots();
+  const Matrix3d& R = rows.x[index(neighbours.slot())].R;
+  const Index motions =
+      kMotionOfMover * (std::ssize(slots) + std::ssize(places));
+  MatrixXd springs(motions, 0);
+  const std::size_t count =
+      std::min(instant.elements.size(), neighbours.elements().size());
+  for (std::size_t e = 0; e < count; ++e) {
+    if (!neighbours.elements()[e]) continue;
+    const ActingElement& element = *neighbours.elements()[e];
+    const ElementSpring spring = element.spring(rows.x, instant.elements[e]);
+    MatrixXd along = MatrixXd::Zero(motions, std::ssize(spring.directions));
+    const auto add = [&](int slot, const SpatialForce& force, Index column) {
+      Index at = 0;
+      Vector3d arm = Vector3d::Zero();
+      if (slot == neighbours.slot()) {
+        const auto place = place_of(places, LoadPlace::Kind::kElement,
+                                    static_cast<int>(e), element.joint);
+        if (!place) return;
+        at = std::ssize(slots) + static_cast<Index>(*place);
+        arm = R * (frame.p_LM[index(slot - 1)] - places[*place].p_LS);
+      } else {
+        at = std::ranges::find(slots, slot) - slots.begin();
+        if (at == std::ssize(slots)) return;
+      }
+      auto row = along.col(column).segment<kMotionOfMover>(kMotionOfMover * at);
+      row.head<3>() += force.v;
+      row.tail<3>() += (force.w + arm.cross(force.v)) / frame.length;
+    };
+    for (Index k = 0; k < along.cols(); ++k) {
+      add(element.line.a, spring.directions[index(k)].a, k);
+      add(element.line.b, spring.directions[index(k)].b, k);
+    }
+    if (along.cols() == 0) continue;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> stiffness(spring.stiffness);
+    along *= stiffness.eigenvectors() *
+             stiffness.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+    springs.conservativeResize(Eigen::NoChange, springs.cols() + along.cols());
+    springs.rightCols(along.cols()) = along;
+  }
+  return springs;
+}
+
+/// Loose motions that springs hold harder than loads push follow the places by
+/// these, as if they did not yield.
+void follow_springs(const MatrixXd& springs, const MatrixXd& form,
+                    Following& following) {
+  const Index bodies = following.slow.rows(), moves = following.slow.cols();
+  const MatrixXd loose = following.loose;
+  if (springs.cols() == 0 || loose.cols() == 0) return;
+  MatrixXd motions(bodies + moves, moves);
+  motions << following.slow, following.admitted;
+  const MatrixXd there = springs.topRows(bodies).transpose() * loose;
+  const SingularVectors held = singular_vectors(there);
+  const double pushed =
+      (loose.transpose() * form.topLeftCorner(bodies, bodies) * loose).norm();
+  const Index n =
+      std::min(held.count_above(std::sqrt(pushed)), held.rank(kRoundOff));
+  following.slow -= loose * held.V.leftCols(n) *
+                    held.sigma.head(n).cwiseInverse().asDiagonal() *
+                    held.U.leftCols(n).transpose() *
+                    (springs.transpose() * motions);
+  following.loose = loose * held.left(n);
+}
+
 /// −∂²L of the places, of a form of neighbours' motions and theirs.
 MatrixXd eliminated(const MatrixXd& form, const Following& following) {
   const Index bodies = following.slow.rows(), moves = following.slow.cols();
@@ -396,8 +468,10 @@ MatrixXd load_gains(const Neighbours& neighbours, const Instant& instant,
     if (i % kMotionOfMover >= 3) scale[i] = 1.0 / length;
   }
   form = scale.asDiagonal() * form * scale.asDiagonal();
-  const Following following =
+  Following following =
       following_of(neighbours, rows, rows_of_places(neighbours, rows, places));
+  follow_springs(springs_of(neighbours, rows, instant, places), form,
+                 following);
   MatrixXd to_P = MatrixXd::Zero(moves, moves);
   const Matrix3d& R_PL = rows.x[index(neighbours.slot())].R;
   for (Index i = 0; i < moves; i += 3) {

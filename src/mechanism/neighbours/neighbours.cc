@@ -34,8 +34,21 @@ Configuration configuration(const SolvingFrame& frame, const Instant& instant) {
   return x;
 }
 
-/// Slots of the bodies that are joined to one, the nearest by joints first.
-std::vector<int> neighbours_of(const SolvingFrame& frame, int slot) {
+using Elements = std::vector<std::unique_ptr<ActingElement>>;
+
+Elements placed(const MechanismDefinition& definition,
+                const SolvingFrame& frame) {
+  Elements elements;
+  for (const ForceElement& element : definition.elements) {
+    elements.push_back(place(element, frame));
+  }
+  return elements;
+}
+
+/// Slots of the bodies that joints, couplings and force elements join to one,
+/// the nearest by these first.
+std::vector<int> neighbours_of(const SolvingFrame& frame,
+                               const Elements& elements, int slot) {
   std::vector<int> found;
   std::vector<bool> is_known(frame.placement.size(), false);
   is_known[0] = is_known[index(slot)] = true;
@@ -50,6 +63,10 @@ std::vector<int> neighbours_of(const SolvingFrame& frame, int slot) {
     for (const JointModel& joint : frame.joints) {
       join(joint.a, joint.b);
       join(joint.b, joint.a);
+    }
+    for (const auto& element : elements) {
+      join(element->line.a, element->line.b);
+      join(element->line.b, element->line.a);
     }
     for (const CouplingModel& coupling : frame.couplings) {
       const JointModel& first = frame.joints[index(coupling.joint_1)];
@@ -117,11 +134,8 @@ Neighbours::Neighbours(const MechanismDefinition& definition, BodyIndex body)
       system_(frame_, definition.drives, Motions::kSpatial,
               ConstraintSystem::Drives::kAll),
       slot_(body + 1),
-      slots_(neighbours_of(frame_, slot_)) {
-  for (const ForceElement& element : definition.elements) {
-    elements_.push_back(place(element, frame_));
-  }
-}
+      elements_(placed(definition, frame_)),
+      slots_(neighbours_of(frame_, elements_, slot_)) {}
 
 NeighbourRows Neighbours::rows(const Instant& instant) const {
   NeighbourRows found;

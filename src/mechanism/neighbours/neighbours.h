@@ -36,11 +36,11 @@ struct NeighbourRows {
   Eigen::MatrixXd free;   ///< orthonormal motions that rows among them leave
 };
 
-/// The bodies that joints and couplings join to one, rigid and held by their
-/// own joints, couplings and drives. The ground joins none.
+/// The bodies that joints, couplings and force elements join to one, rigid and
+/// held by their own joints, couplings and drives. The ground joins none.
 class Neighbours {
  public:
-  /// Of more than a hundred bodies those nearest by joints.
+  /// Of more than a hundred bodies those nearest by these.
   /// @param definition  outlives the object.
   Neighbours(const MechanismDefinition& definition, BodyIndex body);
   Neighbours(const Neighbours&) = delete;
@@ -66,8 +66,8 @@ class Neighbours {
   SolvingFrame frame_;
   ConstraintSystem system_;
   int slot_;
-  std::vector<int> slots_;
   std::vector<std::unique_ptr<ActingElement>> elements_;
+  std::vector<int> slots_;
 };
 
 /// Friction on joints that sticks at an instant, as drives: of coordinates that

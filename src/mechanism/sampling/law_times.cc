@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "mechanism/sampling/driven_sampling.h"
 
@@ -121,6 +122,13 @@ LawTimes law_times(const MechanismDefinition& definition, double duration,
     });
   }
   return times;
+}
+
+std::vector<double> bends_of_laws(const LawTimes& times) {
+  std::vector<double> bends;
+  std::ranges::set_union(times.breakpoints, times.knots,
+                         std::back_inserter(bends));
+  return bends;
 }
 
 std::vector<double> instants_of_laws(const LawTimes& times, double duration) {

@@ -26,6 +26,9 @@ struct LawTimes {
 LawTimes law_times(const MechanismDefinition& definition, double duration,
                    double most);
 
+/// Times at which laws bend without a step: breakpoints and knots, rising [s].
+std::vector<double> bends_of_laws(const LawTimes& times);
+
 /// Instants that steps and bends ask for: both sides of a step, as close as
 /// kSides, and the time of a bend [s].
 std::vector<double> instants_of_laws(const LawTimes& times, double duration);

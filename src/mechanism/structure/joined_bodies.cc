@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -29,27 +30,53 @@ class BodySets {
   std::vector<std::size_t> parent_;
 };
 
-/// Whether a joint and the drives on it leave no motion between its bodies but
-/// what they prescribe.
-bool is_stiff(const MechanismDefinition& mechanism, std::size_t joint) {
-  constexpr std::ptrdiff_t kMotions = 6;
-  const auto held = std::ssize(
-      constrained_rows(mechanism.joints[joint].type, Motions::kSpatial));
-  const auto driven = std::ranges::count(
-      mechanism.drives, static_cast<int>(joint), &DriveDefinition::joint);
-  return held + driven == kMotions;
+/// Motions between a joint's bodies that it or its drives prescribe.
+std::ptrdiff_t held_by_joint(const MechanismDefinition& mechanism,
+                             std::size_t joint) {
+  return std::ssize(constrained_rows(mechanism.joints[joint].type,
+                                     Motions::kSpatial)) +
+         std::ranges::count(mechanism.drives, static_cast<int>(joint),
+                            &DriveDefinition::joint);
 }
 
+/// Whether an element yields about a position.
+bool holds_position(const ForceElement& element) {
+  const ElementProperties given = properties(element);
+  return given.free || given.reference != nullptr || given.gas != nullptr;
+}
+
+/// Coordinates of a joint about which force elements hold a position.
+std::ptrdiff_t held_by_elements(const MechanismDefinition& mechanism,
+                                std::size_t joint) {
+  std::set<int> coordinates;
+  for (const ForceElement& element : mechanism.elements) {
+    const ElementLine* line = line_of(element);
+    if (line != nullptr && line->kind == ElementLine::Kind::kJoint &&
+        line->joint == static_cast<int>(joint) && holds_position(element)) {
+      coordinates.insert(line->coordinate);
+    }
+  }
+  return std::ssize(coordinates);
+}
+
+using Pairs = std::vector<std::pair<BodyIndex, BodyIndex>>;
+
+/// Bodies of the joints for which something holds.
 template <class Unites>
-std::vector<std::vector<BodyIndex>> united(const MechanismDefinition& mechanism,
-                                           const Unites& unites) {
-  BodySets sets(mechanism.bodies.size());
+Pairs joined_by(const MechanismDefinition& mechanism, const Unites& unites) {
+  Pairs pairs;
   for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
     const JointDefinition& joint = mechanism.joints[j];
-    if (joint.body_a == kGround || joint.body_b == kGround || !unites(j)) {
-      continue;
-    }
-    sets.unite(index(joint.body_a), index(joint.body_b));
+    if (unites(j)) pairs.emplace_back(joint.body_a, joint.body_b);
+  }
+  return pairs;
+}
+
+std::vector<std::vector<BodyIndex>> united(const MechanismDefinition& mechanism,
+                                           const Pairs& pairs) {
+  BodySets sets(mechanism.bodies.size());
+  for (const auto& [a, b] : pairs) {
+    if (a != kGround && b != kGround) sets.unite(index(a), index(b));
   }
   std::map<std::size_t, std::vector<BodyIndex>> groups;
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
@@ -65,13 +92,25 @@ std::vector<std::vector<BodyIndex>> united(const MechanismDefinition& mechanism,
 }  // namespace
 
 JoinedBodies joined_bodies(const MechanismDefinition& mechanism) {
-  const auto any = [](std::size_t) {
+  constexpr std::ptrdiff_t kMotions = 6;
+  const Pairs all = joined_by(mechanism, [](std::size_t) {
     return true;
-  };
-  const auto stiff = [&](std::size_t joint) {
-    return is_stiff(mechanism, joint);
-  };
-  return {united(mechanism, any), united(mechanism, stiff)};
+  });
+  const Pairs stiff = joined_by(mechanism, [&](std::size_t joint) {
+    return held_by_joint(mechanism, joint) == kMotions;
+  });
+  Pairs elastic = joined_by(mechanism, [&](std::size_t joint) {
+    return held_by_joint(mechanism, joint) +
+               held_by_elements(mechanism, joint) >=
+           kMotions;
+  });
+  for (const ForceElement& element : mechanism.elements) {
+    if (line_of(element) != nullptr || !holds_position(element)) continue;
+    const auto [a, b] = bodies_of(element, mechanism.joints);
+    elastic.emplace_back(a, b);
+  }
+  return {united(mechanism, all), united(mechanism, stiff),
+          united(mechanism, elastic)};
 }
 
 }  // namespace clevis::mechanism

@@ -35,8 +35,10 @@ void require_length(const Vector3d& p, const std::string& place,
 
 /// Largest distance of a body's joints from one another and from its centre
 /// of mass [m]; 0: not known, for a part hangs on one joint, and its mesh alone
-/// tells how far it reaches.
+/// tells how far it reaches. A body on one joint may be a rotor out of balance:
+/// its centre is no link's length.
 double link_length(const MechanismDefinition& mechanism) {
+  constexpr double kRotor = 0.05;  // [m]
   double longest = 0.0;
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     const BodyDefinition& body = mechanism.bodies[i];
@@ -48,6 +50,9 @@ double link_length(const MechanismDefinition& mechanism) {
       if (joint.body_b == index) points.push_back(joint.frame_b.p_LJ);
     }
     if (!body.part.empty() && points.size() < 2) return 0.0;
+    if (body.part.empty() && points.size() == 2) {
+      longest = std::max(longest, kRotor);
+    }
     for (const Vector3d& p : points) {
       for (const Vector3d& q : points) {
         longest = std::max(longest, (p - q).norm());

@@ -67,6 +67,40 @@ LoadPath pulse(double duration, int intervals,
   return path_of(knots);
 }
 
+// Triangles of three periods, known at their corners: straight in between, for
+// they are known to bend there. Their third wave swings with the mode.
+TEST(LoadPath, IsStraightBetweenBends) {
+  constexpr Index kEdges = 12, kEach = 10;
+  constexpr double kEdge = 1.5;  // periods
+  const auto triangles = [&](Index each) {
+    const Index n = kEdges * each + 1;
+    MatrixXd values(1, n);
+    for (Index i = 0; i < n; ++i) {
+      const Index edge = i / each;
+      const double share =
+          static_cast<double>(i % each) / static_cast<double>(each);
+      values(0, i) = edge % 2 == 0 ? share : 1.0 - share;
+    }
+    return values;
+  };
+  const auto times = [&](Index each) {
+    return VectorXd::LinSpaced(kEdges * each + 1, 0.0, kEdges * kEdge).eval();
+  };
+  const VectorXd corners = times(1);
+  const std::vector<double> bends(corners.begin(), corners.end());
+  const LoadPath table(times(kEach), triangles(kEach), 1e-12,
+                       LoadPath::Between::kLinear);
+  const double truth = largest(answer(table));
+  const LoadPath sparse(corners, triangles(1), 1e-12, LoadPath::Between::kCubic,
+                        bends);
+  EXPECT_NEAR(largest(answer(sparse)), truth, 1e-3);
+  EXPECT_EQ(thinned(sparse).size(), sparse.size());
+  EXPECT_NEAR(largest(answer(thinned(sparse))), truth, 1e-3);
+  // Not told of the bends, it rounds them.
+  const LoadPath rounded(corners, triangles(1), 1e-12);
+  EXPECT_GT(truth, 1.5 * largest(answer(rounded)));
+}
+
 TEST(LoadAnswer, StepIsAnsweredTwice) {
   const auto path = path_of({{0.0, 0.0}, {0.5, 0.0}, {0.5, 1.0}, {2.75, 1.0}});
   const LoadAnswer found = answer(path);

@@ -91,6 +91,7 @@ TEST(ReferenceGroups, OfAPartOnForceElementsAreTheirSeats) {
 // A hinge leaves the turn to a spring; held by a drive, it has no say.
 TEST(ReferenceGroups, ForceElementsHoldWhatJointsLeave) {
   LoadHistory history = lever(MatrixXd(18, 0));
+  history.seats[2].name = "force spring";
   const auto reference = [&](std::initializer_list<int> held,
                              double stiffness) {
     history.hold = [held = unit(held), stiffness](double) {
@@ -109,6 +110,9 @@ TEST(ReferenceGroups, ForceElementsHoldWhatJointsLeave) {
   EXPECT_DOUBLE_EQ(squares, 1e6);
   EXPECT_TRUE(are_alike(sprung, reference({0, 1, 2, 3, 4}, 1e6)));
   EXPECT_FALSE(are_alike(sprung, reference({0, 1, 2, 3, 4}, 2e6)));
+  // One at a joint holds the mechanism.
+  history.seats[2].name = "B";
+  EXPECT_TRUE(reference({0, 1, 2, 3, 4}, 1e6).sprung.empty());
 }
 
 // The drive's face may be another than the pin's bore.

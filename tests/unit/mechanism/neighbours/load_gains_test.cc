@@ -211,6 +211,44 @@ TEST(LoadGains, LoadOnAMastHasAnArm) {
   EXPECT_LT(found.topRows(3).norm(), kRoundOff * kForce);
 }
 
+// On a ball with a bushing that it cannot push over it turns as if welded; on
+// one that it can it does not follow.
+TEST(LoadGains, MastOnABushingFollowsWhereThatHolds) {
+  constexpr double kArm = 0.3;
+  MechanismDefinition definition;
+  definition.bodies = {bar(Vector3d(-0.1, 0.0, 0.0)),
+                       bar(Vector3d(0.05, 0.0, 0.0))};
+  definition.joints = {joint(JointType::kSpherical, 0, 1, 0.0)};
+  Instant instant;
+  instant.bodies.resize(2);
+  instant.joints.resize(1);
+  const Vector3d force(-kForce, 0.0, 0.0);
+  instant.joints[0].f_W = -force;
+  ElementState held, pressed;
+  held.actions[0].body = 0;
+  held.actions[1].body = 1;
+  pressed.actions[1] = {
+      .body = 1, .p_W = kArm * Vector3d::UnitX(), .f_W = force};
+  instant.elements = {held, pressed};
+  for (const double stiffness : {1e6, 0.1 * kForce * kArm}) {
+    BushingElement bushing;
+    bushing.a.body = 0;
+    bushing.b.body = 1;
+    bushing.stiffness.bottomRightCorner<3, 3>() =
+        stiffness * Matrix3d::Identity();
+    definition.elements = {bushing, ConstantForce{}};
+    const auto found =
+        load_gains(Neighbours(definition, 0), instant,
+                   {{LoadPlace::Kind::kJoint, 0, Vector3d::Zero()},
+                    {LoadPlace::Kind::kElement, 0, Vector3d::Zero()}});
+    Eigen::VectorXd turn = Eigen::VectorXd::Zero(12);
+    turn[5] = turn[11] = 1.0;
+    const bool is_stiff = stiffness > kForce * kArm;
+    EXPECT_NEAR(turn.dot(found * turn), is_stiff ? kForce * kArm : 0.0,
+                1e-6 * kForce);
+  }
+}
+
 // −θ×(θ×r)·f/2 of a force across the mast: turns about both axes couple.
 TEST(LoadGains, LoadAcrossAMastCouplesItsTurns) {
   const auto found = of_mast({0.3, 0.0, 0.0}, {0.0, kForce, 0.0});

@@ -269,6 +269,25 @@ TEST(NeighbourInertia, SpringsBetweenTheBodyAndANeighbour) {
               1e-6);
 }
 
+// A body that a bushing alone joins to another is a neighbour: it swings.
+TEST(NeighbourInertia, ABodyOnABushingSwings) {
+  MechanismDefinition m = two_bars(1.0);
+  m.dimension = SpaceDimension::kSpatial;
+  m.joints.resize(1);
+  BushingElement bushing;
+  bushing.a = {0, {1.0, 0.0, 0.0}};
+  bushing.b = {1, {0.0, 0.0, 0.0}};
+  bushing.stiffness = 700.0 * BushingElement::Matrix6::Identity();
+  const NeighbourInertia found = sprung_bar(m, 0, {bushing});
+  ASSERT_TRUE(found.swinging);
+  EXPECT_EQ(found.left_out.size(), 1U);
+  // Moved alike they strain nothing: six motions of its own follow it.
+  EXPECT_EQ(found.swinging->sprung_there.rows(), 6);
+  EXPECT_EQ(found.swinging->sprung_there.cols(), 6);
+  EXPECT_GT(found.swinging->sprung_there.norm(), 1.0);
+  EXPECT_EQ(found.sprung.cols(), 0);
+}
+
 // Of a bushing and a point held to a place, on a free body: what its Lo and its
 // turn about that cost, 2 E, from their definitions.
 TEST(NeighbourInertia, BushingsAndImpedancesHold) {

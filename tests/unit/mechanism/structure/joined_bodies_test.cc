@@ -22,5 +22,24 @@ TEST(JoinedBodies, LandingGearHangsTogetherAndItsCylinderIsStiff) {
   EXPECT_EQ(joined_bodies(released).stiffly.size(), 1u);
 }
 
+// A bushing hands moments on, beside a ball or alone; a ball does not.
+TEST(JoinedBodies, BushingsJoinElastically) {
+  MechanismDefinition m;
+  m.bodies.resize(2);
+  m.joints.resize(1);
+  m.joints[0].type = JointType::kSpherical;
+  m.joints[0].body_a = 0;
+  m.joints[0].body_b = 1;
+  EXPECT_TRUE(joined_bodies(m).elastically.empty());
+  BushingElement bushing;
+  bushing.a.body = 0;
+  bushing.b.body = 1;
+  m.elements.emplace_back(bushing);
+  EXPECT_EQ(joined_bodies(m).elastically.size(), 1u);
+  EXPECT_TRUE(joined_bodies(m).stiffly.empty());
+  m.joints.clear();
+  EXPECT_EQ(joined_bodies(m).elastically.size(), 1u);
+}
+
 }  // namespace
 }  // namespace clevis::mechanism
