@@ -187,30 +187,12 @@ void note_energy_over_time(const std::vector<InstantRow>& rows, bool repeats,
   if (!repeats) result.mean_strain_energy = mean_strain_energy(rows);
 }
 
-/// Springs of the mechanism that do not count where the part may buckle.
 /// @param is_open  of BucklingCheck.
-void note_left_out(const PartJob& job, bool is_open, PartResult& result) {
-  if (is_open) {
-    result.notes.push_back(
-        "where it stands its loads push it over, but for springs that hold "
-        "other bodies, too, or contacts that let go at times: see that these "
-        "are stiff enough, for its buckling does not count them");
-  }
-  if (!is_open &&
-      result.buckling.factor.value_or(HUGE_VAL) >= kFirstOrderIsEnough) {
-    return;
-  }
-  for (const LoadSet& set : job.load_sets) {
-    if (!set.history.hold || !set.fixed.empty()) continue;
-    const auto names = set.history.hold(set.history.hold_time).left_out;
-    if (names.empty()) continue;
-    result.notes.push_back(fmt::format(
-        "{}, which swing{} other bodies of the mechanism by themselves, do{} "
-        "not count in its buckling",
-        fmt::join(names, ", "), names.size() > 1 ? "" : "s",
-        names.size() > 1 ? "" : "es"));
-    return;
-  }
+void note_open_position(bool is_open, PartResult& result) {
+  if (!is_open) return;
+  result.notes.push_back(
+      "where it stands its loads push it over, but for contacts that let go at "
+      "times: see that these press, for its buckling does not count them");
 }
 
 /// Before all others: a number that is wrong by its unit makes them idle.
@@ -281,7 +263,7 @@ PartAssessment check_part(const PartJob& given) {
   }
   count_standing(buckling.standing, result.buckling);
   check_sharing(given, result);
-  note_left_out(job, buckling.standing.position.is_open, result);
+  note_open_position(buckling.standing.position.is_open, result);
   judge(job.part, result);
   explain_unsettled(result);
   tell_first(part_notes(job), result);

@@ -12,6 +12,7 @@
 #include "elasticity/algebra/dense_product.h"
 #include "elasticity/algebra/principal_columns.h"
 #include "elasticity/nodal_loads/seat_means.h"
+#include "loads/holds/seat_hold.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -84,8 +85,8 @@ bool BucklingOnSprings::is_sprung(Index instant) const {
 }
 
 loads::SeatHold BucklingOnSprings::hold_at(Index instant) const {
-  return history_.hold(
-      history_.instants[static_cast<std::size_t>(instant)].time);
+  return loads::held_slowly(history_.hold(
+      history_.instants[static_cast<std::size_t>(instant)].time));
 }
 
 double BucklingOnSprings::of_rigid(Index instant, const MatrixXd& form) const {
@@ -114,7 +115,7 @@ BucklingOnSprings::Position BucklingOnSprings::position(
         motions.transpose() * form * motions, Eigen::EigenvaluesOnly);
     return pushed.eigenvalues().maxCoeff() > kPushes * form.norm();
   };
-  if (hold.swinging || !hold.left_out.empty() || hold.is_pressed_meanwhile) {
+  if (hold.is_pressed_meanwhile) {
     return {.is_open = is_pushed(left)};
   }
   const bool is_sprung = !hold.sprung.isZero(0.0) && left.cols() > 0;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/algebra/singular_vectors.h"
 #include "loads/seats/force_seats.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/neighbours/neighbour_inertia.h"
@@ -91,6 +92,30 @@ SeatHold seat_hold(const mechanism::Neighbours& neighbours,
     const MatrixXd half = by_seat(found.spin, seat_of, seats);
     hold.spin = by_seat(half.transpose(), seat_of, seats).transpose();
   }
+  return hold;
+}
+
+SeatHold held_slowly(SeatHold hold) {
+  constexpr double kRoundOff = 1e-9;
+  if (!hold.swinging) return hold;
+  const SwingingBodies swinging = *std::exchange(hold.swinging, std::nullopt);
+  hold.left_out.clear();
+  // heldᵀ y + followedᵀ z = 0: z follows y, but for what rows leave it.
+  const SingularVectors following =
+      singular_vectors(swinging.followed.transpose());
+  const Index n = following.rank(kRoundOff);
+  hold.held = swinging.held * following.left_rows(n);
+  const MatrixXd followed = swinging.held * following.U.leftCols(n) *
+                            following.sigma.head(n).cwiseInverse().asDiagonal();
+  const MatrixXd of_springs =
+      swinging.sprung.transpose() - swinging.sprung_there.transpose() *
+                                        following.V.leftCols(n) *
+                                        followed.transpose();
+  // The rest of z strains the springs least.
+  const MatrixXd taken = column_space(
+      swinging.sprung_there.transpose() * following.left(n), kRoundOff);
+  hold.sprung =
+      (of_springs - taken * (taken.transpose() * of_springs)).transpose();
   return hold;
 }
 

@@ -16,6 +16,11 @@ SeatHold seat_hold(const mechanism::Neighbours& neighbours,
                    const mechanism::Instant& instant,
                    const std::vector<Seat>& seats);
 
+/// Where springs swing other bodies by themselves: what is held and sprung as
+/// the part gives way slowly, those bodies at rest between their springs and
+/// joints.
+SeatHold held_slowly(SeatHold hold);
+
 /// The same of a history that has got more seats behind its own, which hold and
 /// weigh nothing.
 SeatHold on_more_seats(SeatHold hold, std::size_t seats);

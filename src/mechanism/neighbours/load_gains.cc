@@ -418,17 +418,23 @@ void follow_springs(const MatrixXd& springs, const MatrixXd& form,
   if (springs.cols() == 0 || loose.cols() == 0) return;
   MatrixXd motions(bodies + moves, moves);
   motions << following.slow, following.admitted;
-  const MatrixXd there = springs.topRows(bodies).transpose() * loose;
-  const SingularVectors held = singular_vectors(there);
-  const double pushed =
-      (loose.transpose() * form.topLeftCorner(bodies, bodies) * loose).norm();
-  const Index n =
-      std::min(held.count_above(std::sqrt(pushed)), held.rank(kRoundOff));
-  following.slow -= loose * held.V.leftCols(n) *
-                    held.sigma.head(n).cwiseInverse().asDiagonal() *
-                    held.U.leftCols(n).transpose() *
-                    (springs.transpose() * motions);
-  following.loose = loose * held.left(n);
+  const SingularVectors held =
+      singular_vectors(springs.topRows(bodies).transpose() * loose);
+  const MatrixXd along = loose * held.V;
+  const MatrixXd pushed = form.topLeftCorner(bodies, bodies) * along;
+  std::vector<Index> following_them, others;
+  for (Index k = 0; k < along.cols(); ++k) {
+    const double stiffness =
+        k < held.rank(kRoundOff) ? held.sigma[k] * held.sigma[k] : 0.0;
+    const bool is_held = stiffness > std::abs(along.col(k).dot(pushed.col(k)));
+    (is_held ? following_them : others).push_back(k);
+  }
+  following.slow -=
+      along(Eigen::all, following_them) *
+      VectorXd(held.sigma(following_them)).cwiseInverse().asDiagonal() *
+      held.U(Eigen::all, following_them).transpose() *
+      (springs.transpose() * motions);
+  following.loose = along(Eigen::all, others);
 }
 
 /// −∂²L of the places, of a form of neighbours' motions and theirs.
