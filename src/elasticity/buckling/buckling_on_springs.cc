@@ -85,8 +85,8 @@ bool BucklingOnSprings::is_sprung(Index instant) const {
 }
 
 loads::SeatHold BucklingOnSprings::hold_at(Index instant) const {
-  return loads::held_slowly(history_.hold(
-      history_.instants[static_cast<std::size_t>(instant)].time));
+  return loads::held_slowly(
+      history_.hold(history_.instants[static_cast<std::size_t>(instant)].time));
 }
 
 double BucklingOnSprings::of_rigid(Index instant, const MatrixXd& form) const {
