@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <utility>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 
 #include "base/algebra/singular_vectors.h"
 #include "base/values/index.h"
+#include "mechanism/neighbours/neighbour_following.h"
 #include "mechanism/neighbours/second_order_form.h"
 
 namespace clevis::mechanism {
@@ -317,49 +318,6 @@ MatrixXd rows_of_places(const Neighbours& neighbours, const NeighbourRows& rows,
   return all;
 }
 
-/// How neighbours follow the places, in unknowns of ConstraintSystem.
-struct Following {
-  MatrixXd admitted;  ///< motions of places → those that rows leave
-  MatrixXd slow;      ///< → neighbours, by least kinetic energy
-  MatrixXd loose;     ///< motions of neighbours that the places do not see
-};
-
-Following following_of(const Neighbours& neighbours, const NeighbourRows& rows,
-                       const MatrixXd& of_places) {
-  constexpr double kLight = 1e-6;  // of the heaviest: a body of no inertia
-  const Index bodies = rows.there.cols(), moves = of_places.cols();
-  Following found{MatrixXd::Identity(moves, moves),
-                  MatrixXd::Zero(bodies, moves), MatrixXd(bodies, 0)};
-  MatrixXd held = of_places;
-  MatrixXd answer(0, moves), followed(bodies, 0);
-  if (rows.free.cols() > 0) {
-    MatrixXd mass =
-        rows.free.transpose() * neighbours.masses(rows.x) * rows.free;
-    const double heaviest = mass.diagonal().maxCoeff();
-    mass.diagonal().array() += heaviest > 0.0 ? kLight * heaviest : 1.0;
-    const Eigen::LLT<MatrixXd> root(mass);
-    const MatrixXd free =
-        root.matrixL().solve(rows.free.transpose()).transpose();
-    found.loose = free;
-    if (of_places.rows() > 0) {
-      const SingularVectors there = singular_vectors(rows.there * free);
-      const Index n = there.rank(kRoundOff);
-      followed = free * there.V.leftCols(n);
-      found.loose = free * there.left(n);
-      const VectorXd scale = -there.sigma.head(n).cwiseInverse();
-      answer = scale.asDiagonal() * there.U.leftCols(n).transpose() * of_places;
-      held = there.left_rows(n).transpose() * of_places;
-    }
-  }
-  if (held.rows() > 0) {
-    const SingularVectors holding = singular_vectors(held);
-    const MatrixXd kept = holding.V.leftCols(holding.count_above(kRoundOff));
-    found.admitted -= kept * kept.transpose();
-  }
-  if (answer.rows() > 0) found.slow = followed * answer * found.admitted;
-  return found;
-}
-
 /// Rows of force elements that yield, times the root of their stiffness: of
 /// motions of neighbours, then of places, × rows.
 MatrixXd springs_of(const Neighbours& neighbours, const NeighbourRows& rows,
@@ -409,32 +367,26 @@ MatrixXd springs_of(const Neighbours& neighbours, const NeighbourRows& rows,
   return springs;
 }
 
-/// Loose motions that springs hold harder than loads push follow the places by
-/// these, as if they did not yield.
-void follow_springs(const MatrixXd& springs, const MatrixXd& form,
-                    Following& following) {
+/// What springs that hold neighbours yield at a load factor: wᵀ (K/λ + H) w/2
+/// is least over their strains w. The least factor of buckling that is wanted
+/// counts; where they topple before, that of the loads as they are.
+MatrixXd yielded(const MatrixXd& form, const MatrixXd& product,
+                 const Following& following) {
+  constexpr double kFactors[] = {1.5, 1.0};
   const Index bodies = following.slow.rows(), moves = following.slow.cols();
-  const MatrixXd loose = following.loose;
-  if (springs.cols() == 0 || loose.cols() == 0) return;
-  MatrixXd motions(bodies + moves, moves);
-  motions << following.slow, following.admitted;
-  const SingularVectors held =
-      singular_vectors(springs.topRows(bodies).transpose() * loose);
-  const MatrixXd along = loose * held.V;
-  const MatrixXd pushed = form.topLeftCorner(bodies, bodies) * along;
-  std::vector<Index> following_them, others;
-  for (Index k = 0; k < along.cols(); ++k) {
-    const double stiffness =
-        k < held.rank(kRoundOff) ? held.sigma[k] * held.sigma[k] : 0.0;
-    const bool is_held = stiffness > std::abs(along.col(k).dot(pushed.col(k)));
-    (is_held ? following_them : others).push_back(k);
+  const MatrixXd& sprung = following.sprung;
+  const MatrixXd pushed = sprung.transpose() * product.topRows(bodies);
+  const MatrixXd of_loads =
+      sprung.transpose() * form.topLeftCorner(bodies, bodies) * sprung;
+  for (const double factor : kFactors) {
+    MatrixXd held = of_loads;
+    held.diagonal() += following.stiffness / factor;
+    const Eigen::LLT<MatrixXd> root(held);
+    if (root.info() == Eigen::Success) {
+      return pushed.transpose() * root.solve(pushed);
+    }
   }
-  following.slow -=
-      along(Eigen::all, following_them) *
-      VectorXd(held.sigma(following_them)).cwiseInverse().asDiagonal() *
-      held.U(Eigen::all, following_them).transpose() *
-      (springs.transpose() * motions);
-  following.loose = along(Eigen::all, others);
+  return MatrixXd::Zero(moves, moves);
 }
 
 /// −∂²L of the places, of a form of neighbours' motions and theirs.
@@ -444,6 +396,7 @@ MatrixXd eliminated(const MatrixXd& form, const Following& following) {
   motions << following.slow, following.admitted;
   const MatrixXd product = form * motions;
   MatrixXd gain = -motions.transpose() * product;
+  if (following.yields) gain += yielded(form, product, following);
   if (following.loose.cols() > 0) {
     const MatrixXd& loose = following.loose;
     const Eigen::SelfAdjointEigenSolver<MatrixXd> held(
@@ -478,6 +431,16 @@ MatrixXd load_gains(const Neighbours& neighbours, const Instant& instant,
       following_of(neighbours, rows, rows_of_places(neighbours, rows, places));
   follow_springs(springs_of(neighbours, rows, instant, places), form,
                  following);
+  // What a checked part's springs yield is told by its own factor.
+  const auto& slots = neighbours.slots();
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const auto own = following.sprung.middleRows(
+        kMotionOfMover * static_cast<Index>(k),
+        following.sprung.cols() > 0 ? kMotionOfMover : 0);
+    following.yields |=
+        neighbours.definition().bodies[index(slots[k] - 1)].part.empty() &&
+        own.size() > 0 && !own.isZero(kRoundOff * following.sprung.norm());
+  }
   MatrixXd to_P = MatrixXd::Zero(moves, moves);
   const Matrix3d& R_PL = rows.x[index(neighbours.slot())].R;
   for (Index i = 0; i < moves; i += 3) {
