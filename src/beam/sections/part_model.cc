@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -130,9 +131,11 @@ PartModel part_model(const mesh::PartMesh<3>& mesh) {
       add_tetrahedron_lumps(points, parts, model.lumps);
     }
   }
-  model.section = [cutter = mesh::SectionCutter(mesh)](const Vector3d& point,
-                                                       const Vector3d& normal) {
-    return cutter.at(point, normal);
+  // Made with the first section: many models are asked for none.
+  model.section = [&mesh, cutter = std::optional<mesh::SectionCutter>()](
+                      const Vector3d& point, const Vector3d& normal) mutable {
+    if (!cutter) cutter.emplace(mesh);
+    return cutter->at(point, normal);
   };
   model.outline = [triangles = surface(mesh)](const Vector3d& point,
                                               const Vector3d& normal) {
