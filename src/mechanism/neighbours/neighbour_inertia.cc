@@ -69,7 +69,8 @@ MatrixXd spins_of(const Neighbours& neighbours, const Configuration& x,
   return spins.isZero(0.0) ? MatrixXd() : spins;
 }
 
-/// A force element that yields at an instant.
+/// A force element that yields at an instant, or a rotor that turns with one:
+/// then its inertia stands for the stiffness.
 struct YieldingElement {
   int number;
   const ActingElement* element;
@@ -95,6 +96,31 @@ std::vector<YieldingElement> yielding_elements(const Neighbours& neighbours,
     }
     found.push_back({static_cast<int>(e), &element, std::move(spring),
                      rows.places.size() - 1});
+  }
+  return found;
+}
+
+/// Rotors that turn with lines of the body; adds the places of those that have
+/// none.
+std::vector<YieldingElement> rotors_on_body(const Neighbours& neighbours,
+                                            NeighbourRows& rows) {
+  std::vector<YieldingElement> found;
+  for (std::size_t e = 0; e < neighbours.elements().size(); ++e) {
+    if (!neighbours.elements()[e]) continue;
+    const ActingElement& element = *neighbours.elements()[e];
+    const int slot = neighbours.slot();
+    if (!(element.inertia() > 0.0) ||
+        (element.line.a != slot && element.line.b != slot)) {
+      continue;
+    }
+    const NeighbourPlace here{-1, false, static_cast<int>(e)};
+    const auto known = std::ranges::find(rows.places, here);
+    const auto place = static_cast<std::size_t>(known - rows.places.begin());
+    if (known == rows.places.end()) rows.places.push_back(here);
+    ElementSpring turn{.directions = {levers_of(element, rows.x)},
+                       .stiffness = MatrixXd::Constant(1, 1, element.inertia()),
+                       .damping = MatrixXd::Zero(1, 1)};
+    found.push_back({static_cast<int>(e), &element, std::move(turn), place});
   }
   return found;
 }
@@ -182,6 +208,7 @@ NeighbourInertia neighbour_inertia(const Neighbours& neighbours,
                                    const Instant& instant) {
   NeighbourRows rows = neighbours.rows(instant);
   const auto yielding = yielding_elements(neighbours, instant, rows);
+  const auto rotors = rotors_on_body(neighbours, rows);
   const MatrixXd wrenches = wrenches_of(neighbours, rows);
   NeighbourInertia found{.places = rows.places,
                          .held = wrenches,
@@ -218,6 +245,13 @@ NeighbourInertia neighbour_inertia(const Neighbours& neighbours,
     if (spins.size() > 0) {
       found.spin = following.transpose() * spins * following;
     }
+  }
+  for (const YieldingElement& rotor : rotors) {
+    const Directions along =
+        directions_of(neighbours, rows.x, rotor, wrenches.rows());
+    append((along.body + following.transpose() * along.neighbours) *
+               root_of(rotor.spring.stiffness),
+           found.weighed);
   }
   std::vector<Directions> directions;
   for (const YieldingElement& element : yielding) {

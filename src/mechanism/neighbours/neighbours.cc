@@ -86,6 +86,13 @@ constexpr double kRoundOff = 1e-9;  // of rows of pure numbers
 
 }  // namespace
 
+PlacedJoint::Levers levers_of(const ActingElement& element,
+                              const Configuration& x) {
+  const JointModel& line = element.line;
+  return PlacedJoint{line, x[index(line.a)], x[index(line.b)]}.levers(
+      element.row);
+}
+
 std::vector<DriveDefinition> sticking_coordinates(
     const MechanismDefinition& definition, const Instant& instant) {
   constexpr double kAtRest = 1e-6;  // [m/s], [rad/s]
@@ -198,6 +205,23 @@ MatrixXd Neighbours::masses(const Configuration& x) const {
     mass.block<3, 3>(at, at) = given.mass * Matrix3d::Identity();
     mass.block<3, 3>(at + 3, at + 3) =
         R * given.inertia_LCm * R.transpose() / square;
+  }
+  for (const auto& element : elements_) {
+    if (!element || !(element->inertia() > 0.0) || element->line.a == slot_ ||
+        element->line.b == slot_) {
+      continue;
+    }
+    const PlacedJoint::Levers levers = levers_of(*element, x);
+    Eigen::VectorXd turn = Eigen::VectorXd::Zero(size);
+    const auto add = [&](int slot, const SpatialForce& lever) {
+      const auto at = std::ranges::find(slots_, slot) - slots_.begin();
+      if (at == std::ssize(slots_)) return;
+      turn.segment<3>(kTwist * at) += lever.v;
+      turn.segment<3>(kTwist * at + 3) += lever.w / frame_.length;
+    };
+    add(element->line.a, levers.a);
+    add(element->line.b, levers.b);
+    mass += element->inertia() * turn * turn.transpose();
   }
   return mass;
 }

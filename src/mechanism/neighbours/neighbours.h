@@ -57,8 +57,8 @@ class Neighbours {
   }
   /// Leaves an element out that lets go meanwhile.
   void leave_out(std::size_t element) { elements_[element] = nullptr; }
-  /// Of the neighbours about their centres, in unknowns of ConstraintSystem
-  /// [kg].
+  /// Of the neighbours about their centres, with rotors that turn between them,
+  /// in unknowns of ConstraintSystem [kg].
   Eigen::MatrixXd masses(const Configuration& x) const;
 
  private:
@@ -69,6 +69,10 @@ class Neighbours {
   std::vector<std::unique_ptr<ActingElement>> elements_;
   std::vector<int> slots_;
 };
+
+/// Of an effort of 1 along an element's line, in P. @pre it has one.
+PlacedJoint::Levers levers_of(const ActingElement& element,
+                              const Configuration& x);
 
 /// Friction on joints that sticks at an instant, as drives: of coordinates that
 /// neither joints nor drives fix.

@@ -164,6 +164,30 @@ LineElement spring(double stiffness, double damping) {
   return element;
 }
 
+// A motor's rotor behind its gear turns with the bar on the ground's pin: of
+// the second bar it weighs J n²/l² at the pin between both, of the first by
+// itself.
+TEST(NeighbourInertia, RotorsWeigh) {
+  constexpr double kRatio = 10.0, kRotor = 1e-3;  // kg m²
+  constexpr double kAtJoint = kRatio * kRatio * kRotor;
+  MechanismDefinition m = two_bars(1.0);
+  const Vector3d across(0.0, 1.0, 0.0);
+  const double bar = mass_of(
+      neighbour_inertia(Neighbours(m, 1), placed(m)).weighed,
+      motion(neighbour_inertia(Neighbours(m, 1), placed(m)), 0, across));
+  LineElement motor;
+  motor.law = MotorLaw{.ratio = kRatio, .rotor_inertia = kRotor};
+  motor.line = {.kind = ElementLine::Kind::kJoint, .joint = 0};
+  const NeighbourInertia second = sprung_bar(m, 1, {motor});
+  EXPECT_NEAR(mass_of(second.weighed, motion(second, 0, across)),
+              bar + kAtJoint, 1e-6);
+  const NeighbourInertia first = sprung_bar(m, 0, {motor});
+  ASSERT_EQ(first.places.back().element, 0);
+  Eigen::VectorXd turn = Eigen::VectorXd::Zero(first.held.rows());
+  turn[first.held.rows() - 1] = 1.0;
+  EXPECT_NEAR(mass_of(first.weighed, turn), kAtJoint, 1e-9);
+}
+
 // Of the second bar: the first turns about O against its spring as the pin
 // between both moves across, k/l².
 TEST(NeighbourInertia, SpringsHoldNeighbours) {
