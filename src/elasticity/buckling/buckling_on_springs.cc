@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 
@@ -39,12 +40,18 @@ double largest_yield(const VectorXd& eigenvalues, const std::string& part) {
   return std::max(0.0, eigenvalues.maxCoeff());
 }
 
-/// Whether a part keeps its direction over a motion: what turns moves as its
-/// loads have it.
+/// Whether a part keeps its direction over a motion, and no blow throws it
+/// about: what turns, or is thrown, moves as its loads have it.
 bool keeps_direction(const loads::LoadHistory& history) {
-  constexpr double kTurn = 0.05;  // [rad]
+  constexpr double kTurn = 0.05;    // [rad]
+  constexpr double kThrown = 50.0;  // [m/s²]
   const auto& instants = history.instants;
   if (instants.front().is_case) return false;
+  if (std::ranges::any_of(instants, [](const loads::InstantLoad& load) {
+        return load.rigid.acceleration.norm() > kThrown;
+      })) {
+    return false;
+  }
   double turned = 0.0;
   for (std::size_t i = 1; i < instants.size(); ++i) {
     turned += 0.5 * (instants[i].time - instants[i - 1].time) *
@@ -85,8 +92,10 @@ bool BucklingOnSprings::is_sprung(Index instant) const {
 }
 
 loads::SeatHold BucklingOnSprings::hold_at(Index instant) const {
-  return loads::held_slowly(
-      history_.hold(history_.instants[static_cast<std::size_t>(instant)].time));
+  loads::SeatHold hold =
+      history_.hold(history_.instants[static_cast<std::size_t>(instant)].time);
+  // In a motion bodies on springs are not at rest between them.
+  return stands_ ? loads::held_slowly(std::move(hold)) : hold;
 }
 
 double BucklingOnSprings::of_rigid(Index instant, const MatrixXd& form) const {

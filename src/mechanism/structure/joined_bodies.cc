@@ -39,10 +39,10 @@ std::ptrdiff_t held_by_joint(const MechanismDefinition& mechanism,
                             &DriveDefinition::joint);
 }
 
-/// Whether an element yields about a position.
+/// Whether an element yields about a position; gas only presses.
 bool holds_position(const ForceElement& element) {
   const ElementProperties given = properties(element);
-  return given.free || given.reference != nullptr || given.gas != nullptr;
+  return given.free || given.reference != nullptr;
 }
 
 /// Coordinates of a joint about which force elements hold a position.
