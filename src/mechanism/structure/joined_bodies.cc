@@ -45,14 +45,16 @@ bool holds_position(const ForceElement& element) {
   return given.free || given.reference != nullptr;
 }
 
-/// Coordinates of a joint about which force elements hold a position.
+/// Angles of a joint about which force elements hold a position: along a slide
+/// they hand no moment on.
 std::ptrdiff_t held_by_elements(const MechanismDefinition& mechanism,
                                 std::size_t joint) {
   std::set<int> coordinates;
   for (const ForceElement& element : mechanism.elements) {
     const ElementLine* line = line_of(element);
     if (line != nullptr && line->kind == ElementLine::Kind::kJoint &&
-        line->joint == static_cast<int>(joint) && holds_position(element)) {
+        line->joint == static_cast<int>(joint) && holds_position(element) &&
+        is_angle(element, mechanism.joints)) {
       coordinates.insert(line->coordinate);
     }
   }
