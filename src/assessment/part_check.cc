@@ -187,12 +187,31 @@ void note_energy_over_time(const std::vector<InstantRow>& rows, bool repeats,
   if (!repeats) result.mean_strain_energy = mean_strain_energy(rows);
 }
 
-/// @param is_open  of BucklingCheck.
-void note_open_position(bool is_open, PartResult& result) {
-  if (!is_open) return;
-  result.notes.push_back(
-      "where it stands its loads push it over, but for contacts that let go at "
-      "times: see that these press, for its buckling does not count them");
+/// What of the mechanism does not count where the part may buckle.
+/// @param position  of BucklingCheck.
+void note_left_out(const PartJob& job,
+                   const elasticity::BucklingOnSprings::Position& position,
+                   PartResult& result) {
+  if (position.is_open) {
+    result.notes.push_back(
+        "where it stands its loads push it over, but for contacts that let go "
+        "at times: see that these press, for its buckling does not count them");
+  }
+  if (position.stands ||
+      result.buckling.factor.value_or(HUGE_VAL) >= kFirstOrderIsEnough) {
+    return;
+  }
+  for (const LoadSet& set : job.load_sets) {
+    if (!set.history.hold || !set.fixed.empty()) continue;
+    const auto names = set.history.hold(set.history.hold_time).left_out;
+    if (names.empty()) continue;
+    result.notes.push_back(fmt::format(
+        "it moves, and {}, which swing{} other bodies of the mechanism by "
+        "themselves, do{} not count in its buckling",
+        fmt::join(names, ", "), names.size() > 1 ? "" : "s",
+        names.size() > 1 ? "" : "es"));
+    return;
+  }
 }
 
 /// Before all others: a number that is wrong by its unit makes them idle.
@@ -263,7 +282,7 @@ PartAssessment check_part(const PartJob& given) {
   }
   count_standing(buckling.standing, result.buckling);
   check_sharing(given, result);
-  note_open_position(buckling.standing.position.is_open, result);
+  note_left_out(job, buckling.standing.position, result);
   judge(job.part, result);
   explain_unsettled(result);
   tell_first(part_notes(job), result);

@@ -437,8 +437,9 @@ bool count_springs(const PartJob& job, const BucklingMode::OnSprings& on,
 }
 
 void Standing::take(const Standing& other) {
-  const auto& [topples, is_open] = other.position;
+  const auto& [topples, is_open, stands] = other.position;
   position.is_open |= is_open;
+  position.stands |= stands;
   if (!topples || (position.topples && *position.topples <= *topples)) return;
   position.topples = topples;
   label = other.label;

@@ -18,8 +18,9 @@ constexpr int kFine = 12;          // parts of a cell: a round bar to 0.1 %
 bool is_uniform(const mesh::PartMesh<3>& mesh, const Vector3d& root,
                 const Vector3d& axis, double length, double area) {
   constexpr double kEnds[] = {0.1, 0.9};
+  const mesh::SectionCutter cutter(mesh);
   return std::ranges::all_of(kEnds, [&](double part) {
-    const auto section = mesh::cut(mesh, root + part * length * axis, axis);
+    const auto section = cutter.at(root + part * length * axis, axis);
     return section.pieces == 1 &&
            std::abs(section.area / area - 1.0) < kUniform;
   });

@@ -131,7 +131,8 @@ PartModel part_model(const mesh::PartMesh<3>& mesh) {
       add_tetrahedron_lumps(points, parts, model.lumps);
     }
   }
-  // Made with the first section: many models are asked for none.
+  // Made with the first section: a model that is asked for none needs no
+  // neighbours of cells.
   model.section = [&mesh, cutter = std::optional<mesh::SectionCutter>()](
                       const Vector3d& point, const Vector3d& normal) mutable {
     if (!cutter) cutter.emplace(mesh);

@@ -33,8 +33,7 @@ struct PartModel {
 
 /// The model of a mesh. Lumps and outline take the grid of each cell's
 /// geometry points as straight; the sections are those of a
-/// mesh::SectionCutter. The mesh
-/// must outlive the model.
+/// mesh::SectionCutter. The mesh must outlive the model.
 PartModel part_model(const mesh::PartMesh<3>& mesh);
 
 }  // namespace clevis::beam

@@ -42,7 +42,7 @@ double largest_yield(const VectorXd& eigenvalues, const std::string& part) {
 
 /// Whether a part keeps its direction over a motion, and no blow throws it
 /// about: what turns, or is thrown, moves as its loads have it.
-bool keeps_direction(const loads::LoadHistory& history) {
+bool keeps_place(const loads::LoadHistory& history) {
   constexpr double kTurn = 0.05;    // [rad]
   constexpr double kThrown = 50.0;  // [m/s²]
   const auto& instants = history.instants;
@@ -70,7 +70,7 @@ BucklingOnSprings::BucklingOnSprings(const BucklingProblem& problem,
   const HeldPart& part = stressed.part();
   const std::size_t all = history_.instants.size();
   if (!history_.hold || !part.is_free() || all == 0) return;
-  stands_ = keeps_direction(history_);
+  stands_ = keeps_place(history_);
   hold_alone_ = std::ranges::all_of(problem.holds, [](const auto& hold) {
     return hold.groups.empty() && hold.held.empty();
   });
@@ -125,18 +125,18 @@ BucklingOnSprings::Position BucklingOnSprings::position(
     return pushed.eigenvalues().maxCoeff() > kPushes * form.norm();
   };
   if (hold.is_pressed_meanwhile) {
-    return {.is_open = is_pushed(left)};
+    return {.is_open = is_pushed(left), .stands = true};
   }
   const bool is_sprung = !hold.sprung.isZero(0.0) && left.cols() > 0;
   if (is_pushed(is_sprung ? left * null_space(hold.sprung.transpose() *
                                                   motions_ * left,
                                               kRoundOff)
                           : left)) {
-    return {.topples = 0.0};
+    return {.topples = 0.0, .stands = true};
   }
   const double yield = of_rigid(last, form);
-  if (yield < 1.0) return {};
-  return {.topples = 1.0 / yield};
+  if (yield < 1.0) return {.stands = true};
+  return {.topples = 1.0 / yield, .stands = true};
 }
 
 /// Rigid motions and shapes, which grow.

@@ -32,7 +32,8 @@ class BucklingOnSprings {
   bool is_sprung(Eigen::Index instant) const;
   /// Whether no joint holds the part.
   bool hold_alone() const { return hold_alone_; }
-  /// Whether the part keeps its direction while its motion lasts.
+  /// Whether the part keeps its place while its motion lasts: bodies that
+  /// springs swing are at rest between these.
   bool stands() const { return stands_; }
   /// How its loads leave a part that stands while its motion lasts.
   struct Position {
@@ -42,6 +43,7 @@ class BucklingOnSprings {
     std::optional<double> topples = std::nullopt;
     /// They do but for force elements that do not count here.
     bool is_open = false;
+    bool stands = false;  ///< of a part that moves nothing is said
   };
   /// @param form  as of of_rigid(), at the last instant.
   Position position(const Eigen::MatrixXd& form) const;

@@ -224,6 +224,15 @@ class HeldSpan {
   MatrixXd span_;
 };
 
+/// Of groups that are not empty.
+PartHold hold_of(const std::vector<Seat>& seats, const SeatHold& hold,
+                 const HoldingGroups& groups) {
+  auto held = held_groups(seats, hold.held);
+  auto order = HeldSpan(held).order_of(groups);
+  if (!order.empty()) return {std::move(order)};
+  return {groups, std::move(held)};
+}
+
 /// Whether rows of wrenches are held, each direction of them.
 bool holds_all(const MatrixXd& rows) {
   if (rows.cols() < rows.rows()) return false;
@@ -278,19 +287,16 @@ std::vector<GroupHold> held_groups(const LoadHistory& history, double time) {
 
 PartHold hold_at(const LoadHistory& history, const HoldingGroups& groups,
                  double time) {
-  PartHold hold = reference_at(history, groups, time);
-  hold.sprung.clear();
-  return hold;
+  if (!history.hold || groups.empty()) return {groups};
+  return hold_of(history.seats, history.hold(time), groups);
 }
 
 PartHold reference_at(const LoadHistory& history, const HoldingGroups& groups,
                       double time) {
   if (!history.hold || groups.empty()) return {groups};
   const SeatHold hold = history.hold(time);
-  auto held = held_groups(history.seats, hold.held);
-  auto order = HeldSpan(held).order_of(groups);
-  if (!order.empty()) return {std::move(order)};
-  PartHold found{groups, std::move(held)};
+  PartHold found = hold_of(history.seats, hold, groups);
+  if (found.held.empty()) return found;  // the groups hold all
   const MatrixXd sprung = own_springs(history.seats, sprung_of(hold));
   if (sprung.cols() > 0) found.sprung = by_holder(history.seats, sprung, 1.0);
   return found;

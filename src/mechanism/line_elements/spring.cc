@@ -31,7 +31,9 @@ class Spring final : public OneSenseForce {
 }  // namespace
 
 ElementProperties properties(const SpringLaw& law) {
-  return {.type = "spring", .free = law.free};
+  ElementProperties result{.type = "spring"};
+  if (law.stiffness != 0.0) result.free = law.free;  // else a damper
+  return result;
 }
 
 std::unique_ptr<ActingElement> place(const LineDefinition& definition,

@@ -324,10 +324,9 @@ MatrixXd springs_of(const Neighbours& neighbours, const NeighbourRows& rows,
                     const Instant& instant,
                     const std::vector<LoadPlace>& places) {
   const SolvingFrame& frame = neighbours.frame();
-  const auto& slots = neighbours.slots();
   const Matrix3d& R = rows.x[index(neighbours.slot())].R;
-  const Index motions =
-      kMotionOfMover * (std::ssize(slots) + std::ssize(places));
+  const Index of_bodies = kMotionOfMover * std::ssize(neighbours.slots());
+  const Index motions = of_bodies + kMotionOfMover * std::ssize(places);
   MatrixXd springs(motions, 0);
   const std::size_t count =
       std::min(instant.elements.size(), neighbours.elements().size());
@@ -337,30 +336,26 @@ MatrixXd springs_of(const Neighbours& neighbours, const NeighbourRows& rows,
     const ElementSpring spring = element.spring(rows.x, instant.elements[e]);
     MatrixXd along = MatrixXd::Zero(motions, std::ssize(spring.directions));
     const auto add = [&](int slot, const SpatialForce& force, Index column) {
-      Index at = 0;
-      Vector3d arm = Vector3d::Zero();
-      if (slot == neighbours.slot()) {
-        const auto place = place_of(places, LoadPlace::Kind::kElement,
-                                    static_cast<int>(e), element.joint);
-        if (!place) return;
-        at = std::ssize(slots) + static_cast<Index>(*place);
-        arm = R * (frame.p_LM[index(slot - 1)] - places[*place].p_LS);
-      } else {
-        at = std::ranges::find(slots, slot) - slots.begin();
-        if (at == std::ssize(slots)) return;
+      if (slot != neighbours.slot()) {
+        neighbours.add_action(slot, force, along.col(column).head(of_bodies));
+        return;
       }
-      auto row = along.col(column).segment<kMotionOfMover>(kMotionOfMover * at);
+      const auto place = place_of(places, LoadPlace::Kind::kElement,
+                                  static_cast<int>(e), element.joint);
+      if (!place) return;
+      const Vector3d to_M =
+          R * (frame.p_LM[index(slot - 1)] - places[*place].p_LS);
+      auto row = along.col(column).segment<kMotionOfMover>(
+          of_bodies + kMotionOfMover * static_cast<Index>(*place));
       row.head<3>() += force.v;
-      row.tail<3>() += (force.w + arm.cross(force.v)) / frame.length;
+      row.tail<3>() += (force.w + to_M.cross(force.v)) / frame.length;
     };
     for (Index k = 0; k < along.cols(); ++k) {
       add(element.line.a, spring.directions[index(k)].a, k);
       add(element.line.b, spring.directions[index(k)].b, k);
     }
     if (along.cols() == 0) continue;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> stiffness(spring.stiffness);
-    along *= stiffness.eigenvectors() *
-             stiffness.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+    along *= root_of(spring.stiffness);
     springs.conservativeResize(Eigen::NoChange, springs.cols() + along.cols());
     springs.rightCols(along.cols()) = along;
   }
@@ -389,14 +384,31 @@ MatrixXd yielded(const MatrixXd& form, const MatrixXd& product,
   return MatrixXd::Zero(moves, moves);
 }
 
+/// Whether springs hold bodies that are no parts: what those of a checked part
+/// yield is told by its own factor.
+bool holds_other_bodies(const Neighbours& neighbours, const MatrixXd& sprung) {
+  if (sprung.cols() == 0) return false;
+  const double least = kRoundOff * sprung.norm();
+  for (std::size_t k = 0; k < neighbours.slots().size(); ++k) {
+    const BodyDefinition& body =
+        neighbours.definition().bodies[index(neighbours.slots()[k] - 1)];
+    const auto moves = sprung.middleRows<kMotionOfMover>(kMotionOfMover *
+                                                         static_cast<Index>(k));
+    if (body.part.empty() && !moves.isZero(least)) return true;
+  }
+  return false;
+}
+
 /// −∂²L of the places, of a form of neighbours' motions and theirs.
-MatrixXd eliminated(const MatrixXd& form, const Following& following) {
+/// @param yields  whether springs that hold these do, as loads push.
+MatrixXd eliminated(const MatrixXd& form, const Following& following,
+                    bool yields) {
   const Index bodies = following.slow.rows(), moves = following.slow.cols();
   MatrixXd motions(bodies + moves, moves);
   motions << following.slow, following.admitted;
   const MatrixXd product = form * motions;
   MatrixXd gain = -motions.transpose() * product;
-  if (following.yields) gain += yielded(form, product, following);
+  if (yields) gain += yielded(form, product, following);
   if (following.loose.cols() > 0) {
     const MatrixXd& loose = following.loose;
     const Eigen::SelfAdjointEigenSolver<MatrixXd> held(
@@ -431,23 +443,14 @@ MatrixXd load_gains(const Neighbours& neighbours, const Instant& instant,
       following_of(neighbours, rows, rows_of_places(neighbours, rows, places));
   follow_springs(springs_of(neighbours, rows, instant, places), form,
                  following);
-  // What a checked part's springs yield is told by its own factor.
-  const auto& slots = neighbours.slots();
-  for (std::size_t k = 0; k < slots.size(); ++k) {
-    const auto own = following.sprung.middleRows(
-        kMotionOfMover * static_cast<Index>(k),
-        following.sprung.cols() > 0 ? kMotionOfMover : 0);
-    following.yields |=
-        neighbours.definition().bodies[index(slots[k] - 1)].part.empty() &&
-        own.size() > 0 && !own.isZero(kRoundOff * following.sprung.norm());
-  }
   MatrixXd to_P = MatrixXd::Zero(moves, moves);
   const Matrix3d& R_PL = rows.x[index(neighbours.slot())].R;
   for (Index i = 0; i < moves; i += 3) {
     const double of_turns = i % kMotionOfMover == 0 ? 1.0 : length;
     to_P.block<3, 3>(i, i) = of_turns * R_PL;
   }
-  return to_P.transpose() * eliminated(form, following) * to_P;
+  const bool yields = holds_other_bodies(neighbours, following.sprung);
+  return to_P.transpose() * eliminated(form, following, yields) * to_P;
 }
 
 }  // namespace clevis::mechanism

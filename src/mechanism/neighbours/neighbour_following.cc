@@ -66,18 +66,18 @@ void follow_springs(const MatrixXd& springs, const MatrixXd& form,
       singular_vectors(springs.topRows(bodies).transpose() * loose);
   const MatrixXd along = loose * held.V;
   const MatrixXd pushed = form.topLeftCorner(bodies, bodies) * along;
-  std::vector<Index> following_them, others;
+  const Index rank = held.rank(kRoundOff);
+  std::vector<Index> sprung, others;
   for (Index k = 0; k < along.cols(); ++k) {
-    const double stiffness =
-        k < held.rank(kRoundOff) ? held.sigma[k] * held.sigma[k] : 0.0;
+    const double stiffness = k < rank ? held.sigma[k] * held.sigma[k] : 0.0;
     const bool is_held = stiffness > std::abs(along.col(k).dot(pushed.col(k)));
-    (is_held ? following_them : others).push_back(k);
+    (is_held ? sprung : others).push_back(k);
   }
-  const VectorXd sigma = held.sigma(following_them);
-  following.sprung = along(Eigen::all, following_them);
+  const VectorXd sigma = held.sigma(sprung);
+  following.sprung = along(Eigen::all, sprung);
   following.stiffness = sigma.cwiseAbs2();
   following.slow -= following.sprung * sigma.cwiseInverse().asDiagonal() *
-                    held.U(Eigen::all, following_them).transpose() *
+                    held.U(Eigen::all, sprung).transpose() *
                     (springs.transpose() * motions);
   following.loose = along(Eigen::all, others);
 }

@@ -13,7 +13,6 @@ struct Following {
   Eigen::MatrixXd loose;  ///< motions of neighbours that the places do not see
   Eigen::MatrixXd sprung = {};     ///< likewise, that springs hold
   Eigen::VectorXd stiffness = {};  ///< of these [N/m]
-  bool yields = false;             ///< these springs do, as loads push
 };
 
 /// By constraints, of what they leave by least kinetic energy.

@@ -1,6 +1,7 @@
 #include "mechanism/neighbours/neighbour_inertia.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -69,8 +70,7 @@ MatrixXd spins_of(const Neighbours& neighbours, const Configuration& x,
   return spins.isZero(0.0) ? MatrixXd() : spins;
 }
 
-/// A force element that yields at an instant, or a rotor that turns with one:
-/// then its inertia stands for the stiffness.
+/// A force element that yields at an instant.
 struct YieldingElement {
   int number;
   const ActingElement* element;
@@ -90,37 +90,11 @@ std::vector<YieldingElement> yielding_elements(const Neighbours& neighbours,
     const ActingElement& element = *neighbours.elements()[e];
     ElementSpring spring = element.spring(rows.x, instant.elements[e]);
     if (spring.directions.empty()) continue;
-    const int slot = neighbours.slot();
-    if (element.line.a == slot || element.line.b == slot) {
+    if (neighbours.acts_on_body(element)) {
       rows.places.push_back({-1, false, static_cast<int>(e)});
     }
     found.push_back({static_cast<int>(e), &element, std::move(spring),
                      rows.places.size() - 1});
-  }
-  return found;
-}
-
-/// Rotors that turn with lines of the body; adds the places of those that have
-/// none.
-std::vector<YieldingElement> rotors_on_body(const Neighbours& neighbours,
-                                            NeighbourRows& rows) {
-  std::vector<YieldingElement> found;
-  for (std::size_t e = 0; e < neighbours.elements().size(); ++e) {
-    if (!neighbours.elements()[e]) continue;
-    const ActingElement& element = *neighbours.elements()[e];
-    const int slot = neighbours.slot();
-    if (!(element.inertia() > 0.0) ||
-        (element.line.a != slot && element.line.b != slot)) {
-      continue;
-    }
-    const NeighbourPlace here{-1, false, static_cast<int>(e)};
-    const auto known = std::ranges::find(rows.places, here);
-    const auto place = static_cast<std::size_t>(known - rows.places.begin());
-    if (known == rows.places.end()) rows.places.push_back(here);
-    ElementSpring turn{.directions = {levers_of(element, rows.x)},
-                       .stiffness = MatrixXd::Constant(1, 1, element.inertia()),
-                       .damping = MatrixXd::Zero(1, 1)};
-    found.push_back({static_cast<int>(e), &element, std::move(turn), place});
   }
   return found;
 }
@@ -131,43 +105,57 @@ struct Directions {
   MatrixXd body, neighbours;
 };
 
+/// @param place  where it acts on the body, if it does.
 Directions directions_of(const Neighbours& neighbours, const Configuration& x,
-                         const YieldingElement& yielding, Index wrenches) {
-  const SolvingFrame& frame = neighbours.frame();
-  const auto& slots = neighbours.slots();
+                         const ActingElement& element,
+                         const std::vector<PlacedJoint::Levers>& given,
+                         std::size_t place, Index wrenches) {
   const int own = neighbours.slot();
   const Eigen::Matrix3d R_LP = x[index(own)].R.transpose();
-  const auto& given = yielding.spring.directions;
-  Directions found{
-      MatrixXd::Zero(wrenches, std::ssize(given)),
-      MatrixXd::Zero(kTwist * std::ssize(slots), std::ssize(given))};
+  Directions found{MatrixXd::Zero(wrenches, std::ssize(given)),
+                   MatrixXd::Zero(kTwist * std::ssize(neighbours.slots()),
+                                  std::ssize(given))};
   const auto add = [&](int slot, const SpatialForce& force, Index column) {
-    if (slot == own) {
-      const Vector3d f = R_LP * force.v;
-      auto wrench = found.body.col(column).segment<kTwist>(
-          kTwist * static_cast<Index>(yielding.place));
-      wrench.head<3>() += f;
-      wrench.tail<3>() += R_LP * force.w + frame.p_LM[index(own - 1)].cross(f);
+    if (slot != own) {
+      neighbours.add_action(slot, force, found.neighbours.col(column));
       return;
     }
-    const auto at = std::ranges::find(slots, slot) - slots.begin();
-    if (at == std::ssize(slots)) return;
-    auto row = found.neighbours.col(column).segment<kTwist>(kTwist * at);
-    row.head<3>() += force.v;
-    row.tail<3>() += force.w / frame.length;
+    const Vector3d f = R_LP * force.v;
+    auto wrench = found.body.col(column).segment<kTwist>(
+        kTwist * static_cast<Index>(place));
+    wrench.head<3>() += f;
+    wrench.tail<3>() +=
+        R_LP * force.w + neighbours.frame().p_LM[index(own - 1)].cross(f);
   };
   for (Index k = 0; k < found.body.cols(); ++k) {
-    add(yielding.element->line.a, given[index(k)].a, k);
-    add(yielding.element->line.b, given[index(k)].b, k);
+    add(element.line.a, given[index(k)].a, k);
+    add(element.line.b, given[index(k)].b, k);
   }
   return found;
 }
 
-/// R with R Rᵀ the matrix; of what pushes on nothing.
-MatrixXd root_of(const MatrixXd& matrix) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(matrix);
-  return solver.eigenvectors() *
-         solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+/// A rotor that turns with a line of the body.
+struct Rotor {
+  const ActingElement* element;
+  std::size_t place;  ///< where it acts on the body
+};
+
+/// Adds the places of those that have none.
+std::vector<Rotor> rotors_on_body(const Neighbours& neighbours,
+                                  NeighbourRows& rows) {
+  std::vector<Rotor> found;
+  for (std::size_t e = 0; e < neighbours.elements().size(); ++e) {
+    const ActingElement* element = neighbours.elements()[e].get();
+    if (element == nullptr || !(element->inertia() > 0.0) ||
+        !neighbours.acts_on_body(*element)) {
+      continue;
+    }
+    const NeighbourPlace here{-1, false, static_cast<int>(e)};
+    const auto known = std::ranges::find(rows.places, here);
+    found.push_back({element, index(known - rows.places.begin())});
+    if (known == rows.places.end()) rows.places.push_back(here);
+  }
+  return found;
 }
 
 void append(const MatrixXd& more, MatrixXd& columns) {
@@ -246,17 +234,19 @@ NeighbourInertia neighbour_inertia(const Neighbours& neighbours,
       found.spin = following.transpose() * spins * following;
     }
   }
-  for (const YieldingElement& rotor : rotors) {
+  for (const auto& [element, place] : rotors) {
     const Directions along =
-        directions_of(neighbours, rows.x, rotor, wrenches.rows());
-    append((along.body + following.transpose() * along.neighbours) *
-               root_of(rotor.spring.stiffness),
+        directions_of(neighbours, rows.x, *element,
+                      {levers_of(*element, rows.x)}, place, wrenches.rows());
+    append(std::sqrt(element->inertia()) *
+               (along.body + following.transpose() * along.neighbours),
            found.weighed);
   }
   std::vector<Directions> directions;
   for (const YieldingElement& element : yielding) {
-    const Directions& along = directions.emplace_back(
-        directions_of(neighbours, rows.x, element, wrenches.rows()));
+    const Directions& along = directions.emplace_back(directions_of(
+        neighbours, rows.x, *element.element, element.spring.directions,
+        element.place, wrenches.rows()));
     if ((along.neighbours.transpose() * unseen).norm() >
         kFelt * along.neighbours.norm()) {
       found.left_out.push_back(element.number);

@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "base/algebra/singular_vectors.h"
@@ -91,6 +92,12 @@ PlacedJoint::Levers levers_of(const ActingElement& element,
   const JointModel& line = element.line;
   return PlacedJoint{line, x[index(line.a)], x[index(line.b)]}.levers(
       element.row);
+}
+
+MatrixXd root_of(const MatrixXd& matrix) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(matrix);
+  return solver.eigenvectors() *
+         solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
 std::vector<DriveDefinition> sticking_coordinates(
@@ -207,23 +214,24 @@ MatrixXd Neighbours::masses(const Configuration& x) const {
         R * given.inertia_LCm * R.transpose() / square;
   }
   for (const auto& element : elements_) {
-    if (!element || !(element->inertia() > 0.0) || element->line.a == slot_ ||
-        element->line.b == slot_) {
+    if (!element || !(element->inertia() > 0.0) || acts_on_body(*element)) {
       continue;
     }
     const PlacedJoint::Levers levers = levers_of(*element, x);
     Eigen::VectorXd turn = Eigen::VectorXd::Zero(size);
-    const auto add = [&](int slot, const SpatialForce& lever) {
-      const auto at = std::ranges::find(slots_, slot) - slots_.begin();
-      if (at == std::ssize(slots_)) return;
-      turn.segment<3>(kTwist * at) += lever.v;
-      turn.segment<3>(kTwist * at + 3) += lever.w / frame_.length;
-    };
-    add(element->line.a, levers.a);
-    add(element->line.b, levers.b);
+    add_action(element->line.a, levers.a, turn);
+    add_action(element->line.b, levers.b, turn);
     mass += element->inertia() * turn * turn.transpose();
   }
   return mass;
+}
+
+void Neighbours::add_action(int slot, const SpatialForce& action,
+                            Eigen::Ref<Eigen::VectorXd> row) const {
+  const auto at = std::ranges::find(slots_, slot) - slots_.begin();
+  if (at == std::ssize(slots_)) return;
+  row.segment<3>(kTwist * at) += action.v;
+  row.segment<3>(kTwist * at + 3) += action.w / frame_.length;
 }
 
 }  // namespace clevis::mechanism

@@ -55,11 +55,20 @@ class Neighbours {
   const std::vector<std::unique_ptr<ActingElement>>& elements() const {
     return elements_;
   }
+  /// Whether an element acts on the body itself.
+  bool acts_on_body(const ActingElement& element) const {
+    return element.line.a == slot_ || element.line.b == slot_;
+  }
   /// Leaves an element out that lets go meanwhile.
   void leave_out(std::size_t element) { elements_[element] = nullptr; }
   /// Of the neighbours about their centres, with rotors that turn between them,
   /// in unknowns of ConstraintSystem [kg].
   Eigen::MatrixXd masses(const Configuration& x) const;
+  /// Adds an action on a neighbour to a row of their unknowns; on another body
+  /// it does nothing.
+  /// @param action  about the neighbour's M, in P [N], [N m].
+  void add_action(int slot, const SpatialForce& action,
+                  Eigen::Ref<Eigen::VectorXd> row) const;
 
  private:
   const MechanismDefinition& definition_;
@@ -73,6 +82,10 @@ class Neighbours {
 /// Of an effort of 1 along an element's line, in P. @pre it has one.
 PlacedJoint::Levers levers_of(const ActingElement& element,
                               const Configuration& x);
+
+/// R with R Rᵀ a stiffness [N/m], damping or inertia; of what pushes on
+/// nothing.
+Eigen::MatrixXd root_of(const Eigen::MatrixXd& matrix);
 
 /// Friction on joints that sticks at an instant, as drives: of coordinates that
 /// neither joints nor drives fix.

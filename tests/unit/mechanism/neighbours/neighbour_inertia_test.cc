@@ -305,11 +305,18 @@ TEST(NeighbourInertia, ABodyOnABushingSwings) {
   const NeighbourInertia found = sprung_bar(m, 0, {bushing});
   ASSERT_TRUE(found.swinging);
   EXPECT_EQ(found.left_out.size(), 1U);
-  // Moved alike they strain nothing: six motions of its own follow it.
-  EXPECT_EQ(found.swinging->sprung_there.rows(), 6);
-  EXPECT_EQ(found.swinging->sprung_there.cols(), 6);
-  EXPECT_GT(found.swinging->sprung_there.norm(), 1.0);
   EXPECT_EQ(found.sprung.cols(), 0);
+  // Alone the part strains it; moved alike, at the other's kinetic energy of
+  // m v²/2, they strain nothing.
+  const Eigen::VectorXd strained =
+      found.swinging->sprung.transpose() *
+      motion(found, static_cast<int>(found.places.size()) - 1, {0.0, 1.0, 0.0});
+  EXPECT_NEAR(strained.squaredNorm(), 700.0, 1e-6);
+  const MatrixXd there = found.swinging->sprung_there.transpose();
+  ASSERT_EQ(there.cols(), 6);
+  const Eigen::VectorXd follows = -there.fullPivLu().solve(strained);
+  EXPECT_LT((strained + there * follows).norm(), 1e-6);
+  EXPECT_NEAR(follows.squaredNorm(), m.bodies[1].mass_properties.mass, 1e-4);
 }
 
 // Of a bushing and a point held to a place, on a free body: what its Lo and its

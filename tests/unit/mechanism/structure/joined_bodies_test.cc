@@ -41,5 +41,26 @@ TEST(JoinedBodies, BushingsJoinElastically) {
   EXPECT_EQ(joined_bodies(m).elastically.size(), 1u);
 }
 
+// A spring on a hinge hands its moment on; a damper there, or a spring along a
+// slide, does not.
+TEST(JoinedBodies, SpringsOnAnglesJoinElastically) {
+  MechanismDefinition m;
+  m.bodies.resize(2);
+  m.joints.resize(1);
+  m.joints[0].body_a = 0;
+  m.joints[0].body_b = 1;
+  const auto joined = [&](JointType type, double stiffness) {
+    m.joints[0].type = type;
+    LineElement element;
+    element.line = {.kind = ElementLine::Kind::kJoint, .joint = 0};
+    element.law = SpringLaw{.stiffness = stiffness, .damping = 1.0};
+    m.elements = {element};
+    return joined_bodies(m).elastically.size();
+  };
+  EXPECT_EQ(joined(JointType::kRevolute, 100.0), 1u);
+  EXPECT_EQ(joined(JointType::kRevolute, 0.0), 0u);
+  EXPECT_EQ(joined(JointType::kPrismatic, 100.0), 0u);
+}
+
 }  // namespace
 }  // namespace clevis::mechanism
