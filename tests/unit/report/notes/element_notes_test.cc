@@ -134,7 +134,7 @@ TEST(ElementNotes, DepthBeyondWhatPressesIsTold) {
 }
 
 TEST(ElementNotes, SpringStretchedToManySizesIsTold) {
-  Slide slide(line(SpringLaw{.free = 1.5}));
+  Slide slide(line(SpringLaw{.stiffness = 100.0, .free = 1.5}));
   slide.push(1.0);
   slide.move(0.51, 0.6);
   EXPECT_EQ(slide.note(), "");
