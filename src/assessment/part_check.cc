@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "assessment/buckling/buckling_check.h"
 #include "assessment/impact/impact_check.h"
 #include "assessment/judge/model_band.h"
 #include "assessment/ladder/degree_climb.h"
@@ -23,9 +24,8 @@
 #include "assessment/notes/part_notes.h"
 #include "assessment/notes/round_doubt.h"
 #include "assessment/notes/shear_doubt.h"
+#include "assessment/second_order/second_order_check.h"
 #include "assessment/sharing/sharing_check.h"
-#include "assessment/stability/buckling_check.h"
-#include "assessment/stability/second_order_check.h"
 #include "assessment/verdict/governing_peak.h"
 #include "assessment/verdict/hidden_stress.h"
 #include "assessment/verdict/verdict.h"
@@ -197,8 +197,8 @@ void note_left_out(const PartJob& job,
         "where it stands its loads push it over, but for contacts that let go "
         "at times: see that these press, for its buckling does not count them");
   }
-  if (position.stands ||
-      result.buckling.factor.value_or(HUGE_VAL) >= kFirstOrderIsEnough) {
+  if (position.stands || result.buckling.factor.value_or(HUGE_VAL) >=
+                             enough_buckling(job.part.limits)) {
     return;
   }
   for (const LoadSet& set : job.load_sets) {

@@ -15,6 +15,7 @@
 #include "mechanism/forces/force_model.h"
 #include "mechanism/joints/joint_types.h"
 #include "mechanism/reactions/other_sharings.h"
+#include "mechanism/reactions/unshared_strains.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -108,6 +109,7 @@ Motion simulate(const MechanismDefinition& definition,
                              : run_driven(definition, settings);
   motion.left_free = std::move(free);
   require_direction(definition, frame.length, motion);
+  motion.unshared = unshared_strains(definition, motion);
   forget_negligible(frame.length, motion);
   motion.drive_jumps = drive_jumps(definition.drives, settings.duration);
   return motion;

@@ -160,7 +160,8 @@ ROOMS = {
         "stretches": "stretches of a motion through which a part is held alike, and their times",
         "vibration": "what loads over time excite",
         "sharing": "reactions that equilibrium leaves open, shared otherwise",
-        "stability": "buckling and second order",
+        "buckling": "at which loads a part and what holds it give way",
+        "second_order": "stress and deflection of loads that act on what they displace",
         "joined": "what parts that are joined yield together",
     },
     "report": {
@@ -216,7 +217,7 @@ PUBLIC = {
                 " integrators/switching_integrator",
     "mechanism": "definition/definition definition/drive_names definition/motion"
                  " force_elements/breakaway force_elements/force_element joints/joint_types"
-                 " neighbours/load_gains neighbours/neighbour_inertia neighbours/neighbours reactions/other_sharings simulate structure/joined_bodies structure/structure",
+                 " neighbours/elements_at_rest neighbours/load_gains neighbours/neighbour_inertia neighbours/neighbours reactions/other_sharings simulate structure/joined_bodies structure/structure",
     "machine": "bearings/bearing bearings/bearing_history bearings/bearing_life"
                " devices/ejector devices/slide_lever_closed_form"
                " transmissions/transmission",

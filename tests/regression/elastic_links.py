@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Elastic links share what equilibrium leaves open: a bar held by welds at both
 ends, under its own weight, carries q L²/12 at each, of whatever stiffness its
-welds are made as long as they are stiffer than the bar.
+welds are made as long as they are stiffer than the bar. In a disc that spins about the
+bar's middle it pulls at both with m ω² L/12, about one end with m ω² L/6 and L/3; rigid
+links leave that out, and say so.
 
     elastic_links.py CLEVIS
 """
@@ -83,6 +85,63 @@ def reactions(folder, links):
     return {joint["name"]: joint for joint in motion["joints"]}
 
 
+DISC = """[[body]]
+name = "disc"
+mass = "5 kg"
+center_of_mass = ["0 mm", "0 mm", "0 mm"]
+inertia = ["0.02 kg m^2", "0.02 kg m^2", "0.03 kg m^2"]
+placement = {{ origin = ["{x} mm", "0 mm", "0 mm"] }}
+[[joint]]
+name = "shaft"
+type = "revolute"
+between = ["ground", "disc"]
+at = {{ ground = ["{x} mm", "0 mm", "5 mm"], disc = ["0 mm", "0 mm", "5 mm"] }}
+axis = [0, 0, 1]
+[[drive]]
+joint = "shaft"
+law = "speed"
+from = "0 deg"
+speed = "{speed} rad/s"
+"""
+SPEED = 2000.0
+
+
+def spun(folder, about, links):
+    """Forces at the left and right weld over m ω² L, and what is noted."""
+    text = SCENE.format(material=support.steel(ratio=0.0),
+                        welds=weld("left", 0) + weld("right", 200),
+                        links=f'links = "{links}"')
+    text = text.replace('"-9.81 m/s^2"', '"0 m/s^2"').replace('"ground", "bar"', '"disc", "bar"')
+    for x in (0, 200):
+        text = text.replace(f'ground = ["{x} mm", "0 mm"', f'disc = ["{x - about} mm", "0 mm"')
+    text = text.replace('[simulation]\nduration = "1 s"',
+                        DISC.format(x=about, speed=SPEED) +
+                        '[simulation]\nduration = "1 ms"')
+    (folder / "scene.toml").write_text(text)
+    (folder / "bar.geo").write_text(BAR)
+    run(folder, "mesh", "scene.toml")
+    motion = json.loads(run(folder, "simulate", "scene.toml", "--json"))
+    told = run(folder, "simulate", "scene.toml")
+    pull = DENSITY * SIDE**2 * LENGTH**2 * SPEED**2
+    forces = {joint["name"]: joint["peak_force_N"] / pull for joint in motion["joints"]}
+    return forces["left"], forces["right"], told
+
+
+def check_spin(folder):
+    failed = 0
+    for about, links, left, right in ((100, "elastic", 1 / 12, 1 / 12),
+                                      (0, "elastic", 1 / 6, 1 / 3),
+                                      (100, "rigid", 0.0, 0.0)):
+        *found, told = spun(folder, about, links)
+        print(f"spun about {about} mm, {links} links: {found[0]:.5f} and {found[1]:.5f}, "
+              f"{left:.5f} and {right:.5f} by theory")
+        is_right = max(abs(found[0] - left), abs(found[1] - right)) < 2e-4
+        if not is_right or ("its spin would stretch" in told) != (links == "rigid"):
+            print(told, "FAIL", sep="\n")
+            failed = 1
+    return failed
+
+
 def main():
     weight = DENSITY * GRAVITY * SIDE**2  # [N/m]
     clamped = weight * LENGTH**2 / 12.0
@@ -96,7 +155,7 @@ def main():
                 if abs(force) > 1e-9 or not least <= abs(moment) <= most:
                     print("FAIL")
                     return 1
-    return 0
+        return check_spin(Path(name))
 
 
 if __name__ == "__main__":

@@ -193,6 +193,11 @@ limits = {{ safety_factor = {355 / ALLOWED:.9g}, singular_zones = "exclude" }}
     return file
 
 
+AIR = 1005 / (1005 - 287)  # its isentropic exponent
+BRISTLES = """model = "lugre"
+bristle_stiffness = "1e7 N m/rad"
+bristle_damping = "1e3 N m s/rad"
+"""
 # mm, of the column; across its plane it stands on its foot alone.
 SIDE, DEPTH, HIGH = 20.0, 60.0, 1000.0
 
@@ -207,6 +212,50 @@ stiffness = "{stiffness:.9g} N m/rad"
 damping = "100 N m s/rad"
 law = "constant"
 from = "0 deg"
+"""
+
+
+def brake_at_foot(breakaway, model=""):
+    """Of a column, in N m."""
+    return f"""[[force]]
+type = "friction"
+name = "brake"
+joint = "O"
+breakaway = "{breakaway:.9g} N m"
+kinetic = "{breakaway:.9g} N m"
+{model}"""
+
+
+def gas_beside(chamber):
+    """Between ground and hub, 300 mm up a column: 900 N m/rad where isothermal."""
+    both = "".join(f"""[[force.chamber]]
+pushes = "{pushes}"
+area = "1000 mm^2"
+origin = "200 mm"
+dead_volume = "100 cm^3"
+pressure = "5e5 Pa"
+{chamber}""" for pushes in ("apart", "together"))
+    return f"""[[force]]
+type = "gas_cylinder"
+name = "ram"
+between = ["ground", "hub"]
+from = ["300 mm", "-200 mm", "0 mm"]
+to = ["300 mm", "0 mm", "0 mm"]
+supply = {{ pressure = "5e5 Pa" }}
+{both}"""
+
+
+def table_at_foot(*efforts):
+    """Of a column, in N m, evenly over angles of -0.1 to 0.1 rad."""
+    last = len(efforts) - 1
+    angles = ", ".join(f'"{0.2 * i / last - 0.1:.9g} rad"' for i in range(last + 1))
+    moments = ", ".join(f'"{effort:.9g} N m"' for effort in efforts)
+    return f"""[[force]]
+type = "table"
+name = "cam"
+joint = "O"
+positions = [{angles}]
+efforts = [{moments}]
 """
 
 
@@ -306,10 +355,12 @@ def check_columns(clevis, checks):
 
 def check_positions(clevis, checks):
     """Of columns that stand still: they have no more than their springs hold, and on a
-    bare hinge nothing; those that hang are held by what they carry."""
+    bare hinge nothing; those that hang are held by what they carry. Friction at rest holds
+    what it bears as they lean by 1/200, gas what it bears as it flows and takes heat."""
     load = 1e3  # of the column with its foot clamped twenty times as much
     foot, top = load * HIGH / 1e3, load / (HIGH / 1e3)
     barely = 1.2 * foot
+    sway = foot / 200  # as it leans by 1/200
     bending = MODULUS * SIDE**3 * DEPTH / 12e12
     for what, element, press, factor, names in (
             ("on a servo that barely holds", servo_at_foot(barely), load,
@@ -318,6 +369,26 @@ def check_positions(clevis, checks):
             ("with a spring too soft at its top", spring_at_top(0.5 * top), load, 0.5,
              ("press", "top")),
             ("on a bare hinge", "", load, 0.0, ("press",)),
+            ("on a weak brake", brake_at_foot(0.5 * sway), load, 0.5, ("press",)),
+            ("on a brake that barely holds", brake_at_foot(1.2 * sway), load, 1.2,
+             ("press",)),
+            ("on weak bristles", brake_at_foot(0.5 * sway, BRISTLES), load, 0.5,
+             ("press",)),
+            ("on a strong brake", brake_at_foot(30 * sway), load, None, ("press",)),
+            ("on a servo, with a cam that pushes on", servo_at_foot(2 * foot) +
+             table_at_foot(-0.12 * foot, 0.12 * foot), load, 2 / 2.2, ("press",)),
+            ("on a cam to one side", table_at_foot(0, 0, -foot), load, 0.0, ("press",)),
+            ("on a cam to the other", table_at_foot(foot, 0, 0), load, 0.0, ("press",)),
+            ("on a cam to both", table_at_foot(0.09 * foot, 0, -foot), load, 0.9,
+             ("press",)),
+            ("on gas", gas_beside(""), load, with_shear(
+                buckling_load(900 * AIR, bending)) / load, ("press",)),
+            ("on gas that conducts", gas_beside('heat = "conducting"\nwall_conductance = '
+                                                '"1e4 W/K"\n'), load, 0.9, ("press",)),
+            ("on gas of constant pressure", gas_beside(
+                'valve = { opening = 1, area = "100 mm^2", discharge_coefficient = 0.8 }\n'),
+             load, 0.0, ("press",)),
+            ("hung from a weak brake", brake_at_foot(0.1 * sway), -load, None, ("press",)),
             ("hung from a bare hinge", "", -load, None, ("press",))):
         with tempfile.TemporaryDirectory() as name:
             file = column(Path(name), press, element, names)
@@ -332,6 +403,21 @@ def check_positions(clevis, checks):
                       "joined" not in part["buckling"]["remark"] and
                       (factor > 1.0) == ("not stable" not in part["buckling"]["remark"]),
                       f"{part['verdict']}, {part['buckling']['remark']}")
+
+
+def check_high_limit(clevis, checks):
+    """A limit of 15 counts a servo that holds twelve times the load."""
+    load = 1e3
+    servo = 12 * load * HIGH / 1e3
+    bending = MODULUS * SIDE**3 * DEPTH / 12e12
+    factor = with_shear(buckling_load(servo, bending)) / load
+    with tempfile.TemporaryDirectory() as name:
+        file = column(Path(name), load, servo_at_foot(servo))
+        file.write_text(file.read_text().replace("buckling = 1.5", "buckling = 15"))
+        part = support.check(clevis, file, exits=support.JUDGED).parts[0]
+    checks.near("column on a servo, 15 wanted: buckling", part["buckling"]["factor"], factor,
+                1e-3)
+    checks.expect(part["verdict"] == "fail", part["verdict"])
 
 
 def check_deflection(clevis, checks):
@@ -411,6 +497,7 @@ def main():
     checks = support.Checks()
     check_bushed_bar(clevis, checks)
     check_deflection(clevis, checks)
+    check_high_limit(clevis, checks)
     section = WIDTH * HEIGHT**2 / 6e9  # [m³]
     stiff, dashpot = 94.5e3, 8.0
     omega = first_frequency(stiff, 100.0, 1000.0)

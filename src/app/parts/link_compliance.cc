@@ -24,9 +24,11 @@ mechanism::LinkCompliance link_compliance(const LoadedScene& loaded,
     link.points.push_back(seat.seat.p_LS);
     seats.push_back(seat.seat);
   }
-  link.matrix = elasticity::seat_compliance(part.mesh, part.definition.material,
-                                            part.mass, std::move(seats),
-                                            part.definition.name);
+  auto [by_wrench, by_spin] = elasticity::seat_compliance(
+      part.mesh, part.definition.material, part.mass, std::move(seats),
+      part.definition.name);
+  link.matrix = std::move(by_wrench);
+  link.by_spin = std::move(by_spin);
   return link;
 }
 

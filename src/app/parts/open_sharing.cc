@@ -34,14 +34,20 @@ std::string remedy(const mechanism::OtherSharings& sharings) {
            "out of the sharing: take links = \"rigid\" and give the joints "
            "compliances that stand for the links too";
   }
-  if (sharings.unknown().empty()) {
-    return fmt::format("within twice and half the compliance given to {}",
-                       fmt::join(sharings.given(), ", "));
+  if (!sharings.unknown().empty()) {
+    return fmt::format(
+        "give {} their compliance, take links = \"elastic\", or remove the "
+        "redundant constraints",
+        fmt::join(sharings.unknown(), ", "));
   }
-  return fmt::format(
-      "give {} their compliance, take links = \"elastic\", or remove the "
-      "redundant constraints",
-      fmt::join(sharings.unknown(), ", "));
+  if (!sharings.stiff().empty()) {
+    return fmt::format(
+        "{} are given less compliance than rigid links have as bars: take "
+        "links = \"elastic\", or give compliances that stand for the links too",
+        fmt::join(sharings.stiff(), ", "));
+  }
+  return fmt::format("within twice and half the compliance given to {}",
+                     fmt::join(sharings.given(), ", "));
 }
 
 }  // namespace

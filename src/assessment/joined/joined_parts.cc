@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "assessment/buckling/buckling_check.h"
 #include "assessment/pace/load_pace.h"
-#include "assessment/stability/buckling_check.h"
-#include "assessment/stability/second_order_check.h"
+#include "assessment/second_order/second_order_check.h"
 #include "assessment/verdict/governing_peak.h"
 #include "assessment/verdict/verdict.h"
 #include "part/buckling_limit.h"
@@ -143,9 +143,7 @@ std::vector<std::string> doubt_by_joined(const std::vector<PartJob>& jobs,
     const double together = factor_together(members);
     for (const Member& member : members) {
       const BucklingResult& buckling = member.result->buckling;
-      const double enough =
-          std::max(kFirstOrderIsEnough,
-                   part::wanted_buckling_factor(member.job->part.limits));
+      const double enough = enough_buckling(member.job->part.limits);
       if (!buckling.factor || together >= kCounts * buckling.band_low ||
           together >= enough) {
         continue;

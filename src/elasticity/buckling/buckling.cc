@@ -287,11 +287,11 @@ BucklingMode lowest_of_all(const StressedPart& part, TrialSpace& space) {
 }
 
 /// The instants with the largest sums are solved for, until none is left whose
-/// sum is larger than what they have together.
+/// sum is larger than what they have together. @param enough  as of
+/// BucklingProblem.
 BucklingMode::OnSprings on_springs(const StressedPart& part,
                                    const BucklingOnSprings& springs,
-                                   const TrialSpace& space) {
-  constexpr double kCounts = 0.1;
+                                   const TrialSpace& space, double enough) {
   constexpr double kSofterAlone = 4.0;
   constexpr std::size_t kMost = 6;
   struct Apart {
@@ -299,6 +299,7 @@ BucklingMode::OnSprings on_springs(const StressedPart& part,
     std::size_t hold{};
     double own{}, springs{};
   };
+  const double counts = 1.0 / enough;
   const double softer = springs.hold_alone() ? kSofterAlone : 1.0;
   const auto own = [&](Index i) {
     Apart apart{.instant = i};
@@ -314,9 +315,9 @@ BucklingMode::OnSprings on_springs(const StressedPart& part,
   std::vector<Apart> found;
   for (const Index i : springs.instants()) {
     Apart apart = own(i);
-    if (apart.own < kCounts && !springs.stands()) continue;
+    if (apart.own < counts && !springs.stands()) continue;
     apart.springs = springs.of_rigid(i, space.form_of_rigid(i));
-    if (softer * apart.own + apart.springs < kCounts) continue;
+    if (softer * apart.own + apart.springs < counts) continue;
     if (apart.springs < 1.0) found.push_back(apart);
   }
   std::ranges::sort(found, std::greater{}, [&](const Apart& apart) {
@@ -367,7 +368,7 @@ BucklingMode lowest_buckling(const BucklingProblem& problem) {
   TrialSpace space(part, yielding_shapes(part));
   BucklingMode mode = lowest_of_all(part, space);
   const BucklingOnSprings springs(problem, part);
-  mode.on_springs = on_springs(part, springs, space);
+  mode.on_springs = on_springs(part, springs, space, problem.enough);
   mode.position = springs.position(space.form_of_rigid(part.instants() - 1));
   return mode;
 }

@@ -40,6 +40,15 @@ double largest_yield(const VectorXd& eigenvalues, const std::string& part) {
   return std::max(0.0, eigenvalues.maxCoeff());
 }
 
+/// Whether loads push any of some rigid motions.
+bool is_pushed(const MatrixXd& motions, const MatrixXd& form) {
+  constexpr double kPushes = 1e-3;  // of what the loads bring to any motion
+  if (motions.cols() == 0) return false;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> pushed(
+      motions.transpose() * form * motions, Eigen::EigenvaluesOnly);
+  return pushed.eigenvalues().maxCoeff() > kPushes * form.norm();
+}
+
 /// Whether a part keeps its direction over a motion, and no blow throws it
 /// about: what turns, or is thrown, moves as its loads have it.
 bool keeps_place(const loads::LoadHistory& history) {
@@ -99,7 +108,11 @@ loads::SeatHold BucklingOnSprings::hold_at(Index instant) const {
 }
 
 double BucklingOnSprings::of_rigid(Index instant, const MatrixXd& form) const {
-  const loads::SeatHold hold = hold_at(instant);
+  return rigid_yield(hold_at(instant), form);
+}
+
+double BucklingOnSprings::rigid_yield(const loads::SeatHold& hold,
+                                      const MatrixXd& form) const {
   const MatrixXd left = null_space(conditions(hold, motions_), kRoundOff);
   if (left.cols() == 0) return 0.0;
   const MatrixXd springs = hold.sprung.transpose() * motions_ * left;
@@ -111,32 +124,44 @@ double BucklingOnSprings::of_rigid(Index instant, const MatrixXd& form) const {
   return largest_yield(pushed.eigenvalues(), name_);
 }
 
+std::optional<double> BucklingOnSprings::factor_of_position(
+    const loads::SeatHold& hold, const MatrixXd& form) const {
+  const MatrixXd left = null_space(conditions(hold, motions_), kRoundOff);
+  const bool is_sprung = !hold.sprung.isZero(0.0) && left.cols() > 0;
+  const MatrixXd free =
+      is_sprung ? MatrixXd(left *
+                           null_space(hold.sprung.transpose() * motions_ * left,
+                                      kRoundOff))
+                : left;
+  if (is_pushed(free, form)) return 0.0;
+  const double yield = rigid_yield(hold, form);
+  if (yield == 0.0) return std::nullopt;
+  return 1.0 / yield;
+}
+
 BucklingOnSprings::Position BucklingOnSprings::position(
     const MatrixXd& form) const {
-  constexpr double kPushes = 1e-3;  // of what the loads bring to any motion
   if (!stands_) return {};
   const Index last = std::ssize(history_.instants) - 1;
   const loads::SeatHold hold = hold_at(last);
-  const MatrixXd left = null_space(conditions(hold, motions_), kRoundOff);
-  const auto is_pushed = [&](const MatrixXd& motions) {
-    if (motions.cols() == 0) return false;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> pushed(
-        motions.transpose() * form * motions, Eigen::EigenvaluesOnly);
-    return pushed.eigenvalues().maxCoeff() > kPushes * form.norm();
-  };
+  Position position{.stands = true};
   if (hold.is_pressed_meanwhile) {
-    return {.is_open = is_pushed(left), .stands = true};
+    const MatrixXd left = null_space(conditions(hold, motions_), kRoundOff);
+    position.is_open = is_pushed(left, form);
+    return position;
   }
-  const bool is_sprung = !hold.sprung.isZero(0.0) && left.cols() > 0;
-  if (is_pushed(is_sprung ? left * null_space(hold.sprung.transpose() *
-                                                  motions_ * left,
-                                              kRoundOff)
-                          : left)) {
-    return {.topples = 0.0, .stands = true};
+  const auto factor = factor_of_position(hold, form);
+  if (factor && *factor <= 1.0) {
+    position.topples = factor;
+    return position;
   }
-  const double yield = of_rigid(last, form);
-  if (yield < 1.0) return {.stands = true};
-  return {.topples = 1.0 / yield, .stands = true};
+  if (!history_.hold_at_rest) return position;
+  auto at_rest = history_.hold_at_rest(history_.instants.back().time);
+  if (!at_rest) return position;
+  position.topples =
+      factor_of_position(loads::held_slowly(std::move(*at_rest)), form);
+  position.yields_slowly = position.topples.has_value();
+  return position;
 }
 
 /// Rigid motions and shapes, which grow.

@@ -37,15 +37,16 @@ class BucklingOnSprings {
   bool stands() const { return stands_; }
   /// How its loads leave a part that stands while its motion lasts.
   struct Position {
-    /// Factor of the loads at the motion's end, below 1, under which these push
-    /// it out of its position, 0 where nothing but inertia holds it; absent:
-    /// they do not, or it moves [1].
+    /// Factor of the loads at the motion's end under which these push it out of
+    /// its position, below 1, or any with what yields slowly; 0 where
+    /// nothing but inertia holds it; absent: they do not, or it moves [1].
     std::optional<double> topples = std::nullopt;
     /// They do but for force elements that do not count here.
     bool is_open = false;
-    bool stands = false;  ///< of a part that moves nothing is said
+    bool stands = false;         ///< of a part that moves nothing is said
+    bool yields_slowly = false;  ///< friction or gas, see hold_at_rest
   };
-  /// @param form  as of of_rigid(), at the last instant.
+  /// @param form  as of of_rigid(), at the last instant. @throws Error F003.
   Position position(const Eigen::MatrixXd& form) const;
 
   struct Together {
@@ -61,6 +62,11 @@ class BucklingOnSprings {
 
  private:
   class Space;
+  double rigid_yield(const loads::SeatHold& hold,
+                     const Eigen::MatrixXd& form) const;
+  /// Factor of the loads that pushes rigid motions over; absent: none does.
+  std::optional<double> factor_of_position(const loads::SeatHold& hold,
+                                           const Eigen::MatrixXd& form) const;
   loads::SeatHold hold_at(Eigen::Index instant) const;
 
   const loads::LoadHistory& history_;

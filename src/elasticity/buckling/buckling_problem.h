@@ -39,6 +39,7 @@ struct BucklingProblem {
   /// degree. Null: none is known.
   const NodalField<3>* known = nullptr;
   double highest = 100.0;  ///< factors beyond are not looked for [1]
+  double enough = 10.0;    ///< of a part on springs, beyond which none is [1]
 };
 
 }  // namespace clevis::elasticity

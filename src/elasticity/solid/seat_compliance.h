@@ -13,19 +13,27 @@
 namespace clevis::elasticity {
 
 /// How a free part gives way at its seats: mean displacement and turn of each
-/// per force [N] and moment [N m] about its p_LS, in L, beside the part's rigid
-/// motion; loads are held by its inertia. Twice the strain energy of wrenches
-/// W is Wᵀ C W.
-///
+/// about its p_LS, in L, beside the part's rigid motion; loads are held by its
+/// inertia. Twice the strain energy of wrenches W and of products s of a spin
+/// is Wᵀ C W + 2 Wᵀ D s, and what spin alone has.
+struct SeatCompliance {
+  /// C, per force [N] and moment [N m]: 6 n × 6 n, symmetric, per seat force
+  /// and then moment.
+  Eigen::MatrixXd by_wrench;
+  /// D, per ω_x², ω_y², ω_z², ω_x ω_y, ω_x ω_z, ω_y ω_z in L [rad²/s²]: 6 n
+  /// × 6.
+  Eigen::MatrixXd by_spin;
+};
+
 /// Each seat takes its wrench as a traction linear over the group, so that C is
 /// linear; a pin that presses on half a bore indents it more.
-/// @return 6 n × 6 n, symmetric, per seat force and then moment.
+/// @return displacements and turns by 1 N, 1 N m, 1 rad²/s².
 /// @throws Error as of solve().
 /// Source: docs/theory.md, "Reactions".
-Eigen::MatrixXd seat_compliance(const mesh::PartMesh<3>& mesh,
-                                const part::Material& material,
-                                const part::MassProperties& mass,
-                                std::vector<loads::Seat> seats,
-                                const std::string& name);
+SeatCompliance seat_compliance(const mesh::PartMesh<3>& mesh,
+                               const part::Material& material,
+                               const part::MassProperties& mass,
+                               std::vector<loads::Seat> seats,
+                               const std::string& name);
 
 }  // namespace clevis::elasticity

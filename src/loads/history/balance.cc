@@ -204,9 +204,12 @@ Wrench residual(const LoadHistory& history, const InstantLoad& instant,
 
 void require_balance(const LoadHistory& history,
                      const part::MassProperties& mass, double size,
-                     const std::string& place) {
+                     const std::string& place, double of_mechanism) {
+  constexpr double kOfMechanism = 1e-6;
   std::vector<LoadScale> scales;
   LoadScale floor;
+  floor.force = kOfMechanism * of_mechanism;
+  floor.moment = floor.force * size;
   for (const InstantLoad& instant : history.instants) {
     scales.push_back(load_scale(instant, mass, size));
     floor.force =

@@ -97,11 +97,12 @@ void float_on(const part::MassProperties& mass, LoadHistory& history);
 /// The load of an instant is the sum of the magnitudes of its forces and
 /// inertia (of its moments plus these forces times the part's size). An
 /// instant that carries less than 1e-3 of the largest one is measured against
-/// that, because round-off of the motion is relative to its largest load.
-/// @param size  part_size() [m].
+/// that, because round-off of the motion is relative to its largest load, and
+/// one of less than 1e-6 of the mechanism's against that.
+/// @param size  part_size() [m]. @param of_mechanism  its largest reaction [N].
 /// @throws Error L001 with the residual force and moment.
 void require_balance(const LoadHistory& history,
                      const part::MassProperties& mass, double size,
-                     const std::string& place);
+                     const std::string& place, double of_mechanism = 0.0);
 
 }  // namespace clevis::loads

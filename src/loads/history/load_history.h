@@ -139,6 +139,9 @@ struct LoadHistory {
   /// Of the part in its mechanism, at the instant next to a time [s]; empty: it
   /// is free.
   std::function<SeatHold(double)> hold = {};
+  /// The same of a mechanism at rest, whose friction breaks away and whose gas
+  /// flows; absent: nothing yields otherwise.
+  std::function<std::optional<SeatHold>(double)> hold_at_rest = {};
   /// When it counts: the loads are largest then [s].
   double hold_time = 0.0;
   /// Whether force elements hold the part as it vibrates: soft ones do not.

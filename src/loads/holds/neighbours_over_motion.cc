@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "loads/holds/seat_hold.h"
+#include "mechanism/neighbours/elements_at_rest.h"
 
 namespace clevis::loads {
 namespace {
@@ -29,12 +30,13 @@ bool lets_go(const mechanism::Instant& instant, std::size_t element) {
 NeighboursOverMotion::NeighboursOverMotion(
     const mechanism::MechanismDefinition& definition, mechanism::BodyIndex body,
     std::vector<Seat> seats, std::vector<mechanism::LoadPlace> acting,
-    std::vector<Place> places)
+    std::vector<Place> places, double wanted)
     : definition_(definition),
       neighbours_(definition_, body),
       seats_(std::move(seats)),
       acting_(std::move(acting)),
-      places_(std::move(places)) {
+      places_(std::move(places)),
+      wanted_(wanted) {
   for (std::size_t e = 0; e < definition_.elements.size(); ++e) {
     if (properties(definition_.elements[e]).presses &&
         std::ranges::any_of(places_, [&](const Place& place) {
@@ -86,21 +88,40 @@ const mechanism::Neighbours& NeighboursOverMotion::held_at(
   return found->neighbours;
 }
 
-SeatHold NeighboursOverMotion::hold(double time) {
+std::size_t NeighboursOverMotion::place_next_to(double time) const {
   const auto nearest =
       std::ranges::min_element(places_, {}, [&](const Place& place) {
         return std::abs(place.instant.t - time);
       });
-  const auto next = static_cast<std::size_t>(nearest - places_.begin());
+  return static_cast<std::size_t>(nearest - places_.begin());
+}
+
+SeatHold NeighboursOverMotion::hold_by(const mechanism::Neighbours& neighbours,
+                                       const Place& place) const {
+  SeatHold hold = seat_hold(neighbours, place.instant, seats_);
+  hold.zones = place.zones;
+  hold.is_pressed_meanwhile = presses_meanwhile(place.instant);
+  return hold;
+}
+
+SeatHold NeighboursOverMotion::hold(double time) {
+  const std::size_t next = place_next_to(time);
   const std::scoped_lock lock(mutex_);
   const auto [hold, is_new] = holds_.try_emplace(next);
   if (is_new) {
-    const mechanism::Instant& instant = places_[next].instant;
-    hold->second = seat_hold(held_at(instant), instant, seats_);
-    hold->second.zones = places_[next].zones;
-    hold->second.is_pressed_meanwhile = presses_meanwhile(instant);
+    const Place& place = places_[next];
+    hold->second = hold_by(held_at(place.instant), place);
   }
   return hold->second;
+}
+
+std::optional<SeatHold> NeighboursOverMotion::hold_at_rest(double time) const {
+  const Place& place = places_[place_next_to(time)];
+  const auto yielding = mechanism::yielding_at_rest(definition_, place.instant);
+  if (!yielding) return std::nullopt;
+  mechanism::Neighbours neighbours(*yielding, neighbours_.slot() - 1);
+  leave_out_what_lets_go(neighbours);
+  return hold_by(neighbours, place);
 }
 
 SeatGains NeighboursOverMotion::gains(std::size_t instant) {
@@ -135,7 +156,7 @@ SeatGains NeighboursOverMotion::found_gains(const Place& place) const {
     of_way.block<3, 3>(at + 3, at + 3) = 0.5 * (outer + outer.transpose()) -
                                          outer.trace() * Matrix3d::Identity();
   }
-  const auto found = load_gains(neighbours_, place.instant, acting);
+  const auto found = load_gains(neighbours_, place.instant, acting, wanted_);
   SeatGains gains{std::vector<std::size_t>(seats_.size()),
                   to_point.transpose() * found * to_point + of_way};
   std::iota(gains.seats.begin(), gains.seats.end(), std::size_t{0});

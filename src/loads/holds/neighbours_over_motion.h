@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,15 +29,19 @@ class NeighboursOverMotion {
   };
 
   /// @param seats  of the part's history. @param acting  what acts on each.
-  /// @param places  of all instants, at least one.
+  /// @param places  of all instants, at least one. @param wanted  load factor
+  /// that the body must bear, of which gains are asked [1].
   NeighboursOverMotion(const mechanism::MechanismDefinition& definition,
                        mechanism::BodyIndex body, std::vector<Seat> seats,
                        std::vector<mechanism::LoadPlace> acting,
-                       std::vector<Place> places);
+                       std::vector<Place> places, double wanted);
   ~NeighboursOverMotion();
 
   /// At the place next to a time [s].
   SeatHold hold(double time);
+  /// The same of a mechanism at rest, whose friction breaks away as it gives
+  /// way by 1/200 [rad] and whose gas flows; absent: nothing yields otherwise.
+  std::optional<SeatHold> hold_at_rest(double time) const;
   /// At an instant, about the seats' points. Of a slide only the displacement
   /// of its joint's point counts as turning nothing.
   SeatGains gains(std::size_t instant);
@@ -46,6 +51,9 @@ class NeighboursOverMotion {
   /// A mechanism with some friction that sticks.
   struct Stuck;
 
+  std::size_t place_next_to(double time) const;
+  SeatHold hold_by(const mechanism::Neighbours& neighbours,
+                   const Place& place) const;
   SeatGains found_gains(const Place& place) const;
   bool presses_meanwhile(const mechanism::Instant& instant) const;
   void leave_out_what_lets_go(mechanism::Neighbours& neighbours) const;
@@ -57,6 +65,7 @@ class NeighboursOverMotion {
   std::vector<std::size_t> letting_go_;  ///< press, but not always
   std::vector<mechanism::LoadPlace> acting_;
   std::vector<Place> places_;
+  double wanted_;
   std::mutex mutex_;
   std::map<Coordinates, std::unique_ptr<Stuck>> stuck_;
   std::map<std::size_t, SeatHold> holds_;

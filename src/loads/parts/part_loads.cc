@@ -22,6 +22,7 @@
 #include "loads/seats/seat_fit.h"
 #include "loads/seats/seat_spans.h"
 #include "loads/seats/slide_zone.h"
+#include "part/buckling_limit.h"
 
 namespace clevis::loads {
 
@@ -198,6 +199,16 @@ std::vector<mechanism::LoadPlace> acting_on(
   return acting;
 }
 
+double largest_reaction(const mechanism::Motion& motion) {
+  double largest = 0.0;
+  for (const mechanism::Instant& instant : motion.instants) {
+    for (const mechanism::JointReaction& joint : instant.joints) {
+      largest = std::max(largest, joint.f_W.norm());
+    }
+  }
+  return largest;
+}
+
 /// Sets what holds the part, and what its loads gain as it gives way.
 void set_neighbours(const SeatContext& context, const mechanism::Motion& motion,
                     std::vector<mechanism::LoadPlace> acting,
@@ -210,9 +221,12 @@ void set_neighbours(const SeatContext& context, const mechanism::Motion& motion,
   }
   const auto neighbours = std::make_shared<NeighboursOverMotion>(
       context.definition, context.body, history.seats, std::move(acting),
-      std::move(places));
+      std::move(places), part::wanted_buckling_factor(context.part.limits));
   history.hold = [neighbours](double time) {
     return neighbours->hold(time);
+  };
+  history.hold_at_rest = [neighbours](double time) {
+    return neighbours->hold_at_rest(time);
   };
   for (std::size_t i = 0; i < history.instants.size(); ++i) {
     history.instants[i].gains = [neighbours, i] {
@@ -286,7 +300,8 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
     history.at_change_points = beyond / history.unseen;
   }
   require_still_forces(context, by_force, motion);
-  require_balance(history, mass, context.size, context.place("loads"));
+  require_balance(history, mass, context.size, context.place("loads"),
+                  largest_reaction(motion));
   history.notes = off_middle_notes(context, by_joint);
   const auto off_faces = off_face_notes(context, by_force, motion);
   history.notes.insert(history.notes.end(), off_faces.begin(), off_faces.end());

@@ -109,6 +109,20 @@ ComplianceMaps compliance_maps(const SolvingFrame& frame,
   return result;
 }
 
+VectorXd strain_by_spin(const SolvingFrame& frame, const ComplianceMaps& maps,
+                        const std::vector<Vector3d>& spins) {
+  VectorXd strain = VectorXd::Zero(maps.energy_root.rows());
+  for (std::size_t k = 0; k < frame.links.size(); ++k) {
+    const Vector3d& w = spins[k];
+    Eigen::Matrix<double, 6, 1> products;
+    products << w.cwiseAbs2(), w.x() * w.y(), w.x() * w.z(), w.y() * w.z();
+    const ElasticLink& link = frame.links[k];
+    strain.segment(maps.link_rows[k], link.root.rows()) =
+        link.spin_root * products;
+  }
+  return strain;
+}
+
 MatrixXd components_of_rows(const SolvingFrame& frame,
                             const ConstraintSystem& system,
                             const std::vector<PlacedJoint>& placed) {

@@ -27,6 +27,13 @@ ComplianceMaps compliance_maps(const SolvingFrame& frame,
                                const ConstraintSystem& system,
                                const std::vector<PlacedJoint>& placed);
 
+/// What spin strains the links: rows of energy_root, ½ |B λ + this|² the energy
+/// [√J].
+/// @param spins  of each link, ω in its L [rad/s].
+Eigen::VectorXd strain_by_spin(const SolvingFrame& frame,
+                               const ComplianceMaps& maps,
+                               const std::vector<Eigen::Vector3d>& spins);
+
 /// Components (as of ComplianceMaps) per scaled multiplier of the rows: [1], of
 /// moments [m].
 Eigen::MatrixXd components_of_rows(const SolvingFrame& frame,

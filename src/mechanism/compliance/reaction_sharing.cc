@@ -31,7 +31,8 @@ SharedReactions share_reactions(const SolvingFrame& frame,
                                 const ConstraintSystem& system,
                                 const std::vector<PlacedJoint>& placed,
                                 const numerics::JacobianFactor& factor,
-                                const VectorXd& f) {
+                                const VectorXd& f,
+                                const std::vector<Eigen::Vector3d>& spins) {
   SharedReactions result;
   result.lambda = factor.solve_transposed(f);
   const ComplianceMaps way = compliance_maps(frame, system, placed);
@@ -45,7 +46,9 @@ SharedReactions share_reactions(const SolvingFrame& frame,
   const MatrixXd EN = E * N;
   const MatrixXd BN = way.energy_root * N;
   const Eigen::ColPivHouseholderQR<MatrixXd> least_squares(BN);
-  result.lambda -= N * least_squares.solve(way.energy_root * result.lambda);
+  const VectorXd by_spin = strain_by_spin(frame, way, spins);
+  result.lambda -=
+      N * least_squares.solve(way.energy_root * result.lambda + by_spin);
   result.components = E * result.lambda;
 
   constexpr double kRoundOff = 1e-7;  // of entries that ought to be zero
@@ -61,7 +64,7 @@ SharedReactions share_reactions(const SolvingFrame& frame,
       way.compliance.cwiseProduct(result.components.cwiseAbs());
   result.spread = (X * X.transpose()).cwiseAbs() * weight;
   const MatrixXd Y = times_inverse_root(BN, least_squares);
-  const VectorXd strain = way.energy_root * result.lambda;
+  const VectorXd strain = way.energy_root * result.lambda + by_spin;
   for (std::size_t k = 0; k + 1 < way.link_rows.size(); ++k) {
     const Index first = way.link_rows[k], rows = way.link_rows[k + 1] - first;
     result.spread += (X * (Y.middleRows(first, rows).transpose() *

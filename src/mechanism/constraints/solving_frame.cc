@@ -169,6 +169,21 @@ void set_compliances(const MechanismDefinition& definition,
   }
 }
 
+/// What strains a link by its spin as wrenches at its joints would.
+Eigen::MatrixXd spin_root(
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>& modes,
+    const Eigen::MatrixXd& by_spin) {
+  constexpr Eigen::Index kProducts = 6;
+  constexpr double kRoundOff = 1e-12;
+  const Eigen::Index n = modes.eigenvalues().size();
+  if (by_spin.size() == 0) return Eigen::MatrixXd::Zero(n, kProducts);
+  const double least = kRoundOff * modes.eigenvalues().cwiseAbs().maxCoeff();
+  const Eigen::VectorXd inverse = modes.eigenvalues().unaryExpr([&](double c) {
+    return c > least ? 1.0 / std::sqrt(c) : 0.0;
+  });
+  return inverse.asDiagonal() * modes.eigenvectors().transpose() * by_spin;
+}
+
 std::vector<ElasticLink> elastic_links(const MechanismDefinition& definition) {
   std::vector<ElasticLink> links;
   for (std::size_t i = 0; i < definition.bodies.size(); ++i) {
@@ -180,7 +195,8 @@ std::vector<ElasticLink> elastic_links(const MechanismDefinition& definition) {
         .joints = given->joints,
         .points = given->points,
         .root = modes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
-                modes.eigenvectors().transpose()};
+                modes.eigenvectors().transpose(),
+        .spin_root = spin_root(modes, given->by_spin)};
     for (std::size_t k = 0; k < link.joints.size(); ++k) {
       const JointDefinition& joint = definition.joints[index(link.joints[k])];
       const bool is_b = joint.body_b == static_cast<int>(i);

@@ -25,7 +25,8 @@ struct ElasticLink {
   int slot{};
   std::vector<int> joints;
   std::vector<Eigen::Vector3d> points;  ///< from J on the link, in L [m]
-  Eigen::MatrixXd root;  ///< rootᵀ root = LinkCompliance::matrix
+  Eigen::MatrixXd root;       ///< rootᵀ root = LinkCompliance::matrix
+  Eigen::MatrixXd spin_root;  ///< rootᵀ spin_root = LinkCompliance::by_spin
 };
 
 /// A mechanism in the frame P in which it is solved: for planar ones z is the

@@ -25,6 +25,9 @@ struct LinkCompliance {
   std::vector<int> joints;              ///< indices
   std::vector<Eigen::Vector3d> points;  ///< p_LS, one per joint [m]
   Eigen::MatrixXd matrix;  ///< 6 n × 6 n, symmetric: force, then moment
+  /// 6 n × 6: the same displacements by a spin ω, per ω_x², ω_y², ω_z², ω_x
+  /// ω_y, ω_x ω_z and ω_y ω_z in L [m s²], [s²]; empty: none.
+  Eigen::MatrixXd by_spin = {};
 };
 
 /// A rigid body. Its frame L is the frame of its part, if it has one.

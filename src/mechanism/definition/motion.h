@@ -142,6 +142,13 @@ struct LeftFree {
   std::vector<std::string> coordinates;
 };
 
+/// Links that are strained between joints whose reactions equilibrium leaves
+/// open, which is not in how these are shared: bodies.
+struct UnsharedStrains {
+  std::vector<int> spun;    ///< rigid ones, by their spin
+  std::vector<int> loaded;  ///< elastic ones, by forces beside their joints
+};
+
 /// Extent of the search for the largest loads of a motion between instants.
 struct LoadSearch {
   long looks{};       ///< states that were solved
@@ -172,6 +179,7 @@ struct Motion {
   std::vector<Impact> impacts;  ///< of integrated motions, as they begin
   std::optional<IntegrationSummary> integration;  ///< of integrated motions
   std::optional<LeftFree> left_free;
+  UnsharedStrains unshared;
   std::optional<LoadSearch> search;  ///< with SimulationSettings::at_peaks
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "mechanism/element_base/element_response.h"
@@ -26,6 +27,14 @@ struct ActingState {
 /// An angle [rad] and its rate [rad/s] at t [s], from which turns are counted.
 struct AngleAnchor {
   double q{}, rate{}, t{};
+};
+
+/// A line at rest that is about to give way.
+struct LineAtRest {
+  double t{};     ///< [s]
+  double load{};  ///< of its friction, as of ElementResponse::load [1], [N]
+  double sway{};  ///< by which it gives way [m] or [rad]
+  const ElementState& state;
 };
 
 /// A force element placed between two bodies: its response to a state, by its
@@ -71,6 +80,13 @@ class ActingElement : public InternalStates,
   virtual ElementSpring spring(const Configuration& /*x*/,
                                const ElementState& /*state*/) const {
     return {};
+  }
+  /// Of a line that yields slowly otherwise than spring() does, or bears no
+  /// more than so much: what its effort changes by as it sways, over that way
+  /// [N/m] or [N m/rad].
+  virtual std::optional<double> slow_stiffness(
+      const LineAtRest& /*line*/) const {
+    return std::nullopt;
   }
   /// Whether it has a line along which a scalar effort acts.
   virtual bool is_line() const { return false; }

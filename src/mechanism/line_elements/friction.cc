@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "mechanism/element_base/line_force.h"
 
@@ -27,6 +28,7 @@ class Friction final : public LineForce {
   const char* name_of_change(int end, int mode_before) const override;
   std::vector<ElementGuard> guards() const override;
 
+  std::optional<double> slow_stiffness(const LineAtRest& line) const override;
   bool is_dry() const override { return law_.model == FrictionModel::kCoulomb; }
   bool follows_reaction() const override { return law_.follows_reaction; }
   double breakaway_per_load() const override { return law_.breakaway; }
@@ -89,6 +91,15 @@ void Friction::scales(const double* /*own*/, double* scales) const {
 double Friction::bristle_deflection() const {
   return has_bristles() ? law_.breakaway / law_.bristle_stiffness
                         : ActingElement::bristle_deflection();
+}
+
+/// To where it breaks away, by bristles at most.
+std::optional<double> Friction::slow_stiffness(const LineAtRest& line) const {
+  if (!is_switched()) return std::nullopt;  // it creeps
+  const double reserve =
+      std::max(0.0, line.load * law_.breakaway - std::abs(line.state.effort));
+  return has_bristles() ? std::min(reserve / line.sway, law_.bristle_stiffness)
+                        : reserve / line.sway;
 }
 
 double Friction::stribeck_zone() const {

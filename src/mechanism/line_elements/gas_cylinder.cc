@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -191,12 +193,18 @@ class GasCylinder final : public LineForce {
   }
   bool has_smooth_effort() const override { return true; }
 
+  std::optional<double> slow_stiffness(const LineAtRest& line) const override;
+
  protected:
   LineTangent tangent(const ElementState& state) const override;
   double law_effort(const ActingState& state,
                     ElementResponse& now) const override;
 
  private:
+  double stiffness(
+      const ElementState& state,
+      const std::function<double(const GasChamber&)>& exponent) const;
+
   const LineDefinition& definition_;
   const GasCylinderLaw& law_;
   GasInterface known_{};  ///< since the last communication
@@ -210,19 +218,52 @@ void GasCylinder::start(const Configuration& x, double* own) {
   known_ = {.since = -law_.step, .q = there.q};  // due at t = 0
 }
 
-/// Of what the chambers hold, without flow and heat meanwhile.
-LineTangent GasCylinder::tangent(const ElementState& state) const {
+/// @param exponent  of a chamber: how its pressure follows its volume [1].
+/// @return [N/m].
+double GasCylinder::stiffness(
+    const ElementState& state,
+    const std::function<double(const GasChamber&)>& exponent) const {
   double sum = 0.0;
   for (std::size_t k = 0; k < state.chambers.size(); ++k) {
     const GasChamber& chamber = law_.chambers[k];
     const GasChamberState& gas = state.chambers[k];
     if (!(gas.volume > 0.0)) continue;  // a tank's area is 0
-    const double exponent = chamber.heat == ChamberHeat::kIsothermal
-                                ? 1.0
-                                : law_.gas.isentropic_exponent();
-    sum += exponent * gas.pressure * chamber.area * chamber.area / gas.volume;
+    sum += exponent(chamber) * gas.pressure * chamber.area * chamber.area /
+           gas.volume;
   }
-  return {law_.sections * sum, 0.0};
+  return law_.sections * sum;
+}
+
+/// Of what the chambers hold, without flow and heat meanwhile.
+LineTangent GasCylinder::tangent(const ElementState& state) const {
+  return {stiffness(state,
+                    [this](const GasChamber& chamber) {
+                      return chamber.heat == ChamberHeat::kIsothermal
+                                 ? 1.0
+                                 : law_.gas.isentropic_exponent();
+                    }),
+          0.0};
+}
+
+/// Walls that conduct keep the temperature, a valve that is open the pressure.
+std::optional<double> GasCylinder::slow_stiffness(
+    const LineAtRest& line) const {
+  const auto is_open = [&](const GasChamber& chamber) {
+    return chamber.valve &&
+           numerics::linear_at(chamber.valve->times, chamber.valve->signals,
+                               line.t) != 0.0;
+  };
+  if (std::ranges::none_of(law_.chambers, [&](const GasChamber& chamber) {
+        return chamber.heat == ChamberHeat::kConducting || is_open(chamber);
+      })) {
+    return std::nullopt;
+  }
+  return stiffness(line.state, [&](const GasChamber& chamber) {
+    if (is_open(chamber)) return 0.0;
+    return chamber.heat == ChamberHeat::kInsulated
+               ? law_.gas.isentropic_exponent()
+               : 1.0;
+  });
 }
 
 double GasCylinder::law_effort(const ActingState& state,

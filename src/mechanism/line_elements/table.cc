@@ -45,12 +45,20 @@ double Table::full_effort(const ActingState& state,
 
 LineTangent Table::tangent(const ElementState& state) const {
   if (!over_position() || (!acts_in_both() && state.effort == 0.0)) return {};
-  const auto next = std::ranges::upper_bound(law_.positions, state.position);
-  if (next == law_.positions.begin() || next == law_.positions.end()) return {};
-  const auto at = static_cast<std::size_t>(next - law_.positions.begin());
-  const double slope = (law_.efforts[at] - law_.efforts[at - 1]) /
-                       (law_.positions[at] - law_.positions[at - 1]);
-  return {-slope, 0.0};
+  constexpr double kOnBend = 1e-6;  // of the table's range
+  const auto& positions = law_.positions;
+  const double q = state.position;
+  const double near = kOnBend * (positions.back() - positions.front());
+  const auto stiffness = [&](double position) {
+    const auto next = std::ranges::upper_bound(positions, position);
+    if (next == positions.begin() || next == positions.end()) return 0.0;
+    const auto at = static_cast<std::size_t>(next - positions.begin());
+    return -(law_.efforts[at] - law_.efforts[at - 1]) /
+           (positions[at] - positions[at - 1]);
+  };
+  // On a bend it may give way to either side.
+  return {std::min({stiffness(q - near), stiffness(q), stiffness(q + near)}),
+          0.0};
 }
 
 /// Effort by the piece of the mode, which goes on beyond its ends.

@@ -318,16 +318,22 @@ MatrixXd rows_of_places(const Neighbours& neighbours, const NeighbourRows& rows,
   return all;
 }
 
-/// Rows of force elements that yield, times the root of their stiffness: of
-/// motions of neighbours, then of places, × rows.
-MatrixXd springs_of(const Neighbours& neighbours, const NeighbourRows& rows,
-                    const Instant& instant,
-                    const std::vector<LoadPlace>& places) {
+/// Rows of force elements, times the root of their stiffness: of motions of
+/// neighbours, then of places, × rows [√(N/m)].
+struct ElementRows {
+  MatrixXd springs;  ///< of those that yield
+  /// Of those whose effort grows as they give way: a table's that rises.
+  MatrixXd pushing_on;
+};
+
+ElementRows element_rows(const Neighbours& neighbours,
+                         const NeighbourRows& rows, const Instant& instant,
+                         const std::vector<LoadPlace>& places) {
   const SolvingFrame& frame = neighbours.frame();
   const Matrix3d& R = rows.x[index(neighbours.slot())].R;
   const Index of_bodies = kMotionOfMover * std::ssize(neighbours.slots());
   const Index motions = of_bodies + kMotionOfMover * std::ssize(places);
-  MatrixXd springs(motions, 0);
+  ElementRows found{MatrixXd(motions, 0), MatrixXd(motions, 0)};
   const std::size_t count =
       std::min(instant.elements.size(), neighbours.elements().size());
   for (std::size_t e = 0; e < count; ++e) {
@@ -355,25 +361,29 @@ MatrixXd springs_of(const Neighbours& neighbours, const NeighbourRows& rows,
       add(element.line.b, spring.directions[index(k)].b, k);
     }
     if (along.cols() == 0) continue;
-    along *= root_of(spring.stiffness);
-    springs.conservativeResize(Eigen::NoChange, springs.cols() + along.cols());
-    springs.rightCols(along.cols()) = along;
+    const auto append = [&](const MatrixXd& stiffness, MatrixXd& all) {
+      const MatrixXd root = root_of(stiffness);
+      if (root.isZero(0.0)) return;
+      all.conservativeResize(Eigen::NoChange, all.cols() + along.cols());
+      all.rightCols(along.cols()) = along * root;
+    };
+    append(spring.stiffness, found.springs);
+    append(-spring.stiffness, found.pushing_on);
   }
-  return springs;
+  return found;
 }
 
 /// What springs that hold neighbours yield at a load factor: wᵀ (K/λ + H) w/2
-/// is least over their strains w. The least factor of buckling that is wanted
-/// counts; where they topple before, that of the loads as they are.
+/// is least over their strains w. Where they topple before the factor that is
+/// wanted, that of the loads as they are counts.
 MatrixXd yielded(const MatrixXd& form, const MatrixXd& product,
-                 const Following& following) {
-  constexpr double kFactors[] = {1.5, 1.0};
+                 const Following& following, double wanted) {
   const Index bodies = following.slow.rows(), moves = following.slow.cols();
   const MatrixXd& sprung = following.sprung;
   const MatrixXd pushed = sprung.transpose() * product.topRows(bodies);
   const MatrixXd of_loads =
       sprung.transpose() * form.topLeftCorner(bodies, bodies) * sprung;
-  for (const double factor : kFactors) {
+  for (const double factor : {wanted, 1.0}) {
     MatrixXd held = of_loads;
     held.diagonal() += following.stiffness / factor;
     const Eigen::LLT<MatrixXd> root(held);
@@ -400,15 +410,16 @@ bool holds_other_bodies(const Neighbours& neighbours, const MatrixXd& sprung) {
 }
 
 /// −∂²L of the places, of a form of neighbours' motions and theirs.
-/// @param yields  whether springs that hold these do, as loads push.
+/// @param wanted  load factor at which springs that hold these yield; 0: they
+///   do not.
 MatrixXd eliminated(const MatrixXd& form, const Following& following,
-                    bool yields) {
+                    double wanted) {
   const Index bodies = following.slow.rows(), moves = following.slow.cols();
   MatrixXd motions(bodies + moves, moves);
   motions << following.slow, following.admitted;
   const MatrixXd product = form * motions;
   MatrixXd gain = -motions.transpose() * product;
-  if (yields) gain += yielded(form, product, following);
+  if (wanted > 0.0) gain += yielded(form, product, following, wanted);
   if (following.loose.cols() > 0) {
     const MatrixXd& loose = following.loose;
     const Eigen::SelfAdjointEigenSolver<MatrixXd> held(
@@ -429,7 +440,7 @@ MatrixXd eliminated(const MatrixXd& form, const Following& following,
 }  // namespace
 
 MatrixXd load_gains(const Neighbours& neighbours, const Instant& instant,
-                    const std::vector<LoadPlace>& places) {
+                    const std::vector<LoadPlace>& places, double wanted) {
   const NeighbourRows rows = neighbours.rows(instant);
   const double length = neighbours.frame().length;
   const Index moves = kMotionOfMover * std::ssize(places);
@@ -441,8 +452,9 @@ MatrixXd load_gains(const Neighbours& neighbours, const Instant& instant,
   form = scale.asDiagonal() * form * scale.asDiagonal();
   Following following =
       following_of(neighbours, rows, rows_of_places(neighbours, rows, places));
-  follow_springs(springs_of(neighbours, rows, instant, places), form,
-                 following);
+  const ElementRows elements = element_rows(neighbours, rows, instant, places);
+  form -= elements.pushing_on * elements.pushing_on.transpose();
+  follow_springs(elements.springs, form, following);
   MatrixXd to_P = MatrixXd::Zero(moves, moves);
   const Matrix3d& R_PL = rows.x[index(neighbours.slot())].R;
   for (Index i = 0; i < moves; i += 3) {
@@ -450,7 +462,8 @@ MatrixXd load_gains(const Neighbours& neighbours, const Instant& instant,
     to_P.block<3, 3>(i, i) = of_turns * R_PL;
   }
   const bool yields = holds_other_bodies(neighbours, following.sprung);
-  return to_P.transpose() * eliminated(form, following, yields) * to_P;
+  return to_P.transpose() * eliminated(form, following, yields ? wanted : 0.0) *
+         to_P;
 }
 
 }  // namespace clevis::mechanism

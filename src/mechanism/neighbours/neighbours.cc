@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <optional>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -21,19 +20,6 @@ using Eigen::MatrixXd;
 
 constexpr std::size_t kMostBodies = 100;
 constexpr Index kTwist = 6;
-
-/// Of the bodies at an instant, referred to the frame's points M.
-Configuration configuration(const SolvingFrame& frame, const Instant& instant) {
-  Configuration x(instant.bodies.size() + 1);
-  for (std::size_t i = 0; i < instant.bodies.size(); ++i) {
-    const Pose& pose = instant.bodies[i].pose;
-    BodyPlacement& at = x[i + 1];
-    at.R = frame.R_WP.transpose() * pose.R_WL;
-    at.q = Eigen::Quaterniond(at.R);
-    at.p = frame.R_WP.transpose() * pose.p_WL + at.R * frame.p_LM[i];
-  }
-  return x;
-}
 
 using Elements = std::vector<std::unique_ptr<ActingElement>>;
 
@@ -87,6 +73,19 @@ constexpr double kRoundOff = 1e-9;  // of rows of pure numbers
 
 }  // namespace
 
+Configuration configuration_at(const SolvingFrame& frame,
+                               const Instant& instant) {
+  Configuration x(instant.bodies.size() + 1);
+  for (std::size_t i = 0; i < instant.bodies.size(); ++i) {
+    const Pose& pose = instant.bodies[i].pose;
+    BodyPlacement& at = x[i + 1];
+    at.R = frame.R_WP.transpose() * pose.R_WL;
+    at.q = Eigen::Quaterniond(at.R);
+    at.p = frame.R_WP.transpose() * pose.p_WL + at.R * frame.p_LM[i];
+  }
+  return x;
+}
+
 PlacedJoint::Levers levers_of(const ActingElement& element,
                               const Configuration& x) {
   const JointModel& line = element.line;
@@ -100,48 +99,6 @@ MatrixXd root_of(const MatrixXd& matrix) {
          solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
-std::vector<DriveDefinition> sticking_coordinates(
-    const MechanismDefinition& definition, const Instant& instant) {
-  constexpr double kAtRest = 1e-6;  // [m/s], [rad/s]
-  std::vector<DriveDefinition> found;
-  std::optional<SolvingFrame> frame;
-  Configuration x;
-  std::vector<DriveDefinition> drives = definition.drives;
-  const auto freedom = [&] {
-    const ConstraintSystem system(*frame, drives, Motions::kSpatial,
-                                  ConstraintSystem::Drives::kAll);
-    return null_space(system.jacobian(system.place(x)), kRoundOff).cols();
-  };
-  Index left = 0;
-  const std::size_t count =
-      std::min(instant.elements.size(), definition.elements.size());
-  for (std::size_t e = 0; e < count; ++e) {
-    const ElementLine* line = line_of(definition.elements[e]);
-    if (line == nullptr || line->kind != ElementLine::Kind::kJoint ||
-        std::abs(instant.elements[e].rate) > kAtRest) {
-      continue;
-    }
-    if (!frame) frame.emplace(frame_at_centres(definition));
-    if (!place(definition.elements[e], *frame)->is_dry()) continue;
-    if (x.empty()) {
-      x = configuration(*frame, instant);
-      left = freedom();
-    }
-    DriveDefinition sticking;
-    sticking.joint = line->joint;
-    sticking.coordinate = line->coordinate;
-    drives.push_back(sticking);
-    const Index now = freedom();
-    if (now < left) {
-      found.push_back(sticking);
-      left = now;
-    } else {
-      drives.pop_back();
-    }
-  }
-  return found;
-}
-
 Neighbours::Neighbours(const MechanismDefinition& definition, BodyIndex body)
     : definition_(definition),
       frame_(frame_at_centres(definition)),
@@ -153,7 +110,7 @@ Neighbours::Neighbours(const MechanismDefinition& definition, BodyIndex body)
 
 NeighbourRows Neighbours::rows(const Instant& instant) const {
   NeighbourRows found;
-  found.x = configuration(frame_, instant);
+  found.x = configuration_at(frame_, instant);
   const MatrixXd J = system_.jacobian(system_.place(found.x));
   const auto block = [&](Index row, int of) {
     return J.row(row).segment<kTwist>(kTwist * (of - 1));

@@ -79,6 +79,10 @@ class Neighbours {
   std::vector<int> slots_;
 };
 
+/// Of the bodies at an instant, referred to the frame's points M [m], [rad].
+Configuration configuration_at(const SolvingFrame& frame,
+                               const Instant& instant);
+
 /// Of an effort of 1 along an element's line, in P. @pre it has one.
 PlacedJoint::Levers levers_of(const ActingElement& element,
                               const Configuration& x);
@@ -86,10 +90,5 @@ PlacedJoint::Levers levers_of(const ActingElement& element,
 /// R with R Rᵀ a stiffness [N/m], damping or inertia; of what pushes on
 /// nothing.
 Eigen::MatrixXd root_of(const Eigen::MatrixXd& matrix);
-
-/// Friction on joints that sticks at an instant, as drives: of coordinates that
-/// neither joints nor drives fix.
-std::vector<DriveDefinition> sticking_coordinates(
-    const MechanismDefinition& definition, const Instant& instant);
 
 }  // namespace clevis::mechanism

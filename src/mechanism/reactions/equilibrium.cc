@@ -129,7 +129,8 @@ bool Equilibrium::acts_across_plane(
 
 void Equilibrium::solve_out_of_plane(Solution& solution,
                                      const std::vector<PlacedJoint>& placed,
-                                     std::vector<SpatialForce> required) const {
+                                     std::vector<SpatialForce> required,
+                                     const std::vector<Vector3d>& spins) const {
   // what the reactions and drives in the plane already do across it
   std::vector<Vector3d> forces(placed.size());
   for (std::size_t j = 0; j < placed.size(); ++j) {
@@ -160,21 +161,22 @@ void Equilibrium::solve_out_of_plane(Solution& solution,
   factor.compute(J, nullptr, frame_.rank_threshold());
   const SharedReactions shared =
       share_reactions(frame_, out_of_plane_, placed, factor,
-                      out_of_plane_.wrench_vector(required));
+                      out_of_plane_.wrench_vector(required), spins);
   add(solution, placed, out_of_plane_, shared.lambda);
   mark(solution, shared);
 }
 
 std::optional<Equilibrium::Solution> Equilibrium::solve_in_space(
     const std::vector<PlacedJoint>& placed,
-    const std::vector<SpatialForce>& required) const {
+    const std::vector<SpatialForce>& required,
+    const std::vector<Vector3d>& spins) const {
   constexpr double kInBalance = 1e-9;
   const VectorXd f = in_space_.wrench_vector(required);
   const MatrixXd J = in_space_.jacobian(placed);
   numerics::JacobianFactor factor;
   factor.compute(J, nullptr, frame_.rank_threshold());
   const SharedReactions shared =
-      share_reactions(frame_, in_space_, placed, factor, f);
+      share_reactions(frame_, in_space_, placed, factor, f, spins);
   const VectorXd left = J.transpose() * shared.lambda - f;
   if (left.norm() > kInBalance * f.norm()) return std::nullopt;
   Solution solution = empty_solution(placed);
@@ -204,6 +206,16 @@ void Equilibrium::add_efforts(Solution& solution, const ConstraintSystem& rows,
   }
 }
 
+std::vector<Vector3d> Equilibrium::link_spins(
+    const Configuration& x, const std::vector<Twist>& twists) const {
+  std::vector<Vector3d> spins;
+  for (const ElasticLink& link : frame_.links) {
+    const std::size_t slot = index(link.slot);
+    spins.push_back(x[slot].R.transpose() * twists[slot].w);
+  }
+  return spins;
+}
+
 Equilibrium::Solution Equilibrium::solve(
     const Configuration& x, const std::vector<PlacedJoint>& placed,
     const numerics::JacobianFactor& factor, const std::vector<Twist>& twists,
@@ -211,25 +223,30 @@ Equilibrium::Solution Equilibrium::solve(
     std::span<const SpatialForce> applied) const {
   const std::vector<SpatialForce> required =
       required_wrenches(x, twists, accelerations, applied);
+  const std::vector<Vector3d> spins = link_spins(x, twists);
   const bool across = frame_.planar && acts_across_plane(placed, required);
   const bool open = system_.rows() > factor.rank();
   if (across && open) {
-    if (auto solution = solve_in_space(placed, required)) return *solution;
+    if (auto solution = solve_in_space(placed, required, spins)) {
+      return *solution;
+    }
   }
   const VectorXd f = system_.wrench_vector(required);
   SharedReactions shared;
   if (open) {
-    shared = share_reactions(frame_, system_, placed, factor, f);
+    shared = share_reactions(frame_, system_, placed, factor, f, spins);
   } else {
     shared.lambda = factor.solve_transposed(f);
   }
-  if (!factor.is_regular()) balance_nearly_dependent(placed, f, shared);
+  if (!factor.is_regular()) {
+    balance_nearly_dependent(placed, f, spins, shared);
+  }
   Solution solution = empty_solution(placed);
   add(solution, placed, system_, shared.lambda);
   add_efforts(solution, system_, shared.lambda);
   mark(solution, shared);
   if (across) {
-    solve_out_of_plane(solution, placed, required);
+    solve_out_of_plane(solution, placed, required, spins);
   }
   return solution;
 }
@@ -238,7 +255,7 @@ Equilibrium::Solution Equilibrium::solve(
 /// held without them, as long as that takes no boundless reactions.
 void Equilibrium::balance_nearly_dependent(
     const std::vector<PlacedJoint>& placed, const VectorXd& f,
-    SharedReactions& shared) const {
+    const std::vector<Vector3d>& spins, SharedReactions& shared) const {
   constexpr double kInBalance = 1e-7, kBoundless = 1e7;
   constexpr double kRoundOff = 1e-12;
   const MatrixXd J = system_.jacobian(placed);
@@ -249,7 +266,7 @@ void Equilibrium::balance_nearly_dependent(
   numerics::JacobianFactor factor;
   factor.compute(J, nullptr, kRoundOff);
   SharedReactions balanced =
-      share_reactions(frame_, system_, placed, factor, f);
+      share_reactions(frame_, system_, placed, factor, f, spins);
   if (left(balanced.lambda) <= kInBalance * f.norm() &&
       balanced.lambda.norm() <= kBoundless * f.norm()) {
     shared = std::move(balanced);

@@ -56,6 +56,7 @@ class Equilibrium {
       std::span<const SpatialForce> applied) const;
   void balance_nearly_dependent(const std::vector<PlacedJoint>& placed,
                                 const Eigen::VectorXd& f,
+                                const std::vector<Eigen::Vector3d>& spins,
                                 SharedReactions& shared) const;
   void add(Solution& solution, const std::vector<PlacedJoint>& placed,
            const ConstraintSystem& rows, const Eigen::VectorXd& lambda) const;
@@ -65,13 +66,18 @@ class Equilibrium {
                          const std::vector<SpatialForce>& required) const;
   void solve_out_of_plane(Solution& solution,
                           const std::vector<PlacedJoint>& placed,
-                          std::vector<SpatialForce> required) const;
+                          std::vector<SpatialForce> required,
+                          const std::vector<Eigen::Vector3d>& spins) const;
   /// All reactions together, where the plane alone leaves some open and loads
   /// or joints lie beside it: how far these give way across the plane then
   /// shares those in it. Nothing if the joints do not hold the loads.
   std::optional<Solution> solve_in_space(
       const std::vector<PlacedJoint>& placed,
-      const std::vector<SpatialForce>& required) const;
+      const std::vector<SpatialForce>& required,
+      const std::vector<Eigen::Vector3d>& spins) const;
+  /// ω of each elastic link in its L [rad/s].
+  std::vector<Eigen::Vector3d> link_spins(
+      const Configuration& x, const std::vector<Twist>& twists) const;
   static void mark(Solution& solution, const SharedReactions& shared);
 
   struct Inertia {

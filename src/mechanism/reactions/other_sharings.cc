@@ -74,14 +74,27 @@ bool is_loaded_elsewhere(const MechanismDefinition& definition,
          is_loaded_elsewhere(definition, joint.body_b);
 }
 
+/// Joints of a link that give way as much as it does, at least.
+void soften_joints(const LinkCompliance& link,
+                   std::vector<JointDefinition>& joints) {
+  for (std::size_t k = 0; k < link.joints.size(); ++k) {
+    auto& compliance = joints[index(link.joints[k])].compliance;
+    if (!compliance) continue;  // it may be anything
+    const auto own =
+        link.matrix.diagonal().segment<6>(6 * static_cast<Eigen::Index>(k));
+    compliance->force = compliance->force.cwiseMax(own.head<3>().maxCoeff());
+    compliance->moment = compliance->moment.cwiseMax(own.tail<3>().maxCoeff());
+  }
+}
+
 /// Without the links that forces strain elsewhere: how those share is not
-/// known, so that joints alone do, of any compliance.
+/// known, so that joints alone do, of any compliance about that of the link.
 MechanismDefinition without_loaded_links(const MechanismDefinition& given) {
   MechanismDefinition definition = given;
   for (std::size_t i = 0; i < given.bodies.size(); ++i) {
-    if (is_loaded_elsewhere(given, static_cast<BodyIndex>(i))) {
-      definition.bodies[i].compliance.reset();
-    }
+    if (!is_loaded_elsewhere(given, static_cast<BodyIndex>(i))) continue;
+    soften_joints(*given.bodies[i].compliance, definition.joints);
+    definition.bodies[i].compliance.reset();
   }
   return definition;
 }
@@ -90,6 +103,19 @@ bool has_elastic_links(const MechanismDefinition& definition) {
   return std::ranges::any_of(definition.bodies, [](const BodyDefinition& body) {
     return body.compliance.has_value();
   });
+}
+
+/// Whether a rigid link of a joint would give way more than the joint does, as
+/// a bar along its joints: how these share is then more of the link's to say.
+bool is_stiffer_than_link(const MechanismDefinition& definition,
+                          const JointDefinition& joint,
+                          const std::vector<double>& bars) {
+  return std::ranges::any_of(
+      std::array{joint.body_a, joint.body_b}, [&](BodyIndex body) {
+        return body != kGround && !definition.bodies[index(body)].compliance &&
+               index(body) < bars.size() &&
+               joint.compliance->force.minCoeff() < bars[index(body)];
+      });
 }
 
 double range_of(const MechanismDefinition& definition, std::size_t joint) {
@@ -193,7 +219,8 @@ bool changes_nothing(const std::vector<Coordinate>& coordinates,
 struct OtherSharings::Solver {
   static constexpr std::size_t kMostCoordinates = 6;  // 64 corners
 
-  Solver(const MechanismDefinition& given, const Motion& motion_of)
+  Solver(const MechanismDefinition& given, const Motion& motion_of,
+         const std::vector<double>& bars)
       : definition(without_loaded_links(given)),
         motion(motion_of),
         frame(definition),
@@ -212,7 +239,9 @@ struct OtherSharings::Solver {
     for (const Coordinate& coordinate : coordinates) {
       const JointDefinition& joint = definition.joints[coordinate.joint];
       leaves_forces_out |= is_loaded_elsewhere(given, joint);
-      auto& names = joint.compliance ? given_names : unknown_names;
+      auto& names = !joint.compliance                          ? unknown_names
+                    : is_stiffer_than_link(given, joint, bars) ? stiff_names
+                                                               : given_names;
       if (names.empty() || names.back() != joint.name) {
         names.push_back(joint.name);
       }
@@ -309,13 +338,14 @@ struct OtherSharings::Solver {
   std::vector<Coordinate> coordinates;
   std::vector<Corner> corners;
   std::vector<Vector6> compliances;
-  std::vector<std::string> unknown_names, given_names;
+  std::vector<std::string> unknown_names, given_names, stiff_names;
   bool leaves_forces_out = false;
 };
 
 OtherSharings::OtherSharings(const MechanismDefinition& definition,
-                             const Motion& motion)
-    : solver_(std::make_unique<Solver>(definition, motion)) {}
+                             const Motion& motion,
+                             const std::vector<double>& bars)
+    : solver_(std::make_unique<Solver>(definition, motion, bars)) {}
 OtherSharings::~OtherSharings() = default;
 OtherSharings::OtherSharings(OtherSharings&&) noexcept = default;
 OtherSharings& OtherSharings::operator=(OtherSharings&&) noexcept = default;
@@ -338,6 +368,10 @@ const std::vector<std::string>& OtherSharings::unknown() const {
 
 const std::vector<std::string>& OtherSharings::given() const {
   return solver_->given_names;
+}
+
+const std::vector<std::string>& OtherSharings::stiff() const {
+  return solver_->stiff_names;
 }
 
 bool OtherSharings::leaves_forces_out() const {

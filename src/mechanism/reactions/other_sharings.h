@@ -30,7 +30,10 @@ inline constexpr double kNegligibleReaction = 1e-6;
 class OtherSharings {
  public:
   /// @param motion  of the definition, without instants at change points.
-  OtherSharings(const MechanismDefinition& definition, const Motion& motion);
+  /// @param bars  of each body, what it gives way as a bar from joint to joint,
+  ///   0 of none [m/N].
+  OtherSharings(const MechanismDefinition& definition, const Motion& motion,
+                const std::vector<double>& bars = {});
   ~OtherSharings();
   OtherSharings(OtherSharings&&) noexcept;
   OtherSharings& operator=(OtherSharings&&) noexcept;
@@ -45,6 +48,8 @@ class OtherSharings {
   const std::vector<std::string>& unknown() const;
   /// Joints whose compliance was given and matters.
   const std::vector<std::string>& given() const;
+  /// Likewise, of less than their links yield.
+  const std::vector<std::string>& stiff() const;
   /// Whether forces strain elastic links elsewhere than at these joints, which
   /// shares reactions too and is not known.
   bool leaves_forces_out() const;

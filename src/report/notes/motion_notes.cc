@@ -328,6 +328,33 @@ void add_breakaway(const MechanismDefinition& definition, const Motion& motion,
   }
 }
 
+std::string names_of(const MechanismDefinition& definition,
+                     const std::vector<int>& bodies) {
+  std::vector<std::string> names;
+  for (const int body : bodies) {
+    names.push_back(definition.bodies[static_cast<std::size_t>(body)].name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void add_unshared(const MechanismDefinition& definition, const Motion& motion,
+                  std::vector<std::string>& notes) {
+  const auto& [spun, loaded] = motion.unshared;
+  if (!spun.empty()) {
+    notes.push_back(fmt::format(
+        "{}: joints hold against one another what its spin would stretch, and "
+        "rigid links leave that out; links = \"elastic\" counts it",
+        names_of(definition, spun)));
+  }
+  if (!loaded.empty()) {
+    notes.push_back(fmt::format(
+        "{}: what forces strain beside its joints is left out of how these "
+        "share reactions; take links = \"rigid\" and give the joints "
+        "compliances that stand for the links too",
+        names_of(definition, loaded)));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> motion_notes(const MechanismDefinition& definition,
@@ -341,6 +368,7 @@ std::vector<std::string> motion_notes(const MechanismDefinition& definition,
   add_assembly(definition, motion, notes);
   add_search(motion, notes);
   add_breakaway(definition, motion, notes);
+  add_unshared(definition, motion, notes);
   add_element_notes(definition, motion, notes);
   return notes;
 }

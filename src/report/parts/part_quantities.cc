@@ -64,7 +64,9 @@ Quantities<BucklingResult> buckling_rows() {
       quantity<S>({"buckling_factor", "/factor", "1", "buckling_factor",
                    kPureNumberRule},
                   &S::factor),
-      quantity<S>({"buckling_low", "/band/0", "1", "buckling_low"},
+      // It decides, and falls alone where the factor is a bound.
+      quantity<S>({"buckling_low", "/band/0", "1", "buckling_low",
+                   kPureNumberRule, Since::kLater},
                   buckling_band(&S::band_low)),
       quantity<S>({"buckling_high", "/band/1", "1", "buckling_high"},
                   buckling_band(&S::band_high)),

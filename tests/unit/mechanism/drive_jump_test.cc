@@ -126,7 +126,7 @@ TEST(DriveJump, OnlyLawsThatJumpInsideTheMotion) {
 
 // A slide at rest by its friction is struck and slips; friction has no part in
 // the impulse.
-TEST(DriveJump, FrictionAtRestLetsGo) {
+TEST(DriveJump, ElementsAtRestLetsGo) {
   MechanismDefinition m = double_bar();
   FrictionLaw law;
   law.kinetic = law.breakaway = 0.5;

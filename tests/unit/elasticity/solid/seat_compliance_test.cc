@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "mesh/quality/mass_properties.h"
@@ -20,15 +22,17 @@ using Eigen::VectorXd;
 const part::Material kMaterial{"steel", 210e9, 0.0, 7850.0, 355e6};
 constexpr double kLength = 0.2, kWidth = 0.02, kHeight = 0.01;
 
-Eigen::MatrixXd bar() {
+SeatCompliance bar(double turned = 0.0) {
+  const Eigen::AngleAxisd R(turned, Vector3d::UnitZ());
   const auto mesh = support::structured_mesh<3>(
       {10, 1, 1}, 1, [&](const Vector3d& x) -> Vector3d {
-        return {kLength * x[0], kWidth * (x[1] - 0.5), kHeight * (x[2] - 0.5)};
+        return R * Vector3d(kLength * x[0], kWidth * (x[1] - 0.5),
+                            kHeight * (x[2] - 0.5));
       });
   std::vector<loads::Seat> seats(2);
   seats[0].name = seats[0].group = "x0";
   seats[1].name = seats[1].group = "x1";
-  seats[1].p_LS.x() = kLength;
+  seats[1].p_LS = R * Vector3d(kLength, 0.0, 0.0);
   return seat_compliance(mesh, kMaterial,
                          mesh::mass_properties(mesh, kMaterial.density), seats,
                          "bar");
@@ -44,7 +48,7 @@ double twice_energy(const Eigen::MatrixXd& C, int component,
 }
 
 TEST(SeatCompliance, BarInTensionBendingAndShear) {
-  const Eigen::MatrixXd C = bar();
+  const Eigen::MatrixXd C = bar().by_wrench;
   const double E = kMaterial.youngs_modulus, area = kWidth * kHeight;
   EXPECT_LT((C - C.transpose()).norm(), 1e-15 * C.norm());
   EXPECT_NEAR(twice_energy(C, 0, VectorXd::Unit(6, 0)) * E * area / kLength,
@@ -65,6 +69,27 @@ TEST(SeatCompliance, BarInTensionBendingAndShear) {
   const double cantilever = std::pow(kLength, 3) / (3.0 * E * inertia[1]) +
                             1.2 * kLength / (G * area);
   EXPECT_NEAR(twice_energy(C, 1, balance) / cantilever, 1.0, 2e-3);
+}
+
+// Spin across its length draws a bar's ends apart by ρ ω² L³/12E, of which its
+// component across counts: of a bar along the diagonal of x and y
+// (ω_x² + ω_y²)/2 − ω_x ω_y + ω_z².
+TEST(SeatCompliance, SpinDrawsTheEndsApart) {
+  const double apart = kMaterial.density * std::pow(kLength, 3) / 12.0 /
+                       kMaterial.youngs_modulus;
+  const std::array<std::array<double, 6>, 2> wanted{
+      {{0.0, 1.0, 1.0, 0.0, 0.0, 0.0}, {0.5, 0.5, 1.0, -1.0, 0.0, 0.0}}};
+  for (const std::size_t turned : {0u, 1u}) {
+    const double angle = turned * std::numbers::pi / 4.0;
+    const Vector3d along(std::cos(angle), std::sin(angle), 0.0);
+    const Eigen::MatrixXd D = bar(angle).by_spin;
+    for (Eigen::Index k = 0; k < 6; ++k) {
+      const double found =
+          along.dot(D.block<3, 1>(6, k) - D.block<3, 1>(0, k)) / apart;
+      EXPECT_NEAR(found, wanted[turned][static_cast<std::size_t>(k)], 1e-3)
+          << k;
+    }
+  }
 }
 
 }  // namespace

@@ -38,5 +38,17 @@ TEST(Balance, FloatsOnTheMassOfAnotherMesh) {
   EXPECT_NO_THROW(require_balance(history, fine, 0.1, "part"));
 }
 
+// Shares of next to nothing of a loaded mechanism carry the round-off of that.
+TEST(Balance, RoundOffOfTheMechanismIsNoLoad) {
+  const auto mass = mass_of(0.2, {0.0, 0.0, 0.0});
+  LoadHistory history;
+  history.seats.resize(2);
+  InstantLoad& instant = history.instants.emplace_back();
+  instant.wrenches = {{{1e-6, 0.0, 0.0}, {}}, {{-1e-6 + 2e-12, 0.0, 0.0}, {}}};
+  EXPECT_THROW(require_balance(history, mass, 0.1, "part"), Error);
+  EXPECT_NO_THROW(require_balance(history, mass, 0.1, "part", 3e4));
+  EXPECT_THROW(require_balance(history, mass, 0.1, "part", 3e2), Error);
+}
+
 }  // namespace
 }  // namespace clevis::loads

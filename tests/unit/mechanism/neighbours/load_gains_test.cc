@@ -443,5 +443,30 @@ TEST(LoadGains, PointBehindTheFaceHoldsNothing) {
   EXPECT_NEAR(turned(0.2), 0.2 * kForce, kRoundOff * kForce);
 }
 
+/// On a pin of the ground, where a torque changes by 20 N m over 0.2 rad.
+double gain_by_table(double sign) {
+  MechanismDefinition m;
+  m.bodies = {bar(Vector3d::Zero())};
+  m.joints = {joint(JointType::kRevolute, kGround, 0, 0.0)};
+  LineElement table;
+  table.line.joint = 0;
+  table.law = TableLaw{.efforts = {-10.0 * sign, 10.0 * sign},
+                       .positions = {-0.1, 0.1}};
+  m.elements = {table};
+  Instant instant;
+  instant.bodies.resize(1);
+  instant.joints.resize(1);
+  instant.elements.resize(1);
+  instant.elements[0].actions[1].body = 0;
+  return load_gains(Neighbours(m, 0), instant,
+                    {{LoadPlace::Kind::kJoint, 0, Vector3d::Zero()}})(5, 5);
+}
+
+// One that falls is a spring, which is not among the loads.
+TEST(LoadGains, TorqueThatRisesPushesOn) {
+  EXPECT_NEAR(gain_by_table(1.0), 100.0, 1e-9);
+  EXPECT_EQ(gain_by_table(-1.0), 0.0);
+}
+
 }  // namespace
 }  // namespace clevis::mechanism

@@ -395,27 +395,5 @@ TEST(NeighbourInertia, ContactsStopsAndGasHoldByTheirStates) {
   EXPECT_NEAR(cost(gas, filled, 1), stiff, 1e-9 * stiff);
 }
 
-// Friction at rest on the pin of the ground; none where it moves, where a drive
-// holds the pin already, or where the first of two on one pin does.
-TEST(NeighbourInertia, FrictionThatSticksHolds) {
-  MechanismDefinition m = two_bars(1.0);
-  LineElement friction;
-  friction.law = FrictionLaw{};
-  friction.line.joint = 0;
-  m.elements = {friction, friction};
-  Instant instant = placed(m);
-  instant.elements.resize(2);
-  const auto sticking = sticking_coordinates(m, instant);
-  ASSERT_EQ(sticking.size(), 1U);
-  EXPECT_EQ(sticking[0].joint, 0);
-  instant.elements[0].rate = instant.elements[1].rate = 1e-3;
-  EXPECT_TRUE(sticking_coordinates(m, instant).empty());
-  instant.elements[0].rate = instant.elements[1].rate = 0.0;
-  DriveDefinition drive;
-  drive.joint = 0;
-  m.drives = {drive};
-  EXPECT_TRUE(sticking_coordinates(m, instant).empty());
-}
-
 }  // namespace
 }  // namespace clevis::mechanism

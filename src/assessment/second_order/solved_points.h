@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 #include "assessment/job/part_job.h"
-#include "assessment/stability/held_points.h"
-#include "assessment/stability/second_order_loads.h"
+#include "assessment/second_order/held_points.h"
+#include "assessment/second_order/second_order_loads.h"
 #include "elasticity/buckling/second_order_solver.h"
 
 namespace clevis::assessment {

@@ -7,10 +7,10 @@
 
 #include <Eigen/Core>
 
+#include "assessment/buckling/buckling_model.h"
 #include "assessment/job/part_job.h"
-#include "assessment/stability/buckling_model.h"
-#include "assessment/stability/checked_linear.h"
-#include "assessment/stability/second_order_loads.h"
+#include "assessment/second_order/checked_linear.h"
+#include "assessment/second_order/second_order_loads.h"
 #include "elasticity/buckling/stressed_part.h"
 
 namespace clevis::assessment {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "assessment/buckling/buckling_model.h"
 #include "assessment/job/part_job.h"
-#include "assessment/stability/buckling_model.h"
 #include "assessment/stretches/held_stretches.h"
 #include "elasticity/buckling/buckling.h"
 

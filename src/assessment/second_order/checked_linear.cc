@@ -1,4 +1,4 @@
-#include "assessment/stability/checked_linear.h"
+#include "assessment/second_order/checked_linear.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "assessment/stability/buckling_check.h"
+#include "assessment/buckling/buckling_check.h"
 
 #include <numbers>
 

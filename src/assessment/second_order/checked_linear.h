@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "assessment/job/part_job.h"
-#include "assessment/stability/second_order_loads.h"
+#include "assessment/second_order/second_order_loads.h"
 
 namespace clevis::assessment {
 

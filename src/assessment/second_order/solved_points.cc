@@ -1,4 +1,4 @@
-#include "assessment/stability/solved_points.h"
+#include "assessment/second_order/solved_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "assessment/stability/second_order_check.h"
+#include "assessment/second_order/second_order_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,13 @@
 #include <Eigen/Core>
 #include <fmt/format.h>
 
+#include "assessment/buckling/buckling_check.h"
+#include "assessment/buckling/buckling_model.h"
+#include "assessment/buckling/part_holds.h"
 #include "assessment/pace/load_pace.h"
-#include "assessment/stability/buckling_check.h"
-#include "assessment/stability/buckling_model.h"
-#include "assessment/stability/held_points.h"
-#include "assessment/stability/part_holds.h"
-#include "assessment/stability/second_order_loads.h"
-#include "assessment/stability/solved_points.h"
+#include "assessment/second_order/held_points.h"
+#include "assessment/second_order/second_order_loads.h"
+#include "assessment/second_order/solved_points.h"
 #include "assessment/verdict/governing_peak.h"
 #include "base/messages/errors.h"
 #include "elasticity/assembly/supports.h"

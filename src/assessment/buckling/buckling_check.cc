@@ -1,4 +1,4 @@
-#include "assessment/stability/buckling_check.h"
+#include "assessment/buckling/buckling_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
+#include "assessment/buckling/buckling_model.h"
+#include "assessment/buckling/part_holds.h"
 #include "assessment/ladder/degree_climb.h"
 #include "assessment/sharing/sharing_check.h"
-#include "assessment/stability/buckling_model.h"
-#include "assessment/stability/part_holds.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
 #include "elasticity/buckling/buckling.h"
@@ -76,7 +76,8 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
         .foundations = set.foundations,
         .plane = space.plane ? &*space.plane : nullptr,
         .known = candidate.known ? &*candidate.known : nullptr,
-        .highest = highest};
+        .highest = highest,
+        .enough = enough_buckling(job.part.limits)};
     model.factor(set, problem);
     auto mode = elasticity::lowest_buckling(problem);
     const auto& last = candidate.history.instants.back();
@@ -383,85 +384,6 @@ bool widen_by_all_holds(const PartJob& job, const std::vector<Swing>& swings,
       *ideal.factor);
   result.remark += (result.remark.empty() ? "" : "; ") + more;
   return true;
-}
-
-bool count_springs(const PartJob& job, const BucklingMode::OnSprings& on,
-                   double of_lowest_degree, BucklingResult& result) {
-  constexpr double kCounts = 0.02;
-  if (!on.counts() || !result.factor) return false;
-  const double enough = std::max(kFirstOrderIsEnough,
-                                 part::wanted_buckling_factor(job.part.limits));
-  const auto remark = [&](const std::string& more) {
-    result.remark += (result.remark.empty() ? "" : "; ") + more;
-  };
-  if (on.together.is_known && !result.is_lower_bound()) {
-    // Cells of the lowest degree are as much too stiff on springs.
-    const double finer =
-        of_lowest_degree > 0.0 ? *result.factor / of_lowest_degree : 1.0;
-    const double together = finer / on.together.yield;
-    const double change = together / *result.factor;
-    if (std::abs(change - 1.0) < kCounts ||
-        std::min(together, *result.factor) >= enough) {
-      return false;
-    }
-    if (change > 1.0 && on.may_be_larger) {
-      remark(
-          fmt::format("springs and servo axes hold it: {:.4g} on them at the "
-                      "instants that were solved, others may have less",
-                      together));
-      result.band_high = std::max(result.band_high, together);
-      return true;
-    }
-    std::string others =
-        fmt::format("; {:.4g} if its seats were held instead", *result.factor);
-    if (on.springs > 0.0) {
-      others += fmt::format(", {:.4g} if it were rigid", 1.0 / on.springs);
-    }
-    remark("on the springs and servo axes that hold it" + others);
-    result.factor = together;
-    result.band_low *= change;
-    result.band_high *= change;
-    return true;
-  }
-  const double own = on.softer * std::max(on.own, 1.0 / result.band_low);
-  const double together = 1.0 / (own + on.springs);
-  if (together > (1.0 - kCounts) * result.band_low || together >= enough) {
-    return false;
-  }
-  result.band_low = together;
-  remark(
-      fmt::format("springs and servo axes that hold it yield, too: together at "
-                  "{:.4g} or later, at {:.4g} if it were rigid",
-                  together, 1.0 / on.springs));
-  return true;
-}
-
-void Standing::take(const Standing& other) {
-  const auto& [topples, is_open, stands] = other.position;
-  position.is_open |= is_open;
-  position.stands |= stands;
-  if (!topples || (position.topples && *position.topples <= *topples)) return;
-  position.topples = topples;
-  label = other.label;
-  instant = other.instant;
-}
-
-void count_standing(const Standing& standing, BucklingResult& result) {
-  if (!standing.position.topples) return;
-  const double factor = *standing.position.topples;
-  // Springs and the part itself yield in series (Southwell).
-  result.band_low = factor > 0.0 && result.factor
-                        ? 1.0 / (1.0 / factor + 1.0 / result.band_low)
-                        : 0.0;
-  result.factor = result.band_high = factor;
-  result.label = standing.label;
-  result.instant = standing.instant;
-  result.remark =
-      factor > 0.0
-          ? "springs and servo axes alone hold it where it stands, and its "
-            "loads push them over: the position is not stable"
-          : "nothing holds it where it stands, and its loads push it over: the "
-            "position is not stable";
 }
 
 BucklingCheck check_buckling(const PartJob& job,

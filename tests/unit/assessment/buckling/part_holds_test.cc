@@ -1,4 +1,4 @@
-#include "assessment/stability/part_holds.h"
+#include "assessment/buckling/part_holds.h"
 
 #include <algorithm>
 #include <initializer_list>

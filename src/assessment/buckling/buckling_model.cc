@@ -1,4 +1,4 @@
-#include "assessment/stability/buckling_model.h"
+#include "assessment/buckling/buckling_model.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "assessment/stability/second_order_loads.h"
+#include "assessment/second_order/second_order_loads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "assessment/buckling/buckling_check.h"
 #include "assessment/pace/load_pace.h"
-#include "assessment/stability/buckling_check.h"
 #include "loads/history/motion_instants.h"
 #include "loads/history/turning_loads.h"
 

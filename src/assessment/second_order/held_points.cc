@@ -1,4 +1,4 @@
-#include "assessment/stability/held_points.h"
+#include "assessment/second_order/held_points.h"
 
 #include <algorithm>
 #include <functional>
