@@ -275,12 +275,13 @@ PartAssessment check_part(const PartJob& given) {
     check_second_order(job, assessment.fields.history,
                        buckling.of_lowest_degree, held, model, result);
   }
+  const double own_low = result.buckling.band_low;
   if (count_springs(job, buckling.on_springs, buckling.of_lowest_degree,
                     result.buckling) ||
       rises) {
     bound_on_springs(buckling.on_springs, result);
   }
-  count_standing(buckling.standing, result.buckling);
+  count_standing(buckling.standing, own_low, result.buckling);
   check_sharing(given, result);
   note_left_out(job, buckling.standing.position, result);
   judge(job.part, result);

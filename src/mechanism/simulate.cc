@@ -109,7 +109,7 @@ Motion simulate(const MechanismDefinition& definition,
                              : run_driven(definition, settings);
   motion.left_free = std::move(free);
   require_direction(definition, frame.length, motion);
-  motion.unshared = unshared_strains(definition, motion);
+  motion.unshared = unshared_strains(definition, motion, frame.length);
   forget_negligible(frame.length, motion);
   motion.drive_jumps = drive_jumps(definition.drives, settings.duration);
   return motion;

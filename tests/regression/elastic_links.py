@@ -75,14 +75,20 @@ def run(folder, *arguments):
     return done.stdout
 
 
-def reactions(folder, links):
-    (folder / "scene.toml").write_text(SCENE.format(
-        material=support.steel(ratio=0.0),
-        welds=weld("left", 0) + weld("right", 200), links=links))
+def scene(links):
+    return SCENE.format(material=support.steel(ratio=0.0),
+                        welds=weld("left", 0) + weld("right", 200),
+                        links=f'links = "{links}"')
+
+
+def joints_of(folder, text):
+    """Of the motion of a scene, and what `simulate` prints of it."""
+    (folder / "scene.toml").write_text(text)
     (folder / "bar.geo").write_text(BAR)
     run(folder, "mesh", "scene.toml")
     motion = json.loads(run(folder, "simulate", "scene.toml", "--json"))
-    return {joint["name"]: joint for joint in motion["joints"]}
+    return ({joint["name"]: joint for joint in motion["joints"]},
+            run(folder, "simulate", "scene.toml"))
 
 
 DISC = """[[body]]
@@ -107,24 +113,16 @@ SPEED = 2000.0
 
 
 def spun(folder, about, links):
-    """Forces at the left and right weld over m ω² L, and what is noted."""
-    text = SCENE.format(material=support.steel(ratio=0.0),
-                        welds=weld("left", 0) + weld("right", 200),
-                        links=f'links = "{links}"')
-    text = text.replace('"-9.81 m/s^2"', '"0 m/s^2"').replace('"ground", "bar"', '"disc", "bar"')
+    """Forces at the left and right weld over m ω² L, and what is printed."""
+    text = scene(links).replace('"-9.81 m/s^2"', '"0 m/s^2"').replace(
+        '"ground", "bar"', '"disc", "bar"')
     for x in (0, 200):
         text = text.replace(f'ground = ["{x} mm", "0 mm"', f'disc = ["{x - about} mm", "0 mm"')
-    text = text.replace('[simulation]\nduration = "1 s"',
-                        DISC.format(x=about, speed=SPEED) +
-                        '[simulation]\nduration = "1 ms"')
-    (folder / "scene.toml").write_text(text)
-    (folder / "bar.geo").write_text(BAR)
-    run(folder, "mesh", "scene.toml")
-    motion = json.loads(run(folder, "simulate", "scene.toml", "--json"))
-    told = run(folder, "simulate", "scene.toml")
+    joints, told = joints_of(folder, text.replace(
+        '[simulation]\nduration = "1 s"', DISC.format(x=about, speed=SPEED) +
+        '[simulation]\nduration = "1 ms"'))
     pull = DENSITY * SIDE**2 * LENGTH**2 * SPEED**2
-    forces = {joint["name"]: joint["peak_force_N"] / pull for joint in motion["joints"]}
-    return forces["left"], forces["right"], told
+    return (*(joints[end]["peak_force_N"] / pull for end in ("left", "right")), told)
 
 
 def check_spin(folder):
@@ -147,7 +145,7 @@ def main():
     clamped = weight * LENGTH**2 / 12.0
     with tempfile.TemporaryDirectory() as name:
         for links, least, most in (("elastic", 0.0, 3e-5), ("rigid", 0.1, 1.0)):
-            joints = reactions(Path(name), f'links = "{links}"')
+            joints, _ = joints_of(Path(name), scene(links))
             for end in ("left", "right"):
                 force = joints[end]["peak_force_N"] / (0.5 * weight * LENGTH) - 1.0
                 moment = joints[end]["peak_moment_N_m"] / clamped - 1.0

@@ -230,6 +230,11 @@ def main():
                       "the band holds half and twice")
         checks.expect(band[1] - band[0] < open_band[1] - open_band[0],
                       "given is better than not")
+        # as a bar the link has l²/EV = 5.74 nm/N, l 140 mm, V 16.26 cm³
+        for given in (5.4e-9, 6.1e-9):
+            told = check(folder, given, given)[3]
+            checks.expect(("less compliance than rigid links" in told) == (given < 5.74e-9),
+                          f"joints of {given} m/N beside the link as a bar")
         _, _, verdict, _ = check(folder, 1e-9, 1e-9, strength=1.02 * band[1])
         checks.expect(verdict == "pass", "given compliances can pass: " + verdict)
     return checks.exit_code()

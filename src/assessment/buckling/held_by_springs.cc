@@ -12,21 +12,19 @@ namespace clevis::assessment {
 namespace {
 
 /// In words, of a part that its loads push over.
-const char* what_holds(
+std::string what_holds(
     const elasticity::BucklingOnSprings::Position& position) {
-  const bool holds = *position.topples >= 1.0;
-  if (position.yields_slowly) {
-    return holds ? "it stands by friction, which breaks away as it leans by "
-                   "1/200, or by gas that flows or takes heat"
-                 : "it stands by friction, which breaks away as it leans by "
-                   "1/200, or by gas that flows or takes heat: the position is "
-                   "not stable";
-  }
-  return *position.topples > 0.0
-             ? "springs and servo axes alone hold it where it stands, and its "
-               "loads push them over: the position is not stable"
-             : "nothing holds it where it stands, and its loads push it over: "
-               "the position is not stable";
+  const double factor = *position.topples;
+  std::string words =
+      position.yields_slowly
+          ? "it stands by friction, which breaks away as it leans by 1/200, or "
+            "by gas that flows or takes heat"
+      : factor > 0.0 ? "springs and servo axes alone hold it where it stands, "
+                       "and its loads push them over"
+                     : "nothing holds it where it stands, and its loads push "
+                       "it over";
+  if (factor < 1.0) words += ": the position is not stable";
+  return words;
 }
 
 }  // namespace
@@ -97,7 +95,8 @@ void Standing::take(const Standing& other) {
   instant = other.instant;
 }
 
-void count_standing(const Standing& standing, BucklingResult& result) {
+void count_standing(const Standing& standing, double own_low,
+                    BucklingResult& result) {
   if (!standing.position.topples) return;
   const double factor = *standing.position.topples;
   if (standing.position.yields_slowly &&
@@ -106,7 +105,7 @@ void count_standing(const Standing& standing, BucklingResult& result) {
   }
   // Springs and the part itself yield in series (Southwell).
   result.band_low = factor > 0.0 && result.factor
-                        ? 1.0 / (1.0 / factor + 1.0 / result.band_low)
+                        ? 1.0 / (1.0 / factor + 1.0 / own_low)
                         : 0.0;
   result.factor = result.band_high = factor;
   result.label = standing.label;

@@ -35,6 +35,8 @@ bool count_springs(const PartJob& job,
 
 /// The part has no more than the factor [1] of its position, however stiff it
 /// is; nothing changes where its loads do not push it over.
-void count_standing(const Standing& standing, BucklingResult& result);
+/// @param own_low  lower end of its band as its seats hold it [1].
+void count_standing(const Standing& standing, double own_low,
+                    BucklingResult& result);
 
 }  // namespace clevis::assessment

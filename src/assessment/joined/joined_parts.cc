@@ -11,7 +11,6 @@
 #include "assessment/second_order/second_order_check.h"
 #include "assessment/verdict/governing_peak.h"
 #include "assessment/verdict/verdict.h"
-#include "part/buckling_limit.h"
 
 namespace clevis::assessment {
 namespace {

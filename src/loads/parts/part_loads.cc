@@ -22,6 +22,7 @@
 #include "loads/seats/seat_fit.h"
 #include "loads/seats/seat_spans.h"
 #include "loads/seats/slide_zone.h"
+#include "mechanism/reactions/other_sharings.h"
 #include "part/buckling_limit.h"
 
 namespace clevis::loads {
@@ -199,16 +200,6 @@ std::vector<mechanism::LoadPlace> acting_on(
   return acting;
 }
 
-double largest_reaction(const mechanism::Motion& motion) {
-  double largest = 0.0;
-  for (const mechanism::Instant& instant : motion.instants) {
-    for (const mechanism::JointReaction& joint : instant.joints) {
-      largest = std::max(largest, joint.f_W.norm());
-    }
-  }
-  return largest;
-}
-
 /// Sets what holds the part, and what its loads gain as it gives way.
 void set_neighbours(const SeatContext& context, const mechanism::Motion& motion,
                     std::vector<mechanism::LoadPlace> acting,
@@ -301,7 +292,7 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
   }
   require_still_forces(context, by_force, motion);
   require_balance(history, mass, context.size, context.place("loads"),
-                  largest_reaction(motion));
+                  mechanism::largest_reaction(motion, context.size));
   history.notes = off_middle_notes(context, by_joint);
   const auto off_faces = off_face_notes(context, by_force, motion);
   history.notes.insert(history.notes.end(), off_faces.begin(), off_faces.end());

@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "base/algebra/singular_vectors.h"
+#include "base/values/index.h"
 #include "mechanism/mass_matrix/centre_frame.h"
 #include "mechanism/neighbours/neighbours.h"
+#include "mechanism/reactions/reaction_friction.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -21,10 +23,7 @@ constexpr double kAtRest = 1e-6;    // [m/s], [rad/s]
 /// What friction is proportional to: 1, or the force that it follows [N].
 double load_of(const ActingElement& element, const Instant& instant) {
   const int followed = element.followed_joint();
-  if (followed < 0) return 1.0;
-  const JointReaction& reaction =
-      instant.joints[static_cast<std::size_t>(followed)];
-  return reaction.components().head<2>().norm();
+  return followed < 0 ? 1.0 : force_across(instant.joints[index(followed)]);
 }
 
 }  // namespace

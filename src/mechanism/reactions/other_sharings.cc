@@ -10,7 +10,6 @@
 #include "base/values/index.h"
 #include "mechanism/constraints/constraint_system.h"
 #include "mechanism/constraints/solving_frame.h"
-#include "mechanism/force_elements/force_element.h"
 #include "mechanism/reactions/body_motion.h"
 #include "mechanism/reactions/equilibrium.h"
 #include "numerics/factors/jacobian_factor.h"
@@ -31,18 +30,6 @@ struct Coordinate {
 /// One corner: per coordinate whether it is soft.
 using Corner = std::vector<bool>;
 
-/// Largest reaction of a motion; moments over a length [N].
-double largest_reaction(const Motion& motion, double length) {
-  double largest = 0.0;
-  for (const Instant& instant : motion.instants) {
-    for (const JointReaction& joint : instant.joints) {
-      largest =
-          std::max({largest, joint.f_W.norm(), joint.t_W.norm() / length});
-    }
-  }
-  return largest;
-}
-
 /// Whether a component of a joint is open and matters at some instant.
 bool is_open(const Motion& motion, std::size_t joint, std::size_t component,
              double negligible) {
@@ -57,21 +44,14 @@ bool is_open(const Motion& motion, std::size_t joint, std::size_t component,
 
 /// Whether a force strains an elastic link elsewhere than at its joints: what
 /// it does to the sharing is left out.
-bool is_loaded_elsewhere(const MechanismDefinition& definition,
-                         BodyIndex body) {
-  if (body == kGround || !definition.bodies[index(body)].compliance) {
-    return false;
-  }
-  return std::ranges::any_of(definition.elements,
-                             [&](const ForceElement& element) {
-                               return acts_on(element, definition.joints, body);
-                             });
+bool is_loaded_elsewhere(const Motion& motion, BodyIndex body) {
+  return std::ranges::find(motion.unshared.loaded, body) !=
+         motion.unshared.loaded.end();
 }
 
-bool is_loaded_elsewhere(const MechanismDefinition& definition,
-                         const JointDefinition& joint) {
-  return is_loaded_elsewhere(definition, joint.body_a) ||
-         is_loaded_elsewhere(definition, joint.body_b);
+bool is_loaded_elsewhere(const Motion& motion, const JointDefinition& joint) {
+  return is_loaded_elsewhere(motion, joint.body_a) ||
+         is_loaded_elsewhere(motion, joint.body_b);
 }
 
 /// Joints of a link that give way as much as it does, at least.
@@ -89,12 +69,13 @@ void soften_joints(const LinkCompliance& link,
 
 /// Without the links that forces strain elsewhere: how those share is not
 /// known, so that joints alone do, of any compliance about that of the link.
-MechanismDefinition without_loaded_links(const MechanismDefinition& given) {
+MechanismDefinition without_loaded_links(const MechanismDefinition& given,
+                                         const Motion& motion) {
   MechanismDefinition definition = given;
-  for (std::size_t i = 0; i < given.bodies.size(); ++i) {
-    if (!is_loaded_elsewhere(given, static_cast<BodyIndex>(i))) continue;
-    soften_joints(*given.bodies[i].compliance, definition.joints);
-    definition.bodies[i].compliance.reset();
+  for (const int body : motion.unshared.loaded) {
+    auto& compliance = definition.bodies[index(body)].compliance;
+    soften_joints(*compliance, definition.joints);
+    compliance.reset();
   }
   return definition;
 }
@@ -118,9 +99,10 @@ bool is_stiffer_than_link(const MechanismDefinition& definition,
       });
 }
 
-double range_of(const MechanismDefinition& definition, std::size_t joint) {
+double range_of(const MechanismDefinition& definition, const Motion& motion,
+                std::size_t joint) {
   const JointDefinition& of = definition.joints[joint];
-  if (is_loaded_elsewhere(definition, of)) return kUnknownCompliance;
+  if (is_loaded_elsewhere(motion, of)) return kUnknownCompliance;
   if (of.compliance) return kGivenCompliance;
   return has_elastic_links(definition) ? kBesideElasticLinks
                                        : kUnknownCompliance;
@@ -137,7 +119,7 @@ std::vector<Coordinate> open_coordinates(const MechanismDefinition& definition,
       if (is_open(motion, j, first, negligible) ||
           is_open(motion, j, first + 1, negligible) ||
           is_open(motion, j, first + 2, negligible)) {
-        coordinates.push_back({j, is_moment, range_of(definition, j)});
+        coordinates.push_back({j, is_moment, range_of(definition, motion, j)});
       }
     }
   }
@@ -216,12 +198,23 @@ bool changes_nothing(const std::vector<Coordinate>& coordinates,
 
 }  // namespace
 
+double largest_reaction(const Motion& motion, double length) {
+  double largest = 0.0;
+  for (const Instant& instant : motion.instants) {
+    for (const JointReaction& joint : instant.joints) {
+      largest =
+          std::max({largest, joint.f_W.norm(), joint.t_W.norm() / length});
+    }
+  }
+  return largest;
+}
+
 struct OtherSharings::Solver {
   static constexpr std::size_t kMostCoordinates = 6;  // 64 corners
 
   Solver(const MechanismDefinition& given, const Motion& motion_of,
          const std::vector<double>& bars)
-      : definition(without_loaded_links(given)),
+      : definition(without_loaded_links(given, motion_of)),
         motion(motion_of),
         frame(definition),
         system(frame, definition.drives,
@@ -238,7 +231,7 @@ struct OtherSharings::Solver {
     });
     for (const Coordinate& coordinate : coordinates) {
       const JointDefinition& joint = definition.joints[coordinate.joint];
-      leaves_forces_out |= is_loaded_elsewhere(given, joint);
+      leaves_forces_out |= is_loaded_elsewhere(motion, joint);
       auto& names = !joint.compliance                          ? unknown_names
                     : is_stiffer_than_link(given, joint, bars) ? stiff_names
                                                                : given_names;

@@ -20,6 +20,9 @@ inline constexpr double kGivenCompliance = 2.0;
 /// it matter that equilibrium leaves them open.
 inline constexpr double kNegligibleReaction = 1e-6;
 
+/// Of a motion; moments over a length [N]. @param length  [m].
+double largest_reaction(const Motion& motion, double length);
+
 /// The same motion with its reactions as joints of other compliance share what
 /// equilibrium leaves open.
 ///

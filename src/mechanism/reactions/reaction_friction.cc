@@ -15,6 +15,10 @@ constexpr double kSettled = 1e-13;  // of the largest effort
 
 }  // namespace
 
+double force_across(const JointReaction& reaction) {
+  return reaction.components().head<2>().norm();
+}
+
 Equilibrium::Solution balance_with_friction(
     const ForceModel& forces, ForceState& acting, std::size_t slots,
     const std::function<Equilibrium::Solution(std::span<const Twist>)>&
@@ -31,7 +35,7 @@ Equilibrium::Solution balance_with_friction(
       const auto& reaction = solution.joints[static_cast<std::size_t>(joint)];
       ElementResponse& element = acting.elements[k];
       const double before = element.load;
-      const double load = reaction.components().head<2>().norm();
+      const double load = force_across(reaction);
       give_load(forces.element(k), load, element);
       change = std::max(change, std::abs(load - before));
       largest = std::max(largest, load);
@@ -78,7 +82,7 @@ bool exceeds_its_most(const ActingElement& element,
                       const std::vector<JointReaction>& joints) {
   constexpr double kMargin = 1e-6;
   const auto j = static_cast<std::size_t>(element.followed_joint());
-  const double load = joints[j].components().head<2>().norm();
+  const double load = force_across(joints[j]);
   const double most = element.breakaway_per_load() * load;
   return std::abs(acting.effort) > (1.0 + kMargin) * most;
 }

@@ -9,6 +9,9 @@
 
 namespace clevis::mechanism {
 
+/// The force that friction of a joint follows: that across the axis z [N].
+double force_across(const JointReaction& reaction);
+
 /// Reactions and the friction that is proportional to them, at known
 /// accelerations, by iteration.
 /// @param acting  given the loads and efforts.

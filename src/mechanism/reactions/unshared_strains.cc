@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/values/index.h"
-#include "mechanism/force_elements/force_element.h"
+#include "mechanism/reactions/other_sharings.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -14,24 +14,28 @@ using Eigen::Vector3d;
 
 constexpr double kAlong = 0.1;  // of a unit vector: it has a share there
 
-double largest_reaction(const Motion& motion) {
-  double largest = 0.0;
-  for (const Instant& instant : motion.instants) {
-    for (const JointReaction& joint : instant.joints) {
-      largest = std::max(largest, joint.f_W.norm());
+using Joints = std::vector<std::size_t>;
+
+/// Those of each body with a part that some instant leaves open.
+std::vector<Joints> open_joints(const MechanismDefinition& definition,
+                                const Motion& motion) {
+  std::vector<Joints> by_body(definition.bodies.size());
+  for (std::size_t j = 0; j < definition.joints.size(); ++j) {
+    if (std::ranges::all_of(motion.instants, [&](const Instant& instant) {
+          return instant.joints[j].unique;
+        })) {
+      continue;
+    }
+    const JointDefinition& joint = definition.joints[j];
+    for (const BodyIndex body : {joint.body_a, joint.body_b}) {
+      // Without a part it is rigid, as it is given.
+      if (body == kGround || definition.bodies[index(body)].part.empty()) {
+        continue;
+      }
+      by_body[index(body)].push_back(j);
     }
   }
-  return largest;
-}
-
-std::vector<std::size_t> joints_of(const MechanismDefinition& definition,
-                                   int body) {
-  std::vector<std::size_t> found;
-  for (std::size_t j = 0; j < definition.joints.size(); ++j) {
-    const JointDefinition& joint = definition.joints[j];
-    if (joint.body_a == body || joint.body_b == body) found.push_back(j);
-  }
-  return found;
+  return by_body;
 }
 
 /// Whether an open force of a joint has a share along a line, and not along
@@ -50,11 +54,8 @@ bool is_open_along(const JointReaction& joint, const Vector3d& line,
 }
 
 /// The largest m ω² d/8 between two joints of open forces [N].
-double pull_of_spin(const MechanismDefinition& definition,
-                    const Instant& instant, int body) {
-  const double mass = definition.bodies[index(body)].mass_properties.mass;
-  const Vector3d& spin = instant.bodies[index(body)].w_WL;
-  const auto joints = joints_of(definition, body);
+double pull_of_spin(double mass, const Vector3d& spin, const Joints& joints,
+                    const Instant& instant) {
   double largest = 0.0;
   for (std::size_t a = 0; a < joints.size(); ++a) {
     for (std::size_t b = a + 1; b < joints.size(); ++b) {
@@ -71,40 +72,35 @@ double pull_of_spin(const MechanismDefinition& definition,
   return largest;
 }
 
-bool has_open_joint(const MechanismDefinition& definition,
-                    const Instant& instant, int body) {
-  return std::ranges::any_of(joints_of(definition, body), [&](std::size_t j) {
-    return !instant.joints[j].unique;
-  });
-}
-
-bool is_loaded(const MechanismDefinition& definition, const Instant& instant,
-               int body) {
-  for (std::size_t e = 0; e < definition.elements.size(); ++e) {
-    if (acts_on(definition.elements[e], definition.joints, body) &&
-        instant.elements[e].effort != 0.0) {
-      return true;
-    }
-  }
-  return false;
+bool is_loaded(const Instant& instant, int body) {
+  return std::ranges::any_of(
+      instant.elements, [body](const ElementState& element) {
+        return std::ranges::any_of(
+            element.actions, [body](const ElementAction& action) {
+              return action.body == body &&
+                     !(action.f_W.isZero(0.0) && action.t_W.isZero(0.0));
+            });
+      });
 }
 
 }  // namespace
 
 UnsharedStrains unshared_strains(const MechanismDefinition& definition,
-                                 const Motion& motion) {
+                                 const Motion& motion, double length) {
   constexpr double kCounts = 0.01;
-  const double counts = kCounts * largest_reaction(motion);
+  const double counts = kCounts * largest_reaction(motion, length);
+  const std::vector<Joints> open = open_joints(definition, motion);
   UnsharedStrains found;
-  for (int body = 0; body < static_cast<int>(definition.bodies.size());
-       ++body) {
+  for (int body = 0; body < static_cast<int>(open.size()); ++body) {
+    const Joints& joints = open[index(body)];
+    if (joints.empty()) continue;
     const BodyDefinition& of = definition.bodies[index(body)];
-    if (of.part.empty()) continue;  // rigid, as it is given
     const bool is_elastic = of.compliance.has_value();
     if (std::ranges::any_of(motion.instants, [&](const Instant& instant) {
-          return is_elastic ? has_open_joint(definition, instant, body) &&
-                                  is_loaded(definition, instant, body)
-                            : pull_of_spin(definition, instant, body) > counts;
+          return is_elastic ? is_loaded(instant, body)
+                            : pull_of_spin(of.mass_properties.mass,
+                                           instant.bodies[index(body)].w_WL,
+                                           joints, instant) > counts;
         })) {
       (is_elastic ? found.loaded : found.spun).push_back(body);
     }

@@ -250,10 +250,10 @@ TEST(Standing, SpringsAndThePartYieldInSeries) {
   BucklingResult result;
   result.factor = result.band_high = 4.0;
   result.band_low = 3.0;
-  count_standing({}, result);
+  count_standing({}, 3.0, result);
   EXPECT_EQ(result.factor, 4.0);
   EXPECT_TRUE(result.remark.empty());
-  count_standing({{0.6, false}, "end", 2.0}, result);
+  count_standing({{0.6, false}, "end", 2.0}, 3.0, result);
   EXPECT_EQ(result.factor, 0.6);
   EXPECT_EQ(result.band_high, 0.6);
   EXPECT_DOUBLE_EQ(result.band_low, 0.5);  // 1/(1/0.6 + 1/3)
@@ -261,11 +261,39 @@ TEST(Standing, SpringsAndThePartYieldInSeries) {
   EXPECT_NE(result.remark.find("springs and servo axes alone"),
             std::string::npos);
   // Nothing holds it.
-  count_standing({{0.0, false}, "end", 2.0}, result);
+  count_standing({{0.0, false}, "end", 2.0}, 3.0, result);
   EXPECT_EQ(result.factor, 0.0);
   EXPECT_EQ(result.band_low, 0.0);
   EXPECT_FALSE(result.is_lower_bound());
   EXPECT_NE(result.remark.find("nothing holds it"), std::string::npos);
+}
+
+// Springs that hold at once are in the band, and not in what yields slowly.
+TEST(Standing, WhatYieldsSlowlyCountsWhereItIsLess) {
+  const auto slowly = [](double factor) {
+    return Standing{{.topples = factor, .yields_slowly = true}, "end", 2.0};
+  };
+  BucklingResult result;
+  count_standing(slowly(0.5), 3.0, result);
+  EXPECT_FALSE(result.factor);  // not computed
+  result.factor = result.band_high = 4.0;
+  result.band_low = 1.5;
+  count_standing(slowly(5.0), 3.0, result);
+  EXPECT_EQ(result.factor, 4.0);
+  EXPECT_EQ(result.band_low, 1.5);
+  count_standing(slowly(2.0), 3.0, result);
+  EXPECT_EQ(result.factor, 2.0);
+  EXPECT_DOUBLE_EQ(result.band_low, 1.2);  // 1/(1/2 + 1/3)
+  EXPECT_NE(result.remark.find("friction"), std::string::npos);
+  EXPECT_EQ(result.remark.find("not stable"), std::string::npos);
+  count_standing(slowly(0.5), 3.0, result);
+  EXPECT_NE(result.remark.find("not stable"), std::string::npos);
+  Standing all;
+  all.take({{.topples = 0.9}, "springs", 1.0});
+  all.take(slowly(0.5));
+  EXPECT_TRUE(all.position.yields_slowly);
+  all.take({{.topples = 0.4}, "springs", 1.0});
+  EXPECT_FALSE(all.position.yields_slowly);
 }
 
 }  // namespace

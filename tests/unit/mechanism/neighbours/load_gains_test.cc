@@ -212,7 +212,8 @@ TEST(LoadGains, LoadOnAMastHasAnArm) {
 }
 
 // On a ball with a bushing that it cannot push over it turns with the body, and
-// further as that yields; on one that it can it does not follow.
+// further as that yields under the factor wanted, or under the loads as they
+// are where it topples before; on one that it can push over it does not follow.
 TEST(LoadGains, MastOnABushingFollowsWhereThatHolds) {
   constexpr double kArm = 0.3;
   MechanismDefinition definition;
@@ -230,7 +231,7 @@ TEST(LoadGains, MastOnABushingFollowsWhereThatHolds) {
   pressed.actions[1] = {
       .body = 1, .p_W = kArm * Vector3d::UnitX(), .f_W = force};
   instant.elements = {held, pressed};
-  constexpr double kMoment = kForce * kArm, kFactor = 1.5;
+  constexpr double kMoment = kForce * kArm;
   for (const double stiffness : {1e6, 5.0 * kMoment, 0.1 * kMoment}) {
     BushingElement bushing;
     bushing.a.body = 0;
@@ -238,15 +239,19 @@ TEST(LoadGains, MastOnABushingFollowsWhereThatHolds) {
     bushing.stiffness.bottomRightCorner<3, 3>() =
         stiffness * Matrix3d::Identity();
     definition.elements = {bushing, ConstantForce{}};
-    const auto found =
-        load_gains(Neighbours(definition, 0), instant,
-                   {{LoadPlace::Kind::kJoint, 0, Vector3d::Zero()},
-                    {LoadPlace::Kind::kElement, 0, Vector3d::Zero()}});
     Eigen::VectorXd turn = Eigen::VectorXd::Zero(12);
     turn[5] = turn[11] = 1.0;
-    const double yields = 1.0 / (1.0 - kFactor * kMoment / stiffness);
-    EXPECT_NEAR(turn.dot(found * turn),
-                stiffness > kMoment ? kMoment * yields : 0.0, 1e-6 * kForce);
+    for (const double wanted : {1.5, 3.0, 6.0}) {
+      const auto found =
+          load_gains(Neighbours(definition, 0), instant,
+                     {{LoadPlace::Kind::kJoint, 0, Vector3d::Zero()},
+                      {LoadPlace::Kind::kElement, 0, Vector3d::Zero()}},
+                     wanted);
+      const double factor = wanted * kMoment < stiffness ? wanted : 1.0;
+      const double yields = 1.0 / (1.0 - factor * kMoment / stiffness);
+      EXPECT_NEAR(turn.dot(found * turn),
+                  stiffness > kMoment ? kMoment * yields : 0.0, 1e-6 * kForce);
+    }
   }
 }
 

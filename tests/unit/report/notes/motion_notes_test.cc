@@ -242,5 +242,17 @@ TEST(MotionNotes, AccelerationThatNoDriveGivesIsAskedAbout) {
   EXPECT_TRUE(motion_notes(definition, motion).empty());
 }
 
+TEST(MotionNotes, StrainsThatJointsDoNotShareAreTold) {
+  MechanismDefinition definition;
+  Motion motion = integrated(definition, 3, 1.0);
+  motion.unshared.spun = {0};
+  EXPECT_TRUE(only_note(definition, motion).starts_with("bob: ")) << "spun";
+  EXPECT_NE(only_note(definition, motion).find("\"elastic\""),
+            std::string::npos);
+  motion.unshared = {.spun = {}, .loaded = {0}};
+  EXPECT_NE(only_note(definition, motion).find("links = \"rigid\""),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace clevis::report
