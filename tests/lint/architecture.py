@@ -217,7 +217,8 @@ PUBLIC = {
                 " integrators/switching_integrator",
     "mechanism": "definition/definition definition/drive_names definition/motion"
                  " force_elements/breakaway force_elements/force_element joints/joint_types"
-                 " neighbours/elements_at_rest neighbours/load_gains neighbours/neighbour_inertia neighbours/neighbours reactions/other_sharings simulate structure/joined_bodies structure/structure",
+                 " neighbours/elements_at_rest neighbours/load_gains neighbours/neighbour_inertia neighbours/neighbours reactions/largest_reaction"
+                 " reactions/other_sharings simulate structure/joined_bodies structure/structure",
     "machine": "bearings/bearing bearings/bearing_history bearings/bearing_life"
                " devices/ejector devices/slide_lever_closed_form"
                " transmissions/transmission",
@@ -230,7 +231,7 @@ PUBLIC = {
     "loads": "history/balance history/load_history history/motion_instants history/strike history/turning_loads"
              " parts/case_loads parts/held_pins parts/part_loads parts/partial_walls parts/series_loads"
              " pressure/discrete_balance pressure/face_pressure pressure/load_scale pressure/pin_pressure pressure/seat_traction pressure/surface_shear"
-             " pressure/wall_pressure holds/holding_groups seats/part_seats holds/seat_hold seats/seat_spans holds/slide_places",
+             " pressure/wall_pressure holds/holding_groups seats/force_seats seats/part_seats holds/seat_hold seats/seat_spans holds/slide_places",
     "dynamics": "load_vibration/load_answer load_vibration/load_path"
                 " load_vibration/response_spectrum"
                 " load_vibration/load_shapes strike/strike strike/strike_steps"

@@ -4,7 +4,7 @@ that `clevis check` wrote, stress the part alone as they did in the mechanism,
 in the part's frame and in the world's; a bar pushed at one end is stressed as
 its inertia asks; one that is struck, from the first instant of its file on, by a
 wave; one that turns under its load is bent as it is between two
-rows; and what is refused.
+rows; a driven lever is held by its driven pin; and what is refused.
 
     load_history.py CLEVIS SOURCE_DIR
 """
@@ -106,6 +106,63 @@ def round_trip(folder):
          wanted["peak_von_mises"]["value_MPa"], 1e-3)
     if "its file has no accelerations; those that balance its loads reach" not in found.text:
         faults.append("no word on accelerations that balance the loads")
+
+
+LEVER = """[[body]]
+name = "part"
+part = "part"
+placement = {{ origin = ["0 mm", "0 mm", "0 mm"] }}
+[[joint]]
+name = "A"
+type = "revolute"
+between = ["ground", "part"]
+at = {{ ground = ["0 mm", "0 mm", "0 mm"], part = ["0 mm", "0 mm", "0 mm"] }}
+axis = [0, 0, 1]
+[simulation]
+duration = "1 s"
+instants = 11
+[[drive]]
+joint = "A"
+law = "quintic"
+from = "0 deg"
+to = "60 deg"
+duration = "1 s"
+[[force]]
+type = "spring"
+name = "S"
+between = ["ground", "part"]
+from = ["100 mm", "-100 mm", "0 mm"]
+to = ["140 mm", "0 mm", "0 mm"]
+stiffness = "1 N/mm"
+free = "60 mm"
+[[part]]
+name = "part"
+mesh = "{mesh}"
+length_unit = "mm"
+material = "steel"
+pins = {{ A = "bore_A" }}
+drives = {{ A = {{ face = "bore_A" }} }}
+forces = {{ S = {{ face = "bore_B" }} }}
+"""
+
+
+def driven_lever(folder):
+    """It bends and buckles from its driven pin on, and not between its two pins."""
+    mesh = SOURCE / "meshes/reference_link/link.msh"
+    (folder / "lever.toml").write_text(f"""schema = 1
+name = "lever"
+[world]
+gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
+{support.steel(0.3)}""" + LEVER.format(mesh=mesh))
+    whole = support.check(CLEVIS, folder / "lever.toml", out=folder / "lever", exits=(0, 1))
+    found = check(folder, mesh, 'pins = { A = "bore_A", "force S" = "bore_B" }\n'
+                  'faces = { "drive A" = "bore_A" }',
+                  (folder / "lever/part_loads.csv").read_text())
+    # Each climbs to its own degree.
+    near("driven lever, peak", found.peak, whole.peak, 3e-3)
+    near("driven lever, deflection", found.part["deflection_mm"], whole.part["deflection_mm"], 1e-4)
+    if "bore_A takes a moment, as a weld" not in found.text:
+        faults.append("no word on the pin that holds the lever")
 
 
 def pushed_bar(folder):
@@ -246,6 +303,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         round_trip(folder)
+        driven_lever(folder)
         pushed_bar(folder)
         refusals(folder)
         turning_bar(folder)

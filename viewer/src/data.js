@@ -1,4 +1,5 @@
 // What clevis stored in the page, decoded (docs/results.md).
+import { number } from "./format.js";
 
 const ARRAYS = { f32: Float32Array, i8: Int8Array, i16: Int16Array,
                  u16: Uint16Array, u32: Uint32Array };
@@ -152,6 +153,16 @@ export class Part {
   get peak() {
     return this.result.peak_outside_singular_zones ??
            this.result.peak_von_mises;
+  }
+
+  /** What its stress is held against the limit by: that of its vibration where
+   * it governs, else the peak. */
+  get governing() {
+    const { vibration } = this.result;
+    if (!vibration?.governs || !vibration.band_MPa) return this.peak;
+    return { value_MPa: vibration.peak_MPa, band_MPa: vibration.band_MPa,
+             group: vibration.group,
+             case: `vibrating, t = ${number(vibration.instant_s)} s` };
   }
 
   /** Frames at a time of the motion, or at a case. */

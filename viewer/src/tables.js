@@ -13,9 +13,9 @@ export const verdictWord = (verdict) => h("strong",
 /** One line per part: verdict, peak in its band beside the limit, why. */
 export function verdicts(data, onPart) {
   const most = 1.05 * Math.max(...data.parts.map((part) =>
-    Math.max(part.peak.band_MPa[1], stressLimit(part) ?? 0)));
+    Math.max(part.governing.band_MPa[1], stressLimit(part) ?? 0)));
   const rows = data.parts.map((part) => {
-    const { peak, result } = part;
+    const { governing: peak, result } = part;
     return [
       h("button", { type: "button", class: "link",
                     onclick: () => onPart(part) }, part.name),
@@ -88,7 +88,13 @@ function summary(part) {
         ...Object.entries(c.pressure_MPa).map(([g, p]) =>
           `${c.name}: ${number(p)} MPa on ${g}`),
         ...Object.entries(c.traction_MPa).map(([g, t]) =>
-          `${c.name}: (${vector(t)}) MPa on ${g}`)])].join("; ") || "–"],
+          `${c.name}: (${vector(t)}) MPa on ${g}`),
+        ...[[c.acceleration_m_per_s2, "acceleration less gravity", "m/s²"],
+            [c.angular_velocity_rad_per_s, "angular velocity", "rad/s"],
+            [c.angular_acceleration_rad_per_s2, "angular acceleration", "rad/s²"]]
+          .filter(([values]) => values?.some((value) => value !== 0))
+          .map(([values, what, unit]) =>
+            `${c.name}: ${what} (${vector(values)}) ${unit}`)])].join("; ") || "–"],
     ["Notes", r.notes.join(" ") || null]]);
 }
 

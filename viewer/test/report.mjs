@@ -92,6 +92,21 @@ async function tryReport(file, folder) {
     assert.ok(Math.abs(t - expected) <= 1e-6 * Math.abs(expected),
               `t = ${t} s, ${worst?.name} is worst at ${expected} s`);
   });
+  await check("verdicts show the stress that is judged", async () => {
+    const shown = await page.evaluate(() => globalThis.clevisReport.data.parts
+      .map((part) => part.governing.value_MPa));
+    const rows = await page.evaluate(() => [...document.querySelectorAll("table")]
+      .filter((table) => table.caption?.textContent.startsWith("Verdict by part"))
+      .flatMap((table) => [...table.tBodies[0].rows].map((row) => row.cells[2].textContent)));
+    const judged = (isCheck?.parts ?? []).map(({ vibration, ...part }) =>
+      vibration?.governs && vibration.band_MPa ? vibration.peak_MPa
+        : (part.peak_outside_singular_zones ?? part.peak_von_mises).value_MPa);
+    assert.deepEqual([...shown].sort(), [...judged].sort());
+    const near = (text, value) => Math.abs(parseFloat(text.replace(",", ".")) - value) <= 1e-3 * value;
+    for (const value of judged) {
+      assert.ok(rows.some((text) => near(text, value)), `${value} MPa not in ${rows}`);
+    }
+  });
   await check("bars with a limit are explained", async () => {
     const [limits, keys] = await page.evaluate(() => [
       document.querySelectorAll(".bar .limit").length,

@@ -5,6 +5,7 @@
 
 #include "elasticity/solid/seat_compliance.h"
 #include "loads/history/balance.h"
+#include "loads/seats/force_seats.h"
 #include "loads/seats/part_seats.h"
 
 namespace clevis::app {
@@ -24,26 +25,38 @@ mechanism::LinkCompliance link_compliance(const LoadedScene& loaded,
     link.points.push_back(seat.seat.p_LS);
     seats.push_back(seat.seat);
   }
-  auto [by_wrench, by_spin] = elasticity::seat_compliance(
+  std::vector<loads::Seat> loaded_seats;
+  for (const loads::ForceSeat& force : loads::force_seats(context)) {
+    if (!force.pressurized.empty()) continue;  // no wrench on one face
+    link.loads.push_back({static_cast<int>(force.index), force.seat.p_LS});
+    loaded_seats.push_back(force.seat);
+  }
+  auto [by_wrench, by_spin, by_load] = elasticity::seat_compliance(
       part.mesh, part.definition.material, part.mass, std::move(seats),
-      part.definition.name);
+      std::move(loaded_seats), part.definition.name);
   link.matrix = std::move(by_wrench);
   link.by_spin = std::move(by_spin);
+  link.by_load = std::move(by_load);
   return link;
 }
 
 }  // namespace
 
-void add_link_compliances(LoadedScene& loaded) {
-  auto& mechanism = loaded.scene.mechanism;
-  if (loaded.scene.simulation.links != mechanism::LinkStiffness::kElastic) {
-    return;
-  }
+mechanism::MechanismDefinition with_link_compliances(
+    const LoadedScene& loaded) {
+  mechanism::MechanismDefinition mechanism = loaded.scene.mechanism;
   for (const LoadedPart& part : loaded.parts) {
     const auto body = loaded.body_of(part.definition.name);
     if (body == mechanism::kGround) continue;
     mechanism.bodies[static_cast<std::size_t>(body)].compliance =
         link_compliance(loaded, part, body);
+  }
+  return mechanism;
+}
+
+void add_link_compliances(LoadedScene& loaded) {
+  if (loaded.scene.simulation.links == mechanism::LinkStiffness::kElastic) {
+    loaded.scene.mechanism = with_link_compliances(loaded);
   }
 }
 

@@ -4,8 +4,12 @@
 
 namespace clevis::app {
 
-/// Gives every body with a part the compliance of that part by finite elements,
-/// if the scene asks for elastic links.
+/// The mechanism, every body with a part of that part's compliance by finite
+/// elements.
+/// @throws Error L002, L003, L004, M003, F….
+mechanism::MechanismDefinition with_link_compliances(const LoadedScene& loaded);
+
+/// Makes that the scene's mechanism, if it asks for elastic links.
 /// @throws Error L002, L003, L004, M003, F….
 void add_link_compliances(LoadedScene& loaded);
 

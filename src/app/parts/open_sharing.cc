@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/parts/link_compliance.h"
 #include "loads/history/balance.h"
 #include "loads/parts/part_loads.h"
 
@@ -28,48 +30,92 @@ double difference(const loads::LoadHistory& one,
   return largest > 0.0 ? apart / largest : 0.0;
 }
 
-std::string remedy(const mechanism::OtherSharings& sharings) {
+std::string remedy(const mechanism::OtherSharings& sharings, bool is_elastic) {
   if (sharings.leaves_forces_out()) {
-    return "forces on elastic links elsewhere than at their joints are left "
-           "out of the sharing: take links = \"rigid\" and give the joints "
+    return "pressure on faces of elastic links is left out of the sharing: "
+           "take links = \"rigid\" and give the joints "
            "compliances that stand for the links too";
   }
   if (!sharings.unknown().empty()) {
     return fmt::format(
-        "give {} their compliance, take links = \"elastic\", or remove the "
-        "redundant constraints",
-        fmt::join(sharings.unknown(), ", "));
+        "give {} their compliance,{} or remove the redundant constraints",
+        fmt::join(sharings.unknown(), ", "),
+        is_elastic ? "" : " take links = \"elastic\",");
   }
   if (!sharings.stiff().empty()) {
     return fmt::format(
-        "{} are given less compliance than rigid links have as bars: take "
-        "links = \"elastic\", or give compliances that stand for the links too",
+        "{} are given less compliance than rigid links have as bars, so that "
+        "these count as elastic too: take links = \"elastic\"",
         fmt::join(sharings.stiff(), ", "));
   }
   return fmt::format("within twice and half the compliance given to {}",
                      fmt::join(sharings.given(), ", "));
 }
 
+/// What each body's part gives way along its largest distance of joints d as a
+/// bar of its volume V, d²/EV [m/N].
+std::vector<double> bars_of(const LoadedScene& loaded) {
+  const auto& definition = loaded.scene.mechanism;
+  std::vector<double> bars(definition.bodies.size(), 0.0);
+  for (const auto& part : loaded.parts) {
+    const auto body = loaded.body_of(part.definition.name);
+    if (body == mechanism::kGround) continue;
+    std::vector<Eigen::Vector3d> points;
+    for (const auto& joint : definition.joints) {
+      if (joint.body_a == body) points.push_back(joint.frame_a.p_LJ);
+      if (joint.body_b == body) points.push_back(joint.frame_b.p_LJ);
+    }
+    double largest = 0.0;
+    for (const auto& a : points) {
+      for (const auto& b : points) {
+        largest = std::max(largest, (a - b).squaredNorm());
+      }
+    }
+    const auto& material = part.definition.material;
+    bars[static_cast<std::size_t>(body)] =
+        largest * material.density / (material.youngs_modulus * part.mass.mass);
+  }
+  return bars;
+}
+
 }  // namespace
 
-std::optional<assessment::OpenSharing> open_sharing(
-    const LoadedScene& loaded, const mechanism::OtherSharings& sharings,
-    const LoadedPart& part, const loads::LoadHistory& checked) {
-  const double size = loads::part_size(part.groups, part.mass);
-  assessment::OpenSharing result{.set = 0,
-                                 .checked = checked,
-                                 .others = {},
-                                 .is_complete = sharings.is_complete(),
-                                 .remedy = remedy(sharings)};
-  for (std::size_t i = 0; i < sharings.size(); ++i) {
-    auto other = loads::part_loads(loaded.scene.mechanism, sharings.motion(i),
-                                   loaded.body_of(part.definition.name),
-                                   part.definition, part.groups, part.mass);
-    if (difference(checked, other, size) <= mechanism::kNegligibleReaction) {
-      continue;
-    }
-    result.others.push_back(std::move(other));
+Sharings::Elastic::Elastic(const LoadedScene& loaded,
+                           const mechanism::Motion& motion)
+    : definition(with_link_compliances(loaded)), sharings(definition, motion) {}
+
+Sharings::Sharings(const LoadedScene& loaded, const mechanism::Motion& motion)
+    : loaded_(loaded),
+      as_given_(loaded.scene.mechanism, motion, bars_of(loaded)) {
+  if (!as_given_.stiff().empty() || !motion.unshared.spun.empty()) {
+    elastic_.emplace(loaded, motion);
   }
+}
+
+std::optional<assessment::OpenSharing> Sharings::of_part(
+    const LoadedPart& part, const loads::LoadHistory& checked) const {
+  const double size = loads::part_size(part.groups, part.mass);
+  assessment::OpenSharing result{
+      .set = 0,
+      .checked = checked,
+      .others = {},
+      .is_complete = true,
+      .remedy = remedy(as_given_, loaded_.scene.simulation.links ==
+                                      mechanism::LinkStiffness::kElastic)};
+  const auto add = [&](const mechanism::OtherSharings& sharings) {
+    result.is_complete &= sharings.is_complete();
+    for (std::size_t i = 0; i < sharings.size(); ++i) {
+      auto other =
+          loads::part_loads(loaded_.scene.mechanism, sharings.motion(i),
+                            loaded_.body_of(part.definition.name),
+                            part.definition, part.groups, part.mass);
+      if (difference(checked, other, size) > mechanism::kNegligibleReaction) {
+        result.others.push_back(std::move(other));
+      }
+    }
+  };
+  add(as_given_);
+  if (elastic_) add(elastic_->sharings);
   if (result.others.empty()) return std::nullopt;
   return result;
 }

@@ -8,12 +8,35 @@
 
 namespace clevis::app {
 
-/// Loads on a part as joints of other compliance share the reactions that
-/// equilibrium leaves open; nothing if its loads hardly depend on it.
-/// @param checked  its loads by the sharing that the motion has, load set 0.
-/// @throws Error as of part_loads().
-std::optional<assessment::OpenSharing> open_sharing(
-    const LoadedScene& loaded, const mechanism::OtherSharings& sharings,
-    const LoadedPart& part, const loads::LoadHistory& checked);
+/// How joints of other compliance share the reactions that equilibrium leaves
+/// open. Where links that count as rigid yield more than their joints do, or
+/// spin stretches them between their joints, also as elastic links share them.
+class Sharings {
+ public:
+  /// @param motion  of the scene's mechanism, without instants at change
+  ///   points.
+  /// @throws Error of with_link_compliances().
+  Sharings(const LoadedScene& loaded, const mechanism::Motion& motion);
+  Sharings(const Sharings&) = delete;
+  Sharings& operator=(const Sharings&) = delete;
+
+  /// Loads on a part in these; nothing if its loads hardly depend on it.
+  /// @param checked  its loads by the sharing that the motion has, load set 0.
+  /// @throws Error as of part_loads().
+  std::optional<assessment::OpenSharing> of_part(
+      const LoadedPart& part, const loads::LoadHistory& checked) const;
+
+ private:
+  /// Of a mechanism whose links count as elastic.
+  struct Elastic {
+    Elastic(const LoadedScene& loaded, const mechanism::Motion& motion);
+
+    mechanism::MechanismDefinition definition;
+    mechanism::OtherSharings sharings;
+  };
+  const LoadedScene& loaded_;
+  mechanism::OtherSharings as_given_;
+  std::optional<Elastic> elastic_;
+};
 
 }  // namespace clevis::app

@@ -220,34 +220,8 @@ loads::SeatSpans seat_spans(const LoadedScene& loaded) {
   return spans;
 }
 
-/// What each body's part gives way along its largest distance of joints d as a
-/// bar of its volume V, d²/EV [m/N].
-std::vector<double> bars_of(const LoadedScene& loaded) {
-  const auto& definition = loaded.scene.mechanism;
-  std::vector<double> bars(definition.bodies.size(), 0.0);
-  for (const auto& part : loaded.parts) {
-    const BodyIndex body = loaded.body_of(part.definition.name);
-    if (body == mechanism::kGround) continue;
-    std::vector<Eigen::Vector3d> points;
-    for (const auto& joint : definition.joints) {
-      if (joint.body_a == body) points.push_back(joint.frame_a.p_LJ);
-      if (joint.body_b == body) points.push_back(joint.frame_b.p_LJ);
-    }
-    double largest = 0.0;
-    for (const auto& a : points) {
-      for (const auto& b : points) {
-        largest = std::max(largest, (a - b).squaredNorm());
-      }
-    }
-    const auto& material = part.definition.material;
-    bars[static_cast<std::size_t>(body)] =
-        largest * material.density / (material.youngs_modulus * part.mass.mass);
-  }
-  return bars;
-}
-
 PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
-                 const std::optional<mechanism::OtherSharings>& sharings,
+                 const std::optional<Sharings>& sharings,
                  const LoadedPart& part, double tolerance) {
   PartJob job;
   job.part = part.definition;
@@ -265,8 +239,7 @@ PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
                            part.groups, part.mass, seat_spans(loaded)),
          {}});
     if (sharings) {
-      if (auto open = open_sharing(loaded, *sharings, part,
-                                   job.load_sets.front().history)) {
+      if (auto open = sharings->of_part(part, job.load_sets.front().history)) {
         job.open_sharings.push_back(std::move(*open));
       }
     }
@@ -308,10 +281,8 @@ std::vector<PartJob> part_jobs(const LoadedScene& loaded,
                                const std::vector<std::string>& names,
                                double tolerance) {
   require_parts(loaded, names);
-  std::optional<mechanism::OtherSharings> sharings;
-  if (loaded.scene.has_mechanism) {
-    sharings.emplace(loaded.scene.mechanism, motion, bars_of(loaded));
-  }
+  std::optional<Sharings> sharings;
+  if (loaded.scene.has_mechanism) sharings.emplace(loaded, motion);
   std::vector<PartJob> jobs;
   for (const auto& part : loaded.parts) {
     if (!names.empty() &&

@@ -32,6 +32,7 @@ class Oscillators {
         settled_(ArrayXd::Zero(largest.size())),
         most_swing_(settled_),
         reach_(settled_),
+        timed_(settled_),
         time_(settled_) {
     for (Index i = 0; i + 1 < path.size(); ++i) {
       state_.rate -= path.bend(i).array();
@@ -63,9 +64,11 @@ class Oscillators {
 
  private:
   void look(double t, const ArrayXd& answer) {
+    constexpr double kLike = 1.01;  // a swing that goes on tells no time
     for (Index k = 0; k < answer.size(); ++k) {
-      if (answer[k] <= reach_[k]) continue;
-      reach_[k] = answer[k];
+      reach_[k] = std::max(reach_[k], answer[k]);
+      if (answer[k] <= kLike * timed_[k]) continue;
+      timed_[k] = answer[k];
       time_[k] = t;
     }
   }
@@ -122,7 +125,8 @@ class Oscillators {
   double omega_, period_, damping_, least_;
   SwingState state_;
   ArrayXd settled_, most_swing_;  ///< of the swing since it last grew
-  ArrayXd reach_, time_;          ///< largest answer
+  ArrayXd reach_;                 ///< largest answer
+  ArrayXd timed_, time_;          ///< the first that is like it
   std::vector<Onset> onsets_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -68,7 +69,8 @@ constexpr std::array<std::array<int, 2>, 6> kProducts{
 /// Loads whose energies tell those of any sum of them.
 struct UnitLoads {
   loads::LoadHistory history;
-  std::size_t wrenches{};
+  std::size_t wrenches{};  ///< on the seats, then elsewhere
+  std::size_t elsewhere{};
   double length{};  ///< of unit moments, over forces [m]
   double speed{};   ///< of unit spins [rad/s]
 
@@ -99,23 +101,26 @@ struct UnitLoads {
   const part::MassProperties& mass;
 };
 
-/// The unit wrenches, the unit spins, the sums of each two wrenches and of each
-/// wrench with each spin.
+/// The unit wrenches, those elsewhere, the unit spins, the sums of each two
+/// wrenches, of each wrench with each spin and with each elsewhere.
 UnitLoads unit_loads(std::vector<loads::Seat> seats,
+                     std::vector<loads::Seat> loaded,
                      const part::MassProperties& mass) {
   const double length = reach(seats, mass);
+  const std::size_t n = 6 * seats.size(), m = 6 * loaded.size();
+  std::ranges::move(loaded, std::back_inserter(seats));
   for (auto& seat : seats) {
     seat.kind = loads::SeatKind::kTraction;
     seat.slide.reset();
   }
   UnitLoads unit{.history = {},
-                 .wrenches = 6 * seats.size(),
+                 .wrenches = n,
+                 .elsewhere = m,
                  .length = length,
                  .speed = std::sqrt(1.0 / (mass.mass * length)),
                  .mass = mass};
   unit.history.seats = std::move(seats);
-  const std::size_t n = unit.wrenches;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < n + m; ++i) {
     auto wrenches = unit.none();
     unit.add(i, wrenches);
     unit.push(std::move(wrenches), {});
@@ -138,22 +143,36 @@ UnitLoads unit_loads(std::vector<loads::Seat> seats,
       unit.push(std::move(wrenches), unit.spin(k));
     }
   }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = n; k < n + m; ++k) {
+      auto wrenches = unit.none();
+      unit.add(i, wrenches);
+      unit.add(k, wrenches);
+      unit.push(std::move(wrenches), {});
+    }
+  }
   return unit;
 }
 
-/// Wᵀ D of unit wrenches and products of unit spins [J], by polarisation.
-MatrixXd spin_form(const VectorXd& energy, Index n) {
-  const auto products = static_cast<Index>(kProducts.size());
-  const VectorXd both = energy.tail(n * products);
-  MatrixXd form(n, products);
-  for (Index i = 0; i < n; ++i) {
-    for (Index k = 0; k < products; ++k) {
-      form(i, k) = both[i * products + k] - energy[i] - energy[n + k];
+/// Twice the mixed energy of two kinds of loads [J], by polarisation.
+/// @param both  of the sums of each of the one with each of the other.
+MatrixXd mixed_form(const VectorXd& one, const VectorXd& other,
+                    const VectorXd& both) {
+  MatrixXd form(one.size(), other.size());
+  for (Index i = 0; i < one.size(); ++i) {
+    for (Index k = 0; k < other.size(); ++k) {
+      form(i, k) = both[i * other.size() + k] - one[i] - other[k];
     }
-    for (Index k = 3; k < products; ++k) {
-      const auto& [one, other] = kProducts[static_cast<std::size_t>(k)];
-      form(i, k) -= form(i, one) + form(i, other);
-    }
+  }
+  return form;
+}
+
+/// Likewise Wᵀ D of unit wrenches and products of unit spins [J].
+/// @param form  of the wrenches and the spins that have two axes at once.
+MatrixXd spin_form(MatrixXd form) {
+  for (std::size_t k = 3; k < kProducts.size(); ++k) {
+    const auto& [one, other] = kProducts[k];
+    form.col(static_cast<Index>(k)) -= form.col(one) + form.col(other);
   }
   return form;
 }
@@ -164,8 +183,9 @@ SeatCompliance seat_compliance(const mesh::PartMesh<3>& mesh,
                                const part::Material& material,
                                const part::MassProperties& mass,
                                std::vector<loads::Seat> seats,
+                               std::vector<loads::Seat> loaded,
                                const std::string& name) {
-  const UnitLoads unit = unit_loads(std::move(seats), mass);
+  const UnitLoads unit = unit_loads(std::move(seats), std::move(loaded), mass);
   const VectorXd energy = solve<3>({.mesh = mesh,
                                     .material = material,
                                     .history = unit.history,
@@ -174,14 +194,27 @@ SeatCompliance seat_compliance(const mesh::PartMesh<3>& mesh,
                                    kDegree)
                               .strain_energy;
   const auto n = static_cast<Index>(unit.wrenches);
+  const auto m = static_cast<Index>(unit.elsewhere);
   const auto products = static_cast<Index>(kProducts.size());
-  const MatrixXd C = energy_form(energy.head(n),
-                                 energy.segment(n + products, n * (n - 1) / 2));
-  VectorXd size(n);
-  for (Index i = 0; i < n; ++i) size[i] = i % 6 < 3 ? 1.0 : unit.length;
-  const auto scale = size.cwiseInverse().asDiagonal();
-  return {scale * C * scale,
-          scale * spin_form(energy, n) / (unit.speed * unit.speed)};
+  Index first = 0;
+  const auto next = [&](Index count) {
+    first += count;
+    return VectorXd(energy.segment(first - count, count));
+  };
+  const VectorXd wrenches = next(n), elsewhere = next(m),
+                 spins = next(products);
+  const MatrixXd C = energy_form(wrenches, next(n * (n - 1) / 2));
+  const MatrixXd D = spin_form(mixed_form(wrenches, spins, next(n * products)));
+  const MatrixXd G = mixed_form(wrenches, elsewhere, next(n * m));
+  const auto scales = [&unit](Index count) {
+    VectorXd size(count);
+    for (Index i = 0; i < count; ++i) size[i] = i % 6 < 3 ? 1.0 : unit.length;
+    return VectorXd(size.cwiseInverse());
+  };
+  const VectorXd scale = scales(n);
+  return {scale.asDiagonal() * C * scale.asDiagonal(),
+          scale.asDiagonal() * D / (unit.speed * unit.speed),
+          scale.asDiagonal() * G * scales(m).asDiagonal()};
 }
 
 }  // namespace clevis::elasticity

@@ -22,7 +22,7 @@
 #include "loads/seats/seat_fit.h"
 #include "loads/seats/seat_spans.h"
 #include "loads/seats/slide_zone.h"
-#include "mechanism/reactions/other_sharings.h"
+#include "mechanism/reactions/largest_reaction.h"
 #include "part/buckling_limit.h"
 
 namespace clevis::loads {

@@ -9,6 +9,7 @@
 
 #include "base/messages/errors.h"
 #include "loads/history/balance.h"
+#include "loads/parts/clamped_seat.h"
 #include "loads/parts/surface_loads.h"
 
 namespace clevis::loads {
@@ -188,6 +189,7 @@ LoadHistory series_loads(const part::PartDefinition& part,
   }
   if (series.fixed.empty() && series.foundations.empty()) {
     balance(series, mass, part_size(groups, mass), place, history);
+    hold_clamped_seat(groups, part_size(groups, mass), history);
   }
   return history;
 }

@@ -109,17 +109,16 @@ ComplianceMaps compliance_maps(const SolvingFrame& frame,
   return result;
 }
 
-VectorXd strain_by_spin(const SolvingFrame& frame, const ComplianceMaps& maps,
-                        const std::vector<Vector3d>& spins) {
-  VectorXd strain = VectorXd::Zero(maps.energy_root.rows());
-  for (std::size_t k = 0; k < frame.links.size(); ++k) {
-    const Vector3d& w = spins[k];
+VectorXd strain_beside_joints(const ElasticLink& link, const Vector3d& spin,
+                              const VectorXd& loads) {
+  VectorXd strain = VectorXd::Zero(link.root.rows());
+  if (link.spin_root.size() > 0) {
     Eigen::Matrix<double, 6, 1> products;
-    products << w.cwiseAbs2(), w.x() * w.y(), w.x() * w.z(), w.y() * w.z();
-    const ElasticLink& link = frame.links[k];
-    strain.segment(maps.link_rows[k], link.root.rows()) =
-        link.spin_root * products;
+    products << spin.cwiseAbs2(), spin.x() * spin.y(), spin.x() * spin.z(),
+        spin.y() * spin.z();
+    strain += link.spin_root * products;
   }
+  if (link.load_root.size() > 0) strain += link.load_root * loads;
   return strain;
 }
 

@@ -27,12 +27,14 @@ ComplianceMaps compliance_maps(const SolvingFrame& frame,
                                const ConstraintSystem& system,
                                const std::vector<PlacedJoint>& placed);
 
-/// What spin strains the links: rows of energy_root, ½ |B λ + this|² the energy
-/// [√J].
-/// @param spins  of each link, ω in its L [rad/s].
-Eigen::VectorXd strain_by_spin(const SolvingFrame& frame,
-                               const ComplianceMaps& maps,
-                               const std::vector<Eigen::Vector3d>& spins);
+/// What strains a link beside its joints, as a vector e in the rows of its
+/// root: ½ |root w + e|² is its energy under the wrenches w of the joints [√J].
+/// @param spin   ω in its L [rad/s].
+/// @param loads  force [N] and moment about its point [N m] of each of its
+///   loads, in L.
+Eigen::VectorXd strain_beside_joints(const ElasticLink& link,
+                                     const Eigen::Vector3d& spin,
+                                     const Eigen::VectorXd& loads);
 
 /// Components (as of ComplianceMaps) per scaled multiplier of the rows: [1], of
 /// moments [m].

@@ -32,7 +32,7 @@ SharedReactions share_reactions(const SolvingFrame& frame,
                                 const std::vector<PlacedJoint>& placed,
                                 const numerics::JacobianFactor& factor,
                                 const VectorXd& f,
-                                const std::vector<Eigen::Vector3d>& spins) {
+                                const std::vector<VectorXd>& strains) {
   SharedReactions result;
   result.lambda = factor.solve_transposed(f);
   const ComplianceMaps way = compliance_maps(frame, system, placed);
@@ -46,9 +46,12 @@ SharedReactions share_reactions(const SolvingFrame& frame,
   const MatrixXd EN = E * N;
   const MatrixXd BN = way.energy_root * N;
   const Eigen::ColPivHouseholderQR<MatrixXd> least_squares(BN);
-  const VectorXd by_spin = strain_by_spin(frame, way, spins);
+  VectorXd beside = VectorXd::Zero(way.energy_root.rows());
+  for (std::size_t k = 0; k < strains.size(); ++k) {
+    beside.segment(way.link_rows[k], strains[k].size()) = strains[k];
+  }
   result.lambda -=
-      N * least_squares.solve(way.energy_root * result.lambda + by_spin);
+      N * least_squares.solve(way.energy_root * result.lambda + beside);
   result.components = E * result.lambda;
 
   constexpr double kRoundOff = 1e-7;  // of entries that ought to be zero
@@ -64,7 +67,7 @@ SharedReactions share_reactions(const SolvingFrame& frame,
       way.compliance.cwiseProduct(result.components.cwiseAbs());
   result.spread = (X * X.transpose()).cwiseAbs() * weight;
   const MatrixXd Y = times_inverse_root(BN, least_squares);
-  const VectorXd strain = way.energy_root * result.lambda + by_spin;
+  const VectorXd strain = way.energy_root * result.lambda + beside;
   for (std::size_t k = 0; k + 1 < way.link_rows.size(); ++k) {
     const Index first = way.link_rows[k], rows = way.link_rows[k + 1] - first;
     result.spread += (X * (Y.middleRows(first, rows).transpose() *

@@ -14,8 +14,8 @@ namespace clevis::mechanism {
 /// Of all λ with Jᵀλ = f the one of least complementary energy ½ wᵀ C w is
 /// taken, w = E λ the forces and moments of the joints in their frames J and C
 /// their compliances: that of links on joints that give way a little. Elastic
-/// links add their strain energy, with what spin strains them. It depends
-/// neither on units nor on the order of the joints.
+/// links add their strain energy, with what strains them beside their joints.
+/// It depends neither on units nor on the order of the joints.
 struct SharedReactions {
   Eigen::VectorXd lambda;  ///< scaled, by row [N]
 
@@ -30,13 +30,14 @@ struct SharedReactions {
 
 /// @param factor  of the Jacobian of `system` at `placed`.
 /// @param f       right-hand side, of ConstraintSystem::wrench_vector [N].
-/// @param spins   of each elastic link, ω in its L [rad/s].
+/// @param strains  of each elastic link beside its joints, as of
+///   strain_beside_joints() [√J].
 /// Source: docs/theory.md, "Reactions".
 SharedReactions share_reactions(const SolvingFrame& frame,
                                 const ConstraintSystem& system,
                                 const std::vector<PlacedJoint>& placed,
                                 const numerics::JacobianFactor& factor,
                                 const Eigen::VectorXd& f,
-                                const std::vector<Eigen::Vector3d>& spins);
+                                const std::vector<Eigen::VectorXd>& strains);
 
 }  // namespace clevis::mechanism

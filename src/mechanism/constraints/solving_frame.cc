@@ -169,19 +169,18 @@ void set_compliances(const MechanismDefinition& definition,
   }
 }
 
-/// What strains a link by its spin as wrenches at its joints would.
-Eigen::MatrixXd spin_root(
+/// What strains a link beside its joints as wrenches at these would.
+/// @param displacements  at the joints, one column each.
+Eigen::MatrixXd root_of(
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>& modes,
-    const Eigen::MatrixXd& by_spin) {
-  constexpr Eigen::Index kProducts = 6;
+    const Eigen::MatrixXd& displacements) {
   constexpr double kRoundOff = 1e-12;
-  const Eigen::Index n = modes.eigenvalues().size();
-  if (by_spin.size() == 0) return Eigen::MatrixXd::Zero(n, kProducts);
   const double least = kRoundOff * modes.eigenvalues().cwiseAbs().maxCoeff();
   const Eigen::VectorXd inverse = modes.eigenvalues().unaryExpr([&](double c) {
     return c > least ? 1.0 / std::sqrt(c) : 0.0;
   });
-  return inverse.asDiagonal() * modes.eigenvectors().transpose() * by_spin;
+  return inverse.asDiagonal() * modes.eigenvectors().transpose() *
+         displacements;
 }
 
 std::vector<ElasticLink> elastic_links(const MechanismDefinition& definition) {
@@ -196,7 +195,15 @@ std::vector<ElasticLink> elastic_links(const MechanismDefinition& definition) {
         .points = given->points,
         .root = modes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
                 modes.eigenvectors().transpose(),
-        .spin_root = spin_root(modes, given->by_spin)};
+        .spin_root = {},
+        .loads = given->loads,
+        .load_root = {}};
+    if (given->by_spin.size() > 0) {
+      link.spin_root = root_of(modes, given->by_spin);
+    }
+    if (given->by_load.size() > 0) {
+      link.load_root = root_of(modes, given->by_load);
+    }
     for (std::size_t k = 0; k < link.joints.size(); ++k) {
       const JointDefinition& joint = definition.joints[index(link.joints[k])];
       const bool is_b = joint.body_b == static_cast<int>(i);

@@ -27,6 +27,8 @@ struct ElasticLink {
   std::vector<Eigen::Vector3d> points;  ///< from J on the link, in L [m]
   Eigen::MatrixXd root;       ///< rootᵀ root = LinkCompliance::matrix
   Eigen::MatrixXd spin_root;  ///< rootᵀ spin_root = LinkCompliance::by_spin
+  std::vector<LinkLoad> loads;
+  Eigen::MatrixXd load_root;  ///< rootᵀ load_root = LinkCompliance::by_load
 };
 
 /// A mechanism in the frame P in which it is solved: for planar ones z is the

@@ -18,6 +18,12 @@ namespace clevis::mechanism {
 
 using part::Pose;
 
+/// A force element that strains a link beside its joints.
+struct LinkLoad {
+  int element{};          ///< index into MechanismDefinition::elements
+  Eigen::Vector3d point;  ///< p_LS, where the link takes it [m]
+};
+
 /// Compliance of a link at its joints: displacements and turns at `points` per
 /// force [N] and moment about the point [N m] there, in L, beside those of
 /// its rigid motion. Its loads are held by its inertia.
@@ -28,6 +34,10 @@ struct LinkCompliance {
   /// 6 n × 6: the same displacements by a spin ω, per ω_x², ω_y², ω_z², ω_x
   /// ω_y, ω_x ω_z and ω_y ω_z in L [m s²], [s²]; empty: none.
   Eigen::MatrixXd by_spin = {};
+  std::vector<LinkLoad> loads = {};
+  /// 6 n × 6 m: the same displacements by each load's force [N] and moment
+  /// about its point [N m], in L.
+  Eigen::MatrixXd by_load = {};
 };
 
 /// A rigid body. Its frame L is the frame of its part, if it has one.

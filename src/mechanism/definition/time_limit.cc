@@ -53,7 +53,7 @@ double TimeLimit::share(double t) const {
 
 std::optional<double> TimeLimit::enough() const {
   constexpr double kPatience = 20.0;  // times the limit
-  constexpr double kMargin = 1.5;
+  constexpr double kMargin = 3.0;     // of a machine that others slow down
   if (!(forecast_ < kPatience * limit_)) return std::nullopt;
   const double wanted = kMargin * std::max(forecast_, used());
   const double digit = std::pow(10.0, std::floor(std::log10(wanted)) - 1.0);

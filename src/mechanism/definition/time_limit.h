@@ -31,8 +31,8 @@ class TimeLimit {
   /// Of the whole, as of the last is_over() [s].
   double forecast() const { return forecast_; }
   double limit() const { return limit_; }  ///< [s]
-  /// A limit that the whole should keep, in round figures: half as much again
-  /// as the forecast. None if that is so far above the limit that no one means
+  /// A limit that the whole should keep, in round figures: three times
+  /// the forecast. None if that is so far above the limit that no one means
   /// it [s].
   std::optional<double> enough() const;
 

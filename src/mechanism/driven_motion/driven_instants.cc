@@ -106,8 +106,11 @@ DrivenInstants::Acted DrivenInstants::act_at(const ClosedConfiguration& at,
   Acted result{.instant = kinematics(at, t, motion),
                .forces = act(at, t, motion)};
   const auto balance = [&](std::span<const SpatialForce> applied) {
+    const auto elements = model_.frame.links.empty()
+                              ? std::vector<ElementState>{}
+                              : forces_.results(result.forces);
     return model_.equilibrium.solve(at.x, at.placed, at.factor, motion.twists,
-                                    motion.accelerations, applied);
+                                    motion.accelerations, applied, elements);
   };
   put_forces(
       model_.frame, model_.system, at.placed,

@@ -145,8 +145,12 @@ Instant DynamicInstants::instant_at(double t, VectorXd& y) {
   if (!forces) {
     std::vector<SpatialForce> applied(state.twists.size());
     elements.add_to(state.loads.forces, applied);
-    forces = model_.equilibrium.solve(state.x, state.placed, factor,
-                                      state.twists, accelerations, applied);
+    const auto acting = model_.frame.links.empty()
+                            ? std::vector<ElementState>{}
+                            : elements.results(state.loads.forces);
+    forces =
+        model_.equilibrium.solve(state.x, state.placed, factor, state.twists,
+                                 accelerations, applied, acting);
   }
   Instant instant = motion_at(model_.definition, model_.frame, state, elements,
                               t, accelerations);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/values/index.h"
+#include "mechanism/compliance/compliance_maps.h"
 #include "mechanism/compliance/compliant_balance.h"
 
 namespace clevis::mechanism {
@@ -25,6 +26,26 @@ double largest(const std::vector<SpatialForce>& wrenches, Motions motions,
     }
   }
   return result;
+}
+
+/// Force and moment about its point of each load of a link, in its L.
+VectorXd loads_on(const ElasticLink& link, const Matrix3d& R_LW,
+                  const Vector3d& p_WLo,
+                  std::span<const ElementState> elements) {
+  VectorXd loads =
+      VectorXd::Zero(6 * static_cast<Eigen::Index>(link.loads.size()));
+  if (elements.empty()) return loads;
+  for (std::size_t k = 0; k < link.loads.size(); ++k) {
+    auto load = loads.segment<6>(6 * static_cast<Eigen::Index>(k));
+    for (const auto& action : elements[index(link.loads[k].element)].actions) {
+      if (action.body != link.slot - 1) continue;
+      const Vector3d force = R_LW * action.f_W;
+      const Vector3d arm = R_LW * (action.p_W - p_WLo) - link.loads[k].point;
+      load.head<3>() += force;
+      load.tail<3>() += R_LW * action.t_W + arm.cross(force);
+    }
+  }
+  return loads;
 }
 
 }  // namespace
@@ -127,10 +148,10 @@ bool Equilibrium::acts_across_plane(
          kRoundOff * largest(required, Motions::kInPlane, frame_.length);
 }
 
-void Equilibrium::solve_out_of_plane(Solution& solution,
-                                     const std::vector<PlacedJoint>& placed,
-                                     std::vector<SpatialForce> required,
-                                     const std::vector<Vector3d>& spins) const {
+void Equilibrium::solve_out_of_plane(
+    Solution& solution, const std::vector<PlacedJoint>& placed,
+    std::vector<SpatialForce> required,
+    const std::vector<VectorXd>& strains) const {
   // what the reactions and drives in the plane already do across it
   std::vector<Vector3d> forces(placed.size());
   for (std::size_t j = 0; j < placed.size(); ++j) {
@@ -161,7 +182,7 @@ void Equilibrium::solve_out_of_plane(Solution& solution,
   factor.compute(J, nullptr, frame_.rank_threshold());
   const SharedReactions shared =
       share_reactions(frame_, out_of_plane_, placed, factor,
-                      out_of_plane_.wrench_vector(required), spins);
+                      out_of_plane_.wrench_vector(required), strains);
   add(solution, placed, out_of_plane_, shared.lambda);
   mark(solution, shared);
 }
@@ -169,14 +190,14 @@ void Equilibrium::solve_out_of_plane(Solution& solution,
 std::optional<Equilibrium::Solution> Equilibrium::solve_in_space(
     const std::vector<PlacedJoint>& placed,
     const std::vector<SpatialForce>& required,
-    const std::vector<Vector3d>& spins) const {
+    const std::vector<VectorXd>& strains) const {
   constexpr double kInBalance = 1e-9;
   const VectorXd f = in_space_.wrench_vector(required);
   const MatrixXd J = in_space_.jacobian(placed);
   numerics::JacobianFactor factor;
   factor.compute(J, nullptr, frame_.rank_threshold());
   const SharedReactions shared =
-      share_reactions(frame_, in_space_, placed, factor, f, spins);
+      share_reactions(frame_, in_space_, placed, factor, f, strains);
   const VectorXd left = J.transpose() * shared.lambda - f;
   if (left.norm() > kInBalance * f.norm()) return std::nullopt;
   Solution solution = empty_solution(placed);
@@ -206,47 +227,54 @@ void Equilibrium::add_efforts(Solution& solution, const ConstraintSystem& rows,
   }
 }
 
-std::vector<Vector3d> Equilibrium::link_spins(
-    const Configuration& x, const std::vector<Twist>& twists) const {
-  std::vector<Vector3d> spins;
+std::vector<VectorXd> Equilibrium::link_strains(
+    const Configuration& x, const std::vector<Twist>& twists,
+    std::span<const ElementState> elements) const {
+  std::vector<VectorXd> strains;
   for (const ElasticLink& link : frame_.links) {
-    const std::size_t slot = index(link.slot);
-    spins.push_back(x[slot].R.transpose() * twists[slot].w);
+    const BodyPlacement& body = x[index(link.slot)];
+    const Matrix3d R_LW = (frame_.R_WP * body.R).transpose();
+    const Vector3d p_WLo =
+        frame_.R_WP * (body.p - body.R * frame_.p_LM[index(link.slot - 1)]);
+    strains.push_back(strain_beside_joints(
+        link, body.R.transpose() * twists[index(link.slot)].w,
+        loads_on(link, R_LW, p_WLo, elements)));
   }
-  return spins;
+  return strains;
 }
 
 Equilibrium::Solution Equilibrium::solve(
     const Configuration& x, const std::vector<PlacedJoint>& placed,
     const numerics::JacobianFactor& factor, const std::vector<Twist>& twists,
     const std::vector<SpatialAcceleration>& accelerations,
-    std::span<const SpatialForce> applied) const {
+    std::span<const SpatialForce> applied,
+    std::span<const ElementState> elements) const {
   const std::vector<SpatialForce> required =
       required_wrenches(x, twists, accelerations, applied);
-  const std::vector<Vector3d> spins = link_spins(x, twists);
+  const std::vector<VectorXd> strains = link_strains(x, twists, elements);
   const bool across = frame_.planar && acts_across_plane(placed, required);
   const bool open = system_.rows() > factor.rank();
   if (across && open) {
-    if (auto solution = solve_in_space(placed, required, spins)) {
+    if (auto solution = solve_in_space(placed, required, strains)) {
       return *solution;
     }
   }
   const VectorXd f = system_.wrench_vector(required);
   SharedReactions shared;
   if (open) {
-    shared = share_reactions(frame_, system_, placed, factor, f, spins);
+    shared = share_reactions(frame_, system_, placed, factor, f, strains);
   } else {
     shared.lambda = factor.solve_transposed(f);
   }
   if (!factor.is_regular()) {
-    balance_nearly_dependent(placed, f, spins, shared);
+    balance_nearly_dependent(placed, f, strains, shared);
   }
   Solution solution = empty_solution(placed);
   add(solution, placed, system_, shared.lambda);
   add_efforts(solution, system_, shared.lambda);
   mark(solution, shared);
   if (across) {
-    solve_out_of_plane(solution, placed, required, spins);
+    solve_out_of_plane(solution, placed, required, strains);
   }
   return solution;
 }
@@ -255,7 +283,7 @@ Equilibrium::Solution Equilibrium::solve(
 /// held without them, as long as that takes no boundless reactions.
 void Equilibrium::balance_nearly_dependent(
     const std::vector<PlacedJoint>& placed, const VectorXd& f,
-    const std::vector<Vector3d>& spins, SharedReactions& shared) const {
+    const std::vector<VectorXd>& strains, SharedReactions& shared) const {
   constexpr double kInBalance = 1e-7, kBoundless = 1e7;
   constexpr double kRoundOff = 1e-12;
   const MatrixXd J = system_.jacobian(placed);
@@ -266,7 +294,7 @@ void Equilibrium::balance_nearly_dependent(
   numerics::JacobianFactor factor;
   factor.compute(J, nullptr, kRoundOff);
   SharedReactions balanced =
-      share_reactions(frame_, system_, placed, factor, f, spins);
+      share_reactions(frame_, system_, placed, factor, f, strains);
   if (left(balanced.lambda) <= kInBalance * f.norm() &&
       balanced.lambda.norm() <= kBoundless * f.norm()) {
     shared = std::move(balanced);

@@ -30,11 +30,14 @@ class Equilibrium {
   /// @param twists, accelerations  by slot, of M, in P [m/s], [rad/s]; [m/s²],
   ///   [rad/s²].
   /// @param applied  further wrenches about M by slot [N], [N m], or none.
+  /// @param elements  what makes these up, for the elastic links that it
+  ///   strains; or none.
   Solution solve(const Configuration& x, const std::vector<PlacedJoint>& placed,
                  const numerics::JacobianFactor& factor,
                  const std::vector<Twist>& twists,
                  const std::vector<SpatialAcceleration>& accelerations,
-                 std::span<const SpatialForce> applied = {}) const;
+                 std::span<const SpatialForce> applied = {},
+                 std::span<const ElementState> elements = {}) const;
 
   /// The same with joints that give way, of the system's own motions only.
   /// Nothing if no balance was found. @param held  columns of unknowns [m], see
@@ -56,7 +59,7 @@ class Equilibrium {
       std::span<const SpatialForce> applied) const;
   void balance_nearly_dependent(const std::vector<PlacedJoint>& placed,
                                 const Eigen::VectorXd& f,
-                                const std::vector<Eigen::Vector3d>& spins,
+                                const std::vector<Eigen::VectorXd>& strains,
                                 SharedReactions& shared) const;
   void add(Solution& solution, const std::vector<PlacedJoint>& placed,
            const ConstraintSystem& rows, const Eigen::VectorXd& lambda) const;
@@ -67,17 +70,18 @@ class Equilibrium {
   void solve_out_of_plane(Solution& solution,
                           const std::vector<PlacedJoint>& placed,
                           std::vector<SpatialForce> required,
-                          const std::vector<Eigen::Vector3d>& spins) const;
+                          const std::vector<Eigen::VectorXd>& strains) const;
   /// All reactions together, where the plane alone leaves some open and loads
   /// or joints lie beside it: how far these give way across the plane then
   /// shares those in it. Nothing if the joints do not hold the loads.
   std::optional<Solution> solve_in_space(
       const std::vector<PlacedJoint>& placed,
       const std::vector<SpatialForce>& required,
-      const std::vector<Eigen::Vector3d>& spins) const;
-  /// ω of each elastic link in its L [rad/s].
-  std::vector<Eigen::Vector3d> link_spins(
-      const Configuration& x, const std::vector<Twist>& twists) const;
+      const std::vector<Eigen::VectorXd>& strains) const;
+  /// Of each elastic link, as of strain_beside_joints() [√J].
+  std::vector<Eigen::VectorXd> link_strains(
+      const Configuration& x, const std::vector<Twist>& twists,
+      std::span<const ElementState> elements) const;
   static void mark(Solution& solution, const SharedReactions& shared);
 
   struct Inertia {

@@ -12,6 +12,8 @@
 #include "mechanism/constraints/solving_frame.h"
 #include "mechanism/reactions/body_motion.h"
 #include "mechanism/reactions/equilibrium.h"
+#include "mechanism/reactions/largest_reaction.h"
+#include "mechanism/reactions/unshared_strains.h"
 #include "numerics/factors/jacobian_factor.h"
 
 namespace clevis::mechanism {
@@ -44,14 +46,14 @@ bool is_open(const Motion& motion, std::size_t joint, std::size_t component,
 
 /// Whether a force strains an elastic link elsewhere than at its joints: what
 /// it does to the sharing is left out.
-bool is_loaded_elsewhere(const Motion& motion, BodyIndex body) {
-  return std::ranges::find(motion.unshared.loaded, body) !=
-         motion.unshared.loaded.end();
+bool is_loaded_elsewhere(const std::vector<int>& loaded, BodyIndex body) {
+  return std::ranges::find(loaded, body) != loaded.end();
 }
 
-bool is_loaded_elsewhere(const Motion& motion, const JointDefinition& joint) {
-  return is_loaded_elsewhere(motion, joint.body_a) ||
-         is_loaded_elsewhere(motion, joint.body_b);
+bool is_loaded_elsewhere(const std::vector<int>& loaded,
+                         const JointDefinition& joint) {
+  return is_loaded_elsewhere(loaded, joint.body_a) ||
+         is_loaded_elsewhere(loaded, joint.body_b);
 }
 
 /// Joints of a link that give way as much as it does, at least.
@@ -69,10 +71,10 @@ void soften_joints(const LinkCompliance& link,
 
 /// Without the links that forces strain elsewhere: how those share is not
 /// known, so that joints alone do, of any compliance about that of the link.
-MechanismDefinition without_loaded_links(const MechanismDefinition& given,
-                                         const Motion& motion) {
+MechanismDefinition without_links(const std::vector<int>& loaded,
+                                  const MechanismDefinition& given) {
   MechanismDefinition definition = given;
-  for (const int body : motion.unshared.loaded) {
+  for (const int body : loaded) {
     auto& compliance = definition.bodies[index(body)].compliance;
     soften_joints(*compliance, definition.joints);
     compliance.reset();
@@ -99,16 +101,17 @@ bool is_stiffer_than_link(const MechanismDefinition& definition,
       });
 }
 
-double range_of(const MechanismDefinition& definition, const Motion& motion,
-                std::size_t joint) {
+double range_of(const MechanismDefinition& definition,
+                const std::vector<int>& loaded, std::size_t joint) {
   const JointDefinition& of = definition.joints[joint];
-  if (is_loaded_elsewhere(motion, of)) return kUnknownCompliance;
+  if (is_loaded_elsewhere(loaded, of)) return kUnknownCompliance;
   if (of.compliance) return kGivenCompliance;
   return has_elastic_links(definition) ? kBesideElasticLinks
                                        : kUnknownCompliance;
 }
 
 std::vector<Coordinate> open_coordinates(const MechanismDefinition& definition,
+                                         const std::vector<int>& loaded,
                                          const Motion& motion, double length) {
   std::vector<Coordinate> coordinates;
   const double force = kNegligibleReaction * largest_reaction(motion, length);
@@ -119,7 +122,7 @@ std::vector<Coordinate> open_coordinates(const MechanismDefinition& definition,
       if (is_open(motion, j, first, negligible) ||
           is_open(motion, j, first + 1, negligible) ||
           is_open(motion, j, first + 2, negligible)) {
-        coordinates.push_back({j, is_moment, range_of(definition, motion, j)});
+        coordinates.push_back({j, is_moment, range_of(definition, loaded, j)});
       }
     }
   }
@@ -198,30 +201,21 @@ bool changes_nothing(const std::vector<Coordinate>& coordinates,
 
 }  // namespace
 
-double largest_reaction(const Motion& motion, double length) {
-  double largest = 0.0;
-  for (const Instant& instant : motion.instants) {
-    for (const JointReaction& joint : instant.joints) {
-      largest =
-          std::max({largest, joint.f_W.norm(), joint.t_W.norm() / length});
-    }
-  }
-  return largest;
-}
-
 struct OtherSharings::Solver {
   static constexpr std::size_t kMostCoordinates = 6;  // 64 corners
 
   Solver(const MechanismDefinition& given, const Motion& motion_of,
          const std::vector<double>& bars)
-      : definition(without_loaded_links(given, motion_of)),
+      : loaded(unshared_strains(given, motion_of, SolvingFrame(given).length)
+                   .loaded),
+        definition(without_links(loaded, given)),
         motion(motion_of),
         frame(definition),
         system(frame, definition.drives,
                frame.planar ? Motions::kInPlane : Motions::kSpatial,
                ConstraintSystem::Drives::kAll),
         equilibrium(definition, frame, system),
-        coordinates(open_coordinates(given, motion, frame.length)) {
+        coordinates(open_coordinates(given, loaded, motion, frame.length)) {
     corners = coordinates.size() <= kMostCoordinates
                   ? all_corners(coordinates.size())
                   : some_corners(coordinates);
@@ -231,7 +225,7 @@ struct OtherSharings::Solver {
     });
     for (const Coordinate& coordinate : coordinates) {
       const JointDefinition& joint = definition.joints[coordinate.joint];
-      leaves_forces_out |= is_loaded_elsewhere(motion, joint);
+      leaves_forces_out |= is_loaded_elsewhere(loaded, joint);
       auto& names = !joint.compliance                          ? unknown_names
                     : is_stiffer_than_link(given, joint, bars) ? stiff_names
                                                                : given_names;
@@ -317,12 +311,13 @@ struct OtherSharings::Solver {
       const auto [twists, accelerations] = rates(instant);
       put_forces(frame, system, placed,
                  equilibrium.solve(x, placed, factor, twists, accelerations,
-                                   applied(instant, x)),
+                                   applied(instant, x), instant.elements),
                  instant);
     }
     return result;
   }
 
+  std::vector<int> loaded;  ///< links that are elastic
   MechanismDefinition definition;
   const Motion& motion;
   SolvingFrame frame;

@@ -20,9 +20,6 @@ inline constexpr double kGivenCompliance = 2.0;
 /// it matter that equilibrium leaves them open.
 inline constexpr double kNegligibleReaction = 1e-6;
 
-/// Of a motion; moments over a length [N]. @param length  [m].
-double largest_reaction(const Motion& motion, double length);
-
 /// The same motion with its reactions as joints of other compliance share what
 /// equilibrium leaves open.
 ///
@@ -32,7 +29,8 @@ double largest_reaction(const Motion& motion, double length);
 /// Source: docs/theory.md, "Reactions".
 class OtherSharings {
  public:
-  /// @param motion  of the definition, without instants at change points.
+  /// @param motion  of the definition, without instants at change points; its
+  ///   links may have counted as rigid.
   /// @param bars  of each body, what it gives way as a bar from joint to joint,
   ///   0 of none [m/N].
   OtherSharings(const MechanismDefinition& definition, const Motion& motion,

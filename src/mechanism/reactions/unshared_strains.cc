@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/values/index.h"
-#include "mechanism/reactions/other_sharings.h"
+#include "mechanism/reactions/largest_reaction.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -72,15 +72,23 @@ double pull_of_spin(double mass, const Vector3d& spin, const Joints& joints,
   return largest;
 }
 
-bool is_loaded(const Instant& instant, int body) {
-  return std::ranges::any_of(
-      instant.elements, [body](const ElementState& element) {
-        return std::ranges::any_of(
-            element.actions, [body](const ElementAction& action) {
-              return action.body == body &&
-                     !(action.f_W.isZero(0.0) && action.t_W.isZero(0.0));
-            });
-      });
+/// Whether a force acts on an elastic link that its compliance does not know.
+bool is_loaded(const LinkCompliance& link, const Instant& instant, int body) {
+  for (int k = 0; k < static_cast<int>(instant.elements.size()); ++k) {
+    if (std::ranges::find(link.loads, k, &LinkLoad::element) !=
+        link.loads.end()) {
+      continue;
+    }
+    if (std::ranges::any_of(instant.elements[index(k)].actions,
+                            [body](const ElementAction& action) {
+                              return action.body == body &&
+                                     !(action.f_W.isZero(0.0) &&
+                                       action.t_W.isZero(0.0));
+                            })) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -95,14 +103,14 @@ UnsharedStrains unshared_strains(const MechanismDefinition& definition,
     const Joints& joints = open[index(body)];
     if (joints.empty()) continue;
     const BodyDefinition& of = definition.bodies[index(body)];
-    const bool is_elastic = of.compliance.has_value();
+    const auto& elastic = of.compliance;
     if (std::ranges::any_of(motion.instants, [&](const Instant& instant) {
-          return is_elastic ? is_loaded(instant, body)
-                            : pull_of_spin(of.mass_properties.mass,
-                                           instant.bodies[index(body)].w_WL,
-                                           joints, instant) > counts;
+          return elastic ? is_loaded(*elastic, instant, body)
+                         : pull_of_spin(of.mass_properties.mass,
+                                        instant.bodies[index(body)].w_WL,
+                                        joints, instant) > counts;
         })) {
-      (is_elastic ? found.loaded : found.spun).push_back(body);
+      (elastic ? found.loaded : found.spun).push_back(body);
     }
   }
   return found;

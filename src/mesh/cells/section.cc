@@ -136,6 +136,32 @@ bool crosses(const Matrix3Xd& points, const Plane& plane) {
   return above && below;
 }
 
+/// Spares a look at each point of the cells that a plane is far from.
+struct Ball {
+  Vector3d centre;
+  double radius{};
+
+  bool is_clear_of(const Plane& plane) const {
+    constexpr double kRoundOff = 1e-9;
+    const Vector3d way = centre - plane.point;
+    return std::abs(way.dot(plane.normal)) >
+           radius + kRoundOff * (way.norm() + centre.norm());
+  }
+};
+
+std::vector<Ball> balls_of(const PartMesh<3>& mesh) {
+  std::vector<Ball> balls;
+  balls.reserve(mesh.cells.size());
+  for (const Matrix3Xd& points : mesh.cell_points) {
+    const Vector3d centre = points.rowwise().mean();
+    balls.push_back(
+        {centre,
+         std::sqrt(
+             (points.colwise() - centre).colwise().squaredNorm().maxCoeff())});
+  }
+  return balls;
+}
+
 /// Even points of a cell, and the pieces between them.
 struct Subdivision {
   MatrixXd to_even;  ///< one direction of a hexahedron, or all of the simplex
@@ -276,6 +302,7 @@ int count_pieces(const Neighbours& other, const std::vector<CutCell>& cut,
 struct SectionCutter::Cells {
   Subdivision subdivision;
   Neighbours neighbours;
+  std::vector<Ball> balls;  ///< that hold the points of each cell
 };
 
 SectionCutter::SectionCutter(const PartMesh<3>& mesh, int parts)
@@ -284,7 +311,7 @@ SectionCutter::SectionCutter(const PartMesh<3>& mesh, int parts)
           mesh.shape == CellShape::kTensor
               ? subdivide_hexahedron(mesh.degree, parts)
               : subdivide_tetrahedron(mesh.degree, parts),
-          neighbours(mesh))) {}
+          neighbours(mesh), balls_of(mesh))) {}
 
 Section SectionCutter::at(const Vector3d& point, const Vector3d& normal) const {
   const PartMesh<3>& mesh = *mesh_;
@@ -294,6 +321,7 @@ Section SectionCutter::at(const Vector3d& point, const Vector3d& normal) const {
   Sum sum(plane);
   std::vector<CutCell> cut_cells(mesh.cells.size());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    if (cells_->balls[c].is_clear_of(plane)) continue;
     // The points of a curved cell reach beyond its corners: take all.
     if (!crosses(mesh.cell_points[c], plane)) continue;
     CutCell& cell = cut_cells[c];

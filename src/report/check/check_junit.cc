@@ -1,6 +1,7 @@
 #include "report/check/check_junit.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -54,18 +55,20 @@ JunitCase convergence_case(const PartResult& part) {
 }
 
 JunitCase safety_case(const PartResult& part, const part::Limits& limits) {
+  const std::string factor =
+      fmt::format("safety factor {:.6g}{}", part.safety_factor,
+                  part.vibration.governs ? " as it vibrates" : "");
   JunitCase test{.classname = {},
                  .name = "safety factor",
                  .status = JunitStatus::kSkipped,
-                 .message = fmt::format("safety factor {:.6g}, no limit set",
-                                        part.safety_factor),
+                 .message = factor + ", no limit set",
                  .seconds = 0.0};
   if (limits.safety_factor) {
     test.status =
         status_of_limit(part.safety_factor < *limits.safety_factor, part);
-    test.message = fmt::format("safety factor {:.6g}, at least {:.6g} wanted{}",
-                               part.safety_factor, *limits.safety_factor,
-                               reason(test.status, part));
+    test.message =
+        fmt::format("{}, at least {:.6g} wanted{}", factor,
+                    *limits.safety_factor, reason(test.status, part));
   }
   return test;
 }

@@ -348,7 +348,7 @@ void add_unshared(const MechanismDefinition& definition, const Motion& motion,
   }
   if (!loaded.empty()) {
     notes.push_back(fmt::format(
-        "{}: what forces strain beside its joints is left out of how these "
+        "{}: what pressure on its faces strains is left out of how its joints "
         "share reactions; take links = \"rigid\" and give the joints "
         "compliances that stand for the links too",
         names_of(definition, loaded)));

@@ -130,7 +130,10 @@ ordered_json case_json(const part::LoadCaseDefinition& given) {
           {"traction_MPa", traction},
           {"fixed", held_json(given.fixed)},
           {"held_by_pin", given.held_by_pin},
-          {"acceleration_m_per_s2", vector_json(given.acceleration)}};
+          {"acceleration_m_per_s2", vector_json(given.acceleration)},
+          {"angular_velocity_rad_per_s", vector_json(given.angular_velocity)},
+          {"angular_acceleration_rad_per_s2",
+           vector_json(given.angular_acceleration)}};
 }
 
 ordered_json definition_json(const part::PartDefinition& part) {

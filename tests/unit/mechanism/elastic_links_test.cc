@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "mechanism/simulate.h"
@@ -18,6 +19,7 @@ using namespace testing;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
+using Eigen::VectorXd;
 
 Eigen::Matrix3d cross_matrix(const Vector3d& p) {
   Eigen::Matrix3d S;
@@ -150,6 +152,94 @@ TEST(ElasticLinks, RigidMotionOfALinkDoesNotMatter) {
                    resultant;
   }
   EXPECT_LT(difference(m, more), 1e-8);
+}
+
+/// A link on two hinges to the ground, skew to one another.
+MechanismDefinition skew_link() {
+  MechanismDefinition m;
+  m.dimension = SpaceDimension::kSpatial;
+  BodyDefinition link;
+  link.name = link.place = "link";
+  link.mass_properties = {1.0, Vector3d::Zero(),
+                          0.01 * Eigen::Matrix3d::Identity()};
+  link.placement.R_WL =
+      Eigen::AngleAxisd(0.4, Vector3d(1.0, 2.0, -1.0).normalized())
+          .toRotationMatrix();
+  link.placement.p_WL = {0.2, -0.1, 0.3};
+  m.bodies = {link};
+  for (const double x : {-0.1, 0.1}) {
+    JointDefinition hinge;
+    hinge.name = x < 0.0 ? "A" : "B";
+    hinge.type = JointType::kRevolute;
+    hinge.body_b = 0;
+    hinge.frame_b.p_LJ = {x, 0.0, 0.0};
+    hinge.frame_b.R_LJ =
+        Eigen::AngleAxisd(5.0 * x, Vector3d::UnitX()).toRotationMatrix();
+    hinge.frame_a.p_LJ =
+        link.placement.p_WL + link.placement.R_WL * hinge.frame_b.p_LJ;
+    hinge.frame_a.R_LJ = link.placement.R_WL * hinge.frame_b.R_LJ;
+    hinge.compliance =
+        JointCompliance{Vector3d::Constant(1e-9), Vector3d::Constant(1e-7)};
+    m.joints.push_back(hinge);
+  }
+  return m;
+}
+
+// A force on a link strains it as a joint there that carries the force: of the
+// same link, a body welded to it on which the force acts.
+TEST(ElasticLinks, ForcesStrainThemAsAJointWould) {
+  const Vector3d at(0.03, 0.02, -0.01);  // in L
+  ConstantForce force;
+  force.name = "push";
+  force.f_W = {300.0, -900.0, 500.0};
+  MechanismDefinition by_joint = skew_link();
+  BodyDefinition puck;
+  puck.name = puck.place = "puck";
+  puck.mass_properties = {1e-3, Vector3d::Zero(),
+                          1e-9 * Eigen::Matrix3d::Identity()};
+  const Pose& pose = by_joint.bodies[0].placement;
+  puck.placement.R_WL = pose.R_WL;
+  puck.placement.p_WL = pose.p_WL + pose.R_WL * at;
+  by_joint.bodies.push_back(puck);
+  JointDefinition weld;
+  weld.name = "F";
+  weld.type = JointType::kWeld;
+  weld.body_a = 0;
+  weld.body_b = 1;
+  weld.frame_a.p_LJ = at;
+  by_joint.joints.push_back(weld);
+  by_joint.bodies[0].compliance = some_link(by_joint, 0);
+  const LinkCompliance all = *by_joint.bodies[0].compliance;
+
+  MechanismDefinition by_force = skew_link();
+  LinkCompliance& link = by_force.bodies[0].compliance.emplace();
+  link.joints = {0, 1};
+  link.points = {all.points[0], all.points[1]};
+  link.matrix = all.matrix.topLeftCorner(12, 12);
+  const Vector3d point(-0.02, 0.05, 0.04);  // where its wrench is known about
+  MatrixXd shift = MatrixXd::Identity(6, 6);
+  shift.bottomLeftCorner<3, 3>() = cross_matrix(point - at);
+  link.loads = {{0, point}};
+  link.by_load = all.matrix.topRightCorner(12, 6) * shift;
+
+  force.point = {1, Vector3d::Zero()};
+  by_joint.elements = {force};
+  force.point = {0, at};
+  by_force.elements = {force};
+  MechanismDefinition without = by_force;
+  without.bodies[0].compliance->loads.clear();
+  without.bodies[0].compliance->by_load.resize(0, 0);
+  const auto reactions = [](const MechanismDefinition& m) {
+    const Motion motion = simulate(m, {.duration = 1.0, .instants = 2});
+    EXPECT_FALSE(motion.instants[1].joints[0].unique);
+    VectorXd both(12);
+    both << motion.instants[1].joints[0].components(),
+        motion.instants[1].joints[1].components();
+    return both;
+  };
+  const VectorXd wanted = reactions(by_joint);
+  EXPECT_LT((reactions(by_force) - wanted).norm(), 1e-9 * wanted.norm());
+  EXPECT_GT((reactions(without) - wanted).norm(), 1e-2 * wanted.norm());
 }
 
 // Doubling a link's compliance changes a reaction at most by its spread.

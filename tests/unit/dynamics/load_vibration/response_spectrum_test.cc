@@ -43,6 +43,7 @@ TEST(ResponseSpectrum, StepsAreAnsweredTwice) {
   ASSERT_EQ(found.onsets.size(), 1U);  // the second adds a hundredth
   EXPECT_EQ(found.onsets[0], 5.0);
   EXPECT_EQ(found.period, 1.0);
+  EXPECT_NEAR(found.time, 5.5, 0.1);  // not a later swing as high
 
   const double zeta = 0.1;
   const double overshoot = std::exp(-zeta * kPi / std::sqrt(1.0 - zeta * zeta));

@@ -22,20 +22,26 @@ using Eigen::VectorXd;
 const part::Material kMaterial{"steel", 210e9, 0.0, 7850.0, 355e6};
 constexpr double kLength = 0.2, kWidth = 0.02, kHeight = 0.01;
 
-SeatCompliance bar(double turned = 0.0) {
+loads::Seat seat(const std::string& group, const Vector3d& p_LS) {
+  loads::Seat result;
+  result.name = result.group = group;
+  result.p_LS = p_LS;
+  return result;
+}
+
+SeatCompliance bar(double turned = 0.0, std::vector<loads::Seat> more = {},
+                   const std::vector<loads::Seat>& loaded = {}) {
   const Eigen::AngleAxisd R(turned, Vector3d::UnitZ());
   const auto mesh = support::structured_mesh<3>(
       {10, 1, 1}, 1, [&](const Vector3d& x) -> Vector3d {
         return R * Vector3d(kLength * x[0], kWidth * (x[1] - 0.5),
                             kHeight * (x[2] - 0.5));
       });
-  std::vector<loads::Seat> seats(2);
-  seats[0].name = seats[0].group = "x0";
-  seats[1].name = seats[1].group = "x1";
-  seats[1].p_LS = R * Vector3d(kLength, 0.0, 0.0);
+  more.insert(more.begin(), {seat("x0", Vector3d::Zero()),
+                             seat("x1", R * Vector3d(kLength, 0.0, 0.0))});
   return seat_compliance(mesh, kMaterial,
-                         mesh::mass_properties(mesh, kMaterial.density), seats,
-                         "bar");
+                         mesh::mass_properties(mesh, kMaterial.density), more,
+                         loaded, "bar");
 }
 
 /// 2 U under a wrench at one end and what balances it at the other.
@@ -90,6 +96,21 @@ TEST(SeatCompliance, SpinDrawsTheEndsApart) {
           << k;
     }
   }
+}
+
+// A load moves the seats as a wrench on a further seat does (Betti): of the two
+// ends, the sides across y and z.
+TEST(SeatCompliance, LoadsElsewhereAreSeatsThatDoNotCount) {
+  const std::vector<loads::Seat> sides{
+      seat("y1", {0.3 * kLength, kWidth, 0.01}),
+      seat("z0", {0.0, 0.0, -kHeight})};
+  const Eigen::MatrixXd C = bar(0.0, sides).by_wrench;
+  const SeatCompliance found = bar(0.0, {}, sides);
+  ASSERT_EQ(found.by_load.rows(), 12);
+  ASSERT_EQ(found.by_load.cols(), 12);
+  EXPECT_LT((found.by_load - C.block(0, 12, 12, 12)).norm(), 1e-9 * C.norm());
+  EXPECT_LT((found.by_wrench - C.block(0, 0, 12, 12)).norm(), 1e-9 * C.norm());
+  EXPECT_GT(found.by_load.norm(), 1e-3 * C.norm());
 }
 
 }  // namespace

@@ -86,8 +86,9 @@ TEST(SeriesLoads, InertiaBalancesLoadsWithoutAccelerations) {
   const Wrench left = residual(history, history.instants[0], mass());
   EXPECT_NEAR(left.force.norm(), 0.0, 1e-9);
   EXPECT_NEAR(left.moment.norm(), 0.0, 1e-9);
-  ASSERT_EQ(history.notes.size(), 1u);
+  ASSERT_EQ(history.notes.size(), 2u);
   EXPECT_NE(history.notes[0].find("28.28 m/s^2"), std::string::npos);
+  EXPECT_TRUE(history.notes[1].starts_with("what holds the part is not in"));
 }
 
 TEST(SeriesLoads, GivenAccelerationsLeaveASmallRestOnly) {

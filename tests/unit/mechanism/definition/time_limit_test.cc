@@ -74,10 +74,10 @@ TEST(TimeLimit, NamesALimitThatIsEnoughUnlessItIsFarOff) {
       is_over = limit.is_over(t);
     }
     ASSERT_EQ(is_over, duration > 20.0);
-    if (duration == 300.0) {  // 903 s, half as much again, rounded up
-      EXPECT_NEAR(limit.enough().value_or(0.0), 1400.0, 1e-9);
+    if (duration == 300.0) {  // three times 903 s, rounded up
+      EXPECT_NEAR(limit.enough().value_or(0.0), 2800.0, 1e-9);
     } else if (duration == 390.0) {
-      EXPECT_NEAR(limit.enough().value_or(0.0), 1800.0, 1e-9);
+      EXPECT_NEAR(limit.enough().value_or(0.0), 3600.0, 1e-9);
     }
   }
   now = 0.0;

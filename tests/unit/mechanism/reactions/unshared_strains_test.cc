@@ -93,6 +93,9 @@ TEST(UnsharedStrains, ForcesOnElasticLinksBesideTheirJoints) {
   spring.law = SpringLaw{.stiffness = 1e3, .free = 0.5};
   m.elements = {spring};
   EXPECT_EQ(simulate(m, settings).unshared.loaded, std::vector<int>{1});
+  m.bodies[1].compliance->loads = {{0, Vector3d::Zero()}};
+  m.bodies[1].compliance->by_load = Eigen::MatrixXd::Zero(12, 6);
+  EXPECT_TRUE(simulate(m, settings).unshared.loaded.empty());
   m.bodies[1].compliance.reset();
   EXPECT_TRUE(simulate(m, settings).unshared.loaded.empty());
 }

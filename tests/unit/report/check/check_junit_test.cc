@@ -57,6 +57,13 @@ TEST(CheckJunit, ExceededLimitIsAFailureAndTheKeptOneIsNot) {
   EXPECT_FALSE(holds(kept, "too weak"));
 }
 
+TEST(CheckJunit, SafetyOfAPartThatVibratesIsNotThatOfThePeakAtRest) {
+  CheckReport report = report_of(Verdict::kPass);
+  report.parts[0].vibration.governs = true;
+  EXPECT_TRUE(holds(line_of(check_junit(report), "DCE", "safety factor"),
+                    "2.84 as it vibrates, at least 1.5 wanted"));
+}
+
 TEST(CheckJunit, DeflectionAboveItsLimitIsAFailure) {
   CheckReport report = report_of(Verdict::kFail);
   report.parts[0].deflection = 0.6e-3;
